@@ -1,0 +1,60 @@
+/// Reading points and writing meshes (docs/file-formats.md). The type of a file is found by its
+/// content first, then by its extension. No reader returns a partial result, and no writer leaves
+/// a partial file: output goes to a temporary file beside the target, which is then renamed.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/result.h"
+
+namespace se {
+
+/// The scalar types of PLY.
+enum class ScalarType : std::uint8_t { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float, Double };
+
+/// A per-point column that the algorithm does not use but that output must keep.
+struct Attribute {
+    std::string name;
+    ScalarType type = ScalarType::Float;
+    std::vector<double> values;  ///< One per point; every ScalarType fits a double exactly.
+};
+
+/// What a point file held, as it stood there: nothing repaired, nothing normalized, nothing dropped.
+/// `prepare.h` turns it into a PointSet that the stepper accepts.
+struct PointFile {
+    std::vector<Vec3> position;
+    ScalarType positionType = ScalarType::Float;
+    std::vector<Vec3> normal;        ///< Empty where the file has none.
+    std::vector<std::uint8_t> type;  ///< Empty where the file has none.
+    NeighborLists neighbors;         ///< size() == 0 where the file has none.
+    std::vector<Triangle> faces;     ///< Polygons are split into fans. Empty for plain points.
+    std::vector<Attribute> attributes;
+
+    bool hasNormals() const { return !normal.empty(); }
+    bool hasTypes() const { return !type.empty(); }
+    bool hasNeighbors() const { return neighbors.size() > 0; }
+};
+
+/// Reads PLY (ascii, binary little and big endian), XYZ (`x y z [nx ny nz]`), OBJ (`v`, `vn`) or
+/// OFF/NOFF. Errors name the file and the line or byte, what was expected and what to do.
+Result<PointFile> readPoints(const std::filesystem::path& path);
+/// The same from memory; `name` is what errors call it, and its extension is the second hint.
+Result<PointFile> readPoints(std::string_view bytes, const std::string& name);
+
+/// Writes `points` (all of them, in order, with their attributes) and `triangles` as binary little
+/// endian PLY. Types and neighbor lists are written if the file holds them.
+Status writeMeshPly(const std::filesystem::path& path, const PointFile& points,
+                    std::span<const Triangle> triangles);
+/// The bytes that writeMeshPly() writes.
+std::string meshPlyBytes(const PointFile& points, std::span<const Triangle> triangles);
+
+/// Writes `bytes` to a temporary file beside `path`, then renames it to `path`.
+Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace se

@@ -1,0 +1,95 @@
+/// The input of the Spiraling Edge algorithm (§3, §4): points with normals, type bits and
+/// neighbor lists ordered by distance.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "spiraling_edge/result.h"
+
+namespace se {
+
+using Vec3 = glm::dvec3;
+
+/// Index of a point, a ring entry or a ring. 32 bits: at most 4,294,967,294 of each.
+using Index = std::uint32_t;
+/// "No such thing", for any Index.
+inline constexpr Index kNone = 0xffffffffU;
+
+/// Three point indices, counterclockwise seen from the tip of the normals (§6.4, Fig. 10).
+struct Triangle {
+    Index a = kNone;
+    Index b = kNone;
+    Index c = kNone;
+    friend bool operator==(const Triangle&, const Triangle&) = default;
+};
+
+/// Type bits of a point (§4). The paper names the bits; the values are ours.
+/// An interior point has none; a point with two or more face bits also has kCorner.
+enum TypeBits : std::uint8_t {
+    kInterior = 0,
+    kPositiveX = 1,
+    kPositiveY = 2,
+    kPositiveZ = 4,
+    kNegativeX = 8,
+    kNegativeY = 16,
+    kNegativeZ = 32,
+    kCorner = 64,
+    kFaceBits = 63,
+};
+
+/// True if the point lies on a wall of the box (any face bit set).
+constexpr bool isBoundary(std::uint8_t type) { return (type & kFaceBits) != 0; }
+/// True if the point lies on two or more walls.
+constexpr bool isCorner(std::uint8_t type) {
+    const unsigned faces = type & kFaceBits;
+    return (faces & (faces - 1U)) != 0;
+}
+/// True if both points lie on a common wall.
+constexpr bool shareFace(std::uint8_t a, std::uint8_t b) { return (a & b & kFaceBits) != 0; }
+/// The face bits of `type`, with kCorner set exactly when there are two or more of them.
+constexpr std::uint8_t withCornerBit(std::uint8_t type) {
+    const auto faces = static_cast<std::uint8_t>(type & kFaceBits);
+    return static_cast<std::uint8_t>(isCorner(faces) ? faces | kCorner : faces);
+}
+
+/// One list of point indices per point, nearest first, packed one behind the other.
+/// Lists may be of any length, unsymmetric or empty.
+struct NeighborLists {
+    /// size() + 1 positions into `ids`, ascending; list p is ids[offset[p] .. offset[p + 1]).
+    std::vector<std::uint32_t> offset{0};
+    std::vector<Index> ids;
+
+    std::size_t size() const { return offset.size() - 1; }
+    std::span<const Index> operator[](Index p) const {
+        return {ids.data() + offset[p], ids.data() + offset[p + 1]};
+    }
+    /// Appends the list of the next point.
+    void append(std::span<const Index> list) {
+        ids.insert(ids.end(), list.begin(), list.end());
+        offset.push_back(static_cast<std::uint32_t>(ids.size()));
+    }
+};
+
+/// Points as the stepper wants them. All arrays have the same length.
+struct PointSet {
+    std::vector<Vec3> position;      ///< Scene units.
+    std::vector<Vec3> normal;        ///< Unit length; the outer side of the surface.
+    std::vector<std::uint8_t> type;  ///< TypeBits.
+    NeighborLists neighbors;
+
+    std::size_t size() const { return position.size(); }
+    bool empty() const { return position.empty(); }
+};
+
+/// Checks what the stepper relies on: equal array lengths; for every point that has a list or
+/// stands in one, a finite position and a unit normal (within 1e-6); in every list only existing
+/// points, none twice, not the point itself. Points outside all lists may hold anything: they end
+/// as isolated. `prepare.h` makes any input pass. O(points + list entries).
+Status validate(const PointSet& points);
+
+}  // namespace se

@@ -1,0 +1,65 @@
+/// From what a file held to what the stepper accepts: neighbor lists computed where absent,
+/// unusable points set aside, lists cleaned (section 2 of the reading in docs/choices.md).
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <variant>
+
+#include "spiraling_edge/io.h"
+#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/result.h"
+
+namespace se {
+
+/// The k nearest points.
+struct KNearest {
+    std::size_t k = 12;
+};
+/// All points not farther than `radius`, in scene units.
+struct WithinRadius {
+    double radius = 0.0;
+};
+
+/// How missing neighbor lists are made.
+struct NeighborOptions {
+    std::variant<KNearest, WithinRadius> reach = KNearest{};
+    /// Leave out points whose normal opposes (dot product <= 0), before the k nearest are taken.
+    /// The paper is silent; without it, sheets that come close are joined.
+    bool dropOpposingNormals = true;
+    /// Compute lists even if the file has some.
+    bool recompute = false;
+};
+
+/// How many points and list entries were set aside, and why. The points stay in the set, with their
+/// index, but have an empty list and stand in no list.
+struct PrepareReport {
+    std::size_t nonFinitePoints = 0;
+    std::size_t zeroNormals = 0;
+    std::size_t duplicatePoints = 0;    ///< Exact copies of a point with a lower index.
+    std::size_t unscaledNormals = 0;    ///< Normals that were not of unit length and were scaled.
+    std::size_t droppedListEntries = 0; ///< In lists from the file: self, repeated, unusable, opposing.
+    bool neighborsComputed = false;
+};
+
+struct Prepared {
+    PointSet points;
+    PrepareReport report;
+};
+
+/// Called now and then during long work with the share done in [0, 1]; returning false cancels.
+using Progress = std::function<bool(double)>;
+
+/// Makes a PointSet. Fails if normals are absent, if k is 0 or the radius not positive, if a list
+/// names a point that does not exist, or if cancelled. Neighbor lists are ordered by distance, ties
+/// by index: the result does not depend on how the search works.
+Result<Prepared> prepare(const PointFile& file, const NeighborOptions& options,
+                         const Progress& progress = {});
+
+/// The ordered lists alone, for points with usable[p] true. Requires finite usable positions.
+/// Deterministic: ordered by distance, ties by index.
+Result<NeighborLists> findNeighbors(std::span<const Vec3> position, std::span<const Vec3> normal,
+                                    const std::vector<bool>& usable, const NeighborOptions& options,
+                                    const Progress& progress = {});
+
+}  // namespace se
