@@ -1,0 +1,110 @@
+/// The edge rings of §4 and §6.5: the active ring and the stack of the others.
+///
+/// Invariants (checked by checkInvariants() in state.h):
+///  1. next and prev agree; each live entry is in exactly one ring; ring lengths are right.
+///  2. A point's chain holds exactly its live entries.
+///  3. The active ring is not on the stack; no ring is on the stack twice.
+#pragma once
+
+#include <vector>
+
+#include "spiraling_edge/point_set.h"
+
+namespace se {
+
+/// One place on a ring. The edge that it stands for is its step: from its point to the point of
+/// `next`. A point may have several entries, also in one ring (§4). Dead entries have ring == kNone.
+struct RingEntry {
+    Index point = kNone;
+    Index prev = kNone;
+    Index next = kNone;
+    Index ring = kNone;
+    Index nextOfPoint = kNone;  ///< Next entry of the same point, newest first.
+    bool open = false;          ///< The step to `next` is not an edge of the mesh.
+};
+
+/// What EdgeRings::exchangeSuccessors() did.
+struct Exchange {
+    bool split = false;      ///< One ring became two; else two became one.
+    Index ringOfX = kNone;   ///< Ring of x afterwards.
+    Index ringOfY = kNone;   ///< Ring of y afterwards; equal to ringOfX after a join.
+    Index goneRing = kNone;  ///< After a join: the ring that is no more.
+};
+
+/// Pooled doubly linked rings with a stack. Entries and rings are named by index, so the whole is a
+/// plain value that can be copied. No call allocates once the pool has grown to its working size.
+class EdgeRings {
+ public:
+    EdgeRings() = default;
+    explicit EdgeRings(std::size_t pointCount) : headOfPoint_(pointCount, kNone) {}
+
+    // Looking.
+    const RingEntry& operator[](Index entry) const { return entries_[entry]; }
+    Index point(Index entry) const { return entries_[entry].point; }
+    Index next(Index entry) const { return entries_[entry].next; }
+    Index prev(Index entry) const { return entries_[entry].prev; }
+    Index ringOf(Index entry) const { return entries_[entry].ring; }
+    bool alive(Index entry) const { return entry != kNone && entries_[entry].ring != kNone; }
+    /// True if the step from `entry` to its successor is not an edge of the mesh.
+    bool open(Index entry) const { return entries_[entry].open; }
+    /// Newest entry of a point, kNone if it stands in no ring. Go on with nextOfPoint.
+    Index firstEntryOf(Index point) const { return headOfPoint_[point]; }
+    /// Number of entries of a ring.
+    Index length(Index ring) const { return rings_[ring].length; }
+    /// An entry of the ring to start walking at; for a stacked ring, the pivot when it is popped.
+    Index head(Index ring) const { return rings_[ring].head; }
+    /// The active ring, kNone if there is none.
+    Index active() const { return active_; }
+    /// Stacked rings, the most recently pushed last.
+    const std::vector<Index>& stack() const { return stack_; }
+    /// Place of a ring on the stack counted from the top (0 = top), kNone if it is not on it.
+    Index depthFromTop(Index ring) const;
+    std::size_t pointCount() const { return headOfPoint_.size(); }
+    std::size_t entryCapacity() const { return entries_.size(); }
+    std::size_t ringCapacity() const { return rings_.size(); }
+
+    // Changing.
+    /// Makes p, q the active ring, both steps open. Requires no active ring. Returns p's entry.
+    Index start(Index p, Index q);
+    /// Puts a new entry behind `entry`; the new entry's step takes over the open mark of `entry`.
+    Index insertAfter(Index entry, Index point);
+    void setOpen(Index entry, bool open) { entries_[entry].open = open; }
+    /// Takes an entry out; its predecessor's step now leads to its successor. A ring that loses its
+    /// last entry is gone (from the stack or as active ring, too).
+    void erase(Index entry);
+    /// The one operation behind split and join (§6.5, Fig. 12): x and y swap what follows them,
+    /// together with the open marks of those steps. Rings keep their roles as far as they can: the
+    /// new ring of a split is neither active nor stacked until activate() or push() says so.
+    Exchange exchangeSuccessors(Index x, Index y);
+    /// Makes `ring` the active one; takes it off the stack if it was there.
+    /// The ring that was active is neither afterwards.
+    void activate(Index ring);
+    /// Puts a ring on top of the stack; `head` is where its traversal will begin.
+    void push(Index ring, Index head);
+    /// Makes the top of the stack the active ring and returns its head; kNone if the stack is empty.
+    Index pop();
+
+ private:
+    struct Ring {
+        Index head = kNone;
+        Index length = 0;
+        Index stackPosition = kNone;
+    };
+
+    Index newEntry(Index point, Index ring);
+    Index newRing();
+    void freeRing(Index ring);
+    void removeFromStack(Index ring);
+    void relabel(Index from, Index ring);
+    void unchain(Index entry);
+
+    std::vector<RingEntry> entries_;
+    std::vector<Index> headOfPoint_;
+    std::vector<Ring> rings_;
+    std::vector<Index> stack_;
+    std::vector<Index> freeRings_;
+    Index freeEntry_ = kNone;
+    Index active_ = kNone;
+};
+
+}  // namespace se

@@ -1,0 +1,253 @@
+/// What happened, decision by decision. The stepper produces events only if it is given a log;
+/// every event carries the evidence of its rule, and has an address that never changes between
+/// equal runs.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "spiraling_edge/neighbor_ring.h"
+#include "spiraling_edge/point_set.h"
+
+namespace se {
+
+/// The stages of a pivot, in order, and those outside one. The same words everywhere.
+enum class Stage : std::uint8_t {
+    Seed,        ///< §4: a new ring of two.
+    Strand,      ///< §4: a point that nothing can be begun with.
+    Pivot,       ///< The ring entry that is looked at.
+    Skip,        ///< §7: a boundary point, passed over.
+    Insert,      ///< §7.1, §7.2: a third boundary point joins the ring.
+    Sort,        ///< §6.1, Fig. 3
+    Limits,      ///< §6.1, Fig. 4
+    Convex,      ///< §6.1, Fig. 5
+    Reciprocal,  ///< §6.1, Fig. 6
+    Hole,        ///< §6.2, Fig. 7
+    Sphere,      ///< §6.3, Fig. 8
+    TwoPoint,    ///< §6.4, Fig. 9
+    Emit,        ///< §6.4, Fig. 10
+    Ring,        ///< §6.5, Fig. 11
+    Split,       ///< §6.5, Fig. 11
+    Join,        ///< §6.5, Fig. 12
+    Advance,     ///< §6.5: the next pivot.
+    Done,        ///< §3, §7: a ring is freed or a component complete.
+};
+inline constexpr std::size_t kStageCount = 18;
+
+/// "sphere", "twopoint", ...
+std::string_view stageName(Stage stage);
+std::optional<Stage> stageFromName(std::string_view name);
+/// "6.3"; the paper's section of a stage.
+std::string_view stageSection(Stage stage);
+
+/// PIVOT.STAGE.N, for example 137.sphere.3. Pivots count from 1 over the whole run, N from 1 within
+/// the stage of the pivot. A seed has the number of the pivot that it leads to.
+struct Address {
+    std::uint32_t pivot = 0;
+    Stage stage = Stage::Pivot;
+    std::uint32_t n = 0;
+    friend bool operator==(const Address&, const Address&) = default;
+};
+std::string toString(const Address& address);
+/// Reads `137`, `137.sphere` or `137.sphere.3`; parts left out are stage Pivot and n = 0.
+std::optional<Address> addressFromString(std::string_view text);
+
+/// How a test ended.
+enum class Verdict : std::uint8_t {
+    Kept,
+    // sort
+    NotAfterStart,   ///< Not strictly after the starting angle.
+    NotBeforeEnd,    ///< Not strictly before the ending angle (Fig. 3).
+    SameAngle,       ///< The same angle as a nearer point.
+    AlreadyDone,     ///< DONE (§4).
+    OnRingEnd,       ///< The point at first or last itself.
+    // limits
+    Moved,           ///< start or end advanced to the tested point (Fig. 4).
+    NotListed,       ///< Not among p's neighbors.
+    NotConcave,      ///< The ring is convex there.
+    NotAnEdge,       ///< The ring step is open.
+    Outside,         ///< A candidate outside the new limits.
+    OtherLimit,      ///< The next point is the other limit: a hole of three.
+    // convex
+    BehindConvex,    ///< Next on the ring behind a convex start or end (Fig. 5).
+    // reciprocal
+    NotReciprocal,   ///< p is outside the sector of e (Fig. 6).
+    // hole
+    NotAHole,
+    FarSide,         ///< On the far side of the plane (Fig. 7).
+    // sphere
+    InsideSphere,    ///< Kept: inside the circumsphere (Fig. 8).
+    GapTooWide,      ///< Kept: without it the gap would exceed 120 degrees.
+    NoCircle,        ///< Kept: p, s and t lie in line.
+    Removed,         ///< Outside or on the sphere, and the gap is small enough.
+    // twopoint
+    Discarded,       ///< Over 180 degrees: the neighbor ring is discarded (Fig. 9).
+    Hole,            ///< Under 180 degrees: an ear or hole, filled.
+    // insert
+    Before,
+    After,
+    NoThirdPoint,
+};
+/// "inside the sphere", ...
+std::string_view verdictText(Verdict verdict);
+
+/// Which of the two sides of a pivot.
+enum class Side : std::uint8_t { Start, End };
+
+// One struct of evidence per kind of decision. Points are point indices, entries are not shown.
+struct SeedEvidence {
+    Index first, second;
+    double distance;
+};
+struct StrandEvidence {
+    Index point;
+    bool isolated;  ///< Its list is empty; else every neighbor is DONE.
+};
+struct PivotEvidence {
+    Index pivot, first, last;
+    Index ringLength;
+    double sectorDegrees;
+};
+struct SkipEvidence {
+    Index pivot;
+    std::uint8_t type;
+};
+/// §7.1 and §7.2: which point was inserted, where, and by what numbers.
+struct InsertEvidence {
+    Index pivot, other, third;
+    bool corner;         ///< 7.2; else 7.1.
+    Vec3 cross;          ///< 7.1: normal of p cross the vector to the second point.
+    std::uint8_t faces;  ///< Face bits of p.
+    Verdict verdict;     ///< Before, After or NoThirdPoint.
+};
+struct SortEvidence {
+    Index point;
+    double cosine;      ///< z . v
+    bool secondHalf;    ///< n . v < 0
+    double degrees;     ///< The angle.
+    double endDegrees;  ///< The limit.
+    Verdict verdict;    ///< Kept, NotAfterStart, NotBeforeEnd, SameAngle, AlreadyDone, OnRingEnd
+    Index rival;        ///< SameAngle: the nearer point.
+};
+/// A look at the ring neighbor behind start or end (Fig. 4).
+struct LimitEvidence {
+    Side side;
+    Index from, to;
+    double turn;  ///< ((before - s) x (after - s)) . N_s; > 0: concave.
+    double fromDegrees, toDegrees;
+    Verdict verdict;  ///< Moved, NotListed, NotConcave, NotAnEdge, Outside, OtherLimit
+};
+/// A candidate that the new limits leave outside, or the convexity rule drops.
+struct DropEvidence {
+    Index point;
+    Side side;
+    double degrees;
+    Verdict verdict;  ///< Outside, BehindConvex
+};
+struct ReciprocalEvidence {
+    Index point;
+    Index pred, succ;  ///< Of the tested entry of `point`.
+    double degrees;    ///< Angle of p at the point.
+    double limitDegrees;
+    Verdict verdict;  ///< Kept, NotReciprocal
+};
+struct HoleEvidence {
+    Index point;       ///< kNone: the look whether there is a hole at all.
+    Vec3 planeNormal;  ///< Not unit.
+    double side, pivotSide;  ///< Signed distances (scene units) of the point and of p.
+    Verdict verdict;         ///< Kept, FarSide, NotAHole
+};
+struct SphereEvidence {
+    Index t, q, s;
+    Vec3 center;
+    double radius, distance;
+    double gapDegrees;  ///< Angle from t to s.
+    Verdict verdict;    ///< InsideSphere, GapTooWide, NoCircle, Removed
+};
+struct TwoPointEvidence {
+    double degrees;
+    Verdict verdict;  ///< Discarded, Hole
+};
+struct EmitEvidence {
+    Index triangle;  ///< Position in the list of triangles.
+    Triangle corners;
+};
+/// One change of the edge ring (§6.5).
+struct RingEvidence {
+    Index point;
+    bool inserted;  ///< Else removed.
+    int status;     ///< Afterwards.
+};
+struct SplitEvidence {
+    Index point;
+    Index activeLength, stackedLength;
+    Index stackDepth;  ///< Afterwards.
+};
+struct JoinEvidence {
+    Index point;
+    Index depthFromTop;  ///< Where the other ring was found; kNone: it was the active one.
+    Index length;        ///< Of the joined ring.
+};
+/// A ring of two finished steps was closed, see Rules::closeTwo.
+struct CloseEvidence {
+    Index a, b;  ///< b is kNone for a lone entry.
+};
+struct AdvanceEvidence {
+    Index to;            ///< kNone: no ring is left.
+    Index circuit;       ///< Pivots since the last triangle.
+    bool popped;         ///< The ring came off the stack.
+};
+/// A ring was freed after a full circuit without a triangle (§7).
+struct FreeEvidence {
+    Index length;
+    Index interior;  ///< Interior points among them: > 0 means a hole stayed open.
+};
+struct ComponentEvidence {
+    std::uint32_t component;  ///< From 1.
+    std::uint32_t triangles;  ///< Of the whole run so far.
+};
+enum class AlertKind : std::uint8_t {
+    TriangleCap,  ///< Params::maxTrianglesPerPoint was exceeded; the run was stopped.
+    Hole,         ///< A ring with interior points was freed.
+    LostSeed,     ///< A ring of two got no triangle.
+};
+std::string_view alertName(AlertKind kind);
+struct AlertEvidence {
+    AlertKind kind;
+    Index point;
+};
+
+using Evidence =
+    std::variant<SeedEvidence, StrandEvidence, PivotEvidence, SkipEvidence, InsertEvidence,
+                 SortEvidence, LimitEvidence, DropEvidence, ReciprocalEvidence, HoleEvidence,
+                 SphereEvidence, TwoPointEvidence, EmitEvidence, RingEvidence, SplitEvidence,
+                 JoinEvidence, CloseEvidence, AdvanceEvidence, FreeEvidence, ComponentEvidence,
+                 AlertEvidence>;
+
+struct Event {
+    Address address;
+    Evidence evidence;
+};
+
+/// One plain sentence with its numbers; the same on screen, on stdout and in golden logs.
+std::string describe(const Event& event);
+
+/// Receives every decision, in order. Not part of State: a copy of a State knows no log.
+class EventLog {
+ public:
+    void add(std::uint32_t pivot, Stage stage, const Evidence& evidence);
+    const std::vector<Event>& events() const { return events_; }
+    void clear();
+
+ private:
+    std::vector<Event> events_;
+    std::uint32_t pivot_ = 0;
+    std::array<std::uint32_t, kStageCount> counts_{};
+};
+
+}  // namespace se

@@ -1,0 +1,105 @@
+/// The whole state of a run: one value. Copy it, and you have a place to come back to.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "spiraling_edge/edge_ring.h"
+#include "spiraling_edge/event.h"
+#include "spiraling_edge/neighbor_ring.h"
+#include "spiraling_edge/point_set.h"
+
+namespace se {
+
+/// What advance() will do next. One phase function each, in the order of a pivot's stages.
+enum class Phase : std::uint8_t {
+    Seed,        ///< §4
+    Pivot,       ///< Take up the entry; pass over (§7) or insert a third point (§7.1, 7.2).
+    Sort,        ///< §6.1
+    Limits,      ///< §6.1
+    Convex,      ///< §6.1
+    Reciprocal,  ///< §6.1
+    Hole,        ///< §6.2
+    Sphere,      ///< §6.3
+    TwoPoint,    ///< §6.4
+    Emit,        ///< §6.4
+    Ring,        ///< §6.5
+    Link,        ///< §6.5: splits and joins.
+    Advance,     ///< §6.5, §7
+    Finished,
+};
+
+/// Status of a point (§4): UNUSED 0, USED n > 0 = number of its ring entries, DONE -1.
+using PointStatus = std::int32_t;
+inline constexpr PointStatus kUnused = 0;
+inline constexpr PointStatus kDone = -1;
+
+/// What was counted so far.
+struct Counters {
+    std::uint32_t pivots = 0;
+    std::uint32_t skipped = 0;
+    std::uint32_t seeds = 0;
+    std::uint32_t isolated = 0;
+    std::uint32_t stranded = 0;
+    std::uint32_t inserted = 0;       ///< Third points of §7 that led to triangles.
+    std::uint32_t discarded = 0;      ///< Two-point rings over 180 degrees.
+    std::uint32_t splits = 0;
+    std::uint32_t joins = 0;
+    std::uint32_t closedRings = 0;    ///< Finished edges and lone entries, see Rules::closeTwo.
+    std::uint32_t freedRings = 0;
+    std::uint32_t holes = 0;          ///< Freed rings with interior points.
+    std::uint32_t lostSeeds = 0;      ///< Rings of two that got no triangle.
+    std::uint32_t maxRingLength = 0;
+    std::uint32_t maxStackDepth = 0;
+    friend bool operator==(const Counters&, const Counters&) = default;
+};
+
+/// Something a person should look at, where and when it happened.
+struct Alert {
+    AlertKind kind;
+    std::uint32_t pivot;
+    Index point;
+};
+
+/// A third point inserted by §7, kept until the pivot shows whether it leads to triangles.
+struct InsertedPoint {
+    Index entry = kNone;
+    bool stepBeforeWasOpen = false;  ///< Of the step that the entry was put into.
+};
+
+struct State {
+    State() = default;
+    explicit State(std::size_t pointCount) : status(pointCount, kUnused), rings(pointCount) {}
+
+    Phase phase = Phase::Seed;
+    Index startPointer = 0;  ///< §4: only ever advances.
+    Index circuit = 0;       ///< Pivots since the last triangle, in the active ring.
+    NeighborRing pivot;      ///< The pivot being worked on.
+    InsertedPoint third;     ///< §7.1, §7.2
+    std::uint32_t pivotTriangles = 0;  ///< Made by this pivot.
+    std::vector<Index> insertedEntries;  ///< By this pivot, in order (§6.5).
+    std::vector<Index> instances;        ///< The "other instance" of each, kNone if none.
+    std::vector<PointStatus> status;
+    EdgeRings rings;
+    std::vector<Triangle> triangles;  ///< Append-only (§6.4).
+    std::vector<Alert> alerts;        ///< Append-only.
+    Counters counters;
+
+    bool finished() const { return phase == Phase::Finished; }
+};
+
+/// Hash of everything that decides how the run goes on and of everything it has made. Equal input,
+/// params and step number give equal hashes on every machine, compiler and build type. O(points).
+std::uint64_t stateHash(const State& state);
+
+/// Checks the invariants of section "Invariants" in docs/architecture.md that hold on any input.
+/// Returns the first one that is broken, in words; empty if all hold. Call it between pivots.
+std::string checkInvariants(const State& state, const PointSet& points);
+
+/// Checks those that hold on well-sampled input only: every ring step that is not open is a
+/// directed edge of exactly one triangle and its reverse of none, and no directed edge lies in two
+/// triangles. Empty if all hold.
+std::string checkMeshInvariants(const State& state, const PointSet& points);
+
+}  // namespace se

@@ -1,0 +1,56 @@
+/// The algorithm, one phase at a time. There is one stepper: the debugger steps what the benchmark
+/// times.
+#pragma once
+
+#include <functional>
+
+#include "spiraling_edge/event.h"
+#include "spiraling_edge/params.h"
+#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/state.h"
+
+namespace se {
+
+/// Why runUntil() came back.
+enum class StopReason : std::uint8_t {
+    Finished,   ///< Every point is DONE.
+    Condition,  ///< The condition held.
+    Capped,     ///< AlertKind::TriangleCap.
+};
+
+/// Runs the Spiraling Edge algorithm on a State. Holds no state of its own but references:
+/// points must outlive it and pass validate(); they are never written.
+///
+/// Example: `Stepper stepper(points, params); while (stepper.stepPivot()) draw(stepper.state());`
+class Stepper {
+ public:
+    /// Every decision is appended to `log` unless it is null; see setLog().
+    Stepper(const PointSet& points, const Params& params, EventLog* log = nullptr);
+
+    /// Runs one phase of a pivot. Returns false, doing nothing, if the run is finished.
+    bool advance();
+    /// Runs to the end of the present pivot, or of the next one if between two (its seed included).
+    /// Returns false if the run was finished already.
+    bool stepPivot();
+    /// Runs whole pivots until the condition holds between two of them, or to the end.
+    StopReason runUntil(const std::function<bool(const State&)>& condition);
+    /// Runs to the end.
+    StopReason run();
+
+    const State& state() const { return state_; }
+    /// Goes to another place of a run over the same points and params.
+    void setState(State state) { state_ = std::move(state); }
+    /// Gives the state away, e.g. to take the triangles out. The stepper starts over.
+    State takeState();
+    void setLog(EventLog* log) { log_ = log; }
+    const PointSet& points() const { return points_; }
+    const Params& params() const { return params_; }
+
+ private:
+    const PointSet& points_;
+    Params params_;
+    State state_;
+    EventLog* log_;
+};
+
+}  // namespace se
