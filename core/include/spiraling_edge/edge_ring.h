@@ -28,7 +28,6 @@ struct Exchange {
     bool split = false;      ///< One ring became two; else two became one.
     Index ringOfX = kNone;   ///< Ring of x afterwards.
     Index ringOfY = kNone;   ///< Ring of y afterwards; equal to ringOfX after a join.
-    Index goneRing = kNone;  ///< After a join: the ring that is no more.
 };
 
 /// Pooled doubly linked rings with a stack. Entries and rings are named by index, so the whole is a
@@ -73,8 +72,9 @@ class EdgeRings {
     /// last entry is gone (from the stack or as active ring, too).
     void erase(Index entry);
     /// The one operation behind split and join (§6.5, Fig. 12): x and y swap what follows them,
-    /// together with the open marks of those steps. Rings keep their roles as far as they can: the
-    /// new ring of a split is neither active nor stacked until activate() or push() says so.
+    /// together with the open marks of those steps. Of a split, one part keeps the ring's role
+    /// (active, or its place on the stack); the other has none until activate() or push() gives it
+    /// one. A joined ring is active if either was, and leaves the stack then.
     Exchange exchangeSuccessors(Index x, Index y);
     /// Makes `ring` the active one; takes it off the stack if it was there.
     /// The ring that was active is neither afterwards.
@@ -95,7 +95,10 @@ class EdgeRings {
     Index newRing();
     void freeRing(Index ring);
     void removeFromStack(Index ring);
-    void relabel(Index from, Index ring);
+    /// Gives the entries from `from` to `to`, both included, to `ring`.
+    void relabel(Index from, Index to, Index ring);
+    Exchange finishSplit(Index x, Index y);
+    Exchange finishJoin(Index x, Index y, Index ringX, Index ringY);
     void unchain(Index entry);
 
     std::vector<RingEntry> entries_;

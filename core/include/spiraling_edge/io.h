@@ -25,15 +25,18 @@ struct Attribute {
     std::vector<double> values;  ///< One per point; every ScalarType fits a double exactly.
 };
 
-/// What a point file held, as it stood there: nothing repaired, nothing normalized, nothing dropped.
-/// `prepare.h` turns it into a PointSet that the stepper accepts.
+/// What a point file held, as it stood there: nothing repaired, nothing normalized, nothing
+/// dropped. `prepare.h` turns it into a PointSet that the stepper accepts.
 struct PointFile {
     std::vector<Vec3> position;
+    /// Float or Double: how positions are written, so that no digit is lost. Text formats without
+    /// types and PLY with other scalar types read as Double.
     ScalarType positionType = ScalarType::Float;
-    std::vector<Vec3> normal;        ///< Empty where the file has none.
-    std::vector<std::uint8_t> type;  ///< Empty where the file has none.
-    NeighborLists neighbors;         ///< size() == 0 where the file has none.
-    std::vector<Triangle> faces;     ///< Polygons are split into fans. Empty for plain points.
+    std::vector<Vec3> normal;                   ///< Empty where the file has none.
+    ScalarType normalType = ScalarType::Float;  ///< As positionType.
+    std::vector<std::uint8_t> type;             ///< Empty where the file has none.
+    NeighborLists neighbors;                    ///< size() == 0 where the file has none.
+    std::vector<Triangle> faces;  ///< Polygons are split into fans. Empty for plain points.
     std::vector<Attribute> attributes;
 
     bool hasNormals() const { return !normal.empty(); }
@@ -41,20 +44,24 @@ struct PointFile {
     bool hasNeighbors() const { return neighbors.size() > 0; }
 };
 
-/// Reads PLY (ascii, binary little and big endian), XYZ (`x y z [nx ny nz]`), OBJ (`v`, `vn`) or
-/// OFF/NOFF. Errors name the file and the line or byte, what was expected and what to do.
+/// Reads PLY (ascii, binary little and big endian), XYZ (`x y z [nx ny nz]`), OBJ (`v`, `vn`, `f`)
+/// or OFF/NOFF. Errors name the file and the line or byte, what was expected and what to do.
 Result<PointFile> readPoints(const std::filesystem::path& path);
 /// The same from memory; `name` is what errors call it, and its extension is the second hint.
 Result<PointFile> readPoints(std::string_view bytes, const std::string& name);
 
 /// Writes `points` (all of them, in order, with their attributes) and `triangles` as binary little
-/// endian PLY. Types and neighbor lists are written if the file holds them.
+/// endian PLY; `points.faces` are not written unless passed as `triangles`. Types and neighbor
+/// lists are written if the file holds them. Fails also if the columns of `points` differ in length
+/// or a triangle names a point that does not exist. Attributes whose name is taken by an own
+/// property or cannot stand in a header (empty, or with blanks) are left out.
 Status writeMeshPly(const std::filesystem::path& path, const PointFile& points,
                     std::span<const Triangle> triangles);
-/// The bytes that writeMeshPly() writes.
+/// The bytes that writeMeshPly() writes. Requires what writeMeshPly() checks.
 std::string meshPlyBytes(const PointFile& points, std::span<const Triangle> triangles);
 
-/// Writes `bytes` to a temporary file beside `path`, then renames it to `path`.
+/// Writes `bytes` to a temporary file beside `path`, then renames it to `path`. A link is followed;
+/// what is not a plain file (/dev/stdout, a pipe) is written to directly.
 Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace se

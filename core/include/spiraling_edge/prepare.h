@@ -25,7 +25,9 @@ struct WithinRadius {
 struct NeighborOptions {
     std::variant<KNearest, WithinRadius> reach = KNearest{};
     /// Leave out points whose normal opposes (dot product <= 0), before the k nearest are taken.
-    /// The paper is silent; without it, sheets that come close are joined.
+    /// The paper is silent; without it, sheets that come close are joined. Of the k nearest only
+    /// the first 8 k + 64 points are looked at, so that a flipped normal amid thousands of others
+    /// gets a short list instead of a search through all points.
     bool dropOpposingNormals = true;
     /// Compute lists even if the file has some.
     bool recompute = false;
@@ -35,10 +37,13 @@ struct NeighborOptions {
 /// index, but have an empty list and stand in no list.
 struct PrepareReport {
     std::size_t nonFinitePoints = 0;
-    std::size_t zeroNormals = 0;
-    std::size_t duplicatePoints = 0;    ///< Exact copies of a point with a lower index.
-    std::size_t unscaledNormals = 0;    ///< Normals that were not of unit length and were scaled.
-    std::size_t droppedListEntries = 0; ///< In lists from the file: self, repeated, unusable, opposing.
+    std::size_t zeroNormals = 0;      ///< Or not finite: without a direction.
+    std::size_t duplicatePoints = 0;  ///< Exact copies of a usable point with a lower index.
+    /// Normals whose length was off by more than 1e-3. Lesser errors, as of rounded numbers in a
+    /// file, are mended without mention.
+    std::size_t unscaledNormals = 0;
+    std::size_t droppedListEntries =
+        0;  ///< In lists from the file: self, repeated, unusable, opposing.
     bool neighborsComputed = false;
 };
 
@@ -50,14 +55,17 @@ struct Prepared {
 /// Called now and then during long work with the share done in [0, 1]; returning false cancels.
 using Progress = std::function<bool(double)>;
 
-/// Makes a PointSet. Fails if normals are absent, if k is 0 or the radius not positive, if a list
-/// names a point that does not exist, or if cancelled. Neighbor lists are ordered by distance, ties
-/// by index: the result does not depend on how the search works.
+/// Makes a PointSet: it passes validate(), positions are those of the file, and lists from the file
+/// are put in order and cleaned. Fails if normals are absent, if k is 0 or the radius not positive,
+/// if a list names a point that does not exist, or if cancelled. Neighbor lists are ordered by
+/// distance, ties by index: the result does not depend on how the search works.
 Result<Prepared> prepare(const PointFile& file, const NeighborOptions& options,
                          const Progress& progress = {});
 
-/// The ordered lists alone, for points with usable[p] true. Requires finite usable positions.
-/// Deterministic: ordered by distance, ties by index.
+/// The ordered lists alone, for points with usable[p] true; all others get an empty list and stand
+/// in none. Requires finite usable positions. Points at the same place are no neighbors of each
+/// other. `normal` may be empty if opposing normals are not dropped. Deterministic: ordered by
+/// distance, ties by index, and unchanged if all points are moved without rounding.
 Result<NeighborLists> findNeighbors(std::span<const Vec3> position, std::span<const Vec3> normal,
                                     const std::vector<bool>& usable, const NeighborOptions& options,
                                     const Progress& progress = {});

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "spiraling_edge/edge_ring.h"
@@ -92,14 +91,5 @@ struct State {
 /// Hash of everything that decides how the run goes on and of everything it has made. Equal input,
 /// params and step number give equal hashes on every machine, compiler and build type. O(points).
 std::uint64_t stateHash(const State& state);
-
-/// Checks the invariants of section "Invariants" in docs/architecture.md that hold on any input.
-/// Returns the first one that is broken, in words; empty if all hold. Call it between pivots.
-std::string checkInvariants(const State& state, const PointSet& points);
-
-/// Checks those that hold on well-sampled input only: every ring step that is not open is a
-/// directed edge of exactly one triangle and its reverse of none, and no directed edge lies in two
-/// triangles. Empty if all hold.
-std::string checkMeshInvariants(const State& state, const PointSet& points);
 
 }  // namespace se

@@ -30,7 +30,7 @@ class Stepper {
     /// Runs one phase of a pivot. Returns false, doing nothing, if the run is finished.
     bool advance();
     /// Runs to the end of the present pivot, or of the next one if between two (its seed included).
-    /// Returns false if the run was finished already.
+    /// Returns false if no pivot was left (stranded points at the very end are still marked).
     bool stepPivot();
     /// Runs whole pivots until the condition holds between two of them, or to the end.
     StopReason runUntil(const std::function<bool(const State&)>& condition);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -24,10 +25,15 @@ class Timeline {
     /// Pivots of the whole run, known once the end was reached; else the farthest seen so far.
     std::uint32_t farthest() const { return farthest_; }
     bool endKnown() const { return endKnown_; }
+    /// The highest number that eventsOf() has events for. Requires endKnown(). One more than the
+    /// pivots of the run if something still happens after the last of them, such as points that
+    /// nothing can be begun with.
+    std::uint32_t lastPivot() const { return farthest_ + (tail_ ? 1U : 0U); }
 
     /// Completes one more pivot. False at the end of the run.
     bool stepPivot();
     /// Goes to the place where `pivot` pivots are complete, or to the end if the run is shorter.
+    /// What happens after the last pivot is run only if `pivot` is beyond it.
     /// Stops early, at some place on the way, if `keepGoing` returns false (asked every so often).
     void seek(std::uint32_t pivot, const std::function<bool()>& keepGoing = {});
     /// The events of pivot number `pivot`, made by running it again with a log; the cursor is moved
@@ -45,7 +51,9 @@ class Timeline {
         std::size_t alertCount = 0;
     };
 
+    Keyframe makeKeyframe();
     void rememberKeyframe();
+    void thinOut();
     void restore(const Keyframe& keyframe);
 
     Stepper stepper_;
@@ -57,6 +65,7 @@ class Timeline {
     std::uint32_t spacing_ = 16;  ///< Pivots between keyframes; doubles when the budget is full.
     std::uint32_t farthest_ = 0;
     bool endKnown_ = false;
+    bool tail_ = false;  ///< The run ends with a step that completes no pivot.
 };
 
 }  // namespace se

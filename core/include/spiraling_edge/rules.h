@@ -1,0 +1,188 @@
+/// The decisions of §4 to §7, each a pure function in the paper's words that returns its evidence:
+/// the numbers compared and the verdict. Only + - * / and sqrt decide, so that runs are equal on
+/// every machine; numbers for people (degrees, centers, radii) come from member functions that are
+/// called only when someone looks. All positions are taken relative to a nearby point first, so
+/// that a set far from the origin loses no precision.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "spiraling_edge/neighbor_ring.h"
+#include "spiraling_edge/params.h"
+#include "spiraling_edge/point_set.h"
+
+namespace se {
+
+// ---- §6.1: angles -------------------------------------------------------------------------------
+
+/// The frame of pivot p: reference vector z to the point at first, and n.
+/// Choice: n = normal x z, see docs/choices.md ("sign of n").
+inline Frame makeFrame(const Vec3& p, const Vec3& normal, const Vec3& first) {
+    const Vec3 toFirst = first - p;
+    const double lengthSq = glm::dot(toFirst, toFirst);
+    const Vec3 z = lengthSq > 0.0 ? toFirst / std::sqrt(lengthSq) : Vec3(0.0);
+    return {p, normal, z, glm::cross(normal, z)};
+}
+
+/// The angle whose cosine is `cosine` (clamped to [-1, 1]), beyond 180 degrees if `secondHalf`.
+inline Angle makeAngle(double cosine, bool secondHalf) {
+    const double c = cosine > 1.0 ? 1.0 : (cosine < -1.0 ? -1.0 : cosine);
+    return {c, secondHalf ? 3.0 + c : 1.0 - c};
+}
+
+/// §6.1: the angle of `offset` (relative to the pivot) from z: arccos(z . v) if n . v >= 0, else
+/// 2 pi minus that; v is the unit vector along offset.
+inline Angle angleOf(const Frame& frame, const Vec3& offset, double lengthSq) {
+    const double cosine = lengthSq > 0.0 ? glm::dot(frame.z, offset) / std::sqrt(lengthSq) : 0.0;
+    return makeAngle(cosine, glm::dot(frame.n, offset) < 0.0);
+}
+inline Angle angleOf(const Frame& frame, const Vec3& offset) {
+    return angleOf(frame, offset, glm::dot(offset, offset));
+}
+
+/// The same angle, but measured between the projections onto the tangent plane of the pivot.
+inline Angle tangentAngleOf(const Frame& frame, const Vec3& offset) {
+    const double x = glm::dot(glm::cross(frame.n, frame.normal), offset);
+    const double y = glm::dot(frame.n, offset);
+    const double lengthSq = x * x + y * y;
+    return makeAngle(lengthSq > 0.0 ? x / std::sqrt(lengthSq) : 0.0, y < 0.0);
+}
+
+/// True if `angle` is strictly between `from` and `to`, by more than `tolerance` (in key units).
+/// The angle of the reference vector itself counts as 0 and as 360 degrees.
+inline bool strictlyBetween(const Angle& angle, const Angle& from, const Angle& to,
+                            double tolerance) {
+    return angle.key > from.key + tolerance && angle.key < to.key - tolerance &&
+           angle.key < kFullTurn.key - tolerance && angle.key > tolerance;
+}
+
+/// True if b - a, for a <= b, exceeds the angle below 180 degrees whose cosine is `limitCosine`.
+inline bool exceedsAngle(const Angle& a, const Angle& b, double limitCosine) {
+    if (b.key - a.key > kHalfTurnKey) return true;
+    const auto sine = [](const Angle& x) {
+        const double s = std::sqrt((1.0 - x.cosine) * (1.0 + x.cosine));
+        return x.key > kHalfTurnKey ? -s : s;
+    };
+    return a.cosine * b.cosine + sine(a) * sine(b) < limitCosine;
+}
+
+// ---- §6.1: limits and reciprocity ---------------------------------------------------------------
+
+/// §6.1, Fig. 4: is the edge ring concave at s?
+struct ConcaveTest {
+    double turn;  ///< ((before - s) x (after - s)) . N_s, squared scene units.
+    bool concave() const { return turn > 0.0; }
+};
+/// The free angle at s runs counterclockwise from `before` to `after`, its neighbors on the ring;
+/// below 180 degrees the ring is concave there.
+inline ConcaveTest testConcave(const Vec3& s, const Vec3& normal, const Vec3& before,
+                               const Vec3& after) {
+    return {glm::dot(glm::cross(before - s, after - s), normal)};
+}
+
+/// §6.1, Fig. 6: could p be in the neighbor ring of e?
+struct ReciprocalTest {
+    Angle pivot;  ///< Angle of p at e, from e's first.
+    Angle limit;  ///< Angle of e's last.
+    bool inside;
+};
+/// `first` and `last` are the positions at either side of e's entry; sameEntry: they are the same
+/// entry, so that the sector is a full turn.
+inline ReciprocalTest testReciprocal(const Vec3& e, const Vec3& normal, const Vec3& first,
+                                     const Vec3& last, bool sameEntry, const Vec3& p,
+                                     double tolerance) {
+    const Frame frame = makeFrame(e, normal, first);
+    const Angle limit = sameEntry ? kFullTurn : angleOf(frame, last - e);
+    const Angle pivot = angleOf(frame, p - e);
+    return {pivot, limit, strictlyBetween(pivot, Angle{}, limit, tolerance)};
+}
+
+// ---- §6.2: holes --------------------------------------------------------------------------------
+
+/// §6.2, Fig. 7: the plane through start and end along the mean normal.
+struct HolePlane {
+    Vec3 origin;       ///< Position of start.
+    Vec3 normal;       ///< (end - start) x (N_p + N_start + N_end), not unit.
+    double pivotSide;  ///< Sign: the side of p.
+
+    double side(const Vec3& x) const { return glm::dot(normal, x - origin); }
+    /// Strictly on the pivot's side.
+    bool keeps(const Vec3& x) const { return side(x) * pivotSide > 0.0; }
+};
+inline HolePlane makeHolePlane(const Vec3& start, const Vec3& end, const Vec3& normalSum,
+                               const Vec3& p) {
+    HolePlane plane{start, glm::cross(end - start, normalSum), 0.0};
+    plane.pivotSide = plane.side(p);
+    return plane;
+}
+
+// ---- §6.3: removal ------------------------------------------------------------------------------
+
+/// §6.3, Fig. 8: q against the sphere whose equator is the circle through p, s and t. All vectors
+/// are relative to p. With c = numerator / (2 denominator), |q - c| < |c| is the same as
+/// |q|^2 denominator < q . numerator, which needs no division and no root.
+struct SphereTest {
+    Vec3 q;              ///< Relative to p.
+    Vec3 numerator;      ///< 2 denominator times the center, relative to p.
+    double denominator;  ///< |t x s|^2
+    double power;        ///< |q|^2 denominator - q . numerator; < 0 inside.
+    double scale;        ///< |q|^2 denominator, what power is compared with.
+    bool noCircle;       ///< p, s and t lie in line.
+
+    /// Strictly inside. Choice: a point on the sphere up to rounding counts as on it.
+    bool inside() const { return power < -1e-12 * scale; }
+    Vec3 center() const { return numerator / (2.0 * denominator); }  ///< Relative to p.
+    double radius() const { return std::sqrt(glm::dot(center(), center())); }
+    double distance() const { return std::sqrt(glm::dot(q - center(), q - center())); }
+};
+/// Circle through the origin (p), t and s after Hill, "The Pleasures of Perp Dot Products",
+/// Graphics Gems IV, pages 138-148, in three dimensions.
+inline SphereTest testSphere(const Vec3& t, double tLengthSq, const Vec3& s, double sLengthSq,
+                             const Vec3& q, double qLengthSq) {
+    const Vec3 perp = glm::cross(t, s);
+    const double denominator = glm::dot(perp, perp);
+    SphereTest test{q, Vec3(0.0), denominator, 0.0, 0.0, false};
+    // sin^2 of the angle between t and s below 1e-20: no circle that doubles could give.
+    if (!(denominator > 1e-20 * tLengthSq * sLengthSq)) {
+        test.noCircle = true;
+        return test;
+    }
+    test.numerator = glm::cross(tLengthSq * s - sLengthSq * t, perp);
+    test.scale = qLengthSq * denominator;
+    test.power = test.scale - glm::dot(q, test.numerator);
+    return test;
+}
+
+// ---- §6.4: two-point rings ----------------------------------------------------------------------
+
+/// §6.4, Fig. 9: a neighbor ring of first and last alone overlaps if its angle is over 180 degrees.
+inline bool overlapsAsTwoPointRing(const Angle& last) { return last.key > kHalfTurnKey; }
+
+// ---- §7: walls ----------------------------------------------------------------------------------
+
+/// True if `direction` points out of one of the walls in `faces`: positive component on a maximum
+/// wall, negative on a minimum wall (§7.1).
+bool pointsOut(const Vec3& direction, std::uint8_t faces);
+
+/// True if the sector at p from `from` counterclockwise to `to` stays inside the box: it is at most
+/// 180 degrees, and no outward direction of p's walls lies strictly in it. Measured in the tangent
+/// plane. Choice: the paper gives only the cross product of 7.1; this is what it decides.
+bool sectorStaysInside(const Vec3& p, const Vec3& normal, std::uint8_t faces, const Vec3& from,
+                       const Vec3& to);
+
+/// §7.1: where the third point goes.
+struct ThirdPointPlace {
+    Vec3 cross;   ///< N_p x (s - p), s the second point of the ring.
+    bool before;  ///< Before p on the ring, else after.
+};
+/// p has `faces`, `second` is the other point of the ring, `third` the point to insert.
+ThirdPointPlace placeThirdPoint(const Vec3& p, const Vec3& normal, std::uint8_t faces,
+                                const Vec3& second, const Vec3& third);
+
+/// §7.2: is there a transition from one wall to another between two ring neighbors?
+inline bool isTransition(std::uint8_t a, std::uint8_t b) {
+    return isBoundary(a) && isBoundary(b) && !shareFace(a, b);
+}
+
+}  // namespace se

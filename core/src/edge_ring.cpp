@@ -1,0 +1,175 @@
+#include "spiraling_edge/edge_ring.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace se {
+
+Index EdgeRings::depthFromTop(Index ring) const {
+    const Index position = rings_[ring].stackPosition;
+    if (position == kNone) return kNone;
+    return static_cast<Index>(stack_.size()) - 1 - position;
+}
+
+Index EdgeRings::newRing() {
+    if (!freeRings_.empty()) {
+        const Index ring = freeRings_.back();
+        freeRings_.pop_back();
+        rings_[ring] = Ring{};
+        return ring;
+    }
+    rings_.emplace_back();
+    return static_cast<Index>(rings_.size() - 1);
+}
+
+void EdgeRings::freeRing(Index ring) {
+    if (active_ == ring) active_ = kNone;
+    removeFromStack(ring);
+    rings_[ring] = Ring{};
+    freeRings_.push_back(ring);
+}
+
+void EdgeRings::removeFromStack(Index ring) {
+    const Index position = rings_[ring].stackPosition;
+    if (position == kNone) return;
+    stack_.erase(stack_.begin() + position);
+    for (std::size_t i = position; i < stack_.size(); ++i) {
+        rings_[stack_[i]].stackPosition = static_cast<Index>(i);
+    }
+    rings_[ring].stackPosition = kNone;
+}
+
+Index EdgeRings::newEntry(Index point, Index ring) {
+    Index entry = freeEntry_;
+    if (entry == kNone) {
+        entry = static_cast<Index>(entries_.size());
+        entries_.emplace_back();
+    } else {
+        freeEntry_ = entries_[entry].next;
+    }
+    entries_[entry] = {point, kNone, kNone, ring, headOfPoint_[point], false};
+    headOfPoint_[point] = entry;
+    ++rings_[ring].length;
+    return entry;
+}
+
+void EdgeRings::unchain(Index entry) {
+    Index* link = &headOfPoint_[entries_[entry].point];
+    while (*link != entry) link = &entries_[*link].nextOfPoint;
+    *link = entries_[entry].nextOfPoint;
+}
+
+Index EdgeRings::start(Index p, Index q) {
+    assert(active_ == kNone);
+    const Index ring = newRing();
+    const Index a = newEntry(p, ring);
+    const Index b = newEntry(q, ring);
+    entries_[a].next = entries_[a].prev = b;
+    entries_[b].next = entries_[b].prev = a;
+    entries_[a].open = entries_[b].open = true;
+    rings_[ring].head = a;
+    active_ = ring;
+    return a;
+}
+
+Index EdgeRings::insertAfter(Index entry, Index point) {
+    const Index made = newEntry(point, entries_[entry].ring);
+    const Index next = entries_[entry].next;
+    entries_[made].prev = entry;
+    entries_[made].next = next;
+    entries_[made].open = entries_[entry].open;
+    entries_[entry].next = made;
+    entries_[next].prev = made;
+    return made;
+}
+
+void EdgeRings::erase(Index entry) {
+    RingEntry& e = entries_[entry];
+    const Index ring = e.ring;
+    entries_[e.prev].next = e.next;
+    entries_[e.next].prev = e.prev;
+    if (rings_[ring].head == entry) rings_[ring].head = e.next;
+    unchain(entry);
+    if (--rings_[ring].length == 0) freeRing(ring);
+    e = RingEntry{};
+    e.next = freeEntry_;
+    freeEntry_ = entry;
+}
+
+void EdgeRings::relabel(Index from, Index to, Index ring) {
+    for (Index entry = from;; entry = entries_[entry].next) {
+        entries_[entry].ring = ring;
+        if (entry == to) return;
+    }
+}
+
+Exchange EdgeRings::exchangeSuccessors(Index x, Index y) {
+    const Index ringX = entries_[x].ring;
+    const Index ringY = entries_[y].ring;
+    std::swap(entries_[x].next, entries_[y].next);
+    std::swap(entries_[x].open, entries_[y].open);
+    entries_[entries_[x].next].prev = x;
+    entries_[entries_[y].next].prev = y;
+    return ringX == ringY ? finishSplit(x, y) : finishJoin(x, y, ringX, ringY);
+}
+
+Exchange EdgeRings::finishSplit(Index x, Index y) {
+    const Index old = entries_[x].ring;
+    // Walk both parts in step until the shorter one closes, and relabel only that one.
+    Index a = x;
+    Index b = y;
+    Index length = 0;
+    do {
+        a = entries_[a].next;
+        b = entries_[b].next;
+        ++length;
+    } while (a != x && b != y);
+    const Index inShorter = a == x ? x : y;
+    const Index made = newRing();
+    relabel(entries_[inShorter].next, inShorter, made);
+    rings_[made].length = length;
+    rings_[made].head = inShorter;
+    rings_[old].length -= length;
+    rings_[old].head = inShorter == x ? y : x;
+    return {true, entries_[x].ring, entries_[y].ring};
+}
+
+Exchange EdgeRings::finishJoin(Index x, Index y, Index ringX, Index ringY) {
+    // What was ring y now runs from x's successor to y, what was ring x from y's to x.
+    const bool keepX = rings_[ringX].length >= rings_[ringY].length;
+    const Index kept = keepX ? ringX : ringY;
+    const Index gone = keepX ? ringY : ringX;
+    if (keepX) {
+        relabel(entries_[x].next, y, kept);
+    } else {
+        relabel(entries_[y].next, x, kept);
+    }
+    rings_[kept].length += rings_[gone].length;
+    const bool becomesActive = active_ == gone;
+    freeRing(gone);
+    if (becomesActive) activate(kept);
+    return {false, kept, kept};
+}
+
+void EdgeRings::activate(Index ring) {
+    removeFromStack(ring);
+    active_ = ring;
+}
+
+void EdgeRings::push(Index ring, Index head) {
+    removeFromStack(ring);
+    if (active_ == ring) active_ = kNone;
+    rings_[ring].head = head;
+    rings_[ring].stackPosition = static_cast<Index>(stack_.size());
+    stack_.push_back(ring);
+}
+
+Index EdgeRings::pop() {
+    if (stack_.empty()) return kNone;
+    const Index ring = stack_.back();
+    activate(ring);
+    return rings_[ring].head;
+}
+
+}  // namespace se

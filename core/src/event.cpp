@@ -1,0 +1,90 @@
+#include "spiraling_edge/event.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace se {
+namespace {
+
+struct StageRow {
+    std::string_view name;
+    std::string_view section;
+};
+
+/// In the order of Stage.
+constexpr std::array<StageRow, kStageCount> kStages{{
+    {"seed", "4"},     {"strand", "4"}, {"pivot", "6"},   {"skip", "7"},       {"insert", "7.1"},
+    {"sort", "6.1"},   {"limits", "6.1"}, {"convex", "6.1"}, {"reciprocal", "6.1"},
+    {"hole", "6.2"},   {"sphere", "6.3"}, {"twopoint", "6.4"}, {"emit", "6.4"},
+    {"ring", "6.5"},   {"split", "6.5"},  {"join", "6.5"},  {"advance", "6.5"},  {"done", "7"},
+}};
+
+std::optional<std::uint32_t> numberFrom(std::string_view text) {
+    std::uint32_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+/// Cuts the part before the first dot off `text`.
+std::string_view takePart(std::string_view& text) {
+    const std::size_t dot = std::min(text.find('.'), text.size());
+    const std::string_view part = text.substr(0, dot);
+    text.remove_prefix(std::min(dot + 1, text.size()));
+    return part;
+}
+
+}  // namespace
+
+std::string_view stageName(Stage stage) { return kStages[static_cast<std::size_t>(stage)].name; }
+
+std::string_view stageSection(Stage stage) {
+    return kStages[static_cast<std::size_t>(stage)].section;
+}
+
+std::optional<Stage> stageFromName(std::string_view name) {
+    const auto found = std::find_if(kStages.begin(), kStages.end(),
+                                    [&](const StageRow& row) { return row.name == name; });
+    if (found == kStages.end()) return std::nullopt;
+    return static_cast<Stage>(found - kStages.begin());
+}
+
+std::string toString(const Address& address) {
+    std::string text = std::to_string(address.pivot);
+    text += '.';
+    text += stageName(address.stage);
+    if (address.n > 0) text += '.' + std::to_string(address.n);
+    return text;
+}
+
+std::optional<Address> addressFromString(std::string_view text) {
+    if (text.empty() || text.back() == '.') return std::nullopt;
+    const auto pivot = numberFrom(takePart(text));
+    if (!pivot) return std::nullopt;
+    Address address{*pivot, Stage::Pivot, 0};
+    if (text.empty()) return address;
+    const auto stage = stageFromName(takePart(text));
+    if (!stage) return std::nullopt;
+    address.stage = *stage;
+    if (text.empty()) return address;
+    const auto n = numberFrom(text);
+    if (!n) return std::nullopt;
+    address.n = *n;
+    return address;
+}
+
+void EventLog::add(std::uint32_t pivot, Stage stage, const Evidence& evidence) {
+    if (pivot != pivot_) {
+        pivot_ = pivot;
+        counts_ = {};
+    }
+    events_.push_back({{pivot, stage, ++counts_[static_cast<std::size_t>(stage)]}, evidence});
+}
+
+void EventLog::clear() {
+    events_.clear();
+    pivot_ = 0;
+    counts_ = {};
+}
+
+}  // namespace se

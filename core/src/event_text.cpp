@@ -1,0 +1,250 @@
+/// Every decision as one plain sentence with its numbers.
+#include <cstdio>
+
+#include "spiraling_edge/event.h"
+
+namespace se {
+namespace {
+
+/// Six significant digits; the same on every machine.
+std::string num(double value) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.6g", value == 0.0 ? 0.0 : value);
+    return buffer;
+}
+/// Degrees with one digit, which hides rounding from one machine to the next.
+std::string deg(double value) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.1f", value == 0.0 ? 0.0 : value);
+    return std::string(buffer) + " deg";
+}
+std::string str(Index value) { return value == kNone ? "none" : std::to_string(value); }
+std::string str(std::string_view text) { return std::string(text); }
+
+std::string sideName(Side side) { return side == Side::Start ? "start" : "end"; }
+
+std::string faceNames(std::uint8_t faces) {
+    constexpr std::array<std::string_view, 6> kNames{"+x", "+y", "+z", "-x", "-y", "-z"};
+    std::string text;
+    for (std::size_t i = 0; i < kNames.size(); ++i) {
+        if ((faces >> i & 1U) == 0) continue;
+        if (!text.empty()) text += ' ';
+        text += kNames[i];
+    }
+    return text;
+}
+
+std::string counted(Index count, std::string_view singular) {
+    return std::to_string(count) + ' ' + str(singular) + (count == 1 ? "" : "s");
+}
+
+std::string text(const SeedEvidence& e) {
+    return "A new edge ring of two: point " + str(e.first) + " and its nearest neighbor " +
+           str(e.second) + ", " + num(e.distance) + " away.";
+}
+std::string text(const StrandEvidence& e) {
+    return "Point " + str(e.point) +
+           (e.isolated ? " has no neighbors: isolated, marked DONE."
+                       : " has only DONE neighbors: stranded, marked DONE.");
+}
+std::string text(const PivotEvidence& e) {
+    return "Pivot " + str(e.pivot) + " between first = " + str(e.first) +
+           " and last = " + str(e.last) + "; free sector " + deg(e.sectorDegrees) + ", ring of " +
+           std::to_string(e.ringLength) + ".";
+}
+std::string text(const SkipEvidence& e) {
+    return "Point " + str(e.pivot) + " lies on wall " + faceNames(e.type) +
+           ": passed over, it stays on the ring.";
+}
+std::string text(const InsertEvidence& e) {
+    const std::string where = e.corner ? "At the corner between " + str(e.pivot) + " and " +
+                                             str(e.other)
+                                       : "On the ring of two boundary points " + str(e.pivot) +
+                                             " and " + str(e.other);
+    if (e.verdict == Verdict::NoThirdPoint) {
+        return where + " no UNUSED neighbor on the same wall fits: passed over.";
+    }
+    std::string result = where + ", point " + str(e.third) + " joins the ring " +
+                         (e.verdict == Verdict::Before ? "before" : "after") + " the pivot";
+    if (!e.corner) {
+        result += "; normal x vector = (" + num(e.cross.x) + ", " + num(e.cross.y) + ", " +
+                  num(e.cross.z) + ") on wall " + faceNames(e.faces);
+    }
+    return result + ".";
+}
+std::string text(const SortEvidence& e) {
+    const std::string at = "Point " + str(e.point) + " at " + deg(e.degrees);
+    switch (e.verdict) {
+        case Verdict::AlreadyDone: return "Point " + str(e.point) + " is DONE: no candidate.";
+        case Verdict::OnRingEnd:
+            return "Point " + str(e.point) + " is first or last itself: no candidate.";
+        case Verdict::NotAfterStart: return at + " is not after the start: left out.";
+        case Verdict::NotBeforeEnd:
+            return at + " is not before last at " + deg(e.endDegrees) + ": left out.";
+        case Verdict::SameAngle:
+            return at + " has the same angle as " + str(e.rival) + ", which is nearer: dropped.";
+        default: return at + " of " + deg(e.endDegrees) + ": a candidate.";
+    }
+}
+std::string text(const LimitEvidence& e) {
+    const std::string point = "Point " + str(e.to) + " beyond " + sideName(e.side) + " = " +
+                              str(e.from);
+    switch (e.verdict) {
+        case Verdict::Moved:
+            return point + " is listed, inside the limits, and the ring is concave there (turn " +
+                   num(e.turn) + "): " + sideName(e.side) + " moves from " + deg(e.fromDegrees) +
+                   " to " + deg(e.toDegrees) + ".";
+        case Verdict::OtherLimit:
+            return point + " is the other end: " + sideName(e.side) + " stays.";
+        case Verdict::NotAnEdge:
+            return point + " is not joined to it by an edge: " + sideName(e.side) + " stays.";
+        case Verdict::NotListed:
+            return point + " is not among the pivot's neighbors: " + sideName(e.side) + " stays.";
+        case Verdict::Outside:
+            return point + " at " + deg(e.toDegrees) + " is outside the limits: " +
+                   sideName(e.side) + " stays.";
+        default:
+            return point + ": the ring is convex there (turn " + num(e.turn) + "): " +
+                   sideName(e.side) + " stays.";
+    }
+}
+std::string text(const DropEvidence& e) {
+    if (e.verdict == Verdict::Outside) {
+        return "Candidate " + str(e.point) + " at " + deg(e.degrees) + " is outside the moved " +
+               sideName(e.side) + ": removed.";
+    }
+    return "Candidate " + str(e.point) + " is next on the ring behind a convex " +
+           sideName(e.side) + ": removed.";
+}
+std::string text(const ReciprocalEvidence& e) {
+    return "Seen from ring point " + str(e.point) + " (between " + str(e.pred) + " and " +
+           str(e.succ) + ") the pivot is at " + deg(e.degrees) + ", its free sector " +
+           deg(e.limitDegrees) +
+           (e.verdict == Verdict::Kept ? ": inside, kept." : ": outside, refused.");
+}
+std::string text(const HoleEvidence& e) {
+    return "Hole of three: point " + str(e.point) + " is " + num(e.side) +
+           " from the plane through start and end, the pivot " + num(e.pivotSide) +
+           (e.verdict == Verdict::Kept ? ": same side, kept." : ": far side, removed.");
+}
+std::string text(const SphereEvidence& e) {
+    const std::string q = "q = " + str(e.q);
+    const std::string circle = "of the pivot, t = " + str(e.t) + " and s = " + str(e.s);
+    if (e.verdict == Verdict::NoCircle) {
+        return q + " is kept: there is no circle " + circle + ", they lie in line.";
+    }
+    const double d = e.distance - e.radius;
+    const std::string place = q + " lies " + num(d < 0 ? -d : d) +
+                              (d < 0 ? " inside" : " outside") + " the sphere " + circle +
+                              " (d = " + num(e.distance) + ", r = " + num(e.radius) + ")";
+    if (e.verdict == Verdict::InsideSphere) return place + ": kept.";
+    const std::string gap = ", and removing it leaves a gap of " + deg(e.gapDegrees);
+    return place + gap +
+           (e.verdict == Verdict::GapTooWide ? ", more than the limit: kept." : ": removed.");
+}
+std::string text(const TwoPointEvidence& e) {
+    return "Only first and last are left, " + deg(e.degrees) + " apart" +
+           (e.verdict == Verdict::Discarded ? ": over 180, the ring is discarded."
+                                            : ": under 180, one triangle closes the gap.");
+}
+std::string text(const EmitEvidence& e) {
+    return "Triangle " + str(e.triangle) + " = (" + str(e.corners.a) + ", " + str(e.corners.b) +
+           ", " + str(e.corners.c) + ").";
+}
+std::string text(const RingEvidence& e) {
+    const std::string status =
+        e.status < 0 ? "DONE" : (e.status == 0 ? "UNUSED" : "USED " + std::to_string(e.status));
+    return "Point " + str(e.point) + (e.inserted ? " enters" : " leaves") + " the ring: now " +
+           status + ".";
+}
+std::string text(const SplitEvidence& e) {
+    return "Point " + str(e.point) + " is met again in the same ring, which splits: " +
+           std::to_string(e.activeLength) + " entries go on, " + std::to_string(e.stackedLength) +
+           " go on the stack (depth " + std::to_string(e.stackDepth) + ").";
+}
+std::string text(const JoinEvidence& e) {
+    return "Point " + str(e.point) + " is met again in " +
+           (e.depthFromTop == kNone
+                ? str("the active ring")
+                : "stacked ring " + std::to_string(e.depthFromTop + 1) + " from the top") +
+           ": the rings join, " + std::to_string(e.length) + " entries.";
+}
+std::string text(const CloseEvidence& e) {
+    if (e.b == kNone) return "A lone entry of point " + str(e.a) + " is left: closed.";
+    return "The ring of " + str(e.a) + " and " + str(e.b) + " is one finished edge: closed.";
+}
+std::string text(const AdvanceEvidence& e) {
+    if (e.to == kNone) return "No ring is left.";
+    if (e.popped) return "The next ring comes off the stack; the next pivot is " + str(e.to) + ".";
+    if (e.circuit == 0) return "The next pivot is " + str(e.to) + ".";
+    return "No triangle; the next pivot is " + str(e.to) + " (" + counted(e.circuit, "pivot") +
+           " without one).";
+}
+std::string text(const FreeEvidence& e) {
+    return "A full circuit of " + std::to_string(e.length) +
+           " without a triangle: the ring is freed" +
+           (e.interior == 0 ? str(".")
+                            : ", with " + counted(e.interior, "interior point") + " on it.");
+}
+std::string text(const ComponentEvidence& e) {
+    return "Component " + std::to_string(e.component) + " is complete; " +
+           counted(e.triangles, "triangle") + " so far.";
+}
+std::string text(const AlertEvidence& e) {
+    switch (e.kind) {
+        case AlertKind::TriangleCap:
+            return "Alert: too many triangles for so many points; the run is stopped.";
+        case AlertKind::Hole: return "Alert: a hole is left open at point " + str(e.point) + ".";
+        case AlertKind::LostSeed:
+            return "Alert: the ring begun at point " + str(e.point) + " got no triangle.";
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string describe(const Event& event) {
+    return std::visit([](const auto& evidence) { return text(evidence); }, event.evidence);
+}
+
+std::string_view alertName(AlertKind kind) {
+    switch (kind) {
+        case AlertKind::TriangleCap: return "triangle_cap";
+        case AlertKind::Hole: return "hole";
+        case AlertKind::LostSeed: return "lost_seed";
+    }
+    return {};
+}
+
+std::string_view verdictText(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::Kept: return "kept";
+        case Verdict::NotAfterStart: return "before start";
+        case Verdict::NotBeforeEnd: return "beyond last";
+        case Verdict::SameAngle: return "same angle, farther";
+        case Verdict::AlreadyDone: return "DONE";
+        case Verdict::OnRingEnd: return "is first or last";
+        case Verdict::Moved: return "moved";
+        case Verdict::NotListed: return "not listed";
+        case Verdict::NotConcave: return "convex";
+        case Verdict::NotAnEdge: return "no edge";
+        case Verdict::Outside: return "outside";
+        case Verdict::OtherLimit: return "other end";
+        case Verdict::BehindConvex: return "behind convex end";
+        case Verdict::NotReciprocal: return "not reciprocal";
+        case Verdict::NotAHole: return "no hole";
+        case Verdict::FarSide: return "far side";
+        case Verdict::InsideSphere: return "inside sphere";
+        case Verdict::GapTooWide: return "gap too wide";
+        case Verdict::NoCircle: return "no circle";
+        case Verdict::Removed: return "removed";
+        case Verdict::Discarded: return "over 180";
+        case Verdict::Hole: return "under 180";
+        case Verdict::Before: return "before";
+        case Verdict::After: return "after";
+        case Verdict::NoThirdPoint: return "no third point";
+    }
+    return {};
+}
+
+}  // namespace se

@@ -1,0 +1,249 @@
+#include "spiraling_edge/invariants.h"
+
+#include <algorithm>
+#include <set>
+
+namespace se {
+namespace {
+
+std::string at(std::string_view what, Index point) {
+    return std::string(what) + " (point " + std::to_string(point) + ")";
+}
+
+std::vector<Index> liveRings(const EdgeRings& rings) {
+    std::vector<Index> all(rings.stack().begin(), rings.stack().end());
+    if (rings.active() != kNone) all.push_back(rings.active());
+    return all;
+}
+
+template <typename Visit>
+void forEachEntry(const EdgeRings& rings, Index ring, Visit&& visit) {
+    Index entry = rings.head(ring);
+    for (Index i = 0; i < rings.length(ring); ++i, entry = rings.next(entry)) visit(entry);
+}
+
+/// Invariant 2, for one ring.
+std::string checkRing(const EdgeRings& rings, Index ring, const Params& params) {
+    const Index length = rings.length(ring);
+    if (length < 2) return "2: a ring has fewer than two entries";
+    std::string problem;
+    bool allOpen = true;
+    bool anyOpen = false;
+    forEachEntry(rings, ring, [&](Index e) {
+        if (rings.ringOf(e) != ring) problem = at("2: an entry names another ring", rings.point(e));
+        if (rings.prev(rings.next(e)) != e) {
+            problem = at("2: next and prev disagree", rings.point(e));
+        }
+        allOpen = allOpen && rings.open(e);
+        anyOpen = anyOpen || rings.open(e);
+    });
+    Index entry = rings.head(ring);
+    for (Index i = 0; i < length; ++i) entry = rings.next(entry);
+    if (entry != rings.head(ring)) problem = "2: a ring's length is wrong";
+    const bool finishedEdge = length == 2 && !anyOpen;
+    if (finishedEdge && params.rules.closeTwo && params.rules.openSteps) {
+        problem = "2: a ring of two finished edges was not closed";
+    }
+    return problem;
+}
+
+/// Invariants 1 and 2.
+std::string checkRings(const State& s, const Params& params) {
+    const std::vector<Index> rings = liveRings(s.rings);
+    if (std::set<Index>(rings.begin(), rings.end()).size() != rings.size()) {
+        return "2: a ring is in two places";
+    }
+    std::vector<PointStatus> entries(s.status.size(), 0);
+    for (const Index ring : rings) {
+        const std::string problem = checkRing(s.rings, ring, params);
+        if (!problem.empty()) return problem;
+        forEachEntry(s.rings, ring, [&](Index e) { ++entries[s.rings.point(e)]; });
+    }
+    for (Index p = 0; p < s.status.size(); ++p) {
+        if (std::max(s.status[p], 0) != entries[p]) return at("1: status is not the entries", p);
+        PointStatus chained = 0;
+        for (Index e = s.rings.firstEntryOf(p); e != kNone; e = s.rings[e].nextOfPoint) {
+            if (s.rings.point(e) != p || !s.rings.alive(e)) return at("1: a chain is wrong", p);
+            ++chained;
+        }
+        if (chained != entries[p]) return at("1: a chain has other entries than the rings", p);
+    }
+    return {};
+}
+
+/// Invariant 8.
+std::string checkAngles(const State& s) {
+    double before = s.pivot.startAngle.key;
+    for (const Candidate& c : s.pivot.candidates) {
+        if (!(c.angle.key > before)) return at("8: angles do not increase", c.point);
+        before = c.angle.key;
+    }
+    const bool ordered = s.pivot.candidates.empty() || s.pivot.endAngle.key > before;
+    return ordered ? "" : "8: a candidate is behind end";
+}
+
+/// Invariants 11 and 13.
+std::string checkProgress(const State& s, const PointSet& points) {
+    const Index active = s.rings.active();
+    if (active != kNone && s.circuit >= s.rings.length(active)) {
+        return "11: a full circuit without a triangle was not freed";
+    }
+    for (Index p = 0; p < std::min<Index>(s.startPointer, static_cast<Index>(points.size()));
+         ++p) {
+        if (s.phase == Phase::Seed && s.status[p] != kDone) {
+            return at("11: the start pointer passed a point that is not DONE", p);
+        }
+    }
+    const bool capped =
+        !s.alerts.empty() && s.alerts.back().kind == AlertKind::TriangleCap;
+    if (!s.finished() || capped) return {};
+    for (Index p = 0; p < s.status.size(); ++p) {
+        if (s.status[p] != kDone) return at("13: a point is not DONE at the end", p);
+    }
+    return {};
+}
+
+std::uint64_t edgeKey(Index u, Index v) { return (std::uint64_t{u} << 32U) | v; }
+
+}  // namespace
+
+std::string checkInvariants(const State& state, const PointSet& points, const Params& params) {
+    for (const std::string& problem :
+         {checkRings(state, params), checkAngles(state), checkProgress(state, points)}) {
+        if (!problem.empty()) return problem;
+    }
+    return {};
+}
+
+InvariantChecker::InvariantChecker(const PointSet& points, const Params& params, Level level)
+    : points_(points),
+      params_(params),
+      level_(level),
+      trianglesOf_(points.size()),
+      statusBefore_(points.size(), kUnused) {}
+
+/// Invariants 6 and 9.
+std::string InvariantChecker::checkPivot(const State& s) const {
+    const std::size_t before = trianglesBefore_.size();
+    if (s.triangles.size() < before ||
+        !std::equal(trianglesBefore_.begin(), trianglesBefore_.end(), s.triangles.begin())) {
+        return "6: a triangle was taken back";
+    }
+    if (s.triangles.size() - before != s.pivotTriangles) return "6: triangles are miscounted";
+    for (std::size_t i = before; i < s.triangles.size(); ++i) {
+        const Triangle& t = s.triangles[i];
+        if (t.a != s.triangles[before].a) return at("6: a fan with two centers", t.a);
+        if (i > before && t.b != s.triangles[i - 1].c) return at("6: a fan is torn", t.b);
+    }
+    if (s.pivotTriangles == 0 && s.counters.freedRings == countersBefore_.freedRings &&
+        s.counters.seeds == countersBefore_.seeds && s.counters.stranded == countersBefore_.stranded &&
+        s.counters.isolated == countersBefore_.isolated && s.status != statusBefore_) {
+        return "9: a pivot without triangles changed a status";
+    }
+    return {};
+}
+
+/// Invariant 7.
+std::string InvariantChecker::checkStatusChanges(const State& s) const {
+    for (Index p = 0; p < s.status.size(); ++p) {
+        if (statusBefore_[p] == kDone && s.status[p] != kDone) return at("7: DONE is final", p);
+    }
+    for (std::size_t i = trianglesBefore_.size(); i < s.triangles.size(); ++i) {
+        for (const Index p : {s.triangles[i].a, s.triangles[i].b, s.triangles[i].c}) {
+            if (statusBefore_[p] == kDone) return at("7: a DONE point is in a new triangle", p);
+            if (s.status[p] == kUnused) return at("7: an UNUSED point is in a triangle", p);
+        }
+    }
+    return {};
+}
+
+/// Invariant 10: +1 per seed and split, -1 per join, closed and freed ring.
+std::string InvariantChecker::checkRingCount(const State& s) const {
+    const Counters& now = s.counters;
+    const Counters& old = countersBefore_;
+    const auto change = static_cast<long>(now.seeds - old.seeds) +
+                        static_cast<long>(now.splits - old.splits) -
+                        static_cast<long>(now.joins - old.joins) -
+                        static_cast<long>(now.closedRings - old.closedRings) -
+                        static_cast<long>(now.freedRings - old.freedRings);
+    const auto rings = static_cast<long>(liveRings(s.rings).size());
+    return rings == static_cast<long>(ringsBefore_) + change ? "" : "10: a ring came or went";
+}
+
+/// Invariants 3, 4 and 5.
+std::string InvariantChecker::checkEdges(const State& s) {
+    for (std::size_t i = trianglesBefore_.size(); i < s.triangles.size(); ++i) {
+        const Triangle& t = s.triangles[i];
+        for (const auto& [u, v] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}}) {
+            if (++directedEdges_[edgeKey(u, v)] > 1) return at("5: an edge is passed twice", u);
+        }
+        for (const Index p : {t.a, t.b, t.c}) trianglesOf_[p].push_back(static_cast<Index>(i));
+    }
+    std::string problem;
+    for (const Index ring : liveRings(s.rings)) {
+        forEachEntry(s.rings, ring, [&](Index e) {
+            if (s.rings.open(e)) return;
+            const Index u = s.rings.point(e);
+            const Index v = s.rings.point(s.rings.next(e));
+            if (directedEdges_.count(edgeKey(u, v)) == 0) {
+                problem = at("3: a ring step is no edge of the mesh", u);
+            }
+            if (directedEdges_.count(edgeKey(v, u)) != 0) {
+                problem = at("3: both sides of a ring step are triangulated", u);
+            }
+        });
+    }
+    return problem;
+}
+
+/// Invariant 12: an interior point that became DONE by §6.5 is inside one closed fan.
+std::string InvariantChecker::checkSurrounded(const State& s) const {
+    if (s.counters.freedRings != countersBefore_.freedRings) return {};
+    for (Index p = 0; p < s.status.size(); ++p) {
+        if (s.status[p] != kDone || statusBefore_[p] == kDone) continue;
+        if (isBoundary(points_.type[p]) || trianglesOf_[p].empty()) continue;
+        std::unordered_map<Index, Index> following;
+        for (const Index i : trianglesOf_[p]) {
+            const Triangle& t = s.triangles[i];
+            const Index u = t.a == p ? t.b : (t.b == p ? t.c : t.a);
+            const Index v = t.a == p ? t.c : (t.b == p ? t.a : t.b);
+            following[u] = v;
+        }
+        const Index begin = following.begin()->first;
+        Index x = begin;
+        std::size_t steps = 0;
+        do {
+            const auto found = following.find(x);
+            if (found == following.end()) return at("12: a DONE point is not surrounded", p);
+            x = found->second;
+        } while (++steps < trianglesOf_[p].size() && x != begin);
+        if (x != begin || steps != trianglesOf_[p].size()) {
+            return at("12: a DONE point has more than one fan", p);
+        }
+    }
+    return {};
+}
+
+void InvariantChecker::remember(const State& s) {
+    statusBefore_ = s.status;
+    trianglesBefore_ = s.triangles;
+    countersBefore_ = s.counters;
+    ringsBefore_ = liveRings(s.rings).size();
+    startPointerBefore_ = s.startPointer;
+}
+
+std::string InvariantChecker::check(const State& s) {
+    std::string problem = checkInvariants(s, points_, params_);
+    if (problem.empty() && s.startPointer < startPointerBefore_) {
+        problem = "11: the start pointer went back";
+    }
+    if (problem.empty()) problem = checkPivot(s);
+    if (problem.empty()) problem = checkStatusChanges(s);
+    if (problem.empty()) problem = checkRingCount(s);
+    if (problem.empty() && level_ == Level::WellSampled) problem = checkEdges(s);
+    if (problem.empty() && level_ == Level::WellSampled) problem = checkSurrounded(s);
+    remember(s);
+    return problem;
+}
+
+}  // namespace se

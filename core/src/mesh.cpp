@@ -1,0 +1,155 @@
+#include "spiraling_edge/mesh.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace se {
+namespace {
+
+/// One side of a triangle, named by its points in ascending order.
+struct HalfEdge {
+    Index low, high;
+    Index triangle;
+    bool ascending;  ///< Passed from low to high.
+
+    bool sameEdge(const HalfEdge& other) const { return low == other.low && high == other.high; }
+};
+
+std::vector<HalfEdge> sortedHalfEdges(std::span<const Triangle> triangles) {
+    std::vector<HalfEdge> edges;
+    edges.reserve(3 * triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const Triangle& t = triangles[i];
+        for (const auto& [u, v] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}}) {
+            edges.push_back({std::min(u, v), std::max(u, v), static_cast<Index>(i), u < v});
+        }
+    }
+    std::sort(edges.begin(), edges.end(), [](const HalfEdge& x, const HalfEdge& y) {
+        return x.low != y.low ? x.low < y.low
+                              : (x.high != y.high ? x.high < y.high : x.triangle < y.triangle);
+    });
+    return edges;
+}
+
+/// Disjoint sets by path halving.
+class Sets {
+ public:
+    explicit Sets(std::size_t size) : parent_(size) {
+        std::iota(parent_.begin(), parent_.end(), Index{0});
+    }
+    Index find(Index x) {
+        while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
+        return x;
+    }
+    /// True if the two were apart.
+    bool unite(Index x, Index y) {
+        x = find(x);
+        y = find(y);
+        parent_[std::max(x, y)] = std::min(x, y);
+        return x != y;
+    }
+
+ private:
+    std::vector<Index> parent_;
+};
+
+/// Counts the edges by how many triangles share them, and the loops of the boundary.
+void countEdges(const std::vector<HalfEdge>& sides, std::size_t points, MeshReport& report) {
+    Sets boundary(points);
+    std::vector<bool> onBoundary(points, false);
+    std::size_t joined = 0;
+    for (std::size_t i = 0; i < sides.size();) {
+        std::size_t end = i;
+        std::size_t ascending = 0;
+        for (; end < sides.size() && sides[end].sameEdge(sides[i]); ++end) {
+            ascending += sides[end].ascending ? 1U : 0U;
+        }
+        const std::size_t count = end - i;
+        ++report.edges;
+        if (count > 2) ++report.nonManifoldEdges;
+        if (ascending > 1 || count - ascending > 1) ++report.inconsistentEdges;
+        if (count == 1) {
+            ++report.boundaryEdges;
+            onBoundary[sides[i].low] = onBoundary[sides[i].high] = true;
+            if (boundary.unite(sides[i].low, sides[i].high)) ++joined;
+        }
+        i = end;
+    }
+    const auto ends = static_cast<std::size_t>(
+        std::count(onBoundary.begin(), onBoundary.end(), true));
+    report.boundaryLoops = ends - joined;
+}
+
+/// Points whose triangles do not hang together by edges at that point.
+std::size_t countNonManifoldVertices(std::span<const Triangle> triangles,
+                                     const std::vector<HalfEdge>& sides, std::size_t points) {
+    // A corner is one triangle at one of its points; corners at a point are joined across edges.
+    const auto cornerOf = [&](Index triangle, Index point) {
+        const Triangle& t = triangles[triangle];
+        const Index k = t.a == point ? 0U : (t.b == point ? 1U : 2U);
+        return 3 * triangle + k;
+    };
+    Sets corners(3 * triangles.size());
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+        if (!sides[i].sameEdge(sides[i - 1])) continue;
+        for (const Index point : {sides[i].low, sides[i].high}) {
+            corners.unite(cornerOf(sides[i - 1].triangle, point),
+                          cornerOf(sides[i].triangle, point));
+        }
+    }
+    std::vector<Index> fans(points, 0);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const Triangle& t = triangles[i];
+        const auto first = static_cast<Index>(3 * i);
+        if (corners.find(first) == first) ++fans[t.a];
+        if (corners.find(first + 1) == first + 1) ++fans[t.b];
+        if (corners.find(first + 2) == first + 2) ++fans[t.c];
+    }
+    return static_cast<std::size_t>(
+        std::count_if(fans.begin(), fans.end(), [](Index n) { return n > 1; }));
+}
+
+void countShapes(const PointSet& points, std::span<const Triangle> triangles, MeshReport& report) {
+    for (const Triangle& t : triangles) {
+        const Vec3 u = points.position[t.b] - points.position[t.a];
+        const Vec3 v = points.position[t.c] - points.position[t.a];
+        const Vec3 area = glm::cross(u, v);
+        const bool twice = t.a == t.b || t.b == t.c || t.c == t.a;
+        if (twice || glm::dot(area, area) <= 1e-24 * glm::dot(u, u) * glm::dot(v, v)) {
+            ++report.degenerateTriangles;
+            continue;
+        }
+        const Vec3 normals = points.normal[t.a] + points.normal[t.b] + points.normal[t.c];
+        if (glm::dot(area, normals) < 0.0) ++report.flippedTriangles;
+    }
+}
+
+}  // namespace
+
+MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangles) {
+    MeshReport report;
+    report.points = points.size();
+    report.triangles = triangles.size();
+    Sets pieces(points.size());
+    std::vector<bool> used(points.size(), false);
+    std::size_t joined = 0;
+    for (const Triangle& t : triangles) {
+        used[t.a] = used[t.b] = used[t.c] = true;
+        joined += pieces.unite(t.a, t.b) ? 1U : 0U;
+        joined += pieces.unite(t.b, t.c) ? 1U : 0U;
+    }
+    report.usedPoints =
+        static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
+    report.unusedPoints = report.points - report.usedPoints;
+    report.components = report.usedPoints - joined;
+    const std::vector<HalfEdge> sides = sortedHalfEdges(triangles);
+    countEdges(sides, points.size(), report);
+    report.nonManifoldVertices = countNonManifoldVertices(triangles, sides, points.size());
+    countShapes(points, triangles, report);
+    report.eulerCharacteristic = static_cast<long long>(report.usedPoints) -
+                                 static_cast<long long>(report.edges) +
+                                 static_cast<long long>(report.triangles);
+    return report;
+}
+
+}  // namespace se

@@ -1,0 +1,244 @@
+/// §6.5: the edge ring after a pivot, and the way to the next one.
+#include <algorithm>
+
+#include "phases.h"
+
+namespace se {
+namespace {
+
+/// Takes an entry out and counts its point's status down (§4): the last one makes it DONE.
+void release(StepContext& context, Index entry, Stage stage) {
+    State& s = context.state;
+    const Index x = s.rings.point(entry);
+    s.rings.erase(entry);
+    s.status[x] = s.status[x] == 1 ? kDone : s.status[x] - 1;
+    note(context, stage, [&] { return RingEvidence{x, false, s.status[x]}; });
+}
+
+void insertCandidates(StepContext& context) {
+    State& s = context.state;
+    Index behind = s.pivot.start;
+    for (const Candidate& c : s.pivot.candidates) {
+        behind = s.rings.insertAfter(behind, c.point);
+        s.status[c.point] = s.status[c.point] + 1;
+        s.insertedEntries.push_back(behind);
+        s.instances.push_back(c.instance);
+        note(context, Stage::Ring, [&] { return RingEvidence{c.point, true, s.status[c.point]}; });
+    }
+}
+
+}  // namespace
+
+void phaseRing(StepContext& context) {
+    State& s = context.state;
+    const NeighborRing& n = s.pivot;
+    release(context, n.pivot, Stage::Ring);
+    for (Index e = n.first; e != n.start;) {
+        const Index following = s.rings.prev(e);
+        release(context, e, Stage::Ring);
+        e = following;
+    }
+    for (Index e = n.last; e != n.end;) {
+        const Index following = s.rings.next(e);
+        release(context, e, Stage::Ring);
+        e = following;
+    }
+    // From start to end there now runs the rim of the new fan: mesh edges all.
+    s.rings.setOpen(n.start, false);
+    insertCandidates(context);
+    if (s.third.entry != kNone) ++s.counters.inserted;
+    s.phase = Phase::Link;
+}
+
+// ---- splits and joins ---------------------------------------------------------------------------
+
+namespace {
+
+/// The entry that the traversal goes on from: end; if that went with a closed ring, the last
+/// inserted entry that is left, else start. kNone if nothing is left.
+Index goOnFrom(const State& s) {
+    if (s.rings.alive(s.pivot.end)) return s.pivot.end;
+    const auto left = std::find_if(s.insertedEntries.rbegin(), s.insertedEntries.rend(),
+                                   [&](Index e) { return s.rings.alive(e); });
+    if (left != s.insertedEntries.rend()) return *left;
+    return s.rings.alive(s.pivot.start) ? s.pivot.start : kNone;
+}
+
+/// Closes a ring of two finished steps, or of a lone entry: Choice, see Rules::closeTwo.
+void closeIfFinished(StepContext& context, Index ring) {
+    State& s = context.state;
+    const Index length = s.rings.length(ring);
+    const Index a = s.rings.head(ring);
+    const Index b = s.rings.next(a);
+    const bool lone = length == 1;
+    const bool finishedEdge = length == 2 && context.params.rules.closeTwo &&
+                              !context.openStep(a) && !context.openStep(b);
+    if (!lone && !finishedEdge) return;
+    note(context, Stage::Ring, [&] {
+        return CloseEvidence{s.rings.point(a), lone ? kNone : s.rings.point(b)};
+    });
+    ++s.counters.closedRings;
+    release(context, a, Stage::Ring);
+    if (!lone) release(context, b, Stage::Ring);
+}
+
+/// §6.5: the part that holds end stays active, the other goes on the stack.
+void placeSplitRings(StepContext& context, const Exchange& exchange, Index x, Index y) {
+    State& s = context.state;
+    ++s.counters.splits;
+    const bool wasActive =
+        exchange.ringOfX == s.rings.active() || exchange.ringOfY == s.rings.active();
+    bool pushX = s.rings.depthFromTop(exchange.ringOfX) == kNone;  // Else x's part is stacked.
+    if (wasActive) {
+        pushX = s.rings.ringOf(goOnFrom(s)) != exchange.ringOfX;
+        s.rings.activate(pushX ? exchange.ringOfY : exchange.ringOfX);
+    }
+    s.rings.push(pushX ? exchange.ringOfX : exchange.ringOfY, pushX ? x : y);
+    note(context, Stage::Split, [&] {
+        return SplitEvidence{s.rings.point(x),
+                             s.rings.length(pushX ? exchange.ringOfY : exchange.ringOfX),
+                             s.rings.length(pushX ? exchange.ringOfX : exchange.ringOfY),
+                             static_cast<Index>(s.rings.stack().size())};
+    });
+}
+
+/// An inserted point that already stood on a ring: exchange successors with that entry.
+void link(StepContext& context, Index x, Index y) {
+    State& s = context.state;
+    const Index depth = s.rings.depthFromTop(s.rings.ringOf(y));
+    const Exchange exchange = s.rings.exchangeSuccessors(x, y);
+    if (exchange.split) {
+        placeSplitRings(context, exchange, x, y);
+    } else {
+        ++s.counters.joins;
+        note(context, Stage::Join, [&] {
+            return JoinEvidence{s.rings.point(x), depth, s.rings.length(exchange.ringOfX)};
+        });
+    }
+    s.counters.maxStackDepth = std::max(s.counters.maxStackDepth,
+                                        static_cast<std::uint32_t>(s.rings.stack().size()));
+    if (s.rings.alive(x)) closeIfFinished(context, s.rings.ringOf(x));
+    if (s.rings.alive(y)) closeIfFinished(context, s.rings.ringOf(y));
+}
+
+}  // namespace
+
+void phaseLink(StepContext& context) {
+    State& s = context.state;
+    for (std::size_t i = 0; i < s.insertedEntries.size(); ++i) {
+        const Index x = s.insertedEntries[i];
+        const Index y = s.instances[i];
+        if (s.rings.alive(x) && s.rings.alive(y)) link(context, x, y);
+    }
+    if (s.rings.active() != kNone) closeIfFinished(context, s.rings.active());
+    if (s.rings.active() != kNone) {
+        s.counters.maxRingLength =
+            std::max(s.counters.maxRingLength, s.rings.length(s.rings.active()));
+    }
+    s.phase = Phase::Advance;
+}
+
+// ---- the next pivot -----------------------------------------------------------------------------
+
+namespace {
+
+void alert(StepContext& context, AlertKind kind, Index point) {
+    State& s = context.state;
+    s.alerts.push_back({kind, s.counters.pivots, point});
+    note(context, Stage::Done, [&] { return AlertEvidence{kind, point}; });
+}
+
+/// §7: "Then the algorithm marks the boundary points as DONE and frees the edge ring."
+void freeActiveRing(StepContext& context) {
+    State& s = context.state;
+    const Index ring = s.rings.active();
+    const Index length = s.rings.length(ring);
+    const bool lostSeed = length == 2 && s.rings.open(s.rings.head(ring)) &&
+                          s.rings.open(s.rings.next(s.rings.head(ring)));
+    Index interior = 0;
+    Index example = s.rings.point(s.rings.head(ring));
+    for (Index i = 0; i < length; ++i) {
+        const Index e = s.rings.head(ring);
+        if (!isBoundary(context.points.type[s.rings.point(e)])) {
+            if (interior++ == 0) example = s.rings.point(e);
+        }
+        release(context, e, Stage::Done);
+    }
+    ++s.counters.freedRings;
+    note(context, Stage::Done, [&] { return FreeEvidence{length, interior}; });
+    if (lostSeed) {
+        ++s.counters.lostSeeds;
+        alert(context, AlertKind::LostSeed, example);
+    } else if (interior > 0) {
+        ++s.counters.holes;
+        alert(context, AlertKind::Hole, example);
+    }
+}
+
+/// Takes the ring on top of the stack, or ends the component if there is none.
+void popOrEnd(StepContext& context) {
+    State& s = context.state;
+    s.circuit = 0;
+    s.pivot.pivot = s.rings.pop();
+    s.phase = s.pivot.pivot == kNone ? Phase::Seed : Phase::Pivot;
+    note(context, Stage::Advance, [&] {
+        const bool popped = s.pivot.pivot != kNone;
+        return AdvanceEvidence{popped ? s.rings.point(s.pivot.pivot) : kNone, 0, popped};
+    });
+    if (s.pivot.pivot != kNone) return;
+    note(context, Stage::Done, [&] {
+        return ComponentEvidence{s.counters.seeds, static_cast<std::uint32_t>(s.triangles.size())};
+    });
+}
+
+void goOnAt(StepContext& context, Index entry) {
+    State& s = context.state;
+    s.pivot.pivot = entry;
+    s.phase = Phase::Pivot;
+    note(context, Stage::Advance,
+         [&] { return AdvanceEvidence{s.rings.point(entry), s.circuit, false}; });
+}
+
+void advanceAfterTriangles(StepContext& context) {
+    State& s = context.state;
+    s.circuit = 0;
+    const Index entry = goOnFrom(s);
+    if (entry == kNone) {
+        popOrEnd(context);
+        return;
+    }
+    if (s.rings.ringOf(entry) != s.rings.active()) s.rings.activate(s.rings.ringOf(entry));
+    goOnAt(context, entry);
+}
+
+void advanceWithoutTriangles(StepContext& context) {
+    State& s = context.state;
+    withdrawThirdPoint(context);
+    ++s.circuit;
+    if (s.circuit < s.rings.length(s.rings.active())) {
+        goOnAt(context, s.rings.next(s.pivot.pivot));
+        return;
+    }
+    freeActiveRing(context);
+    popOrEnd(context);
+}
+
+}  // namespace
+
+void phaseAdvance(StepContext& context) {
+    State& s = context.state;
+    if (s.pivotTriangles > 0) {
+        advanceAfterTriangles(context);
+    } else {
+        advanceWithoutTriangles(context);
+    }
+    // The paper's own rules need not end on tangled input; this does.
+    const std::size_t cap =
+        std::size_t{context.params.maxTrianglesPerPoint} * context.points.size();
+    if (s.triangles.size() > cap) {
+        alert(context, AlertKind::TriangleCap, s.triangles.back().a);
+        s.phase = Phase::Finished;
+    }
+}
+
+}  // namespace se

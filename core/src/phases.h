@@ -1,0 +1,60 @@
+/// The phases of a pivot, one function each; stepper.cpp calls them in the order of State::phase.
+#pragma once
+
+#include "spiraling_edge/event.h"
+#include "spiraling_edge/params.h"
+#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/rules.h"
+#include "spiraling_edge/state.h"
+
+namespace se {
+
+/// What a phase works on. `log` is null unless someone listens.
+struct StepContext {
+    const PointSet& points;
+    const Params& params;
+    State& state;
+    EventLog* log;
+
+    const Vec3& positionAt(Index entry) const {
+        return points.position[state.rings.point(entry)];
+    }
+    const Vec3& normalAt(Index entry) const { return points.normal[state.rings.point(entry)]; }
+    /// The step from `entry` is no mesh edge, as far as the rules know (Rules::openSteps).
+    bool openStep(Index entry) const {
+        return params.rules.openSteps && state.rings.open(entry);
+    }
+};
+
+// phase_start.cpp: §4
+void phaseSeed(StepContext& context);
+void phasePivot(StepContext& context);
+// phase_interior.cpp: §6.1 to §6.4
+void phaseSort(StepContext& context);
+void phaseLimits(StepContext& context);
+void phaseConvex(StepContext& context);
+void phaseReciprocal(StepContext& context);
+void phaseHole(StepContext& context);
+void phaseSphere(StepContext& context);
+void phaseTwoPoint(StepContext& context);
+void phaseEmit(StepContext& context);
+// phase_update.cpp: §6.5
+void phaseRing(StepContext& context);
+void phaseLink(StepContext& context);
+void phaseAdvance(StepContext& context);
+// phase_boundary.cpp: §7
+/// Decides whether a boundary point may be a pivot, and puts the third point of §7.1 or §7.2 on the
+/// ring if so. False: pass over it.
+bool admitBoundaryPivot(StepContext& context);
+/// Takes the third point off the ring again, after a pivot that made no triangle.
+void withdrawThirdPoint(StepContext& context);
+
+/// Adds an event if someone listens. `make` is called only then.
+template <typename MakeEvidence>
+void note(StepContext& context, Stage stage, MakeEvidence&& make) {
+    if (context.log != nullptr) {
+        context.log->add(context.state.counters.pivots, stage, make());
+    }
+}
+
+}  // namespace se

@@ -1,0 +1,87 @@
+#include "spiraling_edge/state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace se {
+
+double Angle::degrees() const {
+    constexpr double kDegrees = 57.295779513082320877;
+    const double half = std::acos(cosine) * kDegrees;
+    return key > kHalfTurnKey ? 360.0 - half : half;
+}
+
+namespace {
+
+/// 64 bits at a time, mixed as in FNV-1a with a final avalanche; endianness does not matter.
+class Hasher {
+ public:
+    void add(std::uint64_t value) {
+        hash_ = (hash_ ^ value) * 0x9E3779B97F4A7C15ULL;
+        hash_ ^= hash_ >> 32U;
+    }
+    void addSigned(std::int64_t value) { add(static_cast<std::uint64_t>(value)); }
+    std::uint64_t value() const { return hash_; }
+
+ private:
+    std::uint64_t hash_ = 0xCBF29CE484222325ULL;
+};
+
+void addRing(Hasher& hasher, const EdgeRings& rings, Index from) {
+    Index entry = from;
+    do {
+        hasher.add(rings.point(entry));
+        hasher.add(rings.open(entry) ? 1 : 0);
+        entry = rings.next(entry);
+    } while (entry != from);
+}
+
+void addCounters(Hasher& hasher, const Counters& c) {
+    for (const std::uint32_t value :
+         {c.pivots, c.skipped, c.seeds, c.isolated, c.stranded, c.inserted, c.discarded, c.splits,
+          c.joins, c.closedRings, c.freedRings, c.holes, c.lostSeeds, c.maxRingLength,
+          c.maxStackDepth}) {
+        hasher.add(value);
+    }
+}
+
+void addPivot(Hasher& hasher, const State& s) {
+    const auto place = [&](Index entry) {
+        hasher.add(s.rings.alive(entry) ? s.rings.point(entry) : kNone);
+    };
+    place(s.pivot.pivot);
+    if (s.phase == Phase::Seed || s.phase == Phase::Pivot || s.finished()) return;
+    for (const Index entry : {s.pivot.first, s.pivot.last, s.pivot.start, s.pivot.end}) {
+        place(entry);
+    }
+    for (const Candidate& c : s.pivot.candidates) hasher.add(c.point);
+}
+
+}  // namespace
+
+std::uint64_t stateHash(const State& s) {
+    Hasher hasher;
+    hasher.add(static_cast<std::uint64_t>(s.phase));
+    hasher.add(s.startPointer);
+    hasher.add(s.circuit);
+    addCounters(hasher, s.counters);
+    addPivot(hasher, s);
+    for (const PointStatus status : s.status) hasher.addSigned(status);
+    if (s.rings.active() != kNone) {
+        const bool atPivot = s.rings.alive(s.pivot.pivot);
+        addRing(hasher, s.rings, atPivot ? s.pivot.pivot : s.rings.head(s.rings.active()));
+    }
+    hasher.add(s.rings.stack().size());
+    for (const Index ring : s.rings.stack()) addRing(hasher, s.rings, s.rings.head(ring));
+    hasher.add(s.triangles.size());
+    for (const Triangle& t : s.triangles) {
+        hasher.add(t.a);
+        hasher.add(t.b);
+        hasher.add(t.c);
+    }
+    for (const Alert& alert : s.alerts) hasher.add(alert.pivot);
+    return hasher.value();
+}
+
+}  // namespace se

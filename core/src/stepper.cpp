@@ -1,0 +1,66 @@
+#include "spiraling_edge/stepper.h"
+
+#include <utility>
+
+#include "phases.h"
+
+namespace se {
+namespace {
+
+void runPhase(StepContext& context) {
+    switch (context.state.phase) {
+        case Phase::Seed: return phaseSeed(context);
+        case Phase::Pivot: return phasePivot(context);
+        case Phase::Sort: return phaseSort(context);
+        case Phase::Limits: return phaseLimits(context);
+        case Phase::Convex: return phaseConvex(context);
+        case Phase::Reciprocal: return phaseReciprocal(context);
+        case Phase::Hole: return phaseHole(context);
+        case Phase::Sphere: return phaseSphere(context);
+        case Phase::TwoPoint: return phaseTwoPoint(context);
+        case Phase::Emit: return phaseEmit(context);
+        case Phase::Ring: return phaseRing(context);
+        case Phase::Link: return phaseLink(context);
+        case Phase::Advance: return phaseAdvance(context);
+        case Phase::Finished: return;
+    }
+}
+
+}  // namespace
+
+Stepper::Stepper(const PointSet& points, const Params& params, EventLog* log)
+    : points_(points), params_(params), state_(points.size()), log_(log) {}
+
+bool Stepper::advance() {
+    if (state_.finished()) return false;
+    StepContext context{points_, params_, state_, log_};
+    runPhase(context);
+    return true;
+}
+
+bool Stepper::stepPivot() {
+    StepContext context{points_, params_, state_, log_};
+    bool complete = false;
+    while (!complete && !state_.finished()) {
+        complete = state_.phase == Phase::Advance;
+        runPhase(context);
+    }
+    return complete;
+}
+
+StopReason Stepper::runUntil(const std::function<bool(const State&)>& condition) {
+    while (stepPivot()) {
+        if (condition(state_)) return StopReason::Condition;
+    }
+    const bool capped =
+        !state_.alerts.empty() && state_.alerts.back().kind == AlertKind::TriangleCap;
+    return capped ? StopReason::Capped : StopReason::Finished;
+}
+
+StopReason Stepper::run() {
+    return runUntil([](const State&) { return false; });
+}
+
+State Stepper::takeState() { return std::exchange(state_, State(points_.size())); }
+
+}  // namespace se
