@@ -1,0 +1,161 @@
+#include <optional>
+
+#include "io_formats.h"
+#include "text_scan.h"
+
+namespace se::io {
+namespace {
+
+/// Reads OBJ: `v`, `vn` and `f`; all other statements are passed over.
+class ObjReader {
+  public:
+    ObjReader(std::string_view text, const std::string& name) : lines_(text), name_(name) {}
+
+    Result<PointFile> read() {
+        file_.positionType = ScalarType::Double;
+        file_.normalType = ScalarType::Double;
+        while (lines_.nextContent('#')) {
+            Fields fields(lines_.line());
+            const std::string_view keyword = fields.next();
+            if (keyword == "v") readVector(fields, file_.position);
+            if (keyword == "vn") readVector(fields, normals_);
+            if (keyword == "f") readFace(fields);
+            if (problem_) return *problem_;
+        }
+        if (file_.position.empty())
+            return Error{name_ + ": holds no points (lines that begin with v)"};
+        if (!checkReferences()) return *problem_;
+        takeNormals();
+        return std::move(file_);
+    }
+
+  private:
+    /// A reference that must not exceed the number of things in the whole file, with its line.
+    struct Highest {
+        std::int64_t index = -1;
+        std::size_t line = 0;
+    };
+
+    void fail(const std::string& what) {
+        problem_ = errorAt(name_, lineText(lines_.number()), what);
+    }
+
+    /// What follows the three numbers (weights, colors) is passed over.
+    void readVector(Fields& fields, std::vector<Vec3>& target) {
+        Vec3 vector{};
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::string_view field = fields.next();
+            if (!parseDouble(field, vector[axis])) {
+                return fail("expected three numbers, found " + inQuotes(field) +
+                            "; correct the line");
+            }
+        }
+        target.push_back(vector);
+    }
+
+    /// A reference counts from 1, or back from the last thing read so far if it is negative.
+    bool readReference(std::string_view field, std::size_t soFar, Highest& highest,
+                       std::int64_t& index) {
+        std::int64_t number = 0;
+        if (!parseInteger(field, number) || number == 0 || number > std::int64_t{kNone} ||
+            number < -static_cast<std::int64_t>(soFar)) {
+            fail("expected a reference such as 7, 7//7 or -1 to something in the file, found " +
+                 inQuotes(field) + "; correct the line");
+            return false;
+        }
+        index = number > 0 ? number - 1 : static_cast<std::int64_t>(soFar) + number;
+        if (index > highest.index) highest = {index, lines_.number()};
+        return true;
+    }
+
+    /// One corner: v, v/vt, v//vn or v/vt/vn.
+    bool readCorner(std::string_view field) {
+        const std::size_t slash = field.find('/');
+        std::int64_t vertex = 0;
+        if (!readReference(field.substr(0, slash), file_.position.size(), highestVertex_, vertex)) {
+            return false;
+        }
+        polygon_.push_back(static_cast<Index>(vertex));
+        const std::size_t second =
+            slash == std::string_view::npos ? slash : field.find('/', slash + 1);
+        if (second == std::string_view::npos) return true;
+        std::int64_t normal = 0;
+        if (!readReference(field.substr(second + 1), normals_.size(), highestNormal_, normal)) {
+            return false;
+        }
+        normalReferences_.push_back({polygon_.back(), static_cast<Index>(normal)});
+        return true;
+    }
+
+    void readFace(Fields& fields) {
+        polygon_.clear();
+        for (auto field = fields.next(); !field.empty(); field = fields.next()) {
+            if (!readCorner(field)) return;
+        }
+        if (polygon_.size() < 3) {
+            return fail("expected a face with three corners or more, found " +
+                        std::to_string(polygon_.size()) + "; correct or remove the line");
+        }
+        appendFan(polygon_, file_.faces);
+    }
+
+    /// Faces may stand before what they refer to, so this is known at the end only.
+    bool checkReferences() {
+        const auto check = [this](const Highest& highest, std::size_t count, const char* things) {
+            if (highest.index < static_cast<std::int64_t>(count)) return true;
+            problem_ = errorAt(name_, lineText(highest.line),
+                               "refers to number " + std::to_string(highest.index + 1) + " of " +
+                                   std::to_string(count) + " " + things +
+                                   "; the file is cut short or damaged");
+            return false;
+        };
+        return check(highestVertex_, file_.position.size(), "vertices") &&
+               check(highestNormal_, normals_.size(), "normals");
+    }
+
+    /// The normal that the faces give a point (the first, if there are several); if some point has
+    /// none, the normals in their order, provided there are as many as points; else no normals.
+    void takeNormals() {
+        std::vector<Index> normalOf(file_.position.size(), kNone);
+        std::size_t found = 0;
+        for (const auto& [vertex, normal] : normalReferences_) {
+            if (normalOf[vertex] != kNone) continue;
+            normalOf[vertex] = normal;
+            ++found;
+        }
+        if (found == normalOf.size()) {
+            for (const Index normal : normalOf) file_.normal.push_back(normals_[normal]);
+        } else if (normals_.size() == file_.position.size()) {
+            file_.normal = std::move(normals_);
+        }
+    }
+
+    struct NormalReference {
+        Index vertex;
+        Index normal;
+    };
+
+    LineReader lines_;
+    const std::string& name_;
+    PointFile file_;
+    std::optional<Error> problem_;
+    std::vector<Vec3> normals_;
+    std::vector<NormalReference> normalReferences_;
+    std::vector<Index> polygon_;
+    Highest highestVertex_;
+    Highest highestNormal_;
+};
+
+}  // namespace
+
+Result<PointFile> readObj(std::string_view text, const std::string& name) {
+    return ObjReader(text, name).read();
+}
+
+void appendFan(std::span<const Index> polygon, std::vector<Triangle>& triangles) {
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+        triangles.push_back({polygon[0], polygon[i - 1], polygon[i]});
+    }
+}
+
+}  // namespace se::io

@@ -1,0 +1,242 @@
+#include "io_ply.h"
+
+#include <limits>
+
+#include "io_formats.h"
+#include "io_ply_rows.h"
+
+namespace se::io {
+namespace {
+
+constexpr std::size_t kNoProperty = std::numeric_limits<std::size_t>::max();
+static_assert(sizeof(Vec3) == 3 * sizeof(double), "columns reach into vectors by a stride of 3");
+
+std::size_t findProperty(const PlyElement& element, std::string_view name, bool list) {
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+        const PlyProperty& property = element.properties[i];
+        if (property.name == name && property.isList == list) return i;
+    }
+    return kNoProperty;
+}
+
+/// The list of an element that names points.
+std::size_t findIndexList(const PlyElement& element) {
+    if (element.name == "se_neighbors") return findProperty(element, "id", true);
+    const std::size_t indices = findProperty(element, "vertex_indices", true);
+    return indices != kNoProperty ? indices : findProperty(element, "vertex_index", true);
+}
+
+const PlyElement* findElement(const PlyHeader& header, std::string_view name) {
+    for (const PlyElement& element : header.elements) {
+        if (element.name == name) return &element;
+    }
+    return nullptr;
+}
+
+/// What the header alone tells about the elements that are read.
+Status checkHeader(const PlyHeader& header, const std::string& name) {
+    const PlyElement* vertex = findElement(header, "vertex");
+    if (vertex == nullptr) return Error{name + ": the header announces no element \"vertex\""};
+    const auto fail = [&](const PlyElement& element, const std::string& what) {
+        return errorAt(name, lineText(element.line), what);
+    };
+    for (const char* axis : {"x", "y", "z"}) {
+        if (findProperty(*vertex, axis, false) == kNoProperty) {
+            return fail(*vertex, std::string("element \"vertex\" has no property ") + axis);
+        }
+    }
+    if (vertex->count >= kNone) {
+        return fail(*vertex, "announces " + std::to_string(vertex->count) +
+                                 " points; at most 4294967294 can be read");
+    }
+    const PlyElement* neighbors = findElement(header, "se_neighbors");
+    if (neighbors != nullptr &&
+        (neighbors->count != vertex->count || findIndexList(*neighbors) == kNoProperty)) {
+        return fail(*neighbors, "expected \"element se_neighbors " + std::to_string(vertex->count) +
+                                    "\", one row per point, with \"property list ushort uint id\"");
+    }
+    for (const PlyElement* element : {findElement(header, "face"), neighbors}) {
+        if (element == nullptr || findIndexList(*element) == kNoProperty) continue;
+        const PlyProperty& list = element->properties[findIndexList(*element)];
+        if (!isInteger(list.type)) {
+            return fail(*element,
+                        "property " + inQuotes(list.name) + " must be of an integer type");
+        }
+    }
+    return success();
+}
+
+/// Reads the rows behind the header; the templates below are the same for text and binary.
+template <typename Rows>
+class BodyReader {
+  public:
+    BodyReader(std::string_view bytes, const PlyHeader& header, const std::string& name)
+        : header_(header),
+          rows_(bytes, header, name),
+          points_(findElement(header, "vertex")->count),
+          name_(name) {}
+
+    Result<PointFile> read() {
+        for (const PlyElement& element : header_.elements) {
+            if (element.properties.empty()) continue;  // rows of nothing
+            if (!rows_.checkRoom(element) || !readElement(element)) return *rows_.problem();
+        }
+        if (!rows_.finish()) return *rows_.problem();
+        if (const Status status = takeTypes(); !status) return status.error();
+        return std::move(file_);
+    }
+
+  private:
+    bool readElement(const PlyElement& element) {
+        const std::vector<Column> nowhere(element.properties.size());
+        const auto ignore = [] { return true; };
+        if (element.name == "vertex") {
+            return readRows(element, makeColumns(element), kNoProperty, ignore);
+        }
+        if (element.name == "face") {
+            return readRows(element, nowhere, findIndexList(element), [this] {
+                appendFan(list_, file_.faces);
+                return true;
+            });
+        }
+        if (element.name == "se_neighbors") {
+            return readRows(element, nowhere, findIndexList(element),
+                            [this] { return appendNeighbors(); });
+        }
+        return readRows(element, nowhere, kNoProperty, ignore);
+    }
+
+    /// Reads all rows: scalars to their columns; list number `taken`, whose values name points, to
+    /// list_, upon which `onRow` is called at the end of each row.
+    template <typename OnRow>
+    bool readRows(const PlyElement& element, const std::vector<Column>& columns, std::size_t taken,
+                  OnRow onRow) {
+        if constexpr (std::is_same_v<Rows, BinaryRows>) {
+            if (!element.hasList()) {
+                rows_.readColumns(element, columns);
+                return true;
+            }
+        }
+        for (std::uint64_t row = 0; row < element.count; ++row) {
+            if (!rows_.beginRow(element, row)) return false;
+            for (std::size_t i = 0; i < element.properties.size(); ++i) {
+                const PlyProperty& property = element.properties[i];
+                if (property.isList) {
+                    if (!readList(property, i == taken)) return false;
+                    continue;
+                }
+                double value = 0.0;
+                if (!rows_.scalar(property, property.type, value)) return false;
+                if (columns[i].first != nullptr) columns[i].first[row * columns[i].stride] = value;
+            }
+            if (!rows_.endRow() || !onRow()) return false;
+        }
+        return true;
+    }
+
+    bool readList(const PlyProperty& property, bool isTaken) {
+        double count = 0.0;
+        if (!rows_.scalar(property, property.countType, count)) return false;
+        if (count < 0.0) {
+            return rows_.fail("expected the length of list " + inQuotes(property.name) +
+                              ", found " + std::to_string(static_cast<std::int64_t>(count)));
+        }
+        if (!isTaken) return rows_.skipList(property, static_cast<std::uint64_t>(count));
+        list_.clear();
+        for (auto left = static_cast<std::uint64_t>(count); left > 0; --left) {
+            double value = 0.0;
+            if (!rows_.scalar(property, property.type, value)) return false;
+            if (value < 0.0 || value >= static_cast<double>(points_)) {
+                return rows_.fail("list " + inQuotes(property.name) + " names point " +
+                                  std::to_string(static_cast<std::int64_t>(value)) +
+                                  ", but the points are numbered from 0 to below " +
+                                  std::to_string(points_));
+            }
+            list_.push_back(static_cast<Index>(value));
+        }
+        return true;
+    }
+
+    bool appendNeighbors() {
+        if (list_.size() > kNone - file_.neighbors.ids.size()) {
+            return rows_.fail("the neighbor lists hold more than 4294967295 entries in all");
+        }
+        file_.neighbors.append(list_);
+        return true;
+    }
+
+    /// Makes room for the points and says where each property of `vertex` goes. Lists go nowhere.
+    std::vector<Column> makeColumns(const PlyElement& vertex) {
+        const auto count = static_cast<std::size_t>(vertex.count);
+        std::vector<Column> columns(vertex.properties.size());
+        takeVector(vertex, {"x", "y", "z"}, file_.position, file_.positionType, columns);
+        takeVector(vertex, {"nx", "ny", "nz"}, file_.normal, file_.normalType, columns);
+        std::size_t type = findProperty(vertex, "scalar_se_type", false);
+        if (type == kNoProperty) type = findProperty(vertex, "se_type", false);
+        if (type != kNoProperty) {
+            types_.resize(count);
+            columns[type] = {types_.data(), 1};
+        }
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            const PlyProperty& property = vertex.properties[i];
+            if (property.isList || columns[i].first != nullptr || count == 0) continue;
+            // Moving the vector of attributes later does not move the values.
+            file_.attributes.push_back({property.name, property.type, std::vector<double>(count)});
+            columns[i] = {file_.attributes.back().values.data(), 1};
+        }
+        return columns;
+    }
+
+    /// Sends three properties to the components of `vectors`, if `vertex` has them all.
+    void takeVector(const PlyElement& vertex, const std::array<const char*, 3>& names,
+                    std::vector<Vec3>& vectors, ScalarType& type, std::vector<Column>& columns) {
+        std::array<std::size_t, 3> at{};
+        type = ScalarType::Float;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            at[axis] = findProperty(vertex, names[axis], false);
+            if (at[axis] == kNoProperty) return;
+            if (vertex.properties[at[axis]].type != ScalarType::Float) type = ScalarType::Double;
+        }
+        vectors.resize(static_cast<std::size_t>(vertex.count));
+        if (vectors.empty()) return;
+        columns[at[0]] = {&vectors[0].x, 3};
+        columns[at[1]] = {&vectors[0].y, 3};
+        columns[at[2]] = {&vectors[0].z, 3};
+    }
+
+    Status takeTypes() {
+        file_.type.reserve(types_.size());
+        for (const double value : types_) {
+            if (!(value >= 0.0 && value <= 255.0 && value == std::floor(value))) {
+                return Error{name_ + ": point " + std::to_string(file_.type.size()) +
+                             ": the type (scalar_se_type) must be a whole number from 0 to 255, "
+                             "found " +
+                             std::to_string(value)};
+            }
+            file_.type.push_back(static_cast<std::uint8_t>(value));
+        }
+        return success();
+    }
+
+    const PlyHeader& header_;
+    Rows rows_;
+    std::uint64_t points_;
+    const std::string& name_;
+    PointFile file_;
+    std::vector<double> types_;
+    std::vector<Index> list_;
+};
+
+}  // namespace
+
+Result<PointFile> readPly(std::string_view bytes, const std::string& name) {
+    const Result<PlyHeader> header = readPlyHeader(bytes, name);
+    if (!header) return header.error();
+    if (const Status status = checkHeader(header.value(), name); !status) return status.error();
+    if (header.value().format == PlyFormat::Ascii) {
+        return BodyReader<AsciiRows>(bytes, header.value(), name).read();
+    }
+    return BodyReader<BinaryRows>(bytes, header.value(), name).read();
+}
+
+}  // namespace se::io

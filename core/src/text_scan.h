@@ -1,0 +1,164 @@
+/// Lines, fields and numbers of text files, shared by the readers. Nothing here depends on the
+/// locale, and nothing reads past the text it was given.
+#pragma once
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <clocale>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "spiraling_edge/result.h"
+
+namespace se::io {
+
+/// "NAME: PLACE: WHAT", the form of every error about the content of a file.
+inline Error errorAt(const std::string& name, const std::string& place, const std::string& what) {
+    return Error{name + ": " + place + ": " + what};
+}
+
+/// A line number as a place: "line 12".
+inline std::string lineText(std::size_t number) { return "line " + std::to_string(number); }
+
+/// `field` in quotes for an error message: shortened, and without bytes that upset a terminal.
+inline std::string inQuotes(std::string_view field) {
+    constexpr std::size_t kLongest = 24;
+    std::string text = "\"";
+    for (const char c : field.substr(0, kLongest)) text += (c >= ' ' && c <= '~') ? c : '?';
+    return text + (field.size() > kLongest ? "...\"" : "\"");
+}
+
+inline bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+
+/// Walks over the lines of a text; knows their numbers, counted from 1.
+class LineReader {
+  public:
+    /// `linesBefore`: how many lines of the file lie before `text`.
+    explicit LineReader(std::string_view text, std::size_t linesBefore = 0)
+        : rest_(text), number_(linesBefore) {}
+
+    /// Moves to the next line, blank or not. False at the end of the text.
+    bool next() {
+        if (rest_.empty()) return false;
+        const std::size_t length = std::min(rest_.find('\n'), rest_.size());
+        line_ = rest_.substr(0, length);
+        rest_.remove_prefix(std::min(length + 1, rest_.size()));
+        ++number_;
+        return true;
+    }
+    /// Moves to the next line that has more than blanks, after cutting off what follows the
+    /// character `comment`; '\0' means that the format has no comments.
+    bool nextContent(char comment = '\0') {
+        while (next()) {
+            if (comment != '\0') line_ = line_.substr(0, line_.find(comment));
+            if (!std::all_of(line_.begin(), line_.end(), isSpace)) return true;
+        }
+        line_ = {};
+        return false;
+    }
+
+    std::string_view line() const { return line_; }
+    std::size_t number() const { return number_; }
+    /// What has not been walked over yet.
+    std::string_view rest() const { return rest_; }
+
+  private:
+    std::string_view rest_;
+    std::string_view line_;
+    std::size_t number_;
+};
+
+/// Cuts a line into fields at blanks and tabs, and at `extraSeparator` if one is named.
+class Fields {
+  public:
+    explicit Fields(std::string_view line, char extraSeparator = ' ')
+        : rest_(line), extra_(extraSeparator) {}
+
+    /// The next field; empty when there is none left.
+    std::string_view next() {
+        std::size_t begin = 0;
+        while (begin < rest_.size() && separates(rest_[begin])) ++begin;
+        std::size_t end = begin;
+        while (end < rest_.size() && !separates(rest_[end])) ++end;
+        const std::string_view field = rest_.substr(begin, end - begin);
+        rest_.remove_prefix(end);
+        return field;
+    }
+
+  private:
+    bool separates(char c) const { return isSpace(c) || c == extra_; }
+
+    std::string_view rest_;
+    char extra_;
+};
+
+/// What is left of a number without its leading '+'; a second sign makes it no number.
+inline std::string_view withoutPlus(std::string_view field) {
+    if (field.empty() || field.front() != '+') return field;
+    field.remove_prefix(1);
+    const bool secondSign = !field.empty() && (field.front() == '-' || field.front() == '+');
+    return secondSign ? std::string_view{} : field;
+}
+
+/// "nan", "inf" or "infinity" in any case, with or without a sign. False if it is none of them.
+inline bool parseNonFinite(std::string_view field, double& value) {
+    const bool minus = !field.empty() && field.front() == '-';
+    if (minus) field.remove_prefix(1);
+    std::string lower;
+    for (const char c : field.substr(0, 9)) lower += static_cast<char>(c | 0x20);
+    if (lower == "nan") {
+        value = std::numeric_limits<double>::quiet_NaN();
+    } else if (lower == "inf" || lower == "infinity") {
+        value = std::numeric_limits<double>::infinity();
+    } else {
+        return false;
+    }
+    if (minus) value = -value;
+    return true;
+}
+
+/// parseDouble() for libraries that lack std::from_chars for double, and for numbers too small or
+/// too large for it. strtod() follows the locale, so it is given the locale's decimal point.
+inline bool parseDoubleByStrtod(std::string_view field, double& value) {
+    std::string text(withoutPlus(field));
+    if (text.empty()) return false;
+    if (parseNonFinite(text, value)) return true;
+    // strtod() would also take hexadecimal numbers and leading blanks.
+    if (text.find_first_not_of("0123456789.eE+-") != std::string::npos) return false;
+    const std::string point = std::localeconv()->decimal_point;
+    if (const std::size_t dot = text.find('.'); dot != std::string::npos && point != ".") {
+        text.replace(dot, 1, point);
+    }
+    char* end = nullptr;
+    value = std::strtod(text.c_str(), &end);
+    return end == text.c_str() + text.size() && std::isfinite(value);
+}
+
+/// Reads all of `field` as a decimal number; "nan" and "inf" are numbers. False if it is not one,
+/// or if it lies beyond the largest double. What lies below the smallest becomes 0.
+inline bool parseDouble(std::string_view field, double& value) {
+#if defined(__cpp_lib_to_chars)
+    const std::string_view digits = withoutPlus(field);
+    const char* const end = digits.data() + digits.size();
+    const auto [stop, problem] = std::from_chars(digits.data(), end, value);
+    if (problem == std::errc{}) return stop == end;
+    if (problem != std::errc::result_out_of_range) return false;
+#endif
+    return parseDoubleByStrtod(field, value);
+}
+
+/// Reads all of `field` as a whole decimal number.
+inline bool parseInteger(std::string_view field, std::int64_t& value) {
+    const std::string_view digits = withoutPlus(field);
+    const char* const end = digits.data() + digits.size();
+    const auto [stop, problem] = std::from_chars(digits.data(), end, value);
+    return problem == std::errc{} && stop == end;
+}
+
+}  // namespace se::io
