@@ -1,0 +1,67 @@
+#include "spiraling_edge/point_set.h"
+
+#include <cmath>
+
+namespace se {
+namespace {
+
+constexpr double kUnitTolerance = 1e-6;
+
+bool isFinite(const Vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+std::string pointText(Index p) { return "point " + std::to_string(p); }
+
+Status checkLengths(const PointSet& points) {
+    const std::size_t n = points.size();
+    if (n >= kNone) return Error{std::to_string(n) + " points; at most 4294967294 are possible"};
+    const auto& offset = points.neighbors.offset;
+    if (points.normal.size() != n || points.type.size() != n || offset.size() != n + 1) {
+        return Error{"there are " + std::to_string(n) + " positions, but " +
+                     std::to_string(points.normal.size()) + " normals, " +
+                     std::to_string(points.type.size()) + " types and " +
+                     std::to_string(offset.empty() ? 0 : offset.size() - 1) + " neighbor lists"};
+    }
+    bool good = offset.front() == 0 && offset.back() == points.neighbors.ids.size();
+    for (std::size_t p = 0; p < n; ++p) good = good && offset[p] <= offset[p + 1];
+    if (!good) return Error{"the offsets of the neighbor lists do not divide their entries"};
+    return success();
+}
+
+/// What the stepper computes with. NaN fails both comparisons.
+Status checkPoint(const PointSet& points, Index p) {
+    if (!isFinite(points.position[p])) {
+        return Error{pointText(p) + " is in a neighbor list, but its position is not finite"};
+    }
+    if (!(std::abs(glm::length(points.normal[p]) - 1.0) <= kUnitTolerance)) {
+        return Error{pointText(p) + " is in a neighbor list, but its normal is not of unit length"};
+    }
+    return success();
+}
+
+}  // namespace
+
+Status validate(const PointSet& points) {
+    if (Status status = checkLengths(points); !status) return status;
+    const auto n = static_cast<Index>(points.size());
+    std::vector<Index> lastList(n, kNone);  // the last list that each point was seen in
+    for (Index p = 0; p < n; ++p) {
+        const auto list = points.neighbors[p];
+        if (list.empty()) continue;
+        if (Status status = checkPoint(points, p); !status) return status;
+        for (const Index q : list) {
+            const std::string what = "the list of " + pointText(p) + " names ";
+            if (q >= n) return Error{what + pointText(q) + ", which does not exist"};
+            if (q == p) return Error{what + "the point itself"};
+            if (lastList[q] == p) return Error{what + pointText(q) + " twice"};
+            if (lastList[q] == kNone) {
+                if (Status status = checkPoint(points, q); !status) return status;
+            }
+            lastList[q] = p;
+        }
+    }
+    return success();
+}
+
+}  // namespace se

@@ -1,0 +1,287 @@
+#include "prepare_neighbors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nanoflann.hpp>
+#include <numeric>
+#include <string>
+
+namespace se {
+namespace {
+
+/// Choice: where many normals around a point oppose its own, as around a flipped normal, only this
+/// many of the nearest points are looked at. Without a bound such a point searches the whole set in
+/// vain, and some percent of flipped normals make the search quadratic.
+std::size_t mostExamined(std::size_t k) { return 8 * k + 64; }
+/// How many points are done between two calls of Progress.
+constexpr std::size_t kProgressStep = 4096;
+
+/// The tree prunes by sums that it updates step by step and compares with `<`. Its bound is widened
+/// by more than their rounding error, so that it never hides a point: which points count is decided
+/// here, by exact comparison. The smallest double is for bounds that are 0 by underflow.
+double widened(double bound) { return bound * (1.0 + 1e-9) + std::numeric_limits<double>::min(); }
+
+/// The usable points, packed, in the form that nanoflann asks for. Positions are scaled by a power
+/// of two, which rounds nothing, so that no square of a difference overflows.
+class Cloud {
+  public:
+    Cloud(std::span<const Vec3> position, std::span<const Vec3> normal,
+          const std::vector<bool>& usable) {
+        double largest = 0.0;
+        for (std::size_t p = 0; p < position.size(); ++p) {
+            if (!usable[p]) continue;
+            id_.push_back(static_cast<Index>(p));
+            for (int axis = 0; axis < 3; ++axis) {
+                largest = std::max(largest, std::abs(position[p][axis]));
+            }
+        }
+        int exponent = 0;
+        std::frexp(largest, &exponent);
+        constexpr int kMostExponent = 1000;  // beyond it, the scale itself would leave the range
+        scale_ = std::ldexp(1.0, std::clamp(-exponent, -kMostExponent, kMostExponent));
+        position_.reserve(id_.size());
+        for (const Index p : id_) position_.push_back(position[p] * scale_);
+        if (normal.empty()) return;
+        normal_.reserve(id_.size());
+        for (const Index p : id_) normal_.push_back(normal[p]);
+    }
+
+    std::size_t size() const { return id_.size(); }
+    double scale() const { return scale_; }
+    const Vec3& position(Index i) const { return position_[i]; }
+    /// Requires that normals were given.
+    const Vec3& normal(Index i) const { return normal_[i]; }
+    /// The index of packed point i in the whole set. Ascending, so ties fall the same way in both.
+    Index id(Index i) const { return id_[i]; }
+
+    std::size_t kdtree_get_point_count() const { return size(); }
+    double kdtree_get_pt(Index i, std::size_t axis) const {
+        return position_[i][static_cast<Vec3::length_type>(axis)];
+    }
+    template <typename Box>
+    bool kdtree_get_bbox(Box&) const {
+        return false;  // nanoflann computes it
+    }
+
+  private:
+    std::vector<Vec3> position_;
+    std::vector<Vec3> normal_;
+    std::vector<Index> id_;
+    double scale_ = 1.0;
+};
+
+/// How nanoflann measures: exactly as lists are ordered.
+struct Distance {
+    using ElementType = double;
+    using DistanceType = double;
+
+    explicit Distance(const Cloud& points) : cloud(points) {}
+    double evalMetric(const double* here, Index i, std::size_t) const {
+        return distanceSquared({here[0], here[1], here[2]}, cloud.position(i));
+    }
+    double accum_dist(double a, double b, int) const { return (a - b) * (a - b); }
+
+    const Cloud& cloud;
+};
+using Tree = nanoflann::KDTreeSingleIndexAdaptor<Distance, Cloud, 3, Index>;
+
+/// Collects candidates for the list of one point while the tree is searched: its nearest points, or
+/// all within a radius. Points at the place of the point itself are none.
+class Candidates {
+  public:
+    explicit Candidates(const Cloud& cloud) : cloud_(cloud) {}
+
+    struct Limits {
+        std::size_t most = 0;  ///< The list holds the nearest so many, at least 1.
+        double reachSquared = std::numeric_limits<double>::max();
+        bool dropOpposing = false;
+        std::size_t mostDropped = 0;  ///< Beyond it the search gives up.
+    };
+
+    void start(Index point, const Limits& limits) {
+        found_.clear();
+        point_ = point;
+        limits_ = limits;
+        bound_ = widened(limits.reachSquared);
+        dropped_ = 0;
+    }
+    bool gaveUp() const { return dropped_ > limits_.mostDropped; }
+    /// Ends the search and returns what was found, nearest first.
+    const std::vector<Neighbor>& sorted() {
+        if (!full()) std::sort(found_.begin(), found_.end());
+        return found_;
+    }
+
+    // What nanoflann asks of a result set.
+    double worstDist() const { return bound_; }
+    std::size_t size() const { return found_.size(); }
+    bool full() const { return found_.size() == limits_.most; }
+    bool addPoint(double distance, Index i) {
+        const Neighbor candidate{distance, i};
+        if (distance > limits_.reachSquared) return true;
+        if (cloud_.position(i) == cloud_.position(point_)) return true;
+        if (full() && !(candidate < found_.back())) return true;
+        if (limits_.dropOpposing && normalsOppose(cloud_.normal(point_), cloud_.normal(i))) {
+            ++dropped_;
+            return !gaveUp();
+        }
+        insert(candidate);
+        return true;
+    }
+
+  private:
+    void insert(const Neighbor& candidate) {
+        if (full()) {
+            auto place = found_.end() - 1;  // that of the farthest, which leaves
+            for (; place != found_.begin() && candidate < *(place - 1); --place) {
+                *place = *(place - 1);
+            }
+            *place = candidate;
+        } else {
+            found_.push_back(candidate);
+            if (full()) std::sort(found_.begin(), found_.end());
+        }
+        if (full()) bound_ = std::min(bound_, widened(found_.back().distanceSquared));
+    }
+
+    const Cloud& cloud_;
+    std::vector<Neighbor> found_;  // sorted as soon as it is full
+    Index point_ = kNone;
+    Limits limits_;
+    double bound_ = 0.0;
+    std::size_t dropped_ = 0;
+};
+
+/// Finds the lists of all points, in the order of the tree's leaves: there the points that one
+/// search touches were touched by the search before, and are still in the cache.
+class NeighborSearch {
+  public:
+    NeighborSearch(std::span<const Vec3> position, std::span<const Vec3> normal,
+                   const std::vector<bool>& usable, const NeighborOptions& options)
+        : total_(position.size()),
+          options_(options),
+          cloud_(position, normal, usable),
+          tree_(3, cloud_, nanoflann::KDTreeSingleIndexAdaptorParams(kLeafSize)),
+          candidates_(cloud_) {}
+
+    Result<NeighborLists> run(const Progress& progress) {
+        std::vector<std::size_t> begin(cloud_.size() + 1, 0);  // in found_, in leaf order
+        for (std::size_t i = 0; i < cloud_.size(); ++i) {
+            const bool report = progress && i % kProgressStep == 0;
+            if (report && !progress(static_cast<double>(i) / static_cast<double>(cloud_.size()))) {
+                return Error{"the search for neighbors was cancelled"};
+            }
+            search(tree_.vAcc[i]);
+            begin[i + 1] = found_.size();
+            if (found_.size() >= kNone) {
+                return Error{
+                    "the neighbor lists would hold more than 4294967294 entries in all; "
+                    "choose a smaller k or radius"};
+            }
+        }
+        if (progress) progress(1.0);
+        return inOrderOfIndex(begin);
+    }
+
+  private:
+    static constexpr std::size_t kLeafSize = 10;
+
+    void search(Index point) {
+        const std::size_t others = cloud_.size() - 1;
+        if (others == 0) return;
+        Candidates::Limits limits;
+        limits.most = others;
+        limits.dropOpposing = options_.dropOpposingNormals;
+        limits.mostDropped = others;
+        if (const auto* reach = std::get_if<WithinRadius>(&options_.reach)) {
+            const double radius = reach->radius * cloud_.scale();
+            limits.reachSquared = radius * radius;
+            query(point, limits);
+            return take(point, others);
+        }
+        const std::size_t k = std::min(std::get<KNearest>(options_.reach).k, others);
+        limits.most = k;
+        limits.mostDropped = mostExamined(k) - k;
+        query(point, limits);
+        if (candidates_.gaveUp()) {
+            limits.most = std::min(mostExamined(k), others);
+            limits.dropOpposing = false;
+            query(point, limits);
+        }
+        // If it did not give up, it dropped so few that all it found are among the nearest
+        // mostExamined(k): both ways give the same list wherever both can be gone.
+        take(point, k);
+    }
+
+    void query(Index point, const Candidates::Limits& limits) {
+        candidates_.start(point, limits);
+        tree_.findNeighbors(candidates_, &cloud_.position(point).x, nanoflann::SearchParams());
+    }
+
+    /// Appends the first `most` candidates that pass the filter.
+    void take(Index point, std::size_t most) {
+        const std::size_t end = found_.size() + most;
+        for (const Neighbor& candidate : candidates_.sorted()) {
+            if (found_.size() == end) return;
+            if (options_.dropOpposingNormals &&
+                normalsOppose(cloud_.normal(point), cloud_.normal(candidate.id))) {
+                continue;
+            }
+            found_.push_back(cloud_.id(candidate.id));
+        }
+    }
+
+    /// `begin[i]` is where in found_ the list of the i-th point in leaf order begins.
+    NeighborLists inOrderOfIndex(const std::vector<std::size_t>& begin) const {
+        NeighborLists lists;
+        lists.offset.assign(total_ + 1, 0);
+        for (std::size_t i = 0; i < cloud_.size(); ++i) {
+            lists.offset[cloud_.id(tree_.vAcc[i]) + std::size_t{1}] =
+                static_cast<std::uint32_t>(begin[i + 1] - begin[i]);
+        }
+        std::partial_sum(lists.offset.begin(), lists.offset.end(), lists.offset.begin());
+        lists.ids.resize(found_.size());
+        for (std::size_t i = 0; i < cloud_.size(); ++i) {
+            std::copy(found_.data() + begin[i], found_.data() + begin[i + 1],
+                      lists.ids.data() + lists.offset[cloud_.id(tree_.vAcc[i])]);
+        }
+        return lists;
+    }
+
+    std::size_t total_;
+    const NeighborOptions& options_;
+    Cloud cloud_;
+    Tree tree_;
+    Candidates candidates_;
+    std::vector<Index> found_;  // all lists, in leaf order
+};
+
+}  // namespace
+
+Status checkReach(const NeighborOptions& options) {
+    if (const auto* reach = std::get_if<WithinRadius>(&options.reach)) {
+        if (reach->radius > 0.0) return success();
+        return Error{"the radius of neighbor lists must be positive, but is " +
+                     std::to_string(reach->radius)};
+    }
+    if (std::get<KNearest>(options.reach).k > 0) return success();
+    return Error{"the number of neighbors per point must be positive, but is 0"};
+}
+
+Result<NeighborLists> findNeighbors(std::span<const Vec3> position, std::span<const Vec3> normal,
+                                    const std::vector<bool>& usable, const NeighborOptions& options,
+                                    const Progress& progress) {
+    if (Status status = checkReach(options); !status) return status.error();
+    const std::size_t n = position.size();
+    if (n >= kNone)
+        return Error{"there are " + std::to_string(n) + " points; at most 4294967294 are possible"};
+    if (usable.size() != n || (options.dropOpposingNormals && normal.size() != n)) {
+        return Error{"there are " + std::to_string(n) + " positions, but " +
+                     std::to_string(normal.size()) + " normals and " +
+                     std::to_string(usable.size()) + " marks of usable points"};
+    }
+    return NeighborSearch(position, normal, usable, options).run(progress);
+}
+
+}  // namespace se
