@@ -1,0 +1,65 @@
+#include "spiraling_edge/scenes.h"
+
+#include <algorithm>
+#include <array>
+
+#include "scenes_sampling.h"
+
+namespace se {
+namespace {
+
+/// An exact lattice of 9 x 9 points with typed walls.
+PointFile grid() {
+    constexpr int kHalf = 4;
+    PointFile file;
+    for (int y = -kHalf; y <= kHalf; ++y) {
+        for (int x = -kHalf; x <= kHalf; ++x) {
+            unsigned faces = 0;
+            if (x == kHalf) faces |= kPositiveX;
+            if (y == kHalf) faces |= kPositiveY;
+            if (x == -kHalf) faces |= kNegativeX;
+            if (y == -kHalf) faces |= kNegativeY;
+            file.position.emplace_back(x, y, 0);
+            file.normal.emplace_back(0, 0, 1);
+            file.type.push_back(withCornerBit(static_cast<std::uint8_t>(faces)));
+        }
+    }
+    return file;
+}
+
+constexpr std::array kScenes{
+    Scene{
+        "sphere", "Sphere",
+        "The spiral grows from one point over the whole sphere and closes its last hole by itself.",
+        [] { return sampleClosed(unitSphere(), 600, 0.155, 1); }},
+    Scene{"torus", "Torus",
+          "The edge ring meets itself behind the hole: it splits, and the parts are finished in "
+          "turn from the stack.",
+          [] { return sampleClosed(torus(), 1000, 0.135, 1); }},
+    Scene{"linked-tori", "Two linked tori",
+          "Two components: when the first is closed, a new ring of two starts on the other.",
+          [] { return sampleClosed(linkedTori(), 1500, 0.156, 1); }},
+    Scene{"genus-2", "Double torus",
+          "Two holes: the ring splits and joins again on the way around them.",
+          [] { return sampleClosed(doubleTorus(), 1500, 0.147, 1); }},
+    Scene{"sheet", "Wavy sheet in a box",
+          "Boundary points are passed over and stay on the ring until a full circuit adds nothing; "
+          "only corners are turned with a third point.",
+          [] { return sampleSheet(wavySheet(), 15, 270, 1); }},
+    Scene{"grid", "Exact grid of 9 x 9 points",
+          "Every fourth point of a square lies exactly on the circle of the other three: what is "
+          "on the sphere is removed, and the result is still 128 triangles.",
+          grid},
+};
+
+}  // namespace
+
+std::span<const Scene> scenes() { return kScenes; }
+
+const Scene* findScene(std::string_view id) {
+    const auto found = std::find_if(kScenes.begin(), kScenes.end(),
+                                    [&](const Scene& scene) { return scene.id == id; });
+    return found == kScenes.end() ? nullptr : &*found;
+}
+
+}  // namespace se
