@@ -57,10 +57,9 @@ std::string text(const SkipEvidence& e) {
            ": passed over, it stays on the ring.";
 }
 std::string text(const InsertEvidence& e) {
-    const std::string where = e.corner ? "At the corner between " + str(e.pivot) + " and " +
-                                             str(e.other)
-                                       : "On the ring of two boundary points " + str(e.pivot) +
-                                             " and " + str(e.other);
+    const std::string where =
+        e.corner ? "At the corner between " + str(e.pivot) + " and " + str(e.other)
+                 : "On the ring of two boundary points " + str(e.pivot) + " and " + str(e.other);
     if (e.verdict == Verdict::NoThirdPoint) {
         return where + " no UNUSED neighbor on the same wall fits: passed over.";
     }
@@ -75,20 +74,23 @@ std::string text(const InsertEvidence& e) {
 std::string text(const SortEvidence& e) {
     const std::string at = "Point " + str(e.point) + " at " + deg(e.degrees);
     switch (e.verdict) {
-        case Verdict::AlreadyDone: return "Point " + str(e.point) + " is DONE: no candidate.";
+        case Verdict::AlreadyDone:
+            return "Point " + str(e.point) + " is DONE: no candidate.";
         case Verdict::OnRingEnd:
             return "Point " + str(e.point) + " is first or last itself: no candidate.";
-        case Verdict::NotAfterStart: return at + " is not after the start: left out.";
+        case Verdict::NotAfterStart:
+            return at + " is not after the start: left out.";
         case Verdict::NotBeforeEnd:
             return at + " is not before last at " + deg(e.endDegrees) + ": left out.";
         case Verdict::SameAngle:
             return at + " has the same angle as " + str(e.rival) + ", which is nearer: dropped.";
-        default: return at + " of " + deg(e.endDegrees) + ": a candidate.";
+        default:
+            return at + " of " + deg(e.endDegrees) + ": a candidate.";
     }
 }
 std::string text(const LimitEvidence& e) {
-    const std::string point = "Point " + str(e.to) + " beyond " + sideName(e.side) + " = " +
-                              str(e.from);
+    const std::string point =
+        "Point " + str(e.to) + " beyond " + sideName(e.side) + " = " + str(e.from);
     switch (e.verdict) {
         case Verdict::Moved:
             return point + " is listed, inside the limits, and the ring is concave there (turn " +
@@ -101,11 +103,15 @@ std::string text(const LimitEvidence& e) {
         case Verdict::NotListed:
             return point + " is not among the pivot's neighbors: " + sideName(e.side) + " stays.";
         case Verdict::Outside:
-            return point + " at " + deg(e.toDegrees) + " is outside the limits: " +
-                   sideName(e.side) + " stays.";
+            return point + " at " + deg(e.toDegrees) +
+                   " is outside the limits: " + sideName(e.side) + " stays.";
+        case Verdict::Blocked:
+            return point +
+                   ": an UNUSED neighbor lies in the triangle's sphere: " + sideName(e.side) +
+                   " stays.";
         default:
-            return point + ": the ring is convex there (turn " + num(e.turn) + "): " +
-                   sideName(e.side) + " stays.";
+            return point + ": the ring is convex there (turn " + num(e.turn) +
+                   "): " + sideName(e.side) + " stays.";
     }
 }
 std::string text(const DropEvidence& e) {
@@ -120,7 +126,9 @@ std::string text(const ReciprocalEvidence& e) {
     return "Seen from ring point " + str(e.point) + " (between " + str(e.pred) + " and " +
            str(e.succ) + ") the pivot is at " + deg(e.degrees) + ", its free sector " +
            deg(e.limitDegrees) +
-           (e.verdict == Verdict::Kept ? ": inside, kept." : ": outside, refused.");
+           (e.verdict == Verdict::Kept           ? ": inside, kept."
+            : e.verdict == Verdict::WallComplete ? "; it is complete along its walls: refused."
+                                                 : ": outside, refused.");
 }
 std::string text(const HoleEvidence& e) {
     return "Hole of three: point " + str(e.point) + " is " + num(e.side) +
@@ -158,9 +166,10 @@ std::string text(const RingEvidence& e) {
            status + ".";
 }
 std::string text(const SplitEvidence& e) {
-    return "Point " + str(e.point) + " is met again in the same ring, which splits: " +
-           std::to_string(e.activeLength) + " entries go on, " + std::to_string(e.stackedLength) +
-           " go on the stack (depth " + std::to_string(e.stackDepth) + ").";
+    return "Point " + str(e.point) +
+           " is met again in the same ring, which splits: " + std::to_string(e.activeLength) +
+           " entries go on, " + std::to_string(e.stackedLength) + " go on the stack (depth " +
+           std::to_string(e.stackDepth) + ").";
 }
 std::string text(const JoinEvidence& e) {
     return "Point " + str(e.point) + " is met again in " +
@@ -194,7 +203,8 @@ std::string text(const AlertEvidence& e) {
     switch (e.kind) {
         case AlertKind::TriangleCap:
             return "Alert: too many triangles for so many points; the run is stopped.";
-        case AlertKind::Hole: return "Alert: a hole is left open at point " + str(e.point) + ".";
+        case AlertKind::Hole:
+            return "Alert: a hole is left open at point " + str(e.point) + ".";
         case AlertKind::LostSeed:
             return "Alert: the ring begun at point " + str(e.point) + " got no triangle.";
     }
@@ -209,40 +219,72 @@ std::string describe(const Event& event) {
 
 std::string_view alertName(AlertKind kind) {
     switch (kind) {
-        case AlertKind::TriangleCap: return "triangle_cap";
-        case AlertKind::Hole: return "hole";
-        case AlertKind::LostSeed: return "lost_seed";
+        case AlertKind::TriangleCap:
+            return "triangle_cap";
+        case AlertKind::Hole:
+            return "hole";
+        case AlertKind::LostSeed:
+            return "lost_seed";
     }
     return {};
 }
 
 std::string_view verdictText(Verdict verdict) {
     switch (verdict) {
-        case Verdict::Kept: return "kept";
-        case Verdict::NotAfterStart: return "before start";
-        case Verdict::NotBeforeEnd: return "beyond last";
-        case Verdict::SameAngle: return "same angle, farther";
-        case Verdict::AlreadyDone: return "DONE";
-        case Verdict::OnRingEnd: return "is first or last";
-        case Verdict::Moved: return "moved";
-        case Verdict::NotListed: return "not listed";
-        case Verdict::NotConcave: return "convex";
-        case Verdict::NotAnEdge: return "no edge";
-        case Verdict::Outside: return "outside";
-        case Verdict::OtherLimit: return "other end";
-        case Verdict::BehindConvex: return "behind convex end";
-        case Verdict::NotReciprocal: return "not reciprocal";
-        case Verdict::NotAHole: return "no hole";
-        case Verdict::FarSide: return "far side";
-        case Verdict::InsideSphere: return "inside sphere";
-        case Verdict::GapTooWide: return "gap too wide";
-        case Verdict::NoCircle: return "no circle";
-        case Verdict::Removed: return "removed";
-        case Verdict::Discarded: return "over 180";
-        case Verdict::Hole: return "under 180";
-        case Verdict::Before: return "before";
-        case Verdict::After: return "after";
-        case Verdict::NoThirdPoint: return "no third point";
+        case Verdict::Kept:
+            return "kept";
+        case Verdict::NotAfterStart:
+            return "before start";
+        case Verdict::NotBeforeEnd:
+            return "beyond last";
+        case Verdict::SameAngle:
+            return "same angle, farther";
+        case Verdict::AlreadyDone:
+            return "DONE";
+        case Verdict::OnRingEnd:
+            return "is first or last";
+        case Verdict::Moved:
+            return "moved";
+        case Verdict::NotListed:
+            return "not listed";
+        case Verdict::NotConcave:
+            return "convex";
+        case Verdict::NotAnEdge:
+            return "no edge";
+        case Verdict::Outside:
+            return "outside";
+        case Verdict::OtherLimit:
+            return "other end";
+        case Verdict::Blocked:
+            return "blocked";
+        case Verdict::WallComplete:
+            return "complete along its walls";
+        case Verdict::BehindConvex:
+            return "behind convex end";
+        case Verdict::NotReciprocal:
+            return "not reciprocal";
+        case Verdict::NotAHole:
+            return "no hole";
+        case Verdict::FarSide:
+            return "far side";
+        case Verdict::InsideSphere:
+            return "inside sphere";
+        case Verdict::GapTooWide:
+            return "gap too wide";
+        case Verdict::NoCircle:
+            return "no circle";
+        case Verdict::Removed:
+            return "removed";
+        case Verdict::Discarded:
+            return "over 180";
+        case Verdict::Hole:
+            return "under 180";
+        case Verdict::Before:
+            return "before";
+        case Verdict::After:
+            return "after";
+        case Verdict::NoThirdPoint:
+            return "no third point";
     }
     return {};
 }

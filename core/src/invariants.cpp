@@ -88,14 +88,12 @@ std::string checkProgress(const State& s, const PointSet& points) {
     if (active != kNone && s.circuit >= s.rings.length(active)) {
         return "11: a full circuit without a triangle was not freed";
     }
-    for (Index p = 0; p < std::min<Index>(s.startPointer, static_cast<Index>(points.size()));
-         ++p) {
+    for (Index p = 0; p < std::min<Index>(s.startPointer, static_cast<Index>(points.size())); ++p) {
         if (s.phase == Phase::Seed && s.status[p] != kDone) {
             return at("11: the start pointer passed a point that is not DONE", p);
         }
     }
-    const bool capped =
-        !s.alerts.empty() && s.alerts.back().kind == AlertKind::TriangleCap;
+    const bool capped = !s.alerts.empty() && s.alerts.back().kind == AlertKind::TriangleCap;
     if (!s.finished() || capped) return {};
     for (Index p = 0; p < s.status.size(); ++p) {
         if (s.status[p] != kDone) return at("13: a point is not DONE at the end", p);
@@ -136,7 +134,8 @@ std::string InvariantChecker::checkPivot(const State& s) const {
         if (i > before && t.b != s.triangles[i - 1].c) return at("6: a fan is torn", t.b);
     }
     if (s.pivotTriangles == 0 && s.counters.freedRings == countersBefore_.freedRings &&
-        s.counters.seeds == countersBefore_.seeds && s.counters.stranded == countersBefore_.stranded &&
+        s.counters.seeds == countersBefore_.seeds &&
+        s.counters.stranded == countersBefore_.stranded &&
         s.counters.isolated == countersBefore_.isolated && s.status != statusBefore_) {
         return "9: a pivot without triangles changed a status";
     }

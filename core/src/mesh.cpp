@@ -33,7 +33,7 @@ std::vector<HalfEdge> sortedHalfEdges(std::span<const Triangle> triangles) {
 
 /// Disjoint sets by path halving.
 class Sets {
- public:
+  public:
     explicit Sets(std::size_t size) : parent_(size) {
         std::iota(parent_.begin(), parent_.end(), Index{0});
     }
@@ -49,7 +49,7 @@ class Sets {
         return x != y;
     }
 
- private:
+  private:
     std::vector<Index> parent_;
 };
 
@@ -75,8 +75,8 @@ void countEdges(const std::vector<HalfEdge>& sides, std::size_t points, MeshRepo
         }
         i = end;
     }
-    const auto ends = static_cast<std::size_t>(
-        std::count(onBoundary.begin(), onBoundary.end(), true));
+    const auto ends =
+        static_cast<std::size_t>(std::count(onBoundary.begin(), onBoundary.end(), true));
     report.boundaryLoops = ends - joined;
 }
 
@@ -138,8 +138,7 @@ MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangle
         joined += pieces.unite(t.a, t.b) ? 1U : 0U;
         joined += pieces.unite(t.b, t.c) ? 1U : 0U;
     }
-    report.usedPoints =
-        static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
+    report.usedPoints = static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
     report.unusedPoints = report.points - report.usedPoints;
     report.components = report.usedPoints - joined;
     const std::vector<HalfEdge> sides = sortedHalfEdges(triangles);

@@ -16,21 +16,57 @@ constexpr std::array kSwitches{
     RuleSwitch{"closetwo", "6.5", "a ring of two finished edges is closed", &Rules::closeTwo},
     RuleSwitch{"opensteps", "7", "ring steps that are no mesh edges are known as open",
                &Rules::openSteps},
+    RuleSwitch{"tangent", "6.1", "angles are measured in the tangent plane of the pivot",
+               &Rules::tangent},
+    RuleSwitch{"unblocked", "6.1", "start and end do not pass over an UNUSED neighbor",
+               &Rules::unblocked},
+    RuleSwitch{"stepback", "6.3", "after a removal the point before it is looked at again",
+               &Rules::stepBack},
+    RuleSwitch{"wallsdone", "7", "boundary points complete along their walls are no candidates",
+               &Rules::wallsDone},
 };
 
-constexpr std::array<std::string_view, 2> kSetNames{"paper", "printed"};
+/// A named set of rules.
+struct ParamSet {
+    std::string_view name;
+    Params (*make)();
+};
+
+Params printed() {
+    Params params;
+    for (const RuleSwitch& rule : kSwitches) params.rules.*rule.member = false;
+    params.dropOpposingNormals = false;
+    return params;
+}
+
+Params corrected() {
+    Params params;
+    Rules& r = params.rules;
+    r.tangent = r.unblocked = r.stepBack = r.wallsDone = true;
+    return params;
+}
+
+constexpr std::array kSets{
+    ParamSet{"paper", [] { return Params{}; }},
+    ParamSet{"printed", printed},
+    ParamSet{"corrected", corrected},
+};
+
+constexpr auto kSetNames = [] {
+    std::array<std::string_view, kSets.size()> names;
+    for (std::size_t i = 0; i < kSets.size(); ++i) names[i] = kSets[i].name;
+    return names;
+}();
 
 }  // namespace
 
 std::span<const RuleSwitch> ruleSwitches() { return kSwitches; }
 
 std::optional<Params> paramsByName(std::string_view name) {
-    if (name == "paper") return Params{};
-    if (name != "printed") return std::nullopt;
-    Params printed;
-    for (const RuleSwitch& rule : kSwitches) printed.rules.*rule.member = false;
-    printed.dropOpposingNormals = false;
-    return printed;
+    for (const ParamSet& set : kSets) {
+        if (set.name == name) return set.make();
+    }
+    return std::nullopt;
 }
 
 std::span<const std::string_view> paramSetNames() { return kSetNames; }

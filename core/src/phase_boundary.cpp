@@ -4,7 +4,8 @@
 namespace se {
 namespace {
 
-/// Puts `third` on the ring beside the pivot; both steps at it are open, for they are no mesh edges.
+/// Puts `third` on the ring beside the pivot; both steps at it are open, for they are no mesh
+/// edges.
 void putOnRing(StepContext& context, Index third, bool before) {
     State& s = context.state;
     const Index pivot = s.pivot.pivot;
@@ -24,8 +25,8 @@ bool unusedOnSameWall(const StepContext& context, Index p, Index x) {
 /// §7.1: the ring consists of two boundary points.
 bool insertOnRingOfTwo(StepContext& context, Index p, Index second) {
     const PointSet& points = context.points;
-    InsertEvidence evidence{p, second, kNone, false, Vec3(0.0), points.type[p],
-                            Verdict::NoThirdPoint};
+    InsertEvidence evidence{
+        p, second, kNone, false, Vec3(0.0), points.type[p], Verdict::NoThirdPoint};
     for (const Index x : points.neighbors[p]) {
         if (!unusedOnSameWall(context, p, x)) continue;
         const ThirdPointPlace place =
@@ -46,8 +47,8 @@ bool insertOnRingOfTwo(StepContext& context, Index p, Index second) {
 bool insertAtCorner(StepContext& context, Index p, Index across, bool before) {
     const PointSet& points = context.points;
     const Vec3& position = points.position[p];
-    InsertEvidence evidence{p, across, kNone, true, Vec3(0.0), points.type[p],
-                            Verdict::NoThirdPoint};
+    InsertEvidence evidence{
+        p, across, kNone, true, Vec3(0.0), points.type[p], Verdict::NoThirdPoint};
     for (const Index x : points.neighbors[p]) {
         if (!unusedOnSameWall(context, p, x)) continue;
         const Vec3& from = before ? points.position[x] : points.position[across];

@@ -120,6 +120,24 @@ Index beyond(const State& s, Side side) {
     return side == Side::Start ? s.rings.prev(s.pivot.start) : s.rings.next(s.pivot.end);
 }
 
+/// Rules::unblocked: does an UNUSED candidate lie in the sector and in the circumsphere of the
+/// triangle that a move of start or end to `to` would make?
+bool isBlocked(const StepContext& context, Side side, const Angle& toAngle, const Vec3& to) {
+    const State& s = context.state;
+    const NeighborRing& n = s.pivot;
+    const bool atStart = side == Side::Start;
+    const Vec3 a = context.positionAt(atStart ? n.start : n.end) - n.frame.origin;
+    const Vec3 b = to - n.frame.origin;
+    const double aSq = glm::dot(a, a);
+    const double bSq = glm::dot(b, b);
+    const double low = atStart ? n.startAngle.key : toAngle.key;
+    const double high = atStart ? toAngle.key : n.endAngle.key;
+    return std::any_of(n.candidates.begin(), n.candidates.end(), [&](const Candidate& c) {
+        return s.status[c.point] == kUnused && c.angle.key > low && c.angle.key < high &&
+               testSphere(a, aSq, b, bSq, c.offset, c.lengthSq).inside();
+    });
+}
+
 /// What a look at the point beyond start or end found.
 struct LimitTest {
     Verdict verdict;
@@ -147,11 +165,14 @@ LimitTest testLimit(const StepContext& context, Side side) {
         return test;
     }
     const Vec3& p = n.frame.origin;
-    const ConcaveTest concave =
-        testConcave(context.positionAt(limit), context.normalAt(limit), atStart ? position : p,
-                    atStart ? p : position);
+    const ConcaveTest concave = testConcave(context.positionAt(limit), context.normalAt(limit),
+                                            atStart ? position : p, atStart ? p : position);
     test.turn = concave.turn;
-    if (!concave.concave()) test.verdict = Verdict::NotConcave;
+    if (!concave.concave()) {
+        test.verdict = Verdict::NotConcave;
+    } else if (context.params.rules.unblocked && isBlocked(context, side, test.angle, position)) {
+        test.verdict = Verdict::Blocked;
+    }
     return test;
 }
 
@@ -163,12 +184,8 @@ bool moveLimit(StepContext& context, Side side) {
     Angle& angle = side == Side::Start ? n.startAngle : n.endAngle;
     const LimitTest test = testLimit(context, side);
     note(context, Stage::Limits, [&] {
-        return LimitEvidence{side,
-                             s.rings.point(limit),
-                             s.rings.point(test.to),
-                             test.turn,
-                             angle.degrees(),
-                             test.angle.degrees(),
+        return LimitEvidence{side,        s.rings.point(limit), s.rings.point(test.to),
+                             test.turn,   angle.degrees(),      test.angle.degrees(),
                              test.verdict};
     });
     if (test.verdict != Verdict::Moved) return false;
@@ -266,6 +283,15 @@ bool foundBefore(const EdgeRings& rings, Index a, Index b) {
     return rank(a) < rank(b);
 }
 
+/// Rules::wallsDone: both ring neighbors of a boundary point share a wall with it, so that what its
+/// sector spans is outside the box.
+bool completeAlongWalls(const StepContext& context, Index entry) {
+    const EdgeRings& rings = context.state.rings;
+    const auto type = [&](Index e) { return context.points.type[rings.point(e)]; };
+    return shareFace(type(entry), type(rings.prev(entry))) &&
+           shareFace(type(entry), type(rings.next(entry)));
+}
+
 /// The entry of the USED candidate whose sector holds the pivot, kNone if none does.
 Index findInstance(StepContext& context, const Candidate& candidate) {
     const State& s = context.state;
@@ -278,16 +304,20 @@ Index findInstance(StepContext& context, const Candidate& candidate) {
         const ReciprocalTest test = testReciprocal(
             context.points.position[candidate.point], context.points.normal[candidate.point],
             context.positionAt(free ? before : after), context.positionAt(free ? after : before),
-            before == after, s.pivot.frame.origin, context.params.sameAngle);
+            before == after, s.pivot.frame.origin, context.params.sameAngle,
+            context.params.rules.tangent);
+        const bool complete = context.params.rules.wallsDone && completeAlongWalls(context, e);
         note(context, Stage::Reciprocal, [&] {
             return ReciprocalEvidence{candidate.point,
                                       rings.point(before),
                                       rings.point(after),
                                       test.pivot.degrees(),
                                       test.limit.degrees(),
-                                      test.inside ? Verdict::Kept : Verdict::NotReciprocal};
+                                      complete      ? Verdict::WallComplete
+                                      : test.inside ? Verdict::Kept
+                                                    : Verdict::NotReciprocal};
         });
-        if (test.inside && (found == kNone || foundBefore(rings, e, found))) found = e;
+        if (test.inside && !complete && (found == kNone || foundBefore(rings, e, found))) found = e;
     }
     return found;
 }
@@ -339,8 +369,7 @@ void phaseHole(StepContext& context) {
         note(context, Stage::Hole, [&] {
             const double length = std::sqrt(glm::dot(plane.normal, plane.normal));
             const double unit = length > 0.0 ? 1.0 / length : 0.0;
-            return HoleEvidence{c.point, plane.normal, plane.side(x) * unit,
-                                plane.pivotSide * unit,
+            return HoleEvidence{c.point, plane.normal, plane.side(x) * unit, plane.pivotSide * unit,
                                 keeps ? Verdict::Kept : Verdict::FarSide};
         });
         if (keeps) n.candidates[kept++] = c;
@@ -366,21 +395,10 @@ Beside besideAt(const StepContext& context, Index entry, const Angle& angle) {
 }
 Beside besideAt(const Candidate& c) { return {c.point, c.offset, c.lengthSq, c.angle}; }
 
-/// §6.3: "If q falls inside the circumsphere or its removal would create an angle difference
-/// between s and t of more than 120 degrees, q must be kept."
-Verdict judgeRemoval(const StepContext& context, const Beside& t, const Candidate& q,
-                     const Beside& s, SphereTest& test) {
-    test = testSphere(t.offset, t.lengthSq, s.offset, s.lengthSq, q.offset, q.lengthSq);
-    if (test.noCircle) return Verdict::NoCircle;
-    if (test.inside()) return Verdict::InsideSphere;
-    if (exceedsAngle(t.angle, s.angle, context.params.maxGapCosine)) return Verdict::GapTooWide;
-    return Verdict::Removed;
-}
-
-SphereEvidence explain(const SphereTest& test, const Beside& t, const Candidate& q,
-                       const Beside& s, const Vec3& p, Verdict verdict) {
-    SphereEvidence e{t.point, q.point, s.point, p, 0.0, 0.0,
-                     s.angle.degrees() - t.angle.degrees(), verdict};
+SphereEvidence explain(const SphereTest& test, const Beside& t, const Candidate& q, const Beside& s,
+                       const Vec3& p, Verdict verdict) {
+    SphereEvidence e{t.point, q.point, s.point, p, 0.0, 0.0, s.angle.degrees() - t.angle.degrees(),
+                     verdict};
     if (!test.noCircle) {
         e.center = p + test.center();
         e.radius = test.radius();
@@ -389,27 +407,69 @@ SphereEvidence explain(const SphereTest& test, const Beside& t, const Candidate&
     return e;
 }
 
-}  // namespace
+/// §6.3: "If q falls inside the circumsphere or its removal would create an angle difference
+/// between s and t of more than 120 degrees, q must be kept."
+Verdict judge(StepContext& context, const Beside& t, const Candidate& q, const Beside& s) {
+    const SphereTest test =
+        testSphere(t.offset, t.lengthSq, s.offset, s.lengthSq, q.offset, q.lengthSq);
+    Verdict verdict = Verdict::Removed;
+    if (test.noCircle) {
+        verdict = Verdict::NoCircle;
+    } else if (test.inside()) {
+        verdict = Verdict::InsideSphere;
+    } else if (exceedsAngle(t.angle, s.angle, context.params.maxGapCosine)) {
+        verdict = Verdict::GapTooWide;
+    }
+    note(context, Stage::Sphere,
+         [&] { return explain(test, t, q, s, context.state.pivot.frame.origin, verdict); });
+    return verdict;
+}
 
-void phaseSphere(StepContext& context) {
+/// §6.3: one pass over the candidates, each looked at once.
+void thinOnce(StepContext& context) {
     NeighborRing& n = context.state.pivot;
-    context.state.phase = Phase::TwoPoint;
-    if (n.candidates.empty()) return;
     std::vector<Candidate>& all = n.candidates;
     Beside t = besideAt(context, n.start, n.startAngle);
     const Beside end = besideAt(context, n.end, n.endAngle);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Beside s = i + 1 < all.size() ? besideAt(all[i + 1]) : end;
-        SphereTest test{};
-        const Verdict verdict = judgeRemoval(context, t, all[i], s, test);
-        note(context, Stage::Sphere,
-             [&] { return explain(test, t, all[i], s, n.frame.origin, verdict); });
-        if (verdict == Verdict::Removed) continue;
+        if (judge(context, t, all[i], s) == Verdict::Removed) continue;
         all[kept++] = all[i];
         t = besideAt(all[kept - 1]);
     }
     all.resize(kept);
+}
+
+/// Rules::stepBack: after a removal, the point before is looked at again with its new neighbor.
+void thinWithStepBack(StepContext& context) {
+    NeighborRing& n = context.state.pivot;
+    std::vector<Candidate>& all = n.candidates;
+    const Beside start = besideAt(context, n.start, n.startAngle);
+    const Beside end = besideAt(context, n.end, n.endAngle);
+    std::size_t kept = 0;  // all[0 .. kept) passed with their present neighbors.
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        all[kept++] = all[i];
+        const Beside s = i + 1 < all.size() ? besideAt(all[i + 1]) : end;
+        while (kept > 0) {
+            const Beside t = kept > 1 ? besideAt(all[kept - 2]) : start;
+            if (judge(context, t, all[kept - 1], s) != Verdict::Removed) break;
+            --kept;
+        }
+    }
+    all.resize(kept);
+}
+
+}  // namespace
+
+void phaseSphere(StepContext& context) {
+    context.state.phase = Phase::TwoPoint;
+    if (context.state.pivot.candidates.empty()) return;
+    if (context.params.rules.stepBack) {
+        thinWithStepBack(context);
+    } else {
+        thinOnce(context);
+    }
 }
 
 // ---- §6.4: triangles ----------------------------------------------------------------------------
@@ -439,8 +499,7 @@ void phaseEmit(StepContext& context) {
             s.triangles.push_back({p, previous, x});
             ++s.pivotTriangles;
             note(context, Stage::Emit, [&] {
-                return EmitEvidence{static_cast<Index>(s.triangles.size() - 1),
-                                    s.triangles.back()};
+                return EmitEvidence{static_cast<Index>(s.triangles.size() - 1), s.triangles.back()};
             });
         }
         previous = x;

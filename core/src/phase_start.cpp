@@ -9,8 +9,8 @@ namespace {
 /// The nearest listed neighbor that is not DONE, kNone if there is none.
 Index nearestNotDone(const PointSet& points, const State& state, Index p) {
     const auto list = points.neighbors[p];
-    const auto found = std::find_if(list.begin(), list.end(),
-                                    [&](Index x) { return state.status[x] != kDone; });
+    const auto found =
+        std::find_if(list.begin(), list.end(), [&](Index x) { return state.status[x] != kDone; });
     return found == list.end() ? kNone : *found;
 }
 
@@ -66,10 +66,9 @@ void phasePivot(StepContext& context) {
         const Index first = s.rings.prev(n.pivot);
         const Index last = s.rings.next(n.pivot);
         const Frame frame = makeFrame(context.points.position[p], context.points.normal[p],
-                                      context.positionAt(first));
-        const Angle sector = first == last
-                                 ? kFullTurn
-                                 : angleOf(frame, context.positionAt(last) - frame.origin);
+                                      context.positionAt(first), context.params.rules.tangent);
+        const Angle sector =
+            first == last ? kFullTurn : angleOf(frame, context.positionAt(last) - frame.origin);
         return PivotEvidence{p, s.rings.point(first), s.rings.point(last),
                              s.rings.length(s.rings.active()), sector.degrees()};
     });
@@ -82,9 +81,9 @@ void phasePivot(StepContext& context) {
     n.first = n.start = s.rings.prev(n.pivot);
     n.last = n.end = s.rings.next(n.pivot);
     n.frame = makeFrame(context.points.position[p], context.points.normal[p],
-                        context.positionAt(n.first));
-    n.lastAngle = n.fullTurn() ? kFullTurn
-                               : angleOf(n.frame, context.positionAt(n.last) - n.frame.origin);
+                        context.positionAt(n.first), context.params.rules.tangent);
+    n.lastAngle =
+        n.fullTurn() ? kFullTurn : angleOf(n.frame, context.positionAt(n.last) - n.frame.origin);
     n.startAngle = Angle{};
     n.endAngle = n.lastAngle;
     s.phase = Phase::Sort;

@@ -115,8 +115,8 @@ void link(StepContext& context, Index x, Index y) {
             return JoinEvidence{s.rings.point(x), depth, s.rings.length(exchange.ringOfX)};
         });
     }
-    s.counters.maxStackDepth = std::max(s.counters.maxStackDepth,
-                                        static_cast<std::uint32_t>(s.rings.stack().size()));
+    s.counters.maxStackDepth =
+        std::max(s.counters.maxStackDepth, static_cast<std::uint32_t>(s.rings.stack().size()));
     if (s.rings.alive(x)) closeIfFinished(context, s.rings.ringOf(x));
     if (s.rings.alive(y)) closeIfFinished(context, s.rings.ringOf(y));
 }
@@ -195,8 +195,9 @@ void goOnAt(StepContext& context, Index entry) {
     State& s = context.state;
     s.pivot.pivot = entry;
     s.phase = Phase::Pivot;
-    note(context, Stage::Advance,
-         [&] { return AdvanceEvidence{s.rings.point(entry), s.circuit, false}; });
+    note(context, Stage::Advance, [&] {
+        return AdvanceEvidence{s.rings.point(entry), s.circuit, false};
+    });
 }
 
 void advanceAfterTriangles(StepContext& context) {

@@ -16,14 +16,10 @@ struct StepContext {
     State& state;
     EventLog* log;
 
-    const Vec3& positionAt(Index entry) const {
-        return points.position[state.rings.point(entry)];
-    }
+    const Vec3& positionAt(Index entry) const { return points.position[state.rings.point(entry)]; }
     const Vec3& normalAt(Index entry) const { return points.normal[state.rings.point(entry)]; }
     /// The step from `entry` is no mesh edge, as far as the rules know (Rules::openSteps).
-    bool openStep(Index entry) const {
-        return params.rules.openSteps && state.rings.open(entry);
-    }
+    bool openStep(Index entry) const { return params.rules.openSteps && state.rings.open(entry); }
 };
 
 // phase_start.cpp: §4

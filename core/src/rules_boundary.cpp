@@ -13,7 +13,7 @@ struct Wall {
 };
 
 constexpr Wall kWalls[] = {
-    {kPositiveX, {1, 0, 0}}, {kPositiveY, {0, 1, 0}},  {kPositiveZ, {0, 0, 1}},
+    {kPositiveX, {1, 0, 0}},  {kPositiveY, {0, 1, 0}},  {kPositiveZ, {0, 0, 1}},
     {kNegativeX, {-1, 0, 0}}, {kNegativeY, {0, -1, 0}}, {kNegativeZ, {0, 0, -1}},
 };
 
@@ -28,15 +28,15 @@ bool pointsOut(const Vec3& direction, std::uint8_t faces) {
 
 bool sectorStaysInside(const Vec3& p, const Vec3& normal, std::uint8_t faces, const Vec3& from,
                        const Vec3& to) {
-    const Frame frame = makeFrame(p, normal, from);
-    const Angle end = tangentAngleOf(frame, to - p);
+    const Frame frame = makeFrame(p, normal, from, true);
+    const Angle end = angleOf(frame, to - p);
     if (end.key > kHalfTurnKey + kStraightSlack) return false;
     for (const Wall& wall : kWalls) {
         if ((faces & wall.bit) == 0) continue;
         // A surface that lies in the wall has no outward direction of its own.
         const Vec3 inPlane = wall.outward - glm::dot(wall.outward, normal) * normal;
         if (glm::dot(inPlane, inPlane) < 1e-12) continue;
-        const Angle out = tangentAngleOf(frame, inPlane);
+        const Angle out = angleOf(frame, inPlane);
         if (strictlyBetween(out, Angle{}, end, 0.0)) return false;
     }
     return true;

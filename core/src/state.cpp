@@ -16,7 +16,7 @@ namespace {
 
 /// 64 bits at a time, mixed as in FNV-1a with a final avalanche; endianness does not matter.
 class Hasher {
- public:
+  public:
     void add(std::uint64_t value) {
         hash_ = (hash_ ^ value) * 0x9E3779B97F4A7C15ULL;
         hash_ ^= hash_ >> 32U;
@@ -24,7 +24,7 @@ class Hasher {
     void addSigned(std::int64_t value) { add(static_cast<std::uint64_t>(value)); }
     std::uint64_t value() const { return hash_; }
 
- private:
+  private:
     std::uint64_t hash_ = 0xCBF29CE484222325ULL;
 };
 

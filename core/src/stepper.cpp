@@ -9,20 +9,34 @@ namespace {
 
 void runPhase(StepContext& context) {
     switch (context.state.phase) {
-        case Phase::Seed: return phaseSeed(context);
-        case Phase::Pivot: return phasePivot(context);
-        case Phase::Sort: return phaseSort(context);
-        case Phase::Limits: return phaseLimits(context);
-        case Phase::Convex: return phaseConvex(context);
-        case Phase::Reciprocal: return phaseReciprocal(context);
-        case Phase::Hole: return phaseHole(context);
-        case Phase::Sphere: return phaseSphere(context);
-        case Phase::TwoPoint: return phaseTwoPoint(context);
-        case Phase::Emit: return phaseEmit(context);
-        case Phase::Ring: return phaseRing(context);
-        case Phase::Link: return phaseLink(context);
-        case Phase::Advance: return phaseAdvance(context);
-        case Phase::Finished: return;
+        case Phase::Seed:
+            return phaseSeed(context);
+        case Phase::Pivot:
+            return phasePivot(context);
+        case Phase::Sort:
+            return phaseSort(context);
+        case Phase::Limits:
+            return phaseLimits(context);
+        case Phase::Convex:
+            return phaseConvex(context);
+        case Phase::Reciprocal:
+            return phaseReciprocal(context);
+        case Phase::Hole:
+            return phaseHole(context);
+        case Phase::Sphere:
+            return phaseSphere(context);
+        case Phase::TwoPoint:
+            return phaseTwoPoint(context);
+        case Phase::Emit:
+            return phaseEmit(context);
+        case Phase::Ring:
+            return phaseRing(context);
+        case Phase::Link:
+            return phaseLink(context);
+        case Phase::Advance:
+            return phaseAdvance(context);
+        case Phase::Finished:
+            return;
     }
 }
 

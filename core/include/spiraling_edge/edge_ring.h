@@ -13,7 +13,8 @@
 namespace se {
 
 /// One place on a ring. The edge that it stands for is its step: from its point to the point of
-/// `next`. A point may have several entries, also in one ring (§4). Dead entries have ring == kNone.
+/// `next`. A point may have several entries, also in one ring (§4). Dead entries have ring ==
+/// kNone.
 struct RingEntry {
     Index point = kNone;
     Index prev = kNone;
@@ -25,15 +26,15 @@ struct RingEntry {
 
 /// What EdgeRings::exchangeSuccessors() did.
 struct Exchange {
-    bool split = false;      ///< One ring became two; else two became one.
-    Index ringOfX = kNone;   ///< Ring of x afterwards.
-    Index ringOfY = kNone;   ///< Ring of y afterwards; equal to ringOfX after a join.
+    bool split = false;     ///< One ring became two; else two became one.
+    Index ringOfX = kNone;  ///< Ring of x afterwards.
+    Index ringOfY = kNone;  ///< Ring of y afterwards; equal to ringOfX after a join.
 };
 
 /// Pooled doubly linked rings with a stack. Entries and rings are named by index, so the whole is a
 /// plain value that can be copied. No call allocates once the pool has grown to its working size.
 class EdgeRings {
- public:
+  public:
     EdgeRings() = default;
     explicit EdgeRings(std::size_t pointCount) : headOfPoint_(pointCount, kNone) {}
 
@@ -81,10 +82,11 @@ class EdgeRings {
     void activate(Index ring);
     /// Puts a ring on top of the stack; `head` is where its traversal will begin.
     void push(Index ring, Index head);
-    /// Makes the top of the stack the active ring and returns its head; kNone if the stack is empty.
+    /// Makes the top of the stack the active ring and returns its head; kNone if the stack is
+    /// empty.
     Index pop();
 
- private:
+  private:
     struct Ring {
         Index head = kNone;
         Index length = 0;

@@ -61,33 +61,35 @@ std::optional<Address> addressFromString(std::string_view text);
 enum class Verdict : std::uint8_t {
     Kept,
     // sort
-    NotAfterStart,   ///< Not strictly after the starting angle.
-    NotBeforeEnd,    ///< Not strictly before the ending angle (Fig. 3).
-    SameAngle,       ///< The same angle as a nearer point.
-    AlreadyDone,     ///< DONE (§4).
-    OnRingEnd,       ///< The point at first or last itself.
+    NotAfterStart,  ///< Not strictly after the starting angle.
+    NotBeforeEnd,   ///< Not strictly before the ending angle (Fig. 3).
+    SameAngle,      ///< The same angle as a nearer point.
+    AlreadyDone,    ///< DONE (§4).
+    OnRingEnd,      ///< The point at first or last itself.
     // limits
-    Moved,           ///< start or end advanced to the tested point (Fig. 4).
-    NotListed,       ///< Not among p's neighbors.
-    NotConcave,      ///< The ring is convex there.
-    NotAnEdge,       ///< The ring step is open.
-    Outside,         ///< A candidate outside the new limits.
-    OtherLimit,      ///< The next point is the other limit: a hole of three.
+    Moved,       ///< start or end advanced to the tested point (Fig. 4).
+    NotListed,   ///< Not among p's neighbors.
+    NotConcave,  ///< The ring is convex there.
+    NotAnEdge,   ///< The ring step is open.
+    Outside,     ///< A candidate outside the new limits.
+    OtherLimit,  ///< The next point is the other limit: a hole of three.
+    Blocked,     ///< An UNUSED neighbor is in the way (Rules::unblocked).
     // convex
-    BehindConvex,    ///< Next on the ring behind a convex start or end (Fig. 5).
+    BehindConvex,  ///< Next on the ring behind a convex start or end (Fig. 5).
     // reciprocal
-    NotReciprocal,   ///< p is outside the sector of e (Fig. 6).
+    NotReciprocal,  ///< p is outside the sector of e (Fig. 6).
+    WallComplete,   ///< e is complete along its walls (Rules::wallsDone).
     // hole
     NotAHole,
-    FarSide,         ///< On the far side of the plane (Fig. 7).
+    FarSide,  ///< On the far side of the plane (Fig. 7).
     // sphere
-    InsideSphere,    ///< Kept: inside the circumsphere (Fig. 8).
-    GapTooWide,      ///< Kept: without it the gap would exceed 120 degrees.
-    NoCircle,        ///< Kept: p, s and t lie in line.
-    Removed,         ///< Outside or on the sphere, and the gap is small enough.
+    InsideSphere,  ///< Kept: inside the circumsphere (Fig. 8).
+    GapTooWide,    ///< Kept: without it the gap would exceed 120 degrees.
+    NoCircle,      ///< Kept: p, s and t lie in line.
+    Removed,       ///< Outside or on the sphere, and the gap is small enough.
     // twopoint
-    Discarded,       ///< Over 180 degrees: the neighbor ring is discarded (Fig. 9).
-    Hole,            ///< Under 180 degrees: an ear or hole, filled.
+    Discarded,  ///< Over 180 degrees: the neighbor ring is discarded (Fig. 9).
+    Hole,       ///< Under 180 degrees: an ear or hole, filled.
     // insert
     Before,
     After,
@@ -157,8 +159,8 @@ struct ReciprocalEvidence {
     Verdict verdict;  ///< Kept, NotReciprocal
 };
 struct HoleEvidence {
-    Index point;       ///< kNone: the look whether there is a hole at all.
-    Vec3 planeNormal;  ///< Not unit.
+    Index point;             ///< kNone: the look whether there is a hole at all.
+    Vec3 planeNormal;        ///< Not unit.
     double side, pivotSide;  ///< Signed distances (scene units) of the point and of p.
     Verdict verdict;         ///< Kept, FarSide, NotAHole
 };
@@ -198,9 +200,9 @@ struct CloseEvidence {
     Index a, b;  ///< b is kNone for a lone entry.
 };
 struct AdvanceEvidence {
-    Index to;            ///< kNone: no ring is left.
-    Index circuit;       ///< Pivots since the last triangle.
-    bool popped;         ///< The ring came off the stack.
+    Index to;       ///< kNone: no ring is left.
+    Index circuit;  ///< Pivots since the last triangle.
+    bool popped;    ///< The ring came off the stack.
 };
 /// A ring was freed after a full circuit without a triangle (§7).
 struct FreeEvidence {
@@ -239,12 +241,12 @@ std::string describe(const Event& event);
 
 /// Receives every decision, in order. Not part of State: a copy of a State knows no log.
 class EventLog {
- public:
+  public:
     void add(std::uint32_t pivot, Stage stage, const Evidence& evidence);
     const std::vector<Event>& events() const { return events_; }
     void clear();
 
- private:
+  private:
     std::vector<Event> events_;
     std::uint32_t pivot_ = 0;
     std::array<std::uint32_t, kStageCount> counts_{};

@@ -18,7 +18,7 @@ std::string checkInvariants(const State& state, const PointSet& points, const Pa
 /// Follows a run from its beginning and checks every invariant after every pivot, those that need
 /// the state before included. O(points) per pivot: for tests and for hunting, not for production.
 class InvariantChecker {
- public:
+  public:
     /// Which invariants to expect.
     enum class Level : std::uint8_t {
         AnyInput,     ///< 1, 2, 6 to 11, 13.
@@ -30,7 +30,7 @@ class InvariantChecker {
     /// Call after every stepPivot(), first of all for a fresh State. Empty if all hold.
     std::string check(const State& state);
 
- private:
+  private:
     std::string checkPivot(const State& state) const;
     std::string checkStatusChanges(const State& state) const;
     std::string checkRingCount(const State& state) const;

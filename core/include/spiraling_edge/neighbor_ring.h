@@ -36,10 +36,12 @@ struct Candidate {
 
 /// Local frame of a pivot: where angles are measured (§6.1).
 struct Frame {
-    Vec3 origin{};  ///< The pivot's position.
-    Vec3 normal{};  ///< The pivot's normal, unit.
-    Vec3 z{};       ///< Unit vector to first; zero if first lies on the pivot.
-    Vec3 n{};       ///< normal x z: normal of the plane that slices the ring at 180 degrees.
+    Vec3 origin{};         ///< The pivot's position.
+    Vec3 normal{};         ///< The pivot's normal, unit.
+    Vec3 z{};              ///< Unit vector to first; zero if first lies on the pivot.
+    Vec3 n{};              ///< normal x z: normal of the plane that slices the ring at 180 degrees.
+    Vec3 x{};              ///< n x normal: z projected onto the tangent plane, as long as n.
+    bool tangent = false;  ///< Rules::tangent: measure in the tangent plane, by x and n.
 };
 
 /// Everything about the pivot being worked on. first, last, start and end are ring entries, not

@@ -29,6 +29,19 @@ struct Rules {
     /// 7.2) are known as open, and no rule takes them for edges. Off: every step counts as an edge.
     bool openSteps = true;
 
+    // Beyond the paper (docs/robust.md): off in the sets `paper` and `printed`.
+
+    /// §6.1: angles are measured in the tangent plane of the pivot, not between 3-D vectors.
+    bool tangent = false;
+    /// §6.1, Fig. 4: start and end do not advance over a triangle whose circumsphere holds an
+    /// UNUSED neighbor.
+    bool unblocked = false;
+    /// §6.3: after a removal the point before it is looked at again.
+    bool stepBack = false;
+    /// §7: a boundary point whose ring neighbors both share a wall with it is complete, and no
+    /// candidate.
+    bool wallsDone = false;
+
     friend bool operator==(const Rules&, const Rules&) = default;
 };
 

@@ -16,7 +16,7 @@ struct Error {
 /// A value, or the reason why there is none.
 template <typename T>
 class Result {
- public:
+  public:
     // Implicit on purpose: `return value;` and `return Error{...};` both read as they should.
     Result(T value) : content_(std::move(value)) {}      // NOLINT(google-explicit-constructor)
     Result(Error error) : content_(std::move(error)) {}  // NOLINT(google-explicit-constructor)
@@ -39,7 +39,7 @@ class Result {
         return *std::get_if<Error>(&content_);
     }
 
- private:
+  private:
     std::variant<T, Error> content_;
 };
 

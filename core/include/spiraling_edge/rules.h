@@ -18,11 +18,12 @@ namespace se {
 
 /// The frame of pivot p: reference vector z to the point at first, and n.
 /// Choice: n = normal x z, see docs/choices.md ("sign of n").
-inline Frame makeFrame(const Vec3& p, const Vec3& normal, const Vec3& first) {
+inline Frame makeFrame(const Vec3& p, const Vec3& normal, const Vec3& first, bool tangent = false) {
     const Vec3 toFirst = first - p;
     const double lengthSq = glm::dot(toFirst, toFirst);
     const Vec3 z = lengthSq > 0.0 ? toFirst / std::sqrt(lengthSq) : Vec3(0.0);
-    return {p, normal, z, glm::cross(normal, z)};
+    const Vec3 n = glm::cross(normal, z);
+    return {p, normal, z, n, tangent ? glm::cross(n, normal) : Vec3(0.0), tangent};
 }
 
 /// The angle whose cosine is `cosine` (clamped to [-1, 1]), beyond 180 degrees if `secondHalf`.
@@ -31,22 +32,23 @@ inline Angle makeAngle(double cosine, bool secondHalf) {
     return {c, secondHalf ? 3.0 + c : 1.0 - c};
 }
 
+/// The angle between z and `offset` (relative to the pivot) as projected onto the tangent plane.
+inline Angle angleInPlane(const Vec3& x, const Vec3& n, const Vec3& offset) {
+    const double along = glm::dot(x, offset);
+    const double across = glm::dot(n, offset);
+    const double lengthSq = along * along + across * across;
+    return makeAngle(lengthSq > 0.0 ? along / std::sqrt(lengthSq) : 0.0, across < 0.0);
+}
+
 /// §6.1: the angle of `offset` (relative to the pivot) from z: arccos(z . v) if n . v >= 0, else
-/// 2 pi minus that; v is the unit vector along offset.
+/// 2 pi minus that; v is the unit vector along offset. Rules::tangent: the angle in the plane.
 inline Angle angleOf(const Frame& frame, const Vec3& offset, double lengthSq) {
+    if (frame.tangent) return angleInPlane(frame.x, frame.n, offset);
     const double cosine = lengthSq > 0.0 ? glm::dot(frame.z, offset) / std::sqrt(lengthSq) : 0.0;
     return makeAngle(cosine, glm::dot(frame.n, offset) < 0.0);
 }
 inline Angle angleOf(const Frame& frame, const Vec3& offset) {
     return angleOf(frame, offset, glm::dot(offset, offset));
-}
-
-/// The same angle, but measured between the projections onto the tangent plane of the pivot.
-inline Angle tangentAngleOf(const Frame& frame, const Vec3& offset) {
-    const double x = glm::dot(glm::cross(frame.n, frame.normal), offset);
-    const double y = glm::dot(frame.n, offset);
-    const double lengthSq = x * x + y * y;
-    return makeAngle(lengthSq > 0.0 ? x / std::sqrt(lengthSq) : 0.0, y < 0.0);
 }
 
 /// True if `angle` is strictly between `from` and `to`, by more than `tolerance` (in key units).
@@ -91,8 +93,8 @@ struct ReciprocalTest {
 /// entry, so that the sector is a full turn.
 inline ReciprocalTest testReciprocal(const Vec3& e, const Vec3& normal, const Vec3& first,
                                      const Vec3& last, bool sameEntry, const Vec3& p,
-                                     double tolerance) {
-    const Frame frame = makeFrame(e, normal, first);
+                                     double tolerance, bool tangent = false) {
+    const Frame frame = makeFrame(e, normal, first, tangent);
     const Angle limit = sameEntry ? kFullTurn : angleOf(frame, last - e);
     const Angle pivot = angleOf(frame, p - e);
     return {pivot, limit, strictlyBetween(pivot, Angle{}, limit, tolerance)};

@@ -41,14 +41,14 @@ struct Counters {
     std::uint32_t seeds = 0;
     std::uint32_t isolated = 0;
     std::uint32_t stranded = 0;
-    std::uint32_t inserted = 0;       ///< Third points of §7 that led to triangles.
-    std::uint32_t discarded = 0;      ///< Two-point rings over 180 degrees.
+    std::uint32_t inserted = 0;   ///< Third points of §7 that led to triangles.
+    std::uint32_t discarded = 0;  ///< Two-point rings over 180 degrees.
     std::uint32_t splits = 0;
     std::uint32_t joins = 0;
-    std::uint32_t closedRings = 0;    ///< Finished edges and lone entries, see Rules::closeTwo.
+    std::uint32_t closedRings = 0;  ///< Finished edges and lone entries, see Rules::closeTwo.
     std::uint32_t freedRings = 0;
-    std::uint32_t holes = 0;          ///< Freed rings with interior points.
-    std::uint32_t lostSeeds = 0;      ///< Rings of two that got no triangle.
+    std::uint32_t holes = 0;      ///< Freed rings with interior points.
+    std::uint32_t lostSeeds = 0;  ///< Rings of two that got no triangle.
     std::uint32_t maxRingLength = 0;
     std::uint32_t maxStackDepth = 0;
     friend bool operator==(const Counters&, const Counters&) = default;
@@ -72,11 +72,11 @@ struct State {
     explicit State(std::size_t pointCount) : status(pointCount, kUnused), rings(pointCount) {}
 
     Phase phase = Phase::Seed;
-    Index startPointer = 0;  ///< §4: only ever advances.
-    Index circuit = 0;       ///< Pivots since the last triangle, in the active ring.
-    NeighborRing pivot;      ///< The pivot being worked on.
-    InsertedPoint third;     ///< §7.1, §7.2
-    std::uint32_t pivotTriangles = 0;  ///< Made by this pivot.
+    Index startPointer = 0;              ///< §4: only ever advances.
+    Index circuit = 0;                   ///< Pivots since the last triangle, in the active ring.
+    NeighborRing pivot;                  ///< The pivot being worked on.
+    InsertedPoint third;                 ///< §7.1, §7.2
+    std::uint32_t pivotTriangles = 0;    ///< Made by this pivot.
     std::vector<Index> insertedEntries;  ///< By this pivot, in order (§6.5).
     std::vector<Index> instances;        ///< The "other instance" of each, kNone if none.
     std::vector<PointStatus> status;

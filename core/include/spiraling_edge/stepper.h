@@ -23,7 +23,7 @@ enum class StopReason : std::uint8_t {
 ///
 /// Example: `Stepper stepper(points, params); while (stepper.stepPivot()) draw(stepper.state());`
 class Stepper {
- public:
+  public:
     /// Every decision is appended to `log` unless it is null; see setLog().
     Stepper(const PointSet& points, const Params& params, EventLog* log = nullptr);
 
@@ -46,7 +46,7 @@ class Stepper {
     const PointSet& points() const { return points_; }
     const Params& params() const { return params_; }
 
- private:
+  private:
     const PointSet& points_;
     Params params_;
     State state_;

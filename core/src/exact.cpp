@@ -1,0 +1,210 @@
+#include "exact.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace se {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon() / 2;
+
+int signOf(double x) { return x > 0.0 ? 1 : (x < 0.0 ? -1 : 0); }
+
+/// A number as an unevaluated sum of doubles, smallest first, none overlapping.
+class Expansion {
+  public:
+    explicit Expansion(double value) : terms_{value} {}
+    /// a - b, exactly.
+    static Expansion difference(double a, double b) {
+        const double s = a - b;
+        const double bVirtual = a - s;
+        const double error = (a - (s + bVirtual)) + (bVirtual - b);
+        Expansion e(error);
+        e.terms_.push_back(s);
+        return e;
+    }
+
+    Expansion plus(const Expansion& other) const {
+        Expansion sum = *this;
+        for (const double term : other.terms_) sum.grow(term);
+        return sum;
+    }
+    Expansion times(const Expansion& other) const {
+        Expansion product(0.0);
+        for (const double a : terms_) {
+            for (const double b : other.terms_) {
+                const double high = a * b;
+                product.grow(std::fma(a, b, -high));
+                product.grow(high);
+            }
+        }
+        return product;
+    }
+    Expansion negated() const {
+        Expansion e = *this;
+        for (double& term : e.terms_) term = -term;
+        return e;
+    }
+    int sign() const {
+        for (auto term = terms_.rbegin(); term != terms_.rend(); ++term) {
+            if (*term != 0.0) return signOf(*term);
+        }
+        return 0;
+    }
+
+  private:
+    void grow(double value) {
+        double carry = value;
+        std::vector<double> grown;
+        grown.reserve(terms_.size() + 1);
+        for (const double term : terms_) {
+            const double sum = carry + term;
+            const double virtualTerm = sum - carry;
+            const double error = (carry - (sum - virtualTerm)) + (term - virtualTerm);
+            if (error != 0.0) grown.push_back(error);
+            carry = sum;
+        }
+        grown.push_back(carry);
+        terms_ = std::move(grown);
+    }
+
+    std::vector<double> terms_;
+};
+
+Expansion minor2(const Expansion& a, const Expansion& b, const Expansion& c, const Expansion& d) {
+    return a.times(d).plus(b.times(c).negated());
+}
+
+int orient3dExact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    const auto e = [&](const Vec3& p, int i) { return Expansion::difference(p[i], d[i]); };
+    const Expansion bc = minor2(e(b, 0), e(b, 1), e(c, 0), e(c, 1));
+    const Expansion ca = minor2(e(c, 0), e(c, 1), e(a, 0), e(a, 1));
+    const Expansion ab = minor2(e(a, 0), e(a, 1), e(b, 0), e(b, 1));
+    return e(a, 2).times(bc).plus(e(b, 2).times(ca)).plus(e(c, 2).times(ab)).sign();
+}
+
+struct Flat {
+    double x, y;
+};
+
+Flat flatten(const Vec3& p, Axis dropped) {
+    switch (dropped) {
+        case Axis::X:
+            return {p.y, p.z};
+        case Axis::Y:
+            return {p.z, p.x};
+        case Axis::Z:
+            break;
+    }
+    return {p.x, p.y};
+}
+
+/// The axis along which the triangle's normal is longest.
+Axis dominantAxis(const Vec3* t) {
+    const Vec3 n = glm::cross(t[1] - t[0], t[2] - t[0]);
+    const Vec3 size(std::abs(n.x), std::abs(n.y), std::abs(n.z));
+    if (size.x >= size.y && size.x >= size.z) return Axis::X;
+    return size.y >= size.z ? Axis::Y : Axis::Z;
+}
+
+bool segmentsMeetInPlane(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s, Axis axis) {
+    const int a = orient2d(p, q, r, axis);
+    const int b = orient2d(p, q, s, axis);
+    const int c = orient2d(r, s, p, axis);
+    const int d = orient2d(r, s, q, axis);
+    if (a != 0 || b != 0 || c != 0 || d != 0) return a * b <= 0 && c * d <= 0;
+    // All in line: they meet if their extents do.
+    const auto within = [&](const Vec3& x, const Vec3& u, const Vec3& v) {
+        const Flat f = flatten(x, axis);
+        const Flat g = flatten(u, axis);
+        const Flat h = flatten(v, axis);
+        return std::min(g.x, h.x) <= f.x && f.x <= std::max(g.x, h.x) &&
+               std::min(g.y, h.y) <= f.y && f.y <= std::max(g.y, h.y);
+    };
+    return within(p, r, s) || within(q, r, s) || within(r, p, q) || within(s, p, q);
+}
+
+bool insideInPlane(const Vec3& p, const Vec3* t, Axis axis) {
+    const int a = orient2d(t[0], t[1], p, axis);
+    const int b = orient2d(t[1], t[2], p, axis);
+    const int c = orient2d(t[2], t[0], p, axis);
+    return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
+}
+
+/// The segment lies in the triangle's plane.
+bool coplanarSegmentMeets(const Vec3& p, const Vec3& q, const Vec3* t) {
+    const Axis axis = dominantAxis(t);
+    if (insideInPlane(p, t, axis) || insideInPlane(q, t, axis)) return true;
+    for (int i = 0; i < 3; ++i) {
+        if (segmentsMeetInPlane(p, q, t[i], t[(i + 1) % 3], axis)) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    const Vec3 u = a - d;
+    const Vec3 v = b - d;
+    const Vec3 w = c - d;
+    const double vw = v.x * w.y - v.y * w.x;
+    const double wu = w.x * u.y - w.y * u.x;
+    const double uv = u.x * v.y - u.y * v.x;
+    const double determinant = u.z * vw + v.z * wu + w.z * uv;
+    const double size = std::abs(u.z) * (std::abs(v.x * w.y) + std::abs(v.y * w.x)) +
+                        std::abs(v.z) * (std::abs(w.x * u.y) + std::abs(w.y * u.x)) +
+                        std::abs(w.z) * (std::abs(u.x * v.y) + std::abs(u.y * v.x));
+    constexpr double kBound = (7.0 + 56.0 * kEpsilon) * kEpsilon;
+    if (std::abs(determinant) > kBound * size) return signOf(determinant);
+    return orient3dExact(a, b, c, d);
+}
+
+int orient2d(const Vec3& a3, const Vec3& b3, const Vec3& c3, Axis dropped) {
+    const Flat a = flatten(a3, dropped);
+    const Flat b = flatten(b3, dropped);
+    const Flat c = flatten(c3, dropped);
+    const double left = (a.x - c.x) * (b.y - c.y);
+    const double right = (a.y - c.y) * (b.x - c.x);
+    const double determinant = left - right;
+    constexpr double kBound = (3.0 + 16.0 * kEpsilon) * kEpsilon;
+    if (std::abs(determinant) > kBound * (std::abs(left) + std::abs(right))) {
+        return signOf(determinant);
+    }
+    return minor2(Expansion::difference(a.x, c.x), Expansion::difference(a.y, c.y),
+                  Expansion::difference(b.x, c.x), Expansion::difference(b.y, c.y))
+        .sign();
+}
+
+bool segmentMeetsTriangle(const Vec3& p, const Vec3& q, const Vec3* t) {
+    const int sp = orient3d(t[0], t[1], t[2], p);
+    const int sq = orient3d(t[0], t[1], t[2], q);
+    if (sp * sq > 0) return false;
+    if (sp == 0 && sq == 0) return coplanarSegmentMeets(p, q, t);
+    const int a = orient3d(p, q, t[0], t[1]);
+    const int b = orient3d(p, q, t[1], t[2]);
+    const int c = orient3d(p, q, t[2], t[0]);
+    return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
+}
+
+bool trianglesMeet(const Vec3* a, const Vec3* b) {
+    // A plane of one with the other wholly on one side settles most pairs.
+    const std::array side{orient3d(b[0], b[1], b[2], a[0]), orient3d(b[0], b[1], b[2], a[1]),
+                          orient3d(b[0], b[1], b[2], a[2])};
+    if (side[0] == side[1] && side[1] == side[2] && side[0] != 0) return false;
+    for (int i = 0; i < 3; ++i) {
+        if (segmentMeetsTriangle(a[i], a[(i + 1) % 3], b)) return true;
+        if (segmentMeetsTriangle(b[i], b[(i + 1) % 3], a)) return true;
+    }
+    return false;
+}
+
+bool overlapAtEdge(const Vec3& u, const Vec3& v, const Vec3& x, const Vec3& y) {
+    if (orient3d(u, v, x, y) != 0) return false;
+    const Vec3 t[3] = {u, v, x};
+    const Axis axis = dominantAxis(t);
+    return orient2d(u, v, x, axis) * orient2d(u, v, y, axis) > 0;
+}
+
+}  // namespace se

@@ -1,0 +1,275 @@
+#include "spiraling_edge/faults.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "exact.h"
+
+namespace se {
+namespace {
+
+/// Directed sides of all triangles, sorted by edge.
+struct Side {
+    Index low, high, triangle;
+    bool ascending;
+};
+
+std::vector<Side> sortedSides(std::span<const Triangle> triangles) {
+    std::vector<Side> sides;
+    sides.reserve(3 * triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const Triangle& t = triangles[i];
+        for (const auto& [u, v] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}}) {
+            sides.push_back({std::min(u, v), std::max(u, v), static_cast<Index>(i), u < v});
+        }
+    }
+    std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
+        return std::tie(x.low, x.high, x.triangle) < std::tie(y.low, y.high, y.triangle);
+    });
+    return sides;
+}
+
+class FaultFinder {
+  public:
+    FaultFinder(const PointSet& points, std::span<const Triangle> triangles)
+        : points_(points), triangles_(triangles), usable_(triangles.size(), true) {}
+
+    std::vector<Fault> find() {
+        findShapes();
+        findEdgeFaults();
+        findIntersections();
+        std::sort(faults_.begin(), faults_.end(), [](const Fault& a, const Fault& b) {
+            return std::tie(a.kind, a.triangle, a.other) < std::tie(b.kind, b.triangle, b.other);
+        });
+        faults_.erase(std::unique(faults_.begin(), faults_.end()), faults_.end());
+        return std::move(faults_);
+    }
+
+  private:
+    struct Box {
+        Vec3 low, high;
+        bool meets(const Box& o) const {
+            return low.x <= o.high.x && o.low.x <= high.x && low.y <= o.high.y &&
+                   o.low.y <= high.y && low.z <= o.high.z && o.low.z <= high.z;
+        }
+    };
+
+    const Vec3& at(Index p) const { return points_.position[p]; }
+    Vec3 areaVector(const Triangle& t) const {
+        return glm::cross(at(t.b) - at(t.a), at(t.c) - at(t.a));
+    }
+    void add(FaultKind kind, Index a, Index b) {
+        if (b != kNone && b < a) std::swap(a, b);
+        faults_.push_back({kind, a, b});
+    }
+
+    void findShapes();
+    void findEdgeFaults();
+    void findFold(const Side& a, const Side& b);
+    void findIntersections();
+    void testPair(Index a, Index b);
+    bool intersect(const Triangle& a, const Triangle& b) const;
+    Box boxOf(Index triangle) const;
+
+    const PointSet& points_;
+    std::span<const Triangle> triangles_;
+    std::vector<bool> usable_;  ///< Has an area: worth an intersection test.
+    std::vector<Box> boxes_;
+    std::vector<Fault> faults_;
+};
+
+void FaultFinder::findShapes() {
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+        const Triangle& t = triangles_[i];
+        const Vec3 u = at(t.b) - at(t.a);
+        const Vec3 v = at(t.c) - at(t.a);
+        const Vec3 area = glm::cross(u, v);
+        const bool flat = glm::dot(area, area) <= 1e-24 * glm::dot(u, u) * glm::dot(v, v);
+        if (t.a == t.b || t.b == t.c || t.c == t.a || flat) {
+            usable_[i] = false;
+            add(FaultKind::Degenerate, static_cast<Index>(i), kNone);
+            continue;
+        }
+        const Vec3 normals = points_.normal[t.a] + points_.normal[t.b] + points_.normal[t.c];
+        if (glm::dot(area, normals) < 0.0) add(FaultKind::Flipped, static_cast<Index>(i), kNone);
+    }
+}
+
+void FaultFinder::findFold(const Side& a, const Side& b) {
+    if (!usable_[a.triangle] || !usable_[b.triangle]) return;
+    const Vec3 m = areaVector(triangles_[a.triangle]);
+    const Vec3 n = areaVector(triangles_[b.triangle]);
+    const double size = std::sqrt(glm::dot(m, m)) * std::sqrt(glm::dot(n, n));
+    if (glm::dot(m, n) < kFoldCosine * size) add(FaultKind::Folded, a.triangle, b.triangle);
+}
+
+void FaultFinder::findEdgeFaults() {
+    const std::vector<Side> sides = sortedSides(triangles_);
+    for (std::size_t i = 0; i < sides.size();) {
+        std::size_t end = i + 1;
+        while (end < sides.size() && sides[end].low == sides[i].low &&
+               sides[end].high == sides[i].high) {
+            ++end;
+        }
+        for (std::size_t j = i + 1; j < end; ++j) {
+            if (end - i > 2) {
+                add(FaultKind::NonManifoldEdge, sides[i].triangle, sides[j].triangle);
+            }
+            if (sides[j].ascending == sides[j - 1].ascending) {
+                add(FaultKind::InconsistentEdge, sides[j - 1].triangle, sides[j].triangle);
+            }
+        }
+        if (end - i == 2 && sides[i].ascending != sides[i + 1].ascending) {
+            findFold(sides[i], sides[i + 1]);
+        }
+        i = end;
+    }
+}
+
+FaultFinder::Box FaultFinder::boxOf(Index triangle) const {
+    const Triangle& t = triangles_[triangle];
+    Box box{at(t.a), at(t.a)};
+    for (const Index p : {t.b, t.c}) {
+        box.low = glm::min(box.low, at(p));
+        box.high = glm::max(box.high, at(p));
+    }
+    return box;
+}
+
+/// A grid cell that a triangle's box touches.
+struct Placed {
+    std::uint64_t cell;
+    Index triangle;
+};
+
+/// Cells of the size of a typical triangle. Triangles over many cells are kept apart.
+class Grid {
+  public:
+    static constexpr std::uint64_t kManyCells = 512;
+
+    Grid(Vec3 low, double cell) : low_(low), perCell_(1.0 / cell) {}
+
+    template <typename Visit>
+    bool forEachCell(const Vec3& low, const Vec3& high, Visit&& visit) const {
+        const auto from = place(low);
+        const auto to = place(high);
+        std::uint64_t count = 1;
+        for (int i = 0; i < 3; ++i)
+            count *= std::min<std::uint64_t>(to[i] - from[i] + 1, 1U << 20U);
+        if (count > kManyCells) return false;
+        for (std::uint64_t x = from[0]; x <= to[0]; ++x) {
+            for (std::uint64_t y = from[1]; y <= to[1]; ++y) {
+                for (std::uint64_t z = from[2]; z <= to[2]; ++z) visit((x << 42U) | (y << 21U) | z);
+            }
+        }
+        return true;
+    }
+
+  private:
+    std::array<std::uint64_t, 3> place(const Vec3& p) const {
+        constexpr double kMost = (1U << 21U) - 1;
+        std::array<std::uint64_t, 3> cell{};
+        for (int i = 0; i < 3; ++i) {
+            const double x = (p[i] - low_[i]) * perCell_;
+            cell[static_cast<std::size_t>(i)] =
+                static_cast<std::uint64_t>(std::min(std::max(x, 0.0), kMost));
+        }
+        return cell;
+    }
+
+    Vec3 low_;
+    double perCell_;
+};
+
+void FaultFinder::findIntersections() {
+    if (triangles_.empty()) return;
+    boxes_.reserve(triangles_.size());
+    double meanSize = 0.0;
+    for (Index i = 0; i < triangles_.size(); ++i) {
+        boxes_.push_back(boxOf(i));
+        const Vec3 d = boxes_.back().high - boxes_.back().low;
+        meanSize += std::max(d.x, std::max(d.y, d.z));
+    }
+    meanSize /= static_cast<double>(triangles_.size());
+    if (!(meanSize > 0.0)) return;
+    Vec3 low = boxes_[0].low;
+    for (const Box& box : boxes_) low = glm::min(low, box.low);
+    const Grid grid(low, 1.5 * meanSize);
+    std::vector<Placed> placed;
+    std::vector<Index> large;
+    for (Index i = 0; i < triangles_.size(); ++i) {
+        if (!usable_[i]) continue;
+        const bool fits = grid.forEachCell(boxes_[i].low, boxes_[i].high, [&](std::uint64_t cell) {
+            placed.push_back({cell, i});
+        });
+        if (!fits) large.push_back(i);
+    }
+    std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
+        return std::tie(a.cell, a.triangle) < std::tie(b.cell, b.triangle);
+    });
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        for (std::size_t j = i + 1; j < placed.size() && placed[j].cell == placed[i].cell; ++j) {
+            testPair(placed[i].triangle, placed[j].triangle);
+        }
+    }
+    for (const Index a : large) {
+        for (Index b = 0; b < triangles_.size(); ++b) {
+            if (a != b && usable_[b]) testPair(a, b);
+        }
+    }
+}
+
+void FaultFinder::testPair(Index a, Index b) {
+    if (boxes_[a].meets(boxes_[b]) && intersect(triangles_[a], triangles_[b])) {
+        add(FaultKind::Intersecting, a, b);
+    }
+}
+
+bool FaultFinder::intersect(const Triangle& a, const Triangle& b) const {
+    std::array<Index, 3> pa{a.a, a.b, a.c};
+    std::array<Index, 3> pb{b.a, b.b, b.c};
+    // Common corners to the front, in the same order.
+    std::size_t common = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto found =
+            std::find(pb.begin() + static_cast<std::ptrdiff_t>(common), pb.end(), pa[i]);
+        if (found == pb.end()) continue;
+        std::swap(*found, pb[common]);
+        std::swap(pa[i], pa[common]);
+        ++common;
+    }
+    const Vec3 va[3] = {at(pa[0]), at(pa[1]), at(pa[2])};
+    const Vec3 vb[3] = {at(pb[0]), at(pb[1]), at(pb[2])};
+    switch (common) {
+        case 0:
+            return trianglesMeet(va, vb);
+        case 1:
+            return segmentMeetsTriangle(va[1], va[2], vb) || segmentMeetsTriangle(vb[1], vb[2], va);
+        case 2:
+            return overlapAtEdge(va[0], va[1], va[2], vb[2]);
+        default:
+            return true;
+    }
+}
+
+}  // namespace
+
+std::string_view faultName(FaultKind kind) {
+    constexpr std::array<std::string_view, kFaultKinds> kNames{
+        "non_manifold_edge", "inconsistent_edge", "degenerate",
+        "flipped",           "intersecting",      "folded"};
+    return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::vector<Fault> findFaults(const PointSet& points, std::span<const Triangle> triangles) {
+    return FaultFinder(points, triangles).find();
+}
+
+std::array<std::size_t, kFaultKinds> countFaults(std::span<const Fault> faults) {
+    std::array<std::size_t, kFaultKinds> counts{};
+    for (const Fault& fault : faults) ++counts[static_cast<std::size_t>(fault.kind)];
+    return counts;
+}
+
+}  // namespace se
