@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "scenes_figures.h"
 #include "scenes_sampling.h"
 
 namespace se {
@@ -50,6 +51,37 @@ constexpr std::array kScenes{
           "Every fourth point of a square lies exactly on the circle of the other three: what is "
           "on the sphere is removed, and the result is still 128 triangles.",
           grid},
+    Scene{"figure-2", "Figure 2: the spiral",
+          "Points have the figure's numbers less one: after five pivots the ring runs through "
+          "points 5 to 15, and 5 is the next pivot.",
+          figure2},
+    Scene{"figure-4", "Figure 4: start and end move",
+          "At pivot 8 the ring is concave on both sides: start and end advance, and what lies "
+          "behind them is dropped.",
+          figure4},
+    Scene{"figure-5", "Figure 5: the convexity test",
+          "At pivot 6 the surface bends so much that the angle sort lets in the point next on the "
+          "ring; the convex end gives it away.",
+          figure5},
+    Scene{"figure-6", "Figure 6: the reciprocal test",
+          "At pivot 20 a point of the ring passes the angle test, but the pivot lies in the part "
+          "that it has finished: it is refused.",
+          figure6},
+    Scene{"figure-7", "Figure 7: a hole of three",
+          "At pivot 95 three points enclose a hole; what lies beyond its far side is removed.",
+          figure7},
+    Scene{"figure-9", "Figure 9: two points over 180 degrees",
+          "At pivot 87 only first and last are left, more than 180 degrees apart: no triangle, the "
+          "pivot stays on the ring.",
+          figure9},
+    Scene{"figure-12", "Figures 11 and 12: split and join",
+          "At pivot 35 the ring meets itself and splits; at pivot 74 the two parts meet around the "
+          "tube and join again.",
+          figure12},
+    Scene{"figure-14", "Figures 14 to 16: two boundary points",
+          "The first ring is two points on one wall: a third one on that wall keeps the sector "
+          "inside the box.",
+          figure14},
 };
 
 }  // namespace

@@ -167,6 +167,11 @@ ImplicitSurface doubleTorus() {
     return {value, gradient, Vec3(-2.8, -1.6, -0.6), Vec3(2.8, 1.6, 0.6)};
 }
 
+ImplicitSurface flatSheet() {
+    return {[](const Vec3& x) { return x.z; }, [](const Vec3&) { return Vec3(0.0, 0.0, 1.0); },
+            Vec3(-1.0, -1.0, 0.0), Vec3(1.0, 1.0, 0.0)};
+}
+
 ImplicitSurface wavySheet() {
     return {[](const Vec3& x) { return x.z - wave(x); },
             [](const Vec3& x) { return Vec3(-0.25 * (1.5 - 6.0 * x.x * x.x), -0.4 * x.y, 1.0); },

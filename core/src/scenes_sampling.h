@@ -30,6 +30,8 @@ ImplicitSurface unitSphere();
 ImplicitSurface torus();
 ImplicitSurface linkedTori();
 ImplicitSurface doubleTorus();
+/// The square |x|, |y| <= 1 of the plane z = 0.
+ImplicitSurface flatSheet();
 /// Waves over the square |x|, |y| <= 1.
 ImplicitSurface wavySheet();
 

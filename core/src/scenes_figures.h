@@ -1,0 +1,18 @@
+/// Small inputs on which one figure of the paper can be watched.
+#pragma once
+
+#include "spiraling_edge/io.h"
+
+namespace se {
+
+PointFile figure2();
+PointFile figure4();
+PointFile figure5();
+PointFile figure6();
+PointFile figure7();
+PointFile figure9();
+PointFile figure12();
+/// Begins with two points on one wall.
+PointFile figure14();
+
+}  // namespace se
