@@ -22,35 +22,22 @@ constexpr std::size_t kProgressStep = 4096;
 /// here, by exact comparison. The smallest double is for bounds that are 0 by underflow.
 double widened(double bound) { return bound * (1.0 + 1e-9) + std::numeric_limits<double>::min(); }
 
-/// The usable points, packed, in the form that nanoflann asks for. Positions are scaled by a power
-/// of two, which rounds nothing, so that no square of a difference overflows.
+/// The usable points, packed, in the form that nanoflann asks for.
 class Cloud {
   public:
+    /// `normal` may be empty; then normal() must not be called.
     Cloud(std::span<const Vec3> position, std::span<const Vec3> normal,
           const std::vector<bool>& usable) {
-        double largest = 0.0;
         for (std::size_t p = 0; p < position.size(); ++p) {
             if (!usable[p]) continue;
             id_.push_back(static_cast<Index>(p));
-            for (int axis = 0; axis < 3; ++axis) {
-                largest = std::max(largest, std::abs(position[p][axis]));
-            }
+            position_.push_back(position[p]);
+            if (!normal.empty()) normal_.push_back(normal[p]);
         }
-        int exponent = 0;
-        std::frexp(largest, &exponent);
-        constexpr int kMostExponent = 1000;  // beyond it, the scale itself would leave the range
-        scale_ = std::ldexp(1.0, std::clamp(-exponent, -kMostExponent, kMostExponent));
-        position_.reserve(id_.size());
-        for (const Index p : id_) position_.push_back(position[p] * scale_);
-        if (normal.empty()) return;
-        normal_.reserve(id_.size());
-        for (const Index p : id_) normal_.push_back(normal[p]);
     }
 
     std::size_t size() const { return id_.size(); }
-    double scale() const { return scale_; }
     const Vec3& position(Index i) const { return position_[i]; }
-    /// Requires that normals were given.
     const Vec3& normal(Index i) const { return normal_[i]; }
     /// The index of packed point i in the whole set. Ascending, so ties fall the same way in both.
     Index id(Index i) const { return id_[i]; }
@@ -68,7 +55,6 @@ class Cloud {
     std::vector<Vec3> position_;
     std::vector<Vec3> normal_;
     std::vector<Index> id_;
-    double scale_ = 1.0;
 };
 
 /// How nanoflann measures: exactly as lists are ordered.
@@ -195,8 +181,7 @@ class NeighborSearch {
         limits.dropOpposing = options_.dropOpposingNormals;
         limits.mostDropped = others;
         if (const auto* reach = std::get_if<WithinRadius>(&options_.reach)) {
-            const double radius = reach->radius * cloud_.scale();
-            limits.reachSquared = radius * radius;
+            limits.reachSquared = reach->radius * reach->radius;
             query(point, limits);
             return take(point, others);
         }
@@ -281,6 +266,7 @@ Result<NeighborLists> findNeighbors(std::span<const Vec3> position, std::span<co
                      std::to_string(normal.size()) + " normals and " +
                      std::to_string(usable.size()) + " marks of usable points"};
     }
+    if (!options.dropOpposingNormals) normal = {};
     return NeighborSearch(position, normal, usable, options).run(progress);
 }
 

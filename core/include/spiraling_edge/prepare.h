@@ -64,7 +64,8 @@ Result<Prepared> prepare(const PointFile& file, const NeighborOptions& options,
 
 /// The ordered lists alone, for points with usable[p] true; all others get an empty list and stand
 /// in none. Requires finite usable positions. Points at the same place are no neighbors of each
-/// other. `normal` may be empty if opposing normals are not dropped. Deterministic: ordered by
+/// other, nor are points so far apart (1e154) that the square of their distance is no number.
+/// `normal` may be empty if opposing normals are not dropped. Deterministic: ordered by
 /// distance, ties by index, and unchanged if all points are moved without rounding.
 Result<NeighborLists> findNeighbors(std::span<const Vec3> position, std::span<const Vec3> normal,
                                     const std::vector<bool>& usable, const NeighborOptions& options,

@@ -1,0 +1,111 @@
+#include <doctest/doctest.h>
+
+#include <limits>
+
+#include "spiraling_edge/point_set.h"
+
+using namespace se;
+
+namespace {
+
+/// Four points on a square, each with the two beside it in its list.
+PointSet makeSquare() {
+    PointSet points;
+    points.position = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    points.normal.assign(4, Vec3(0, 0, 1));
+    points.type.assign(4, kInterior);
+    for (Index p = 0; p < 4; ++p) {
+        const Index list[] = {(p + 1) % 4, (p + 3) % 4};
+        points.neighbors.append(list);
+    }
+    return points;
+}
+
+std::string flawOf(const PointSet& points) {
+    const Status status = validate(points);
+    return status.ok() ? "none" : status.error().message;
+}
+
+}  // namespace
+
+TEST_CASE("validate: good points pass, and so does the empty set") {
+    CHECK(validate(makeSquare()).ok());
+    CHECK(validate(PointSet{}).ok());
+}
+
+TEST_CASE("validate: arrays of different length are refused") {
+    for (int i = 0; i < 4; ++i) {
+        PointSet points = makeSquare();
+        if (i == 0) points.normal.pop_back();
+        if (i == 1) points.type.pop_back();
+        if (i == 2) points.neighbors.append({});
+        if (i == 3) points.neighbors.offset.clear();
+        CHECK(flawOf(points).find("there are 4 positions, but") == 0);
+    }
+}
+
+TEST_CASE("validate: offsets must divide the entries") {
+    PointSet points = makeSquare();
+    points.neighbors.ids.pop_back();
+    CHECK(flawOf(points).find("offsets") != std::string::npos);
+    points = makeSquare();
+    points.neighbors.offset[1] = 5;
+    CHECK(flawOf(points).find("offsets") != std::string::npos);
+    points = makeSquare();
+    points.neighbors.offset[0] = 1;
+    CHECK(flawOf(points).find("offsets") != std::string::npos);
+}
+
+TEST_CASE("validate: lists name existing other points, each once") {
+    PointSet points = makeSquare();
+    points.neighbors.ids[3] = 4;
+    CHECK(flawOf(points) == "the list of point 1 names point 4, which does not exist");
+    points.neighbors.ids[3] = kNone;
+    CHECK(flawOf(points) == "the list of point 1 names point 4294967295, which does not exist");
+    points.neighbors.ids[3] = 1;
+    CHECK(flawOf(points) == "the list of point 1 names the point itself");
+    points.neighbors.ids[3] = 2;
+    CHECK(flawOf(points) == "the list of point 1 names point 2 twice");
+}
+
+TEST_CASE("validate: points in lists need a finite position and a unit normal") {
+    const double inf = std::numeric_limits<double>::infinity();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const double bad : {inf, -inf, nan}) {
+        PointSet points = makeSquare();
+        points.position[2].y = bad;
+        CHECK(flawOf(points) == "point 2 is in a neighbor list, but its position is not finite");
+    }
+    for (const double bad : {inf, nan, 0.0, -0.9, 1.0 + 2e-6}) {
+        PointSet points = makeSquare();
+        points.normal[3].z = bad;
+        CHECK(flawOf(points) ==
+              "point 3 is in a neighbor list, but its normal is not of unit length");
+    }
+    PointSet points = makeSquare();
+    points.normal[3].z = 1.0 + 5e-7;
+    CHECK(validate(points).ok());
+}
+
+TEST_CASE("validate: a point outside all lists may hold anything") {
+    PointSet points = makeSquare();
+    points.position.emplace_back(std::numeric_limits<double>::quiet_NaN(), 0, 0);
+    points.normal.emplace_back(0, 0, 0);
+    points.type.push_back(kInterior);
+    points.neighbors.append({});
+    CHECK(validate(points).ok());
+    points.neighbors.ids[0] = 4;
+    CHECK(flawOf(points) == "point 4 is in a neighbor list, but its position is not finite");
+}
+
+TEST_CASE("Type bits: corners have two faces, and the corner bit follows from them") {
+    CHECK_FALSE(isBoundary(kCorner));
+    CHECK(isBoundary(kNegativeZ));
+    CHECK_FALSE(isCorner(kPositiveX));
+    CHECK(isCorner(kPositiveX | kNegativeY));
+    CHECK(shareFace(kPositiveX | kPositiveY, kPositiveY));
+    CHECK_FALSE(shareFace(kPositiveX | kCorner, kNegativeX | kCorner));
+    CHECK(withCornerBit(kPositiveX | kPositiveY) == (kPositiveX | kPositiveY | kCorner));
+    CHECK(withCornerBit(kPositiveX | kCorner | 128) == kPositiveX);
+    CHECK(withCornerBit(kCorner) == kInterior);
+}

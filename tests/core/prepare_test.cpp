@@ -1,0 +1,447 @@
+#include "spiraling_edge/prepare.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+
+using namespace se;
+
+namespace {
+
+const double kNan = std::numeric_limits<double>::quiet_NaN();
+const double kInf = std::numeric_limits<double>::infinity();
+
+using Lists = std::vector<std::vector<Index>>;
+
+Lists toVectors(const NeighborLists& lists) {
+    Lists result;
+    for (Index p = 0; p < lists.size(); ++p) result.emplace_back(lists[p].begin(), lists[p].end());
+    return result;
+}
+
+/// Numbers in [0, 1) that are the same with every library.
+class Numbers {
+  public:
+    double next() { return static_cast<double>(engine_() >> 8U) / 16777216.0; }
+    Vec3 nextVector() {
+        const double x = next();
+        const double y = next();
+        return {x, y, next()};
+    }
+
+  private:
+    std::mt19937 engine_{7};
+};
+
+struct Points {
+    std::vector<Vec3> position;
+    std::vector<Vec3> normal;
+    std::vector<bool> usable;
+};
+
+Points makeRandom(std::size_t count) {
+    Points points;
+    Numbers numbers;
+    for (std::size_t i = 0; i < count; ++i) {
+        points.position.push_back(numbers.nextVector());
+        points.normal.push_back(glm::normalize(numbers.nextVector() - Vec3(0.5)));
+        points.usable.push_back(numbers.next() < 0.9);
+    }
+    return points;
+}
+
+/// An exact lattice: every distance occurs many times. Normals point up and down in stripes.
+Points makeLattice(int side) {
+    Points points;
+    for (int i = 0; i < side * side * side; ++i) {
+        points.position.emplace_back(i % side, i / side % side, i / side / side);
+        points.normal.emplace_back(0, 0, i % 3 == 0 ? -1 : 1);
+    }
+    points.usable.assign(points.position.size(), true);
+    return points;
+}
+
+NeighborOptions nearest(std::size_t k, bool dropOpposing) {
+    return {KNearest{k}, dropOpposing, false};
+}
+NeighborOptions within(double radius, bool dropOpposing) {
+    return {WithinRadius{radius}, dropOpposing, false};
+}
+
+/// What the header of findNeighbors() promises, by looking at all pairs.
+Lists bruteForce(const Points& points, const NeighborOptions& options) {
+    Lists lists;
+    for (Index p = 0; p < points.position.size(); ++p) {
+        const auto squared = [&](Index q) {
+            const Vec3 d = points.position[q] - points.position[p];
+            return d.x * d.x + d.y * d.y + d.z * d.z;
+        };
+        std::vector<Index> list;
+        for (Index q = 0; q < points.position.size(); ++q) {
+            if (points.usable[p] && points.usable[q] && squared(q) > 0.0) list.push_back(q);
+        }
+        std::stable_sort(list.begin(), list.end(),
+                         [&](Index a, Index b) { return squared(a) < squared(b); });
+        const auto* radius = std::get_if<WithinRadius>(&options.reach);
+        const std::size_t k = radius ? list.size() : std::get<KNearest>(options.reach).k;
+        if (!radius && options.dropOpposingNormals) list.resize(std::min(list.size(), 8 * k + 64));
+        std::erase_if(list, [&](Index q) {
+            return (radius && squared(q) > radius->radius * radius->radius) ||
+                   (options.dropOpposingNormals &&
+                    glm::dot(points.normal[p], points.normal[q]) <= 0.0);
+        });
+        list.resize(std::min(list.size(), k));
+        lists.push_back(list);
+    }
+    return lists;
+}
+
+Lists find(const Points& points, const NeighborOptions& options) {
+    const auto lists = findNeighbors(points.position, points.normal, points.usable, options);
+    REQUIRE_MESSAGE(lists.ok(), lists.error().message);
+    return toVectors(lists.value());
+}
+
+/// Twelve points on a circle, normals outwards, lists naming the two beside each point.
+PointFile makeCircle() {
+    PointFile file;
+    for (int i = 0; i < 12; ++i) {
+        const double angle = i * 0.5235987755982988;
+        file.position.emplace_back(std::cos(angle), std::sin(angle), 0);
+        file.normal.push_back(file.position.back());
+    }
+    return file;
+}
+
+Prepared mustPrepare(const PointFile& file, const NeighborOptions& options = {}) {
+    Result<Prepared> prepared = prepare(file, options);
+    REQUIRE_MESSAGE(prepared.ok(), prepared.error().message);
+    CHECK(validate(prepared.value().points).ok());
+    return prepared.value();
+}
+
+std::string errorOf(const PointFile& file, const NeighborOptions& options = {}) {
+    const Result<Prepared> prepared = prepare(file, options);
+    return prepared.ok() ? "none" : prepared.error().message;
+}
+
+/// Whether point p has an empty list and stands in no list.
+bool isSetAside(const PointSet& points, Index p) {
+    const auto& ids = points.neighbors.ids;
+    return points.neighbors[p].empty() && std::count(ids.begin(), ids.end(), p) == 0;
+}
+
+}  // namespace
+
+TEST_CASE("findNeighbors: the k nearest are those that looking at all pairs finds") {
+    const Points points = makeRandom(700);
+    for (const std::size_t k : {1U, 2U, 12U, 40U, 699U, 5000U}) {
+        CHECK(find(points, nearest(k, false)) == bruteForce(points, nearest(k, false)));
+        CHECK(find(points, nearest(k, true)) == bruteForce(points, nearest(k, true)));
+    }
+}
+
+TEST_CASE("findNeighbors: ties on a lattice fall to the lower index") {
+    const Points points = makeLattice(8);
+    for (const std::size_t k : {1U, 4U, 6U, 7U, 12U, 30U}) {
+        CHECK(find(points, nearest(k, false)) == bruteForce(points, nearest(k, false)));
+        CHECK(find(points, nearest(k, true)) == bruteForce(points, nearest(k, true)));
+    }
+    CHECK(find(points, nearest(3, false))[0] == std::vector<Index>{1, 8, 64});
+}
+
+TEST_CASE("findNeighbors: a radius takes all points up to and at its length") {
+    const Points lattice = makeLattice(6);
+    const Points cloud = makeRandom(500);
+    for (const double radius : {0.05, 0.2, 1.0, 1.5, 2.0, 1e200, kInf}) {
+        for (const bool drop : {false, true}) {
+            CHECK(find(lattice, within(radius, drop)) == bruteForce(lattice, within(radius, drop)));
+            CHECK(find(cloud, within(radius, drop)) == bruteForce(cloud, within(radius, drop)));
+        }
+    }
+    CHECK(find(lattice, within(1.0, false))[0] == std::vector<Index>{1, 6, 36});
+}
+
+TEST_CASE("findNeighbors: none, one and two points") {
+    CHECK(find({}, nearest(3, true)).empty());
+    const Points one{{{1, 2, 3}}, {{0, 0, 1}}, {true}};
+    CHECK(find(one, nearest(3, true)) == Lists{{}});
+    CHECK(find(one, within(3, true)) == Lists{{}});
+    Points two{{{1, 2, 3}, {0, 0, 0}}, {{0, 0, 1}, {0, 0, 1}}, {true, true}};
+    CHECK(find(two, nearest(3, true)) == Lists{{1}, {0}});
+    two.usable[1] = false;
+    CHECK(find(two, nearest(3, true)) == Lists{{}, {}});
+    two.usable[0] = false;
+    CHECK(find(two, nearest(3, true)) == Lists{{}, {}});
+}
+
+TEST_CASE("findNeighbors: points at one place are no neighbors of each other") {
+    Points points{std::vector<Vec3>(30, Vec3(1)), std::vector<Vec3>(30, Vec3(0, 0, 1)),
+                  std::vector<bool>(30, true)};
+    CHECK(find(points, nearest(3, true)) == Lists(30));
+    points.position.emplace_back(2, 1, 1);
+    points.normal.emplace_back(0, 0, 1);
+    points.usable.push_back(true);
+    CHECK(find(points, nearest(3, true)) == bruteForce(points, nearest(3, true)));
+}
+
+TEST_CASE("findNeighbors: a move without rounding changes nothing") {
+    Points points = makeRandom(600);
+    constexpr double kUnit = 1.0 / 1048576.0;
+    for (Vec3& p : points.position) p = glm::floor(p * 1024.0) * kUnit;  // many ties, tiny extent
+    const Lists atOrigin = find(points, nearest(12, true));
+    const Lists reach = find(points, within(64 * kUnit, false));
+    CHECK(atOrigin == bruteForce(points, nearest(12, true)));
+    for (Vec3& p : points.position) p += Vec3(1e6, -2e6, 3e6 + 5 * kUnit);
+    CHECK(find(points, nearest(12, true)) == atOrigin);
+    CHECK(find(points, within(64 * kUnit, false)) == reach);
+}
+
+TEST_CASE("findNeighbors: the order of the points changes names only") {
+    const Points points = makeRandom(300);
+    std::vector<Index> order(300);
+    std::iota(order.rbegin(), order.rend(), 0);
+    Points reversed;
+    for (const Index p : order) {
+        reversed.position.push_back(points.position[p]);
+        reversed.normal.push_back(points.normal[p]);
+        reversed.usable.push_back(points.usable[p]);
+    }
+    const Lists lists = find(points, nearest(10, true));
+    const Lists other = find(reversed, nearest(10, true));
+    for (Index p = 0; p < 300; ++p) {
+        std::vector<Index> named;
+        for (const Index q : other[p]) named.push_back(order[q]);
+        CHECK(named == lists[order[p]]);
+    }
+}
+
+TEST_CASE("findNeighbors: a flipped normal among many looks at the 8 k + 64 nearest only") {
+    Points points = makeRandom(500);
+    points.usable.assign(500, true);
+    points.normal.assign(500, Vec3(0, 0, 1));
+    points.normal[0] = Vec3(0, 0, -1);
+    Index agreeing = 0;  // the point farthest from point 0
+    for (Index p = 0; p < 500; ++p) {
+        const auto far = [&](Index q) {
+            return glm::distance(points.position[q], points.position[0]);
+        };
+        if (far(p) > far(agreeing)) agreeing = p;
+    }
+    points.normal[agreeing] = Vec3(0, 0, -1);
+    CHECK(find(points, nearest(3, true))[0].empty());
+    CHECK(find(points, nearest(60, true))[0] == std::vector<Index>{agreeing});
+    CHECK(find(points, nearest(3, true)) == bruteForce(points, nearest(3, true)));
+}
+
+TEST_CASE("findNeighbors: extreme but finite coordinates do not confuse it") {
+    Points points = makeRandom(100);
+    points.usable.assign(100, true);
+    Lists expected = find(points, nearest(5, true));
+    points.position.emplace_back(1e300, -1e308, 1e308);
+    points.position.emplace_back(-1e308, 0, 0);
+    points.normal.resize(102, Vec3(0, 0, 1));
+    points.usable.resize(102, true);
+    expected.resize(102);
+    CHECK(find(points, nearest(5, true)) == expected);
+}
+
+TEST_CASE("findNeighbors: progress grows from 0 to 1, and false cancels") {
+    const Points points = makeRandom(10000);
+    std::vector<double> shares;
+    const auto run = [&](std::size_t most) {
+        shares.clear();
+        return findNeighbors(points.position, points.normal, points.usable, {}, [&](double share) {
+            shares.push_back(share);
+            return shares.size() < most;
+        });
+    };
+    CHECK(run(1000).ok());
+    CHECK(shares.size() >= 3);
+    CHECK(shares.front() == 0.0);
+    CHECK(shares.back() == 1.0);
+    CHECK(std::is_sorted(shares.begin(), shares.end()));
+    const auto cancelled = run(2);
+    REQUIRE_FALSE(cancelled.ok());
+    CHECK(cancelled.error().message == "the search for neighbors was cancelled");
+    CHECK(shares.size() == 2);
+}
+
+TEST_CASE("findNeighbors: what does not fit together is refused") {
+    const Points p = makeRandom(5);
+    CHECK_FALSE(findNeighbors(p.position, p.normal, {true}, {}).ok());
+    CHECK_FALSE(findNeighbors(p.position, {}, p.usable, {}).ok());
+    CHECK(findNeighbors(p.position, {}, p.usable, nearest(3, false)).ok());
+    CHECK_FALSE(findNeighbors(p.position, p.normal, p.usable, nearest(0, false)).ok());
+    CHECK_FALSE(findNeighbors(p.position, p.normal, p.usable, within(0.0, false)).ok());
+}
+
+TEST_CASE("prepare: good points pass unchanged and get lists") {
+    const PointFile file = makeCircle();
+    const Prepared prepared = mustPrepare(file, nearest(2, true));
+    CHECK(prepared.points.position == file.position);
+    CHECK(prepared.report.neighborsComputed);
+    CHECK(prepared.points.type == std::vector<std::uint8_t>(12, kInterior));
+    auto list = toVectors(prepared.points.neighbors)[5];
+    std::sort(list.begin(), list.end());
+    CHECK(list == std::vector<Index>{4, 6});
+}
+
+TEST_CASE("prepare: no points at all are no error") { CHECK(mustPrepare({}).points.empty()); }
+
+TEST_CASE("prepare: points without normals fail, and the message says what to do") {
+    PointFile file = makeCircle();
+    file.normal.clear();
+    CHECK(errorOf(file).find("have no normals") != std::string::npos);
+    CHECK(errorOf(file).find("CloudCompare") != std::string::npos);
+}
+
+TEST_CASE("prepare: a reach of nothing fails, even if the file has lists") {
+    PointFile file = makeCircle();
+    file.neighbors.offset.assign(13, 0);
+    CHECK(errorOf(file, nearest(0, true)).find("must be positive") != std::string::npos);
+    for (const double radius : {0.0, -1.0, kNan}) {
+        CHECK(errorOf(file, within(radius, true)).find("must be positive") != std::string::npos);
+    }
+}
+
+TEST_CASE("prepare: columns of different length fail") {
+    PointFile file = makeCircle();
+    file.type = {0};
+    CHECK(errorOf(file).find("not as many") != std::string::npos);
+}
+
+TEST_CASE("prepare: points that are not finite are set aside") {
+    PointFile file = makeCircle();
+    file.position[3].x = kNan;
+    file.position[4].z = kInf;
+    const Prepared prepared = mustPrepare(file);
+    CHECK(prepared.report.nonFinitePoints == 2);
+    CHECK(prepared.points.size() == 12);
+    CHECK(isSetAside(prepared.points, 3));
+    CHECK(isSetAside(prepared.points, 4));
+    CHECK_FALSE(isSetAside(prepared.points, 5));
+}
+
+TEST_CASE("prepare: normals without direction set their points aside") {
+    PointFile file = makeCircle();
+    file.normal[0] = Vec3(0);
+    file.normal[1].y = kNan;
+    file.normal[2].z = -kInf;
+    const Prepared prepared = mustPrepare(file);
+    CHECK(prepared.report.zeroNormals == 3);
+    for (Index p = 0; p < 3; ++p) CHECK(isSetAside(prepared.points, p));
+}
+
+TEST_CASE("prepare: of points at one place the first usable stays") {
+    PointFile file = makeCircle();
+    file.position[7] = file.position[2] = file.position[5];
+    file.normal[2] = Vec3(0);
+    file.position[8] = Vec3(0.0, 0.0, 0.0);
+    file.position[9] = Vec3(-0.0, 0.0, -0.0);
+    const Prepared prepared = mustPrepare(file);
+    CHECK(prepared.report.zeroNormals == 1);
+    CHECK(prepared.report.duplicatePoints == 2);
+    CHECK_FALSE(isSetAside(prepared.points, 5));
+    CHECK(isSetAside(prepared.points, 7));
+    CHECK_FALSE(isSetAside(prepared.points, 8));
+    CHECK(isSetAside(prepared.points, 9));
+}
+
+TEST_CASE("prepare: normals are scaled to unit length once") {
+    PointFile file = makeCircle();
+    file.normal[0] *= 100.0;
+    file.normal[1] *= 1e-310;
+    file.normal[2] *= 1e300;
+    file.normal[3] *= 1.0 + 1e-7;  // as rounded to float: mended, not reported
+    const Prepared prepared = mustPrepare(file);
+    CHECK(prepared.report.unscaledNormals == 3);
+    for (const Vec3& normal : prepared.points.normal) {
+        CHECK(std::abs(glm::length(normal) - 1.0) < 1e-12);
+    }
+    PointFile again = file;
+    again.normal = prepared.points.normal;
+    CHECK(mustPrepare(again).points.normal == prepared.points.normal);
+}
+
+TEST_CASE("prepare: the corner bit follows from the face bits") {
+    PointFile file = makeCircle();
+    file.type.assign(12, kInterior);
+    file.type[0] = kPositiveX | kNegativeZ;
+    file.type[1] = kPositiveX | kCorner;
+    const Prepared prepared = mustPrepare(file);
+    CHECK(prepared.points.type[0] == (kPositiveX | kNegativeZ | kCorner));
+    CHECK(prepared.points.type[1] == kPositiveX);
+}
+
+TEST_CASE("prepare: lists from the file are cleaned and put in order") {
+    PointFile file = makeCircle();
+    file.normal[11] = Vec3(0);
+    file.position[10] = file.position[9];
+    const Lists given = {{2, 1, 2, 0, 11, 1}, {}, {1, 3}, {6, 4}, {9, 10, 3}};
+    for (const auto& list : given) file.neighbors.append(list);
+    while (file.neighbors.size() < 12) file.neighbors.append({});
+    NeighborOptions options = nearest(12, false);
+    const Prepared kept = mustPrepare(file, options);
+    CHECK_FALSE(kept.report.neighborsComputed);
+    Lists expected = {{1, 2}, {}, {1, 3}, {4, 6}, {3, 9}};
+    expected.resize(12);
+    CHECK(toVectors(kept.points.neighbors) == expected);
+    CHECK(kept.report.droppedListEntries == 5);
+
+    options.dropOpposingNormals = true;
+    expected[3] = {4};  // point 6 faces the other way by 90 degrees and a rounding, 9 by more
+    expected[4] = {3};
+    file.normal[6] = -file.normal[3];
+    const Prepared filtered = mustPrepare(file, options);
+    CHECK(toVectors(filtered.points.neighbors) == expected);
+    CHECK(filtered.report.droppedListEntries == 7);
+
+    options.recompute = true;
+    CHECK(mustPrepare(file, options).report.neighborsComputed);
+}
+
+TEST_CASE("prepare: equal distances in lists from the file are put in order of index") {
+    PointFile file;
+    file.position = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+    file.normal.assign(5, Vec3(0, 0, 1));
+    file.neighbors.append(std::vector<Index>{4, 2, 3, 1});
+    for (int i = 0; i < 4; ++i) file.neighbors.append({});
+    CHECK(toVectors(mustPrepare(file).points.neighbors)[0] == std::vector<Index>{1, 2, 3, 4});
+}
+
+TEST_CASE("prepare: a list that names a point that does not exist is an error") {
+    PointFile file = makeCircle();
+    file.neighbors.append(std::vector<Index>{1, 12});
+    for (int i = 0; i < 11; ++i) file.neighbors.append({});
+    CHECK(errorOf(file).find("of point 0 names point 12") != std::string::npos);
+}
+
+TEST_CASE("prepare: the shared files with hazards pass, and the report counts what is in them") {
+#ifdef SPIRALING_EDGE_SHARED_DATA
+    const std::filesystem::path folder =
+        std::filesystem::path(SPIRALING_EDGE_SHARED_DATA) / "hazards";
+    if (std::filesystem::exists(folder)) {
+        const auto report = [&](const char* name) {
+            const Result<PointFile> file = readPoints(folder / name);
+            REQUIRE_MESSAGE(file.ok(), file.error().message);
+            return mustPrepare(file.value()).report;
+        };
+        CHECK(report("duplicates.ply").duplicatePoints == 50);
+        CHECK(report("not_finite.ply").nonFinitePoints == 15);
+        CHECK(report("zero_normals.ply").zeroNormals == 30);
+        CHECK(report("unscaled_normals.ply").unscaledNormals > 1000);
+        CHECK(report("same_point.ply").duplicatePoints == 19);
+        for (const char* name : {"empty.ply", "one_point.ply", "two_points.ply", "collinear.ply",
+                                 "two_close_sheets.ply", "stray_points.ply"}) {
+            (void)report(name);
+        }
+        return;
+    }
+#endif
+    MESSAGE("skipped: no shared data");
+}

@@ -1,0 +1,66 @@
+/// Feeds bytes to the readers. Whatever they are: no crash, and what is read can be written, read
+/// back and prepared. By default a plain program that takes files, so that it never rots:
+///
+///     readers_fuzz FILE...
+///
+/// With SPIRALING_EDGE_LIBFUZZER defined and -fsanitize=fuzzer,address,undefined it is a fuzzer:
+///
+///     readers_fuzz -max_len=4096 CORPUS_FOLDER
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+#include "spiraling_edge/io.h"
+#include "spiraling_edge/prepare.h"
+
+namespace {
+
+/// Unlike assert(), stays in optimized builds.
+void require(bool good, const char* what) {
+    if (good) return;
+    std::fprintf(stderr, "broken: %s\n", what);
+    std::abort();
+}
+
+void checkContent(const se::PointFile& file) {
+    const std::string bytes = se::meshPlyBytes(file, file.faces);
+    const auto again = se::readPoints(bytes, "written");
+    require(again.ok(), "what was written cannot be read");
+    require(se::meshPlyBytes(again.value(), again.value().faces) == bytes,
+            "what was read back is written differently");
+    const auto prepared = se::prepare(file, {});
+    require(prepared.ok() || !file.hasNormals(), "good points cannot be prepared");
+    require(!prepared.ok() || se::validate(prepared.value().points).ok(),
+            "prepared points are not valid");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+    for (const char* name : {"input", "input.off"}) {  // the extension matters for OFF alone
+        const auto file = se::readPoints(bytes, name);
+        require(file.ok() || !file.error().message.empty(), "an error without a message");
+        if (file.ok()) checkContent(file.value());
+    }
+    return 0;
+}
+
+#ifndef SPIRALING_EDGE_LIBFUZZER
+int main(int argc, char** argv) {
+    if (argc < 2) {
+        std::fprintf(stderr, "usage: %s FILE...\n", argv[0]);
+        return 2;
+    }
+    for (int i = 1; i < argc; ++i) {
+        std::ifstream stream(argv[i], std::ios::binary);
+        const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+        LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+    }
+    std::printf("%d files: no crash\n", argc - 1);
+}
+#endif
