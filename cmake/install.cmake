@@ -1,0 +1,19 @@
+# What `cmake --install` lays down: the library with its headers, and the package that
+# find_package(spiraling_edge) finds. The programs are installed where they are defined (app/).
+include(CMakePackageConfigHelpers)
+
+set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/spiraling_edge")
+install(TARGETS spiraling_edge EXPORT spiraling_edge_targets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(DIRECTORY core/include/spiraling_edge DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(EXPORT spiraling_edge_targets NAMESPACE spiraling_edge:: DESTINATION ${package_dir})
+configure_package_config_file(cmake/spiraling_edge-config.cmake.in
+    "${PROJECT_BINARY_DIR}/spiraling_edge-config.cmake" INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/spiraling_edge-config-version.cmake"
+    COMPATIBILITY SameMinorVersion)
+install(FILES
+    "${PROJECT_BINARY_DIR}/spiraling_edge-config.cmake"
+    "${PROJECT_BINARY_DIR}/spiraling_edge-config-version.cmake"
+    DESTINATION ${package_dir})
+install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
