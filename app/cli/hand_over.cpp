@@ -1,0 +1,55 @@
+// spiraling-edge view and render: the window program beside this one does the work.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "options.h"
+#include "output.h"
+#include "verbs.h"
+
+namespace se::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kViewerName = "spiraling-edge-viewer";
+
+/// Becomes the viewer. Throws if there is none.
+[[noreturn]] void becomeViewer(Arguments arguments) {
+    std::error_code problem;
+    const fs::path self = fs::read_symlink("/proc/self/exe", problem);
+    const std::string viewer = (self.parent_path() / kViewerName).string();
+    arguments.insert(arguments.begin(), viewer);
+    std::vector<char*> pointers;
+    for (std::string& argument : arguments) pointers.push_back(argument.data());
+    pointers.push_back(nullptr);
+    ::execv(viewer.c_str(), pointers.data());
+    throw Failure(ExitCode::NoDisplay,
+                  fmt::format("the viewer cannot be started: there is no program {}. Build it with "
+                              "-DSPIRALING_EDGE_BUILD_VIEWER=ON, or use spiraling-edge run",
+                              viewer));
+}
+
+}  // namespace
+
+ExitCode viewVerb(const Arguments& words) { becomeViewer(words); }
+
+ExitCode renderVerb(const Arguments& words) {
+    CLI::App app(
+        "Writes a picture of a finished run without opening a window. Further options go "
+        "to spiraling-edge-viewer.",
+        "spiraling-edge render");
+    std::string input;
+    std::string picture;
+    app.add_option("IN", input, "File with points or scene:ID")->required();
+    app.add_option("-o,--output", picture, "Picture to write")->type_name("OUT.png")->required();
+    app.allow_extras();
+    if (const auto code = parseArguments(app, words)) return *code;
+    requireWritable(picture, "-o");
+    Arguments arguments{input, "--screenshot", picture};
+    for (const std::string& word : app.remaining()) arguments.push_back(word);
+    becomeViewer(arguments);
+}
+
+}  // namespace se::cli

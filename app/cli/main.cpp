@@ -1,0 +1,111 @@
+// spiraling-edge: finds the verb, runs it, and turns whatever happens into an exit code.
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string_view>
+
+#include "verbs.h"
+
+namespace se::cli {
+namespace {
+
+struct Verb {
+    std::string_view name;
+    std::string_view summary;
+    ExitCode (*run)(const Arguments&);
+};
+
+constexpr std::array kVerbs{
+    Verb{"run", "triangulate points; write the mesh, a report, a trace", runVerb},
+    Verb{"info", "say what a file holds", infoVerb},
+    Verb{"scenes", "list the built-in scenes", scenesVerb},
+    Verb{"view", "open the viewer on a file", viewVerb},
+    Verb{"render", "write a picture without opening a window", renderVerb},
+};
+
+const Verb* findVerb(std::string_view name) {
+    for (const Verb& verb : kVerbs) {
+        if (verb.name == name) return &verb;
+    }
+    return nullptr;
+}
+
+void printHelp(std::FILE* stream) {
+    fmt::print(stream,
+               "Spiraling Edge surface reconstruction.\n\n"
+               "Usage: spiraling-edge VERB [OPTIONS]\n"
+               "       spiraling-edge FILE          the same as spiraling-edge view FILE\n\n"
+               "Verbs:\n");
+    for (const Verb& verb : kVerbs) fmt::print(stream, "  {:<8} {}\n", verb.name, verb.summary);
+    fmt::print(stream,
+               "\n`spiraling-edge VERB --help` tells the options of a verb.\n"
+               "An input is a PLY, XYZ, OBJ or OFF file, `-` for standard input, or scene:ID.\n"
+               "\n"
+               "  -h, --help     print this and exit\n"
+               "  --version      print the version and exit\n"
+               "\n"
+               "Exit codes: 0 good, 1 ran but a check failed, 2 wrong usage, 3 input missing or\n"
+               "malformed, 4 no display, 5 internal error, 130 interrupted.\n");
+}
+
+/// A word that is no verb: an input for the viewer, or a mistake.
+ExitCode runWithoutVerb(const Arguments& arguments) {
+    const std::string& word = arguments.front();
+    std::error_code ignored;
+    if (std::filesystem::exists(word, ignored) || word.starts_with("scene:"))
+        return viewVerb(arguments);
+    if (word.starts_with("-")) {
+        throw Failure(ExitCode::Usage,
+                      fmt::format("{}: there is no such option; see spiraling-edge --help", word));
+    }
+    if (word.find_first_of("./") != std::string::npos)
+        throw Failure(ExitCode::Input, word + ": there is no such file");
+    throw Failure(ExitCode::Usage,
+                  fmt::format("{}: is neither a verb nor a file; see spiraling-edge --help", word));
+}
+
+ExitCode dispatch(const Arguments& arguments) {
+    if (arguments.empty()) {
+        printHelp(stderr);
+        return ExitCode::Usage;
+    }
+    const std::string& word = arguments.front();
+    const Verb* second = arguments.size() > 1 ? findVerb(arguments[1]) : nullptr;
+    if (word == "help" && second != nullptr) return second->run({"--help"});
+    if (word == "-h" || word == "--help" || word == "help") {
+        printHelp(stdout);
+        return ExitCode::Good;
+    }
+    if (word == "--version") {
+        fmt::print("spiraling-edge {}\n", SPIRALING_EDGE_VERSION);
+        return ExitCode::Good;
+    }
+    if (const Verb* verb = findVerb(word))
+        return verb->run(Arguments(arguments.begin() + 1, arguments.end()));
+    return runWithoutVerb(arguments);
+}
+
+}  // namespace
+}  // namespace se::cli
+
+int main(int argc, char** argv) {
+    using se::cli::ExitCode;
+    const auto say = [](const char* message) {
+        std::fprintf(stderr, "spiraling-edge: %s\n", message);
+    };
+    ExitCode code = ExitCode::Internal;
+    try {
+        code = se::cli::dispatch(se::cli::Arguments(argv + 1, argv + argc));
+    } catch (const se::cli::Failure& failure) {
+        say(failure.what());
+        code = failure.code();
+    } catch (const std::bad_alloc&) {
+        say("out of memory");
+    } catch (const std::exception& problem) {
+        say(problem.what());
+    }
+    return static_cast<int>(code);
+}

@@ -1,0 +1,22 @@
+/// Sentences about meshes and points that `run` and `info` share.
+#pragma once
+
+#include <string>
+
+#include "spiraling_edge/mesh.h"
+#include "spiraling_edge/prepare.h"
+
+namespace se::cli {
+
+/// "366 triangles in 2 components, 64 boundary edges in 4 loops, Euler characteristic 1".
+std::string meshSentence(const MeshReport& mesh);
+/// "2 non-manifold edges, 1 flipped triangle"; empty if there is none.
+std::string defectSentence(const MeshReport& mesh);
+/// "15 not finite, 50 duplicates"; empty if nothing was set aside.
+std::string setAsideSentence(const PrepareReport& report);
+/// "1 edge", "2 edges".
+std::string counted(std::size_t count, const std::string& noun, const std::string& plural = "");
+/// Appends `part` to `list` behind a comma.
+void appendPart(std::string& list, const std::string& part);
+
+}  // namespace se::cli

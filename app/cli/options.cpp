@@ -1,0 +1,102 @@
+#include "options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace se::cli {
+namespace {
+
+/// Sets one switch from NAME=on or NAME=off.
+void applySwitch(const std::string& text, Rules& rules) {
+    const auto rows = ruleSwitches();
+    const std::size_t equals = text.find('=');
+    const std::string name = text.substr(0, equals);
+    const std::string value = equals == std::string::npos ? "" : text.substr(equals + 1);
+    const auto row =
+        std::find_if(rows.begin(), rows.end(), [&](const RuleSwitch& r) { return r.name == name; });
+    if (row == rows.end()) {
+        std::vector<std::string_view> names;
+        for (const RuleSwitch& r : rows) names.push_back(r.name);
+        throw Failure(ExitCode::Usage, fmt::format("--rule {}: there is no such rule; there are {}",
+                                                   text, fmt::join(names, ", ")));
+    }
+    if (value != "on" && value != "off") {
+        throw Failure(ExitCode::Usage,
+                      fmt::format("--rule {}: write {}=on or {}=off", text, name, name));
+    }
+    rules.*row->member = value == "on";
+}
+
+}  // namespace
+
+std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments) {
+    Arguments reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants them
+    try {
+        app.parse(reversed);
+    } catch (const CLI::CallForHelp&) {
+        fmt::print("{}", app.help());
+        return ExitCode::Good;
+    } catch (const CLI::ParseError& problem) {
+        throw Failure(ExitCode::Usage,
+                      fmt::format("{}; see {} --help", problem.what(), app.get_name()));
+    }
+    return std::nullopt;
+}
+
+void NeighborArguments::addTo(CLI::App& app) {
+    auto* count =
+        app.add_option("-k,--neighbors", count_,
+                       "Neighbors of a point: the K nearest (12 if the file has no lists)")
+            ->type_name("K");
+    app.add_option("-r,--radius", radius_, "Neighbors of a point: all within R, in scene units")
+        ->type_name("R")
+        ->excludes(count);
+    app.add_flag("--keep-opposing", keepOpposing_,
+                 "Also take neighbors whose normal opposes that of the point");
+}
+
+NeighborOptions NeighborArguments::options() const {
+    NeighborOptions options;
+    if (count_) {
+        if (*count_ == 0) throw Failure(ExitCode::Usage, "--neighbors 0: must be 1 or more");
+        options.reach = KNearest{*count_};
+    }
+    if (radius_) {
+        if (!(*radius_ > 0.0) || !std::isfinite(*radius_))
+            throw Failure(ExitCode::Usage, "--radius: must be a number above 0");
+        options.reach = WithinRadius{*radius_};
+    }
+    options.dropOpposingNormals = !keepOpposing_;
+    options.recompute = count_.has_value() || radius_.has_value();
+    return options;
+}
+
+void RuleArguments::addTo(CLI::App& app) {
+    app.add_option("--rules", setName_,
+                   fmt::format("How the paper is read: {}", fmt::join(paramSetNames(), ", ")))
+        ->type_name("SET")
+        ->capture_default_str();
+    app.add_option("--rule", switches_, "Turn one rule on or off, after --rules; may be repeated")
+        ->type_name("NAME=on|off")
+        ->allow_extra_args(false);
+    std::string footer = "\nRules (docs/choices.md):\n";
+    for (const RuleSwitch& rule : ruleSwitches())
+        footer += fmt::format("  {:<12} {:<4} {}\n", rule.name, rule.section, rule.summary);
+    footer.pop_back();
+    app.footer(footer);
+}
+
+Params RuleArguments::params() const {
+    std::optional<Params> params = paramsByName(setName_);
+    if (!params) {
+        throw Failure(ExitCode::Usage, fmt::format("--rules {}: there is no such set; there are {}",
+                                                   setName_, fmt::join(paramSetNames(), ", ")));
+    }
+    for (const std::string& text : switches_) applySwitch(text, params->rules);
+    return *params;
+}
+
+}  // namespace se::cli

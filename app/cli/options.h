@@ -1,0 +1,47 @@
+/// Arguments to params: the options that several verbs share.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exit_code.h"
+#include "spiraling_edge/params.h"
+#include "spiraling_edge/prepare.h"
+#include "verbs.h"
+
+namespace se::cli {
+
+/// Reads `arguments` into what `app` binds. Empty if the verb should go on; else the code to end
+/// with, after the help was printed. Throws Failure on wrong usage.
+std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments);
+
+/// How missing neighbor lists are made: --neighbors, --radius, --keep-opposing.
+class NeighborArguments {
+  public:
+    void addTo(CLI::App& app);
+    /// Lists in the file are used unless the user asks for others.
+    NeighborOptions options() const;
+    bool keepOpposing() const { return keepOpposing_; }
+
+  private:
+    std::optional<std::size_t> count_;
+    std::optional<double> radius_;
+    bool keepOpposing_ = false;
+};
+
+/// Which reading of the paper: --rules, --rule NAME=on|off.
+class RuleArguments {
+  public:
+    void addTo(CLI::App& app);
+    /// Throws Failure if there is no such set or switch.
+    Params params() const;
+    const std::string& setName() const { return setName_; }
+
+  private:
+    std::string setName_ = "paper";
+    std::vector<std::string> switches_;
+};
+
+}  // namespace se::cli

@@ -1,0 +1,38 @@
+#include "progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace se::cli {
+
+namespace {
+constexpr std::chrono::milliseconds kInterval{100};
+}  // namespace
+
+ProgressLine::ProgressLine(bool wanted)
+    : enabled_(wanted && ::isatty(STDERR_FILENO) == 1), last_(std::chrono::steady_clock::now()) {}
+
+ProgressLine::~ProgressLine() { clear(); }
+
+bool ProgressLine::due() {
+    if (!enabled_) return false;
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ < kInterval) return false;
+    last_ = now;
+    return true;
+}
+
+void ProgressLine::write(const std::string& what, double share) {
+    fmt::print(stderr, "\r{} {:3.0f} %", what, 100.0 * share);
+    std::fflush(stderr);
+    dirty_ = true;
+}
+
+void ProgressLine::clear() {
+    if (dirty_) fmt::print(stderr, "\r{:40}\r", "");
+    dirty_ = false;
+}
+
+}  // namespace se::cli

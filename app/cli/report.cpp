@@ -1,0 +1,185 @@
+#include "report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "mesh_text.h"
+
+namespace se::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostAlerts = 100;
+
+std::string_view endingName(Ending ending) {
+    switch (ending) {
+        case Ending::Finished:
+            return "finished";
+        case Ending::Capped:
+            return "capped";
+        case Ending::MaxPivots:
+            return "max_pivots";
+        case Ending::Interrupted:
+            return "interrupted";
+    }
+    return "";
+}
+
+void addCounters(const Counters& counters, Json& json) {
+    json["pivots"] = counters.pivots;
+    json["skipped"] = counters.skipped;
+    json["seeds"] = counters.seeds;
+    json["isolated"] = counters.isolated;
+    json["stranded"] = counters.stranded;
+    json["inserted"] = counters.inserted;
+    json["discarded"] = counters.discarded;
+    json["splits"] = counters.splits;
+    json["joins"] = counters.joins;
+    json["closed_rings"] = counters.closedRings;
+    json["freed_rings"] = counters.freedRings;
+    json["holes"] = counters.holes;
+    json["lost_seeds"] = counters.lostSeeds;
+    json["max_ring_length"] = counters.maxRingLength;
+    json["max_stack_depth"] = counters.maxStackDepth;
+}
+
+void addMesh(const MeshReport& mesh, Json& json) {
+    json["edges"] = mesh.edges;
+    json["boundary_edges"] = mesh.boundaryEdges;
+    json["boundary_loops"] = mesh.boundaryLoops;
+    json["non_manifold_edges"] = mesh.nonManifoldEdges;
+    json["non_manifold_vertices"] = mesh.nonManifoldVertices;
+    json["inconsistent_edges"] = mesh.inconsistentEdges;
+    json["degenerate_triangles"] = mesh.degenerateTriangles;
+    json["flipped_triangles"] = mesh.flippedTriangles;
+    json["unused_points"] = mesh.unusedPoints;
+    json["euler_characteristic"] = mesh.eulerCharacteristic;
+    json["closed_manifold"] = mesh.closedManifold();
+}
+
+void addFaults(const RunOutcome& outcome, Json& json) {
+    if (!outcome.faults) return;
+    for (std::size_t kind = 0; kind < kFaultKinds; ++kind) {
+        const std::string name(faultName(static_cast<FaultKind>(kind)));
+        json["faults"][name] = (*outcome.faults)[kind];
+    }
+}
+
+void addPreparation(const PrepareReport& report, Json& json) {
+    json["set_aside"] = {{"non_finite", report.nonFinitePoints},
+                         {"zero_normals", report.zeroNormals},
+                         {"duplicates", report.duplicatePoints}};
+    json["unscaled_normals"] = report.unscaledNormals;
+    json["dropped_list_entries"] = report.droppedListEntries;
+    json["neighbors_computed"] = report.neighborsComputed;
+}
+
+void addRules(const RunOutcome& outcome, Json& json) {
+    Json rules = {{"set", outcome.ruleSet}};
+    for (const RuleSwitch& rule : ruleSwitches())
+        rules[std::string(rule.name)] = outcome.params.rules.*rule.member;
+    rules["drop_opposing_normals"] = outcome.params.dropOpposingNormals;
+    json["rules"] = rules;
+}
+
+void addAlerts(const std::vector<Alert>& alerts, Json& json) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < std::min(alerts.size(), kMostAlerts); ++i) {
+        Json row = {{"kind", alertName(alerts[i].kind)}, {"pivot", alerts[i].pivot}};
+        row["point"] = alerts[i].point == kNone ? Json() : Json(alerts[i].point);
+        list.push_back(row);
+    }
+    json["alerts_total"] = alerts.size();
+    json["alerts"] = list;
+}
+
+/// "3 isolated, 2 stranded"; empty if every point found its place.
+std::string leftOverSentence(const RunOutcome& outcome) {
+    std::string text;
+    const auto add = [&](std::size_t count, const char* what) {
+        if (count > 0) appendPart(text, fmt::format("{} {}", count, what));
+    };
+    add(outcome.state.counters.isolated, "isolated");
+    add(outcome.state.counters.stranded, "stranded");
+    add(outcome.mesh.unusedPoints, "in no triangle");
+    return text;
+}
+
+std::string endingSentence(const RunOutcome& outcome) {
+    switch (outcome.ending) {
+        case Ending::Finished:
+            return "";
+        case Ending::Capped:
+            return fmt::format(
+                "stopped: more than {} triangles per point, the input is too tangled; see "
+                "docs/limitations.md",
+                outcome.params.maxTrianglesPerPoint);
+        case Ending::MaxPivots:
+            return fmt::format("stopped after {} pivots, as asked", outcome.state.counters.pivots);
+        case Ending::Interrupted:
+            return "interrupted";
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string faultSentence(const RunOutcome& outcome) {
+    std::string text;
+    for (std::size_t kind = 0; outcome.faults && kind < kFaultKinds; ++kind) {
+        const std::size_t count = (*outcome.faults)[kind];
+        if (count == 0) continue;
+        appendPart(text, fmt::format("{} {}", count, faultName(static_cast<FaultKind>(kind))));
+    }
+    return text;
+}
+
+std::string reportJson(const RunOutcome& outcome) {
+    Json json;
+    json["program"] = "spiraling-edge " SPIRALING_EDGE_VERSION;
+    json["input"] = outcome.input;
+    json["output"] = outcome.output.empty() ? Json() : Json(outcome.output);
+    json["stop_reason"] = endingName(outcome.ending);
+    json["points"] = outcome.mesh.points;
+    json["triangles"] = outcome.mesh.triangles;
+    json["components"] = outcome.mesh.components;
+    addCounters(outcome.state.counters, json);
+    addMesh(outcome.mesh, json);
+    addFaults(outcome, json);
+    addPreparation(outcome.prepared, json);
+    addRules(outcome, json);
+    json["state_hash"] = fmt::format("{:016x}", stateHash(outcome.state));
+    addAlerts(outcome.state.alerts, json);
+    json["seconds"] = {{"read", outcome.seconds.read},
+                       {"prepare", outcome.seconds.prepare},
+                       {"triangulate", outcome.seconds.triangulate},
+                       {"write", outcome.seconds.write}};
+    // File names need not be UTF-8; what is not is replaced.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string summaryText(const RunOutcome& outcome) {
+    std::string text =
+        fmt::format("{}: {}, {}\n", outcome.input, counted(outcome.mesh.points, "point"),
+                    meshSentence(outcome.mesh));
+    const auto addLine = [&](const char* label, const std::string& sentence) {
+        if (!sentence.empty()) text += fmt::format("  {:<10} {}\n", label, sentence);
+    };
+    addLine("set aside", setAsideSentence(outcome.prepared));
+    addLine("left over", leftOverSentence(outcome));
+    addLine("defects", defectSentence(outcome.mesh));
+    const std::size_t alerts = outcome.state.alerts.size();
+    if (alerts > 0) addLine("alerts", fmt::format("{}, listed by --report", alerts));
+    addLine("ended", endingSentence(outcome));
+    addLine("time", fmt::format("read {:.3f} s, prepare {:.3f} s, triangulate {:.3f} s",
+                                outcome.seconds.read, outcome.seconds.prepare,
+                                outcome.seconds.triangulate));
+    addLine("written",
+            outcome.output.empty() ? "nothing; name a file with -o OUT.ply" : outcome.output);
+    return text;
+}
+
+}  // namespace se::cli

@@ -1,0 +1,198 @@
+// spiraling-edge run: points in, mesh, report and trace out.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <filesystem>
+
+#include "input.h"
+#include "interrupt.h"
+#include "mesh_text.h"
+#include "options.h"
+#include "output.h"
+#include "progress.h"
+#include "report.h"
+#include "spiraling_edge/stepper.h"
+#include "trace.h"
+#include "verbs.h"
+
+namespace se::cli {
+namespace {
+
+struct RunArguments {
+    std::string input;
+    std::string output;
+    std::string report;
+    std::string trace;
+    std::optional<std::uint32_t> maxPivots;
+    bool check = false;
+    bool quiet = false;
+    RuleArguments rules;
+    NeighborArguments neighbors;
+
+    void addTo(CLI::App& app) {
+        app.add_option("IN", input, "File with points, - or scene:ID")->required();
+        app.add_option("-o,--output", output, "Write the mesh as PLY to this file, or - ")
+            ->type_name("OUT.ply");
+        rules.addTo(app);
+        neighbors.addTo(app);
+        app.add_option("--max-pivots", maxPivots, "Stop after N pivots and write what there is")
+            ->type_name("N");
+        app.add_option("--report", report, "Write counts and times as JSON to this file, or -")
+            ->type_name("FILE");
+        app.add_option("--trace", trace, "Write one line per decision to this file, or -")
+            ->type_name("FILE");
+        app.add_flag("--check", check,
+                     "Look for faults, crossing triangles included; end with 1 if there are any");
+        app.add_flag("-q,--quiet", quiet, "Only say what went wrong");
+    }
+
+    /// All mistakes that can be told before the work begins.
+    void validate() const {
+        const std::array targets{&output, &report, &trace};
+        const auto toStdout = std::count_if(targets.begin(), targets.end(),
+                                            [](const std::string* t) { return *t == "-"; });
+        if (toStdout > 1)
+            throw Failure(ExitCode::Usage, "only one of -o, --report and --trace can be -");
+        if (output == "-" && ::isatty(STDOUT_FILENO) == 1)
+            throw Failure(ExitCode::Usage, "-o -: will not write a binary file to a terminal");
+        const std::string extension = std::filesystem::path(output).extension().string();
+        if (!extension.empty() && extension != ".ply" && extension != ".PLY")
+            throw Failure(ExitCode::Usage, fmt::format("-o {}: only .ply is written", output));
+        requireWritable(output, "-o");
+        requireWritable(report, "--report");
+        requireWritable(trace, "--trace");
+    }
+};
+
+/// Seconds since the last call.
+class StopWatch {
+  public:
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        const std::chrono::duration<double> passed = now - last_;
+        last_ = now;
+        return passed.count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+double shareDone(const State& state) {
+    const auto done = std::count(state.status.begin(), state.status.end(), kDone);
+    return state.status.empty()
+               ? 1.0
+               : static_cast<double>(done) / static_cast<double>(state.status.size());
+}
+
+Prepared prepareInput(const PointFile& file, const NeighborOptions& options,
+                      const std::string& name, ProgressLine& line) {
+    Result<Prepared> prepared = prepare(file, options, [&](double share) {
+        if (line.due()) line.write("neighbors", share);
+        return !interrupted();
+    });
+    line.clear();
+    if (interrupted()) throw Failure(ExitCode::Interrupted, "interrupted; nothing was written");
+    if (!prepared) throw Failure(ExitCode::Input, name + ": " + prepared.error().message);
+    return std::move(prepared.value());
+}
+
+/// The run itself; with a trace, every pivot's events are written as soon as it is complete.
+Ending triangulate(Stepper& stepper, std::optional<std::uint32_t> maxPivots, TraceWriter& trace,
+                   ProgressLine& line) {
+    constexpr std::uint32_t kAskEvery = 64;
+    EventLog log;
+    if (trace.active()) stepper.setLog(&log);
+    const auto flush = [&] {
+        if (!trace.active()) return;
+        trace.write(log.events());
+        log.clear();
+    };
+    Ending ending = Ending::Finished;
+    const State& state = stepper.state();
+    if (maxPivots == 0U) return Ending::MaxPivots;
+    const StopReason reason = stepper.runUntil([&](const State&) {
+        flush();
+        const std::uint32_t pivots = state.counters.pivots;
+        if (maxPivots && pivots >= *maxPivots) ending = Ending::MaxPivots;
+        if (pivots % kAskEvery != 0) return ending != Ending::Finished;
+        if (interrupted()) ending = Ending::Interrupted;
+        if (line.due()) line.write("points done", shareDone(state));
+        return ending != Ending::Finished;
+    });
+    flush();
+    line.clear();
+    // Even a run that has just ended does not write anything after Ctrl+C.
+    if (interrupted()) return Ending::Interrupted;
+    return reason == StopReason::Capped ? Ending::Capped : ending;
+}
+
+void writeMesh(const std::string& path, const PointFile& file, const std::vector<Triangle>& mesh) {
+    if (path == "-") return writeOutput(path, meshPlyBytes(file, mesh));
+    const Status status = writeMeshPly(path, file, mesh);
+    if (!status) throw Failure(ExitCode::Internal, status.error().message);
+}
+
+/// Prints what a person should know and finds the exit code.
+ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
+    if (!arguments.report.empty()) writeOutput(arguments.report, reportJson(outcome));
+    if (outcome.ending == Ending::Interrupted)
+        throw Failure(ExitCode::Interrupted, "interrupted; no mesh was written");
+    if (arguments.report.empty() && !arguments.quiet)
+        fmt::print(stderr, "{}", summaryText(outcome));
+    if (outcome.ending == Ending::Capped) {
+        throw Failure(ExitCode::CheckFailed,
+                      fmt::format("{}: stopped at {}, more than a surface can have; the mesh so "
+                                  "far is no surface. See docs/limitations.md",
+                                  outcome.input, counted(outcome.mesh.triangles, "triangle")));
+    }
+    const std::string faults = faultSentence(outcome);
+    if (faults.empty()) return ExitCode::Good;
+    throw Failure(ExitCode::CheckFailed, outcome.input + ": the mesh has faults: " + faults);
+}
+
+}  // namespace
+
+ExitCode runVerb(const Arguments& words) {
+    RunArguments arguments;
+    CLI::App app("Triangulates points with normals.", "spiraling-edge run");
+    arguments.addTo(app);
+    if (const auto code = parseArguments(app, words)) return *code;
+    arguments.validate();
+    RunOutcome outcome;
+    outcome.input = arguments.input;
+    outcome.ruleSet = arguments.rules.setName();
+    outcome.params = arguments.rules.params();
+    NeighborOptions options = arguments.neighbors.options();
+    if (arguments.neighbors.keepOpposing()) outcome.params.dropOpposingNormals = false;
+    options.dropOpposingNormals = outcome.params.dropOpposingNormals;
+
+    catchInterrupts();
+    ProgressLine line(!arguments.quiet);
+    TraceWriter trace(arguments.trace);
+    StopWatch watch;
+    const PointFile file = readInput(arguments.input);
+    outcome.seconds.read = watch.lap();
+    const Prepared prepared = prepareInput(file, options, arguments.input, line);
+    outcome.prepared = prepared.report;
+    outcome.seconds.prepare = watch.lap();
+    Stepper stepper(prepared.points, outcome.params);
+    outcome.ending = triangulate(stepper, arguments.maxPivots, trace, line);
+    outcome.state = stepper.takeState();
+    outcome.seconds.triangulate = watch.lap();
+    if (outcome.ending != Ending::Interrupted) {
+        trace.commit();
+        if (!arguments.output.empty()) writeMesh(arguments.output, file, outcome.state.triangles);
+        outcome.output = arguments.output;
+        outcome.seconds.write = watch.lap();
+    }
+    outcome.mesh = reportMesh(prepared.points, outcome.state.triangles);
+    if (arguments.check)
+        outcome.faults = countFaults(findFaults(prepared.points, outcome.state.triangles));
+    return conclude(arguments, outcome);
+}
+
+}  // namespace se::cli
