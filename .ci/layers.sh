@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# Checks what the compiler does not: which part may include which, that every source file is named
+# in a CMakeLists.txt, and the limits of size. Prints every breach; fails if there is one.
+set -uo pipefail
+cd "$(dirname "$0")/.." || exit 1
+breaches=0
+
+breach() {
+    echo "$*"
+    breaches=$((breaches + 1))
+}
+
+# sources FOLDER: the C++ files below a folder.
+sources() { find "$1" -name '*.cpp' -o -name '*.h' | sort; }
+
+# no PATTERN WHY FILES...: no line of these files may match.
+no() {
+    local pattern=$1 why=$2 found
+    shift 2
+    [ $# -gt 0 ] || return 0
+    found=$(grep -nHE "$pattern" "$@") || return 0
+    while read -r line; do breach "$why: $line"; done <<<"$found"
+}
+
+include() { printf '^[[:space:]]*#[[:space:]]*include[[:space:]]*[<"](%s)' "$1"; }
+
+window='glad/|GL/|GLES|EGL/|GLFW/|KHR/|imgui|backends/'
+programs='CLI/|nlohmann/|fmt/|stb'
+
+mapfile -t core < <(sources core)
+mapfile -t cli < <(sources app/cli)
+mapfile -t viewer < <(sources app/viewer)
+# in_viewer PATTERN: the files of the viewer whose path below app/viewer matches.
+in_viewer() { printf '%s\n' "${viewer[@]}" | grep -E "^app/viewer/$1"; }
+mapfile -t gl < <(in_viewer 'gl/')
+mapfile -t not_gl < <(printf '%s\n' "${viewer[@]}" | grep -vE '^app/viewer/(gl/|offscreen|window|main|application)')
+mapfile -t layers < <(in_viewer 'layers/')
+mapfile -t panels < <(in_viewer 'panels/')
+mapfile -t plain < <(in_viewer '(session|playback|camera|picking|palette|draw_list|model|overview|pivot_record|runner|settings)\.')
+
+# core -> GLM, the standard library, nanoflann in prepare*.cpp; it prints nothing.
+no "$(include "$window|$programs|app/|viewer|cli/|benchmark|doctest")" "core must not know" "${core[@]}"
+mapfile -t not_prepare < <(printf '%s\n' "${core[@]}" | grep -v '/prepare')
+no "$(include nanoflann)" "only prepare*.cpp may use nanoflann" "${not_prepare[@]}"
+no '(^|[^a-z_:])(std::)?(printf|puts|fprintf|cout|cerr|clog)\b' "core prints nothing" "${core[@]}"
+mapfile -t public < <(sources core/include)
+no '^#include "([^s]|s[^p])' "public headers include as spiraling_edge/..." "${public[@]}"
+# cli -> core
+no "$(include "$window|viewer|\\.\\./viewer|glm/gtc|stb")" "the command line must not know" "${cli[@]}"
+# viewer: gl -> draw_list; layers -> draw_list; panels -> commands -> session -> core
+no "$(include 'glad/|EGL/|KHR/')" "only gl/ may call OpenGL" "${not_gl[@]}"
+no "$(include '\.\./(panels|layers)/|panels/|layers/|\.\./session|session|imgui\.h')" "gl/ draws and knows no more" "${gl[@]}"
+no "$(include 'imgui|GLFW/|\.\./panels/|panels/|\.\./gl/|gl/|(\.\./)?session')" "layers make draw lists and know no more" "${layers[@]}"
+no "$(include '\.\./gl/|gl/|glad/|GLFW/')" "panels must not draw by themselves" "${panels[@]}"
+no "$(include 'imgui|GLFW/|glad/|gl/|panels/')" "this part works without a window" "${plain[@]}"
+
+# Explicit lists forget.
+while read -r file; do
+    name=${file##*/}
+    folder=$(dirname "$file")
+    found=no
+    while [ "$folder" != . ] && [ "$found" = no ]; do
+        if [ -f "$folder/CMakeLists.txt" ] && grep -qE "(^|[ /(\"])$name" "$folder/CMakeLists.txt"; then
+            found=yes
+        fi
+        folder=$(dirname "$folder")
+    done
+    [ "$found" = yes ] || breach "in no CMakeLists.txt: $file"
+done < <(find core app tests -name '*.cpp' -not -path 'tests/consumer/*')
+
+# Limits of size.
+while read -r file; do
+    lines=$(wc -l <"$file")
+    [ "$lines" -le 500 ] || breach "over 500 lines: $file ($lines)"
+done < <(sources core; sources app)
+lines=$(wc -l <README.md)
+{ [ "$lines" -ge 80 ] && [ "$lines" -le 160 ]; } || breach "README.md has $lines lines, not 80 to 160"
+
+echo "layers: $breaches breaches in $((${#core[@]} + ${#cli[@]} + ${#viewer[@]})) files"
+[ "$breaches" = 0 ]

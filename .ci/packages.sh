@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# The one list of Debian packages that the project needs, and their installation.
+#   packages.sh run     to build and run the programs
+#   packages.sh test    to build and run the tests, too
+# Installs what is missing, as root or with sudo; does nothing, quickly, if nothing is.
+set -euo pipefail
+
+run=(
+    g++ cmake ninja-build pkg-config ccache
+    libglm-dev libnanoflann-dev                        # core
+    libcli11-dev nlohmann-json3-dev libfmt-dev         # programs
+    libglfw3-dev libimgui-dev libstb-dev python3-glad  # viewer
+    libegl-dev libegl1 libgl1 libgl1-mesa-dri          # OpenGL, in software if need be
+    fonts-dejavu-core fonts-inter
+)
+test=(
+    doctest-dev libbenchmark-dev
+    clang-format-14 clang-tidy-16
+    xvfb xauth xdotool x11-utils x11-xserver-utils imagemagick  # the viewer under a virtual display
+)
+
+case "${1:-}" in
+    run) wanted=("${run[@]}") ;;
+    test) wanted=("${run[@]}" "${test[@]}") ;;
+    *) sed -n '2,5p' "$0" >&2; exit 2 ;;
+esac
+
+if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+    echo "Not a Debian system: please see to it that these are there: ${wanted[*]}" >&2
+    exit 0
+fi
+
+# Packages of the list that are not installed, one per line.
+missing() {
+    local installed
+    installed=$(dpkg-query -W -f='${Package} ${db:Status-Status}\n' "${wanted[@]}" 2>/dev/null |
+        sed -n 's/ installed$//p')
+    printf '%s\n' "${wanted[@]}" | grep -vxF -e "$installed" || true
+}
+
+mapfile -t needed < <(missing)
+[ "${#needed[@]}" -gt 0 ] || exit 0
+
+sudo=()
+if [ "$(id -u)" != 0 ]; then
+    if ! command -v sudo >/dev/null; then
+        echo "Please install as root: apt-get install ${needed[*]}" >&2
+        exit 1
+    fi
+    sudo=(sudo)
+fi
+echo "Installing: ${needed[*]}" >&2
+export DEBIAN_FRONTEND=noninteractive
+apt=("${sudo[@]}" apt-get -o DPkg::Lock::Timeout=600 -o Acquire::Retries=3 -qq)
+"${apt[@]}" update >&2
+"${apt[@]}" install -y --no-install-recommends "${needed[@]}" >&2
