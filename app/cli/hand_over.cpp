@@ -37,17 +37,21 @@ ExitCode viewVerb(const Arguments& words) { becomeViewer(words); }
 
 ExitCode renderVerb(const Arguments& words) {
     CLI::App app(
-        "Writes a picture of a finished run without opening a window. Further options go "
+        "Writes a picture of a run without opening a window. Further options go "
         "to spiraling-edge-viewer.",
         "spiraling-edge render");
     std::string input;
     std::string picture;
+    std::string place = "100%";
     app.add_option("IN", input, "File with points or scene:ID")->required();
     app.add_option("-o,--output", picture, "Picture to write")->type_name("OUT.png")->required();
+    app.add_option("--goto", place, "Place in the run: PIVOT[.STAGE[.N]] or a share")
+        ->type_name("WHERE")
+        ->capture_default_str();
     app.allow_extras();
     if (const auto code = parseArguments(app, words)) return *code;
     requireWritable(picture, "-o");
-    Arguments arguments{input, "--screenshot", picture};
+    Arguments arguments{input, "--goto", place, "--screenshot", picture};
     for (const std::string& word : app.remaining()) arguments.push_back(word);
     becomeViewer(arguments);
 }

@@ -1,0 +1,13 @@
+/// Inputs of the benchmarks, of the size of the paper's largest set.
+#pragma once
+
+#include "spiraling_edge/io.h"
+
+namespace se::bench {
+
+/// Even points on the unit sphere, on a spiral from pole to pole.
+PointFile sphere(std::size_t count);
+/// Points on a torus of radii 1 and 0.4, on a helix around its tube.
+PointFile torus(std::size_t count);
+
+}  // namespace se::bench

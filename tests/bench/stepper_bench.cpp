@@ -1,0 +1,155 @@
+// How fast a run is, and what recording its events costs. Baseline in the same process: sorting the
+// neighbors of every point once by angle, which is the least that any such algorithm does.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <map>
+#include <numeric>
+#include <string>
+
+#include "shapes.h"
+#include "spiraling_edge/prepare.h"
+#include "spiraling_edge/rules.h"
+#include "spiraling_edge/stepper.h"
+
+namespace se::bench {
+namespace {
+
+constexpr std::size_t kCount = 43000;  // as many as in the paper's lobster
+
+PointFile load(const std::string& name) {
+    if (name == "sphere") return sphere(kCount);
+    if (name == "torus") return torus(kCount);
+#ifdef SPIRALING_EDGE_SHARED_DATA
+    auto file =
+        readPoints(std::filesystem::path(SPIRALING_EDGE_SHARED_DATA "/points/table1_lobster.ply"));
+    if (file) return std::move(file.value());
+#endif
+    return {};
+}
+
+const PointFile& fileOf(const std::string& name) {
+    static std::map<std::string, PointFile> files;
+    const auto [place, isNew] = files.try_emplace(name);
+    if (isNew) place->second = load(name);
+    return place->second;
+}
+
+/// Points with neighbor lists; empty if there is no such input here.
+const PointSet& pointsOf(const std::string& name) {
+    static std::map<std::string, PointSet> sets;
+    const auto [place, isNew] = sets.try_emplace(name);
+    if (isNew && !fileOf(name).position.empty()) {
+        auto prepared = prepare(fileOf(name), NeighborOptions{});
+        if (prepared) place->second = std::move(prepared.value().points);
+    }
+    return place->second;
+}
+
+bool skipIfAbsent(benchmark::State& bench, const PointSet& points) {
+    if (points.empty()) bench.SkipWithError("no such input here");
+    return points.empty();
+}
+
+void countPoints(benchmark::State& bench, const PointSet& points) {
+    bench.SetItemsProcessed(bench.iterations() * static_cast<std::int64_t>(points.size()));
+}
+
+void sortNeighborsOnce(benchmark::State& bench, const std::string& name) {
+    const PointSet& points = pointsOf(name);
+    if (skipIfAbsent(bench, points)) return;
+    std::vector<std::pair<double, Index>> ring;
+    for (auto _ : bench) {
+        double sum = 0.0;
+        for (Index p = 0; p < points.size(); ++p) {
+            const auto list = points.neighbors[p];
+            if (list.empty()) continue;
+            const Vec3& origin = points.position[p];
+            const Frame frame = makeFrame(origin, points.normal[p], points.position[list[0]]);
+            ring.clear();
+            for (const Index q : list)
+                ring.emplace_back(angleOf(frame, points.position[q] - origin).key, q);
+            std::sort(ring.begin(), ring.end());
+            sum += ring.back().first;
+        }
+        benchmark::DoNotOptimize(sum);
+    }
+    countPoints(bench, points);
+}
+
+void triangulate(benchmark::State& bench, const std::string& name, const std::string& rules) {
+    const PointSet& points = pointsOf(name);
+    if (skipIfAbsent(bench, points)) return;
+    const Params params = paramsByName(rules).value_or(Params{});
+    std::size_t triangles = 0;
+    for (auto _ : bench) {
+        Stepper stepper(points, params);
+        stepper.run();
+        triangles = stepper.state().triangles.size();
+        benchmark::DoNotOptimize(triangles);
+    }
+    bench.counters["triangles"] = static_cast<double>(triangles);
+    countPoints(bench, points);
+}
+
+/// `keep`: all events stay in memory; else those of a pivot are dropped when it is complete.
+void triangulateWithLog(benchmark::State& bench, const std::string& name, bool keep) {
+    const PointSet& points = pointsOf(name);
+    if (skipIfAbsent(bench, points)) return;
+    std::size_t events = 0;
+    for (auto _ : bench) {
+        EventLog log;
+        Stepper stepper(points, Params{}, &log);
+        events = 0;
+        stepper.runUntil([&](const State&) {
+            if (keep) return false;
+            events += log.events().size();
+            log.clear();
+            return false;
+        });
+        events += log.events().size();
+    }
+    bench.counters["events"] = static_cast<double>(events);
+    countPoints(bench, points);
+}
+
+void findNeighborLists(benchmark::State& bench, const std::string& name) {
+    const PointFile& file = fileOf(name);
+    const PointSet& points = pointsOf(name);
+    if (skipIfAbsent(bench, points)) return;
+    const std::vector<bool> usable(file.position.size(), true);
+    for (auto _ : bench) {
+        auto lists = findNeighbors(file.position, file.normal, usable, NeighborOptions{});
+        benchmark::DoNotOptimize(lists);
+    }
+    countPoints(bench, points);
+}
+
+void registerAll(const std::string& name) {
+    const auto add = [&](const std::string& what, auto function, auto... arguments) {
+        const std::string title = what + "/" + name;
+        benchmark::RegisterBenchmark(
+            title.c_str(), [=](benchmark::State& bench) { function(bench, name, arguments...); })
+            ->Unit(benchmark::kMillisecond)
+            ->MinTime(0.3);
+    };
+    add("baseline_sort", sortNeighborsOnce);
+    for (const std::string_view rules : paramSetNames())
+        add("triangulate_" + std::string(rules), triangulate, std::string(rules));
+    add("triangulate_log_cleared", triangulateWithLog, false);
+    add("triangulate_log_kept", triangulateWithLog, true);
+    add("neighbors", findNeighborLists);
+}
+
+}  // namespace
+}  // namespace se::bench
+
+int main(int argc, char** argv) {
+    for (const char* name : {"sphere", "torus", "lobster"}) se::bench::registerAll(name);
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}

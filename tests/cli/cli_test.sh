@@ -1,0 +1,375 @@
+#!/usr/bin/env bash
+# Drives the program as a person or a script would.
+#   cli_test.sh PROGRAM CASE    runs one case, in an empty folder of its own
+set -uo pipefail
+program=$(realpath "$1")
+here=$(cd "$(dirname "$0")" && pwd)
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+failed=0
+
+fail() {
+    echo "FAIL: $*"
+    failed=1
+}
+
+# expect CODE ARGUMENTS...: runs the program; its output is in `out` and `err` afterwards.
+expect() {
+    local wanted=$1 code=0
+    shift
+    "$program" "$@" >out 2>err </dev/null || code=$?
+    [ "$code" = "$wanted" ] || fail "\`spiraling-edge $*\` ended with $code, not $wanted: $(cat err)"
+}
+
+says() { grep -qF -- "$2" "$1" || fail "'$2' is not in $1: $(head -c 2000 "$1")"; }
+empty() { [ ! -s "$1" ] || fail "$1 should be empty: $(head -c 500 "$1")"; }
+absent() { [ ! -e "$1" ] || fail "$1 should not exist"; }
+# number FIELD FILE: the number of a field of a JSON report.
+number() { sed -n "s/^ *\"$1\": \\(-\\{0,1\\}[0-9.e+-]*\\),\\{0,1\\}\$/\\1/p" "$2" | head -1; }
+is() { [ "$1" = "$2" ] || fail "$3: $1, not $2"; }
+header_count() { head -c 2000 "$2" | tr -d '\0' | grep -a "^element $1 " | cut -d' ' -f3; }
+
+# The corners of an octahedron, as XYZ with normals: closes with 8 triangles.
+octahedron() {
+    printf '%s\n' '1 0 0 1 0 0' '-1 0 0 -1 0 0' '0 1 0 0 1 0' '0 -1 0 0 -1 0' '0 0 1 0 0 1' \
+        '0 0 -1 0 0 -1'
+}
+
+cases_are_listed() {
+    grep -oE '^[a-z_]+\(\) \{$' "$here/cli_test.sh" | tr -d '(){ ' | sort >defined
+    sed -n '/^set(cases/,/^)/p' "$here/CMakeLists.txt" | grep -oE '^    [a-z_]+' | tr -d ' ' |
+        sort >listed
+    printf '%s\n' expect fail octahedron | sort >helpers
+    comm -23 defined helpers | diff - listed || fail "cases and list differ"
+}
+
+help_and_version() {
+    expect 0 --help
+    for verb in run info scenes view render; do says out "  $verb "; done
+    empty err
+    expect 0 --version
+    grep -qE '^spiraling-edge [0-9]+\.[0-9]+\.[0-9]+$' out || fail "version: $(cat out)"
+    for verb in run info scenes render; do
+        expect 0 $verb --help
+        says out "Usage: spiraling-edge $verb"
+    done
+    expect 0 help run
+    says out "--max-pivots"
+    says out "closetwo"
+    expect 2
+    says err "Usage:"
+    empty out
+}
+
+unknown_verb_is_wrong_usage() {
+    expect 2 triangulate
+    says err "triangulate: is neither a verb nor a file"
+    empty out
+}
+
+unknown_option_is_wrong_usage() {
+    expect 2 --frobnicate
+    expect 2 run scene:sphere --frobnicate
+    says err "--frobnicate"
+    expect 2 run
+    says err "IN is required"
+    expect 2 run scene:sphere scene:torus
+}
+
+wrong_values_are_wrong_usage() {
+    expect 2 run scene:sphere --rules strict
+    says err "paper, printed"
+    expect 2 run scene:sphere --rule closetwo
+    says err "closetwo=on"
+    expect 2 run scene:sphere --rule unknown=on
+    says err "there is no such rule"
+    expect 2 run scene:sphere --neighbors 0
+    expect 2 run scene:sphere --neighbors many
+    expect 2 run scene:sphere --neighbors -3
+    expect 2 run scene:sphere --radius 0
+    expect 2 run scene:sphere --radius nan
+    expect 2 run scene:sphere --radius 1 --neighbors 5
+    expect 2 run scene:sphere --max-pivots -1
+    expect 2 run scene:sphere -o mesh.obj
+    says err "only .ply"
+    expect 2 run scene:sphere -o - --trace -
+    expect 2 run scene:sphere --report - --trace -
+}
+
+missing_file_is_missing_input() {
+    expect 3 run missing.ply -o mesh.ply
+    says err "missing.ply: there is no such file"
+    absent mesh.ply
+    expect 3 info missing.ply
+    expect 3 missing.ply
+    expect 3 run .
+    says err "is a folder"
+}
+
+malformed_file_is_malformed_input() {
+    printf 'ply\nformat ascii 1.0\nelement vertex 5\n' >cut.ply
+    expect 3 run cut.ply -o mesh.ply
+    says err "cut.ply"
+    absent mesh.ply
+    : >empty.xyz
+    expect 3 run empty.xyz
+    head -c 3000 /dev/zero >zero.bin
+    expect 3 info zero.bin
+}
+
+no_normals_is_malformed_input() {
+    printf '0 0 0\n1 0 0\n0 1 0\n' >bare.xyz
+    expect 3 run bare.xyz
+    says err "normals"
+    expect 0 info bare.xyz
+    says out "none: the file cannot be triangulated"
+}
+
+unknown_scene_is_missing_input() {
+    expect 3 run scene:nowhere
+    says err "spiraling-edge scenes"
+}
+
+run_writes_a_mesh() {
+    octahedron >points.xyz
+    expect 0 run points.xyz -o mesh.ply
+    is "$(header_count vertex mesh.ply)" 6 points
+    is "$(header_count face mesh.ply)" 8 triangles
+    says err "6 points, 8 triangles in 1 component, no boundary, Euler characteristic 2"
+    empty out
+    expect 0 run mesh.ply -o again.ply # a mesh is points with normals, too
+    cmp mesh.ply again.ply || fail "a mesh that is run again changes"
+    is "$(ls | sort | tr '\n' ' ')" "again.ply err mesh.ply out points.xyz " files
+}
+
+run_reads_standard_input() {
+    octahedron >points.xyz
+    "$program" run - --report - <points.xyz >out 2>err || fail "code $?"
+    is "$(number triangles out)" 8 triangles
+    says out '"input": "-"'
+}
+
+run_writes_standard_output() {
+    octahedron >points.xyz
+    expect 0 run points.xyz -o - -q
+    cp out piped.ply
+    expect 0 run points.xyz -o mesh.ply
+    cmp mesh.ply piped.ply || fail "file and pipe differ"
+}
+
+report_has_every_field() {
+    expect 0 run scene:torus --report report.json
+    empty err
+    for field in points triangles pivots components isolated stranded splits joins max_ring_length \
+        max_stack_depth boundary_edges boundary_loops non_manifold_edges inconsistent_edges \
+        degenerate_triangles unused_points euler_characteristic flipped_triangles \
+        non_manifold_vertices seeds skipped discarded closed_rings freed_rings holes lost_seeds \
+        non_finite zero_normals duplicates unscaled_normals dropped_list_entries alerts_total \
+        read prepare triangulate write; do
+        [[ "$(number $field report.json)" =~ ^-?[0-9] ]] || fail "no number $field"
+    done
+    for field in state_hash neighbors_computed rules stop_reason alerts set_aside seconds; do
+        says report.json "\"$field\": "
+    done
+    grep -qE '"state_hash": "[0-9a-f]{16}"' report.json || fail "state_hash"
+    is "$(number euler_characteristic report.json)" 0 "Euler characteristic of a torus"
+    is "$(number boundary_edges report.json)" 0 "boundary edges of a torus"
+    says report.json '"stop_reason": "finished"'
+}
+
+report_to_standard_output_is_all_there() {
+    expect 0 run scene:torus --report -
+    is "$(head -c 1 out)" "{" begin
+    is "$(tail -n 1 out)" "}" end
+    empty err
+}
+
+same_input_gives_the_same_bytes() {
+    for i in 1 2; do
+        expect 0 run scene:torus -o mesh$i.ply --trace trace$i.txt --report report$i.json
+        sed -i '/"seconds"/,$d; s/mesh[12]/mesh/' report$i.json
+    done
+    cmp mesh1.ply mesh2.ply || fail "meshes differ"
+    cmp trace1.txt trace2.txt || fail "traces differ"
+    cmp report1.json report2.json || fail "reports differ"
+}
+
+trace_has_one_line_per_event() {
+    octahedron >points.xyz
+    expect 0 run points.xyz --trace - -q
+    tab=$(printf '\t')
+    bad=$(grep -cvE "^[0-9]+\.[a-z]+\.[0-9]+$tab[^$tab]+\$" out)
+    is "$bad" 0 "lines that are not ADDRESS<tab>SENTENCE"
+    is "$(cut -f1 out | sort | uniq -d | wc -l)" 0 "addresses that stand twice"
+    is "$(head -1 out | cut -f1)" 1.seed.1 "first event"
+    is "$(grep -c '\.emit\.' out)" 8 "emitted triangles"
+    expect 0 run points.xyz --trace trace.txt -q
+    cmp out trace.txt 2>/dev/null || "$program" run points.xyz --trace - -q 2>/dev/null | cmp - trace.txt ||
+        fail "file and pipe differ"
+}
+
+max_pivots_stops_early() {
+    expect 0 run scene:torus --max-pivots 10 --report report.json -o mesh.ply
+    is "$(number pivots report.json)" 10 pivots
+    says report.json '"stop_reason": "max_pivots"'
+    is "$(header_count face mesh.ply)" "$(number triangles report.json)" triangles
+    expect 0 run scene:torus --max-pivots 0 --report report.json
+    is "$(number pivots report.json)" 0 pivots
+}
+
+rules_change_the_report() {
+    expect 0 run scene:sphere --report paper.json
+    says paper.json '"set": "paper"'
+    says paper.json '"closetwo": true'
+    "$program" run scene:sphere --rules printed --report printed.json >out 2>err
+    says printed.json '"closetwo": false'
+    says printed.json '"drop_opposing_normals": false'
+    "$program" run scene:sphere --rules printed --rule closetwo=on --rule realhole=on \
+        --report mixed.json >out 2>err
+    says mixed.json '"closetwo": true'
+    says mixed.json '"realhole": true'
+    says mixed.json '"freesector": false'
+}
+
+radius_and_neighbors() {
+    expect 0 run scene:sphere --neighbors 16 --report k.json
+    expect 0 run scene:sphere -r 0.3 --report r.json
+    is "$(number euler_characteristic r.json)" 2 "sphere by radius"
+    expect 0 run scene:sphere -k 3 --report few.json
+    [ "$(number state_hash few.json)" != "$(number state_hash k.json)" ] ||
+        [ "$(number triangles few.json)" != "$(number triangles k.json)" ] ||
+        fail "--neighbors changes nothing"
+    expect 0 run scene:sphere --keep-opposing --report keep.json
+    says keep.json '"drop_opposing_normals": false'
+}
+
+check_finds_faults() {
+    octahedron >points.xyz
+    expect 0 run points.xyz --check --report report.json
+    is "$(number flipped report.json)" 0 "flipped triangles"
+    # The same corners with the normal of one turned inwards.
+    octahedron | sed 's/^1 0 0 1 0 0$/1 0 0 -1 0.1 0/' >flipped.xyz
+    expect 1 run flipped.xyz --keep-opposing --check --rules printed -q
+    says err "the mesh has faults"
+}
+
+output_folder_is_checked_first() {
+    for option in -o --report --trace; do
+        expect 2 run scene:sphere $option none/file.ply
+        says err "there is no folder none"
+        expect 2 run scene:sphere $option .
+        says err "is a folder"
+    done
+    # Before the input is looked at.
+    expect 2 run missing.ply -o none/mesh.ply
+}
+
+failure_leaves_no_file() {
+    printf 'ply\nformat ascii 1.0\nelement vertex 5\n' >cut.ply
+    expect 3 run cut.ply -o mesh.ply --trace trace.txt --report report.json
+    is "$(ls | sort | tr '\n' ' ')" "cut.ply err out " files
+    expect 5 run scene:sphere -o /dev/full
+    says err "cannot be written"
+    expect 5 run scene:sphere --trace /dev/full
+}
+
+interrupt_leaves_no_file() {
+    # Points arrive by a pipe that stays open, so that the signal comes before the work begins.
+    mkfifo pipe
+    # `env`: a shell starts background programs with Ctrl+C ignored; this undoes it.
+    env --default-signal=INT "$program" run - -o mesh.ply --trace trace.txt <pipe >out 2>err &
+    local process=$!
+    exec 3>pipe
+    octahedron >&3
+    sleep 0.5
+    kill -INT $process
+    exec 3>&-
+    local code=0
+    wait $process || code=$?
+    is "$code" 130 "exit code"
+    says err interrupted
+    is "$(ls | sort | tr '\n' ' ')" "err out pipe " files
+}
+
+quiet_says_nothing() {
+    expect 0 run scene:sphere -o mesh.ply -q
+    empty out
+    empty err
+    expect 0 run scene:sphere
+    says err "nothing; name a file with -o"
+}
+
+info_tells_what_a_file_holds() {
+    octahedron >points.xyz
+    expect 0 info points.xyz
+    says out "points.xyz: 6 points"
+    says out "normals    yes"
+    expect 0 run points.xyz -o mesh.ply -q
+    expect 0 info mesh.ply --json
+    is "$(number points out)" 6 points
+    is "$(number triangles out)" 8 triangles
+    says out '"closed_manifold": true'
+    expect 0 info scene:sheet
+    says out "on a wall"
+}
+
+info_counts_what_is_wrong() {
+    {
+        octahedron
+        echo '1 0 0 1 0 0'     # a copy
+        echo '5 0 0 0 0 0'     # no direction
+        echo 'nan 0 0 1 0 0'   # nowhere
+        echo '0 0 1.5 0 0 7'   # not of unit length
+    } >odd.xyz
+    expect 0 info odd.xyz --json
+    is "$(number duplicates out)" 1 duplicates
+    is "$(number zero_normals out)" 1 "zero normals"
+    is "$(number non_finite out)" 1 "not finite"
+    is "$(number unscaled_normals out)" 1 "not of unit length"
+}
+
+scenes_are_listed() {
+    expect 0 scenes
+    grep -qvE '^scene:[a-z0-9-]+  +[A-Z]' out && fail "odd lines: $(cat out)"
+    [ "$(wc -l <out)" -ge 3 ] || fail "fewer than three scenes"
+    local lines
+    lines=$(wc -l <out)
+    expect 0 scenes --json
+    is "$(grep -c '"id"' out)" "$lines" "scenes in JSON"
+}
+
+every_scene_runs() {
+    "$program" scenes | cut -d' ' -f1 >list
+    while read -r scene; do
+        expect 0 run "$scene" --report report.json
+        says report.json '"stop_reason": "finished"'
+    done <list
+}
+
+view_without_viewer_says_so() {
+    mkdir alone
+    cp "$program" alone/
+    program="$folder/alone/spiraling-edge" # the viewer is not beside it
+    for command in "view scene:sphere" "scene:sphere" "render scene:sphere -o picture.png"; do
+        # shellcheck disable=SC2086
+        expect 4 $command
+        says err "alone/spiraling-edge-viewer"
+    done
+    printf '#!/bin/sh\necho "viewer got: $*"\n' >alone/spiraling-edge-viewer
+    chmod +x alone/spiraling-edge-viewer
+    expect 0 view file.ply --some option
+    says out "viewer got: file.ply --some option"
+    expect 0 render scene:sphere -o picture.png
+    says out "viewer got: scene:sphere --goto 100% --screenshot picture.png"
+}
+
+links_no_opengl() {
+    command -v readelf >/dev/null || return 0
+    readelf -d "$program" | grep NEEDED | grep -iE 'GL|glfw|X11' && fail "links a window library"
+}
+
+grep -qx "$2() {" "$here/cli_test.sh" || fail "there is no case $2"
+[ "$failed" = 1 ] || "$2"
+[ "$failed" = 0 ] && echo "ok: $2"
+exit "$failed"

@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# Uses the library as another project would: installed, and from its sources.
+#   run.sh BUILD [CMAKE ARGUMENTS]   BUILD: a finished build; the arguments go to both consumers
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+build=$(cd "$1" && pwd)
+shift
+work="$build/consumer"
+rm -rf "$work"
+mkdir -p "$work"
+
+# The example of the README is the program that is built here.
+sed -n '/^```cpp$/,/^```$/p' "$here/../../README.md" | sed '1d;$d' >"$work/readme.cpp"
+diff "$work/readme.cpp" "$here/example.cpp"
+
+try() {
+    local name=$1
+    shift
+    cmake -S "$here/$name" -B "$work/$name" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@" >"$work/$name.log"
+    cmake --build "$work/$name" >>"$work/$name.log" || { cat "$work/$name.log"; exit 1; }
+    "$work/$name/example" | tee "$work/$name.out"
+    grep -q "Euler characteristic" "$work/$name.out"
+}
+
+cmake --install "$build" --prefix "$work/prefix" >"$work/install.log"
+test -x "$work/prefix/bin/spiraling-edge"
+"$work/prefix/bin/spiraling-edge" --version
+try find_package -DCMAKE_PREFIX_PATH="$work/prefix" "$@"
+try add_subdirectory "$@"
+cmp "$work/find_package.out" "$work/add_subdirectory.out"
