@@ -25,11 +25,15 @@ constexpr std::array<StageRow, kStageCount> kStages{{
     {"hole", "6.2"},
     {"sphere", "6.3"},
     {"twopoint", "6.4"},
+    {"guard", "6.4"},
+    {"fill", "6.5"},
     {"emit", "6.4"},
     {"ring", "6.5"},
     {"split", "6.5"},
     {"join", "6.5"},
     {"advance", "6.5"},
+    {"reinsert", "4"},
+    {"flip", "6.3"},
     {"done", "7"},
 }};
 

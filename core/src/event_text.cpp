@@ -155,6 +155,25 @@ std::string text(const TwoPointEvidence& e) {
            (e.verdict == Verdict::Discarded ? ": over 180, the ring is discarded."
                                             : ": under 180, one triangle closes the gap.");
 }
+std::string text(const GuardEvidence& e) {
+    const std::string what =
+        e.b == kNone ? "Spoke to " + str(e.a) : "Triangle over " + str(e.a) + " and " + str(e.b);
+    return what + ": " + str(verdictText(e.verdict)) +
+           (e.dropped == kNone ? ": the fan is refused."
+                               : ": candidate " + str(e.dropped) + " is dropped.");
+}
+std::string text(const FillEvidence& e) {
+    return "Hole of " + std::to_string(e.ringLength) + ": the ear at " + str(e.pivot) +
+           " between " + str(e.first) + " and " + str(e.last) + " has the best least angle, " +
+           deg(e.leastDegrees) + (e.forced ? "; no ear without a fault was left." : ".");
+}
+std::string text(const ReinsertEvidence& e) {
+    return "Stranded point " + str(e.point) + " goes into the triangle it lies over.";
+}
+std::string text(const FlipEvidence& e) {
+    return "Edge " + str(e.u) + " - " + str(e.v) + " is better as " + str(e.x) + " - " + str(e.y) +
+           ": flipped.";
+}
 std::string text(const EmitEvidence& e) {
     return "Triangle " + str(e.triangle) + " = (" + str(e.corners.a) + ", " + str(e.corners.b) +
            ", " + str(e.corners.c) + ").";
@@ -279,6 +298,26 @@ std::string_view verdictText(Verdict verdict) {
             return "over 180";
         case Verdict::Hole:
             return "under 180";
+        case Verdict::WideGap:
+            return "gap over 180";
+        case Verdict::EdgeTaken:
+            return "edge taken";
+        case Verdict::EntryMissed:
+            return "edge elsewhere on a ring";
+        case Verdict::Pillow:
+            return "pillow";
+        case Verdict::Crosses:
+            return "crosses a ring edge";
+        case Verdict::AgainstNormal:
+            return "against a normal";
+        case Verdict::FoldsOver:
+            return "folds over";
+        case Verdict::OverRim:
+            return "over the rim";
+        case Verdict::Steep:
+            return "steep, waits";
+        case Verdict::Meets:
+            return "meets a triangle";
         case Verdict::Before:
             return "before";
         case Verdict::After:

@@ -1,9 +1,9 @@
 #include "exact.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace se {
 namespace {
@@ -12,31 +12,33 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon() / 2;
 
 int signOf(double x) { return x > 0.0 ? 1 : (x < 0.0 ? -1 : 0); }
 
-/// A number as an unevaluated sum of doubles, smallest first, none overlapping.
+/// A number as an unevaluated sum of doubles, smallest first, none overlapping. Room for every
+/// number that orient3d() forms: 3 products of 2 terms with 2 * 2 * 2 * 2 of them.
 class Expansion {
   public:
-    explicit Expansion(double value) : terms_{value} {}
+    Expansion() = default;
     /// a - b, exactly.
     static Expansion difference(double a, double b) {
         const double s = a - b;
         const double bVirtual = a - s;
         const double error = (a - (s + bVirtual)) + (bVirtual - b);
-        Expansion e(error);
-        e.terms_.push_back(s);
+        Expansion e;
+        e.append(error);
+        e.append(s);
         return e;
     }
 
     Expansion plus(const Expansion& other) const {
         Expansion sum = *this;
-        for (const double term : other.terms_) sum.grow(term);
+        for (std::size_t i = 0; i < other.size_; ++i) sum.grow(other.terms_[i]);
         return sum;
     }
     Expansion times(const Expansion& other) const {
-        Expansion product(0.0);
-        for (const double a : terms_) {
-            for (const double b : other.terms_) {
-                const double high = a * b;
-                product.grow(std::fma(a, b, -high));
+        Expansion product;
+        for (std::size_t i = 0; i < size_; ++i) {
+            for (std::size_t j = 0; j < other.size_; ++j) {
+                const double high = terms_[i] * other.terms_[j];
+                product.grow(std::fma(terms_[i], other.terms_[j], -high));
                 product.grow(high);
             }
         }
@@ -44,33 +46,34 @@ class Expansion {
     }
     Expansion negated() const {
         Expansion e = *this;
-        for (double& term : e.terms_) term = -term;
+        for (std::size_t i = 0; i < size_; ++i) e.terms_[i] = -e.terms_[i];
         return e;
     }
-    int sign() const {
-        for (auto term = terms_.rbegin(); term != terms_.rend(); ++term) {
-            if (*term != 0.0) return signOf(*term);
-        }
-        return 0;
-    }
+    /// The largest term decides.
+    int sign() const { return size_ == 0 ? 0 : signOf(terms_[size_ - 1]); }
 
   private:
+    static constexpr std::size_t kRoom = 200;
+
+    void append(double term) {
+        if (term != 0.0) terms_[size_++] = term;
+    }
     void grow(double value) {
         double carry = value;
-        std::vector<double> grown;
-        grown.reserve(terms_.size() + 1);
-        for (const double term : terms_) {
-            const double sum = carry + term;
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < size_; ++i) {
+            const double sum = carry + terms_[i];
             const double virtualTerm = sum - carry;
-            const double error = (carry - (sum - virtualTerm)) + (term - virtualTerm);
-            if (error != 0.0) grown.push_back(error);
+            const double error = (carry - (sum - virtualTerm)) + (terms_[i] - virtualTerm);
+            if (error != 0.0) terms_[kept++] = error;
             carry = sum;
         }
-        grown.push_back(carry);
-        terms_ = std::move(grown);
+        size_ = kept;
+        append(carry);
     }
 
-    std::vector<double> terms_;
+    std::array<double, kRoom> terms_;
+    std::size_t size_ = 0;
 };
 
 Expansion minor2(const Expansion& a, const Expansion& b, const Expansion& c, const Expansion& d) {
@@ -205,6 +208,33 @@ bool overlapAtEdge(const Vec3& u, const Vec3& v, const Vec3& x, const Vec3& y) {
     const Vec3 t[3] = {u, v, x};
     const Axis axis = dominantAxis(t);
     return orient2d(u, v, x, axis) * orient2d(u, v, y, axis) > 0;
+}
+
+bool trianglesShareMore(const std::vector<Vec3>& position, const Triangle& a, const Triangle& b) {
+    std::array<Index, 3> pa{a.a, a.b, a.c};
+    std::array<Index, 3> pb{b.a, b.b, b.c};
+    // Common corners to the front, in the same order.
+    std::size_t common = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto found =
+            std::find(pb.begin() + static_cast<std::ptrdiff_t>(common), pb.end(), pa[i]);
+        if (found == pb.end()) continue;
+        std::swap(*found, pb[common]);
+        std::swap(pa[i], pa[common]);
+        ++common;
+    }
+    const Vec3 va[3] = {position[pa[0]], position[pa[1]], position[pa[2]]};
+    const Vec3 vb[3] = {position[pb[0]], position[pb[1]], position[pb[2]]};
+    switch (common) {
+        case 0:
+            return trianglesMeet(va, vb);
+        case 1:
+            return segmentMeetsTriangle(va[1], va[2], vb) || segmentMeetsTriangle(vb[1], vb[2], va);
+        case 2:
+            return overlapAtEdge(va[0], va[1], va[2], vb[2]);
+        default:
+            return true;
+    }
 }
 
 }  // namespace se

@@ -24,4 +24,7 @@ bool segmentMeetsTriangle(const Vec3& p, const Vec3& q, const Vec3* triangle);
 /// True if the triangles (u, v, x) and (u, v, y), seen as sets, share more than the edge u v.
 bool overlapAtEdge(const Vec3& u, const Vec3& v, const Vec3& x, const Vec3& y);
 
+/// True if the triangles share more than their common corners: the definition of an intersection.
+bool trianglesShareMore(const std::vector<Vec3>& position, const Triangle& a, const Triangle& b);
+
 }  // namespace se

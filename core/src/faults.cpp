@@ -69,7 +69,6 @@ class FaultFinder {
     void findFold(const Side& a, const Side& b);
     void findIntersections();
     void testPair(Index a, Index b);
-    bool intersect(const Triangle& a, const Triangle& b) const;
     Box boxOf(Index triangle) const;
 
     const PointSet& points_;
@@ -221,35 +220,9 @@ void FaultFinder::findIntersections() {
 }
 
 void FaultFinder::testPair(Index a, Index b) {
-    if (boxes_[a].meets(boxes_[b]) && intersect(triangles_[a], triangles_[b])) {
+    if (boxes_[a].meets(boxes_[b]) &&
+        trianglesShareMore(points_.position, triangles_[a], triangles_[b])) {
         add(FaultKind::Intersecting, a, b);
-    }
-}
-
-bool FaultFinder::intersect(const Triangle& a, const Triangle& b) const {
-    std::array<Index, 3> pa{a.a, a.b, a.c};
-    std::array<Index, 3> pb{b.a, b.b, b.c};
-    // Common corners to the front, in the same order.
-    std::size_t common = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto found =
-            std::find(pb.begin() + static_cast<std::ptrdiff_t>(common), pb.end(), pa[i]);
-        if (found == pb.end()) continue;
-        std::swap(*found, pb[common]);
-        std::swap(pa[i], pa[common]);
-        ++common;
-    }
-    const Vec3 va[3] = {at(pa[0]), at(pa[1]), at(pa[2])};
-    const Vec3 vb[3] = {at(pb[0]), at(pb[1]), at(pb[2])};
-    switch (common) {
-        case 0:
-            return trianglesMeet(va, vb);
-        case 1:
-            return segmentMeetsTriangle(va[1], va[2], vb) || segmentMeetsTriangle(vb[1], vb[2], va);
-        case 2:
-            return overlapAtEdge(va[0], va[1], va[2], vb[2]);
-        default:
-            return true;
     }
 }
 

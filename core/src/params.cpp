@@ -24,6 +24,21 @@ constexpr std::array kSwitches{
                &Rules::stepBack},
     RuleSwitch{"wallsdone", "7", "boundary points complete along their walls are no candidates",
                &Rules::wallsDone},
+    RuleSwitch{"guard", "6.4", "no directed edge twice: always an oriented manifold",
+               &Rules::guard},
+    RuleSwitch{"gap", "6.4", "no fan with a gap of 180 degrees or more", &Rules::gap},
+    RuleSwitch{"nopillow", "6.4", "no second triangle on the same three points", &Rules::noPillow},
+    RuleSwitch{"nocross", "6.4", "no new edge across a ring edge nearby", &Rules::noCross},
+    RuleSwitch{"nofold", "6.4", "no triangle against its normals or folded onto another",
+               &Rules::noFold},
+    RuleSwitch{"nomeet", "6.4", "no triangle that meets a finished one nearby", &Rules::noMeet},
+    RuleSwitch{"rim", "7", "the surface ends where neighbors leave a wide gap", &Rules::rim},
+    RuleSwitch{"delay", "6.5", "fans with steep triangles wait for a circuit", &Rules::delay},
+    RuleSwitch{"fill", "6.5", "rings with interior points are closed by ears", &Rules::fill},
+    RuleSwitch{"reinsert", "4", "stranded points go into the triangle they lie over",
+               &Rules::reinsert},
+    RuleSwitch{"flip", "6.3", "edges that are better the other way round are flipped",
+               &Rules::flip},
 };
 
 /// A named set of rules.
@@ -46,10 +61,19 @@ Params corrected() {
     return params;
 }
 
+Params robust() {
+    Params params = corrected();
+    Rules& r = params.rules;
+    r.guard = r.gap = r.noPillow = r.noCross = r.noFold = r.noMeet = r.rim = true;
+    r.delay = r.fill = r.reinsert = r.flip = true;
+    return params;
+}
+
 constexpr std::array kSets{
     ParamSet{"paper", [] { return Params{}; }},
     ParamSet{"printed", printed},
     ParamSet{"corrected", corrected},
+    ParamSet{"robust", robust},
 };
 
 constexpr auto kSetNames = [] {

@@ -49,7 +49,7 @@ void phaseSeed(StepContext& context) {
             context.log->add(s.counters.pivots + 1, Stage::Strand, StrandEvidence{p, isolated});
         }
     }
-    s.phase = Phase::Finished;
+    beginMendPhases(context);
 }
 
 void phasePivot(StepContext& context) {

@@ -155,6 +155,7 @@ void freeActiveRing(StepContext& context) {
     const Index length = s.rings.length(ring);
     const bool lostSeed = length == 2 && s.rings.open(s.rings.head(ring)) &&
                           s.rings.open(s.rings.next(s.rings.head(ring)));
+    const bool opening = context.params.rules.rim && isOpening(context);
     Index interior = 0;
     Index example = s.rings.point(s.rings.head(ring));
     for (Index i = 0; i < length; ++i) {
@@ -169,6 +170,8 @@ void freeActiveRing(StepContext& context) {
     if (lostSeed) {
         ++s.counters.lostSeeds;
         alert(context, AlertKind::LostSeed, example);
+    } else if (opening) {
+        ++s.counters.openings;
     } else if (interior > 0) {
         ++s.counters.holes;
         alert(context, AlertKind::Hole, example);
@@ -179,6 +182,7 @@ void freeActiveRing(StepContext& context) {
 void popOrEnd(StepContext& context) {
     State& s = context.state;
     s.circuit = 0;
+    s.patience = 0;
     s.pivot.pivot = s.rings.pop();
     s.phase = s.pivot.pivot == kNone ? Phase::Seed : Phase::Pivot;
     note(context, Stage::Advance, [&] {
@@ -203,6 +207,7 @@ void goOnAt(StepContext& context, Index entry) {
 void advanceAfterTriangles(StepContext& context) {
     State& s = context.state;
     s.circuit = 0;
+    s.patience = 0;
     const Index entry = goOnFrom(s);
     if (entry == kNone) {
         popOrEnd(context);
@@ -212,14 +217,33 @@ void advanceAfterTriangles(StepContext& context) {
     goOnAt(context, entry);
 }
 
+/// What is tried, in turn, with a ring that a full circuit brought no triangle (State::patience).
+/// False: nothing is left to try.
+bool tryHarder(StepContext& context) {
+    State& s = context.state;
+    if (context.params.rules.delay && s.patience < kDelayedAllowed) {
+        s.patience = kDelayedAllowed;
+        s.circuit = 0;
+        goOnAt(context, s.rings.next(s.pivot.pivot));
+        return true;
+    }
+    if (context.params.rules.fill && s.patience < kFillFailed && mayFill(context)) {
+        s.circuit = 0;
+        s.phase = Phase::Fill;
+        return true;
+    }
+    return false;
+}
+
 void advanceWithoutTriangles(StepContext& context) {
     State& s = context.state;
     withdrawThirdPoint(context);
     ++s.circuit;
-    if (s.circuit < s.rings.length(s.rings.active())) {
+    if (s.patience < kFillFailed && s.circuit < s.rings.length(s.rings.active())) {
         goOnAt(context, s.rings.next(s.pivot.pivot));
         return;
     }
+    if (tryHarder(context)) return;
     freeActiveRing(context);
     popOrEnd(context);
 }

@@ -34,10 +34,29 @@ void phaseHole(StepContext& context);
 void phaseSphere(StepContext& context);
 void phaseTwoPoint(StepContext& context);
 void phaseEmit(StepContext& context);
+/// Lays out NeighborRing::fan from the candidates that are left.
+void layOutFan(StepContext& context);
+// phase_guard.cpp: beyond the paper
+void phaseGuard(StepContext& context);
+/// Would a rule that keeps the mesh a manifold (Rules::guard, Rules::noPillow) refuse the fan?
+bool manifoldRefuses(const StepContext& context);
+/// Would any rule on faults of shape (Rules::noFold, Rules::noCross, Rules::noMeet) refuse it?
+bool shapeRefuses(const StepContext& context);
+// phase_fill.cpp: beyond the paper
+void phaseFill(StepContext& context);
+/// Should the active ring be closed by ears instead of being freed?
+bool mayFill(const StepContext& context);
+/// Rules::rim: do most points of the active ring lie where the surface ends?
+bool isOpening(const StepContext& context);
 // phase_update.cpp: §6.5
 void phaseRing(StepContext& context);
 void phaseLink(StepContext& context);
 void phaseAdvance(StepContext& context);
+// phase_mend.cpp: beyond the paper, after the last pivot
+/// Goes to the first phase after the last pivot that a rule asks for, else to Finished.
+void beginMendPhases(StepContext& context);
+void phaseReinsert(StepContext& context);
+void phaseFlip(StepContext& context);
 // phase_boundary.cpp: §7
 /// Decides whether a boundary point may be a pivot, and puts the third point of §7.1 or §7.2 on the
 /// ring if so. False: pass over it.

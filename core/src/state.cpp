@@ -39,9 +39,9 @@ void addRing(Hasher& hasher, const EdgeRings& rings, Index from) {
 
 void addCounters(Hasher& hasher, const Counters& c) {
     for (const std::uint32_t value :
-         {c.pivots, c.skipped, c.seeds, c.isolated, c.stranded, c.inserted, c.discarded, c.splits,
-          c.joins, c.closedRings, c.freedRings, c.holes, c.lostSeeds, c.maxRingLength,
-          c.maxStackDepth}) {
+         {c.pivots, c.skipped, c.seeds, c.isolated, c.stranded, c.inserted, c.discarded, c.refused,
+          c.splits, c.joins, c.closedRings, c.freedRings, c.holes, c.openings, c.filled,
+          c.lostSeeds, c.maxRingLength, c.maxStackDepth}) {
         hasher.add(value);
     }
 }
@@ -65,6 +65,7 @@ std::uint64_t stateHash(const State& s) {
     hasher.add(static_cast<std::uint64_t>(s.phase));
     hasher.add(s.startPointer);
     hasher.add(s.circuit);
+    hasher.add(s.patience);
     addCounters(hasher, s.counters);
     addPivot(hasher, s);
     for (const PointStatus status : s.status) hasher.addSigned(status);

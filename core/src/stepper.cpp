@@ -27,23 +27,42 @@ void runPhase(StepContext& context) {
             return phaseSphere(context);
         case Phase::TwoPoint:
             return phaseTwoPoint(context);
+        case Phase::Guard:
+            return phaseGuard(context);
         case Phase::Emit:
             return phaseEmit(context);
         case Phase::Ring:
             return phaseRing(context);
         case Phase::Link:
             return phaseLink(context);
+        case Phase::Fill:
+            return phaseFill(context);
         case Phase::Advance:
             return phaseAdvance(context);
+        case Phase::Reinsert:
+            return phaseReinsert(context);
+        case Phase::Flip:
+            return phaseFlip(context);
         case Phase::Finished:
             return;
     }
 }
 
+/// The phases after which one is between two pivots.
+bool endsStep(Phase phase) {
+    return phase == Phase::Advance || phase == Phase::Reinsert || phase == Phase::Flip;
+}
+
+State freshState(const PointSet& points, const Params& params) {
+    State state(points.size());
+    if (params.rules.needsEdges()) state.edges = EdgeTable(points.size());
+    return state;
+}
+
 }  // namespace
 
 Stepper::Stepper(const PointSet& points, const Params& params, EventLog* log)
-    : points_(points), params_(params), state_(points.size()), log_(log) {}
+    : points_(points), params_(params), state_(freshState(points, params)), log_(log) {}
 
 bool Stepper::advance() {
     if (state_.finished()) return false;
@@ -56,7 +75,7 @@ bool Stepper::stepPivot() {
     StepContext context{points_, params_, state_, log_};
     bool complete = false;
     while (!complete && !state_.finished()) {
-        complete = state_.phase == Phase::Advance;
+        complete = endsStep(state_.phase);
         runPhase(context);
     }
     return complete;
@@ -75,6 +94,6 @@ StopReason Stepper::run() {
     return runUntil([](const State&) { return false; });
 }
 
-State Stepper::takeState() { return std::exchange(state_, State(points_.size())); }
+State Stepper::takeState() { return std::exchange(state_, freshState(points_, params_)); }
 
 }  // namespace se

@@ -30,14 +30,18 @@ enum class Stage : std::uint8_t {
     Hole,        ///< §6.2, Fig. 7
     Sphere,      ///< §6.3, Fig. 8
     TwoPoint,    ///< §6.4, Fig. 9
+    Guard,       ///< Beyond the paper: the whole fan is looked at (docs/robust.md).
+    Fill,        ///< Beyond the paper: an ear of a hole.
     Emit,        ///< §6.4, Fig. 10
     Ring,        ///< §6.5, Fig. 11
     Split,       ///< §6.5, Fig. 11
     Join,        ///< §6.5, Fig. 12
     Advance,     ///< §6.5: the next pivot.
+    Reinsert,    ///< Beyond the paper, after the last pivot: a stranded point finds its triangle.
+    Flip,        ///< Beyond the paper, after the last pivot: an edge is flipped.
     Done,        ///< §3, §7: a ring is freed or a component complete.
 };
-inline constexpr std::size_t kStageCount = 18;
+inline constexpr std::size_t kStageCount = 22;
 
 /// "sphere", "twopoint", ...
 std::string_view stageName(Stage stage);
@@ -90,6 +94,17 @@ enum class Verdict : std::uint8_t {
     // twopoint
     Discarded,  ///< Over 180 degrees: the neighbor ring is discarded (Fig. 9).
     Hole,       ///< Under 180 degrees: an ear or hole, filled.
+    // guard
+    WideGap,        ///< A gap of 180 degrees or more (Rules::gap).
+    EdgeTaken,      ///< A directed edge would be used twice (Rules::guard).
+    EntryMissed,    ///< An edge would be closed away from its ring entries (Rules::guard).
+    Pillow,         ///< A second triangle on the same three points (Rules::noPillow).
+    Crosses,        ///< A new edge crosses a ring edge (Rules::noCross).
+    AgainstNormal,  ///< A triangle against the normal of a corner (Rules::noFold).
+    FoldsOver,      ///< A triangle folded onto an old one (Rules::noFold).
+    OverRim,        ///< Over 120 degrees between points where the surface ends (Rules::rim).
+    Steep,          ///< A steep triangle, for now (Rules::delay).
+    Meets,          ///< A triangle meets a finished one (Rules::noMeet).
     // insert
     Before,
     After,
@@ -175,6 +190,27 @@ struct TwoPointEvidence {
     double degrees;
     Verdict verdict;  ///< Discarded, Hole
 };
+/// A rule beyond the paper found something against the fan (docs/robust.md).
+struct GuardEvidence {
+    Verdict verdict;
+    Index a, b;     ///< The spoke to a (b is kNone), or the triangle pivot, a, b.
+    Index dropped;  ///< The candidate that goes; kNone: the fan is refused.
+};
+/// The next ear of a hole (Rules::fill).
+struct FillEvidence {
+    Index pivot, first, last;
+    Index ringLength;
+    double leastDegrees;  ///< The ear's least angle.
+    bool forced;          ///< No ear without a fault was left.
+};
+/// A stranded point went into a triangle (Rules::reinsert).
+struct ReinsertEvidence {
+    Index point;
+};
+/// The edge u v became x y (Rules::flip).
+struct FlipEvidence {
+    Index u, v, x, y;
+};
 struct EmitEvidence {
     Index triangle;  ///< Position in the list of triangles.
     Triangle corners;
@@ -227,9 +263,9 @@ struct AlertEvidence {
 using Evidence =
     std::variant<SeedEvidence, StrandEvidence, PivotEvidence, SkipEvidence, InsertEvidence,
                  SortEvidence, LimitEvidence, DropEvidence, ReciprocalEvidence, HoleEvidence,
-                 SphereEvidence, TwoPointEvidence, EmitEvidence, RingEvidence, SplitEvidence,
-                 JoinEvidence, CloseEvidence, AdvanceEvidence, FreeEvidence, ComponentEvidence,
-                 AlertEvidence>;
+                 SphereEvidence, TwoPointEvidence, GuardEvidence, FillEvidence, ReinsertEvidence,
+                 FlipEvidence, EmitEvidence, RingEvidence, SplitEvidence, JoinEvidence,
+                 CloseEvidence, AdvanceEvidence, FreeEvidence, ComponentEvidence, AlertEvidence>;
 
 struct Event {
     Address address;

@@ -34,6 +34,16 @@ struct Candidate {
     double lengthSq = 0.0;  ///< Squared length of offset.
 };
 
+/// One spoke of the pivot's fan, from first to last.
+struct FanPoint {
+    Index point = kNone;
+    Index entry = kNone;  ///< On the ring already: entry, or the candidate's instance; else kNone.
+    bool candidate = false;  ///< May be dropped; else one of first .. start, end .. last.
+    Vec3 offset{};
+    double lengthSq = 0.0;
+    Angle angle;
+};
+
 /// Local frame of a pivot: where angles are measured (§6.1).
 struct Frame {
     Vec3 origin{};         ///< The pivot's position.
@@ -58,6 +68,11 @@ struct NeighborRing {
     Angle endAngle;
     /// Strictly between start and end, by increasing angle.
     std::vector<Candidate> candidates;
+    /// The rules beyond the paper that drop candidates: those that were there before §6.3, so that
+    /// it can be done again without the dropped ones.
+    std::vector<Candidate> pool;
+    /// What the triangles will be made of, in order: first .. start, candidates, end .. last.
+    std::vector<FanPoint> fan;
 
     /// First and last are the same entry: a fresh ring of two, the sector is a full turn.
     bool fullTurn() const { return first == last; }

@@ -41,6 +41,40 @@ struct Rules {
     /// §7: a boundary point whose ring neighbors both share a wall with it is complete, and no
     /// candidate.
     bool wallsDone = false;
+    /// A candidate that would use a directed edge twice, or close an edge without meeting its ring
+    /// entries, is dropped: the mesh is an oriented manifold on any input, and every run ends.
+    bool guard = false;
+    /// A fan with a gap of 180 degrees or more between two neighbors is not made.
+    bool gap = false;
+    /// No second triangle on the same three points.
+    bool noPillow = false;
+    /// A candidate with a new edge that crosses a ring edge nearby, as seen along the pivot's
+    /// normal, is dropped.
+    bool noCross = false;
+    /// A candidate with a triangle against the normal of one of its corners, or folded onto the
+    /// triangle across an old edge, is dropped.
+    bool noFold = false;
+    /// A candidate with a triangle that meets a finished one nearby is dropped.
+    bool noMeet = false;
+    /// Where the neighbors of all three corners leave a wide gap, the surface ends: no triangle
+    /// over more than 120 degrees there, and a ring of mostly such points is an opening.
+    bool rim = false;
+    /// Fans with steep triangles wait until a circuit of the ring brought no triangle.
+    bool delay = false;
+    /// A ring that would be freed with interior points is closed by ears, best least angle first,
+    /// unless it is an opening or too long.
+    bool fill = false;
+    /// After the last pivot: a stranded point goes into the triangle it lies over.
+    bool reinsert = false;
+    /// After the last pivot: edges that are better the other way round are flipped.
+    bool flip = false;
+
+    /// Some rule looks at the whole fan before it is made.
+    bool looksAtFan() const {
+        return guard || gap || noPillow || noCross || noFold || noMeet || rim || delay;
+    }
+    /// Some rule looks at finished triangles.
+    bool needsEdges() const { return guard || noPillow || noFold || noMeet || fill; }
 
     friend bool operator==(const Rules&, const Rules&) = default;
 };
@@ -68,6 +102,8 @@ struct Params {
     /// The run stops with AlertKind::TriangleCap when it holds more triangles than this times the
     /// number of points: the paper's own rules need not end on tangled input.
     std::uint32_t maxTrianglesPerPoint = 8;
+    /// Rules::fill closes rings of at most this many entries.
+    std::uint32_t maxFillLength = 64;
     /// Opposing normals are left out of neighbor lists that are computed (see prepare.h).
     bool dropOpposingNormals = true;
 

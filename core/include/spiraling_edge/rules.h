@@ -182,6 +182,10 @@ struct ThirdPointPlace {
 ThirdPointPlace placeThirdPoint(const Vec3& p, const Vec3& normal, std::uint8_t faces,
                                 const Vec3& second, const Vec3& third);
 
+/// Rules::rim: does the surface end at p? True for a boundary point, and where the directions to
+/// its neighbors, as seen along its normal, leave a gap of more than 120 degrees.
+bool isRim(const PointSet& points, Index p);
+
 /// §7.2: is there a transition from one wall to another between two ring neighbors?
 inline bool isTransition(std::uint8_t a, std::uint8_t b) {
     return isBoundary(a) && isBoundary(b) && !shareFace(a, b);

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "spiraling_edge/edge_ring.h"
+#include "spiraling_edge/edge_table.h"
 #include "spiraling_edge/event.h"
+#include "spiraling_edge/mend.h"
 #include "spiraling_edge/neighbor_ring.h"
 #include "spiraling_edge/point_set.h"
 
@@ -22,10 +24,14 @@ enum class Phase : std::uint8_t {
     Hole,        ///< §6.2
     Sphere,      ///< §6.3
     TwoPoint,    ///< §6.4
+    Guard,       ///< Beyond the paper: the rules that look at the whole fan.
     Emit,        ///< §6.4
     Ring,        ///< §6.5
     Link,        ///< §6.5: splits and joins.
+    Fill,        ///< Beyond the paper: the next ear of a hole.
     Advance,     ///< §6.5, §7
+    Reinsert,    ///< Beyond the paper: after the last pivot, one stranded point.
+    Flip,        ///< Beyond the paper: after the last pivot, one edge.
     Finished,
 };
 
@@ -33,6 +39,11 @@ enum class Phase : std::uint8_t {
 using PointStatus = std::int32_t;
 inline constexpr PointStatus kUnused = 0;
 inline constexpr PointStatus kDone = -1;
+
+/// State::patience: fans that waited (Rules::delay) may be made.
+inline constexpr std::uint32_t kDelayedAllowed = 1;
+/// State::patience: no ear of the hole could be closed (Rules::fill).
+inline constexpr std::uint32_t kFillFailed = 2;
 
 /// What was counted so far.
 struct Counters {
@@ -43,11 +54,14 @@ struct Counters {
     std::uint32_t stranded = 0;
     std::uint32_t inserted = 0;   ///< Third points of §7 that led to triangles.
     std::uint32_t discarded = 0;  ///< Two-point rings over 180 degrees.
+    std::uint32_t refused = 0;    ///< Fans that a rule beyond the paper refused.
     std::uint32_t splits = 0;
     std::uint32_t joins = 0;
     std::uint32_t closedRings = 0;  ///< Finished edges and lone entries, see Rules::closeTwo.
     std::uint32_t freedRings = 0;
     std::uint32_t holes = 0;      ///< Freed rings with interior points.
+    std::uint32_t openings = 0;   ///< Freed rings that Rules::rim takes for the surface's end.
+    std::uint32_t filled = 0;     ///< Triangles made by Rules::fill.
     std::uint32_t lostSeeds = 0;  ///< Rings of two that got no triangle.
     std::uint32_t maxRingLength = 0;
     std::uint32_t maxStackDepth = 0;
@@ -72,8 +86,11 @@ struct State {
     explicit State(std::size_t pointCount) : status(pointCount, kUnused), rings(pointCount) {}
 
     Phase phase = Phase::Seed;
-    Index startPointer = 0;              ///< §4: only ever advances.
-    Index circuit = 0;                   ///< Pivots since the last triangle, in the active ring.
+    Index startPointer = 0;  ///< §4: only ever advances.
+    Index circuit = 0;       ///< Pivots since the last triangle, in the active ring.
+    /// Beyond the paper: what was tried with the active ring since its last triangle, 0 if nothing,
+    /// else kDelayedAllowed or kFillFailed.
+    std::uint32_t patience = 0;
     NeighborRing pivot;                  ///< The pivot being worked on.
     InsertedPoint third;                 ///< §7.1, §7.2
     std::uint32_t pivotTriangles = 0;    ///< Made by this pivot.
@@ -81,10 +98,15 @@ struct State {
     std::vector<Index> instances;        ///< The "other instance" of each, kNone if none.
     std::vector<PointStatus> status;
     EdgeRings rings;
+    EdgeTable edges;                  ///< Of `triangles`; kept only where a rule asks for it.
     std::vector<Triangle> triangles;  ///< Append-only (§6.4).
-    std::vector<Alert> alerts;        ///< Append-only.
+    /// The mesh as the steps after the last pivot leave it; empty before them. `triangles` stays.
+    MendState mend;
+    std::vector<Alert> alerts;  ///< Append-only.
     Counters counters;
 
+    /// The mesh as far as it is made.
+    const std::vector<Triangle>& mesh() const { return mend.empty() ? triangles : mend.triangles; }
     bool finished() const { return phase == Phase::Finished; }
 };
 

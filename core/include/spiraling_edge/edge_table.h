@@ -1,0 +1,55 @@
+/// Which directed edges the mesh has, and in which triangle: for the rules beyond the paper that
+/// look at finished triangles (Rules::guard and its kin).
+#pragma once
+
+#include <vector>
+
+#include "spiraling_edge/point_set.h"
+
+namespace se {
+
+/// Side k of triangle t, 3 t + k: from its corner k to the next one.
+using HalfEdge = Index;
+
+/// Half-edges chained per point they leave. Two words per side, no hashing: a point has few sides,
+/// and they were touched moments ago. Only ever grows, like the list of triangles it belongs to.
+class EdgeTable {
+  public:
+    EdgeTable() = default;
+    explicit EdgeTable(std::size_t pointCount) : head_(pointCount, kNone) {}
+
+    /// Takes in triangle number `index`, which must be the next one.
+    void add(const Triangle& t) {
+        const auto first = static_cast<HalfEdge>(next_.size());
+        const Index corners[3] = {t.a, t.b, t.c};
+        for (Index k = 0; k < 3; ++k) {
+            next_.push_back(head_[corners[k]]);
+            target_.push_back(corners[(k + 1) % 3]);
+            head_[corners[k]] = first + k;
+        }
+    }
+    /// The side u -> v, kNone if no triangle has it.
+    HalfEdge find(Index u, Index v) const {
+        HalfEdge h = head_[u];
+        while (h != kNone && target_[h] != v) h = next_[h];
+        return h;
+    }
+    bool has(Index u, Index v) const { return find(u, v) != kNone; }
+    /// The corner of the side's triangle that is not on the side.
+    Index opposite(HalfEdge h) const {
+        const Index base = h - h % 3;
+        return target_[base + (h + 1 - base) % 3];
+    }
+    /// Newest side that leaves a point; go on with nextFrom().
+    HalfEdge firstFrom(Index point) const { return head_[point]; }
+    HalfEdge nextFrom(HalfEdge h) const { return next_[h]; }
+    Index target(HalfEdge h) const { return target_[h]; }
+    bool empty() const { return head_.empty(); }
+
+  private:
+    std::vector<HalfEdge> head_;
+    std::vector<HalfEdge> next_;
+    std::vector<Index> target_;
+};
+
+}  // namespace se

@@ -1,0 +1,48 @@
+/// Beyond the paper: what is done with the mesh after the last pivot (docs/robust.md). The list of
+/// emitted triangles stays as it is; this is a copy that is edited, one step at a time.
+#pragma once
+
+#include <vector>
+
+#include "spiraling_edge/edge_table.h"
+#include "spiraling_edge/point_set.h"
+
+namespace se {
+
+/// Triangles with their neighbors, for local changes. A plain value: copy it, and you can go back.
+struct MendState {
+    std::vector<Triangle> triangles;
+    /// For each side 3 t + k, the same side seen from the other triangle; kNone at a border.
+    std::vector<HalfEdge> twin;
+    /// One side that leaves each point; kNone for a point in no triangle.
+    std::vector<HalfEdge> sideOf;
+    /// Points whose triangles form more than one fan: left alone.
+    std::vector<bool> pinched;
+    /// Sides to look at, and how far the looking has come.
+    std::vector<HalfEdge> queue;
+    std::size_t queueFront = 0;
+    Index nextPoint = 0;
+    std::uint32_t reinserted = 0;
+    std::uint32_t flipped = 0;
+
+    bool empty() const { return triangles.empty(); }
+};
+
+/// Takes over the triangles. Sides of edges with more than two triangles get no twin.
+MendState beginMending(std::size_t pointCount, const std::vector<Triangle>& triangles);
+
+/// Rules::reinsert: puts the next stranded point into the triangle it lies over, if that makes
+/// three triangles without a fault. False if no point is left to try; `point` is the one that went
+/// in.
+bool reinsertNext(const PointSet& points, MendState& mend, Index& point);
+
+/// An edge that was flipped: u v became x y.
+struct Flip {
+    Index u, v, x, y;
+};
+/// Rules::flip: flips the next edge that is better flipped: fewer faults, or the same and a larger
+/// least angle where the surface is flat. False if none is left. Every flip lessens the faults, or
+/// leaves them and makes the least angle of its two triangles larger, so that it ends.
+bool flipNext(const PointSet& points, MendState& mend, Flip& flip);
+
+}  // namespace se

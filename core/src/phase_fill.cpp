@@ -1,0 +1,103 @@
+/// Beyond the paper: Rules::fill. A ring that would be freed with interior points is a hole; it is
+/// closed by ears, each a pivot with first and last alone, the best least angle first.
+#include <algorithm>
+#include <cmath>
+
+#include "phases.h"
+#include "shape.h"
+
+namespace se {
+namespace {
+
+void setPivot(StepContext& context, Index entry) {
+    State& s = context.state;
+    NeighborRing& n = s.pivot;
+    n.pivot = entry;
+    n.first = n.start = s.rings.prev(entry);
+    n.last = n.end = s.rings.next(entry);
+    n.frame = makeFrame(context.positionAt(entry), context.normalAt(entry),
+                        context.positionAt(n.first), context.params.rules.tangent);
+    n.startAngle = Angle{};
+    n.lastAngle = n.endAngle = angleOf(n.frame, context.positionAt(n.last) - n.frame.origin);
+    n.candidates.clear();
+    layOutFan(context);
+}
+
+struct Ear {
+    Index entry = kNone;
+    double cosine = 2.0;
+    bool faulty = true;
+    friend bool operator<(const Ear& a, const Ear& b) {
+        return a.faulty != b.faulty ? !a.faulty : a.cosine < b.cosine;
+    }
+};
+
+/// The best ear of the active ring, no entry if the guard refuses all.
+Ear bestEar(StepContext& context) {
+    State& s = context.state;
+    const Index ring = s.rings.active();
+    Ear best;
+    Index entry = s.rings.head(ring);
+    for (Index i = 0; i < s.rings.length(ring); ++i, entry = s.rings.next(entry)) {
+        const Index before = s.rings.prev(entry);
+        if (s.rings.open(before) || s.rings.open(entry)) continue;
+        setPivot(context, entry);
+        if (manifoldRefuses(context)) continue;
+        const double cosine = leastAngleCosine(
+            context.points,
+            {s.rings.point(entry), s.rings.point(before), s.rings.point(s.rings.next(entry))});
+        Ear ear{entry, cosine, false};
+        if (best.entry != kNone && !(ear < best)) continue;
+        ear.faulty = overlapsAsTwoPointRing(s.pivot.lastAngle) || shapeRefuses(context);
+        if (best.entry == kNone || ear < best) best = ear;
+    }
+    return best;
+}
+
+}  // namespace
+
+bool isOpening(const StepContext& context) {
+    const EdgeRings& rings = context.state.rings;
+    const Index ring = rings.active();
+    const Index length = rings.length(ring);
+    Index rim = 0;
+    Index entry = rings.head(ring);
+    for (Index i = 0; i < length; ++i, entry = rings.next(entry)) {
+        rim += isRim(context.points, rings.point(entry)) ? 1U : 0U;
+    }
+    return 2 * rim > length;
+}
+
+bool mayFill(const StepContext& context) {
+    const EdgeRings& rings = context.state.rings;
+    const Index length = rings.length(rings.active());
+    return length > 2 && length <= context.params.maxFillLength && !isOpening(context);
+}
+
+void phaseFill(StepContext& context) {
+    State& s = context.state;
+    ++s.counters.pivots;
+    s.pivotTriangles = 0;
+    s.insertedEntries.clear();
+    s.instances.clear();
+    const Ear ear = bestEar(context);
+    if (ear.entry == kNone) {
+        s.patience = kFillFailed;
+        s.phase = Phase::Advance;
+        return;
+    }
+    setPivot(context, ear.entry);
+    ++s.counters.filled;
+    note(context, Stage::Fill, [&] {
+        constexpr double kDegrees = 57.295779513082320877;
+        return FillEvidence{s.rings.point(ear.entry),
+                            s.rings.point(s.pivot.first),
+                            s.rings.point(s.pivot.last),
+                            s.rings.length(s.rings.active()),
+                            std::acos(std::clamp(ear.cosine, -1.0, 1.0)) * kDegrees,
+                            ear.faulty};
+    });
+    s.phase = Phase::Emit;
+}
+
+}  // namespace se

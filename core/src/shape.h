@@ -1,0 +1,61 @@
+/// Shape of a triangle against its corners' normals and its neighbors: shared by the rules beyond
+/// the paper.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "spiraling_edge/faults.h"
+#include "spiraling_edge/point_set.h"
+
+namespace se {
+
+/// Twice the area along the normal, counterclockwise.
+inline Vec3 areaVector(const Vec3& a, const Vec3& b, const Vec3& c) {
+    return glm::cross(b - a, c - a);
+}
+inline Vec3 areaVector(const PointSet& points, const Triangle& t) {
+    return areaVector(points.position[t.a], points.position[t.b], points.position[t.c]);
+}
+
+/// Does the triangle face the normal of each of its corners?
+inline bool facesNormals(const PointSet& points, Index a, Index b, Index c) {
+    const Vec3 area = areaVector(points, {a, b, c});
+    return glm::dot(area, points.normal[a]) > 0.0 && glm::dot(area, points.normal[b]) > 0.0 &&
+           glm::dot(area, points.normal[c]) > 0.0;
+}
+
+/// 2 for a flipped triangle (FaultKind::Flipped), 1 for one against a single corner's normal.
+inline int shapeFaults(const PointSet& points, const Triangle& t) {
+    const Vec3 area = areaVector(points, t);
+    const Vec3 sum = points.normal[t.a] + points.normal[t.b] + points.normal[t.c];
+    if (!(glm::dot(area, sum) > 0.0)) return 4;
+    return facesNormals(points, t.a, t.b, t.c) ? 0 : 1;
+}
+
+/// Cosine of the angle between the normals of two triangles; 1 if one has no area.
+inline double normalsCosine(const PointSet& points, const Triangle& a, const Triangle& b) {
+    const Vec3 m = areaVector(points, a);
+    const Vec3 n = areaVector(points, b);
+    const double size = std::sqrt(glm::dot(m, m) * glm::dot(n, n));
+    return size > 0.0 ? glm::dot(m, n) / size : 1.0;
+}
+
+/// FaultKind::Folded, for triangles at a common edge.
+inline bool folded(const PointSet& points, const Triangle& a, const Triangle& b) {
+    return normalsCosine(points, a, b) < kFoldCosine;
+}
+
+/// Cosine of the least angle: the smaller, the better. 1 for a triangle without area.
+inline double leastAngleCosine(const PointSet& points, const Triangle& t) {
+    const auto cosineAt = [&](Index x, Index y, Index z) {
+        const Vec3 u = points.position[y] - points.position[x];
+        const Vec3 v = points.position[z] - points.position[x];
+        const double size = std::sqrt(glm::dot(u, u) * glm::dot(v, v));
+        return size > 0.0 ? glm::dot(u, v) / size : 1.0;
+    };
+    return std::max(cosineAt(t.a, t.b, t.c),
+                    std::max(cosineAt(t.b, t.c, t.a), cosineAt(t.c, t.a, t.b)));
+}
+
+}  // namespace se
