@@ -29,9 +29,10 @@ programs='CLI/|nlohmann/|fmt/|stb'
 
 mapfile -t core < <(sources core)
 mapfile -t cli < <(sources app/cli)
-mapfile -t viewer < <(sources app/viewer)
+viewer=()
+[ ! -d app/viewer ] || mapfile -t viewer < <(sources app/viewer)
 # in_viewer PATTERN: the files of the viewer whose path below app/viewer matches.
-in_viewer() { printf '%s\n' "${viewer[@]}" | grep -E "^app/viewer/$1"; }
+in_viewer() { printf '%s\n' ${viewer[@]+"${viewer[@]}"} | grep -E "^app/viewer/$1"; }
 mapfile -t gl < <(in_viewer 'gl/')
 mapfile -t not_gl < <(printf '%s\n' "${viewer[@]}" | grep -vE '^app/viewer/(gl/|offscreen|window|main|application)')
 mapfile -t layers < <(in_viewer 'layers/')
@@ -42,7 +43,7 @@ mapfile -t plain < <(in_viewer '(session|playback|camera|picking|palette|draw_li
 no "$(include "$window|$programs|app/|viewer|cli/|benchmark|doctest")" "core must not know" "${core[@]}"
 mapfile -t not_prepare < <(printf '%s\n' "${core[@]}" | grep -v '/prepare')
 no "$(include nanoflann)" "only prepare*.cpp may use nanoflann" "${not_prepare[@]}"
-no '(^|[^a-z_:])(std::)?(printf|puts|fprintf|cout|cerr|clog)\b' "core prints nothing" "${core[@]}"
+no '\b(f?printf|f?puts)\(|std::(cout|cerr|clog)\b' "core prints nothing" "${core[@]}"
 mapfile -t public < <(sources core/include)
 no '^#include "([^s]|s[^p])' "public headers include as spiraling_edge/..." "${public[@]}"
 # cli -> core

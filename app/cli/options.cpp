@@ -9,6 +9,8 @@
 namespace se::cli {
 namespace {
 
+constexpr long long kMostNeighbors = 1'000'000;
+
 /// Sets one switch from NAME=on or NAME=off.
 void applySwitch(const std::string& text, Rules& rules) {
     const auto rows = ruleSwitches();
@@ -60,10 +62,7 @@ void NeighborArguments::addTo(CLI::App& app) {
 
 NeighborOptions NeighborArguments::options() const {
     NeighborOptions options;
-    if (count_) {
-        if (*count_ == 0) throw Failure(ExitCode::Usage, "--neighbors 0: must be 1 or more");
-        options.reach = KNearest{*count_};
-    }
+    if (count_) options.reach = KNearest{*count_};
     if (radius_) {
         if (!(*radius_ > 0.0) || !std::isfinite(*radius_))
             throw Failure(ExitCode::Usage, "--radius: must be a number above 0");

@@ -21,6 +21,8 @@
 namespace se::cli {
 namespace {
 
+constexpr long long kMostPivots = 0xffffffffLL;
+
 struct RunArguments {
     std::string input;
     std::string output;
@@ -39,7 +41,8 @@ struct RunArguments {
         rules.addTo(app);
         neighbors.addTo(app);
         app.add_option("--max-pivots", maxPivots, "Stop after N pivots and write what there is")
-            ->type_name("N");
+            ->type_name("N")
+            ->check(CLI::Range(0LL, kMostPivots));
         app.add_option("--report", report, "Write counts and times as JSON to this file, or -")
             ->type_name("FILE");
         app.add_option("--trace", trace, "Write one line per decision to this file, or -")

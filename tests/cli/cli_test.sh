@@ -30,17 +30,21 @@ number() { sed -n "s/^ *\"$1\": \\(-\\{0,1\\}[0-9.e+-]*\\),\\{0,1\\}\$/\\1/p" "$
 is() { [ "$1" = "$2" ] || fail "$3: $1, not $2"; }
 header_count() { head -c 2000 "$2" | tr -d '\0' | grep -a "^element $1 " | cut -d' ' -f3; }
 
-# The corners of an octahedron, as XYZ with normals: closes with 8 triangles.
-octahedron() {
-    printf '%s\n' '1 0 0 1 0 0' '-1 0 0 -1 0 0' '0 1 0 0 1 0' '0 -1 0 0 -1 0' '0 0 1 0 0 1' \
-        '0 0 -1 0 0 -1'
+# The corners of an icosahedron, as XYZ with normals: closes with 20 triangles.
+icosahedron() {
+    local a b
+    for a in 0.5257311 -0.5257311; do
+        for b in 0.8506508 -0.8506508; do
+            printf '%s\n' "0 $a $b 0 $a $b" "$a $b 0 $a $b 0" "$b 0 $a $b 0 $a"
+        done
+    done
 }
 
 cases_are_listed() {
     grep -oE '^[a-z_]+\(\) \{$' "$here/cli_test.sh" | tr -d '(){ ' | sort >defined
     sed -n '/^set(cases/,/^)/p' "$here/CMakeLists.txt" | grep -oE '^    [a-z_]+' | tr -d ' ' |
         sort >listed
-    printf '%s\n' expect fail octahedron | sort >helpers
+    printf '%s\n' expect fail icosahedron | sort >helpers
     comm -23 defined helpers | diff - listed || fail "cases and list differ"
 }
 
@@ -132,11 +136,11 @@ unknown_scene_is_missing_input() {
 }
 
 run_writes_a_mesh() {
-    octahedron >points.xyz
+    icosahedron >points.xyz
     expect 0 run points.xyz -o mesh.ply
-    is "$(header_count vertex mesh.ply)" 6 points
-    is "$(header_count face mesh.ply)" 8 triangles
-    says err "6 points, 8 triangles in 1 component, no boundary, Euler characteristic 2"
+    is "$(header_count vertex mesh.ply)" 12 points
+    is "$(header_count face mesh.ply)" 20 triangles
+    says err "12 points, 20 triangles in 1 component, no boundary, Euler characteristic 2"
     empty out
     expect 0 run mesh.ply -o again.ply # a mesh is points with normals, too
     cmp mesh.ply again.ply || fail "a mesh that is run again changes"
@@ -144,14 +148,14 @@ run_writes_a_mesh() {
 }
 
 run_reads_standard_input() {
-    octahedron >points.xyz
+    icosahedron >points.xyz
     "$program" run - --report - <points.xyz >out 2>err || fail "code $?"
-    is "$(number triangles out)" 8 triangles
+    is "$(number triangles out)" 20 triangles
     says out '"input": "-"'
 }
 
 run_writes_standard_output() {
-    octahedron >points.xyz
+    icosahedron >points.xyz
     expect 0 run points.xyz -o - -q
     cp out piped.ply
     expect 0 run points.xyz -o mesh.ply
@@ -196,14 +200,14 @@ same_input_gives_the_same_bytes() {
 }
 
 trace_has_one_line_per_event() {
-    octahedron >points.xyz
+    icosahedron >points.xyz
     expect 0 run points.xyz --trace - -q
     tab=$(printf '\t')
     bad=$(grep -cvE "^[0-9]+\.[a-z]+\.[0-9]+$tab[^$tab]+\$" out)
     is "$bad" 0 "lines that are not ADDRESS<tab>SENTENCE"
     is "$(cut -f1 out | sort | uniq -d | wc -l)" 0 "addresses that stand twice"
     is "$(head -1 out | cut -f1)" 1.seed.1 "first event"
-    is "$(grep -c '\.emit\.' out)" 8 "emitted triangles"
+    is "$(grep -c '\.emit\.' out)" 20 "emitted triangles"
     expect 0 run points.xyz --trace trace.txt -q
     cmp out trace.txt 2>/dev/null || "$program" run points.xyz --trace - -q 2>/dev/null | cmp - trace.txt ||
         fail "file and pipe differ"
@@ -245,11 +249,11 @@ radius_and_neighbors() {
 }
 
 check_finds_faults() {
-    octahedron >points.xyz
+    icosahedron >points.xyz
     expect 0 run points.xyz --check --report report.json
     is "$(number flipped report.json)" 0 "flipped triangles"
     # The same corners with the normal of one turned inwards.
-    octahedron | sed 's/^1 0 0 1 0 0$/1 0 0 -1 0.1 0/' >flipped.xyz
+    icosahedron | sed '1s/ 0 0.5257311 0.8506508$/ 0 -0.5257311 -0.8506508/' >flipped.xyz
     expect 1 run flipped.xyz --keep-opposing --check --rules printed -q
     says err "the mesh has faults"
 }
@@ -281,7 +285,7 @@ interrupt_leaves_no_file() {
     env --default-signal=INT "$program" run - -o mesh.ply --trace trace.txt <pipe >out 2>err &
     local process=$!
     exec 3>pipe
-    octahedron >&3
+    icosahedron >&3
     sleep 0.5
     kill -INT $process
     exec 3>&-
@@ -301,14 +305,14 @@ quiet_says_nothing() {
 }
 
 info_tells_what_a_file_holds() {
-    octahedron >points.xyz
+    icosahedron >points.xyz
     expect 0 info points.xyz
-    says out "points.xyz: 6 points"
+    says out "points.xyz: 12 points"
     says out "normals    yes"
     expect 0 run points.xyz -o mesh.ply -q
     expect 0 info mesh.ply --json
-    is "$(number points out)" 6 points
-    is "$(number triangles out)" 8 triangles
+    is "$(number points out)" 12 points
+    is "$(number triangles out)" 20 triangles
     says out '"closed_manifold": true'
     expect 0 info scene:sheet
     says out "on a wall"
@@ -316,8 +320,8 @@ info_tells_what_a_file_holds() {
 
 info_counts_what_is_wrong() {
     {
-        octahedron
-        echo '1 0 0 1 0 0'     # a copy
+        icosahedron
+        icosahedron | head -1  # a copy
         echo '5 0 0 0 0 0'     # no direction
         echo 'nan 0 0 1 0 0'   # nowhere
         echo '0 0 1.5 0 0 7'   # not of unit length
