@@ -1,0 +1,184 @@
+#include <doctest/doctest.h>
+
+#include "../support/clouds.h"
+#include "../support/oracles.h"
+#include "../support/rig.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+/// Figure 11: as Figure 4, p = 0 in a bay; first = 1 also stands in a stacked ring with 10 and 11.
+std::vector<Vec3> bay() {
+    return {{0, 0, 0},      {1, 0.2, 0},   {-1, 0.2, 0},   {-9, -9, 0}, {9, -9, 0}, {1.1, 1.2, 0},
+            {-1.1, 1.2, 0}, {0.3, 1.2, 0}, {-0.3, 1.2, 0}, {0, 20, 0},  {20, 1, 0}, {20, 2, 0}};
+}
+Rig& figure11(Rig& rig) {
+    return rig.list(0, {5, 6, 7, 8}).stacked({1, 10, 11}).ring({0, 2, 6, 3, 4, 5, 1}).pivot();
+}
+
+/// p = 0 looks north; e = 5 stands there between 6 (before) and 7, p in its free sector.
+std::vector<Vec3> opposite() {
+    return {{0, 0, 0}, {1, 0, 0},      {-1, 0, 0},    {-9, -9, 0}, {9, -9, 0},
+            {0, 1, 0}, {-0.7, 1.7, 0}, {0.7, 1.7, 0}, {0, 3, 0}};
+}
+
+}  // namespace
+
+TEST_CASE("6.5 the pivot leaves the ring: DONE if it stood there once") {
+    Rig rig(bay());
+    figure11(rig);
+    CHECK(rig.status(0) == kDone);
+    CHECK(rig.state().rings.firstEntryOf(0) == kNone);
+}
+
+TEST_CASE("6.5 a pivot that stands on rings twice loses one entry and stays USED") {
+    Rig rig(bay());
+    rig.list(0, {7}).stacked({0, 10, 11}).ring({0, 2, 6, 3, 4, 5, 1}).pivot();
+    CHECK(rig.triangles() == Triangles{{0, 1, 7}, {0, 7, 2}});
+    CHECK(rig.status(0) == 1);
+    CHECK(rig.stackedRing() == Points{0, 10, 11});
+}
+
+TEST_CASE("6.5 Figure 11: points before start and after end leave, one step down each") {
+    Rig rig(bay());
+    figure11(rig);
+    CHECK(rig.status(1) == 1);      // first: it stood on two rings.
+    CHECK(rig.status(2) == kDone);  // last: now surrounded.
+    CHECK(rig.stackedRing() == Points{1, 10, 11});
+}
+
+TEST_CASE("6.5 Figure 11: the rest enters counterclockwise between start and end, now USED") {
+    Rig rig(bay());
+    figure11(rig);
+    CHECK(rig.activeRing() == Points{6, 3, 4, 5, 7, 8});
+    CHECK(rig.status(7) == 1);
+    CHECK(rig.status(8) == 1);
+    CHECK(rig.status(5) == 1);
+    CHECK(rig.status(6) == 1);
+}
+
+TEST_CASE("6.5 the new pivot is the end of the neighbor ring") {
+    Rig moved(bay());
+    figure11(moved);
+    CHECK(moved.activeRing()[0] == 6);
+    Rig still(bay());
+    still.list(0, {7}).ring({0, 2, 6, 3, 4, 5, 1}).pivot();
+    CHECK(still.activeRing()[0] == 2);
+}
+
+TEST_CASE("6.4 without triangles the next point on the ring becomes the pivot") {
+    Rig rig({{0, 0, 0}, polar(0), polar(200), {-9, -9, 0}, {9, -9, 0}});
+    rig.list(0, {1, 2}).ring({0, 2, 3, 4, 1}).pivot();
+    CHECK(rig.activeRing() == Points{2, 3, 4, 1, 0});
+    CHECK(rig.state().circuit == 1);
+}
+
+TEST_CASE("6.5 a point met again in the active ring splits it in two, and one is stacked") {
+    Rig rig(opposite());
+    rig.list(0, {5}).ring({0, 2, 3, 6, 5, 7, 4, 1}).pivot();
+    CHECK(rig.triangles() == Triangles{{0, 1, 5}, {0, 5, 2}});
+    CHECK(rig.status(5) == 2);
+    CHECK(rig.state().counters.splits == 1);
+    CHECK(rig.activeRing() == Points{2, 3, 6, 5});  // The part with the next pivot.
+    CHECK(rig.stackedRing() == Points{5, 7, 4, 1});
+}
+
+TEST_CASE(
+    "6.5 Figure 12: a point met again in a stacked ring joins the two, standing twice in it") {
+    Rig rig(opposite());
+    rig.list(0, {5}).stacked({5, 7, 8, 6}).ring({0, 2, 3, 4, 1}).pivot();
+    CHECK(rig.state().counters.joins == 1);
+    CHECK(rig.state().rings.stack().empty());
+    CHECK(rig.activeRing() == Points{2, 3, 4, 1, 5, 7, 8, 6, 5});
+    CHECK(rig.status(5) == 2);
+}
+
+TEST_CASE("6.5 the stack is searched from the top: the most recent ring is joined") {
+    Rig rig(opposite());
+    rig.list(0, {5}).stacked({5, 7, 8, 6}).stacked({5, 7, 6}).ring({0, 2, 3, 4, 1}).pivot();
+    CHECK(rig.activeRing() == Points{2, 3, 4, 1, 5, 7, 6, 5});
+    CHECK(rig.stackedRing() == Points{5, 7, 8, 6});
+    CHECK(rig.status(5) == 3);
+    CHECK(rig.all<JoinEvidence>().at(0).depthFromTop == 0);
+}
+
+TEST_CASE("6.5 a joined ring leaves the stack wherever it was") {
+    Rig rig(opposite());
+    rig.list(0, {5}).stacked({5, 7, 6}).stacked({3, 4, 8}).ring({0, 2, 3, 4, 1}).pivot();
+    CHECK(rig.all<JoinEvidence>().at(0).depthFromTop == 1);
+    CHECK(rig.state().rings.stack().size() == 1);
+    CHECK(rig.stackedRing() == Points{3, 4, 8});
+}
+
+TEST_CASE("6.5 a ring of two finished edges is closed: it is one edge inside the surface") {
+    // 5 is behind 1 on the ring, but too far around to be a limit: the point 1 and 5 both close.
+    Rig rig({{0, 0, 0}, {1, 1, 0}, {-1, 1, 0}, {0, 2.2, 0}});
+    rig.listAll().ring({0, 2, 3, 1}).pivot();
+    CHECK(rig.state().counters.closedRings >= 1);
+    CHECK(rig.state().rings.active() == kNone);
+    Rig literal({{0, 0, 0}, {1, 1, 0}, {-1, 1, 0}}, paperBut(&Rules::closeTwo));
+    literal.listAll().ring({0, 2, 1}).pivot();
+    CHECK(literal.activeRing() == Points{2, 1});
+    Rig closed({{0, 0, 0}, {1, 1, 0}, {-1, 1, 0}});
+    closed.listAll().ring({0, 2, 1}).pivot();
+    CHECK(closed.state().rings.active() == kNone);
+    CHECK(closed.status(1) == kDone);
+    CHECK(closed.status(2) == kDone);
+}
+
+TEST_CASE("7, 6.5 a ring of two with an open step is not finished") {
+    Rig rig({{0, 0, 0}, {1, 1, 0}, {-1, 1, 0}});
+    rig.listAll().ring({0, 2, 1}).open(2).pivot();
+    CHECK(rig.activeRing() == Points{2, 1});
+    CHECK(rig.status(1) == 1);
+}
+
+TEST_CASE("6.5 where end went with a closed ring, the last inserted point goes on") {
+    // 5 follows last = 2 on the ring, where it is convex; its other entry spares it there.
+    const Vec3 e(1.5, 0.5, 0);
+    Rig rig({{0, 0, 0},
+             polar(0),
+             polar(200),
+             {0, 9, 0},
+             e + polar(198.7, 9),
+             e,
+             {20, 1, 0},
+             {20, 2, 0}});
+    rig.list(0, {5}).stacked({5, 6, 7}).ring({0, 2, 5, 4, 3, 1}).pivot();
+    CHECK(rig.triangles() == Triangles{{0, 1, 5}, {0, 5, 2}});
+    CHECK(rig.state().counters.closedRings == 1);
+    CHECK(rig.status(2) == kDone);
+    CHECK(rig.activeRing() == Points{5, 4, 3, 1});
+}
+
+TEST_CASE("7 a freed ring with interior points is reported as a hole") {
+    Rig rig({{0, 0, 0}, polar(0), polar(200), {-9, -9, 0}, {9, -9, 0}});
+    rig.ring({0, 2, 3, 4, 1});
+    for (int i = 0; i < 5; ++i) rig.pivot();
+    // Without lists only ears under 180 degrees can close.
+    rig.run();
+    for (Index p = 0; p < 5; ++p) CHECK(rig.status(p) == kDone);
+    CHECK(rig.state().finished());
+}
+
+TEST_CASE("6.5 status counts the entries, after every phase of a run") {
+    const PointSet points = prepared(closedFamilies(0.35)[1].sample(1));
+    Stepper stepper(points, paper());
+    bool counted = true;
+    do {
+        const State& s = stepper.state();
+        if (s.phase != Phase::Pivot && s.phase != Phase::Seed) continue;
+        for (Index p = 0; p < points.size(); ++p) {
+            PointStatus entries = 0;
+            for (Index e = s.rings.firstEntryOf(p); e != kNone; e = s.rings[e].nextOfPoint) {
+                ++entries;
+            }
+            counted = counted && std::max(s.status[p], 0) == entries;
+        }
+    } while (stepper.advance());
+    CHECK(counted);
+    CHECK(stepper.state().counters.splits > 0);
+    CHECK(stepper.state().counters.joins > 0);
+}

@@ -1,0 +1,155 @@
+#include <doctest/doctest.h>
+
+#include "../support/oracles.h"
+#include "../support/rig.h"
+#include "spiraling_edge/rules.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+/// p = 0 at the origin, first = 1 in the east, last = 2 at an angle, candidates from 5 on.
+std::vector<Vec3> fan(double lastDegrees, std::vector<Vec3> more) {
+    std::vector<Vec3> position{Vec3(0), polar(0), polar(lastDegrees), {-9, -9, 0}, {9, -9, 0}};
+    position.insert(position.end(), more.begin(), more.end());
+    return position;
+}
+const Points kRing{0, 2, 3, 4, 1};
+
+/// What 6.3 leaves of the candidates.
+Points thinned(double lastDegrees, const std::vector<Vec3>& more, const Params& params = paper()) {
+    Rig rig(fan(lastDegrees, more), params);
+    rig.listAll().ring(kRing).runTo(Phase::TwoPoint);
+    return rig.candidates();
+}
+
+}  // namespace
+
+TEST_CASE("6.3 the circle runs through p, s and t, and its center serves for the sphere") {
+    Random random(5);
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3 t = random.inCube();
+        const Vec3 s = random.inCube();
+        const Vec3 q = random.inCube();
+        const Vec3 c = circumcenter(Vec3(0), t, s);
+        const double r = glm::length(c);
+        const double d = glm::length(q - c);
+        if (r > 100 || std::abs(d - r) < 1e-6) continue;
+        const SphereTest test = testSphere(t, glm::dot(t, t), s, glm::dot(s, s), q, glm::dot(q, q));
+        CHECK(glm::length(test.center() - c) < 1e-9 * (1 + r * r));
+        CHECK(test.radius() == doctest::Approx(r));
+        CHECK(test.distance() == doctest::Approx(d));
+        CHECK(test.inside() == (d < r));
+    }
+}
+
+TEST_CASE("6.3 keeps a point inside the circumsphere, removes one outside") {
+    // The circle through p, first and last has its center at 50 degrees.
+    const double reach = 1 / std::cos(50 * kPi / 180);
+    CHECK(thinned(100, {polar(50, 0.99 * reach)}) == Points{5});
+    CHECK(thinned(100, {polar(50, 1.01 * reach)}).empty());
+}
+
+TEST_CASE("6.3 the distance is taken in three dimensions") {
+    const double reach = 1 / std::cos(50 * kPi / 180);
+    const Vec3 inPlane = polar(50, 0.9 * reach);
+    CHECK(thinned(100, {inPlane}) == Points{5});
+    CHECK(thinned(100, {inPlane + Vec3(0, 0, 0.6 * reach)}).empty());
+}
+
+TEST_CASE("6.3 a point exactly on the sphere is removed") {
+    Rig rig({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-9, -9, 0}, {9, -9, 0}, {1, 1, 0}});
+    rig.listAll().ring(kRing).runTo(Phase::TwoPoint);
+    CHECK(rig.candidates().empty());
+    CHECK(rig.verdictOn<SphereEvidence>(5) == Verdict::Removed);
+}
+
+TEST_CASE("6.3 a point stays whose removal would leave a gap of more than 120 degrees") {
+    CHECK(thinned(119, {polar(50, 9)}).empty());
+    CHECK(thinned(121, {polar(50, 9)}) == Points{5});
+    CHECK(thinned(200, {polar(50, 9)}) == Points{5});
+    CHECK_FALSE(exceedsAngle(Angle{}, makeAngle(-0.5, false), paper().maxGapCosine));
+    CHECK(exceedsAngle(Angle{}, makeAngle(-0.5000001, false), paper().maxGapCosine));
+}
+
+TEST_CASE("6.3 the gap is measured between the points beside the evaluated one") {
+    // 170 degrees in all, but only 110 between 5 and last.
+    CHECK(thinned(170, {polar(60, 1), polar(120, 9)}) == Points{5});
+}
+
+TEST_CASE("6.3 without a circle a point is kept") {
+    CHECK(thinned(180, {polar(90, 9)}) == Points{5});
+    Rig rig(fan(180, {polar(90, 9)}));
+    rig.listAll().ring(kRing).runTo(Phase::TwoPoint);
+    CHECK(rig.verdictOn<SphereEvidence>(5) == Verdict::NoCircle);
+}
+
+TEST_CASE("6.3 Figure 8: after a removal the evaluation moves on, with the last kept point as t") {
+    Rig rig(fan(100, {polar(30, 9), polar(50, 9), polar(70, 9)}));
+    rig.listAll().ring(kRing).runTo(Phase::TwoPoint);
+    const auto looks = rig.all<SphereEvidence>();
+    REQUIRE(looks.size() == 3);
+    CHECK(looks[0].t == 1);
+    CHECK(looks[0].s == 6);
+    for (std::size_t i = 1; i < 3; ++i) {
+        const bool beforeWasKept = looks[i - 1].verdict != Verdict::Removed;
+        CHECK(looks[i].t == (beforeWasKept ? looks[i - 1].q : looks[i - 1].t));
+    }
+    CHECK(looks[2].s == 2);
+}
+
+TEST_CASE("6.3 one pass: a point is not looked at again when its neighbor went") {
+    // 5 is inside the wide sphere with 6; 6 goes; with last instead, 5 would be outside.
+    const std::vector<Vec3> more{polar(40, 1.7), polar(70, 5)};
+    CHECK(thinned(100, more) == Points{5});
+    CHECK(thinned(100, {more[0]}).empty());
+    CHECK(thinned(100, more, paperBut(&Rules::stepBack)).empty());
+}
+
+// ---- 6.4 ----------------------------------------------------------------------------------------
+
+TEST_CASE("6.4 Figure 9: two points over 180 degrees apart are discarded, the pivot stays") {
+    Rig rig(fan(200, {}));
+    rig.listAll().ring(kRing).pivot();
+    CHECK(rig.triangles().empty());
+    CHECK(rig.status(0) == 1);
+    CHECK(rig.state().counters.discarded == 1);
+    CHECK(rig.activeRing() == Points{2, 3, 4, 1, 0});
+}
+
+TEST_CASE("6.4 two points under 180 degrees apart are a hole being filled") {
+    for (const double last : {30.0, 90.0, 179.0}) {
+        Rig rig(fan(last, {}));
+        rig.list(0, {1, 2}).ring(kRing).pivot();
+        CHECK(rig.triangles() == Triangles{{0, 1, 2}});
+        CHECK(rig.status(0) == kDone);
+        CHECK(rig.activeRing() == Points{2, 3, 4, 1});
+    }
+}
+
+TEST_CASE("6.4 180 degrees are not greater than 180") {
+    Rig rig({{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {-9, -9, 0}, {9, -9, 0}});
+    rig.list(0, {1, 2}).ring(kRing).pivot();
+    CHECK(rig.triangles().size() == 1);
+}
+
+TEST_CASE("6.4 the test is for rings of two points only") {
+    // 5 behind first is the new start: three points, 190 degrees in all.
+    Rig rig({{0, 0, 0}, {1, 0, 0}, polar(190), {-9, -9, 0}, {9, -9, 0}, {1.2, 1.2, 0}});
+    rig.list(0, {1, 2, 5}).ring({0, 2, 3, 4, 5, 1}).pivot();
+    CHECK(rig.triangles() == Triangles{{0, 1, 5}, {0, 5, 2}});
+    Rig one(fan(190, {polar(90)}));
+    one.list(0, {5}).ring(kRing).pivot();
+    CHECK(one.triangles() == Triangles{{0, 1, 5}, {0, 5, 2}});
+}
+
+TEST_CASE("6.4 Figure 10: triangles run p, first, t; counterclockwise about the normal") {
+    Rig rig(fan(170, {polar(40), polar(80), polar(120)}));
+    rig.listAll().ring(kRing).pivot();
+    CHECK(rig.triangles() == Triangles{{0, 1, 5}, {0, 5, 6}, {0, 6, 7}, {0, 7, 2}});
+    for (const Triangle& t : rig.triangles()) {
+        const auto& x = rig.points().position;
+        CHECK(glm::cross(x[t.b] - x[t.a], x[t.c] - x[t.a]).z > 0);
+    }
+}
