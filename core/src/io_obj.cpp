@@ -1,5 +1,3 @@
-#include <optional>
-
 #include "io_formats.h"
 #include "text_scan.h"
 
@@ -16,15 +14,11 @@ class ObjReader {
         file_.normalType = ScalarType::Double;
         while (lines_.nextContent('#')) {
             Fields fields(lines_.line());
-            const std::string_view keyword = fields.next();
-            if (keyword == "v") readVector(fields, file_.position);
-            if (keyword == "vn") readVector(fields, normals_);
-            if (keyword == "f") readFace(fields);
-            if (problem_) return *problem_;
+            if (!readStatement(fields.next(), fields)) return problem_;
         }
         if (file_.position.empty())
             return Error{name_ + ": holds no points (lines that begin with v)"};
-        if (!checkReferences()) return *problem_;
+        if (!checkReferences()) return problem_;
         takeNormals();
         return std::move(file_);
     }
@@ -36,12 +30,19 @@ class ObjReader {
         std::size_t line = 0;
     };
 
-    void fail(const std::string& what) {
+    bool fail(const std::string& what) {
         problem_ = errorAt(name_, lineText(lines_.number()), what);
+        return false;
+    }
+
+    bool readStatement(std::string_view keyword, Fields& fields) {
+        if (keyword == "v") return readVector(fields, file_.position);
+        if (keyword == "vn") return readVector(fields, normals_);
+        return keyword != "f" || readFace(fields);
     }
 
     /// What follows the three numbers (weights, colors) is passed over.
-    void readVector(Fields& fields, std::vector<Vec3>& target) {
+    bool readVector(Fields& fields, std::vector<Vec3>& target) {
         Vec3 vector{};
         for (int axis = 0; axis < 3; ++axis) {
             const std::string_view field = fields.next();
@@ -51,6 +52,7 @@ class ObjReader {
             }
         }
         target.push_back(vector);
+        return true;
     }
 
     /// A reference counts from 1, or back from the last thing read so far if it is negative.
@@ -59,9 +61,9 @@ class ObjReader {
         std::int64_t number = 0;
         if (!parseInteger(field, number) || number == 0 || number > std::int64_t{kNone} ||
             number < -static_cast<std::int64_t>(soFar)) {
-            fail("expected a reference such as 7, 7//7 or -1 to something in the file, found " +
-                 inQuotes(field) + "; correct the line");
-            return false;
+            return fail(
+                "expected a reference such as 7, 7//7 or -1 to something in the file, found " +
+                inQuotes(field) + "; correct the line");
         }
         index = number > 0 ? number - 1 : static_cast<std::int64_t>(soFar) + number;
         if (index > highest.index) highest = {index, lines_.number()};
@@ -87,16 +89,17 @@ class ObjReader {
         return true;
     }
 
-    void readFace(Fields& fields) {
+    bool readFace(Fields& fields) {
         polygon_.clear();
         for (auto field = fields.next(); !field.empty(); field = fields.next()) {
-            if (!readCorner(field)) return;
+            if (!readCorner(field)) return false;
         }
         if (polygon_.size() < 3) {
             return fail("expected a face with three corners or more, found " +
                         std::to_string(polygon_.size()) + "; correct or remove the line");
         }
         appendFan(polygon_, file_.faces);
+        return true;
     }
 
     /// Faces may stand before what they refer to, so this is known at the end only.
@@ -138,7 +141,7 @@ class ObjReader {
     LineReader lines_;
     const std::string& name_;
     PointFile file_;
-    std::optional<Error> problem_;
+    Error problem_;
     std::vector<Vec3> normals_;
     std::vector<NormalReference> normalReferences_;
     std::vector<Index> polygon_;

@@ -1,5 +1,3 @@
-#include <optional>
-
 #include "io_formats.h"
 #include "text_scan.h"
 
@@ -14,11 +12,11 @@ class OffReader {
     Result<PointFile> read() {
         file_.positionType = ScalarType::Double;
         file_.normalType = ScalarType::Double;
-        if (!readHeader() || !readPoints() || !readFaces()) return *problem_;
+        if (!readHeader() || !readPoints() || !readFaces()) return problem_;
         if (lines_.nextContent('#')) {
             fail("the file goes on after the " + std::to_string(points_) + " points and " +
                  std::to_string(faces_) + " faces that it announces; correct the counts");
-            return *problem_;
+            return problem_;
         }
         return std::move(file_);
     }
@@ -124,7 +122,7 @@ class OffReader {
     LineReader lines_;
     const std::string& name_;
     PointFile file_;
-    std::optional<Error> problem_;
+    Error problem_;
     std::uint64_t points_ = 0;
     std::uint64_t faces_ = 0;
     bool hasNormals_ = false;

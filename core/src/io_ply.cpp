@@ -79,9 +79,9 @@ class BodyReader {
     Result<PointFile> read() {
         for (const PlyElement& element : header_.elements) {
             if (element.properties.empty()) continue;  // rows of nothing
-            if (!rows_.checkRoom(element) || !readElement(element)) return *rows_.problem();
+            if (!rows_.checkRoom(element) || !readElement(element)) return rows_.problem();
         }
-        if (!rows_.finish()) return *rows_.problem();
+        if (!rows_.finish()) return rows_.problem();
         if (const Status status = takeTypes(); !status) return status.error();
         return std::move(file_);
     }

@@ -39,15 +39,17 @@ class HeaderReader {
             Fields fields(lines_.line());
             const std::string_view keyword = fields.next();
             ended = keyword == "end_header";
-            if (!ended && !readStatement(keyword, fields)) return *problem_;
+            if (!ended && !readStatement(keyword, fields)) return problem_;
         }
         if (!ended) {
             fail(
                 "the file ends within its header, before the line \"end_header\"; it is cut short");
-        } else if (!hasFormat_) {
-            fail("the header has no line \"format\", so the rows cannot be read");
+            return problem_;
         }
-        if (problem_) return *problem_;
+        if (!hasFormat_) {
+            fail("the header has no line \"format\", so the rows cannot be read");
+            return problem_;
+        }
         header_.size = bytes_.size() - lines_.rest().size();
         header_.lines = lines_.number();
         return std::move(header_);
@@ -144,7 +146,7 @@ class HeaderReader {
     LineReader lines_;
     const std::string& name_;
     PlyHeader header_;
-    std::optional<Error> problem_;
+    Error problem_;
     bool hasFormat_ = false;
 };
 

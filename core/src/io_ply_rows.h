@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -42,7 +41,7 @@ inline bool roundTo(ScalarType type, double& value) {
 class RowsBase {
   public:
     explicit RowsBase(const std::string& name) : name_(name) {}
-    const std::optional<Error>& problem() const { return problem_; }
+    const Error& problem() const { return problem_; }
 
   protected:
     bool failAt(const std::string& place, const std::string& what) {
@@ -64,7 +63,7 @@ class RowsBase {
     const std::string& name_;
     const PlyElement* element_ = nullptr;
     std::uint64_t row_ = 0;
-    std::optional<Error> problem_;
+    Error problem_;
 };
 
 /// One row per line.

@@ -42,6 +42,7 @@ class Cloud {
     /// The index of packed point i in the whole set. Ascending, so ties fall the same way in both.
     Index id(Index i) const { return id_[i]; }
 
+    // NOLINTBEGIN(readability-identifier-naming): names that nanoflann calls
     std::size_t kdtree_get_point_count() const { return size(); }
     double kdtree_get_pt(Index i, std::size_t axis) const {
         return position_[i][static_cast<Vec3::length_type>(axis)];
@@ -50,6 +51,7 @@ class Cloud {
     bool kdtree_get_bbox(Box&) const {
         return false;  // nanoflann computes it
     }
+    // NOLINTEND(readability-identifier-naming)
 
   private:
     std::vector<Vec3> position_;
@@ -66,6 +68,7 @@ struct Distance {
     double evalMetric(const double* here, Index i, std::size_t) const {
         return distanceSquared({here[0], here[1], here[2]}, cloud.position(i));
     }
+    // NOLINTNEXTLINE(readability-identifier-naming): called by nanoflann
     double accum_dist(double a, double b, int) const { return (a - b) * (a - b); }
 
     const Cloud& cloud;

@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include <cstring>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -14,9 +14,10 @@
 
 namespace se::test {
 
-/// Equal bit for bit, or both NaN.
+/// Equal including the sign of zero, or both NaN.
 inline bool sameNumber(double a, double b) {
-    return std::memcmp(&a, &b, sizeof a) == 0 || (a != a && b != b);
+    if (std::isnan(a)) return std::isnan(b);
+    return a == b && std::signbit(a) == std::signbit(b);
 }
 inline bool sameVectors(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
     bool same = a.size() == b.size();
@@ -118,7 +119,7 @@ inline std::string bytesOf(const std::filesystem::path& path) {
 /// A file of the shared test data; empty, with a message, where they are not at hand.
 inline std::filesystem::path sharedFile(const char* name) {
 #ifdef SPIRALING_EDGE_SHARED_DATA
-    const std::filesystem::path path = std::filesystem::path(SPIRALING_EDGE_SHARED_DATA) / name;
+    std::filesystem::path path = std::filesystem::path(SPIRALING_EDGE_SHARED_DATA) / name;
     if (std::filesystem::exists(path)) return path;
 #endif
     MESSAGE("skipped: no ", name);

@@ -1,7 +1,10 @@
 #include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
 
-#include "../../core/src/text_scan.h"
 #include "io_support.h"
+#include "text_scan.h"
 
 using namespace se;
 using namespace se::test;

@@ -6,99 +6,16 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <random>
+
+#include "neighbor_oracle.h"
 
 using namespace se;
+using namespace se::test;
 
 namespace {
 
 const double kNan = std::numeric_limits<double>::quiet_NaN();
 const double kInf = std::numeric_limits<double>::infinity();
-
-using Lists = std::vector<std::vector<Index>>;
-
-Lists toVectors(const NeighborLists& lists) {
-    Lists result;
-    for (Index p = 0; p < lists.size(); ++p) result.emplace_back(lists[p].begin(), lists[p].end());
-    return result;
-}
-
-/// Numbers in [0, 1) that are the same with every library.
-class Numbers {
-  public:
-    double next() { return static_cast<double>(engine_() >> 8U) / 16777216.0; }
-    Vec3 nextVector() {
-        const double x = next();
-        const double y = next();
-        return {x, y, next()};
-    }
-
-  private:
-    std::mt19937 engine_{7};
-};
-
-struct Points {
-    std::vector<Vec3> position;
-    std::vector<Vec3> normal;
-    std::vector<bool> usable;
-};
-
-Points makeRandom(std::size_t count) {
-    Points points;
-    Numbers numbers;
-    for (std::size_t i = 0; i < count; ++i) {
-        points.position.push_back(numbers.nextVector());
-        points.normal.push_back(glm::normalize(numbers.nextVector() - Vec3(0.5)));
-        points.usable.push_back(numbers.next() < 0.9);
-    }
-    return points;
-}
-
-/// An exact lattice: every distance occurs many times. Normals point up and down in stripes.
-Points makeLattice(int side) {
-    Points points;
-    for (int i = 0; i < side * side * side; ++i) {
-        points.position.emplace_back(i % side, i / side % side, i / side / side);
-        points.normal.emplace_back(0, 0, i % 3 == 0 ? -1 : 1);
-    }
-    points.usable.assign(points.position.size(), true);
-    return points;
-}
-
-NeighborOptions nearest(std::size_t k, bool dropOpposing) {
-    return {KNearest{k}, dropOpposing, false};
-}
-NeighborOptions within(double radius, bool dropOpposing) {
-    return {WithinRadius{radius}, dropOpposing, false};
-}
-
-/// What the header of findNeighbors() promises, by looking at all pairs.
-Lists bruteForce(const Points& points, const NeighborOptions& options) {
-    Lists lists;
-    for (Index p = 0; p < points.position.size(); ++p) {
-        const auto squared = [&](Index q) {
-            const Vec3 d = points.position[q] - points.position[p];
-            return d.x * d.x + d.y * d.y + d.z * d.z;
-        };
-        std::vector<Index> list;
-        for (Index q = 0; q < points.position.size(); ++q) {
-            if (points.usable[p] && points.usable[q] && squared(q) > 0.0) list.push_back(q);
-        }
-        std::stable_sort(list.begin(), list.end(),
-                         [&](Index a, Index b) { return squared(a) < squared(b); });
-        const auto* radius = std::get_if<WithinRadius>(&options.reach);
-        const std::size_t k = radius ? list.size() : std::get<KNearest>(options.reach).k;
-        if (!radius && options.dropOpposingNormals) list.resize(std::min(list.size(), 8 * k + 64));
-        std::erase_if(list, [&](Index q) {
-            return (radius && squared(q) > radius->radius * radius->radius) ||
-                   (options.dropOpposingNormals &&
-                    glm::dot(points.normal[p], points.normal[q]) <= 0.0);
-        });
-        list.resize(std::min(list.size(), k));
-        lists.push_back(list);
-    }
-    return lists;
-}
 
 Lists find(const Points& points, const NeighborOptions& options) {
     const auto lists = findNeighbors(points.position, points.normal, points.usable, options);

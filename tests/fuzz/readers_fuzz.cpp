@@ -40,6 +40,7 @@ void checkContent(const se::PointFile& file) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer calls
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
     for (const char* name : {"input", "input.off"}) {  // the extension matters for OFF alone
