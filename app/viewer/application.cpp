@@ -1,0 +1,186 @@
+#include "application.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "gl/context.h"
+#include "gl/screenshot.h"
+
+namespace se::view {
+
+Application::Application(const Options& options, const ViewSettings& settings)
+    : options_(options), commands_{session_, playback_, camera_, ui_} {
+    ui_.settings = settings;
+    ui_.cheatSheet = options.cheatSheet;
+    playback_.setRate(settings.playRate);
+    camera_.home();
+}
+
+Application::~Application() = default;
+
+Status Application::start(float contentScale) {
+    contentScale_ = contentScale;
+    imgui_ = std::make_unique<Ui>();
+    Result<std::unique_ptr<Renderer>> renderer = Renderer::create(options_.shaders);
+    if (!renderer) return renderer.error();
+    renderer_ = std::move(renderer.value());
+    session_.open(options_.input);
+    return success();
+}
+
+void Application::key(const KeyChord& chord, bool repeated) {
+    const Command* command = commandForKey(chord);
+    if (command == nullptr || (repeated && !command->repeats)) return;
+    const ImGuiIO& io = ImGui::GetIO();
+    // Plain keys belong to a panel while somebody walks through it by keyboard.
+    const bool plain = !chord.isFunctionKey() && (chord.mods & (kCtrl | kAlt)) == 0;
+    if (io.WantTextInput && chord.key != key::kEscape && !chord.isFunctionKey()) return;
+    if (plain && io.NavVisible && io.WantCaptureKeyboard && chord.key != key::kEscape) return;
+    command->run(commands_);
+}
+
+void Application::open(const std::string& path) {
+    InputSpec spec = session_.spec();
+    spec.source = path;
+    playback_.pause();
+    session_.open(std::move(spec));
+}
+
+bool Application::poll() {
+    const bool changed = session_.poll();
+    goToFirstPlace();
+    return changed;
+}
+
+void Application::goToFirstPlace() {
+    if (placed_ || !session_.ready()) return;
+    const bool needsLength = options_.goTo.ends_with('%');
+    if (needsLength && !session_.overview().complete) return;
+    placed_ = true;
+    if (options_.goTo.empty()) return;
+    placeStatus_ = session_.goToText(options_.goTo);
+    if (!placeStatus_) session_.say(placeStatus_.error().message);
+}
+
+Status Application::settle() {
+    session_.settle();
+    if (inputFailed()) return Error{session_.error()};
+    goToFirstPlace();
+    session_.settle();
+    if (!placeStatus_) return placeStatus_;
+    if (!options_.goTo.empty() && !session_.message().empty()) return Error{session_.message()};
+    return success();
+}
+
+bool Application::animating() const {
+    return session_.busy() || playback_.playing() || session_.phase() == SessionPhase::Loading;
+}
+
+std::string Application::title() const {
+    if (!session_.ready()) return "Spiraling Edge";
+    const std::string place = session_.event() != nullptr ? toString(session_.address()) : "start";
+    return place + " \xE2\x80\x93 " + session_.model().name + " \xE2\x80\x93 Spiraling Edge";
+}
+
+void Application::rememberSize(glm::ivec2 size) {
+    ui_.settings.width = size.x;
+    ui_.settings.height = size.y;
+    ui_.settings.playRate = playback_.rate();
+}
+
+void Application::play(double seconds) {
+    if (playback_.playing() && session_.atEnd()) playback_.pause();
+    if (session_.busy()) return;
+    const int due = playback_.due(seconds);
+    if (due == 0) return;
+    playback_.unit() == PlayUnit::Pivot ? session_.stepPivot(due) : session_.stepEvent(due);
+}
+
+void Application::countStatus() {
+    counts_ = {};
+    for (const PointStatus status : session_.picture().status) {
+        ++(status == kUnused ? counts_.unused : status > 0 ? counts_.used : counts_.done);
+    }
+}
+
+void Application::fillScene() {
+    if (!session_.ready()) return;
+    const ViewSettings& settings = ui_.settings;
+    if (uploadedGeneration_ != session_.generation()) {
+        renderer_->setModel(session_.model());
+        uploadedGeneration_ = session_.generation();
+        filledRevision_ = 0;
+    }
+    renderer_->setTriangles(session_.model(), session_.triangles());
+    if (filledRevision_ == session_.revision() && filledLayers_ == settings.layers &&
+        filledTheme_ == settings.theme) {
+        return;
+    }
+    const LayerInput input{session_.model(), session_.picture(), palette(), session_.selected(),
+                           session_.highlightedRing()};
+    fillDrawList(input, settings.layers, drawList_);
+    countStatus();
+    filledRevision_ = session_.revision();
+    filledLayers_ = settings.layers;
+    filledTheme_ = settings.theme;
+}
+
+void Application::drawScene(const Layout& layout) {
+    const glm::ivec2 size(layout.view.size);
+    if (size.x < 1 || size.y < 1) return;
+    const SceneKey key{session_.revision(), session_.generation(), camera_.revision(), size,
+                       ui_.settings.layers, ui_.settings.theme,    imgui_->em()};
+    if (key == drawn_) return;
+    drawn_ = key;
+    const float aspect = layout.view.size.x / layout.view.size.y;
+    renderer_->draw(drawList_, camera_.matrices(aspect), size, imgui_->em(), palette().background);
+}
+
+void Application::drawUserInterface(const Layout& layout) {
+    const PanelContext context{commands_, palette(), imgui_->fonts(), layout,
+                               drawList_, counts_,   imgui_->em(),    renderer_->texture()};
+    drawPanels(context);
+    // After a click the keys go to the view again; Ctrl+Tab leads into the panels.
+    const bool released =
+        ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !ImGui::IsAnyItemActive();
+    const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    if ((released && !popup && !ui_.fileBrowser && !ui_.cheatSheet) || !focused_) {
+        ImGui::SetWindowFocus("##view");
+        focused_ = true;
+    }
+}
+
+void Application::frame(glm::ivec2 size, double seconds) {
+    poll();
+    play(seconds);
+    const double chosen = ui_.settings.uiScale > 0.0 ? ui_.settings.uiScale : contentScale_;
+    imgui_->setLooks(static_cast<float>(chosen), ui_.settings.theme);
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
+    io.DeltaTime = static_cast<float>(seconds);
+    imgui_->beginFrame();
+    fillScene();
+    const Layout layout = computeLayout(glm::vec2(size), imgui_->em());
+    drawUserInterface(layout);
+    drawScene(layout);
+    clearFrame(size, palette().panel);
+    imgui_->endFrame();
+    if (std::exchange(ui_.requests.screenshot, false)) saveWindowPicture(size);
+    if (std::exchange(ui_.requests.closePopups, false)) ImGui::SetWindowFocus("##view");
+}
+
+void Application::saveWindowPicture(glm::ivec2 size) {
+    // Beside other pictures of the person, not where the program happened to be started.
+    std::error_code error;
+    const char* home = std::getenv("HOME");
+    std::filesystem::path folder = home != nullptr ? home : ".";
+    if (std::filesystem::is_directory(folder / "Pictures", error)) folder /= "Pictures";
+    const std::string place = session_.event() != nullptr ? toString(session_.address()) : "start";
+    const std::filesystem::path path = folder / ("spiraling-edge-" + place + ".png");
+    const Status status = saveScreenshot(path, size);
+    session_.say(status ? "Saved " + path.string() + "." : status.error().message);
+}
+
+}  // namespace se::view

@@ -1,0 +1,87 @@
+/// Ties everything together: the order of one frame. Knows neither GLFW nor EGL.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "camera.h"
+#include "commands.h"
+#include "gl/renderer.h"
+#include "options.h"
+#include "panels/panel.h"
+#include "playback.h"
+#include "session.h"
+#include "ui.h"
+
+namespace se::view {
+
+class Application {
+  public:
+    Application(const Options& options, const ViewSettings& settings);
+    ~Application();
+
+    /// Requires a current OpenGL context. `contentScale` is what the monitor says.
+    Status start(float contentScale);
+
+    // From the window.
+    void key(const KeyChord& chord, bool repeated);
+    void open(const std::string& path);
+    /// Takes over what threads have finished. True if there is something new to draw.
+    bool poll();
+    /// Draws one frame into the bound framebuffer. The platform side of ImGui must be up to date.
+    void frame(glm::ivec2 size, double seconds);
+    /// Blocks until what was asked for on the command line can be seen.
+    Status settle();
+
+    /// The next frame differs from this one even if nothing comes in.
+    bool animating() const;
+    bool wantsToQuit() const { return ui_.requests.quit; }
+    bool takeFullScreenRequest() { return std::exchange(ui_.requests.fullScreen, false); }
+    bool inputFailed() const { return session_.phase() == SessionPhase::Failed; }
+    std::string title() const;
+    const ViewSettings& settings() const { return ui_.settings; }
+    void rememberSize(glm::ivec2 size);
+
+  private:
+    struct SceneKey {
+        std::uint32_t revision = 0;
+        std::uint32_t generation = 0;
+        unsigned camera = 0;
+        glm::ivec2 size{0};
+        LayerSwitches layers;
+        Theme theme = Theme::Dark;
+        float em = 0.0F;
+        friend bool operator==(const SceneKey&, const SceneKey&) = default;
+    };
+
+    void goToFirstPlace();
+    void play(double seconds);
+    void fillScene();
+    void drawScene(const Layout& layout);
+    void drawUserInterface(const Layout& layout);
+    void countStatus();
+    void saveWindowPicture(glm::ivec2 size);
+    const Palette& palette() const { return paletteOf(ui_.settings.theme); }
+
+    Options options_;
+    Session session_;
+    Playback playback_;
+    Camera camera_;
+    UiState ui_;
+    CommandContext commands_;
+    std::unique_ptr<Ui> imgui_;
+    std::unique_ptr<Renderer> renderer_;
+    DrawList drawList_;
+    StatusCounts counts_;
+    SceneKey drawn_;
+    std::uint32_t filledRevision_ = 0;
+    LayerSwitches filledLayers_;
+    Theme filledTheme_ = Theme::Dark;
+    std::uint32_t uploadedGeneration_ = 0;
+    float contentScale_ = 1.0F;
+    bool placed_ = false;  ///< The place of --goto was asked for.
+    bool focused_ = false;
+    Status placeStatus_ = success();
+};
+
+}  // namespace se::view

@@ -1,0 +1,126 @@
+#include "camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace se::view {
+
+namespace {
+
+constexpr float kFieldOfViewDegrees = 32.0F;
+constexpr float kSteepestDegrees = 90.0F;
+constexpr float kNearest = 0.002F;
+constexpr float kFarthest = 60.0F;
+/// Degrees of turn for a drag over the whole height of the view.
+constexpr float kTurnPerHeight = 240.0F;
+/// Everything fits a sphere of this radius.
+constexpr float kSceneRadius = 1.0F;
+
+float halfTangent() { return std::tan(glm::radians(kFieldOfViewDegrees) * 0.5F); }
+
+}  // namespace
+
+glm::vec3 Camera::direction() const {
+    const float yaw = glm::radians(yawDegrees_);
+    const float pitch = glm::radians(pitchDegrees_);
+    return {std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw), std::sin(pitch)};
+}
+
+glm::vec3 Camera::right() const {
+    // From the yaw alone, so that it is also known when looking straight down.
+    const float yaw = glm::radians(yawDegrees_);
+    return {-std::sin(yaw), std::cos(yaw), 0.0F};
+}
+
+glm::vec3 Camera::up() const { return glm::cross(direction(), right()); }
+
+float Camera::heightAtTarget() const { return 2.0F * distance_ * halfTangent(); }
+
+CameraMatrices Camera::matrices(float aspect) const {
+    CameraMatrices m;
+    const glm::vec3 eye = target_ + direction() * distance_;
+    const float reach = glm::length(eye) + 1.5F * kSceneRadius;
+    m.view = glm::lookAt(eye, target_, up());
+    m.eye = eye;
+    m.orthographic = orthographic_;
+    if (orthographic_) {
+        const float half = 0.5F * heightAtTarget();
+        m.projection = glm::ortho(-half * aspect, half * aspect, -half, half, -reach, reach);
+    } else {
+        const float nearPlane = std::max(distance_ * 0.02F, reach * 1e-4F);
+        m.projection =
+            glm::perspective(glm::radians(kFieldOfViewDegrees), aspect, nearPlane, reach);
+    }
+    return m;
+}
+
+void Camera::orbit(glm::vec2 pixels, float height) {
+    yawDegrees_ = std::fmod(yawDegrees_ - pixels.x / height * kTurnPerHeight, 360.0F);
+    pitchDegrees_ = std::clamp(pitchDegrees_ + pixels.y / height * kTurnPerHeight,
+                               -kSteepestDegrees, kSteepestDegrees);
+    ++revision_;
+}
+
+void Camera::pan(glm::vec2 pixels, float height) {
+    const float unit = heightAtTarget() / height;
+    target_ += right() * (-pixels.x * unit) + up() * (pixels.y * unit);
+    ++revision_;
+}
+
+void Camera::zoomAt(float notches, glm::vec2 ndc, float aspect) {
+    const float before = distance_;
+    distance_ = std::clamp(distance_ * std::pow(0.85F, notches), kNearest, kFarthest);
+    const float moved = (before - distance_) * halfTangent();
+    target_ += right() * (ndc.x * aspect * moved) + up() * (ndc.y * moved);
+    ++revision_;
+}
+
+void Camera::frame(const glm::vec3& center, float radius) {
+    target_ = center;
+    distance_ = std::clamp(1.08F * radius / std::sin(glm::radians(kFieldOfViewDegrees) * 0.5F),
+                           kNearest, kFarthest);
+    ++revision_;
+}
+
+void Camera::lookAt(const glm::vec3& target) {
+    target_ = target;
+    ++revision_;
+}
+
+void Camera::toggleOrthographic() {
+    orthographic_ = !orthographic_;
+    ++revision_;
+}
+
+void Camera::set(ViewPreset preset) {
+    struct Direction {
+        float yaw;
+        float pitch;
+    };
+    constexpr Direction kDirections[] = {{-90, 0}, {90, 0},   {0, 0},
+                                         {180, 0}, {-90, 90}, {-90, -90}};
+    const Direction& d = kDirections[static_cast<std::size_t>(preset)];
+    yawDegrees_ = d.yaw;
+    pitchDegrees_ = d.pitch;
+    ++revision_;
+}
+
+void Camera::home() {
+    const unsigned revision = revision_;
+    const bool orthographic = orthographic_;
+    *this = Camera{};
+    orthographic_ = orthographic;
+    revision_ = revision;
+    frame(glm::vec3(0.0F), kSceneRadius);
+}
+
+glm::vec3 project(const CameraMatrices& camera, const glm::vec3& position, glm::vec2 size) {
+    const glm::vec4 clip = camera.viewProjection() * glm::vec4(position, 1.0F);
+    if (clip.w <= 0.0F) return {0.0F, 0.0F, -1.0F};
+    const glm::vec3 ndc = glm::vec3(clip) / clip.w;
+    return {(ndc.x * 0.5F + 0.5F) * size.x, (0.5F - ndc.y * 0.5F) * size.y,
+            -(camera.view * glm::vec4(position, 1.0F)).z + (camera.orthographic ? 100.0F : 0.0F)};
+}
+
+}  // namespace se::view

@@ -1,0 +1,67 @@
+/// An orbit camera with z up. Plain mathematics: knows no window and no OpenGL.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace se::view {
+
+enum class ViewPreset { Front, Back, Right, Left, Top, Bottom };
+
+/// What the renderer and picking need.
+struct CameraMatrices {
+    glm::mat4 view{1.0F};
+    glm::mat4 projection{1.0F};
+    glm::vec3 eye{0.0F};
+    bool orthographic = false;
+
+    glm::mat4 viewProjection() const { return projection * view; }
+};
+
+/// Looks at `target` from `distance`. View space has the input in the unit sphere about the origin.
+class Camera {
+  public:
+    CameraMatrices matrices(float aspect) const;
+
+    /// Turns by a drag of `pixels` in a view of `height` pixels.
+    void orbit(glm::vec2 pixels, float height);
+    void pan(glm::vec2 pixels, float height);
+    /// Zooms by `notches` of the wheel, so that what is under `ndc` (in [-1, 1], y up) stays there.
+    void zoomAt(float notches, glm::vec2 ndc, float aspect);
+    /// Puts a sphere in the middle and makes it fill the view. The direction stays.
+    void frame(const glm::vec3& center, float radius);
+    /// Moves `target` to the middle of the view; later orbits turn about it.
+    void lookAt(const glm::vec3& target);
+    void set(ViewPreset preset);
+    void toggleOrthographic();
+    bool orthographic() const { return orthographic_; }
+    /// Three-quarter view of everything.
+    void home();
+
+    const glm::vec3& target() const { return target_; }
+    float distance() const { return distance_; }
+    /// Height of the view at the target, in view units.
+    float heightAtTarget() const;
+    /// Grows with every change.
+    unsigned revision() const { return revision_; }
+
+    friend bool operator==(const Camera&, const Camera&) = default;
+
+  private:
+    glm::vec3 direction() const;  ///< From the target to the eye.
+    glm::vec3 right() const;
+    glm::vec3 up() const;
+
+    glm::vec3 target_{0.0F};
+    float distance_ = 3.4F;
+    float yawDegrees_ = -60.0F;
+    float pitchDegrees_ = 24.0F;
+    bool orthographic_ = false;
+    unsigned revision_ = 0;
+};
+
+/// Pixel position (y down) and depth of a point; depth <= 0 means behind the camera.
+glm::vec3 project(const CameraMatrices& camera, const glm::vec3& position, glm::vec2 size);
+
+}  // namespace se::view

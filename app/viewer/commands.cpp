@@ -1,0 +1,206 @@
+#include "commands.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <utility>
+#include <vector>
+
+#include "session.h"
+
+namespace se::view {
+
+namespace {
+
+using C = CommandContext;
+
+template <LayerId layer>
+void toggleLayer(C& c) {
+    c.ui.settings.layers.flip(static_cast<std::size_t>(layer));
+}
+
+template <ViewPreset preset>
+void setView(C& c) {
+    c.camera.set(preset);
+}
+
+void pause(C& c) { c.playback.pause(); }
+
+void escape(C& c) {
+    c.ui.cheatSheet = false;
+    c.ui.fileBrowser = false;
+    c.ui.requests.closePopups = true;
+    c.session.select(kNone);
+}
+
+void toggleTheme(C& c) {
+    Theme& theme = c.ui.settings.theme;
+    theme = theme == Theme::Dark ? Theme::Light : Theme::Dark;
+}
+
+void restart(C& c) {
+    pause(c);
+    c.session.open(c.session.spec());
+}
+
+void toEnd(C& c) {
+    pause(c);
+    c.session.toEnd();
+}
+
+void toStart(C& c) {
+    pause(c);
+    c.session.toStart();
+}
+
+void toggleUnit(C& c) {
+    const bool pivots = c.playback.unit() == PlayUnit::Pivot;
+    c.playback.setUnit(pivots ? PlayUnit::SubStep : PlayUnit::Pivot);
+}
+
+// Groups in the order of the menu bar.
+constexpr auto kCommands = std::to_array<Command>({
+    {"file.open", "File", "Open...", "Ctrl+O", "Open a point file.", false,
+     [](C& c) { c.ui.fileBrowser = true; }},
+    {"file.restart", "File", "Reload and restart", "Ctrl+R",
+     "Read the input again and go to the start.", false, restart},
+    {"file.screenshot", "File", "Save screenshot", "F12", "Save a picture of the window.", false,
+     [](C& c) { c.ui.requests.screenshot = true; }},
+    {"file.quit", "File", "Quit", "Ctrl+Q", "Leave.", false,
+     [](C& c) { c.ui.requests.quit = true; }},
+
+    {"run.play", "Run", "Play or pause", "Space P", "Play by the chosen unit, or pause.", false,
+     [](C& c) { c.playback.toggle(); }},
+    {"run.slower", "Run", "Slower", "-", "Play more slowly.", true,
+     [](C& c) { c.playback.slower(); }},
+    {"run.faster", "Run", "Faster", "=", "Play faster.", true, [](C& c) { c.playback.faster(); }},
+    {"run.unit", "Run", "Change the unit of playing", "U", "Play by sub-steps or by pivots.", false,
+     toggleUnit},
+    {"run.end", "Run", "Run to the end", "F5 End", "Run to the end; the window stays awake.", false,
+     toEnd},
+    {"run.start", "Run", "Back to the start", "Shift+F5 Home", "Go to where nothing has been done.",
+     false, toStart},
+
+    {"step.pivot.next", "Step", "Next pivot", "F10 .", "Go to the end of the next pivot.", true,
+     [](C& c) { pause(c), c.session.stepPivot(1); }},
+    {"step.pivot.previous", "Step", "Previous pivot", "Shift+F10 ,",
+     "Go to the end of the previous pivot.", true, [](C& c) { pause(c), c.session.stepPivot(-1); }},
+    {"step.event.next", "Step", "Next sub-step", "F11 Right", "Go on by one decision.", true,
+     [](C& c) { pause(c), c.session.stepEvent(1); }},
+    {"step.event.previous", "Step", "Previous sub-step", "Left", "Go back by one decision.", true,
+     [](C& c) { pause(c), c.session.stepEvent(-1); }},
+    {"step.pivot.finish", "Step", "Finish this pivot", "Shift+F11",
+     "Go to the last decision of this pivot.", true,
+     [](C& c) { pause(c), c.session.finishPivot(); }},
+    {"step.goto", "Step", "Go to...", "Ctrl+G", "Type 137, 137.sphere.3, +10, 50% or p812.", false,
+     [](C& c) { c.ui.requests.focusGoTo = true; }},
+
+    {"view.frame", "View", "Frame pivot or selection", "F",
+     "Show the selection, or the pivot and its neighbors.", false, frameFocus},
+    {"view.all", "View", "Frame all", "Shift+F", "Show everything; the direction stays.", false,
+     [](C& c) { c.camera.frame(glm::vec3(0.0F), 1.0F); }},
+    {"view.home", "View", "Camera home", "Enter", "Show everything from the first direction.",
+     false, [](C& c) { c.camera.home(); }},
+    {"view.front", "View", "Front", "1", "Look along +y.", false, setView<ViewPreset::Front>},
+    {"view.back", "View", "Back", "Ctrl+1", "Look along -y.", false, setView<ViewPreset::Back>},
+    {"view.right", "View", "Right", "3", "Look along -x.", false, setView<ViewPreset::Right>},
+    {"view.left", "View", "Left", "Ctrl+3", "Look along +x.", false, setView<ViewPreset::Left>},
+    {"view.top", "View", "Top", "7", "Look down.", false, setView<ViewPreset::Top>},
+    {"view.bottom", "View", "Bottom", "Ctrl+7", "Look up.", false, setView<ViewPreset::Bottom>},
+    {"view.orthographic", "View", "Orthographic", "5", "Without or with perspective.", false,
+     [](C& c) { c.camera.toggleOrthographic(); }},
+    {"view.fullscreen", "View", "Full screen", "Alt+Enter", "Fill the screen, or not.", false,
+     [](C& c) { c.ui.requests.fullScreen = true; }},
+    {"view.theme", "View", "Dark or light", "T", "Change between the dark and the light theme.",
+     false, toggleTheme},
+    {"view.legend", "View", "Legend", "", "Show or hide the legend.", false,
+     [](C& c) { c.ui.settings.legend = !c.ui.settings.legend; }},
+
+    {"layer.normals", "Layers", "Normals", "N", "Show normals near the pivot.", false,
+     toggleLayer<LayerId::Normals>},
+    {"layer.labels", "Layers", "Labels", "L", "Show labels.", false, toggleLayer<LayerId::Labels>},
+    {"layer.edges", "Layers", "Mesh edges", "E", "Show edges of finished triangles.", false,
+     toggleLayer<LayerId::MeshEdges>},
+    {"layer.spheres", "Layers", "Spheres", "S", "Show the circumsphere of a test.", false,
+     toggleLayer<LayerId::Spheres>},
+    {"layer.links", "Layers", "Neighbor links", "G",
+     "Show the neighbor lists of pivot and selection.", false, toggleLayer<LayerId::Links>},
+    {"layer.stack", "Layers", "Stacked rings", "K", "Show the rings on the stack.", false,
+     toggleLayer<LayerId::StackedRings>},
+
+    {"help.keys", "Help", "Keys and mouse", "F1 ?", "Show this list.", false,
+     [](C& c) { c.ui.cheatSheet = !c.ui.cheatSheet; }},
+    {"help.leave", "Help", "Close popup, clear selection", "Esc", "Never quits.", false, escape},
+});
+
+std::vector<std::string_view> wordsOf(std::string_view text) {
+    std::vector<std::string_view> words;
+    while (!text.empty()) {
+        const std::size_t blank = text.find(' ');
+        words.push_back(text.substr(0, blank));
+        text = blank == std::string_view::npos ? std::string_view{} : text.substr(blank + 1);
+    }
+    return words;
+}
+
+}  // namespace
+
+std::span<const Command> commands() { return kCommands; }
+
+const Command* findCommand(std::string_view id) {
+    const auto found = std::find_if(kCommands.begin(), kCommands.end(),
+                                    [&](const Command& each) { return each.id == id; });
+    return found == kCommands.end() ? nullptr : &*found;
+}
+
+const Command* commandForKey(const KeyChord& chord) {
+    for (const Command& command : kCommands) {
+        for (const std::string_view word : wordsOf(command.keys)) {
+            if (keyFromString(word) == chord) return &command;
+        }
+    }
+    return nullptr;
+}
+
+std::string firstKey(const Command& command) {
+    const auto words = wordsOf(command.keys);
+    return words.empty() ? std::string{} : std::string(words.front());
+}
+
+std::string allKeys(const Command& command) {
+    std::string text;
+    for (const std::string_view word : wordsOf(command.keys)) {
+        text += (text.empty() ? "" : ", ") + std::string(word);
+    }
+    return text;
+}
+
+std::string listActions() {
+    std::string text;
+    for (const Command& command : kCommands) {
+        std::string line(command.id);
+        line.resize(std::max<std::size_t>(line.size() + 1, 22), ' ');
+        line += allKeys(command);
+        line.resize(std::max<std::size_t>(line.size() + 1, 40), ' ');
+        text += line + std::string(command.help) + "\n";
+    }
+    return text;
+}
+
+void frameFocus(CommandContext& context) {
+    const Session& session = context.session;
+    if (!session.ready()) return;
+    const Model& model = session.model();
+    const Index focus = session.selected() != kNone ? session.selected() : session.picture().pivot;
+    if (focus == kNone) {
+        context.camera.frame(glm::vec3(0.0F), 1.0F);
+        return;
+    }
+    float radius = 2.0F * model.spacing;
+    for (const Index q : model.points.neighbors[focus]) {
+        radius = std::max(radius, glm::distance(model.place[focus], model.place[q]));
+    }
+    context.camera.frame(model.place[focus], 1.25F * radius);
+}
+
+}  // namespace se::view

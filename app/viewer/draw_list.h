@@ -1,0 +1,119 @@
+/// What is to be drawn, as plain values: layers fill it, gl/ draws it, tests read it.
+/// Positions are in view space (model.h); sizes are in em, the height of a line of text.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "palette.h"
+
+namespace se::view {
+
+/// Shapes of points. The numbers are known to shaders/point.frag.
+enum class Shape : std::uint8_t {
+    Hidden = 0,
+    Dot = 1,
+    Disc = 2,
+    Circle = 3,  ///< Open.
+    Square = 4,
+    OpenSquare = 5,
+    Diamond = 6,
+    OpenDiamond = 7,
+    RingedDisc = 8,
+    Forward = 9,  ///< Triangle pointing right.
+    Back = 10,    ///< Triangle pointing left.
+    Cross = 11,
+};
+
+struct PointStyle {
+    Color color;
+    float size = 0.5F;
+    Shape shape = Shape::Disc;
+};
+
+/// A single marked point, always on top.
+struct Sprite {
+    glm::vec3 position{0.0F};
+    PointStyle style;
+};
+
+/// How a line stands to what is before it.
+enum class Depth : std::uint8_t {
+    Tested,  ///< Hidden parts are not drawn.
+    XRay,    ///< Hidden parts shine through faintly.
+    OnTop,   ///< Nothing hides it.
+};
+
+struct Line {
+    glm::vec3 from{0.0F};
+    glm::vec3 to{0.0F};
+    Color color;
+    float width = 0.1F;
+    float dash = 0.0F;   ///< Length of dash and gap; 0: solid.
+    float arrow = 0.0F;  ///< Size of an arrow head at the middle; 0: none.
+    Depth depth = Depth::Tested;
+};
+
+struct Face {
+    std::array<glm::vec3, 3> corners{};
+    Color color;
+    bool hatched = false;
+};
+
+/// A filled shape that one can look through, e.g. the free sector of a pivot.
+using Sheet = Face;
+
+struct Sphere {
+    glm::vec3 center{0.0F};
+    float radius = 1.0F;
+    Color color;
+};
+
+/// Text beside a point.
+struct Label {
+    glm::vec3 position{0.0F};
+    std::string text;
+    Color color;
+    bool strong = false;
+};
+
+/// Styles of the points of the input, chosen per point by one byte.
+struct CloudStyles {
+    static constexpr std::size_t kCount = 16;
+    std::array<PointStyle, kCount> styles{};
+};
+
+struct DrawList {
+    // The input: positions are uploaded once, only the bytes change.
+    bool cloudVisible = true;
+    CloudStyles cloudStyles;
+    std::vector<std::uint8_t> cloudStyleOf;
+
+    // Finished triangles: uploaded once, drawn up to a count.
+    std::size_t finishedTriangles = 0;
+    Color meshColor;
+    Color meshEdgeColor;
+    bool meshVisible = true;
+    bool meshEdges = true;
+
+    std::vector<Face> faces;  ///< New triangles: lit, opaque.
+    std::vector<Line> lines;
+    std::vector<Sheet> sheets;  ///< Transparent, unlit.
+    std::vector<Sphere> spheres;
+    std::vector<Sprite> sprites;
+    std::vector<Label> labels;
+
+    void clear() { *this = DrawList{}; }
+    void line(const glm::vec3& from, const glm::vec3& to, const Color& color, float width,
+              Depth depth = Depth::Tested) {
+        lines.push_back({from, to, color, width, 0.0F, 0.0F, depth});
+    }
+    /// A circle about `center` with the unit vectors u and v, as `segments` lines.
+    void circle(const glm::vec3& center, const glm::vec3& u, const glm::vec3& v, float radius,
+                const Color& color, float width, Depth depth, int segments = 64);
+};
+
+}  // namespace se::view

@@ -1,0 +1,21 @@
+/// The fonts of the user interface.
+#pragma once
+
+#include <string>
+
+struct ImFont;
+
+namespace se::view {
+
+struct Fonts {
+    ImFont* text = nullptr;
+    ImFont* strong = nullptr;
+    ImFont* mono = nullptr;
+    ImFont* large = nullptr;  ///< For the narration line.
+    bool symbols = false;     ///< The math signs are there; else write words.
+};
+
+/// Puts the fonts at `em` pixels into the atlas of the current ImGui context, replacing all others.
+Fonts loadFonts(float em);
+
+}  // namespace se::view

@@ -1,0 +1,22 @@
+/// The few OpenGL calls that window and off-screen picture need themselves.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <string>
+
+#include "../palette.h"
+#include "spiraling_edge/result.h"
+
+namespace se::view {
+
+using GlFunction = void (*)();
+using GlFunctionLoader = GlFunction (*)(const char* name);
+
+/// Finds the functions of the current context. Fails if it is older than 3.3.
+Status loadGl(GlFunctionLoader loader);
+/// Fills the bound framebuffer of `size` pixels with a color.
+void clearFrame(glm::ivec2 size, const Color& color);
+/// Version and renderer of the current context, for --version and error reports.
+std::string glDescription();
+
+}  // namespace se::view

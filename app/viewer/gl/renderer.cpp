@@ -1,0 +1,307 @@
+#include "renderer.h"
+
+#include <glad/gl.h>
+
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_access.hpp>
+#include <numbers>
+
+namespace se::view {
+
+namespace {
+
+struct CloudVertex {
+    glm::vec3 position;
+    glm::vec3 normal;
+};
+struct SpriteVertex {
+    glm::vec3 position;
+    glm::vec4 color;
+    glm::vec2 sizeShape;
+};
+struct LineInstance {
+    glm::vec3 from;
+    glm::vec3 to;
+    glm::vec4 color;
+    glm::vec3 widthDashArrow;
+};
+struct FaceVertex {
+    glm::vec3 position;
+    glm::vec4 color;
+    float hatched;
+};
+
+/// Share of the point spacing by which points and lines are moved toward the eye.
+constexpr float kBiasShare = 0.12F;
+/// How much of a hidden line shines through.
+constexpr float kXRayAlpha = 0.28F;
+
+glm::vec4 vec(const Color& c) { return {c.r, c.g, c.b, c.a}; }
+
+std::vector<glm::vec3> unitSphere() {
+    constexpr int kAround = 48;
+    constexpr int kUp = 24;
+    const auto at = [](int i, int j) {
+        const float lon = 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / kAround;
+        const float lat = std::numbers::pi_v<float> * (static_cast<float>(j) / kUp - 0.5F);
+        return glm::vec3(std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon),
+                         std::sin(lat));
+    };
+    std::vector<glm::vec3> vertices;
+    for (int j = 0; j < kUp; ++j) {
+        for (int i = 0; i < kAround; ++i) {
+            for (const auto& v : {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j),
+                                  at(i + 1, j + 1), at(i, j + 1)}) {
+                vertices.push_back(v);
+            }
+        }
+    }
+    return vertices;
+}
+
+Status loadInto(Shader& shader, const char* vertex, const char* fragment,
+                const std::filesystem::path& folder, const char* defines = "") {
+    Result<Shader> loaded = Shader::load(vertex, fragment, folder, defines);
+    if (!loaded) return loaded.error();
+    shader = std::move(loaded.value());
+    return success();
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Renderer>> Renderer::create(const std::filesystem::path& shaderFolder) {
+    std::unique_ptr<Renderer> renderer(new Renderer);
+    if (const Status status = renderer->loadShaders(shaderFolder); !status) return status.error();
+    renderer->describeBatches();
+    return renderer;
+}
+
+Status Renderer::loadShaders(const std::filesystem::path& folder) {
+    for (const Status& status :
+         {loadInto(cloudShader_, "cloud.vert", "point.frag", folder),
+          loadInto(spriteShader_, "sprite.vert", "point.frag", folder, "#define HALO\n"),
+          loadInto(lineShader_, "line.vert", "line.frag", folder),
+          loadInto(meshShader_, "mesh.vert", "mesh.frag", folder),
+          loadInto(shellShader_, "shell.vert", "shell.frag", folder)}) {
+        if (!status) return status;
+    }
+    return success();
+}
+
+void Renderer::describeBatches() {
+    cloud_.describe(
+        0, sizeof(CloudVertex),
+        {{0, 3, offsetof(CloudVertex, position)}, {1, 3, offsetof(CloudVertex, normal)}});
+    cloud_.describe(1, 1, {{2, 1, 0, true}});
+    sprites_.describe(0, sizeof(SpriteVertex),
+                      {{0, 3, offsetof(SpriteVertex, position)},
+                       {1, 4, offsetof(SpriteVertex, color)},
+                       {2, 2, offsetof(SpriteVertex, sizeShape)}});
+    lines_.describe(0, sizeof(LineInstance),
+                    {{0, 3, offsetof(LineInstance, from)},
+                     {1, 3, offsetof(LineInstance, to)},
+                     {2, 4, offsetof(LineInstance, color)},
+                     {3, 3, offsetof(LineInstance, widthDashArrow)}},
+                    true);
+    faces_.describe(0, sizeof(FaceVertex),
+                    {{0, 3, offsetof(FaceVertex, position)},
+                     {1, 4, offsetof(FaceVertex, color)},
+                     {2, 1, offsetof(FaceVertex, hatched)}});
+    const std::vector<glm::vec3> sphere = unitSphere();
+    shell_.describe(0, sizeof(glm::vec3), {{0, 3, 0}});
+    shell_.upload(0, sphere.data(), sphere.size() * sizeof(glm::vec3));
+    shellVertices_ = sphere.size();
+}
+
+void Renderer::setModel(const Model& model) {
+    std::vector<CloudVertex> vertices;
+    vertices.reserve(model.place.size());
+    for (std::size_t p = 0; p < model.place.size(); ++p) {
+        vertices.push_back({model.place[p], model.normal[p]});
+    }
+    cloud_.upload(0, vertices.data(), vertices.size() * sizeof(CloudVertex));
+    cloudCount_ = vertices.size();
+    meshTriangles_ = 0;
+    spacing_ = model.spacing;
+}
+
+void Renderer::setTriangles(const Model& model, std::span<const Triangle> triangles) {
+    if (triangles.size() <= meshTriangles_) return;
+    std::vector<glm::vec3> corners;
+    corners.reserve(3 * (triangles.size() - meshTriangles_));
+    for (const Triangle& t : triangles.subspan(meshTriangles_)) {
+        for (const Index p : {t.a, t.b, t.c}) corners.push_back(model.place[p]);
+    }
+    mesh_.append(0, 3 * meshTriangles_ * sizeof(glm::vec3), corners.data(),
+                 corners.size() * sizeof(glm::vec3));
+    // The buffer may be another one now.
+    mesh_.describe(0, sizeof(glm::vec3), {{0, 3, 0}});
+    meshTriangles_ = triangles.size();
+}
+
+void Renderer::draw(const DrawList& list, const CameraMatrices& camera, glm::ivec2 size, float em,
+                    const Color& background) {
+    em_ = em;
+    size_ = glm::vec2(size);
+    target_.begin(size);
+    glClearColor(background.r, background.g, background.b, 1.0F);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_CULL_FACE);
+    glDepthMask(GL_TRUE);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    glEnable(GL_PROGRAM_POINT_SIZE);
+    glDisable(GL_BLEND);
+    drawMesh(list, camera);
+
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthMask(GL_FALSE);
+    drawSheets(list, camera);
+    drawCloud(list, camera);
+    drawSpheres(list, camera);
+    drawLines(list, camera);
+    glDisable(GL_DEPTH_TEST);
+    drawSprites(list, camera, background);
+
+    glDepthMask(GL_TRUE);
+    glDisable(GL_PROGRAM_POINT_SIZE);
+    glBindVertexArray(0);
+    target_.end();
+}
+
+void Renderer::useCamera(Shader& shader, const CameraMatrices& camera, float bias) {
+    shader.use();
+    shader.set("uView", camera.view);
+    shader.set("uProjection", camera.projection);
+    shader.set("uEye", camera.eye);
+    shader.set("uBackward", glm::vec3(glm::row(camera.view, 2)));
+    shader.set("uOrthographic", camera.orthographic);
+    shader.set("uBias", bias);
+}
+
+void Renderer::drawMesh(const DrawList& list, const CameraMatrices& camera) {
+    useCamera(meshShader_, camera, 0.0F);
+    meshShader_.set("uRight", glm::vec3(glm::row(camera.view, 0)));
+    meshShader_.set("uUp", glm::vec3(glm::row(camera.view, 1)));
+    meshShader_.set("uLit", true);
+    meshShader_.set("uHatch", 0.55F * em_);
+    meshShader_.set("uEdgeWidth", std::max(1.0F, 0.07F * em_));
+    meshShader_.set("uEdgeColor", vec(list.meshEdgeColor.withAlpha(list.meshEdges ? 0.85F : 0.0F)));
+    const std::size_t count = std::min(list.finishedTriangles, meshTriangles_);
+    if (list.meshVisible && count > 0) {
+        mesh_.bind();
+        const Color& c = list.meshColor;
+        glVertexAttrib4f(1, c.r, c.g, c.b, c.a);
+        glVertexAttrib1f(2, 0.0F);
+        glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * count));
+    }
+    drawFaces(list.faces);
+}
+
+void Renderer::drawFaces(std::span<const Face> faces) {
+    if (faces.empty()) return;
+    std::vector<FaceVertex> vertices;
+    for (const Face& face : faces) {
+        for (const glm::vec3& corner : face.corners) {
+            vertices.push_back({corner, vec(face.color), face.hatched ? 1.0F : 0.0F});
+        }
+    }
+    faces_.upload(0, vertices.data(), vertices.size() * sizeof(FaceVertex));
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));
+}
+
+void Renderer::drawCloud(const DrawList& list, const CameraMatrices& camera) {
+    if (!list.cloudVisible || cloudCount_ == 0 || list.cloudStyleOf.size() != cloudCount_) return;
+    std::array<glm::vec4, CloudStyles::kCount> colors{};
+    std::array<glm::vec2, CloudStyles::kCount> sizes{};
+    for (std::size_t i = 0; i < CloudStyles::kCount; ++i) {
+        const PointStyle& style = list.cloudStyles.styles[i];
+        colors[i] = vec(style.color);
+        sizes[i] = {std::max(1.5F, style.size * em_), static_cast<float>(style.shape)};
+    }
+    useCamera(cloudShader_, camera, kBiasShare * spacing_);
+    cloudShader_.set("uStyleColor", std::span<const glm::vec4>(colors));
+    cloudShader_.set("uStyleSizeShape", std::span<const glm::vec2>(sizes));
+    cloud_.upload(1, list.cloudStyleOf.data(), list.cloudStyleOf.size());
+    glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(cloudCount_));
+}
+
+void Renderer::drawLines(const DrawList& list, const CameraMatrices& camera) {
+    if (list.lines.empty()) return;
+    std::array<std::vector<Line>, 3> byDepth;
+    for (const Line& line : list.lines)
+        byDepth[static_cast<std::size_t>(line.depth)].push_back(line);
+    useCamera(lineShader_, camera, kBiasShare * spacing_);
+    lineShader_.set("uViewport", size_);
+    lineShader_.set("uAlpha", kXRayAlpha);
+    glDepthFunc(GL_GREATER);
+    drawLineRun(byDepth[1], lineShader_);
+    glDepthFunc(GL_LEQUAL);
+    lineShader_.set("uAlpha", 1.0F);
+    drawLineRun(byDepth[0], lineShader_);
+    drawLineRun(byDepth[1], lineShader_);
+    glDisable(GL_DEPTH_TEST);
+    drawLineRun(byDepth[2], lineShader_);
+    glEnable(GL_DEPTH_TEST);
+}
+
+void Renderer::drawLineRun(std::span<const Line> lines, Shader& shader) {
+    if (lines.empty()) return;
+    std::vector<LineInstance> instances;
+    instances.reserve(lines.size());
+    for (const Line& line : lines) {
+        const glm::vec3 sizes(std::max(1.0F, line.width * em_), line.dash * em_, line.arrow * em_);
+        instances.push_back({line.from, line.to, vec(line.color), sizes});
+    }
+    shader.use();
+    lines_.upload(0, instances.data(), instances.size() * sizeof(LineInstance));
+    glDrawArraysInstanced(GL_TRIANGLES, 0, 6, static_cast<GLsizei>(instances.size()));
+}
+
+void Renderer::drawSheets(const DrawList& list, const CameraMatrices& camera) {
+    if (list.sheets.empty()) return;
+    useCamera(meshShader_, camera, 0.0F);
+    meshShader_.set("uLit", false);
+    meshShader_.set("uEdgeColor", glm::vec4(0.0F));
+    glDisable(GL_DEPTH_TEST);
+    drawFaces(list.sheets);
+    glEnable(GL_DEPTH_TEST);
+}
+
+void Renderer::drawSpheres(const DrawList& list, const CameraMatrices& camera) {
+    if (list.spheres.empty()) return;
+    useCamera(shellShader_, camera, 0.0F);
+    shell_.bind();
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+    // All of it is seen, also where the surface would hide it: it stands for a test, not a thing.
+    glDisable(GL_DEPTH_TEST);
+    for (const Sphere& sphere : list.spheres) {
+        shellShader_.set("uCenter", sphere.center);
+        shellShader_.set("uRadius", sphere.radius);
+        shellShader_.set("uColor", vec(sphere.color));
+        glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(shellVertices_));
+    }
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+}
+
+void Renderer::drawSprites(const DrawList& list, const CameraMatrices& camera,
+                           const Color& background) {
+    if (list.sprites.empty()) return;
+    std::vector<SpriteVertex> vertices;
+    for (const Sprite& sprite : list.sprites) {
+        const glm::vec2 sizeShape(sprite.style.size * em_, static_cast<float>(sprite.style.shape));
+        vertices.push_back({sprite.position, vec(sprite.style.color), sizeShape});
+    }
+    useCamera(spriteShader_, camera, 0.0F);
+    spriteShader_.set("uHalo", glm::vec3(background.r, background.g, background.b));
+    sprites_.upload(0, vertices.data(), vertices.size() * sizeof(SpriteVertex));
+    glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(vertices.size()));
+}
+
+}  // namespace se::view

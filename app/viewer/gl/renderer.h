@@ -1,0 +1,68 @@
+/// Draws a DrawList into a picture of its own, which the window then shows.
+#pragma once
+
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <memory>
+#include <span>
+
+#include "../camera.h"
+#include "../draw_list.h"
+#include "../model.h"
+#include "batch.h"
+#include "shader.h"
+#include "target.h"
+
+namespace se::view {
+
+class Renderer {
+  public:
+    /// Compiles the shaders; from `shaderFolder` unless it is empty. Requires a current context.
+    static Result<std::unique_ptr<Renderer>> create(const std::filesystem::path& shaderFolder);
+
+    /// Uploads positions and normals. Forgets all triangles.
+    void setModel(const Model& model);
+    /// Uploads those triangles that are behind the ones known already.
+    void setTriangles(const Model& model, std::span<const Triangle> triangles);
+
+    /// Draws. `em` is the size of an em in pixels. The result is texture().
+    void draw(const DrawList& list, const CameraMatrices& camera, glm::ivec2 size, float em,
+              const Color& background);
+    /// The last picture drawn, for ImGui::Image (upside down, as OpenGL has it).
+    unsigned texture() const { return target_.texture(); }
+
+  private:
+    Renderer() = default;
+    Status loadShaders(const std::filesystem::path& folder);
+    void describeBatches();
+    void useCamera(Shader& shader, const CameraMatrices& camera, float bias);
+    void drawMesh(const DrawList& list, const CameraMatrices& camera);
+    void drawCloud(const DrawList& list, const CameraMatrices& camera);
+    void drawLines(const DrawList& list, const CameraMatrices& camera);
+    void drawLineRun(std::span<const Line> lines, Shader& shader);
+    void drawSheets(const DrawList& list, const CameraMatrices& camera);
+    void drawSpheres(const DrawList& list, const CameraMatrices& camera);
+    void drawSprites(const DrawList& list, const CameraMatrices& camera, const Color& background);
+    void drawFaces(std::span<const Face> faces);
+
+    Shader cloudShader_;
+    Shader spriteShader_;
+    Shader lineShader_;
+    Shader meshShader_;
+    Shader shellShader_;
+    Batch cloud_;
+    Batch sprites_;
+    Batch lines_;
+    Batch mesh_;
+    Batch faces_;
+    Batch shell_;
+    Target target_;
+    std::size_t cloudCount_ = 0;
+    std::size_t meshTriangles_ = 0;
+    std::size_t shellVertices_ = 0;
+    float spacing_ = 0.05F;
+    float em_ = 16.0F;
+    glm::vec2 size_{1.0F};
+};
+
+}  // namespace se::view

@@ -1,0 +1,14 @@
+/// Saving what the current framebuffer shows.
+#pragma once
+
+#include <filesystem>
+#include <glm/vec2.hpp>
+
+#include "spiraling_edge/result.h"
+
+namespace se::view {
+
+/// Reads `size` pixels of the bound framebuffer and writes them as PNG.
+Status saveScreenshot(const std::filesystem::path& path, glm::ivec2 size);
+
+}  // namespace se::view

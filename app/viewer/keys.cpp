@@ -1,0 +1,77 @@
+#include "keys.h"
+
+#include <array>
+#include <charconv>
+
+namespace se::view {
+
+namespace {
+
+struct NamedKey {
+    std::string_view name;
+    int key;
+};
+
+constexpr std::array<NamedKey, 10> kNamed = {{{"Space", key::kSpace},
+                                              {"Esc", key::kEscape},
+                                              {"Enter", key::kEnter},
+                                              {"Right", key::kRight},
+                                              {"Left", key::kLeft},
+                                              {"Down", key::kDown},
+                                              {"Up", key::kUp},
+                                              {"Home", key::kHome},
+                                              {"End", key::kEnd},
+                                              {"Plus", '+'}}};
+
+struct NamedMod {
+    std::string_view name;
+    int mod;
+};
+
+constexpr std::array<NamedMod, 3> kMods = {{{"Ctrl+", kCtrl}, {"Alt+", kAlt}, {"Shift+", kShift}}};
+
+int keyNumber(std::string_view text) {
+    for (const NamedKey& named : kNamed) {
+        if (named.name == text) return named.key;
+    }
+    if (text.size() > 1 && text.front() == 'F') {
+        int number = 0;
+        const auto [end, error] =
+            std::from_chars(text.data() + 1, text.data() + text.size(), number);
+        const bool whole = error == std::errc{} && end == text.data() + text.size();
+        return whole && number >= 1 && number <= 24 ? key::kF1 + number - 1 : 0;
+    }
+    return text.size() == 1 ? static_cast<unsigned char>(text.front()) : 0;
+}
+
+}  // namespace
+
+std::optional<KeyChord> keyFromString(std::string_view text) {
+    KeyChord chord;
+    for (bool found = true; found;) {
+        found = false;
+        for (const NamedMod& each : kMods) {
+            if (!text.starts_with(each.name)) continue;
+            chord.mods |= each.mod;
+            text.remove_prefix(each.name.size());
+            found = true;
+        }
+    }
+    chord.key = keyNumber(text);
+    if (chord.key == 0) return std::nullopt;
+    return chord;
+}
+
+std::string toString(const KeyChord& chord) {
+    std::string text;
+    for (const NamedMod& each : kMods) {
+        if ((chord.mods & each.mod) != 0) text += each.name;
+    }
+    for (const NamedKey& named : kNamed) {
+        if (named.key == chord.key) return text + std::string(named.name);
+    }
+    if (chord.isFunctionKey()) return text + "F" + std::to_string(chord.key - key::kF1 + 1);
+    return text + static_cast<char>(chord.key);
+}
+
+}  // namespace se::view

@@ -1,0 +1,67 @@
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "layer.h"
+
+namespace se::view {
+
+namespace {
+
+/// Steps shorter than this share of the median spacing get no arrow head of their own.
+constexpr float kArrowShare = 0.5F;
+
+void addRing(const LayerInput& in, const RingPath& ring, const Line& like, DrawList& out) {
+    const std::size_t count = ring.points.size();
+    // Long rings: a head on every step would be noise.
+    const std::size_t arrowEvery = count > 240 ? 6 : count > 80 ? 3 : 1;
+    for (std::size_t i = 0; i < count; ++i) {
+        Line line = like;
+        line.from = in.at(ring.points[i]);
+        line.to = in.at(ring.points[(i + 1) % count]);
+        const float length = glm::distance(line.from, line.to);
+        if (i % arrowEvery != 0 || length < kArrowShare * in.model.spacing) line.arrow = 0.0F;
+        if (ring.open[i]) {
+            // No edge of the mesh: thin and dotted.
+            line.width *= 0.6F;
+            line.dash = 0.22F;
+        }
+        out.lines.push_back(line);
+    }
+}
+
+/// The letter of a ring stands at its first point.
+void addNumber(const LayerInput& in, const RingPath& ring, DrawList& out) {
+    if (ring.points.empty()) return;
+    out.labels.push_back(
+        {in.at(ring.points.front()), "#" + std::to_string(ring.depth + 1), in.palette.used, false});
+}
+
+}  // namespace
+
+void addEdgeRing(const LayerInput& in, DrawList& out) {
+    for (const RingPath& ring : in.picture.rings) {
+        if (!ring.active) continue;
+        Line like;
+        like.color = in.palette.used;
+        like.width = 0.2F;
+        like.arrow = 0.55F;
+        like.depth = Depth::XRay;
+        addRing(in, ring, like, out);
+    }
+}
+
+void addStackedRings(const LayerInput& in, DrawList& out) {
+    for (const RingPath& ring : in.picture.rings) {
+        if (ring.active) continue;
+        const bool lit = ring.id != kNone && ring.id == in.highlightedRing;
+        Line like;
+        like.color = lit ? in.palette.pivot : in.palette.used;
+        like.width = std::max(0.07F, 0.14F - 0.02F * static_cast<float>(ring.depth));
+        like.dash = 0.4F;
+        like.depth = Depth::XRay;
+        addRing(in, ring, like, out);
+        addNumber(in, ring, out);
+    }
+}
+
+}  // namespace se::view

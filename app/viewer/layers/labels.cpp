@@ -1,0 +1,59 @@
+#include <set>
+
+#include "layer.h"
+
+namespace se::view {
+
+namespace {
+
+/// Collects one label per point, the more telling one first.
+class LabelMaker {
+  public:
+    LabelMaker(const LayerInput& in, DrawList& out) : in_(in), out_(out) {}
+
+    void add(Index point, const std::string& prefix, const Color& color, bool strong) {
+        if (point == kNone || !seen_.insert(point).second) return;
+        std::string text = prefix.empty() ? "" : prefix + " ";
+        out_.labels.push_back({in_.at(point), text + std::to_string(point), color, strong});
+    }
+
+  private:
+    const LayerInput& in_;
+    DrawList& out_;
+    std::set<Index> seen_;
+};
+
+}  // namespace
+
+void addLabels(const LayerInput& in, DrawList& out) {
+    const Picture& p = in.picture;
+    const Palette& c = in.palette;
+    LabelMaker labels(in, out);
+    labels.add(p.pivot, "p", c.pivot, true);
+    if (!p.complete && p.pivot != kNone) {
+        if (p.sphere) {
+            labels.add(p.sphere->q, "q", c.test, true);
+            if (p.sphere->s != p.start && p.sphere->s != p.end)
+                labels.add(p.sphere->s, "s", c.test, false);
+            if (p.sphere->t != p.start && p.sphere->t != p.end)
+                labels.add(p.sphere->t, "t", c.test, false);
+        }
+        labels.add(p.start, p.start == p.end ? "S E" : "S", c.first, true);
+        labels.add(p.end, "E", c.last, true);
+        if (p.first != p.start) labels.add(p.first, "first", c.first, false);
+        if (p.last != p.end) labels.add(p.last, "last", c.last, false);
+        labels.add(p.underTest, "?", c.test, true);
+        for (const CandidateMark& mark : p.candidates) {
+            if (mark.verdict == Verdict::AlreadyDone) continue;
+            const bool kept = mark.state == CandidateState::Kept;
+            labels.add(mark.point, "", kept ? c.used : c.rejected, false);
+        }
+    }
+    if (p.complete) labels.add(p.nextPivot, "next", c.pivot, false);
+    if (in.selected != kNone) {
+        out.sprites.push_back({in.at(in.selected), {c.text, 1.3F, Shape::Circle}});
+        labels.add(in.selected, "", c.text, true);
+    }
+}
+
+}  // namespace se::view

@@ -1,0 +1,61 @@
+#include "layer.h"
+
+namespace se::view {
+
+namespace {
+
+/// Above this many, every point is a plain dot: shapes could not be told apart anyway.
+constexpr std::size_t kShapesUpTo = 100'000;
+constexpr std::uint8_t kHiddenStyle = 15;
+
+/// Rows: UNUSED, USED, DONE. Columns: interior, boundary, corner.
+std::uint8_t styleIndex(PointStatus status, std::uint8_t type) {
+    const unsigned row = status == kUnused ? 0U : status > 0 ? 1U : 2U;
+    const unsigned column = isCorner(type) ? 2U : isBoundary(type) ? 1U : 0U;
+    return static_cast<std::uint8_t>(row * 3U + column);
+}
+
+CloudStyles stylesFor(const LayerInput& in, float size) {
+    const Palette& c = in.palette;
+    CloudStyles s;
+    s.styles[0] = {c.unused, 0.46F * size, Shape::Circle};
+    s.styles[1] = {c.unused, 0.46F * size, Shape::OpenSquare};
+    s.styles[2] = {c.unused, 0.54F * size, Shape::OpenDiamond};
+    s.styles[3] = {c.used, 0.52F * size, Shape::Disc};
+    s.styles[4] = {c.used, 0.50F * size, Shape::Square};
+    s.styles[5] = {c.used, 0.60F * size, Shape::Diamond};
+    s.styles[6] = {c.done, 0.26F * size, Shape::Dot};
+    s.styles[7] = {c.done, 0.30F * size, Shape::Square};
+    s.styles[8] = {c.done, 0.36F * size, Shape::Diamond};
+    s.styles[kHiddenStyle].shape = Shape::Hidden;
+    return s;
+}
+
+/// Many points stand close: they must shrink, or they hide each other and the surface.
+float sizeFor(std::size_t count) {
+    if (count <= 1500) return 1.0F;
+    if (count <= 6000) return 0.8F;
+    if (count <= 20000) return 0.62F;
+    return 0.5F;
+}
+
+}  // namespace
+
+void addPoints(const LayerInput& in, DrawList& out) {
+    const std::size_t count = in.model.points.size();
+    out.cloudVisible = true;
+    out.cloudStyles = stylesFor(in, sizeFor(count));
+    if (count > kShapesUpTo) {
+        for (PointStyle& style : out.cloudStyles.styles) {
+            if (style.shape != Shape::Hidden) style = {style.color, 0.16F, Shape::Dot};
+        }
+    }
+    out.cloudStyleOf.resize(count);
+    for (std::size_t p = 0; p < count; ++p) {
+        out.cloudStyleOf[p] = in.model.drawable[p]
+                                  ? styleIndex(in.picture.status[p], in.model.points.type[p])
+                                  : kHiddenStyle;
+    }
+}
+
+}  // namespace se::view

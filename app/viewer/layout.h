@@ -1,0 +1,34 @@
+/// Where the panels are, from the size of the window and of the text. Plain arithmetic.
+#pragma once
+
+#include <glm/vec2.hpp>
+
+namespace se::view {
+
+struct Rect {
+    glm::vec2 min{0.0F};
+    glm::vec2 size{0.0F};
+
+    glm::vec2 max() const { return min + size; }
+    bool contains(glm::vec2 p) const {
+        return p.x >= min.x && p.y >= min.y && p.x < max().x && p.y < max().y;
+    }
+};
+
+struct Layout {
+    Rect menu;
+    Rect transport;
+    Rect left;  ///< Empty in a narrow window: then the right column holds everything, as tabs.
+    Rect right;
+    Rect view;
+    Rect narration;
+    Rect drawer;
+    Rect status;
+    bool narrow = false;     ///< One side column only.
+    bool stageStrip = true;  ///< There is room for it in the drawer.
+};
+
+/// The view never gets less than 40 % of the width.
+Layout computeLayout(glm::vec2 size, float em);
+
+}  // namespace se::view

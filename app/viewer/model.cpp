@@ -1,0 +1,105 @@
+#include "model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "spiraling_edge/io.h"
+#include "spiraling_edge/scenes.h"
+
+namespace se::view {
+
+namespace {
+
+constexpr std::string_view kScenePrefix = "scene:";
+
+bool isFinite(const Vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+Result<PointFile> readSource(const std::string& source, Model& model) {
+    if (source.empty() || source.starts_with(kScenePrefix)) {
+        const std::string id = source.empty() ? "" : source.substr(kScenePrefix.size());
+        if (source.empty() && scenes().empty()) return Error{"No file was named."};
+        const Scene* scene = source.empty() ? &scenes().front() : findScene(id);
+        if (scene == nullptr) {
+            std::string known;
+            for (const Scene& each : scenes())
+                known += (known.empty() ? "" : ", ") + std::string(each.id);
+            return Error{"There is no scene \"" + id + "\". Scenes are: " + known + "."};
+        }
+        model.name = std::string(kScenePrefix) + std::string(scene->id);
+        model.watch = std::string(scene->watch);
+        return scene->build();
+    }
+    model.name = std::filesystem::path(source).filename().string();
+    return readPoints(std::filesystem::path(source));
+}
+
+float medianSpacing(const Model& model) {
+    std::vector<float> nearest;
+    const std::size_t count = model.place.size();
+    const std::size_t stride = std::max<std::size_t>(1, count / 20000);
+    for (std::size_t p = 0; p < count; p += stride) {
+        const auto list = model.points.neighbors[static_cast<Index>(p)];
+        if (!list.empty()) nearest.push_back(glm::distance(model.place[p], model.place[list[0]]));
+    }
+    if (nearest.empty()) return 0.05F;
+    const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+    std::nth_element(nearest.begin(), middle, nearest.end());
+    return std::clamp(*middle, 1e-5F, 0.5F);
+}
+
+}  // namespace
+
+void placeModel(Model& model) {
+    const auto& position = model.points.position;
+    constexpr double kHuge = std::numeric_limits<double>::max();
+    Vec3 low(kHuge);
+    Vec3 high(-kHuge);
+    for (const Vec3& p : position) {
+        if (!isFinite(p)) continue;
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    if (low.x > high.x) low = high = Vec3(0.0);
+    model.center = 0.5 * (low + high);
+    const double radius = 0.5 * glm::length(high - low);
+    model.scale = radius > 0.0 && std::isfinite(radius) ? 1.0 / radius : 1.0;
+    model.place.reserve(position.size());
+    model.normal.reserve(position.size());
+    for (std::size_t p = 0; p < position.size(); ++p) {
+        const bool good = isFinite(position[p]);
+        const bool goodNormal = isFinite(model.points.normal[p]);
+        model.drawable.push_back(good);
+        model.place.push_back(good ? model.toView(position[p]) : glm::vec3(0.0F));
+        model.normal.push_back(goodNormal ? glm::vec3(model.points.normal[p]) : glm::vec3(0.0F));
+    }
+    model.spacing = medianSpacing(model);
+}
+
+Result<std::shared_ptr<const Model>> loadModel(const InputSpec& spec, LoadProgress& progress) {
+    auto model = std::make_shared<Model>();
+    const std::optional<Params> params = paramsByName(spec.rules);
+    if (!params) return Error{"There is no rule set \"" + spec.rules + "\"."};
+    model->params = *params;
+    const Result<PointFile> file = readSource(spec.source, *model);
+    if (!file) return file.error();
+    NeighborOptions neighbors = spec.neighbors;
+    neighbors.dropOpposingNormals = params->dropOpposingNormals;
+    Result<Prepared> prepared = prepare(file.value(), neighbors, [&](double share) {
+        progress.share = share;
+        return !progress.cancelled.load();
+    });
+    if (progress.cancelled) return Error{"Opening was cancelled."};
+    if (!prepared) return prepared.error();
+    if (const Status status = validate(prepared.value().points); !status) return status.error();
+    model->points = std::move(prepared.value().points);
+    model->report = prepared.value().report;
+    if (model->points.empty()) return Error{model->name + " holds no points."};
+    placeModel(*model);
+    return std::shared_ptr<const Model>(std::move(model));
+}
+
+}  // namespace se::view

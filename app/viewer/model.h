@@ -1,0 +1,52 @@
+/// The input as the viewer holds it: points ready for the stepper, and where to draw them.
+#pragma once
+
+#include <atomic>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "spiraling_edge/params.h"
+#include "spiraling_edge/prepare.h"
+
+namespace se::view {
+
+/// What to open and how.
+struct InputSpec {
+    std::string source;  ///< A path, or `scene:ID`. Empty: the first scene.
+    NeighborOptions neighbors;
+    std::string rules = "paper";  ///< A name that paramsByName() knows.
+};
+
+/// Points in view space: centered on their bounding box, which then fits a sphere of radius 1.
+struct Model {
+    std::string name;   ///< File name or scene id, for title and menu.
+    std::string watch;  ///< One sentence of a scene; empty for files.
+    PointSet points;
+    Params params;
+    PrepareReport report;
+    std::vector<glm::vec3> place;  ///< View space position of each point; zero if it is not finite.
+    std::vector<glm::vec3> normal;
+    std::vector<bool> drawable;  ///< False for positions that are not finite.
+    Vec3 center{};
+    double scale = 1.0;     ///< View units per scene unit.
+    float spacing = 0.05F;  ///< Median distance to the nearest neighbor, in view units.
+
+    glm::vec3 toView(const Vec3& position) const { return glm::vec3((position - center) * scale); }
+};
+
+/// How far loading is, written by the loading thread and read by the window.
+struct LoadProgress {
+    std::atomic<double> share = 0.0;
+    std::atomic<bool> cancelled = false;
+};
+
+/// Reads or builds the points, prepares and validates them. Fails with a sentence for a person.
+Result<std::shared_ptr<const Model>> loadModel(const InputSpec& spec, LoadProgress& progress);
+
+/// Fills everything that is for drawing from `points`.
+void placeModel(Model& model);
+
+}  // namespace se::view

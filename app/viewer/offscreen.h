@@ -1,0 +1,35 @@
+/// A picture without a window and without a display: EGL with no surface.
+#pragma once
+
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <memory>
+
+#include "gl/target.h"
+#include "spiraling_edge/result.h"
+
+namespace se::view {
+
+class Offscreen {
+  public:
+    static Result<std::unique_ptr<Offscreen>> create(glm::ivec2 size);
+    ~Offscreen();
+    Offscreen(const Offscreen&) = delete;
+    Offscreen& operator=(const Offscreen&) = delete;
+
+    /// Makes the picture the place that drawing goes to.
+    void beginFrame() { target_->begin(size_); }
+    /// Writes what was drawn since beginFrame() as PNG.
+    Status save(const std::filesystem::path& path) const;
+
+  private:
+    Offscreen() = default;
+    Status makeContext();
+
+    glm::ivec2 size_{1};
+    void* display_ = nullptr;
+    void* context_ = nullptr;
+    std::unique_ptr<Target> target_;
+};
+
+}  // namespace se::view

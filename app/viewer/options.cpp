@@ -1,0 +1,101 @@
+#include "options.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "commands.h"
+#include "spiraling_edge/scenes.h"
+
+namespace se::view {
+
+namespace {
+
+/// Reads "1280x800".
+std::optional<glm::ivec2> sizeFromString(const std::string& text) {
+    glm::ivec2 size(0);
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%c", &size.x, &size.y, &rest) != 2) return std::nullopt;
+    if (size.x < 320 || size.y < 240 || size.x > 16384 || size.y > 16384) return std::nullopt;
+    return size;
+}
+
+std::vector<std::string> ruleSetNames() {
+    const auto names = paramSetNames();
+    return {names.begin(), names.end()};
+}
+
+std::string ruleSets() {
+    std::string text;
+    for (const std::string& name : ruleSetNames()) text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+std::string sceneList() {
+    std::string text = "Scenes:";
+    for (const Scene& scene : scenes()) {
+        text += "\n  scene:" + std::string(scene.id);
+        text.append(scene.id.size() < 18 ? 18 - scene.id.size() : 1, ' ');
+        text += std::string(scene.title);
+    }
+    return text;
+}
+
+}  // namespace
+
+ParsedOptions parseOptions(int argc, const char* const* argv) {
+    Options o;
+    CLI::App app{"Watch the Spiraling Edge algorithm triangulate points, decision by decision.",
+                 "spiraling-edge-viewer"};
+    std::string size;
+    std::string theme;
+    std::size_t neighbors = 0;
+    double radius = 0.0;
+    std::string screenshot;
+    std::string shaders;
+    bool actions = false;
+    app.add_option("FILE", o.input.source,
+                   "Points: PLY, XYZ, OBJ or OFF; or scene:ID. Without it, the first scene");
+    app.add_option("--rules", o.input.rules, "How the paper is read: " + ruleSets() + " (default paper)")
+        ->check(CLI::IsMember(ruleSetNames()));
+    auto* k = app.add_option("--neighbors", neighbors, "List the K nearest neighbors of each point")
+                  ->check(CLI::Range(std::size_t{1}, std::size_t{1000}));
+    auto* r = app.add_option("--radius", radius, "List the neighbors within R, in scene units")
+                  ->check(CLI::PositiveNumber);
+    k->excludes(r);
+    app.add_option("--goto", o.goTo,
+                   "Begin at PIVOT[.STAGE[.N]], for example 137.sphere.3, or 50%");
+    app.add_option("--size", size, "Size of the window or picture in pixels, for example 1280x800");
+    app.add_option("--screenshot", screenshot,
+                   "Write a picture of the window and leave; needs no display");
+    app.add_option("--frames", o.frames, "Leave after N frames")->check(CLI::Range(1, 1000000));
+    app.add_option("--ui-scale", o.uiScale, "Size of text and panels, 0.75 to 3")
+        ->check(CLI::Range(0.75, 3.0));
+    app.add_option("--theme", theme, "dark or light")->check(CLI::IsMember({"dark", "light"}));
+    app.add_flag("--no-config", o.noConfig, "Neither read nor write settings");
+    app.add_option("--shaders", shaders, "Read the shaders from this folder");
+    app.add_flag("--keys", o.cheatSheet, "Begin with the list of keys open");
+    app.add_flag("--list-actions", actions, "Print all actions with their keys, and leave");
+    app.set_version_flag("--version", "spiraling-edge-viewer " SE_VERSION);
+    app.footer(sceneList);
+    try {
+        app.parse(argc, argv);
+        o.size = sizeFromString(size.empty() ? "1280x800" : size);
+        if (!o.size)
+            throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, for example 1280x800");
+    } catch (const CLI::ParseError& e) {
+        return {std::nullopt, app.exit(e) == 0 ? kExitGood : kExitUsage};
+    }
+    if (size.empty()) o.size.reset();
+    if (actions) {
+        std::fputs(listActions().c_str(), stdout);
+        return {std::nullopt, kExitGood};
+    }
+    if (neighbors > 0) o.input.neighbors = {KNearest{neighbors}, true, true};
+    if (radius > 0.0) o.input.neighbors = {WithinRadius{radius}, true, true};
+    o.theme = themeFromName(theme);
+    o.screenshot = screenshot;
+    o.shaders = shaders;
+    return {std::move(o), kExitGood};
+}
+
+}  // namespace se::view

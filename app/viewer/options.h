@@ -1,0 +1,45 @@
+/// The command line of the viewer.
+#pragma once
+
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+
+#include "model.h"
+#include "palette.h"
+
+namespace se::view {
+
+/// Exit codes, the same for all our programs.
+enum ExitCode : int {
+    kExitGood = 0,
+    kExitUsage = 2,
+    kExitInput = 3,
+    kExitNoDisplay = 4,
+    kExitInternal = 5,
+};
+
+struct Options {
+    InputSpec input;
+    std::string goTo;
+    std::optional<glm::ivec2> size;
+    std::filesystem::path screenshot;  ///< Empty: open a window.
+    int frames = 0;                    ///< Leave after so many frames; 0: when told to.
+    double uiScale = 0.0;              ///< 0: not given.
+    std::optional<Theme> theme;
+    std::filesystem::path shaders;  ///< Folder to read shaders from; empty: those embedded.
+    bool noConfig = false;
+    bool cheatSheet = false;  ///< Open with the list of keys.
+};
+
+/// What main() does after parsing: go on with options, or leave.
+struct ParsedOptions {
+    std::optional<Options> options;
+    int exitCode = kExitGood;  ///< Without options.
+};
+
+/// Prints help, version, the list of actions or what is wrong by itself.
+ParsedOptions parseOptions(int argc, const char* const* argv);
+
+}  // namespace se::view

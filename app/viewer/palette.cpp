@@ -1,0 +1,79 @@
+#include "palette.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace se::view {
+
+namespace {
+
+constexpr Palette kDark = {
+    .background = fromHex(0x1E2126),
+    .pivot = fromHex(0xF0E442),
+    .used = fromHex(0x56B4E9),
+    .first = fromHex(0x009E73),
+    .last = fromHex(0xCC79A7),
+    .test = fromHex(0xE69F00),
+    .rejected = fromHex(0xD55E00),
+    .unused = fromHex(0xBAC0C6),
+    .done = fromHex(0x686E76),
+    .mesh = fromHex(0x5A616A),
+    .meshEdge = fromHex(0x2A2E34),
+    .panel = fromHex(0x24282E),
+    .panelRaised = fromHex(0x2E333A),
+    .border = fromHex(0x3A4048),
+    .text = fromHex(0xE4E7EB),
+    .textDim = fromHex(0x9BA3AD),
+    .accent = fromHex(0x3987BF),
+    .accentText = fromHex(0xFFFFFF),
+};
+
+constexpr Palette kLight = {
+    .background = fromHex(0xFFFFFF),
+    .pivot = fromHex(0x000000),
+    .used = fromHex(0x2A7FC0),
+    .first = fromHex(0x00694D),
+    .last = fromHex(0x8E2C8A),
+    .test = fromHex(0xB07800),
+    .rejected = fromHex(0xA83A00),
+    .unused = fromHex(0x6B7280),
+    .done = fromHex(0x8E949C),
+    .mesh = fromHex(0xD3D7DC),
+    .meshEdge = fromHex(0x9AA1A9),
+    .panel = fromHex(0xF4F5F7),
+    .panelRaised = fromHex(0xE6E8EC),
+    .border = fromHex(0xC9CDD3),
+    .text = fromHex(0x1B1F24),
+    .textDim = fromHex(0x5B636D),
+    .accent = fromHex(0x2A74AE),
+    .accentText = fromHex(0xFFFFFF),
+};
+
+double linear(float component) {
+    const double c = component;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
+double luminance(const Color& c) {
+    return 0.2126 * linear(c.r) + 0.7152 * linear(c.g) + 0.0722 * linear(c.b);
+}
+
+}  // namespace
+
+std::optional<Theme> themeFromName(std::string_view name) {
+    if (name == "dark") return Theme::Dark;
+    if (name == "light") return Theme::Light;
+    return std::nullopt;
+}
+
+std::string_view themeName(Theme theme) { return theme == Theme::Dark ? "dark" : "light"; }
+
+const Palette& paletteOf(Theme theme) { return theme == Theme::Dark ? kDark : kLight; }
+
+double contrast(const Color& a, const Color& b) {
+    const double la = luminance(a);
+    const double lb = luminance(b);
+    return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
+}
+
+}  // namespace se::view

@@ -1,0 +1,65 @@
+/// One color per meaning, for the dark and the light theme. State is never shown by color alone:
+/// shapes (draw_list.h) and letters carry it too.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace se::view {
+
+/// sRGB, components in [0, 1].
+struct Color {
+    float r = 0.0F;
+    float g = 0.0F;
+    float b = 0.0F;
+    float a = 1.0F;
+
+    constexpr Color withAlpha(float alpha) const { return {r, g, b, alpha}; }
+    friend bool operator==(const Color&, const Color&) = default;
+};
+
+/// Mixes in sRGB: 0 gives a, 1 gives b.
+constexpr Color mix(const Color& a, const Color& b, float share) {
+    return {a.r + (b.r - a.r) * share, a.g + (b.g - a.g) * share, a.b + (b.b - a.b) * share,
+            a.a + (b.a - a.a) * share};
+}
+constexpr Color fromHex(std::uint32_t rgb) {
+    return {static_cast<float>((rgb >> 16U) & 255U) / 255.0F,
+            static_cast<float>((rgb >> 8U) & 255U) / 255.0F,
+            static_cast<float>(rgb & 255U) / 255.0F, 1.0F};
+}
+
+enum class Theme : std::uint8_t { Dark, Light };
+std::optional<Theme> themeFromName(std::string_view name);
+std::string_view themeName(Theme theme);
+
+struct Palette {
+    // Meanings in the view.
+    Color background;
+    Color pivot;
+    Color used;      ///< USED points, the active ring, kept.
+    Color first;     ///< First and start.
+    Color last;      ///< Last and end.
+    Color test;      ///< Under test; new triangles.
+    Color rejected;  ///< Rejected; errors.
+    Color unused;
+    Color done;  ///< DONE points.
+    Color mesh;  ///< Faces of finished triangles.
+    Color meshEdge;
+    // The panels.
+    Color panel;
+    Color panelRaised;  ///< Headers, bars, fields.
+    Color border;
+    Color text;
+    Color textDim;
+    Color accent;
+    Color accentText;  ///< On accent.
+};
+
+const Palette& paletteOf(Theme theme);
+
+/// Contrast ratio by WCAG 2, from 1 to 21.
+double contrast(const Color& a, const Color& b);
+
+}  // namespace se::view

@@ -1,0 +1,94 @@
+#include <algorithm>
+#include <array>
+
+#include "panel.h"
+#include "widgets.h"
+
+namespace se::view {
+
+namespace {
+
+struct MouseLine {
+    const char* action;
+    const char* what;
+};
+
+constexpr std::array kMouse = {
+    MouseLine{"left drag", "Orbit"},
+    MouseLine{"right, middle or Shift+left drag", "Pan"},
+    MouseLine{"wheel", "Zoom to the pointer"},
+    MouseLine{"click", "Select a point; on nothing, none"},
+    MouseLine{"double click", "Center the orbit on a point"},
+    MouseLine{"drop a file", "Open it"},
+};
+
+void keyRow(const PanelContext& context, const std::string& keys, const std::string& what) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushFont(context.fonts.mono);
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(keys.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+    ImGui::TableNextColumn();
+    ImGui::TextWrapped("%s", what.c_str());
+}
+
+bool beginKeys(const char* id, const PanelContext& context) {
+    if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingStretchProp)) return false;
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 8.5F * context.em);
+    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthStretch);
+    return true;
+}
+
+void drawGroup(const PanelContext& context, std::string_view group) {
+    heading(context, std::string(group).c_str());
+    if (!beginKeys(std::string(group).c_str(), context)) return;
+    for (const Command& command : commands()) {
+        if (command.group != group || command.keys.empty()) continue;
+        keyRow(context, allKeys(command), std::string(command.title));
+    }
+    ImGui::EndTable();
+    ImGui::Spacing();
+}
+
+void drawMouseGroup(const PanelContext& context) {
+    heading(context, "Mouse");
+    if (!beginKeys("mouse", context)) return;
+    for (const MouseLine& line : kMouse) keyRow(context, line.action, line.what);
+    ImGui::EndTable();
+}
+
+void drawColumns(const PanelContext& context, bool two) {
+    if (!ImGui::BeginTable("##columns", two ? 2 : 1, ImGuiTableFlags_SizingStretchSame)) return;
+    ImGui::TableNextColumn();
+    for (const char* group : {"Step", "Run", "File", "Help"}) drawGroup(context, group);
+    drawMouseGroup(context);
+    ImGui::TableNextColumn();
+    for (const char* group : {"View", "Layers"}) drawGroup(context, group);
+    ImGui::EndTable();
+}
+
+}  // namespace
+
+void drawCheatSheet(const PanelContext& context) {
+    bool& open = context.ui().cheatSheet;
+    if (!open) return;
+    const float em = context.em;
+    const Layout& l = context.layout;
+    const glm::vec2 screen(l.status.size.x, l.status.max().y);
+    const float width = std::min(52.0F * em, screen.x - 2.0F * em);
+    const float height = std::min(44.0F * em, screen.y - 2.0F * em);
+    ImGui::SetNextWindowPos({0.5F * screen.x, 0.5F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize({width, height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+    const bool shown = ImGui::Begin(
+        "Keys and mouse", &open,
+        ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::PopStyleVar();
+    if (shown) drawColumns(context, width > 40.0F * em);
+    ImGui::End();
+}
+
+}  // namespace se::view

@@ -1,0 +1,51 @@
+#include <array>
+
+#include "panel.h"
+#include "widgets.h"
+
+namespace se::view {
+
+namespace {
+
+struct Entry {
+    Shape shape;
+    Color Palette::*color;
+    const char* text;
+};
+
+constexpr std::array kEntries = {
+    Entry{Shape::RingedDisc, &Palette::pivot, "pivot p"},
+    Entry{Shape::Forward, &Palette::first, "start S"},
+    Entry{Shape::Back, &Palette::last, "end E"},
+    Entry{Shape::RingedDisc, &Palette::test, "under test, new"},
+    Entry{Shape::Disc, &Palette::used, "USED, kept"},
+    Entry{Shape::Cross, &Palette::rejected, "rejected"},
+    Entry{Shape::Circle, &Palette::unused, "UNUSED"},
+    Entry{Shape::Dot, &Palette::done, "DONE"},
+};
+
+}  // namespace
+
+void drawLegend(const PanelContext& context) {
+    const Rect& view = context.layout.view;
+    const float em = context.em;
+    const float row = 1.32F * em;
+    const glm::vec2 size(9.6F * em, row * static_cast<float>(kEntries.size()) + 0.7F * em);
+    // Where it would cover too much of the picture it is left out; F1 has it as well.
+    if (view.size.y < size.y + 6.0F * em || view.size.x < 26.0F * em) return;
+    const glm::vec2 at(view.max().x - size.x - 0.7F * em, view.min.y + 0.7F * em);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(toVec2(at), toVec2(at + size),
+                        toU32(context.palette.panel.withAlpha(0.86F)), 0.3F * em);
+    float y = at.y + 0.35F * em;
+    for (const Entry& entry : kEntries) {
+        const float dot = entry.shape == Shape::Dot ? 0.34F * em : 0.72F * em;
+        drawShape(list, {at.x + 0.95F * em, y + 0.5F * row}, dot, entry.shape,
+                  toU32(context.palette.*entry.color));
+        list->AddText({at.x + 1.9F * em, y + 0.5F * (row - ImGui::GetTextLineHeight())},
+                      toU32(context.palette.text), entry.text);
+        y += row;
+    }
+}
+
+}  // namespace se::view

@@ -1,0 +1,95 @@
+#include <algorithm>
+
+#include "panel.h"
+#include "widgets.h"
+
+namespace se::view {
+
+namespace {
+
+/// A plate in the middle of the view.
+bool beginNotice(const PanelContext& context, const char* name) {
+    const Rect& view = context.layout.view;
+    const glm::vec2 middle = view.min + 0.5F * view.size;
+    ImGui::SetNextWindowPos(toVec2(middle), ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize({std::min(26.0F * context.em, 0.9F * view.size.x), 0.0F});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+    const bool open = ImGui::Begin(
+        name, nullptr,
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+            ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PopStyleVar();
+    return open;
+}
+
+void drawLoading(const PanelContext& context) {
+    Session& session = context.session();
+    if (beginNotice(context, "##loading")) {
+        const std::string& source = session.spec().source;
+        heading(context, "Opening",
+                source.empty() ? "first scene" : fitted(source, 16.0F * context.em));
+        ImGui::ProgressBar(static_cast<float>(session.loadShare()), {-1.0F, 0.0F});
+        if (ImGui::Button("Cancel")) session.cancelOpening();
+    }
+    ImGui::End();
+}
+
+void drawError(const PanelContext& context) {
+    Session& session = context.session();
+    if (beginNotice(context, "##error")) {
+        ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
+        heading(context, "Could not open");
+        ImGui::PopStyleColor();
+        ImGui::PushTextWrapPos(0.0F);
+        ImGui::TextUnformatted(session.error().c_str());
+        ImGui::PopTextWrapPos();
+        ImGui::Spacing();
+        if (ImGui::Button("Open another...")) context.ui().fileBrowser = true;
+        ImGui::SameLine();
+        if (ImGui::Button("First scene")) session.open({});
+        if (session.ready()) {
+            ImGui::SameLine();
+            if (ImGui::Button("Go on")) session.dismissError();
+        }
+    }
+    ImGui::End();
+}
+
+/// Only for moves that take a while; others are over before this is drawn.
+void drawMove(const PanelContext& context) {
+    Session& session = context.session();
+    const Rect& view = context.layout.view;
+    ImGui::SetNextWindowPos({view.min.x + 0.5F * view.size.x, view.min.y + 1.0F * context.em},
+                            ImGuiCond_Always, {0.5F, 0.0F});
+    ImGui::SetNextWindowSize({std::min(22.0F * context.em, 0.9F * view.size.x), 0.0F});
+    if (ImGui::Begin("##move", nullptr,
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                         ImGuiWindowFlags_AlwaysAutoResize)) {
+        const std::uint32_t at = session.runnerPosition();
+        const std::uint32_t end =
+            std::max(1U, session.overview().complete
+                             ? std::min(session.runnerTarget(), session.overview().lastPivot)
+                             : session.runnerTarget());
+        const bool known = end != 0xffffffffU;
+        const std::string text = "pivot " + grouped(at) + (known ? " of " + grouped(end) : "");
+        const float share = known ? static_cast<float>(at) / static_cast<float>(end) : 0.0F;
+        const float button = 4.5F * context.em;
+        ImGui::ProgressBar(std::min(1.0F, share), {ImGui::GetContentRegionAvail().x - button, 0.0F},
+                           text.c_str());
+        ImGui::SameLine();
+        if (ImGui::Button("Stop")) session.cancelMove();
+    }
+    ImGui::End();
+}
+
+}  // namespace
+
+void drawNotices(const PanelContext& context) {
+    const Session& session = context.session();
+    if (session.phase() == SessionPhase::Loading) drawLoading(context);
+    if (session.phase() == SessionPhase::Failed) drawError(context);
+    if (session.phase() == SessionPhase::Ready && session.busySeconds() > 0.15) drawMove(context);
+}
+
+}  // namespace se::view

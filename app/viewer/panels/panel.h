@@ -1,0 +1,77 @@
+/// Panels show the session and issue commands and moves. One file each.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "../commands.h"
+#include "../draw_list.h"
+#include "../fonts.h"
+#include "../layout.h"
+#include "../session.h"
+#include "../ui_state.h"
+
+namespace se::view {
+
+/// How many points are in which state; counted once per picture.
+struct StatusCounts {
+    std::size_t unused = 0;
+    std::size_t used = 0;
+    std::size_t done = 0;
+};
+
+struct PanelContext {
+    CommandContext& commands;
+    const Palette& palette;
+    const Fonts& fonts;
+    const Layout& layout;
+    const DrawList& drawList;  ///< For labels over the view.
+    const StatusCounts& counts;
+    float em;
+    unsigned viewTexture;
+
+    Session& session() const { return commands.session; }
+    Playback& playback() const { return commands.playback; }
+    Camera& camera() const { return commands.camera; }
+    UiState& ui() const { return commands.ui; }
+    void run(std::string_view command) const { findCommand(command)->run(commands); }
+};
+
+void drawMenuBar(const PanelContext& context);
+void drawTransport(const PanelContext& context);
+void drawView(const PanelContext& context);
+void drawNarration(const PanelContext& context);
+void drawDrawer(const PanelContext& context);
+void drawStatusBar(const PanelContext& context);
+void drawCheatSheet(const PanelContext& context);
+void drawFileBrowser(const PanelContext& context);
+/// Loading, failed, or a long move under way.
+void drawNotices(const PanelContext& context);
+
+// Contents of the side columns.
+void drawSteps(const PanelContext& context);
+void drawRings(const PanelContext& context);
+void drawInspect(const PanelContext& context);
+void drawCounters(const PanelContext& context);
+void drawLayerSwitches(const PanelContext& context);
+
+// Parts of others.
+void drawRunStrip(const PanelContext& context, const Rect& area);
+void drawStageStrip(const PanelContext& context, const Rect& area);
+void drawLegend(const PanelContext& context);
+/// The evidence of an event as rows of values and thresholds.
+void drawEvidence(const PanelContext& context, const Event& event);
+
+/// One panel of the side columns.
+struct SidePanel {
+    const char* title;
+    bool left;    ///< In a wide window it stands in the left column.
+    float share;  ///< Left column: share of the height; 0: a tab.
+    void (*draw)(const PanelContext& context);
+};
+std::span<const SidePanel> sidePanels();
+
+/// Draws all panels.
+void drawPanels(const PanelContext& context);
+
+}  // namespace se::view

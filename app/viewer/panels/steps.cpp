@@ -1,0 +1,117 @@
+#include <cstdio>
+
+#include "panel.h"
+#include "widgets.h"
+
+namespace se::view {
+
+namespace {
+
+/// Scrolls to the cursor, but only when it moved: else nobody could scroll away.
+void keepCursorVisible(const Session& session) {
+    static std::uint32_t seenRevision = 0;
+    static std::size_t seenCursor = 0;
+    if (seenRevision == session.revision() && seenCursor == session.cursor()) return;
+    const float row = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
+    const float at = row * static_cast<float>(session.cursor());
+    const float top = ImGui::GetScrollY();
+    const float height = ImGui::GetWindowHeight();
+    if (at < top || at + 2.0F * row > top + height) ImGui::SetScrollY(at - 0.4F * height);
+    seenRevision = session.revision();
+    seenCursor = session.cursor();
+}
+
+std::string subjectText(const Event& event) {
+    const Index subject = subjectOf(event);
+    return subject == kNone ? std::string{} : std::to_string(subject);
+}
+
+std::string outcomeText(const Event& event) {
+    if (const auto verdict = verdictOf(event)) return std::string(verdictText(*verdict));
+    if (const auto* ring = std::get_if<RingEvidence>(&event.evidence)) {
+        return ring->inserted ? "in" : "out";
+    }
+    return {};
+}
+
+Shape markOf(const Event& event) {
+    if (rejects(event)) return Shape::Cross;
+    if (const auto* ring = std::get_if<RingEvidence>(&event.evidence)) {
+        return ring->inserted ? Shape::Disc : Shape::Dot;
+    }
+    return verdictOf(event) ? Shape::Disc : Shape::Dot;
+}
+
+void drawRow(const PanelContext& context, std::size_t index) {
+    Session& session = context.session();
+    const Event& event = session.record().events[index];
+    const bool later = index > session.cursor();
+    const Color color = verdictColor(context, event);
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushID(static_cast<int>(index));
+    if (ImGui::Selectable("##row", index == session.cursor(),
+                          ImGuiSelectableFlags_SpanAllColumns)) {
+        context.playback().pause();
+        session.goToEvent(index);
+    }
+    if (ImGui::IsItemHovered()) {
+        tooltip(toString(event.address) + "\n" + describe(event));
+    }
+    ImGui::SameLine(0.0F, 0.0F);
+    const float alpha = later ? 0.55F : 1.0F;
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, alpha);
+    if (event.address.n <= 1) {
+        ImGui::TextUnformatted(std::string(stageName(event.address.stage)).c_str());
+    }
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%u", event.address.n);
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(subjectText(event).c_str());
+    ImGui::TableNextColumn();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = ImGui::GetTextLineHeight();
+    const Shape mark = markOf(event);
+    const float size = mark == Shape::Dot ? 0.28F * context.em : 0.52F * context.em;
+    drawShape(ImGui::GetWindowDrawList(), {at.x + 0.4F * context.em, at.y + 0.5F * height}, size,
+              mark, toU32(color.withAlpha(alpha)));
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.95F * context.em);
+    const std::string outcome = fitted(outcomeText(event), ImGui::GetContentRegionAvail().x);
+    ImGui::TextColored(toVec4(color), "%s", outcome.c_str());
+    ImGui::PopStyleVar();
+    ImGui::PopID();
+}
+
+}  // namespace
+
+void drawSteps(const PanelContext& context) {
+    const Session& session = context.session();
+    const bool any = session.ready() && !session.record().events.empty();
+    const std::string note = !any ? std::string{} : "pivot " + grouped(session.record().pivot);
+    heading(context, "Steps", note);
+    if (!any) {
+        ImGui::PushTextWrapPos(0.0F);
+        ImGui::TextDisabled("%s",
+                            "Nothing has been done yet. F10 goes on by a pivot, F11 by a "
+                            "single decision.");
+        ImGui::PopTextWrapPos();
+        return;
+    }
+    constexpr auto kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit;
+    if (!ImGui::BeginTable("##events", 4, kFlags)) return;
+    ImGui::TableSetupColumn("stage", ImGuiTableColumnFlags_WidthFixed, 4.6F * context.em);
+    ImGui::TableSetupColumn("n", ImGuiTableColumnFlags_WidthFixed, 1.2F * context.em);
+    ImGui::TableSetupColumn("point", ImGuiTableColumnFlags_WidthFixed, 2.6F * context.em);
+    ImGui::TableSetupColumn("outcome", ImGuiTableColumnFlags_WidthStretch);
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(session.record().events.size()));
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            drawRow(context, static_cast<std::size_t>(i));
+        }
+    }
+    keepCursorVisible(session);
+    ImGui::EndTable();
+}
+
+}  // namespace se::view

@@ -1,0 +1,89 @@
+#include <array>
+
+#include "panel.h"
+#include "widgets.h"
+
+namespace se::view {
+
+namespace {
+
+constexpr std::array<SidePanel, 5> kSidePanels = {{
+    {"Steps", true, 0.72F, drawSteps},
+    {"Rings", true, 0.28F, drawRings},
+    {"Inspect", false, 0.0F, drawInspect},
+    {"Counts", false, 0.0F, drawCounters},
+    {"Layers", false, 0.0F, drawLayerSwitches},
+}};
+
+void drawLeftColumn(const PanelContext& context) {
+    Rect rest = context.layout.left;
+    for (const SidePanel& panel : kSidePanels) {
+        if (!panel.left) continue;
+        Rect area = rest;
+        area.size.y = panel.share * context.layout.left.size.y;
+        rest.min.y += area.size.y;
+        if (beginRegion(panel.title, area)) {
+            if (area.min.y > context.layout.left.min.y) {
+                ImGui::GetWindowDrawList()->AddLine(toVec2(area.min), {area.max().x, area.min.y},
+                                                    toU32(context.palette.border));
+            }
+            panel.draw(context);
+        }
+        ImGui::End();
+    }
+}
+
+void drawRightColumn(const PanelContext& context) {
+    if (beginRegion("##right", context.layout.right) && ImGui::BeginTabBar("##tabs")) {
+        for (const SidePanel& panel : kSidePanels) {
+            if (panel.left && !context.layout.narrow) continue;
+            if (!ImGui::BeginTabItem(panel.title)) continue;
+            if (ImGui::BeginChild("##content", {0, 0}, false)) panel.draw(context);
+            ImGui::EndChild();
+            ImGui::EndTabItem();
+        }
+        ImGui::EndTabBar();
+    }
+    ImGui::End();
+}
+
+/// Hairlines between the regions.
+void drawBorders(const PanelContext& context) {
+    const Layout& l = context.layout;
+    const ImU32 color = toU32(context.palette.border);
+    ImDrawList* list = ImGui::GetForegroundDrawList();
+    const auto horizontal = [&](float y) {
+        list->AddRectFilled({0.0F, y}, {l.menu.size.x, y + 1.0F}, color);
+    };
+    const auto vertical = [&](float x) {
+        list->AddRectFilled({x, l.view.min.y}, {x + 1.0F, l.drawer.min.y}, color);
+    };
+    horizontal(l.transport.max().y);
+    horizontal(l.drawer.min.y);
+    horizontal(l.status.min.y);
+    if (!l.narrow) vertical(l.left.max().x);
+    vertical(l.right.min.x);
+    list->AddRectFilled({l.narration.min.x, l.narration.min.y},
+                        {l.narration.max().x, l.narration.min.y + 1.0F}, color);
+}
+
+}  // namespace
+
+std::span<const SidePanel> sidePanels() { return kSidePanels; }
+
+void drawPanels(const PanelContext& context) {
+    drawMenuBar(context);
+    drawTransport(context);
+    if (!context.layout.narrow) drawLeftColumn(context);
+    drawRightColumn(context);
+    drawView(context);
+    drawNarration(context);
+    drawDrawer(context);
+    drawStatusBar(context);
+    if (!context.ui().cheatSheet && !context.ui().fileBrowser) drawBorders(context);
+    drawNotices(context);
+    drawFileBrowser(context);
+    drawCheatSheet(context);
+}
+
+}  // namespace se::view

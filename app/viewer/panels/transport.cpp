@@ -1,0 +1,124 @@
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "panel.h"
+#include "widgets.h"
+
+namespace se::view {
+
+namespace {
+
+struct Button {
+    const char* id;
+    Icon icon;
+    const char* command;
+    const char* text;
+};
+
+constexpr std::array kBefore = {
+    Button{"##start", Icon::SkipStart, "run.start", "To the start (Home)"},
+    Button{"##pivotBack", Icon::Back, "step.pivot.previous", "Previous pivot (Shift+F10 or ,)"},
+    Button{"##back", Icon::StepBack, "step.event.previous", "Previous sub-step (Left)"}};
+constexpr std::array kAfter = {
+    Button{"##on", Icon::StepForward, "step.event.next", "Next sub-step (F11 or Right)"},
+    Button{"##pivotOn", Icon::Forward, "step.pivot.next", "Next pivot (F10 or .)"},
+    Button{"##end", Icon::SkipEnd, "run.end", "Run to the end (F5)"}};
+
+template <std::size_t N>
+void drawButtons(const PanelContext& context, const std::array<Button, N>& buttons, bool enabled) {
+    for (const Button& b : buttons) {
+        if (iconButton(b.id, b.icon, b.text, enabled, false, context)) context.run(b.command);
+        ImGui::SameLine(0.0F, 0.2F * context.em);
+    }
+}
+
+void drawUnit(const PanelContext& context) {
+    struct Choice {
+        const char* title;
+        PlayUnit unit;
+    };
+    for (const Choice& choice :
+         {Choice{"sub-step", PlayUnit::SubStep}, Choice{"pivot", PlayUnit::Pivot}}) {
+        const bool on = context.playback().unit() == choice.unit;
+        if (on) {
+            ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent.withAlpha(0.45F)));
+        }
+        if (ImGui::Button(choice.title)) context.playback().setUnit(choice.unit);
+        if (on) ImGui::PopStyleColor();
+        tooltip("What playing goes on by (U)");
+        ImGui::SameLine(0.0F, 0.15F * context.em);
+    }
+}
+
+void drawSpeed(const PanelContext& context) {
+    const Playback& playback = context.playback();
+    if (ImGui::Button("\xE2\x88\x92##slower", {1.6F * context.em, 0})) context.run("run.slower");
+    tooltip("Slower (-)");
+    ImGui::SameLine(0.0F, 0.0F);
+    char text[32];
+    std::snprintf(text, sizeof text, "%g/s", playback.rate());
+    const std::string shown = playback.unlimited() ? "max" : text;
+    const float width = 3.4F * context.em;
+    const float pad = 0.5F * (width - ImGui::CalcTextSize(shown.c_str()).x);
+    const float x = ImGui::GetCursorPosX();
+    ImGui::SetCursorPosX(x + pad);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(shown.c_str());
+    ImGui::SameLine(x + width);
+    if (ImGui::Button("+##faster", {1.6F * context.em, 0})) context.run("run.faster");
+    tooltip("Faster (=); above 60 a second, as fast as drawn");
+}
+
+void drawGoTo(const PanelContext& context) {
+    static std::array<char, 64> text{};
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("at");
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(std::min(9.5F * context.em, ImGui::GetContentRegionAvail().x));
+    if (context.ui().requests.focusGoTo) {
+        ImGui::SetKeyboardFocusHere();
+        context.ui().requests.focusGoTo = false;
+    }
+    ImGui::PushFont(context.fonts.mono);
+    const std::string hint = addressText(context.session());
+    const bool entered = ImGui::InputTextWithHint(
+        "##goto", hint.c_str(), text.data(), text.size(),
+        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    ImGui::PopFont();
+    tooltip("Go to (Ctrl+G): 137, 137.sphere.3, +10, -10, 50%, or p812 to select a point");
+    if (!entered) return;
+    context.playback().pause();
+    const Status status = context.session().goToText(text.data());
+    if (!status) context.session().say(status.error().message);
+    text.fill('\0');
+    ImGui::SetWindowFocus("##view");
+}
+
+}  // namespace
+
+void drawTransport(const PanelContext& context) {
+    if (beginRegion("##transport", context.layout.transport)) {
+        const Session& session = context.session();
+        const float wide = context.layout.transport.size.x / context.em;
+        drawButtons(context, kBefore, !session.atStart());
+        const bool playing = context.playback().playing();
+        if (iconButton("##play", playing ? Icon::Pause : Icon::Play,
+                       playing ? "Pause (Space)" : "Play (Space)",
+                       session.ready() && !session.atEnd(), true, context)) {
+            context.run("run.play");
+        }
+        ImGui::SameLine(0.0F, 0.2F * context.em);
+        drawButtons(context, kAfter, session.ready() && !session.atEnd());
+        const float gap = wide > 50.0F ? 1.4F * context.em : 0.4F * context.em;
+        ImGui::SameLine(0.0F, gap);
+        drawUnit(context);
+        ImGui::SameLine(0.0F, gap);
+        drawSpeed(context);
+        ImGui::SameLine(0.0F, gap);
+        if (wide > 36.0F) drawGoTo(context);
+    }
+    ImGui::End();
+}
+
+}  // namespace se::view

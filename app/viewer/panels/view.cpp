@@ -1,0 +1,144 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "../picking.h"
+#include "panel.h"
+#include "widgets.h"
+
+namespace se::view {
+
+namespace {
+
+/// A press that moves by more than this share of the view's height is a drag.
+constexpr float kClickShare = 0.01F;
+
+glm::vec2 localMouse(const Rect& view) {
+    const ImVec2 mouse = ImGui::GetMousePos();
+    return glm::vec2(mouse.x, mouse.y) - view.min;
+}
+
+Index pointUnderMouse(const PanelContext& context) {
+    const Rect& view = context.layout.view;
+    const CameraMatrices camera = context.camera().matrices(view.size.x / view.size.y);
+    return pickPoint(context.session().model(), camera, view.size, localMouse(view),
+                     0.6F * context.em);
+}
+
+void dragWith(const PanelContext& context) {
+    const ImVec2 moved = ImGui::GetIO().MouseDelta;
+    if (moved.x == 0.0F && moved.y == 0.0F) return;
+    const glm::vec2 pixels(moved.x, moved.y);
+    const float height = context.layout.view.size.y;
+    const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    if (left && !ImGui::GetIO().KeyShift) {
+        context.camera().orbit(pixels, height);
+    } else {
+        context.camera().pan(pixels, height);
+    }
+}
+
+void handleMouse(const PanelContext& context) {
+    const Rect& view = context.layout.view;
+    if (ImGui::IsItemActive()) dragWith(context);
+    const float wheel = ImGui::GetIO().MouseWheel;
+    if (ImGui::IsItemHovered() && wheel != 0.0F) {
+        const glm::vec2 at = localMouse(view) / view.size;
+        context.camera().zoomAt(wheel, {2.0F * at.x - 1.0F, 1.0F - 2.0F * at.y},
+                                view.size.x / view.size.y);
+    }
+    if (!context.session().ready()) return;
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        const Index point = pointUnderMouse(context);
+        if (point != kNone) context.camera().lookAt(context.session().model().place[point]);
+    }
+    const ImVec2 dragged = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0F);
+    const float limit = kClickShare * view.size.y;
+    const bool still = std::abs(dragged.x) < limit && std::abs(dragged.y) < limit;
+    if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) && still) {
+        context.session().select(pointUnderMouse(context));
+    }
+}
+
+/// Text on a small plate, so that it can be read over anything.
+void drawLabel(const PanelContext& context, ImDrawList* list, const Label& label,
+               const CameraMatrices& camera) {
+    const Rect& view = context.layout.view;
+    const glm::vec3 at = project(camera, label.position, view.size);
+    if (at.z <= 0.0F || !Rect{{0, 0}, view.size}.contains(glm::vec2(at))) return;
+    const float em = context.em;
+    ImFont* font = label.strong ? context.fonts.strong : context.fonts.text;
+    const float size = label.strong ? em : 0.88F * em;
+    const ImVec2 extent = font->CalcTextSizeA(size, 1e9F, 0.0F, label.text.c_str());
+    const ImVec2 corner(std::round(view.min.x + at.x + 0.6F * em),
+                        std::round(view.min.y + at.y - extent.y - 0.15F * em));
+    list->AddRectFilled({corner.x - 0.22F * em, corner.y - 0.02F * em},
+                        {corner.x + extent.x + 0.22F * em, corner.y + extent.y + 0.02F * em},
+                        toU32(context.palette.background.withAlpha(0.78F)), 0.2F * em);
+    list->AddText(font, size, corner, toU32(label.color), label.text.c_str());
+}
+
+void drawLabels(const PanelContext& context, ImDrawList* list) {
+    const Rect& view = context.layout.view;
+    const CameraMatrices camera = context.camera().matrices(view.size.x / view.size.y);
+    // The telling ones last: they end on top.
+    for (const bool strong : {false, true}) {
+        for (const Label& label : context.drawList.labels) {
+            if (label.strong == strong) drawLabel(context, list, label, camera);
+        }
+    }
+}
+
+void drawAxes(const PanelContext& context, ImDrawList* list) {
+    const Rect& view = context.layout.view;
+    const float em = context.em;
+    const CameraMatrices camera = context.camera().matrices(1.0F);
+    const glm::vec2 origin(view.min.x + 2.6F * em, view.max().y - 2.6F * em);
+    constexpr std::array kNames = {"x", "y", "z"};
+    for (int i = 0; i < 3; ++i) {
+        glm::vec4 axis(0.0F);
+        axis[i] = 1.0F;
+        const glm::vec4 seen = camera.view * axis;
+        const glm::vec2 way(seen.x, -seen.y);
+        const glm::vec2 tip = origin + way * (1.35F * em);
+        const float alpha = 0.55F + 0.45F * std::clamp(seen.z + 0.5F, 0.0F, 1.0F);
+        const ImU32 color = toU32(context.palette.textDim.withAlpha(alpha));
+        list->AddLine(toVec2(origin), toVec2(tip), color, std::max(1.0F, 0.11F * em));
+        if (glm::length(way) < 0.25F) continue;
+        const glm::vec2 place =
+            origin + glm::normalize(way) * (1.35F * em * glm::length(way) + 0.55F * em);
+        const ImVec2 extent = ImGui::CalcTextSize(kNames[static_cast<std::size_t>(i)]);
+        list->AddText({place.x - 0.5F * extent.x, place.y - 0.5F * extent.y}, color,
+                      kNames[static_cast<std::size_t>(i)]);
+    }
+}
+
+}  // namespace
+
+void drawView(const PanelContext& context) {
+    const Rect& view = context.layout.view;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, toVec4(context.palette.background));
+    const bool open = beginRegion(
+        "##view", view, ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+    if (open && view.size.x >= 1.0F && view.size.y >= 1.0F) {
+        const auto texture =
+            reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(context.viewTexture));
+        ImGui::SetCursorScreenPos(toVec2(view.min));
+        ImGui::InvisibleButton("##scene", toVec2(view.size),
+                               ImGuiButtonFlags_MouseButtonLeft |
+                                   ImGuiButtonFlags_MouseButtonRight |
+                                   ImGuiButtonFlags_MouseButtonMiddle);
+        handleMouse(context);
+        ImDrawList* list = ImGui::GetWindowDrawList();
+        list->AddImage(texture, toVec2(view.min), toVec2(view.max()), {0, 1}, {1, 0});
+        drawLabels(context, list);
+        drawAxes(context, list);
+        if (context.ui().settings.legend) drawLegend(context);
+    }
+    ImGui::End();
+}
+
+}  // namespace se::view

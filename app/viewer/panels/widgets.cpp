@@ -1,0 +1,252 @@
+#include "widgets.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace se::view {
+
+namespace {
+
+void chevron(ImDrawList* list, ImVec2 c, float r, float direction, ImU32 color) {
+    list->AddTriangleFilled({c.x - direction * 0.5F * r, c.y - r},
+                            {c.x + direction * 0.75F * r, c.y},
+                            {c.x - direction * 0.5F * r, c.y + r}, color);
+}
+
+void bar(ImDrawList* list, ImVec2 c, float r, ImU32 color) {
+    list->AddRectFilled({c.x - 0.16F * r, c.y - r}, {c.x + 0.16F * r, c.y + r}, color);
+}
+
+void drawIcon(ImDrawList* list, ImVec2 c, float r, Icon icon, ImU32 color) {
+    const auto at = [&](float x) { return ImVec2(c.x + x * r, c.y); };
+    switch (icon) {
+        case Icon::SkipStart:
+            bar(list, at(-0.8F), r, color), chevron(list, at(0.2F), r, -1, color);
+            break;
+        case Icon::SkipEnd:
+            bar(list, at(0.8F), r, color), chevron(list, at(-0.2F), r, 1, color);
+            break;
+        case Icon::Back:
+            chevron(list, at(-0.5F), 0.85F * r, -1, color);
+            chevron(list, at(0.5F), 0.85F * r, -1, color);
+            break;
+        case Icon::Forward:
+            chevron(list, at(-0.5F), 0.85F * r, 1, color);
+            chevron(list, at(0.5F), 0.85F * r, 1, color);
+            break;
+        case Icon::StepBack:
+            chevron(list, at(-0.1F), 0.85F * r, -1, color);
+            break;
+        case Icon::StepForward:
+            chevron(list, at(0.1F), 0.85F * r, 1, color);
+            break;
+        case Icon::Play:
+            chevron(list, at(-0.1F), 1.15F * r, 1, color);
+            break;
+        case Icon::Pause:
+            list->AddRectFilled({c.x - 0.7F * r, c.y - r}, {c.x - 0.2F * r, c.y + r}, color);
+            list->AddRectFilled({c.x + 0.2F * r, c.y - r}, {c.x + 0.7F * r, c.y + r}, color);
+            break;
+    }
+}
+
+void strokeQuad(ImDrawList* list, const std::array<ImVec2, 4>& q, float stroke, ImU32 color) {
+    list->AddPolyline(q.data(), 4, color, ImDrawFlags_Closed, stroke);
+}
+
+}  // namespace
+
+ImU32 toU32(const Color& color) { return ImGui::ColorConvertFloat4ToU32(toVec4(color)); }
+
+bool beginRegion(const char* name, const Rect& rect, int extraFlags) {
+    ImGui::SetNextWindowPos(toVec2(rect.min));
+    ImGui::SetNextWindowSize(toVec2(rect.size));
+    return ImGui::Begin(name, nullptr,
+                        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                            ImGuiWindowFlags_NoBringToFrontOnFocus | extraFlags);
+}
+
+void heading(const PanelContext& context, const char* title, const std::string& note) {
+    ImGui::PushFont(context.fonts.strong);
+    ImGui::TextUnformatted(title);
+    ImGui::PopFont();
+    if (!note.empty()) {
+        const float width = ImGui::CalcTextSize(note.c_str()).x;
+        const float left = ImGui::GetContentRegionMax().x - width;
+        ImGui::SameLine(std::max(left, ImGui::CalcTextSize(title).x + context.em));
+        ImGui::TextDisabled("%s", note.c_str());
+    }
+}
+
+bool iconButton(const char* id, Icon icon, const char* text, bool enabled, bool active,
+                const PanelContext& context) {
+    const ImVec2 size(active ? 2.6F * context.em : 1.9F * context.em, ImGui::GetFrameHeight());
+    ImGui::BeginDisabled(!enabled);
+    if (active) {
+        ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent));
+        ImGui::PushStyleColor(ImGuiCol_ButtonHovered,
+                              toVec4(mix(context.palette.accent, context.palette.text, 0.15F)));
+    }
+    const bool pressed = ImGui::Button(id, size);
+    if (active) ImGui::PopStyleColor(2);
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    const Color color = active ? context.palette.accentText : context.palette.text;
+    drawIcon(ImGui::GetWindowDrawList(), {0.5F * (low.x + high.x), 0.5F * (low.y + high.y)},
+             0.32F * context.em, icon, toU32(enabled ? color : color.withAlpha(0.35F)));
+    ImGui::EndDisabled();
+    tooltip(text);
+    return pressed;
+}
+
+void tooltip(const std::string& text) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(22.0F * ImGui::GetFontSize());
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+void drawShape(ImDrawList* list, ImVec2 c, float size, Shape shape, ImU32 color) {
+    const float r = 0.5F * size;
+    const float stroke = std::max(1.0F, 0.3F * r);
+    const float s = 0.8F * r;
+    const std::array<ImVec2, 4> square = {
+        {{c.x - s, c.y - s}, {c.x + s, c.y - s}, {c.x + s, c.y + s}, {c.x - s, c.y + s}}};
+    const std::array<ImVec2, 4> diamond = {
+        {{c.x - r, c.y}, {c.x, c.y - r}, {c.x + r, c.y}, {c.x, c.y + r}}};
+    switch (shape) {
+        case Shape::Hidden:
+            break;
+        case Shape::Dot:
+        case Shape::Disc:
+            list->AddCircleFilled(c, r, color);
+            break;
+        case Shape::Circle:
+            list->AddCircle(c, r - 0.5F * stroke, color, 0, stroke);
+            break;
+        case Shape::Square:
+            list->AddConvexPolyFilled(square.data(), 4, color);
+            break;
+        case Shape::OpenSquare:
+            strokeQuad(list, square, stroke, color);
+            break;
+        case Shape::Diamond:
+            list->AddConvexPolyFilled(diamond.data(), 4, color);
+            break;
+        case Shape::OpenDiamond:
+            strokeQuad(list, diamond, stroke, color);
+            break;
+        case Shape::RingedDisc:
+            list->AddCircle(c, 0.9F * r, color, 0, 0.2F * r);
+            list->AddCircleFilled(c, 0.55F * r, color);
+            break;
+        case Shape::Forward:
+            list->AddTriangleFilled({c.x - 0.5F * r, c.y - 0.87F * r}, {c.x + r, c.y},
+                                    {c.x - 0.5F * r, c.y + 0.87F * r}, color);
+            break;
+        case Shape::Back:
+            list->AddTriangleFilled({c.x + 0.5F * r, c.y - 0.87F * r}, {c.x - r, c.y},
+                                    {c.x + 0.5F * r, c.y + 0.87F * r}, color);
+            break;
+        case Shape::Cross:
+            list->AddLine({c.x - s, c.y - s}, {c.x + s, c.y + s}, color, 1.3F * stroke);
+            list->AddLine({c.x - s, c.y + s}, {c.x + s, c.y - s}, color, 1.3F * stroke);
+            break;
+    }
+}
+
+bool beginValues(const char* id, const PanelContext& context) {
+    if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingStretchProp)) return false;
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 7.2F * context.em);
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
+    return true;
+}
+
+void endValues() { ImGui::EndTable(); }
+
+void valueRow(const PanelContext& context, const char* name, const std::string& value) {
+    valueRow(context, name, value, context.palette.text);
+}
+
+void valueRow(const PanelContext& context, const char* name, const std::string& value,
+              const Color& color) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.textDim));
+    ImGui::TextUnformatted(name);
+    ImGui::PopStyleColor();
+    ImGui::TableNextColumn();
+    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(value.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+void gauge(const PanelContext& context, double value, double threshold, double largest,
+           const Color& color) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float height = 0.5F * context.em;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const auto x = [&](double v) {
+        return at.x + width * static_cast<float>(std::clamp(v / largest, 0.0, 1.0));
+    };
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float rounding = 0.12F * context.em;
+    list->AddRectFilled(at, {at.x + width, at.y + height}, toU32(context.palette.panelRaised),
+                        rounding);
+    list->AddRectFilled(at, {x(value), at.y + height}, toU32(color), rounding);
+    const float mark = std::round(x(threshold));
+    list->AddLine({mark, at.y - 0.2F * context.em}, {mark, at.y + height + 0.2F * context.em},
+                  toU32(context.palette.text), std::max(1.0F, 0.12F * context.em));
+    ImGui::Dummy({width, height + 0.2F * context.em});
+}
+
+std::string fitted(const std::string& text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    std::string cut = text;
+    while (!cut.empty() && ImGui::CalcTextSize((cut + "...").c_str()).x > width) {
+        // Never between the bytes of one sign.
+        do cut.pop_back();
+        while (!cut.empty() && (static_cast<unsigned char>(cut.back()) & 0xC0U) == 0x80U);
+    }
+    return cut + "...";
+}
+
+Color verdictColor(const PanelContext& context, const Event& event) {
+    const std::optional<Verdict> verdict = verdictOf(event);
+    if (!verdict) return context.palette.text;
+    if (rejects(event)) return context.palette.rejected;
+    switch (*verdict) {
+        case Verdict::Kept:
+        case Verdict::InsideSphere:
+        case Verdict::GapTooWide:
+        case Verdict::NoCircle:
+        case Verdict::Hole:
+        case Verdict::Before:
+        case Verdict::After:
+            return context.palette.used;
+        case Verdict::Moved:
+            return context.palette.test;
+        default:
+            return context.palette.textDim;
+    }
+}
+
+std::string addressText(const Session& session) {
+    return session.ready() && session.event() != nullptr ? toString(session.address()) : "start";
+}
+
+std::string grouped(std::size_t number) {
+    std::string text = std::to_string(number);
+    for (std::size_t i = text.size(); i > 3; i -= 3) {
+        text.insert(i - 3, "\xE2\x80\x89");  // thin space
+    }
+    return text;
+}
+
+}  // namespace se::view

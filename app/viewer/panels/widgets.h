@@ -1,0 +1,48 @@
+/// Small things that several panels draw.
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+
+#include "../draw_list.h"
+#include "panel.h"
+
+namespace se::view {
+
+enum class Icon { SkipStart, Back, StepBack, Play, Pause, StepForward, Forward, SkipEnd };
+
+ImU32 toU32(const Color& color);
+inline ImVec4 toVec4(const Color& color) { return {color.r, color.g, color.b, color.a}; }
+inline ImVec2 toVec2(glm::vec2 v) { return {v.x, v.y}; }
+
+/// Begins a window without frame that fills `rect`. Call ImGui::End() in any case.
+bool beginRegion(const char* name, const Rect& rect, int extraFlags = 0);
+/// A line with the title of a panel, and something dim at its right end.
+void heading(const PanelContext& context, const char* title, const std::string& note = {});
+/// A square button with a drawn icon. `large` ones are wider.
+bool iconButton(const char* id, Icon icon, const char* tooltip, bool enabled, bool active,
+                const PanelContext& context);
+void tooltip(const std::string& text);
+/// Draws the shape of a point, as the view does.
+void drawShape(ImDrawList* list, ImVec2 center, float size, Shape shape, ImU32 color);
+/// Two columns: a dim name and a value.
+void valueRow(const PanelContext& context, const char* name, const std::string& value);
+void valueRow(const PanelContext& context, const char* name, const std::string& value,
+              const Color& color);
+/// A bar with a value and the threshold it is compared with.
+void gauge(const PanelContext& context, double value, double threshold, double largest,
+           const Color& color);
+/// Begins and ends the table that valueRow() fills.
+bool beginValues(const char* id, const PanelContext& context);
+void endValues();
+/// A text that is cut with dots if it does not fit `width`.
+std::string fitted(const std::string& text, float width);
+/// Color of a verdict: kept, rejected or plain.
+Color verdictColor(const PanelContext& context, const Event& event);
+/// "137.sphere.3", or "start".
+std::string addressText(const Session& session);
+/// 12345 as "12 345".
+std::string grouped(std::size_t number);
+
+}  // namespace se::view

@@ -1,0 +1,49 @@
+#include "pivot_record.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace se::view {
+
+namespace {
+
+RunState withoutTriangles(const State& state) {
+    return {state.status,        state.rings,    state.triangles.size(),
+            state.alerts.size(), state.counters, state.finished()};
+}
+
+}  // namespace
+
+std::optional<std::size_t> PivotRecord::find(const Address& address) const {
+    const auto matches = [&](const Event& event) {
+        return event.address.stage == address.stage &&
+               (address.n == 0 || event.address.n == address.n);
+    };
+    const auto found = std::find_if(events.begin(), events.end(), matches);
+    if (address.pivot != pivot || found == events.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - events.begin());
+}
+
+std::shared_ptr<const PivotRecord> recordPivot(Timeline& timeline, std::uint32_t pivot) {
+    auto record = std::make_shared<PivotRecord>();
+    record->events = timeline.eventsOf(pivot);
+    if (record->events.empty() && pivot > 0) {
+        timeline.seek(std::numeric_limits<std::uint32_t>::max());
+        pivot = timeline.lastPivot();
+        record->events = timeline.eventsOf(pivot);
+    }
+    record->pivot = pivot;
+    if (pivot == 0) {
+        timeline.seek(0);
+        record->before = record->after = withoutTriangles(timeline.state());
+        record->isLast = timeline.endKnown() && timeline.lastPivot() == 0;
+        return record;
+    }
+    record->before = withoutTriangles(timeline.state());
+    timeline.stepPivot();
+    record->after = withoutTriangles(timeline.state());
+    record->isLast = timeline.endKnown() && pivot == timeline.lastPivot();
+    return record;
+}
+
+}  // namespace se::view

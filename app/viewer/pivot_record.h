@@ -1,0 +1,36 @@
+/// One pivot of a run, taken out of the timeline so that the window can look at it while the
+/// timeline works on something else.
+#pragma once
+
+#include <memory>
+
+#include "spiraling_edge/timeline.h"
+
+namespace se::view {
+
+/// A State without its triangles, of which the number suffices: they are only ever appended.
+struct RunState {
+    std::vector<PointStatus> status;
+    EdgeRings rings;
+    std::size_t triangleCount = 0;
+    std::size_t alertCount = 0;
+    Counters counters;
+    bool finished = false;
+};
+
+/// Everything about pivot number `pivot`. 0 is the beginning of the run and has no events.
+struct PivotRecord {
+    std::uint32_t pivot = 0;
+    std::vector<Event> events;
+    RunState before;
+    RunState after;
+    bool isLast = false;  ///< Nothing happens in the run after this.
+
+    /// Position of the event with that address, or of the first event of its stage if n is 0.
+    std::optional<std::size_t> find(const Address& address) const;
+};
+
+/// Takes pivot number `pivot` out of the timeline, or the last one if the run is shorter.
+std::shared_ptr<const PivotRecord> recordPivot(Timeline& timeline, std::uint32_t pivot);
+
+}  // namespace se::view

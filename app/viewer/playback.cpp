@@ -1,0 +1,48 @@
+#include "playback.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace se::view {
+
+namespace {
+
+constexpr std::array kNotches = {0.5, 1.0, 2.0, 4.0, 8.0, 15.0, 30.0, 60.0};
+constexpr int kMostAtOnce = 8;
+
+}  // namespace
+
+void Playback::setRate(double rate) {
+    rate_ = std::clamp(rate, kSlowest, kFastest);
+    unlimited_ = false;
+}
+
+void Playback::faster() {
+    const auto next = std::upper_bound(kNotches.begin(), kNotches.end(), rate_);
+    if (next == kNotches.end()) {
+        unlimited_ = true;
+    } else {
+        setRate(*next);
+    }
+}
+
+void Playback::slower() {
+    if (unlimited_) {
+        setRate(kFastest);
+        return;
+    }
+    const auto at = std::lower_bound(kNotches.begin(), kNotches.end(), rate_);
+    setRate(at == kNotches.begin() ? kSlowest : *std::prev(at));
+}
+
+int Playback::due(double seconds) {
+    if (!playing_) return 0;
+    if (unlimited_) return 1;
+    owed_ += seconds * rate_;
+    const int steps = std::min(static_cast<int>(std::floor(owed_)), kMostAtOnce);
+    owed_ = std::min(owed_ - steps, 1.0);
+    return steps;
+}
+
+}  // namespace se::view

@@ -1,0 +1,47 @@
+/// Playing: how many steps are due. Plain arithmetic; whoever asks carries the steps out.
+#pragma once
+
+#include <cstdint>
+
+namespace se::view {
+
+enum class PlayUnit : std::uint8_t { SubStep, Pivot };
+
+class Playback {
+  public:
+    static constexpr double kSlowest = 0.5;
+    static constexpr double kFastest = 60.0;
+
+    bool playing() const { return playing_; }
+    void play() {
+        playing_ = true;
+        owed_ = 1.0;
+    }
+    void pause() { playing_ = false; }
+    void toggle() { playing_ ? pause() : play(); }
+
+    PlayUnit unit() const { return unit_; }
+    void setUnit(PlayUnit unit) { unit_ = unit; }
+    /// Steps per second.
+    double rate() const { return rate_; }
+    void setRate(double rate);
+    /// One notch up or down on a scale of 0.5, 1, 2, 4, ... 60; above it, as fast as drawn.
+    void faster();
+    void slower();
+    /// One step every frame, however long a frame takes.
+    bool unlimited() const { return unlimited_; }
+    void setUnlimited(bool unlimited) { unlimited_ = unlimited; }
+
+    /// Steps due after `seconds` more have passed; 0 while paused. Never more than 8, so that a
+    /// long frame does not lead to a longer one.
+    int due(double seconds);
+
+  private:
+    bool playing_ = false;
+    bool unlimited_ = false;
+    PlayUnit unit_ = PlayUnit::Pivot;
+    double rate_ = 4.0;
+    double owed_ = 0.0;
+};
+
+}  // namespace se::view

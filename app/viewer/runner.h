@@ -1,0 +1,61 @@
+/// The thread that owns the timeline: it goes to a pivot, however far, while the window stays
+/// awake.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "model.h"
+#include "pivot_record.h"
+
+namespace se::view {
+
+/// What the thread found, so far.
+struct RunnerAnswer {
+    std::shared_ptr<const PivotRecord> record;
+    std::vector<Triangle> newTriangles;  ///< Behind those of all earlier answers.
+    bool final = false;                  ///< False: a look at a place on the way.
+};
+
+class Runner {
+  public:
+    explicit Runner(std::shared_ptr<const Model> model);
+    ~Runner();
+    Runner(const Runner&) = delete;
+    Runner& operator=(const Runner&) = delete;
+
+    /// Goes to `pivot`, or the end if the run is shorter. Requires that no request is open, that
+    /// is, that take() has returned the final answer to the one before.
+    void request(std::uint32_t pivot);
+    /// Makes the open request end where it is; its final answer still comes.
+    void cancel() { cancelled_ = true; }
+    /// Waits up to `patience` for the final answer.
+    void wait(std::chrono::milliseconds patience);
+    /// What was found since the last call.
+    std::optional<RunnerAnswer> take();
+    /// Where the thread is; for a progress bar.
+    std::uint32_t position() const { return position_; }
+
+  private:
+    void work(const std::stop_token& stop);
+    void serve(std::uint32_t pivot, const std::stop_token& stop);
+    void publish(std::uint32_t pivot, bool final);
+
+    std::shared_ptr<const Model> model_;
+    Timeline timeline_;
+    std::size_t publishedTriangles_ = 0;
+
+    std::mutex mutex_;
+    std::condition_variable_any changed_;
+    std::optional<std::uint32_t> wanted_;
+    std::optional<RunnerAnswer> answer_;
+    std::atomic<bool> cancelled_ = false;
+    std::atomic<std::uint32_t> position_ = 0;
+    std::jthread thread_;  // last: it uses all of the above
+};
+
+}  // namespace se::view

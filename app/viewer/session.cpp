@@ -1,0 +1,305 @@
+#include "session.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace se::view {
+
+namespace {
+
+constexpr std::uint32_t kEnd = std::numeric_limits<std::uint32_t>::max();
+/// A move that takes less than this is done at once; longer ones leave the window awake.
+constexpr std::chrono::milliseconds kPatience{8};
+/// Key repeat must not pile up moves without end.
+constexpr std::size_t kMaxMoves = 64;
+
+std::optional<long> readNumber(std::string_view text) {
+    long value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+std::string trimmed(const std::string& text) {
+    const auto first = text.find_first_not_of(" \t");
+    if (first == std::string::npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+}  // namespace
+
+Session::~Session() { progress_.cancelled = true; }
+
+void Session::open(InputSpec spec) {
+    progress_.cancelled = true;
+    if (loader_.joinable()) loader_.join();
+    spec_ = std::move(spec);
+    startLoading();
+}
+
+void Session::startLoading() {
+    progress_.cancelled = false;
+    progress_.share = 0.0;
+    loaded_ = false;
+    loadResult_.reset();
+    error_.clear();
+    phase_ = SessionPhase::Loading;
+    loader_ = std::jthread([this] {
+        loadResult_ = loadModel(spec_, progress_);
+        loaded_ = true;
+    });
+}
+
+void Session::adopt(std::shared_ptr<const Model> model) {
+    runner_.reset();
+    overviewThread_.reset();
+    model_ = std::move(model);
+    record_.reset();
+    triangles_.clear();
+    overview_ = {};
+    picture_ = {};
+    moves_.clear();
+    waiting_ = false;
+    selected_ = highlightedRing_ = kNone;
+    ++generation_;
+    ++revision_;
+    phase_ = SessionPhase::Ready;
+    runner_ = std::make_unique<Runner>(model_);
+    overviewThread_ = std::make_unique<OverviewThread>(model_);
+    say(model_->watch);
+    request(0, Landing::Last);
+    runner_->wait(std::chrono::seconds(2));
+    takeAnswer();
+}
+
+bool Session::poll() {
+    bool changed = false;
+    if (phase_ == SessionPhase::Loading && loaded_) {
+        if (loader_.joinable()) loader_.join();
+        if (loadResult_->ok()) {
+            adopt(loadResult_->value());
+        } else {
+            error_ = loadResult_->error().message;
+            phase_ = SessionPhase::Failed;
+        }
+        changed = true;
+    }
+    if (waiting_) changed = takeAnswer() || changed;
+    processMoves();
+    if (overviewThread_) changed = overviewThread_->update(overview_) || changed;
+    return changed;
+}
+
+void Session::settle() {
+    if (loader_.joinable()) loader_.join();
+    poll();
+    while (busy()) {
+        if (waiting_) runner_->wait(std::chrono::milliseconds(200));
+        poll();
+    }
+    if (overviewThread_) overviewThread_->finish();
+    poll();
+}
+
+bool Session::takeAnswer() {
+    std::optional<RunnerAnswer> answer = runner_->take();
+    if (!answer) return false;
+    triangles_.insert(triangles_.end(), answer->newTriangles.begin(), answer->newTriangles.end());
+    record_ = answer->record;
+    if (answer->final) {
+        waiting_ = false;
+        land();
+    } else {
+        setCursor(record_->events.empty() ? 0 : record_->events.size() - 1);
+    }
+    return true;
+}
+
+void Session::land() {
+    std::size_t cursor = record_->events.empty() ? 0 : record_->events.size() - 1;
+    if (landing_ == Landing::First) cursor = 0;
+    if (landing_ == Landing::AtAddress) {
+        if (const auto found = record_->find(target_)) {
+            cursor = *found;
+        } else {
+            say("There is no event " + toString(target_) + ". Shown: the end of pivot " +
+                std::to_string(record_->pivot) + ".");
+        }
+    }
+    setCursor(cursor);
+}
+
+void Session::setCursor(std::size_t cursor) {
+    cursor_ = cursor;
+    picture_ = makePicture(*record_, cursor_);
+    ++revision_;
+}
+
+const Event* Session::event() const {
+    return ready() && cursor_ < record_->events.size() ? &record_->events[cursor_] : nullptr;
+}
+
+Address Session::address() const {
+    const Event* at = event();
+    return at != nullptr ? at->address : Address{record_ ? record_->pivot : 0, Stage::Pivot, 0};
+}
+
+bool Session::atEnd() const {
+    return ready() && record_->isLast && cursor_ + 1 >= record_->events.size();
+}
+
+void Session::stepEvent(int delta) { push({Move::Kind::Events, delta, {}}); }
+void Session::stepPivot(int delta) { push({Move::Kind::Pivots, delta, {}}); }
+void Session::finishPivot() { push({Move::Kind::Finish, 0, {}}); }
+void Session::toEnd() { goToPivot(kEnd); }
+
+void Session::goToPivot(std::uint32_t pivot) { goTo({pivot, Stage::Pivot, 0}); }
+
+void Session::goTo(const Address& address) {
+    cancelMove();
+    push({Move::Kind::Go, 0, address});
+}
+
+void Session::goToEvent(std::size_t index) {
+    if (busy() || !ready() || index >= record_->events.size()) return;
+    setCursor(index);
+}
+
+double Session::busySeconds() const {
+    if (!waiting_) return 0.0;
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - waitingSince_;
+    return time.count();
+}
+
+void Session::cancelMove() {
+    moves_.clear();
+    if (waiting_) runner_->cancel();
+}
+
+void Session::push(Move move) {
+    if (!runner_ || moves_.size() >= kMaxMoves) return;
+    message_.clear();
+    moves_.push_back(move);
+    processMoves();
+}
+
+void Session::processMoves() {
+    while (!waiting_ && !moves_.empty()) {
+        const Move move = moves_.front();
+        moves_.pop_front();
+        perform(move);
+    }
+}
+
+void Session::perform(Move move) {
+    const std::uint32_t here = record_->pivot;
+    switch (move.kind) {
+        case Move::Kind::Events:
+            performEvents(move.delta);
+            break;
+        case Move::Kind::Pivots: {
+            const long to = static_cast<long>(here) + move.delta;
+            if (move.delta > 0 && record_->isLast) {
+                if (!record_->events.empty()) setCursor(record_->events.size() - 1);
+                break;
+            }
+            request(static_cast<std::uint32_t>(std::max(0L, to)), Landing::Last);
+            break;
+        }
+        case Move::Kind::Finish:
+            if (cursor_ + 1 < record_->events.size()) {
+                setCursor(record_->events.size() - 1);
+            } else if (!record_->isLast) {
+                request(here + 1, Landing::Last);
+            }
+            break;
+        case Move::Kind::Go: {
+            const bool whole = move.target.stage == Stage::Pivot && move.target.n == 0;
+            request(move.target.pivot, whole ? Landing::Last : Landing::AtAddress, move.target);
+            break;
+        }
+    }
+}
+
+void Session::performEvents(int delta) {
+    const auto count = static_cast<int>(record_->events.size());
+    const int here = count == 0 ? 0 : static_cast<int>(cursor_);
+    const int to = here + delta;
+    if (count > 0 && to >= 0 && to < count) {
+        setCursor(static_cast<std::size_t>(to));
+    } else if (delta > 0 && !record_->isLast) {
+        const int rest = count == 0 ? delta - 1 : to - count;
+        if (rest > 0) moves_.push_front({Move::Kind::Events, rest, {}});
+        request(record_->pivot + 1, Landing::First);
+    } else if (delta < 0 && record_->pivot > 0) {
+        if (to + 1 < 0) moves_.push_front({Move::Kind::Events, to + 1, {}});
+        request(record_->pivot - 1, Landing::Last);
+    }
+}
+
+void Session::request(std::uint32_t pivot, Landing landing, const Address& target) {
+    landing_ = landing;
+    target_ = target;
+    if (record_ && record_->pivot == pivot) {
+        land();
+        return;
+    }
+    requested_ = pivot;
+    waiting_ = true;
+    waitingSince_ = std::chrono::steady_clock::now();
+    runner_->request(pivot);
+    runner_->wait(kPatience);
+    takeAnswer();
+}
+
+Status Session::goToText(const std::string& given) {
+    const std::string text = trimmed(given);
+    const Error unknown{"\"" + text +
+                        "\" is no address. Examples: 137, 137.sphere.3, +10, 50%, p812."};
+    if (!ready() || text.empty()) return unknown;
+    if (text.front() == '+' || text.front() == '-') {
+        const auto number = readNumber(std::string_view(text).substr(text.front() == '+' ? 1 : 0));
+        if (!number || std::abs(*number) > 1'000'000'000L) return unknown;
+        stepPivot(static_cast<int>(*number));
+        return success();
+    }
+    if (text.back() == '%') {
+        const auto share = readNumber(std::string_view(text).substr(0, text.size() - 1));
+        if (!share || *share < 0 || *share > 100) return unknown;
+        if (!overview_.complete) return Error{"The length of the run is not known yet."};
+        goToPivot(static_cast<std::uint32_t>(std::llround(static_cast<double>(overview_.lastPivot) *
+                                                          static_cast<double>(*share) / 100.0)));
+        return success();
+    }
+    if (text.front() == 'p') {
+        const auto point = readNumber(std::string_view(text).substr(1));
+        if (!point || *point < 0) return unknown;
+        if (static_cast<std::size_t>(*point) >= model_->points.size()) {
+            return Error{"There is no point " + std::to_string(*point) + "; the last one is " +
+                         std::to_string(model_->points.size() - 1) + "."};
+        }
+        select(static_cast<Index>(*point));
+        return success();
+    }
+    const std::optional<Address> address = addressFromString(text);
+    if (!address) return unknown;
+    goTo(*address);
+    return success();
+}
+
+void Session::select(Index point) {
+    if (selected_ == point) return;
+    selected_ = point;
+    ++revision_;
+}
+
+void Session::highlightRing(Index ring) {
+    highlightedRing_ = highlightedRing_ == ring ? kNone : ring;
+    ++revision_;
+}
+
+void Session::say(std::string message) { message_ = std::move(message); }
+
+}  // namespace se::view

@@ -1,0 +1,151 @@
+/// What is open and where the cursor stands. Knows neither window nor OpenGL.
+///
+/// The cursor is an address: it stands on an event, and the picture shows the state just after it.
+/// Moves are carried out in order; a move that needs a pivot that is not at hand waits for the
+/// runner thread, and the picture stays until its answer comes.
+#pragma once
+
+#include <chrono>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "model.h"
+#include "overview.h"
+#include "picture.h"
+#include "pivot_record.h"
+#include "runner.h"
+
+namespace se::view {
+
+enum class SessionPhase : std::uint8_t { Empty, Loading, Ready, Failed };
+
+class Session {
+  public:
+    Session() = default;
+    ~Session();
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    // Opening. What was open before stays until the new input is ready, or failed.
+    void open(InputSpec spec);
+    void cancelOpening() { progress_.cancelled = true; }
+    /// After a failure: goes on with what was open before. Requires ready().
+    void dismissError() { phase_ = SessionPhase::Ready; }
+    /// Takes over what threads have finished. True if there is something new to draw.
+    bool poll();
+    /// Blocks until nothing is under way any more: for pictures without a person, and tests.
+    void settle();
+
+    SessionPhase phase() const { return phase_; }
+    double loadShare() const { return progress_.share; }
+    const std::string& error() const { return error_; }
+    const InputSpec& spec() const { return spec_; }
+
+    // What is open. Everything below requires phase() == Ready, or an earlier input still shown.
+    bool ready() const { return model_ != nullptr && record_ != nullptr; }
+    const Model& model() const { return *model_; }
+    const PivotRecord& record() const { return *record_; }
+    const Picture& picture() const { return picture_; }
+    const RunOverview& overview() const { return overview_; }
+    /// Triangles seen so far in this run; the first finishedTriangles of the picture are drawn.
+    const std::vector<Triangle>& triangles() const { return triangles_; }
+    /// Grows when another input is opened or the run restarted: everything uploaded is void.
+    std::uint32_t generation() const { return generation_; }
+    /// Grows whenever the picture or the selection changes.
+    std::uint32_t revision() const { return revision_; }
+
+    // The cursor.
+    std::size_t cursor() const { return cursor_; }
+    /// The event at the cursor, null at the beginning.
+    const Event* event() const;
+    Address address() const;
+    bool atStart() const { return record_ == nullptr || record_->pivot == 0; }
+    bool atEnd() const;
+
+    // Moves.
+    void stepEvent(int delta);
+    void stepPivot(int delta);
+    /// To the last event of this pivot; from there, of the next.
+    void finishPivot();
+    void toStart() { goToPivot(0); }
+    void toEnd();
+    /// To the last event of a pivot.
+    void goToPivot(std::uint32_t pivot);
+    /// To an event; without stage and n to the last event of the pivot.
+    void goTo(const Address& address);
+    /// To an event of the present pivot.
+    void goToEvent(std::size_t index);
+    /// Reads `137`, `137.sphere.3`, `+10`, `-10`, `50%` or `p812` (selects). Fails with a sentence.
+    Status goToText(const std::string& text);
+
+    /// A move waits for the runner thread.
+    bool busy() const { return waiting_ || !moves_.empty(); }
+    /// How long the runner thread has been at it; 0 if it is not.
+    double busySeconds() const;
+    std::uint32_t runnerPosition() const { return runner_ ? runner_->position() : 0; }
+    std::uint32_t runnerTarget() const { return requested_; }
+    void cancelMove();
+
+    // Selection, by index: it survives every move.
+    Index selected() const { return selected_; }
+    void select(Index point);
+    Index highlightedRing() const { return highlightedRing_; }
+    void highlightRing(Index ring);
+
+    /// The last thing worth saying that is no event, e.g. that an address does not exist.
+    const std::string& message() const { return message_; }
+    void say(std::string message);
+
+  private:
+    enum class Landing : std::uint8_t { First, Last, AtAddress };
+    struct Move {
+        enum class Kind : std::uint8_t { Events, Pivots, Finish, Go } kind = Kind::Go;
+        int delta = 0;
+        Address target;
+    };
+
+    void push(Move move);
+    void processMoves();
+    void perform(Move move);
+    void performEvents(int delta);
+    void request(std::uint32_t pivot, Landing landing, const Address& target = {});
+    bool takeAnswer();
+    void land();
+    void setCursor(std::size_t cursor);
+    void adopt(std::shared_ptr<const Model> model);
+    void startLoading();
+
+    InputSpec spec_;
+    SessionPhase phase_ = SessionPhase::Empty;
+    std::string error_;
+    std::string message_;
+    std::shared_ptr<const Model> model_;
+    std::shared_ptr<const PivotRecord> record_;
+    std::size_t cursor_ = 0;
+    Picture picture_;
+    std::vector<Triangle> triangles_;
+    RunOverview overview_;
+    Index selected_ = kNone;
+    Index highlightedRing_ = kNone;
+    std::uint32_t generation_ = 0;
+    std::uint32_t revision_ = 0;
+
+    std::deque<Move> moves_;
+    bool waiting_ = false;
+    std::chrono::steady_clock::time_point waitingSince_;
+    std::uint32_t requested_ = 0;
+    Landing landing_ = Landing::Last;
+    Address target_;
+
+    LoadProgress progress_;
+    std::atomic<bool> loaded_ = false;
+    std::optional<Result<std::shared_ptr<const Model>>> loadResult_;
+    std::unique_ptr<Runner> runner_;
+    std::unique_ptr<OverviewThread> overviewThread_;
+    std::jthread loader_;
+};
+
+}  // namespace se::view

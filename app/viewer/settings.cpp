@@ -1,0 +1,90 @@
+#include "settings.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "spiraling_edge/io.h"
+
+namespace se::view {
+
+namespace {
+
+using nlohmann::json;
+
+template <typename T>
+T numberIn(const json& object, const char* name, T low, T high, T otherwise) {
+    const auto found = object.find(name);
+    if (found == object.end() || !found->is_number()) return otherwise;
+    const T value = found->template get<T>();
+    return value >= low && value <= high ? value : otherwise;
+}
+
+}  // namespace
+
+std::filesystem::path settingsPath() {
+    const std::filesystem::path tail = std::filesystem::path("spiraling-edge") / "settings.json";
+    // The XDG standard: relative paths are to be ignored.
+    if (const char* config = std::getenv("XDG_CONFIG_HOME");
+        config != nullptr && config[0] == '/') {
+        return std::filesystem::path(config) / tail;
+    }
+    const char* home = std::getenv("HOME");
+    if (home == nullptr || home[0] != '/') return {};
+    return std::filesystem::path(home) / ".config" / tail;
+}
+
+Result<ViewSettings> settingsFromJson(std::string_view text) {
+    const json object = json::parse(text, nullptr, false);
+    if (!object.is_object()) return Error{"The settings are not a JSON object."};
+    ViewSettings s;
+    if (const auto theme = object.find("theme"); theme != object.end() && theme->is_string()) {
+        s.theme = themeFromName(theme->get<std::string>()).value_or(s.theme);
+    }
+    s.uiScale = numberIn(object, "uiScale", 0.75, 3.0, s.uiScale);
+    s.width = numberIn(object, "width", 320, 16384, s.width);
+    s.height = numberIn(object, "height", 240, 16384, s.height);
+    s.playRate = numberIn(object, "playRate", Playback::kSlowest, Playback::kFastest, s.playRate);
+    if (const auto legend = object.find("legend"); legend != object.end() && legend->is_boolean()) {
+        s.legend = legend->get<bool>();
+    }
+    const auto switches = object.find("layers");
+    if (switches == object.end() || !switches->is_object()) return s;
+    for (const Layer& layer : layers()) {
+        const auto found = switches->find(std::string(layer.name));
+        if (found == switches->end() || !found->is_boolean()) continue;
+        s.layers.set(static_cast<std::size_t>(layer.id), found->get<bool>());
+    }
+    return s;
+}
+
+std::string settingsToJson(const ViewSettings& s) {
+    json switches = json::object();
+    for (const Layer& layer : layers()) {
+        switches[std::string(layer.name)] = s.layers.test(static_cast<std::size_t>(layer.id));
+    }
+    json object = {{"version", 1},       {"theme", themeName(s.theme)}, {"width", s.width},
+                   {"height", s.height}, {"playRate", s.playRate},      {"legend", s.legend},
+                   {"layers", switches}};
+    if (s.uiScale > 0.0) object["uiScale"] = s.uiScale;
+    return object.dump(2) + "\n";
+}
+
+Result<ViewSettings> readSettings(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    if (path.empty() || !file) return ViewSettings{};
+    std::ostringstream text;
+    text << file.rdbuf();
+    return settingsFromJson(text.str());
+}
+
+Status writeSettings(const std::filesystem::path& path, const ViewSettings& settings) {
+    if (path.empty()) return success();
+    std::error_code error;
+    std::filesystem::create_directories(path.parent_path(), error);
+    if (error) return Error{"Cannot make the folder " + path.parent_path().string() + "."};
+    return writeFileAtomically(path, settingsToJson(settings));
+}
+
+}  // namespace se::view

@@ -1,0 +1,25 @@
+/// What survives a restart: a small JSON file in the folder that the system has for it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "spiraling_edge/result.h"
+#include "ui_state.h"
+
+namespace se::view {
+
+/// $XDG_CONFIG_HOME/spiraling-edge/settings.json, or below ~/.config. Empty if there is no home.
+std::filesystem::path settingsPath();
+
+/// Unknown fields are ignored, values out of range replaced by the default.
+Result<ViewSettings> settingsFromJson(std::string_view text);
+std::string settingsToJson(const ViewSettings& settings);
+
+/// The settings of a file; the defaults if there is none.
+Result<ViewSettings> readSettings(const std::filesystem::path& path);
+/// Makes the folder if need be.
+Status writeSettings(const std::filesystem::path& path, const ViewSettings& settings);
+
+}  // namespace se::view

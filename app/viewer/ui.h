@@ -1,0 +1,34 @@
+/// Life time and looks of Dear ImGui.
+#pragma once
+
+#include "fonts.h"
+#include "palette.h"
+
+namespace se::view {
+
+class Ui {
+  public:
+    /// Requires a current OpenGL context. The platform side is up to the window.
+    Ui();
+    ~Ui();
+    Ui(const Ui&) = delete;
+    Ui& operator=(const Ui&) = delete;
+
+    /// Sets fonts, sizes and colors; cheap if nothing changed.
+    void setLooks(float scale, Theme theme);
+    const Fonts& fonts() const { return fonts_; }
+    /// Pixels of an em, the height of a line of text.
+    float em() const { return em_; }
+
+    void beginFrame();
+    void endFrame();
+
+  private:
+    Fonts fonts_;
+    float scale_ = 0.0F;
+    float em_ = 16.0F;
+    Theme theme_ = Theme::Dark;
+    bool looksSet_ = false;
+};
+
+}  // namespace se::view

@@ -1,0 +1,52 @@
+/// What the user interface remembers and what it asks for. Plain values, no ImGui.
+#pragma once
+
+#include <string>
+
+#include "camera.h"
+#include "layers/layer.h"
+#include "palette.h"
+#include "playback.h"
+
+namespace se::view {
+
+class Session;
+
+/// Kept in the settings.
+struct ViewSettings {
+    Theme theme = Theme::Dark;
+    double uiScale = 0.0;  ///< 0: as the monitor says.
+    LayerSwitches layers = defaultLayers();
+    int width = 1280;
+    int height = 800;
+    double playRate = 4.0;
+    bool legend = true;
+};
+
+/// Asked for by a command or panel, carried out by the application in the same frame.
+struct UiRequests {
+    bool quit = false;
+    bool screenshot = false;
+    bool fullScreen = false;
+    bool focusGoTo = false;
+    bool openDialog = false;
+    bool closePopups = false;
+};
+
+struct UiState {
+    ViewSettings settings;
+    UiRequests requests;
+    bool cheatSheet = false;
+    bool fileBrowser = false;
+    int sideTab = -1;  ///< A tab to bring to front, -1: none.
+};
+
+/// Everything a command may work on.
+struct CommandContext {
+    Session& session;
+    Playback& playback;
+    Camera& camera;
+    UiState& ui;
+};
+
+}  // namespace se::view

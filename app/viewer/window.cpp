@@ -1,0 +1,174 @@
+#include "window.h"
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "application.h"
+#include "gl/context.h"
+
+namespace se::view {
+
+static_assert(key::kF1 == GLFW_KEY_F1 && key::kHome == GLFW_KEY_HOME && key::kEnd == GLFW_KEY_END);
+static_assert(key::kLeft == GLFW_KEY_LEFT && key::kRight == GLFW_KEY_RIGHT);
+static_assert(key::kEnter == GLFW_KEY_ENTER && key::kEscape == GLFW_KEY_ESCAPE);
+static_assert(kShift == GLFW_MOD_SHIFT && kCtrl == GLFW_MOD_CONTROL && kAlt == GLFW_MOD_ALT);
+
+namespace {
+
+/// How long to sleep when nothing happens; loading threads are asked this often.
+constexpr double kIdleSeconds = 0.25;
+constexpr int kSettleFrames = 3;
+constexpr double kFrameSeconds = 1.0 / 60.0;
+
+/// Keys by what is printed on them, so that Ctrl+Q is where the keyboard layout has Q.
+int layoutKey(int key, int scancode) {
+    if (key < GLFW_KEY_SPACE || key > GLFW_KEY_GRAVE_ACCENT || key == GLFW_KEY_SPACE) return key;
+    const char* name = glfwGetKeyName(key, scancode);
+    if (name == nullptr || name[0] == '\0' || name[1] != '\0') return key;
+    const auto sign = static_cast<unsigned char>(name[0]);
+    return sign < 128 ? std::toupper(sign) : key;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Window>> Window::create(glm::ivec2 size) {
+    if (glfwInit() != GLFW_TRUE) {
+        return Error{
+            "There is no display to open a window on: start it where one is (X forwarding, "
+            "or xvfb-run spiraling-edge-viewer ...), or write a picture without one by "
+            "--screenshot out.png."};
+    }
+    std::unique_ptr<Window> made(new Window);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    made->title_ = "Spiraling Edge";
+    made->window_ = glfwCreateWindow(size.x, size.y, made->title_.c_str(), nullptr, nullptr);
+    const Error noGl{
+        "The display has no OpenGL 3.3: use a newer driver, or write a picture without "
+        "the display by --screenshot out.png."};
+    if (made->window_ == nullptr) return noGl;
+    glfwSetWindowSizeLimits(made->window_, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwMakeContextCurrent(made->window_);
+    if (const Status status = loadGl(glfwGetProcAddress); !status) return noGl;
+    glfwSwapInterval(1);
+    made->listen();
+    return made;
+}
+
+Window::~Window() {
+    if (window_ != nullptr) glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+float Window::contentScale() const {
+    float x = 1.0F;
+    float y = 1.0F;
+    glfwGetWindowContentScale(window_, &x, &y);
+    return std::clamp(x, 0.75F, 3.0F);
+}
+
+Window& Window::of(GLFWwindow* window) {
+    return *static_cast<Window*>(glfwGetWindowUserPointer(window));
+}
+
+void Window::onKey(GLFWwindow* window, int key, int scancode, int action, int mods) {
+    of(window).wake_ = kSettleFrames;
+    if (action == GLFW_RELEASE) return;
+    const int known = mods & (kShift | kCtrl | kAlt);
+    of(window).keys_.push_back({{layoutKey(key, scancode), known}, action == GLFW_REPEAT});
+}
+
+void Window::listen() {
+    glfwSetWindowUserPointer(window_, this);
+    glfwSetKeyCallback(window_, onKey);
+    glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned sign) {
+        // Where the question mark lies differs between keyboards.
+        if (sign == '?') of(window).keys_.push_back({{'?', kNoMods}, false});
+        of(window).wake_ = kSettleFrames;
+    });
+    glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
+        of(window).drops_.assign(paths, paths + count);
+        of(window).wake_ = kSettleFrames;
+    });
+    glfwSetCursorPosCallback(
+        window_, [](GLFWwindow* window, double, double) { of(window).wake_ = kSettleFrames; });
+    glfwSetMouseButtonCallback(
+        window_, [](GLFWwindow* window, int, int, int) { of(window).wake_ = kSettleFrames; });
+    glfwSetScrollCallback(
+        window_, [](GLFWwindow* window, double, double) { of(window).wake_ = kSettleFrames; });
+    glfwSetFramebufferSizeCallback(
+        window_, [](GLFWwindow* window, int, int) { of(window).wake_ = kSettleFrames; });
+    glfwSetWindowRefreshCallback(window_,
+                                 [](GLFWwindow* window) { of(window).wake_ = kSettleFrames; });
+    glfwSetWindowFocusCallback(window_,
+                               [](GLFWwindow* window, int) { of(window).wake_ = kSettleFrames; });
+}
+
+void Window::deliver(Application& application) {
+    for (const KeyPress& press : keys_) application.key(press.chord, press.repeated);
+    keys_.clear();
+    if (!drops_.empty()) application.open(drops_.front());
+    drops_.clear();
+}
+
+void Window::drawFrame(Application& application) {
+    const double now = glfwGetTime();
+    const double seconds = std::clamp(now - lastFrame_, 1e-4, 0.25);
+    lastFrame_ = now;
+    glm::ivec2 size(0);
+    glfwGetFramebufferSize(window_, &size.x, &size.y);
+    if (size.x == 0 || size.y == 0) return;
+    ImGui_ImplGlfw_NewFrame();
+    application.frame(size, seconds);
+    if (const std::string title = application.title(); title != title_) {
+        title_ = title;
+        glfwSetWindowTitle(window_, title_.c_str());
+    }
+    glfwSwapBuffers(window_);
+}
+
+void Window::run(Application& application, int frames) {
+    ImGui_ImplGlfw_InitForOpenGL(window_, true);
+    ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    lastFrame_ = glfwGetTime();
+    for (int drawn = 0; frames == 0 || drawn < frames;) {
+        if (glfwWindowShouldClose(window_) == GLFW_TRUE || application.wantsToQuit()) break;
+        if (wake_ > 0 || application.animating()) {
+            // Without a monitor to wait for, swapping returns at once: keep to a sane rate.
+            const double rest = kFrameSeconds - (glfwGetTime() - lastFrame_);
+            rest > 0.001 ? glfwWaitEventsTimeout(rest) : glfwPollEvents();
+        } else {
+            glfwWaitEventsTimeout(kIdleSeconds);
+        }
+        deliver(application);
+        if (application.poll()) wake_ = std::max(wake_, kSettleFrames);
+        if (wake_ == 0 && !application.animating()) continue;
+        if (wake_ > 0) --wake_;
+        drawFrame(application);
+        ++drawn;
+        if (application.takeFullScreenRequest()) toggleFullScreen();
+    }
+    application.rememberSize(windowedSize_);
+    ImGui_ImplGlfw_Shutdown();
+}
+
+void Window::toggleFullScreen() {
+    if (glfwGetWindowMonitor(window_) != nullptr) {
+        glfwSetWindowMonitor(window_, nullptr, windowedPlace_.x, windowedPlace_.y, windowedSize_.x,
+                             windowedSize_.y, GLFW_DONT_CARE);
+    } else if (GLFWmonitor* monitor = glfwGetPrimaryMonitor(); monitor != nullptr) {
+        glfwGetWindowPos(window_, &windowedPlace_.x, &windowedPlace_.y);
+        glfwGetWindowSize(window_, &windowedSize_.x, &windowedSize_.y);
+        const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+        glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    }
+    wake_ = kSettleFrames;
+}
+
+}  // namespace se::view

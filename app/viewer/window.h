@@ -1,0 +1,55 @@
+/// The window: life time of GLFW and its OpenGL context, and what comes in from keyboard, mouse
+/// and desktop. Draws only if something happened, something moves or something was loaded.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "keys.h"
+#include "spiraling_edge/result.h"
+
+struct GLFWwindow;
+
+namespace se::view {
+
+class Application;
+
+class Window {
+  public:
+    static Result<std::unique_ptr<Window>> create(glm::ivec2 size);
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    /// Until closed, or for `frames` frames if that is not 0. Requires a started application.
+    void run(Application& application, int frames);
+    /// Pixels per unit of size, as the monitor says.
+    float contentScale() const;
+
+  private:
+    struct KeyPress {
+        KeyChord chord;
+        bool repeated = false;
+    };
+
+    Window() = default;
+    void listen();
+    void deliver(Application& application);
+    void drawFrame(Application& application);
+    void toggleFullScreen();
+    static Window& of(GLFWwindow* window);
+    static void onKey(GLFWwindow* window, int key, int scancode, int action, int mods);
+
+    GLFWwindow* window_ = nullptr;
+    std::vector<KeyPress> keys_;
+    std::vector<std::string> drops_;
+    std::string title_;
+    int wake_ = 3;  ///< Frames still to draw: the user interface settles over a few of them.
+    double lastFrame_ = 0.0;
+    glm::ivec2 windowedPlace_{0};
+    glm::ivec2 windowedSize_{1280, 800};
+};
+
+}  // namespace se::view

@@ -1,0 +1,32 @@
+// Points of the input. Position and normal are uploaded once; the style byte picks color, size and
+// shape from small tables.
+layout(location = 0) in vec3 aPosition;
+layout(location = 1) in vec3 aNormal;
+layout(location = 2) in uint aStyle;
+
+uniform mat4 uView;
+uniform mat4 uProjection;
+uniform vec3 uEye;
+uniform vec3 uBackward;  // from the scene to the eye, if orthographic
+uniform bool uOrthographic;
+uniform float uBias;     // view units toward the eye, so that points are not half inside triangles
+uniform vec4 uStyleColor[16];
+uniform vec2 uStyleSizeShape[16];  // pixels; shape number
+
+out vec4 vColor;
+flat out int vShape;
+flat out float vSize;
+
+void main() {
+    vec2 style = uStyleSizeShape[aStyle];
+    vec3 toEye = uOrthographic ? uBackward : normalize(uEye - aPosition);
+    gl_Position = uProjection * (uView * vec4(aPosition + toEye * uBias, 1.0));
+    // Points on the far side of the surface step back.
+    float facing = dot(toEye, aNormal);
+    float fade = mix(0.30, 1.0, smoothstep(-0.25, 0.15, facing));
+    vColor = vec4(uStyleColor[aStyle].rgb, uStyleColor[aStyle].a * fade);
+    vShape = int(style.y);
+    vSize = style.x + 2.0;
+    gl_PointSize = vSize;
+    if (vShape == 0) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+}
