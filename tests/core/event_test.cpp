@@ -1,0 +1,107 @@
+#include <doctest/doctest.h>
+
+#include <set>
+
+#include "../support/clouds.h"
+#include "../support/oracles.h"
+#include "spiraling_edge/event.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+template <std::size_t... I>
+std::vector<Evidence> oneOfEach(std::index_sequence<I...>) {
+    return {Evidence{std::variant_alternative_t<I, Evidence>{}}...};
+}
+
+}  // namespace
+
+TEST_CASE("addresses go to text and back") {
+    Random random(7);
+    for (std::size_t stage = 0; stage < kStageCount; ++stage) {
+        for (int i = 0; i < 20; ++i) {
+            const Address address{static_cast<std::uint32_t>(random.bits() >> 32U),
+                                  static_cast<Stage>(stage),
+                                  static_cast<std::uint32_t>(1 + random.below(99))};
+            CHECK((addressFromString(toString(address)) == address));
+        }
+    }
+    CHECK(toString({137, Stage::Sphere, 3}) == "137.sphere.3");
+    CHECK((addressFromString("137") == Address{137, Stage::Pivot, 0}));
+    CHECK((addressFromString("137.sphere") == Address{137, Stage::Sphere, 0}));
+}
+
+TEST_CASE("what is no address is refused") {
+    for (const char* text : {"", ".", "1.", ".sphere", "x", "1.x", "1.sphere.", "1.sphere.x", "-1",
+                             "1..3", "1.sphere.3.4", "1 ", "99999999999", "1.sphere.-3", "+1"}) {
+        CHECK_MESSAGE(!addressFromString(text), text);
+    }
+}
+
+TEST_CASE("stages have different names and sections 3 to 7") {
+    std::set<std::string_view> names;
+    for (std::size_t i = 0; i < kStageCount; ++i) {
+        const auto stage = static_cast<Stage>(i);
+        names.insert(stageName(stage));
+        CHECK(stageFromName(stageName(stage)) == stage);
+        CHECK(stageSection(stage)[0] >= '3');
+        CHECK(stageSection(stage)[0] <= '7');
+    }
+    CHECK(names.size() == kStageCount);
+    CHECK_FALSE(stageFromName("spheres"));
+    CHECK(stageSection(Stage::Sphere) == "6.3");
+    CHECK(stageSection(Stage::Seed) == "4");
+}
+
+TEST_CASE("every kind of evidence has a sentence") {
+    for (const Evidence& evidence :
+         oneOfEach(std::make_index_sequence<std::variant_size_v<Evidence>>())) {
+        const std::string text = describe({{1, Stage::Pivot, 1}, evidence});
+        CHECK(text.size() > 10);
+        CHECK(text.back() == '.');
+    }
+}
+
+TEST_CASE("every verdict and alert has a name of its own") {
+    std::set<std::string_view> names;
+    const auto count = static_cast<std::size_t>(Verdict::NoThirdPoint) + 1;
+    for (std::size_t i = 0; i < count; ++i) names.insert(verdictText(static_cast<Verdict>(i)));
+    CHECK(names.size() == count);
+    CHECK(names.count("") == 0);
+    CHECK(alertName(AlertKind::Hole) != alertName(AlertKind::LostSeed));
+    CHECK_FALSE(alertName(AlertKind::TriangleCap).empty());
+}
+
+TEST_CASE("sentences carry the numbers compared") {
+    SphereEvidence inside{3, 4, 5, Vec3(0), 2.0, 1.5, 90.0, Verdict::InsideSphere};
+    const std::string text = describe({{1, Stage::Sphere, 1}, inside});
+    CHECK(text.find("0.5 inside") != std::string::npos);
+    CHECK(text.find("r = 2") != std::string::npos);
+    CHECK(text.find("kept") != std::string::npos);
+    TwoPointEvidence over{200.0, Verdict::Discarded};
+    CHECK(describe({{1, Stage::TwoPoint, 1}, over}).find("200") != std::string::npos);
+}
+
+TEST_CASE("events are numbered from 1 within stage and pivot, in order, each address once") {
+    EventLog log;
+    const PointSet points = prepared(closedFamilies(0.35)[1].sample(1));
+    runAll(points, paper(), &log);
+    std::set<std::string> seen;
+    std::uint32_t pivot = 0;
+    bool ordered = true;
+    for (const Event& event : log.events()) {
+        ordered = ordered && event.address.pivot >= pivot && event.address.n > 0;
+        pivot = event.address.pivot;
+        ordered = ordered && seen.insert(toString(event.address)).second;
+        if (event.address.n > 1) {
+            const Address before{pivot, event.address.stage, event.address.n - 1};
+            ordered = ordered && seen.count(toString(before)) == 1;
+        }
+    }
+    CHECK(ordered);
+    CHECK(seen.count("1.seed.1") == 1);
+    log.clear();
+    CHECK(log.events().empty());
+}

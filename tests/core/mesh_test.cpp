@@ -1,0 +1,133 @@
+#include <doctest/doctest.h>
+
+#include "../support/oracles.h"
+#include "../support/rig.h"
+#include "spiraling_edge/mesh.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+/// Points with normals away from the origin.
+PointSet pointsAt(std::vector<Vec3> position) {
+    PointSet points;
+    for (const Vec3& x : position) {
+        points.normal.push_back(glm::length(x) > 0 ? glm::normalize(x) : Vec3(0, 0, 1));
+    }
+    points.position = std::move(position);
+    return points;
+}
+PointSet flat(std::vector<Vec3> position) {
+    PointSet points = pointsAt(std::move(position));
+    points.normal.assign(points.position.size(), Vec3(0, 0, 1));
+    return points;
+}
+PointSet tetrahedron() { return pointsAt({{1, 1, 1}, {-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}}); }
+const Triangles kTetrahedron{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+
+}  // namespace
+
+TEST_CASE("mesh: a tetrahedron is a closed manifold of Euler number 2") {
+    const MeshReport r = reportMesh(tetrahedron(), kTetrahedron);
+    CHECK(r.closedManifold());
+    CHECK(r.points == 4);
+    CHECK(r.triangles == 4);
+    CHECK(r.edges == 6);
+    CHECK(r.usedPoints == 4);
+    CHECK(r.eulerCharacteristic == 2);
+    CHECK(r.components == 1);
+    CHECK(r.boundaryLoops == 0);
+    CHECK(r.flippedTriangles == 0);
+}
+
+TEST_CASE("mesh: nothing at all is not closed") {
+    const MeshReport r = reportMesh(tetrahedron(), {});
+    CHECK_FALSE(r.closedManifold());
+    CHECK(r.unusedPoints == 4);
+    CHECK(r.components == 0);
+    CHECK(r.eulerCharacteristic == 0);
+}
+
+TEST_CASE("mesh: an open quad has one boundary loop of four edges") {
+    const PointSet points = flat({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {9, 9, 9}});
+    const MeshReport r = reportMesh(points, Triangles{{0, 1, 2}, {0, 2, 3}});
+    CHECK(r.boundaryEdges == 4);
+    CHECK(r.boundaryLoops == 1);
+    CHECK(r.edges == 5);
+    CHECK(r.eulerCharacteristic == 1);
+    CHECK(r.unusedPoints == 1);
+    CHECK(r.nonManifoldVertices == 0);
+    CHECK_FALSE(r.closedManifold());
+}
+
+TEST_CASE("mesh: two triangles at one point are a bow tie") {
+    const PointSet points = flat({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}});
+    const MeshReport r = reportMesh(points, Triangles{{0, 1, 2}, {0, 3, 4}});
+    CHECK(r.nonManifoldVertices == 1);
+    CHECK(r.nonManifoldEdges == 0);
+    CHECK(r.components == 1);
+}
+
+TEST_CASE("mesh: three triangles on an edge") {
+    const PointSet points = flat({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}});
+    const MeshReport r = reportMesh(points, Triangles{{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
+    CHECK(r.nonManifoldEdges == 1);
+    CHECK(r.inconsistentEdges == 1);
+}
+
+TEST_CASE("mesh: two triangles that pass their edge the same way are inconsistent") {
+    const PointSet points = flat({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}});
+    CHECK(reportMesh(points, Triangles{{0, 1, 2}, {1, 0, 3}}).inconsistentEdges == 0);
+    const MeshReport r = reportMesh(points, Triangles{{0, 1, 2}, {0, 1, 3}});
+    CHECK(r.inconsistentEdges == 1);
+    CHECK(r.nonManifoldEdges == 0);
+    Triangles turned = kTetrahedron;
+    turned[0] = {0, 1, 2};
+    CHECK_FALSE(reportMesh(tetrahedron(), turned).closedManifold());
+}
+
+TEST_CASE("mesh: a triangle against the normals of its corners is flipped") {
+    const PointSet points = flat({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    CHECK(reportMesh(points, Triangles{{0, 1, 2}}).flippedTriangles == 0);
+    CHECK(reportMesh(points, Triangles{{0, 2, 1}}).flippedTriangles == 1);
+}
+
+TEST_CASE("mesh: a corner twice or no area is degenerate") {
+    const PointSet points = flat({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}});
+    CHECK(reportMesh(points, Triangles{{0, 1, 2}}).degenerateTriangles == 1);
+    CHECK(reportMesh(points, Triangles{{0, 1, 1}}).degenerateTriangles == 1);
+    CHECK(reportMesh(points, Triangles{{0, 1, 3}}).degenerateTriangles == 0);
+}
+
+TEST_CASE("mesh: components and loops are counted apart") {
+    std::vector<Vec3> position;
+    Triangles triangles;
+    for (Index i = 0; i < 3; ++i) {
+        const double x = 5.0 * i;
+        position.insert(position.end(), {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}});
+        triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    const MeshReport r = reportMesh(flat(position), triangles);
+    CHECK(r.components == 3);
+    CHECK(r.boundaryLoops == 3);
+    CHECK(r.eulerCharacteristic == 3);
+}
+
+TEST_CASE("mesh: a ring of triangles has two boundary loops and Euler number 0") {
+    std::vector<Vec3> position;
+    Triangles triangles;
+    for (Index i = 0; i < 6; ++i) {
+        position.push_back(polar(60 * i, 1));
+        position.push_back(polar(60 * i, 2));
+        const Index a = 2 * i;
+        const Index b = (2 * i + 2) % 12;
+        triangles.push_back({a, a + 1, b});
+        triangles.push_back({a + 1, b + 1, b});
+    }
+    const MeshReport r = reportMesh(flat(position), triangles);
+    CHECK(r.boundaryLoops == 2);
+    CHECK(r.eulerCharacteristic == 0);
+    CHECK(r.flippedTriangles == 0);
+    CHECK(r.nonManifoldVertices == 0);
+}

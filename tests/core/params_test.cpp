@@ -1,0 +1,57 @@
+#include <doctest/doctest.h>
+
+#include <set>
+#include <string>
+
+#include "spiraling_edge/params.h"
+
+using namespace se;
+
+namespace {
+
+bool beyondThePaper(const RuleSwitch& rule) { return !(paramsByName("paper")->rules.*rule.member); }
+
+}  // namespace
+
+TEST_CASE("every named set of params exists, and no other") {
+    for (const std::string_view name : paramSetNames()) CHECK(paramsByName(name));
+    CHECK(paramsByName("paper"));
+    CHECK(paramsByName("printed"));
+    CHECK_FALSE(paramsByName("Paper"));
+    CHECK_FALSE(paramsByName(""));
+}
+
+TEST_CASE("printed is the paper word for word: every switch off, no filter") {
+    const Params printed = *paramsByName("printed");
+    for (const RuleSwitch& rule : ruleSwitches()) CHECK_FALSE(printed.rules.*rule.member);
+    CHECK_FALSE(printed.dropOpposingNormals);
+    CHECK(printed.maxGapCosine == -0.5);
+}
+
+TEST_CASE("paper has the five readings of the paper on, and nothing beyond it") {
+    const Rules rules = paramsByName("paper")->rules;
+    CHECK(rules.freeSector);
+    CHECK(rules.limitsFirst);
+    CHECK(rules.realHole);
+    CHECK(rules.closeTwo);
+    CHECK(rules.openSteps);
+    int on = 0;
+    for (const RuleSwitch& rule : ruleSwitches()) on += beyondThePaper(rule) ? 0 : 1;
+    CHECK(on == 5);
+    CHECK(paramsByName("paper")->maxGapCosine == -0.5);  // 120 degrees
+}
+
+TEST_CASE("switches have names and members of their own, a section and a sentence") {
+    std::set<std::string_view> names;
+    for (const RuleSwitch& rule : ruleSwitches()) {
+        names.insert(rule.name);
+        CHECK_FALSE(rule.section.empty());
+        CHECK(rule.summary.size() > 10);
+        Rules one = paramsByName("printed")->rules;
+        one.*rule.member = true;
+        int on = 0;
+        for (const RuleSwitch& other : ruleSwitches()) on += one.*other.member ? 1 : 0;
+        CHECK(on == 1);
+    }
+    CHECK(names.size() == ruleSwitches().size());
+}
