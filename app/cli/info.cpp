@@ -100,8 +100,8 @@ Facts gather(const std::string& input) {
         facts.prepared = prepared.value().report;
         points = std::move(prepared.value().points);
     }
-    std::vector<bool> usable;
-    for (const Vec3& p : points.position) usable.push_back(isFinite(p));
+    std::vector<bool> usable(points.size());
+    std::transform(points.position.begin(), points.position.end(), usable.begin(), isFinite);
     NeighborOptions nearest;
     nearest.reach = KNearest{1};
     nearest.dropOpposingNormals = false;

@@ -49,10 +49,10 @@ std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments
 }
 
 void NeighborArguments::addTo(CLI::App& app) {
-    auto* count =
-        app.add_option("-k,--neighbors", count_,
-                       "Neighbors of a point: the K nearest (12 if the file has no lists)")
-            ->type_name("K");
+    auto* count = app.add_option("-k,--neighbors", count_,
+                                 "Neighbors of a point: the K nearest (default: the lists in the "
+                                 "file, or else 12)");
+    count->type_name("K")->check(CLI::Range(1LL, kMostNeighbors));
     app.add_option("-r,--radius", radius_, "Neighbors of a point: all within R, in scene units")
         ->type_name("R")
         ->excludes(count);
