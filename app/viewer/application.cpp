@@ -60,6 +60,7 @@ void Application::goToFirstPlace() {
     if (needsLength && !session_.overview().complete) return;
     placed_ = true;
     if (options_.goTo.empty()) return;
+    focusWanted_ = options_.focus;
     placeStatus_ = session_.goToText(options_.goTo);
     if (!placeStatus_) session_.say(placeStatus_.error().message);
 }
@@ -111,7 +112,15 @@ void Application::fillScene() {
     if (uploadedGeneration_ != session_.generation()) {
         renderer_->setModel(session_.model());
         uploadedGeneration_ = session_.generation();
+        // Another input, another home; reloading the same one leaves the camera alone.
+        if (std::exchange(homeOf_, session_.model().name) != session_.model().name) {
+            camera_.home(session_.model().beginning);
+        }
         filledRevision_ = 0;
+    }
+    if (focusWanted_ && !session_.busy()) {
+        focusWanted_ = false;
+        frameFocus(commands_);
     }
     renderer_->setTriangles(session_.model(), session_.triangles());
     if (filledRevision_ == session_.revision() && filledLayers_ == settings.layers &&

@@ -80,7 +80,9 @@ class Application {
     std::uint32_t uploadedGeneration_ = 0;
     float contentScale_ = 1.0F;
     bool placed_ = false;  ///< The place of --goto was asked for.
+    bool focusWanted_ = false;
     bool focused_ = false;
+    std::string homeOf_;  ///< Name of the input that the camera went home for.
     Status placeStatus_ = success();
 };
 

@@ -14,6 +14,9 @@ constexpr float kNearest = 0.002F;
 constexpr float kFarthest = 60.0F;
 /// Degrees of turn for a drag over the whole height of the view.
 constexpr float kTurnPerHeight = 240.0F;
+/// Home looks down at least and at most as steeply as this.
+constexpr float kLowestHomeDegrees = 27.0F;
+constexpr float kHighestHomeDegrees = 40.0F;
 /// Everything fits a sphere of this radius.
 constexpr float kSceneRadius = 1.0F;
 
@@ -106,12 +109,11 @@ void Camera::set(ViewPreset preset) {
     ++revision_;
 }
 
-void Camera::home() {
-    const unsigned revision = revision_;
-    const bool orthographic = orthographic_;
-    *this = Camera{};
-    orthographic_ = orthographic;
-    revision_ = revision;
+void Camera::home(const glm::vec3& beginning) {
+    const float flat = std::hypot(beginning.x, beginning.y);
+    if (flat > 1e-3F) yawDegrees_ = glm::degrees(std::atan2(beginning.y, beginning.x)) - 35.0F;
+    const float elevation = glm::degrees(std::atan2(beginning.z, flat));
+    pitchDegrees_ = std::clamp(elevation - 15.0F, kLowestHomeDegrees, kHighestHomeDegrees);
     frame(glm::vec3(0.0F), kSceneRadius);
 }
 

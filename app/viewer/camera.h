@@ -36,8 +36,8 @@ class Camera {
     void set(ViewPreset preset);
     void toggleOrthographic();
     bool orthographic() const { return orthographic_; }
-    /// Three-quarter view of everything.
-    void home();
+    /// View of everything, a little beside and above `beginning`, so that the first steps are seen.
+    void home(const glm::vec3& beginning = {0.5F, -0.87F, 0.4F});
 
     const glm::vec3& target() const { return target_; }
     float distance() const { return distance_; }

@@ -38,6 +38,10 @@ void toggleTheme(C& c) {
     theme = theme == Theme::Dark ? Theme::Light : Theme::Dark;
 }
 
+void home(C& c) {
+    c.session.ready() ? c.camera.home(c.session.model().beginning) : c.camera.home();
+}
+
 void restart(C& c) {
     pause(c);
     c.session.open(c.session.spec());
@@ -100,7 +104,7 @@ constexpr auto kCommands = std::to_array<Command>({
     {"view.all", "View", "Frame all", "Shift+F", "Show everything; the direction stays.", false,
      [](C& c) { c.camera.frame(glm::vec3(0.0F), 1.0F); }},
     {"view.home", "View", "Camera home", "Enter", "Show everything from the first direction.",
-     false, [](C& c) { c.camera.home(); }},
+     false, home},
     {"view.front", "View", "Front", "1", "Look along +y.", false, setView<ViewPreset::Front>},
     {"view.back", "View", "Back", "Ctrl+1", "Look along -y.", false, setView<ViewPreset::Back>},
     {"view.right", "View", "Right", "3", "Look along -x.", false, setView<ViewPreset::Right>},

@@ -12,7 +12,7 @@ namespace se::view {
 namespace {
 
 // Latin, Greek, punctuation, sub- and superscripts, arrows, operators, shapes, check marks.
-constexpr std::array<ImWchar, 17> kRanges = {0x0020, 0x00FF, 0x0370, 0x03FF, 0x2010, 0x2027,
+constexpr std::array<ImWchar, 17> kRanges = {0x0020, 0x00FF, 0x0370, 0x03FF, 0x2000, 0x2027,
                                              0x2070, 0x209F, 0x2190, 0x21FF, 0x2200, 0x22FF,
                                              0x25A0, 0x25FF, 0x2700, 0x27FF, 0};
 
@@ -75,6 +75,7 @@ Fonts loadFonts(float em) {
     fonts.text = addWithSymbols(text.empty() ? symbols : text, symbols, em);
     fonts.strong = addWithSymbols(strong.empty() ? text : strong, symbols, em);
     fonts.mono = addWithSymbols(mono.empty() ? text : mono, symbols, 0.88F * em);
+    fonts.small = addWithSymbols(text.empty() ? symbols : text, symbols, 0.84F * em);
     fonts.large = addWithSymbols(text.empty() ? symbols : text, symbols, 1.12F * em);
     fonts.symbols = !symbols.empty();
     return fonts;

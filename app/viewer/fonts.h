@@ -11,6 +11,7 @@ struct Fonts {
     ImFont* text = nullptr;
     ImFont* strong = nullptr;
     ImFont* mono = nullptr;
+    ImFont* small = nullptr;  ///< For the legend, and tabs where there is little room.
     ImFont* large = nullptr;  ///< For the narration line.
     bool symbols = false;     ///< The math signs are there; else write words.
 };

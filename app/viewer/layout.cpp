@@ -12,7 +12,7 @@ constexpr float kTransport = 2.7F;
 constexpr float kStatus = 1.7F;
 constexpr float kNarration = 3.6F;
 constexpr float kRunStrip = 4.2F;
-constexpr float kStageStrip = 3.6F;
+constexpr float kStageStrip = 3.3F;
 /// Below these the window is narrow, or low.
 constexpr float kNarrowBelow = 58.0F;
 constexpr float kLowBelow = 36.0F;
@@ -25,7 +25,7 @@ Layout computeLayout(glm::vec2 size, float em) {
     l.narrow = ems.x < kNarrowBelow;
     l.stageStrip = ems.y >= kLowBelow;
     const auto px = [em](float length) { return std::round(length * em); };
-    const float left = l.narrow ? 0.0F : px(std::clamp(0.205F * ems.x, 14.5F, 22.0F));
+    const float left = l.narrow ? 0.0F : px(std::clamp(0.225F * ems.x, 15.0F, 22.0F));
     const float right = px(l.narrow ? std::clamp(0.42F * ems.x, 12.0F, 20.0F)
                                     : std::clamp(0.24F * ems.x, 17.0F, 26.0F));
     const float drawer = px(kRunStrip + (l.stageStrip ? kStageStrip : 0.0F));

@@ -65,7 +65,10 @@ void placeModel(Model& model) {
     }
     if (low.x > high.x) low = high = Vec3(0.0);
     model.center = 0.5 * (low + high);
-    const double radius = 0.5 * glm::length(high - low);
+    double radius = 0.0;
+    for (const Vec3& p : position) {
+        if (isFinite(p)) radius = std::max(radius, glm::length(p - model.center));
+    }
     model.scale = radius > 0.0 && std::isfinite(radius) ? 1.0 / radius : 1.0;
     model.place.reserve(position.size());
     model.normal.reserve(position.size());
@@ -77,6 +80,11 @@ void placeModel(Model& model) {
         model.normal.push_back(goodNormal ? glm::vec3(model.points.normal[p]) : glm::vec3(0.0F));
     }
     model.spacing = medianSpacing(model);
+    for (std::size_t p = 0; p < position.size(); ++p) {
+        if (!model.drawable[p] || model.points.neighbors[static_cast<Index>(p)].empty()) continue;
+        model.beginning = model.place[p];
+        break;
+    }
 }
 
 Result<std::shared_ptr<const Model>> loadModel(const InputSpec& spec, LoadProgress& progress) {

@@ -55,7 +55,8 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
     bool actions = false;
     app.add_option("FILE", o.input.source,
                    "Points: PLY, XYZ, OBJ or OFF; or scene:ID. Without it, the first scene");
-    app.add_option("--rules", o.input.rules, "How the paper is read: " + ruleSets() + " (default paper)")
+    app.add_option("--rules", o.input.rules,
+                   "How the paper is read: " + ruleSets() + " (default paper)")
         ->check(CLI::IsMember(ruleSetNames()));
     auto* k = app.add_option("--neighbors", neighbors, "List the K nearest neighbors of each point")
                   ->check(CLI::Range(std::size_t{1}, std::size_t{1000}));
@@ -64,6 +65,7 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
     k->excludes(r);
     app.add_option("--goto", o.goTo,
                    "Begin at PIVOT[.STAGE[.N]], for example 137.sphere.3, or 50%");
+    app.add_flag("--focus", o.focus, "Begin with the pivot and its neighbors framed");
     app.add_option("--size", size, "Size of the window or picture in pixels, for example 1280x800");
     app.add_option("--screenshot", screenshot,
                    "Write a picture of the window and leave; needs no display");

@@ -29,6 +29,7 @@ struct Options {
     double uiScale = 0.0;              ///< 0: not given.
     std::optional<Theme> theme;
     std::filesystem::path shaders;  ///< Folder to read shaders from; empty: those embedded.
+    bool focus = false;             ///< Begin with the pivot framed.
     bool noConfig = false;
     bool cheatSheet = false;  ///< Open with the list of keys.
 };

@@ -18,8 +18,6 @@ bool isRejection(Verdict verdict) {
         case Verdict::NotAfterStart:
         case Verdict::NotBeforeEnd:
         case Verdict::SameAngle:
-        case Verdict::AlreadyDone:
-        case Verdict::OnRingEnd:
         case Verdict::Outside:
         case Verdict::BehindConvex:
         case Verdict::NotReciprocal:
@@ -145,6 +143,8 @@ class Painter {
         if (best < place_) --place_;
     }
     void mark(Index point, std::optional<double> degrees, Verdict verdict) {
+        // Passed over before any test: never candidates.
+        if (verdict == Verdict::AlreadyDone || verdict == Verdict::OnRingEnd) return;
         auto& list = picture_.candidates;
         auto found = std::find_if(list.begin(), list.end(),
                                   [&](const CandidateMark& each) { return each.point == point; });

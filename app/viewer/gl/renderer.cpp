@@ -2,6 +2,7 @@
 
 #include <glad/gl.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/gtc/matrix_access.hpp>
@@ -144,6 +145,7 @@ void Renderer::draw(const DrawList& list, const CameraMatrices& camera, glm::ive
                     const Color& background) {
     em_ = em;
     size_ = glm::vec2(size);
+    setZoom(camera);
     target_.begin(size);
     glClearColor(background.r, background.g, background.b, 1.0F);
     glDisable(GL_SCISSOR_TEST);
@@ -171,6 +173,16 @@ void Renderer::draw(const DrawList& list, const CameraMatrices& camera, glm::ive
     glDisable(GL_PROGRAM_POINT_SIZE);
     glBindVertexArray(0);
     target_.end();
+}
+
+void Renderer::setZoom(const CameraMatrices& camera) {
+    // Pixels of the median spacing at the middle of the scene.
+    const float depth =
+        camera.orthographic ? 1.0F : std::max(0.01F, glm::length(camera.eye) - 0.7F);
+    const float pixels = 0.5F * size_.y * camera.projection[1][1] * spacing_ / depth;
+    const float ems = pixels / em_;
+    cloudZoom_ = std::clamp(ems / 1.5F, 0.45F, 1.35F);
+    markZoom_ = std::clamp(ems / 1.5F, 0.72F, 1.15F);
 }
 
 void Renderer::useCamera(Shader& shader, const CameraMatrices& camera, float bias) {
@@ -221,7 +233,7 @@ void Renderer::drawCloud(const DrawList& list, const CameraMatrices& camera) {
     for (std::size_t i = 0; i < CloudStyles::kCount; ++i) {
         const PointStyle& style = list.cloudStyles.styles[i];
         colors[i] = vec(style.color);
-        sizes[i] = {std::max(1.5F, style.size * em_), static_cast<float>(style.shape)};
+        sizes[i] = {std::max(1.5F, style.size * em_ * cloudZoom_), static_cast<float>(style.shape)};
     }
     useCamera(cloudShader_, camera, kBiasShare * spacing_);
     cloudShader_.set("uStyleColor", std::span<const glm::vec4>(colors));
@@ -254,7 +266,8 @@ void Renderer::drawLineRun(std::span<const Line> lines, Shader& shader) {
     std::vector<LineInstance> instances;
     instances.reserve(lines.size());
     for (const Line& line : lines) {
-        const glm::vec3 sizes(std::max(1.0F, line.width * em_), line.dash * em_, line.arrow * em_);
+        const glm::vec3 sizes(std::max(1.0F, line.width * em_ * markZoom_), line.dash * em_,
+                              line.arrow * em_ * markZoom_);
         instances.push_back({line.from, line.to, vec(line.color), sizes});
     }
     shader.use();
@@ -295,7 +308,8 @@ void Renderer::drawSprites(const DrawList& list, const CameraMatrices& camera,
     if (list.sprites.empty()) return;
     std::vector<SpriteVertex> vertices;
     for (const Sprite& sprite : list.sprites) {
-        const glm::vec2 sizeShape(sprite.style.size * em_, static_cast<float>(sprite.style.shape));
+        const glm::vec2 sizeShape(sprite.style.size * em_ * markZoom_,
+                                  static_cast<float>(sprite.style.shape));
         vertices.push_back({sprite.position, vec(sprite.style.color), sizeShape});
     }
     useCamera(spriteShader_, camera, 0.0F);

@@ -25,7 +25,8 @@ class Renderer {
     /// Uploads those triangles that are behind the ones known already.
     void setTriangles(const Model& model, std::span<const Triangle> triangles);
 
-    /// Draws. `em` is the size of an em in pixels. The result is texture().
+    /// Draws. Sizes follow the distance of the points on the screen within limits.
+    /// `em` is the size of an em in pixels. The result is texture().
     void draw(const DrawList& list, const CameraMatrices& camera, glm::ivec2 size, float em,
               const Color& background);
     /// The last picture drawn, for ImGui::Image (upside down, as OpenGL has it).
@@ -36,6 +37,7 @@ class Renderer {
     Status loadShaders(const std::filesystem::path& folder);
     void describeBatches();
     void useCamera(Shader& shader, const CameraMatrices& camera, float bias);
+    void setZoom(const CameraMatrices& camera);
     void drawMesh(const DrawList& list, const CameraMatrices& camera);
     void drawCloud(const DrawList& list, const CameraMatrices& camera);
     void drawLines(const DrawList& list, const CameraMatrices& camera);
@@ -62,6 +64,8 @@ class Renderer {
     std::size_t shellVertices_ = 0;
     float spacing_ = 0.05F;
     float em_ = 16.0F;
+    float cloudZoom_ = 1.0F;  ///< Points shrink when they stand close on the screen.
+    float markZoom_ = 1.0F;
     glm::vec2 size_{1.0F};
 };
 

@@ -44,7 +44,6 @@ void addLabels(const LayerInput& in, DrawList& out) {
         if (p.last != p.end) labels.add(p.last, "last", c.last, false);
         labels.add(p.underTest, "?", c.test, true);
         for (const CandidateMark& mark : p.candidates) {
-            if (mark.verdict == Verdict::AlreadyDone) continue;
             const bool kept = mark.state == CandidateState::Kept;
             labels.add(mark.point, "", kept ? c.used : c.rejected, false);
         }

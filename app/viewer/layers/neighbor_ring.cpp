@@ -55,12 +55,8 @@ void addMark(const LayerInput& in, Index point, Shape shape, const Color& color,
     out.sprites.push_back({in.at(point), {color, size, shape}});
 }
 
-bool isDoneMark(const CandidateMark& mark) { return mark.verdict == Verdict::AlreadyDone; }
-
 void addCandidates(const LayerInput& in, DrawList& out) {
     for (const CandidateMark& mark : in.picture.candidates) {
-        if (mark.verdict == Verdict::OnRingEnd) continue;
-        if (isDoneMark(mark) && mark.point != in.picture.underTest) continue;
         addSpoke(in, mark, out);
         const bool rejected = mark.state == CandidateState::Rejected;
         addMark(in, mark.point, rejected ? Shape::Cross : Shape::Disc,

@@ -15,28 +15,20 @@ std::uint8_t styleIndex(PointStatus status, std::uint8_t type) {
     return static_cast<std::uint8_t>(row * 3U + column);
 }
 
-CloudStyles stylesFor(const LayerInput& in, float size) {
+CloudStyles stylesFor(const LayerInput& in) {
     const Palette& c = in.palette;
     CloudStyles s;
-    s.styles[0] = {c.unused, 0.46F * size, Shape::Circle};
-    s.styles[1] = {c.unused, 0.46F * size, Shape::OpenSquare};
-    s.styles[2] = {c.unused, 0.54F * size, Shape::OpenDiamond};
-    s.styles[3] = {c.used, 0.52F * size, Shape::Disc};
-    s.styles[4] = {c.used, 0.50F * size, Shape::Square};
-    s.styles[5] = {c.used, 0.60F * size, Shape::Diamond};
-    s.styles[6] = {c.done, 0.26F * size, Shape::Dot};
-    s.styles[7] = {c.done, 0.30F * size, Shape::Square};
-    s.styles[8] = {c.done, 0.36F * size, Shape::Diamond};
+    s.styles[0] = {c.unused, 0.46F, Shape::Circle};
+    s.styles[1] = {c.unused, 0.46F, Shape::OpenSquare};
+    s.styles[2] = {c.unused, 0.54F, Shape::OpenDiamond};
+    s.styles[3] = {c.used, 0.52F, Shape::Disc};
+    s.styles[4] = {c.used, 0.50F, Shape::Square};
+    s.styles[5] = {c.used, 0.60F, Shape::Diamond};
+    s.styles[6] = {c.done, 0.26F, Shape::Dot};
+    s.styles[7] = {c.done, 0.30F, Shape::Square};
+    s.styles[8] = {c.done, 0.36F, Shape::Diamond};
     s.styles[kHiddenStyle].shape = Shape::Hidden;
     return s;
-}
-
-/// Many points stand close: they must shrink, or they hide each other and the surface.
-float sizeFor(std::size_t count) {
-    if (count <= 1500) return 1.0F;
-    if (count <= 6000) return 0.8F;
-    if (count <= 20000) return 0.62F;
-    return 0.5F;
 }
 
 }  // namespace
@@ -44,7 +36,7 @@ float sizeFor(std::size_t count) {
 void addPoints(const LayerInput& in, DrawList& out) {
     const std::size_t count = in.model.points.size();
     out.cloudVisible = true;
-    out.cloudStyles = stylesFor(in, sizeFor(count));
+    out.cloudStyles = stylesFor(in);
     if (count > kShapesUpTo) {
         for (PointStyle& style : out.cloudStyles.styles) {
             if (style.shape != Shape::Hidden) style = {style.color, 0.16F, Shape::Dot};

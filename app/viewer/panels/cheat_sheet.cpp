@@ -62,10 +62,10 @@ void drawMouseGroup(const PanelContext& context) {
 void drawColumns(const PanelContext& context, bool two) {
     if (!ImGui::BeginTable("##columns", two ? 2 : 1, ImGuiTableFlags_SizingStretchSame)) return;
     ImGui::TableNextColumn();
-    for (const char* group : {"Step", "Run", "File", "Help"}) drawGroup(context, group);
-    drawMouseGroup(context);
+    for (const char* group : {"Step", "Run", "File", "Layers"}) drawGroup(context, group);
     ImGui::TableNextColumn();
-    for (const char* group : {"View", "Layers"}) drawGroup(context, group);
+    for (const char* group : {"View", "Help"}) drawGroup(context, group);
+    drawMouseGroup(context);
     ImGui::EndTable();
 }
 
@@ -78,7 +78,7 @@ void drawCheatSheet(const PanelContext& context) {
     const Layout& l = context.layout;
     const glm::vec2 screen(l.status.size.x, l.status.max().y);
     const float width = std::min(52.0F * em, screen.x - 2.0F * em);
-    const float height = std::min(44.0F * em, screen.y - 2.0F * em);
+    const float height = std::min(46.0F * em, screen.y - 2.0F * em);
     ImGui::SetNextWindowPos({0.5F * screen.x, 0.5F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSize({width, height});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);

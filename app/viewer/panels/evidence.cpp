@@ -151,7 +151,7 @@ class Rows {
     template <typename Other>
     void operator()(const Other&) const {}
 
- private:
+  private:
     void row(const char* name, const std::string& value) const { valueRow(c_, name, value); }
     /// The value against its threshold, in the column of values.
     void bar(double value, double threshold, double largest) const {

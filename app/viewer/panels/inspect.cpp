@@ -21,7 +21,7 @@ std::string typeText(std::uint8_t type) {
 std::string statusText(PointStatus status) {
     if (status == kUnused) return "UNUSED";
     if (status == kDone) return "DONE";
-    return "USED, on the rings " + std::to_string(status) + (status == 1 ? " time" : " times");
+    return "USED, " + std::to_string(status) + (status == 1 ? " ring entry" : " ring entries");
 }
 
 void drawPoint(const PanelContext& context, const char* title, Index point) {

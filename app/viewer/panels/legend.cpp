@@ -28,16 +28,17 @@ constexpr std::array kEntries = {
 
 void drawLegend(const PanelContext& context) {
     const Rect& view = context.layout.view;
-    const float em = context.em;
+    const float em = 0.84F * context.em;
     const float row = 1.32F * em;
     const glm::vec2 size(9.6F * em, row * static_cast<float>(kEntries.size()) + 0.7F * em);
     // Where it would cover too much of the picture it is left out; F1 has it as well.
-    if (view.size.y < size.y + 6.0F * em || view.size.x < 26.0F * em) return;
+    if (view.size.y < size.y + 8.0F * em || view.size.x < 3.6F * size.x) return;
     const glm::vec2 at(view.max().x - size.x - 0.7F * em, view.min.y + 0.7F * em);
     ImDrawList* list = ImGui::GetWindowDrawList();
     list->AddRectFilled(toVec2(at), toVec2(at + size),
                         toU32(context.palette.panel.withAlpha(0.86F)), 0.3F * em);
     float y = at.y + 0.35F * em;
+    ImGui::PushFont(context.fonts.small);
     for (const Entry& entry : kEntries) {
         const float dot = entry.shape == Shape::Dot ? 0.34F * em : 0.72F * em;
         drawShape(list, {at.x + 0.95F * em, y + 0.5F * row}, dot, entry.shape,
@@ -46,6 +47,7 @@ void drawLegend(const PanelContext& context) {
                       toU32(context.palette.text), entry.text);
         y += row;
     }
+    ImGui::PopFont();
 }
 
 }  // namespace se::view

@@ -13,18 +13,24 @@ void drawNarration(const PanelContext& context) {
             sentence = session.message();
         } else if (event != nullptr) {
             sentence = describe(*event);
-            color = verdictColor(context, *event);
+            if (verdictOf(*event)) color = verdictColor(context, *event);
         } else if (session.ready()) {
             sentence = "Nothing has been done yet: all points are UNUSED.";
         }
         const Rect& area = context.layout.narration;
-        ImGui::GetWindowDrawList()->AddRectFilled(
-            toVec2(area.min), {area.min.x + 0.3F * context.em, area.max().y}, toU32(color));
+        ImDrawList* list = ImGui::GetWindowDrawList();
+        list->PushClipRect(toVec2(area.min), toVec2(area.max()));
+        list->AddRectFilled(toVec2(area.min), {area.min.x + 0.3F * context.em, area.max().y},
+                            toU32(color));
+        list->PopClipRect();
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5F * context.em);
         ImGui::PushFont(context.fonts.large);
-        ImGui::PushTextWrapPos(0.0F);
-        ImGui::TextUnformatted(sentence.c_str());
-        ImGui::PopTextWrapPos();
+        const float width = ImGui::GetContentRegionAvail().x;
+        const float left = ImGui::GetCursorPosX();
+        for (const std::string& line : wrapped(sentence, width)) {
+            ImGui::SetCursorPosX(left);
+            ImGui::TextUnformatted(line.c_str());
+        }
         ImGui::PopFont();
     }
     ImGui::End();

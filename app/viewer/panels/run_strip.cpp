@@ -24,7 +24,7 @@ void drawRingLengths(const PanelContext& context, const Rect& bars, std::uint32_
     const auto columns = static_cast<std::size_t>(bars.size.x);
     const std::size_t count = run.ringLength.size();
     const ImU32 ring = toU32(context.palette.used.withAlpha(0.55F));
-    const ImU32 stack = toU32(context.palette.last.withAlpha(0.9F));
+    const ImU32 stack = toU32(context.palette.text.withAlpha(0.85F));
     for (std::size_t c = 0; c < columns; ++c) {
         const std::size_t from = c * last / columns;
         const std::size_t to = std::max(from + 1, (c + 1) * last / columns);

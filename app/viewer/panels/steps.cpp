@@ -26,6 +26,11 @@ std::string subjectText(const Event& event) {
     return subject == kNone ? std::string{} : std::to_string(subject);
 }
 
+/// Digits of the largest point number.
+std::size_t widestSubject(const Session& session) {
+    return std::to_string(session.model().points.size()).size();
+}
+
 std::string outcomeText(const Event& event) {
     if (const auto verdict = verdictOf(event)) return std::string(verdictText(*verdict));
     if (const auto* ring = std::get_if<RingEvidence>(&event.evidence)) {
@@ -42,6 +47,14 @@ Shape markOf(const Event& event) {
     return verdictOf(event) ? Shape::Disc : Shape::Dot;
 }
 
+/// At the right end of the present column, whose left end is at `left`.
+void rightAligned(const std::string& text, float left, float room, const Color& color) {
+    if (text.empty()) return;
+    ImGui::SameLine(0.0F, 0.0F);
+    ImGui::SetCursorPosX(left + room - ImGui::CalcTextSize(text.c_str()).x);
+    ImGui::TextColored(toVec4(color), "%s", text.c_str());
+}
+
 void drawRow(const PanelContext& context, std::size_t index) {
     Session& session = context.session();
     const Event& event = session.record().events[index];
@@ -49,6 +62,8 @@ void drawRow(const PanelContext& context, std::size_t index) {
     const Color color = verdictColor(context, event);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
+    float left = ImGui::GetCursorPosX();
+    float room = ImGui::GetContentRegionAvail().x;
     ImGui::PushID(static_cast<int>(index));
     if (ImGui::Selectable("##row", index == session.cursor(),
                           ImGuiSelectableFlags_SpanAllColumns)) {
@@ -64,10 +79,12 @@ void drawRow(const PanelContext& context, std::size_t index) {
     if (event.address.n <= 1) {
         ImGui::TextUnformatted(std::string(stageName(event.address.stage)).c_str());
     }
+    rightAligned(std::to_string(event.address.n), left, room, context.palette.textDim);
     ImGui::TableNextColumn();
-    ImGui::TextDisabled("%u", event.address.n);
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(subjectText(event).c_str());
+    left = ImGui::GetCursorPosX();
+    room = ImGui::GetContentRegionAvail().x;
+    ImGui::Dummy({0.0F, 0.0F});
+    rightAligned(subjectText(event), left, room, context.palette.text);
     ImGui::TableNextColumn();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetTextLineHeight();
@@ -98,10 +115,11 @@ void drawSteps(const PanelContext& context) {
         return;
     }
     constexpr auto kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit;
-    if (!ImGui::BeginTable("##events", 4, kFlags)) return;
-    ImGui::TableSetupColumn("stage", ImGuiTableColumnFlags_WidthFixed, 4.6F * context.em);
-    ImGui::TableSetupColumn("n", ImGuiTableColumnFlags_WidthFixed, 1.2F * context.em);
-    ImGui::TableSetupColumn("point", ImGuiTableColumnFlags_WidthFixed, 2.6F * context.em);
+    if (!ImGui::BeginTable("##events", 3, kFlags)) return;
+    ImGui::TableSetupColumn("stage", ImGuiTableColumnFlags_WidthFixed, 5.4F * context.em);
+    const float point =
+        ImGui::CalcTextSize("0000000").x * static_cast<float>(widestSubject(session)) / 7.0F;
+    ImGui::TableSetupColumn("point", ImGuiTableColumnFlags_WidthFixed, point);
     ImGui::TableSetupColumn("outcome", ImGuiTableColumnFlags_WidthStretch);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(session.record().events.size()));

@@ -33,16 +33,33 @@ void drawLeftColumn(const PanelContext& context) {
     }
 }
 
+/// In a narrow window all panels are tabs here, in smaller print.
+void drawTabs(const PanelContext& context) {
+    const bool narrow = context.layout.narrow;
+    for (const SidePanel& panel : kSidePanels) {
+        if (panel.left && !narrow) continue;
+        if (!ImGui::BeginTabItem(panel.title)) continue;
+        if (narrow) ImGui::PushFont(context.fonts.text);
+        if (ImGui::BeginChild("##content", {0, 0}, false)) panel.draw(context);
+        ImGui::EndChild();
+        if (narrow) ImGui::PopFont();
+        ImGui::EndTabItem();
+    }
+}
+
 void drawRightColumn(const PanelContext& context) {
-    if (beginRegion("##right", context.layout.right) && ImGui::BeginTabBar("##tabs")) {
-        for (const SidePanel& panel : kSidePanels) {
-            if (panel.left && !context.layout.narrow) continue;
-            if (!ImGui::BeginTabItem(panel.title)) continue;
-            if (ImGui::BeginChild("##content", {0, 0}, false)) panel.draw(context);
-            ImGui::EndChild();
-            ImGui::EndTabItem();
+    const bool narrow = context.layout.narrow;
+    if (beginRegion("##right", context.layout.right)) {
+        if (narrow) ImGui::PushFont(context.fonts.small);
+        const float pad = narrow ? 0.22F * context.em : ImGui::GetStyle().FramePadding.x;
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {pad, ImGui::GetStyle().FramePadding.y});
+        if (narrow) ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {0.1F * context.em, 0.0F});
+        if (ImGui::BeginTabBar("##tabs")) {
+            drawTabs(context);
+            ImGui::EndTabBar();
         }
-        ImGui::EndTabBar();
+        ImGui::PopStyleVar(narrow ? 2 : 1);
+        if (narrow) ImGui::PopFont();
     }
     ImGui::End();
 }

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "../picking.h"
 #include "panel.h"
@@ -60,31 +62,65 @@ void handleMouse(const PanelContext& context) {
     }
 }
 
-/// Text on a small plate, so that it can be read over anything.
-void drawLabel(const PanelContext& context, ImDrawList* list, const Label& label,
-               const CameraMatrices& camera) {
-    const Rect& view = context.layout.view;
-    const glm::vec3 at = project(camera, label.position, view.size);
-    if (at.z <= 0.0F || !Rect{{0, 0}, view.size}.contains(glm::vec2(at))) return;
-    const float em = context.em;
-    ImFont* font = label.strong ? context.fonts.strong : context.fonts.text;
-    const float size = label.strong ? em : 0.88F * em;
-    const ImVec2 extent = font->CalcTextSizeA(size, 1e9F, 0.0F, label.text.c_str());
-    const ImVec2 corner(std::round(view.min.x + at.x + 0.6F * em),
-                        std::round(view.min.y + at.y - extent.y - 0.15F * em));
-    list->AddRectFilled({corner.x - 0.22F * em, corner.y - 0.02F * em},
-                        {corner.x + extent.x + 0.22F * em, corner.y + extent.y + 0.02F * em},
-                        toU32(context.palette.background.withAlpha(0.78F)), 0.2F * em);
-    list->AddText(font, size, corner, toU32(label.color), label.text.c_str());
-}
+/// Puts labels beside their points so that none covers another.
+class LabelPlacer {
+  public:
+    LabelPlacer(const PanelContext& context, ImDrawList* list)
+        : context_(context),
+          list_(list),
+          camera_(
+              context.camera().matrices(context.layout.view.size.x / context.layout.view.size.y)) {}
+
+    void draw(const Label& label) {
+        const Rect& view = context_.layout.view;
+        const glm::vec3 at = project(camera_, label.position, view.size);
+        if (at.z <= 0.0F || !Rect{{0, 0}, view.size}.contains(glm::vec2(at))) return;
+        const float em = context_.em;
+        ImFont* font = label.strong ? context_.fonts.strong : context_.fonts.text;
+        const float size = label.strong ? em : 0.88F * em;
+        const ImVec2 extent = font->CalcTextSizeA(size, 1e9F, 0.0F, label.text.c_str());
+        const glm::vec2 plate(extent.x + 0.44F * em, extent.y + 0.04F * em);
+        const std::optional<Rect> place = freePlace(view.min + glm::vec2(at), plate, label.strong);
+        if (!place) return;
+        taken_.push_back(*place);
+        list_->AddRectFilled(toVec2(place->min), toVec2(place->max()),
+                             toU32(context_.palette.background.withAlpha(0.78F)), 0.2F * em);
+        list_->AddText(font, size, {place->min.x + 0.22F * em, place->min.y + 0.02F * em},
+                       toU32(label.color), label.text.c_str());
+    }
+
+  private:
+    /// Right above, right below, left above, left below; strong labels give way least.
+    std::optional<Rect> freePlace(glm::vec2 at, glm::vec2 plate, bool strong) const {
+        const float gap = 0.5F * context_.em;
+        std::optional<Rect> first;
+        for (const glm::vec2 way : {glm::vec2(1, -1), glm::vec2(1, 1), glm::vec2(-1, -1),
+                                    glm::vec2(-1, 1), glm::vec2(1, 0), glm::vec2(-1, 0)}) {
+            glm::vec2 corner = at + way * gap;
+            if (way.x < 0.0F) corner.x -= plate.x;
+            corner.y += 0.5F * plate.y * (way.y - 1.0F);
+            const Rect rect{glm::round(corner), plate};
+            if (!first) first = rect;
+            const bool hit = std::any_of(taken_.begin(), taken_.end(), [&](const Rect& other) {
+                return rect.min.x < other.max().x && other.min.x < rect.max().x &&
+                       rect.min.y < other.max().y && other.min.y < rect.max().y;
+            });
+            if (!hit) return rect;
+        }
+        return strong ? first : std::nullopt;
+    }
+
+    const PanelContext& context_;
+    ImDrawList* list_;
+    CameraMatrices camera_;
+    std::vector<Rect> taken_;
+};
 
 void drawLabels(const PanelContext& context, ImDrawList* list) {
-    const Rect& view = context.layout.view;
-    const CameraMatrices camera = context.camera().matrices(view.size.x / view.size.y);
-    // The telling ones last: they end on top.
-    for (const bool strong : {false, true}) {
+    LabelPlacer placer(context, list);
+    for (const bool strong : {true, false}) {
         for (const Label& label : context.drawList.labels) {
-            if (label.strong == strong) drawLabel(context, list, label, camera);
+            if (label.strong == strong) placer.draw(label);
         }
     }
 }

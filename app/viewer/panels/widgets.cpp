@@ -8,6 +8,8 @@ namespace se::view {
 
 namespace {
 
+constexpr const char* kDots = "\xE2\x80\xA6";
+
 void chevron(ImDrawList* list, ImVec2 c, float r, float direction, ImU32 color) {
     list->AddTriangleFilled({c.x - direction * 0.5F * r, c.y - r},
                             {c.x + direction * 0.75F * r, c.y},
@@ -181,9 +183,11 @@ void valueRow(const PanelContext& context, const char* name, const std::string& 
     ImGui::PopStyleColor();
     ImGui::TableNextColumn();
     ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(value.c_str());
-    ImGui::PopTextWrapPos();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.05F * context.em});
+    for (const std::string& line : wrapped(value, ImGui::GetContentRegionAvail().x)) {
+        ImGui::TextUnformatted(line.c_str());
+    }
+    ImGui::PopStyleVar();
     ImGui::PopStyleColor();
 }
 
@@ -209,12 +213,29 @@ void gauge(const PanelContext& context, double value, double threshold, double l
 std::string fitted(const std::string& text, float width) {
     if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
     std::string cut = text;
-    while (!cut.empty() && ImGui::CalcTextSize((cut + "...").c_str()).x > width) {
+    while (!cut.empty() && ImGui::CalcTextSize((cut + kDots).c_str()).x > width) {
         // Never between the bytes of one sign.
         do cut.pop_back();
         while (!cut.empty() && (static_cast<unsigned char>(cut.back()) & 0xC0U) == 0x80U);
     }
-    return cut + "...";
+    return cut + kDots;
+}
+
+std::vector<std::string> wrapped(const std::string& text, float width) {
+    std::vector<std::string> lines(1);
+    std::size_t at = 0;
+    while (at < text.size()) {
+        const std::size_t end = std::min(text.find(' ', at), text.size());
+        const std::string word = text.substr(at, end - at);
+        const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+        if (!lines.back().empty() && ImGui::CalcTextSize(longer.c_str()).x > width) {
+            lines.push_back(word);
+        } else {
+            lines.back() = longer;
+        }
+        at = end + 1;
+    }
+    return lines;
 }
 
 Color verdictColor(const PanelContext& context, const Event& event) {

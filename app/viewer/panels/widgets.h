@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <string>
+#include <vector>
 
 #include "../draw_list.h"
 #include "panel.h"
@@ -38,6 +39,8 @@ bool beginValues(const char* id, const PanelContext& context);
 void endValues();
 /// A text that is cut with dots if it does not fit `width`.
 std::string fitted(const std::string& text, float width);
+/// Lines of at most `width`, broken at blanks only: never inside of a number.
+std::vector<std::string> wrapped(const std::string& text, float width);
 /// Color of a verdict: kept, rejected or plain.
 Color verdictColor(const PanelContext& context, const Event& event);
 /// "137.sphere.3", or "start".
