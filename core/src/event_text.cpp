@@ -170,6 +170,9 @@ std::string text(const FillEvidence& e) {
 std::string text(const ReinsertEvidence& e) {
     return "Stranded point " + str(e.point) + " goes into the triangle it lies over.";
 }
+std::string text(const ReseatEvidence& e) {
+    return "Point " + str(e.point) + " has a flipped triangle: taken out, its hole is closed.";
+}
 std::string text(const FlipEvidence& e) {
     return "Edge " + str(e.u) + " - " + str(e.v) + " is better as " + str(e.x) + " - " + str(e.y) +
            ": flipped.";

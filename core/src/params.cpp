@@ -39,6 +39,8 @@ constexpr std::array kSwitches{
                &Rules::reinsert},
     RuleSwitch{"flip", "6.3", "edges that are better the other way round are flipped",
                &Rules::flip},
+    RuleSwitch{"reseat", "4", "points at flipped triangles are taken out where that mends",
+               &Rules::reseat},
 };
 
 /// A named set of rules.
@@ -65,7 +67,7 @@ Params robust() {
     Params params = corrected();
     Rules& r = params.rules;
     r.guard = r.gap = r.noPillow = r.noCross = r.noFold = r.noMeet = r.rim = true;
-    r.delay = r.fill = r.reinsert = r.flip = true;
+    r.delay = r.fill = r.reinsert = r.flip = r.reseat = true;
     return params;
 }
 

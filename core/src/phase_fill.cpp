@@ -23,6 +23,9 @@ void setPivot(StepContext& context, Index entry) {
     layOutFan(context);
 }
 
+/// A ring as short as this is a hole even where neighbors leave wide gaps.
+constexpr Index kNeverAnOpening = 4;
+
 struct Ear {
     Index entry = kNone;
     double cosine = 2.0;
@@ -36,6 +39,8 @@ struct Ear {
 Ear bestEar(StepContext& context) {
     State& s = context.state;
     const Index ring = s.rings.active();
+    // Where the surface may end anyway, an ear with a fault is no gain.
+    const bool force = !context.params.rules.rim || !isOpening(context);
     Ear best;
     Index entry = s.rings.head(ring);
     for (Index i = 0; i < s.rings.length(ring); ++i, entry = s.rings.next(entry)) {
@@ -49,6 +54,7 @@ Ear bestEar(StepContext& context) {
         Ear ear{entry, cosine, false};
         if (best.entry != kNone && !(ear < best)) continue;
         ear.faulty = overlapsAsTwoPointRing(s.pivot.lastAngle) || shapeRefuses(context);
+        if (ear.faulty && !force) continue;
         if (best.entry == kNone || ear < best) best = ear;
     }
     return best;
@@ -65,13 +71,14 @@ bool isOpening(const StepContext& context) {
     for (Index i = 0; i < length; ++i, entry = rings.next(entry)) {
         rim += isRim(context.points, rings.point(entry)) ? 1U : 0U;
     }
-    return 2 * rim > length;
+    return 3 * rim > 2 * length;
 }
 
 bool mayFill(const StepContext& context) {
     const EdgeRings& rings = context.state.rings;
     const Index length = rings.length(rings.active());
-    return length > 2 && length <= context.params.maxFillLength && !isOpening(context);
+    return length > 2 && length <= context.params.maxFillLength &&
+           (length <= kNeverAnOpening || !context.params.rules.rim || !isOpening(context));
 }
 
 void phaseFill(StepContext& context) {

@@ -185,15 +185,25 @@ bool foldsOver(const StepContext& context, Index u, Index v, const Vec3& area) {
     return glm::dot(old, area) < kSharpestFold * size;
 }
 
+/// Is a triangle of the pivot, a and b against the normal of a corner, or, once that is allowed, of
+/// all three together?
+bool isAgainstNormals(const StepContext& context, const Vec3& area, Index a, Index b) {
+    const double atPivot = glm::dot(area, context.state.pivot.frame.normal);
+    const double atA = glm::dot(area, context.points.normal[a]);
+    const double atB = glm::dot(area, context.points.normal[b]);
+    const bool faces = context.state.patience >= kCornerAllowed
+                           ? atPivot + atA + atB > 0.0
+                           : atPivot > 0.0 && atA > 0.0 && atB > 0.0;
+    return !faces;
+}
+
 Objection fold(const StepContext& context) {
     const State& s = context.state;
     const Fan& fan = s.pivot.fan;
     const Index p = s.rings.point(s.pivot.pivot);
     for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
         const Vec3 area = glm::cross(fan[i].offset, fan[i + 1].offset);
-        if (!(glm::dot(area, context.points.normal[fan[i].point]) > 0.0) ||
-            !(glm::dot(area, context.points.normal[fan[i + 1].point]) > 0.0) ||
-            !(glm::dot(area, s.pivot.frame.normal) > 0.0)) {
+        if (isAgainstNormals(context, area, fan[i].point, fan[i + 1].point)) {
             return {Verdict::AgainstNormal, i, true};
         }
         if (foldsOver(context, fan[i + 1].point, fan[i].point, area) ||

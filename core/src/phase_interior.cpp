@@ -120,8 +120,9 @@ Index beyond(const State& s, Side side) {
     return side == Side::Start ? s.rings.prev(s.pivot.start) : s.rings.next(s.pivot.end);
 }
 
-/// Rules::unblocked: does an UNUSED candidate lie in the sector and in the circumsphere of the
-/// triangle that a move of start or end to `to` would make?
+/// Rules::unblocked: does a candidate lie in the circumsphere of the triangle that a move of start
+/// or end to `to` would make? UNUSED ones count in the triangle's sector, where they would be
+/// enclosed; USED ones outside it if nearer than `to`, for the new spoke would run close by them.
 bool isBlocked(const StepContext& context, Side side, const Angle& toAngle, const Vec3& to) {
     const State& s = context.state;
     const NeighborRing& n = s.pivot;
@@ -133,8 +134,10 @@ bool isBlocked(const StepContext& context, Side side, const Angle& toAngle, cons
     const double low = atStart ? n.startAngle.key : toAngle.key;
     const double high = atStart ? toAngle.key : n.endAngle.key;
     return std::any_of(n.candidates.begin(), n.candidates.end(), [&](const Candidate& c) {
-        return s.status[c.point] == kUnused && c.angle.key > low && c.angle.key < high &&
-               testSphere(a, aSq, b, bSq, c.offset, c.lengthSq).inside();
+        const bool inSector = c.angle.key > low && c.angle.key < high;
+        const bool inTheWay =
+            s.status[c.point] == kUnused ? inSector : !inSector && c.lengthSq < bSq;
+        return inTheWay && testSphere(a, aSq, b, bSq, c.offset, c.lengthSq).inside();
     });
 }
 

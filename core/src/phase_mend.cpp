@@ -1,4 +1,6 @@
-/// Beyond the paper: the steps after the last pivot (mend.h), each with a number like a pivot.
+/// Beyond the paper: the steps after the last pivot (mend.h), each with a number like a pivot. Each
+/// kind runs until nothing is left for it, in the order reinsert, flip, reseat, kMendRounds times;
+/// the last round takes no point out, since none could be put back.
 #include "phases.h"
 
 namespace se {
@@ -8,24 +10,54 @@ bool capped(const State& s) {
     return !s.alerts.empty() && s.alerts.back().kind == AlertKind::TriangleCap;
 }
 
+struct MendPhase {
+    Phase phase;
+    bool Rules::*on;
+};
+constexpr MendPhase kOrder[] = {
+    {Phase::Reinsert, &Rules::reinsert},
+    {Phase::Flip, &Rules::flip},
+    {Phase::Reseat, &Rules::reseat},
+};
+
+/// Goes to the first phase at place `from` of the order or behind it whose rule is on.
+bool enterFrom(StepContext& context, std::size_t from) {
+    for (std::size_t i = from; i < std::size(kOrder); ++i) {
+        if (!(context.params.rules.*kOrder[i].on)) continue;
+        const bool lastRound = context.state.mend.round + 1 == kMendRounds;
+        if (lastRound && kOrder[i].phase == Phase::Reseat) continue;
+        context.state.phase = kOrder[i].phase;
+        return true;
+    }
+    return false;
+}
+
+/// The present phase has nothing left to do.
+void enterNext(StepContext& context) {
+    State& s = context.state;
+    std::size_t place = 0;
+    while (kOrder[place].phase != s.phase) ++place;
+    if (enterFrom(context, place + 1)) return;
+    s.phase = Phase::Finished;
+    if (++s.mend.round == kMendRounds) return;
+    s.mend.nextPoint = 0;
+    s.mend.nextTriangle = 0;
+    enterFrom(context, 0);
+}
+
 }  // namespace
 
 void beginMendPhases(StepContext& context) {
     State& s = context.state;
-    const Rules& rules = context.params.rules;
     s.phase = Phase::Finished;
-    if ((!rules.reinsert && !rules.flip) || s.triangles.empty() || capped(s)) return;
+    if (s.triangles.empty() || capped(s) || !enterFrom(context, 0)) return;
     s.mend = beginMending(context.points.size(), s.triangles);
-    s.phase = rules.reinsert ? Phase::Reinsert : Phase::Flip;
 }
 
 void phaseReinsert(StepContext& context) {
     State& s = context.state;
     Index point = kNone;
-    if (!reinsertNext(context.points, s.mend, point)) {
-        s.phase = context.params.rules.flip ? Phase::Flip : Phase::Finished;
-        return;
-    }
+    if (!reinsertNext(context.points, s.mend, point)) return enterNext(context);
     ++s.counters.pivots;
     note(context, Stage::Reinsert, [&] { return ReinsertEvidence{point}; });
 }
@@ -33,12 +65,17 @@ void phaseReinsert(StepContext& context) {
 void phaseFlip(StepContext& context) {
     State& s = context.state;
     Flip flip{};
-    if (!flipNext(context.points, s.mend, flip)) {
-        s.phase = Phase::Finished;
-        return;
-    }
+    if (!flipNext(context.points, s.mend, flip)) return enterNext(context);
     ++s.counters.pivots;
     note(context, Stage::Flip, [&] { return FlipEvidence{flip.u, flip.v, flip.x, flip.y}; });
+}
+
+void phaseReseat(StepContext& context) {
+    State& s = context.state;
+    Index point = kNone;
+    if (!reseatNext(context.points, s.mend, point)) return enterNext(context);
+    ++s.counters.pivots;
+    note(context, Stage::Reseat, [&] { return ReseatEvidence{point}; });
 }
 
 }  // namespace se

@@ -221,8 +221,8 @@ void advanceAfterTriangles(StepContext& context) {
 /// False: nothing is left to try.
 bool tryHarder(StepContext& context) {
     State& s = context.state;
-    if (context.params.rules.delay && s.patience < kDelayedAllowed) {
-        s.patience = kDelayedAllowed;
+    if (context.params.rules.delay && s.patience < kCornerAllowed) {
+        ++s.patience;
         s.circuit = 0;
         goOnAt(context, s.rings.next(s.pivot.pivot));
         return true;

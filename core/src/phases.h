@@ -46,7 +46,7 @@ bool shapeRefuses(const StepContext& context);
 void phaseFill(StepContext& context);
 /// Should the active ring be closed by ears instead of being freed?
 bool mayFill(const StepContext& context);
-/// Rules::rim: do most points of the active ring lie where the surface ends?
+/// Rules::rim: do three in four points of the active ring lie where the surface ends?
 bool isOpening(const StepContext& context);
 // phase_update.cpp: §6.5
 void phaseRing(StepContext& context);
@@ -57,6 +57,7 @@ void phaseAdvance(StepContext& context);
 void beginMendPhases(StepContext& context);
 void phaseReinsert(StepContext& context);
 void phaseFlip(StepContext& context);
+void phaseReseat(StepContext& context);
 // phase_boundary.cpp: §7
 /// Decides whether a boundary point may be a pivot, and puts the third point of §7.1 or §7.2 on the
 /// ring if so. False: pass over it.

@@ -25,11 +25,14 @@ inline bool facesNormals(const PointSet& points, Index a, Index b, Index c) {
            glm::dot(area, points.normal[c]) > 0.0;
 }
 
-/// 2 for a flipped triangle (FaultKind::Flipped), 1 for one against a single corner's normal.
+/// Weight of a flipped triangle (FaultKind::Flipped) against smaller faults.
+inline constexpr int kFlippedFault = 4;
+
+/// kFlippedFault for a flipped triangle, 1 for one against a single corner's normal, else 0.
 inline int shapeFaults(const PointSet& points, const Triangle& t) {
     const Vec3 area = areaVector(points, t);
     const Vec3 sum = points.normal[t.a] + points.normal[t.b] + points.normal[t.c];
-    if (!(glm::dot(area, sum) > 0.0)) return 4;
+    if (!(glm::dot(area, sum) > 0.0)) return kFlippedFault;
     return facesNormals(points, t.a, t.b, t.c) ? 0 : 1;
 }
 

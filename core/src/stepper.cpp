@@ -43,6 +43,8 @@ void runPhase(StepContext& context) {
             return phaseReinsert(context);
         case Phase::Flip:
             return phaseFlip(context);
+        case Phase::Reseat:
+            return phaseReseat(context);
         case Phase::Finished:
             return;
     }
@@ -50,7 +52,8 @@ void runPhase(StepContext& context) {
 
 /// The phases after which one is between two pivots.
 bool endsStep(Phase phase) {
-    return phase == Phase::Advance || phase == Phase::Reinsert || phase == Phase::Flip;
+    return phase == Phase::Advance || phase == Phase::Reinsert || phase == Phase::Flip ||
+           phase == Phase::Reseat;
 }
 
 State freshState(const PointSet& points, const Params& params) {

@@ -39,9 +39,10 @@ enum class Stage : std::uint8_t {
     Advance,     ///< §6.5: the next pivot.
     Reinsert,    ///< Beyond the paper, after the last pivot: a stranded point finds its triangle.
     Flip,        ///< Beyond the paper, after the last pivot: an edge is flipped.
+    Reseat,      ///< Beyond the paper, after the last pivot: a point at a fault is taken out.
     Done,        ///< §3, §7: a ring is freed or a component complete.
 };
-inline constexpr std::size_t kStageCount = 22;
+inline constexpr std::size_t kStageCount = 23;
 
 /// "sphere", "twopoint", ...
 std::string_view stageName(Stage stage);
@@ -207,6 +208,10 @@ struct FillEvidence {
 struct ReinsertEvidence {
     Index point;
 };
+/// A point at a flipped triangle was taken out (Rules::reseat).
+struct ReseatEvidence {
+    Index point;
+};
 /// The edge u v became x y (Rules::flip).
 struct FlipEvidence {
     Index u, v, x, y;
@@ -264,8 +269,9 @@ using Evidence =
     std::variant<SeedEvidence, StrandEvidence, PivotEvidence, SkipEvidence, InsertEvidence,
                  SortEvidence, LimitEvidence, DropEvidence, ReciprocalEvidence, HoleEvidence,
                  SphereEvidence, TwoPointEvidence, GuardEvidence, FillEvidence, ReinsertEvidence,
-                 FlipEvidence, EmitEvidence, RingEvidence, SplitEvidence, JoinEvidence,
-                 CloseEvidence, AdvanceEvidence, FreeEvidence, ComponentEvidence, AlertEvidence>;
+                 FlipEvidence, ReseatEvidence, EmitEvidence, RingEvidence, SplitEvidence,
+                 JoinEvidence, CloseEvidence, AdvanceEvidence, FreeEvidence, ComponentEvidence,
+                 AlertEvidence>;
 
 struct Event {
     Address address;

@@ -22,11 +22,17 @@ struct MendState {
     std::vector<HalfEdge> queue;
     std::size_t queueFront = 0;
     Index nextPoint = 0;
+    Index nextTriangle = 0;
+    std::uint32_t takenOut = 0;
+    std::uint32_t round = 0;  ///< Reinserting and flipping are done in turn, kMendRounds times.
     std::uint32_t reinserted = 0;
     std::uint32_t flipped = 0;
 
     bool empty() const { return triangles.empty(); }
 };
+
+/// What was flipped makes room for more points, and the other way round.
+inline constexpr std::uint32_t kMendRounds = 3;
 
 /// Takes over the triangles. Sides of edges with more than two triangles get no twin.
 MendState beginMending(std::size_t pointCount, const std::vector<Triangle>& triangles);
@@ -44,5 +50,10 @@ struct Flip {
 /// least angle where the surface is flat. False if none is left. Every flip lessens the faults, or
 /// leaves them and makes the least angle of its two triangles larger, so that it ends.
 bool flipNext(const PointSet& points, MendState& mend, Flip& flip);
+
+/// Rules::reseat: takes out a point at the next flipped triangle, if the hole of its triangles can
+/// be closed without a fault. False if none is left. Every point taken out leaves two triangles
+/// less, so that it ends.
+bool reseatNext(const PointSet& points, MendState& mend, Index& point);
 
 }  // namespace se

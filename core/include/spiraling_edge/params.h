@@ -68,6 +68,9 @@ struct Rules {
     bool reinsert = false;
     /// After the last pivot: edges that are better the other way round are flipped.
     bool flip = false;
+    /// After the last pivot: a point at a flipped triangle is taken out if its hole can be closed
+    /// without a fault; `reinsert` may put it back.
+    bool reseat = false;
 
     /// Some rule looks at the whole fan before it is made.
     bool looksAtFan() const {

@@ -32,6 +32,7 @@ enum class Phase : std::uint8_t {
     Advance,     ///< §6.5, §7
     Reinsert,    ///< Beyond the paper: after the last pivot, one stranded point.
     Flip,        ///< Beyond the paper: after the last pivot, one edge.
+    Reseat,      ///< Beyond the paper: after the last pivot, one point at a fault.
     Finished,
 };
 
@@ -42,8 +43,11 @@ inline constexpr PointStatus kDone = -1;
 
 /// State::patience: fans that waited (Rules::delay) may be made.
 inline constexpr std::uint32_t kDelayedAllowed = 1;
+/// State::patience: triangles against the normal of one corner, but not against the sum of the
+/// three, may be made as well.
+inline constexpr std::uint32_t kCornerAllowed = 2;
 /// State::patience: no ear of the hole could be closed (Rules::fill).
-inline constexpr std::uint32_t kFillFailed = 2;
+inline constexpr std::uint32_t kFillFailed = 3;
 
 /// What was counted so far.
 struct Counters {

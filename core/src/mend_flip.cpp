@@ -1,0 +1,147 @@
+/// Rules::flip: edges that are better the other way round.
+#include <algorithm>
+
+#include "exact.h"
+#include "mend_sides.h"
+#include "shape.h"
+
+namespace se {
+
+namespace {
+
+/// The four points around an edge u v: x on the left of u -> v, y on the right.
+struct Quad {
+    Index u, v, x, y;
+    Triangle left() const { return {u, v, x}; }
+    Triangle right() const { return {v, u, y}; }
+    Triangle flippedU() const { return {u, y, x}; }
+    Triangle flippedV() const { return {y, v, x}; }
+};
+
+Quad quadAt(const MendState& m, HalfEdge h) {
+    return {cornerOf(m, h), cornerOf(m, following(h)), cornerOf(m, preceding(h)),
+            cornerOf(m, preceding(m.twin[h]))};
+}
+
+/// Faults of two triangles at the edge they share and at the four edges around them.
+class FlipScore {
+  public:
+    FlipScore(const PointSet& points, const MendState& m, HalfEdge h)
+        : points_(points), m_(m), h_(h), g_(m.twin[h]), quad_(quadAt(m, h)) {}
+
+    int before() const {
+        return faults(quad_.left(), quad_.right()) + outerFold(following(h_), quad_.left()) +
+               outerFold(preceding(h_), quad_.left()) + outerFold(following(g_), quad_.right()) +
+               outerFold(preceding(g_), quad_.right());
+    }
+    int after() const {
+        return faults(quad_.flippedU(), quad_.flippedV()) +
+               outerFold(preceding(h_), quad_.flippedU()) +
+               outerFold(following(g_), quad_.flippedU()) +
+               outerFold(following(h_), quad_.flippedV()) +
+               outerFold(preceding(g_), quad_.flippedV());
+    }
+    /// Triangles nearby that the two given ones meet.
+    int meetings(const Triangle& a, const Triangle& b) const {
+        int count = 0;
+        std::vector<Index> seen{h_ / 3, g_ / 3};
+        for (const Index p : {quad_.u, quad_.v, quad_.x, quad_.y}) {
+            forEachSideOf(m_, p, [&](HalfEdge side) {
+                const Index t = side / 3;
+                if (std::find(seen.begin(), seen.end(), t) != seen.end()) return;
+                seen.push_back(t);
+                for (const Triangle& mine : {a, b}) {
+                    count += trianglesShareMore(points_.position, mine, m_.triangles[t]) ? 1 : 0;
+                }
+            });
+        }
+        return count;
+    }
+    const Quad& quad() const { return quad_; }
+
+  private:
+    int faults(const Triangle& a, const Triangle& b) const {
+        return shapeFaults(points_, a) + shapeFaults(points_, b) + (folded(points_, a, b) ? 2 : 0);
+    }
+    int outerFold(HalfEdge side, const Triangle& mine) const {
+        const HalfEdge other = m_.twin[side];
+        return other != kNone && folded(points_, mine, m_.triangles[other / 3]) ? 2 : 0;
+    }
+
+    const PointSet& points_;
+    const MendState& m_;
+    HalfEdge h_, g_;
+    Quad quad_;
+};
+
+/// Largest cosine of an angle of the two: the smaller, the larger their least angle.
+double worstCosine(const PointSet& points, const Triangle& a, const Triangle& b) {
+    return std::max(leastAngleCosine(points, a), leastAngleCosine(points, b));
+}
+
+bool isBetterFlipped(const PointSet& points, const MendState& m, HalfEdge h) {
+    // Rules::reseat makes the list shorter, so that a side in the queue may be gone.
+    if (h >= m.twin.size() || m.twin[h] == kNone) return false;
+    const FlipScore score(points, m, h);
+    const Quad& q = score.quad();
+    if (q.x == q.y || m.pinched[q.u] || m.pinched[q.v] || m.pinched[q.x] || m.pinched[q.y]) {
+        return false;
+    }
+    int before = score.before();
+    if (before == 0) {
+        // Sound as it is: flip for the angles only, and only where the surface is flat.
+        constexpr double kFlat = 0.9;
+        if (normalsCosine(points, q.left(), q.right()) < kFlat ||
+            worstCosine(points, q.flippedU(), q.flippedV()) >
+                worstCosine(points, q.left(), q.right()) - 1e-9 ||
+            normalsCosine(points, q.flippedU(), q.flippedV()) < kFlat) {
+            return false;
+        }
+    }
+    int after = score.after();
+    if (after > before || joined(m, q.x, q.y)) return false;
+    if (before == 0 && after == 0) return true;
+    before += score.meetings(q.left(), q.right());
+    after += score.meetings(q.flippedU(), q.flippedV());
+    return after < before;
+}
+
+void flipEdge(MendState& m, HalfEdge h) {
+    const HalfEdge g = m.twin[h];
+    const Quad q = quadAt(m, h);
+    const HalfEdge vx = m.twin[following(h)];
+    const HalfEdge xu = m.twin[preceding(h)];
+    const HalfEdge uy = m.twin[following(g)];
+    const HalfEdge yv = m.twin[preceding(g)];
+    const Index s = h / 3;
+    const Index t = g / 3;
+    m.triangles[s] = q.flippedU();
+    m.triangles[t] = q.flippedV();
+    pair(m, 3 * s, uy);
+    pair(m, 3 * s + 2, xu);
+    pair(m, 3 * t, yv);
+    pair(m, 3 * t + 1, vx);
+    pair(m, 3 * s + 1, 3 * t + 2);
+    m.sideOf[q.u] = 3 * s;
+    m.sideOf[q.y] = 3 * t;
+    m.sideOf[q.v] = 3 * t + 1;
+    m.sideOf[q.x] = 3 * t + 2;
+    for (const HalfEdge side : {3 * s, 3 * s + 2, 3 * t, 3 * t + 1}) m.queue.push_back(side);
+}
+
+}  // namespace
+
+bool flipNext(const PointSet& points, MendState& m, Flip& flip) {
+    while (m.queueFront < m.queue.size()) {
+        const HalfEdge h = m.queue[m.queueFront++];
+        if (!isBetterFlipped(points, m, h)) continue;
+        const Quad q = quadAt(m, h);
+        flipEdge(m, h);
+        ++m.flipped;
+        flip = {q.u, q.v, q.x, q.y};
+        return true;
+    }
+    return false;
+}
+
+}  // namespace se

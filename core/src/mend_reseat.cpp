@@ -1,0 +1,227 @@
+/// Rules::reseat: a point at a flipped triangle is taken out and the hole of its triangles closed
+/// without a fault; Rules::reinsert may put it back where it fits.
+#include <algorithm>
+#include <array>
+
+#include "exact.h"
+#include "mend_sides.h"
+#include "shape.h"
+
+namespace se {
+namespace {
+
+/// Largest number of triangles about a point that is taken out.
+constexpr std::size_t kMostSides = 14;
+
+/// The triangles about a point, and the sides opposite to it in counterclockwise order.
+struct Star {
+    std::vector<HalfEdge> rim;  ///< Sides opposite to the point; triangles are rim[i] / 3.
+    std::vector<Index> ring;    ///< Points: where rim[i] begins.
+};
+
+/// Empty unless the triangles form one closed fan of 4 to kMostSides.
+Star starOf(const MendState& m, Index x) {
+    Star star;
+    HalfEdge h = m.sideOf[x];
+    if (h == kNone || m.pinched[x]) return {};
+    const HalfEdge begin = h;
+    do {
+        star.rim.push_back(following(h));
+        star.ring.push_back(cornerOf(m, following(h)));
+        h = m.twin[preceding(h)];
+    } while (h != kNone && h != begin && star.rim.size() <= kMostSides);
+    if (h != begin || star.rim.size() < 4 || star.rim.size() > kMostSides) return {};
+    return star;
+}
+
+/// One triangle of a filling: places on the ring, ascending.
+using RingTriangle = std::array<std::size_t, 3>;
+using Filling = std::vector<RingTriangle>;
+
+/// Best triangulation of the ring of a star: every triangle faces its normals, no new edge exists
+/// already, and the least angle is as large as possible. Dynamic programming over sub-polygons.
+class RingFill {
+  public:
+    RingFill(const PointSet& points, const MendState& m, const Star& star)
+        : points_(points), m_(m), ring_(star.ring), count_(star.ring.size()) {}
+
+    /// Empty if there is no way.
+    Filling find() {
+        for (std::size_t span = 2; span < count_; ++span) {
+            for (std::size_t i = 0; i + span < count_; ++i) fillSpan(i, i + span);
+        }
+        Filling found;
+        if (cost_[0][count_ - 1] < kNoWay) collect(0, count_ - 1, found);
+        return found;
+    }
+
+  private:
+    static constexpr double kNoWay = 2.0;
+
+    void fillSpan(std::size_t i, std::size_t k) {
+        cost_[i][k] = kNoWay;
+        const bool closing = i == 0 && k + 1 == count_;
+        if (!closing && joined(m_, ring_[i], ring_[k])) return;
+        for (std::size_t j = i + 1; j < k; ++j) {
+            const Triangle t{ring_[i], ring_[j], ring_[k]};
+            if (!facesNormals(points_, t.a, t.b, t.c)) continue;
+            const double cost =
+                std::max(leastAngleCosine(points_, t), std::max(costOf(i, j), costOf(j, k)));
+            if (cost >= cost_[i][k]) continue;
+            cost_[i][k] = cost;
+            middle_[i][k] = j;
+        }
+    }
+    double costOf(std::size_t i, std::size_t k) const { return k == i + 1 ? -1.0 : cost_[i][k]; }
+    void collect(std::size_t i, std::size_t k, Filling& found) const {
+        if (k == i + 1) return;
+        const std::size_t j = middle_[i][k];
+        found.push_back({i, j, k});
+        collect(i, j, found);
+        collect(j, k, found);
+    }
+
+    const PointSet& points_;
+    const MendState& m_;
+    const std::vector<Index>& ring_;
+    std::size_t count_;
+    std::array<std::array<double, kMostSides>, kMostSides> cost_{};
+    std::array<std::array<std::size_t, kMostSides>, kMostSides> middle_{};
+};
+
+Triangle triangleOf(const Star& star, const RingTriangle& t) {
+    return {star.ring[t[0]], star.ring[t[1]], star.ring[t[2]]};
+}
+
+/// Two triangles of a filling at a common edge, one folded onto the other.
+bool foldsInside(const PointSet& points, const Star& star, const Filling& filling) {
+    for (const RingTriangle& t : filling) {
+        for (const RingTriangle& other : filling) {
+            const auto common = std::count_if(t.begin(), t.end(), [&](std::size_t p) {
+                return std::find(other.begin(), other.end(), p) != other.end();
+            });
+            if (common == 2 && folded(points, triangleOf(star, t), triangleOf(star, other))) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// A triangle of the filling folded onto a neighbor of the star.
+bool foldsOutside(const PointSet& points, const MendState& m, const Star& star,
+                  const Filling& filling) {
+    for (const RingTriangle& t : filling) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            if ((t[k] + 1) % star.ring.size() != t[(k + 1) % 3]) continue;
+            const HalfEdge outer = m.twin[star.rim[t[k]]];
+            if (outer != kNone && folded(points, triangleOf(star, t), m.triangles[outer / 3])) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// A triangle of the filling that meets one near the ring which is not of the star.
+bool meetsOthers(const PointSet& points, const MendState& m, const Star& star,
+                 const Filling& filling) {
+    bool meets = false;
+    for (const Index p : star.ring) {
+        forEachSideOf(m, p, [&](HalfEdge side) {
+            const bool own = std::any_of(star.rim.begin(), star.rim.end(),
+                                         [&](HalfEdge r) { return r / 3 == side / 3; });
+            if (own || meets) return;
+            meets = std::any_of(filling.begin(), filling.end(), [&](const RingTriangle& t) {
+                return trianglesShareMore(points.position, triangleOf(star, t),
+                                          m.triangles[side / 3]);
+            });
+        });
+    }
+    return meets;
+}
+
+/// Moves the last triangle into the place of `t`, so that the list has no gaps.
+void dropTriangle(MendState& m, Index t) {
+    const auto last = static_cast<Index>(m.triangles.size() - 1);
+    for (Index k = 0; k < 3; ++k) m.twin[3 * t + k] = kNone;
+    if (t != last) {
+        m.triangles[t] = m.triangles[last];
+        for (Index k = 0; k < 3; ++k) {
+            const HalfEdge from = 3 * last + k;
+            const HalfEdge to = 3 * t + k;
+            pair(m, to, m.twin[from]);
+            if (m.sideOf[cornerOf(m, to)] == from) m.sideOf[cornerOf(m, to)] = to;
+            m.queue.push_back(to);
+        }
+    }
+    m.triangles.pop_back();
+    m.twin.resize(3 * std::size_t{last});
+}
+
+void replaceStar(MendState& m, const Star& star, const Filling& filling, Index x) {
+    const std::size_t count = star.ring.size();
+    std::vector<HalfEdge> outer(count);
+    for (std::size_t i = 0; i < count; ++i) outer[i] = m.twin[star.rim[i]];
+    // Sides from ring place to ring place, to find each one's twin among the new triangles.
+    std::array<std::array<HalfEdge, kMostSides>, kMostSides> side{};
+    for (auto& row : side) row.fill(kNone);
+    for (std::size_t i = 0; i < filling.size(); ++i) {
+        const Index place = star.rim[i] / 3;
+        m.triangles[place] = triangleOf(star, filling[i]);
+        for (Index k = 0; k < 3; ++k) {
+            const HalfEdge h = 3 * place + k;
+            m.twin[h] = kNone;
+            side[filling[i][k]][filling[i][(k + 1) % 3]] = h;
+            m.sideOf[star.ring[filling[i][k]]] = h;
+            m.queue.push_back(h);
+        }
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t k = 0; k < count; ++k) {
+            if (side[i][k] == kNone) continue;
+            pair(m, side[i][k], (i + 1) % count == k ? outer[i] : side[k][i]);
+        }
+    }
+    m.sideOf[x] = kNone;
+    // Two triangles fewer; the higher place first, so that neither moves the other.
+    const Index a = star.rim[count - 1] / 3;
+    const Index b = star.rim[count - 2] / 3;
+    dropTriangle(m, std::max(a, b));
+    dropTriangle(m, std::min(a, b));
+}
+
+bool takeOut(const PointSet& points, MendState& m, Index x) {
+    const Star star = starOf(m, x);
+    if (star.ring.empty()) return false;
+    const Filling filling = RingFill(points, m, star).find();
+    if (filling.empty() || foldsInside(points, star, filling) ||
+        foldsOutside(points, m, star, filling) || meetsOthers(points, m, star, filling)) {
+        return false;
+    }
+    replaceStar(m, star, filling, x);
+    return true;
+}
+
+}  // namespace
+
+bool reseatNext(const PointSet& points, MendState& m, Index& point) {
+    for (; m.nextTriangle < m.triangles.size(); ++m.nextTriangle) {
+        const Index t = m.nextTriangle;
+        if (shapeFaults(points, m.triangles[t]) < kFlippedFault) continue;
+        std::vector<Index> near{m.triangles[t].a, m.triangles[t].b, m.triangles[t].c};
+        for (Index k = 0; k < 3; ++k) {
+            const HalfEdge other = m.twin[3 * t + k];
+            if (other != kNone) near.push_back(cornerOf(m, preceding(other)));
+        }
+        for (const Index x : near) {
+            if (!takeOut(points, m, x)) continue;
+            ++m.takenOut;
+            point = x;
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace se
