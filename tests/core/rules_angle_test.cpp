@@ -108,6 +108,7 @@ TEST_CASE("6.1 a neighbor in the direction of first is no candidate") {
     Rig rig(around(180, {polar(0, 2), polar(0, 0.5), polar(1e-9), polar(90)}));
     rig.list(0, {5, 6, 7, 8}).ring(kRing).runTo(Phase::Limits);
     CHECK(rig.candidates() == Points{8});
+    CHECK(rig.verdictOn<SortEvidence>(5) == Verdict::NotAfterStart);
 }
 
 TEST_CASE("6.1 when first and last are the same the ending angle is a full turn") {

@@ -201,6 +201,9 @@ TEST_CASE("7.2 Figure 19: exiting a corner, the third point goes behind p") {
     CHECK(rig.all<InsertEvidence>()[0].verdict == Verdict::After);
     CHECK(rig.triangles() == Triangles{{0, 1, 2}});
     CHECK(rig.activeRing() == Points{2, 3, 4, 5, 1});
+    const EdgeRings& rings = rig.state().rings;
+    CHECK(rings.open(rings.firstEntryOf(2)));
+    CHECK_FALSE(rings.open(rings.firstEntryOf(1)));
 }
 
 TEST_CASE("7.2 Figure 20: on a corner, on the side that holds the transition") {
@@ -225,6 +228,20 @@ TEST_CASE("7.2 the third point is UNUSED, on a wall of p, and its sector stays i
     CHECK(third([](Rig& rig) { rig.done({2}); }) == 6);
     CHECK(third([](Rig& rig) { rig.type(2, kPositiveY); }) == 6);
     CHECK(third([](Rig& rig) { rig.done({2, 6}); }) == kNone);
+}
+
+TEST_CASE("7.2 a third point that leads to no triangle leaves the ring as it was") {
+    // From 2 to 1 it is a little over 180 degrees: straight for the wall, too much for a triangle.
+    Rig rig({{1, 0.5, 0}, {1.02, -0.6, 0}, {1, 0.8, 0}, {0, 0.5, 0}, {0, -0.5, 0}});
+    rig.type(0, kPositiveX).type(1, kNegativeY).type(2, kPositiveX).list(0, {2, 1});
+    rig.ring({0, 1, 4, 3}).pivot();
+    REQUIRE(rig.all<InsertEvidence>().at(0).third == 2);
+    CHECK(rig.triangles().empty());
+    CHECK(rig.status(2) == kUnused);
+    CHECK(rig.activeRing() == Points{1, 4, 3, 0});
+    for (const Index p : {0U, 1U, 3U, 4U}) {
+        CHECK_FALSE(rig.state().rings.open(rig.state().rings.firstEntryOf(p)));
+    }
 }
 
 TEST_CASE("7 Figure 13: elsewhere a boundary point is passed over and stays on the ring") {

@@ -53,10 +53,15 @@ TEST_CASE("6.2 the plane stands on the mean normal of p, first and last") {
     for (const Index p : {0U, 1U, 2U}) rig.normal(p, lean);
     rig.runTo(Phase::Sphere);
     CHECK(rig.candidates() == Points{3});
-    // One of the three alone does not tilt it enough.
-    Rig one({hole()[0], hole()[1], hole()[2], x});
-    one.list(0, {3}).ring({0, 2, 1}).normal(1, Vec3(0, 1, 5)).runTo(Phase::Sphere);
-    CHECK(one.candidates().empty());
+    // Two of the three lean it far enough, p alone does not.
+    for (const bool pivotLeans : {true, false}) {
+        Rig some({hole()[0], hole()[1], hole()[2], x});
+        some.list(0, {3}).ring({0, 2, 1});
+        if (pivotLeans) some.normal(0, lean);
+        if (!pivotLeans) some.normal(1, lean).normal(2, lean);
+        some.runTo(Phase::Sphere);
+        CHECK(some.candidates().empty() == pivotLeans);
+    }
 }
 
 TEST_CASE("6.2 holes of more than three points are not recognized") {

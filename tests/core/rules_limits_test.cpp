@@ -69,6 +69,17 @@ TEST_CASE("6.1 start and end stay where the ring is convex") {
     CHECK(rig.verdictOn<LimitEvidence>(5) == Verdict::NotConcave);
 }
 
+TEST_CASE("6.1 start does not advance to a point beyond last, nor end to one before first") {
+    Rig rig({Vec3(0), polar(0), polar(100), {-9, -9, 0}, {9, 9, 0}, polar(120, 2), polar(50)});
+    rig.list(0, {1, 2, 5, 6}).ring({0, 2, 3, 4, 5, 1}).runTo(Phase::Convex);
+    CHECK(rig.startPoint() == 1);
+    CHECK(rig.verdictOn<LimitEvidence>(5) == Verdict::Outside);
+    Rig other({Vec3(0), polar(0), polar(100), {-9, -9, 0}, {9, 9, 0}, polar(-20, 2), polar(50)});
+    other.list(0, {1, 2, 5, 6}).ring({0, 2, 5, 4, 3, 1}).runTo(Phase::Convex);
+    CHECK(other.endPoint() == 2);
+    CHECK(other.verdictOn<LimitEvidence>(5) == Verdict::Outside);
+}
+
 TEST_CASE("6.1 start and end advance as far as the ring is concave") {
     const std::vector<Vec3> deep{{0, 0, 0}, {1, 0.1, 0},   {-1, 0.2, 0},  {-9, 9, 0},
                                  {9, 9, 0}, {1.3, 0.6, 0}, {1.2, 1.2, 0}, {0, 1.2, 0}};
@@ -211,6 +222,9 @@ TEST_CASE("6.1, 6.5 of several entries the one whose sector holds p is the other
     Rig active(opposite());
     active.list(0, {5}).stacked(facing).ring(activeFacing);
     CHECK(ringOfInstance(active) == active.state().rings.active());
+    Rig older(opposite());
+    older.list(0, {5}).ring(activeFacing).stacked(facing);
+    CHECK(ringOfInstance(older) == older.state().rings.active());
     Rig top(opposite());
     top.list(0, {5}).stacked(facing).stacked(facing).ring(activeAway);
     CHECK(ringOfInstance(top) == top.state().rings.stack()[1]);

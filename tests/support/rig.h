@@ -82,10 +82,15 @@ class Rig {
         points_.normal[p] = n / std::sqrt(glm::dot(n, n));
         return *this;
     }
-    /// Puts a ring on the stack; its steps are mesh edges. Call before ring().
+    /// Puts a ring on top of the stack; its steps are mesh edges. Its entries are newer than those
+    /// of the rings made before, the active one included.
     Rig& stacked(const std::vector<Index>& points) {
+        EdgeRings& rings = state_.rings;
+        const Index active = rings.active();
+        if (active != kNone) rings.push(active, state_.pivot.pivot);
         const Index head = makeRing(points);
-        state_.rings.push(state_.rings.ringOf(head), head);
+        rings.push(rings.ringOf(head), head);
+        if (active != kNone) rings.activate(active);
         return *this;
     }
     /// The active ring, the pivot first; its steps are mesh edges.
