@@ -38,7 +38,7 @@ Star starOf(const MendState& m, Index x) {
 using RingTriangle = std::array<std::size_t, 3>;
 using Filling = std::vector<RingTriangle>;
 
-/// Best triangulation of the ring of a star: every triangle faces its normals, no new edge exists
+/// Best triangulation of the ring of a star: no triangle is flipped, no new edge exists
 /// already, and the least angle is as large as possible. Dynamic programming over sub-polygons.
 class RingFill {
   public:
@@ -64,7 +64,7 @@ class RingFill {
         if (!closing && joined(m_, ring_[i], ring_[k])) return;
         for (std::size_t j = i + 1; j < k; ++j) {
             const Triangle t{ring_[i], ring_[j], ring_[k]};
-            if (!facesNormals(points_, t.a, t.b, t.c)) continue;
+            if (shapeFaults(points_, t) >= kFlippedFault) continue;
             const double cost =
                 std::max(leastAngleCosine(points_, t), std::max(costOf(i, j), costOf(j, k)));
             if (cost >= cost_[i][k]) continue;
