@@ -25,13 +25,16 @@ struct StepContext {
 // phase_start.cpp: §4
 void phaseSeed(StepContext& context);
 void phasePivot(StepContext& context);
-// phase_interior.cpp: §6.1 to §6.4
+// phase_sort.cpp: §6.1
 void phaseSort(StepContext& context);
+// phase_limits.cpp: §6.1
 void phaseLimits(StepContext& context);
 void phaseConvex(StepContext& context);
 void phaseReciprocal(StepContext& context);
+// phase_thin.cpp: §6.2, §6.3
 void phaseHole(StepContext& context);
 void phaseSphere(StepContext& context);
+// phase_triangles.cpp: §6.4
 void phaseTwoPoint(StepContext& context);
 void phaseEmit(StepContext& context);
 /// Lays out NeighborRing::fan from the candidates that are left.

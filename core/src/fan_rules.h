@@ -1,0 +1,40 @@
+/// Beyond the paper (docs/robust.md): rules that look at the whole fan before it is made. Each
+/// names the spoke or triangle it objects to. phase_guard.cpp has their table.
+#pragma once
+
+#include "phases.h"
+
+namespace se {
+
+/// What a rule objects to: spoke `at` of the fan, or its triangle `at`, `at + 1`.
+struct Objection {
+    Verdict verdict = Verdict::Kept;
+    std::size_t at = 0;
+    bool triangle = false;
+
+    explicit operator bool() const { return verdict != Verdict::Kept; }
+};
+
+using Fan = std::vector<FanPoint>;
+
+// fan_rules_edges.cpp
+/// A gap of 180 degrees or more between two spokes (Rules::gap).
+Objection wideGap(const StepContext& context);
+/// An edge that is taken, or a ring step closed away from its entries (Rules::guard).
+Objection takenEdge(const StepContext& context);
+/// A second triangle on the same three points (Rules::noPillow).
+Objection pillow(const StepContext& context);
+// fan_rules_shape.cpp
+/// A triangle against its normals, or folded onto an old one (Rules::noFold).
+Objection fold(const StepContext& context);
+/// A wide triangle between points where the surface ends (Rules::rim).
+Objection overRim(const StepContext& context);
+/// A steep triangle, as long as such wait (Rules::delay).
+Objection steep(const StepContext& context);
+// fan_rules_space.cpp
+/// A new edge across a ring step nearby, in the tangent plane (Rules::noCross).
+Objection crossing(const StepContext& context);
+/// A triangle that meets a finished one nearby (Rules::noMeet).
+Objection meetsFinished(const StepContext& context);
+
+}  // namespace se

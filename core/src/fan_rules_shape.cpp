@@ -1,0 +1,100 @@
+/// Rules on the shape of a fan: nofold, rim, delay.
+#include <cmath>
+
+#include "fan_rules.h"
+
+namespace se {
+namespace {
+
+// ---- nofold -------------------------------------------------------------------------------------
+
+/// Cosine of the largest angle between the normals of two triangles at an edge: 150 degrees.
+constexpr double kSharpestFold = -0.8660254037844386;
+
+/// Is the old triangle across u -> v folded onto one with the area vector `area`?
+bool foldsOver(const StepContext& context, Index u, Index v, const Vec3& area) {
+    const State& s = context.state;
+    const HalfEdge h = s.edges.find(u, v);
+    if (h == kNone) return false;
+    const std::vector<Vec3>& position = context.points.position;
+    const Vec3 old =
+        glm::cross(position[v] - position[u], position[s.edges.opposite(h)] - position[u]);
+    const double size = std::sqrt(glm::dot(old, old) * glm::dot(area, area));
+    return glm::dot(old, area) < kSharpestFold * size;
+}
+
+/// Is a triangle of the pivot, a and b against the normal of a corner, or, once that is allowed, of
+/// all three together?
+bool isAgainstNormals(const StepContext& context, const Vec3& area, Index a, Index b) {
+    const double atPivot = glm::dot(area, context.state.pivot.frame.normal);
+    const double atA = glm::dot(area, context.points.normal[a]);
+    const double atB = glm::dot(area, context.points.normal[b]);
+    const bool faces = context.state.patience >= kCornerAllowed
+                           ? atPivot + atA + atB > 0.0
+                           : atPivot > 0.0 && atA > 0.0 && atB > 0.0;
+    return !faces;
+}
+
+}  // namespace
+
+Objection fold(const StepContext& context) {
+    const State& s = context.state;
+    const Fan& fan = s.pivot.fan;
+    const Index p = s.rings.point(s.pivot.pivot);
+    for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
+        const Vec3 area = glm::cross(fan[i].offset, fan[i + 1].offset);
+        if (isAgainstNormals(context, area, fan[i].point, fan[i + 1].point)) {
+            return {Verdict::AgainstNormal, i, true};
+        }
+        if (foldsOver(context, fan[i + 1].point, fan[i].point, area) ||
+            (i == 0 && foldsOver(context, fan[i].point, p, area)) ||
+            (i + 2 == fan.size() && foldsOver(context, p, fan[i + 1].point, area))) {
+            return {Verdict::FoldsOver, i, true};
+        }
+    }
+    return {};
+}
+
+// ---- rim ----------------------------------------------------------------------------------------
+
+Objection overRim(const StepContext& context) {
+    const Fan& fan = context.state.pivot.fan;
+    constexpr double kWide = -0.5;  // 120 degrees.
+    const Index p = context.state.rings.point(context.state.pivot.pivot);
+    const auto endsHere = [&](Index x) {
+        return !isBoundary(context.points.type[x]) && isRim(context.points, x);
+    };
+    for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
+        if (exceedsAngle(fan[i].angle, fan[i + 1].angle, kWide) && endsHere(p) &&
+            endsHere(fan[i].point) && endsHere(fan[i + 1].point)) {
+            return {Verdict::OverRim, i, true};
+        }
+    }
+    return {};
+}
+
+namespace {
+
+// ---- delay --------------------------------------------------------------------------------------
+
+/// Cosine of the angle between a triangle's normal and a corner's, beyond which it waits.
+constexpr double kSteep = 0.5;
+
+}  // namespace
+
+Objection steep(const StepContext& context) {
+    const Fan& fan = context.state.pivot.fan;
+    if (context.state.patience >= kDelayedAllowed) return {};
+    for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
+        const Vec3 area = glm::cross(fan[i].offset, fan[i + 1].offset);
+        const double limit = kSteep * std::sqrt(glm::dot(area, area));
+        if (glm::dot(area, context.points.normal[fan[i].point]) < limit ||
+            glm::dot(area, context.points.normal[fan[i + 1].point]) < limit ||
+            glm::dot(area, context.state.pivot.frame.normal) < limit) {
+            return {Verdict::Steep, i, true};
+        }
+    }
+    return {};
+}
+
+}  // namespace se

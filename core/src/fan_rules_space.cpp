@@ -1,0 +1,148 @@
+/// Rules on what else is where a fan would be: nocross, nomeet.
+#include <algorithm>
+
+#include "exact.h"
+#include "fan_rules.h"
+
+namespace se {
+namespace {
+
+// ---- nocross ------------------------------------------------------------------------------------
+
+struct Flat {
+    double x, y;
+};
+
+double turn(const Flat& a, const Flat& b, const Flat& c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+bool properlyCross(const Flat& a, const Flat& b, const Flat& c, const Flat& d) {
+    return turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0;
+}
+
+/// Looks for ring steps near the pivot that a new edge crosses, in the pivot's tangent plane.
+class CrossingSearch {
+  public:
+    explicit CrossingSearch(const StepContext& context)
+        : context_(context), frame_(context.state.pivot.frame) {
+        y_ = glm::cross(frame_.normal, frame_.z);
+        x_ = glm::cross(y_, frame_.normal);
+    }
+
+    Objection find() const {
+        const State& s = context_.state;
+        const Index p = s.rings.point(s.pivot.pivot);
+        for (const Index x : context_.points.neighbors[p]) {
+            for (Index e = s.rings.firstEntryOf(x); e != kNone; e = s.rings[e].nextOfPoint) {
+                // A step between two listed points is found at its first one.
+                Objection found = againstStep(e, s.rings.next(e));
+                if (!found) found = againstStep(s.rings.prev(e), e);
+                if (found) return found;
+            }
+        }
+        return {};
+    }
+
+  private:
+    Flat flat(const Vec3& offset) const { return {glm::dot(x_, offset), glm::dot(y_, offset)}; }
+
+    Objection againstStep(Index from, Index to) const {
+        const State& s = context_.state;
+        const Fan& fan = s.pivot.fan;
+        const Index u = s.rings.point(from);
+        const Index v = s.rings.point(to);
+        const Index p = s.rings.point(s.pivot.pivot);
+        if (u == p || v == p || s.rings.open(from)) return {};
+        const Vec3 du = context_.points.position[u] - frame_.origin;
+        const Vec3 dv = context_.points.position[v] - frame_.origin;
+        const Flat fu = flat(du);
+        const Flat fv = flat(dv);
+        for (std::size_t i = 0; i < fan.size(); ++i) {
+            if (fan[i].point == u || fan[i].point == v) continue;
+            const Flat a = flat(fan[i].offset);
+            if (fan[i].candidate && properlyCross({0.0, 0.0}, a, fu, fv)) {
+                return {Verdict::Crosses, i, false};
+            }
+            if (i + 1 == fan.size() || fan[i + 1].point == u || fan[i + 1].point == v) continue;
+            if (!fan[i].candidate && !fan[i + 1].candidate) continue;
+            if (properlyCross(a, flat(fan[i + 1].offset), fu, fv)) {
+                return {Verdict::Crosses, i, true};
+            }
+        }
+        return {};
+    }
+
+    const StepContext& context_;
+    const Frame& frame_;
+    Vec3 x_, y_;
+};
+
+}  // namespace
+
+Objection crossing(const StepContext& context) { return CrossingSearch(context).find(); }
+
+namespace {
+
+// ---- nomeet -------------------------------------------------------------------------------------
+
+/// Neighborhoods whose normals all lie within 45 degrees of the pivot's are flat enough for
+/// Rules::noCross to see every overlap.
+constexpr double kFlat = 0.70710678118654752;
+
+bool isFlat(const PointSet& points, Index p) {
+    const auto list = points.neighbors[p];
+    return std::all_of(list.begin(), list.end(), [&](Index x) {
+        return glm::dot(points.normal[x], points.normal[p]) > kFlat;
+    });
+}
+
+struct Box {
+    Vec3 low, high;
+
+    explicit Box(const Vec3& p) : low(p), high(p) {}
+    void add(const Vec3& p) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    bool meets(const Box& o) const {
+        return low.x <= o.high.x && o.low.x <= high.x && low.y <= o.high.y && o.low.y <= high.y &&
+               low.z <= o.high.z && o.low.z <= high.z;
+    }
+};
+
+Box boxOf(const PointSet& points, const Triangle& t) {
+    Box box(points.position[t.a]);
+    box.add(points.position[t.b]);
+    box.add(points.position[t.c]);
+    return box;
+}
+
+}  // namespace
+
+Objection meetsFinished(const StepContext& context) {
+    const State& s = context.state;
+    const Fan& fan = s.pivot.fan;
+    const PointSet& points = context.points;
+    const Index p = s.rings.point(s.pivot.pivot);
+    if (isFlat(points, p)) return {};
+    Box all(points.position[p]);
+    for (const FanPoint& x : fan) all.add(points.position[x.point]);
+    for (const Index x : points.neighbors[p]) {
+        for (HalfEdge h = s.edges.firstFrom(x); h != kNone; h = s.edges.nextFrom(h)) {
+            const Triangle& old = s.triangles[h / 3];
+            const Box oldBox = boxOf(points, old);
+            if (!oldBox.meets(all)) continue;
+            for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
+                const Triangle made{p, fan[i].point, fan[i + 1].point};
+                if (boxOf(points, made).meets(oldBox) &&
+                    trianglesShareMore(points.position, made, old)) {
+                    return {Verdict::Meets, i, true};
+                }
+            }
+        }
+    }
+    return {};
+}
+
+}  // namespace se

@@ -1,0 +1,239 @@
+/// §6.1, Figs. 4 to 6: start and end advance, and USED candidates are tested.
+#include <algorithm>
+
+#include "phases.h"
+
+namespace se {
+
+// ---- §6.1: limits -------------------------------------------------------------------------------
+
+namespace {
+
+/// The entry behind start (its predecessor) or behind end (its successor).
+Index beyond(const State& s, Side side) {
+    return side == Side::Start ? s.rings.prev(s.pivot.start) : s.rings.next(s.pivot.end);
+}
+
+/// Rules::unblocked: does a candidate lie in the circumsphere of the triangle that a move of start
+/// or end to `to` would make? UNUSED ones count in the triangle's sector, where they would be
+/// enclosed; USED ones outside it if nearer than `to`, for the new spoke would run close by them.
+bool isBlocked(const StepContext& context, Side side, const Angle& toAngle, const Vec3& to) {
+    const State& s = context.state;
+    const NeighborRing& n = s.pivot;
+    const bool atStart = side == Side::Start;
+    const Vec3 a = context.positionAt(atStart ? n.start : n.end) - n.frame.origin;
+    const Vec3 b = to - n.frame.origin;
+    const double aSq = glm::dot(a, a);
+    const double bSq = glm::dot(b, b);
+    const double low = atStart ? n.startAngle.key : toAngle.key;
+    const double high = atStart ? toAngle.key : n.endAngle.key;
+    return std::any_of(n.candidates.begin(), n.candidates.end(), [&](const Candidate& c) {
+        const bool inSector = c.angle.key > low && c.angle.key < high;
+        const bool inTheWay =
+            s.status[c.point] == kUnused ? inSector : !inSector && c.lengthSq < bSq;
+        return inTheWay && testSphere(a, aSq, b, bSq, c.offset, c.lengthSq).inside();
+    });
+}
+
+/// What a look at the point beyond start or end found.
+struct LimitTest {
+    Verdict verdict;
+    Index to = kNone;  ///< Entry.
+    Angle angle{};     ///< Of `to`, where it was needed.
+    double turn = 0.0;
+};
+
+LimitTest testLimit(const StepContext& context, Side side) {
+    const State& s = context.state;
+    const NeighborRing& n = s.pivot;
+    const bool atStart = side == Side::Start;
+    const Index limit = atStart ? n.start : n.end;
+    const Index to = beyond(s, side);
+    if (to == (atStart ? n.end : n.start) || to == n.pivot) return {Verdict::OtherLimit, to};
+    if (context.openStep(atStart ? to : limit)) return {Verdict::NotAnEdge, to};
+    const auto list = context.points.neighbors[s.rings.point(n.pivot)];
+    if (std::find(list.begin(), list.end(), s.rings.point(to)) == list.end()) {
+        return {Verdict::NotListed, to};
+    }
+    const Vec3& position = context.positionAt(to);
+    LimitTest test{Verdict::Moved, to, angleOf(n.frame, position - n.frame.origin)};
+    if (!strictlyBetween(test.angle, n.startAngle, n.endAngle, context.params.sameAngle)) {
+        test.verdict = Verdict::Outside;
+        return test;
+    }
+    const Vec3& p = n.frame.origin;
+    const ConcaveTest concave = testConcave(context.positionAt(limit), context.normalAt(limit),
+                                            atStart ? position : p, atStart ? p : position);
+    test.turn = concave.turn;
+    if (!concave.concave()) {
+        test.verdict = Verdict::NotConcave;
+    } else if (context.params.rules.unblocked && isBlocked(context, side, test.angle, position)) {
+        test.verdict = Verdict::Blocked;
+    }
+    return test;
+}
+
+/// Advances start or end by one entry if §6.1 (Fig. 4) says so.
+bool moveLimit(StepContext& context, Side side) {
+    State& s = context.state;
+    NeighborRing& n = s.pivot;
+    Index& limit = side == Side::Start ? n.start : n.end;
+    Angle& angle = side == Side::Start ? n.startAngle : n.endAngle;
+    const LimitTest test = testLimit(context, side);
+    note(context, Stage::Limits, [&] {
+        return LimitEvidence{side,        s.rings.point(limit), s.rings.point(test.to),
+                             test.turn,   angle.degrees(),      test.angle.degrees(),
+                             test.verdict};
+    });
+    if (test.verdict != Verdict::Moved) return false;
+    limit = test.to;
+    angle = test.angle;
+    return true;
+}
+
+/// Rules::limitsFirst off: each listed neighbor is looked at once, as it comes.
+void moveLimitsAsNeighborsCome(StepContext& context) {
+    const State& s = context.state;
+    for (const Index x : context.points.neighbors[s.rings.point(s.pivot.pivot)]) {
+        for (const Side side : {Side::Start, Side::End}) {
+            if (x == s.rings.point(beyond(s, side)) && moveLimit(context, side)) break;
+        }
+    }
+}
+
+/// Drops the candidates for which `verdict` (of candidate and side) is not Kept.
+template <typename Test>
+void dropCandidates(StepContext& context, Stage stage, Test&& test) {
+    std::vector<Candidate>& all = context.state.pivot.candidates;
+    std::size_t kept = 0;
+    for (const Candidate& c : all) {
+        const auto [verdict, side] = test(c);
+        if (verdict == Verdict::Kept) {
+            all[kept++] = c;
+            continue;
+        }
+        note(context, stage, [&, v = verdict, sd = side] {
+            return DropEvidence{c.point, sd, c.angle.degrees(), v};
+        });
+    }
+    all.resize(kept);
+}
+
+}  // namespace
+
+void phaseLimits(StepContext& context) {
+    State& s = context.state;
+    NeighborRing& n = s.pivot;
+    s.phase = Phase::Convex;
+    if (n.fullTurn()) return;
+    if (context.params.rules.limitsFirst) {
+        while (moveLimit(context, Side::Start)) {
+        }
+        while (moveLimit(context, Side::End)) {
+        }
+    } else {
+        moveLimitsAsNeighborsCome(context);
+    }
+    if (n.start == n.first && n.end == n.last) return;
+    const Index atStart = s.rings.point(n.start);
+    const Index atEnd = s.rings.point(n.end);
+    dropCandidates(context, Stage::Limits, [&](const Candidate& c) {
+        const bool behindStart =
+            c.point == atStart || !(c.angle.key > n.startAngle.key + context.params.sameAngle);
+        const bool behindEnd =
+            c.point == atEnd || !(c.angle.key < n.endAngle.key - context.params.sameAngle);
+        return std::pair(behindStart || behindEnd ? Verdict::Outside : Verdict::Kept,
+                         behindStart ? Side::Start : Side::End);
+    });
+}
+
+// ---- §6.1: convexity and reciprocity ------------------------------------------------------------
+
+void phaseConvex(StepContext& context) {
+    State& s = context.state;
+    const NeighborRing& n = s.pivot;
+    s.phase = Phase::Reciprocal;
+    if (n.fullTurn()) return;
+    const Index beyondStart = beyond(s, Side::Start);
+    const Index beyondEnd = beyond(s, Side::End);
+    // Choice: a point with another entry elsewhere is left to the reciprocal test of that entry.
+    const auto isOnly = [&](Index x, Index entry) {
+        return x == s.rings.point(entry) && s.status[x] == 1;
+    };
+    dropCandidates(context, Stage::Convex, [&](const Candidate& c) {
+        const bool atStart = isOnly(c.point, beyondStart);
+        const bool atEnd = isOnly(c.point, beyondEnd);
+        return std::pair(atStart || atEnd ? Verdict::BehindConvex : Verdict::Kept,
+                         atStart ? Side::Start : Side::End);
+    });
+}
+
+namespace {
+
+/// True if entry a is found before entry b when the active ring is searched first, then the stack
+/// from the top (§6.5).
+bool foundBefore(const EdgeRings& rings, Index a, Index b) {
+    const auto rank = [&](Index entry) {
+        const Index ring = rings.ringOf(entry);
+        return ring == rings.active() ? 0 : rings.depthFromTop(ring) + 1;
+    };
+    return rank(a) < rank(b);
+}
+
+/// Rules::wallsDone: both ring neighbors of a boundary point share a wall with it, so that what its
+/// sector spans is outside the box.
+bool completeAlongWalls(const StepContext& context, Index entry) {
+    const EdgeRings& rings = context.state.rings;
+    const auto type = [&](Index e) { return context.points.type[rings.point(e)]; };
+    return shareFace(type(entry), type(rings.prev(entry))) &&
+           shareFace(type(entry), type(rings.next(entry)));
+}
+
+/// The entry of the USED candidate whose sector holds the pivot, kNone if none does.
+Index findInstance(StepContext& context, const Candidate& candidate) {
+    const State& s = context.state;
+    const EdgeRings& rings = s.rings;
+    Index found = kNone;
+    for (Index e = rings.firstEntryOf(candidate.point); e != kNone; e = rings[e].nextOfPoint) {
+        const Index before = rings.prev(e);
+        const Index after = rings.next(e);
+        const bool free = context.params.rules.freeSector;
+        const ReciprocalTest test = testReciprocal(
+            context.points.position[candidate.point], context.points.normal[candidate.point],
+            context.positionAt(free ? before : after), context.positionAt(free ? after : before),
+            before == after, s.pivot.frame.origin, context.params.sameAngle,
+            context.params.rules.tangent);
+        const bool complete = context.params.rules.wallsDone && completeAlongWalls(context, e);
+        note(context, Stage::Reciprocal, [&] {
+            return ReciprocalEvidence{candidate.point,
+                                      rings.point(before),
+                                      rings.point(after),
+                                      test.pivot.degrees(),
+                                      test.limit.degrees(),
+                                      complete      ? Verdict::WallComplete
+                                      : test.inside ? Verdict::Kept
+                                                    : Verdict::NotReciprocal};
+        });
+        if (test.inside && !complete && (found == kNone || foundBefore(rings, e, found))) found = e;
+    }
+    return found;
+}
+
+}  // namespace
+
+void phaseReciprocal(StepContext& context) {
+    State& s = context.state;
+    std::vector<Candidate>& all = s.pivot.candidates;
+    std::size_t kept = 0;
+    for (Candidate& c : all) {
+        if (s.status[c.point] > 0) {
+            c.instance = findInstance(context, c);
+            if (c.instance == kNone) continue;
+        }
+        all[kept++] = c;
+    }
+    all.resize(kept);
+    s.phase = Phase::Hole;
+}
+
+}  // namespace se

@@ -1,0 +1,144 @@
+/// §6.2 and §6.3: candidates beyond a hole go, and those that the circumsphere test gives up.
+#include <algorithm>
+
+#include "phases.h"
+
+namespace se {
+
+// ---- §6.2: holes --------------------------------------------------------------------------------
+
+namespace {
+
+/// Do p, start and end form a hole of three?
+bool isHoleOfThree(const StepContext& context) {
+    const State& s = context.state;
+    const NeighborRing& n = s.pivot;
+    if (!context.params.rules.realHole) return s.rings.length(s.rings.active()) == 3;
+    return s.rings.next(n.end) == n.start && !context.openStep(n.end) &&
+           n.endAngle.key - n.startAngle.key < kHalfTurnKey;
+}
+
+}  // namespace
+
+void phaseHole(StepContext& context) {
+    State& s = context.state;
+    NeighborRing& n = s.pivot;
+    s.phase = Phase::Sphere;
+    if (n.candidates.empty() || n.fullTurn() || !isHoleOfThree(context)) return;
+    const HolePlane plane = makeHolePlane(
+        context.positionAt(n.start), context.positionAt(n.end),
+        n.frame.normal + context.normalAt(n.start) + context.normalAt(n.end), n.frame.origin);
+    std::size_t kept = 0;
+    for (const Candidate& c : n.candidates) {
+        const Vec3& x = context.points.position[c.point];
+        const bool keeps = plane.keeps(x);
+        note(context, Stage::Hole, [&] {
+            const double length = std::sqrt(glm::dot(plane.normal, plane.normal));
+            const double unit = length > 0.0 ? 1.0 / length : 0.0;
+            return HoleEvidence{c.point, plane.normal, plane.side(x) * unit, plane.pivotSide * unit,
+                                keeps ? Verdict::Kept : Verdict::FarSide};
+        });
+        if (keeps) n.candidates[kept++] = c;
+    }
+    n.candidates.resize(kept);
+}
+
+// ---- §6.3: removal ------------------------------------------------------------------------------
+
+namespace {
+
+/// A neighbor on either side of the evaluated point: a candidate, or start or end.
+struct Beside {
+    Index point;
+    Vec3 offset;
+    double lengthSq;
+    Angle angle;
+};
+
+Beside besideAt(const StepContext& context, Index entry, const Angle& angle) {
+    const Vec3 offset = context.positionAt(entry) - context.state.pivot.frame.origin;
+    return {context.state.rings.point(entry), offset, glm::dot(offset, offset), angle};
+}
+Beside besideAt(const Candidate& c) { return {c.point, c.offset, c.lengthSq, c.angle}; }
+
+SphereEvidence explain(const SphereTest& test, const Beside& t, const Candidate& q, const Beside& s,
+                       const Vec3& p, Verdict verdict) {
+    SphereEvidence e{t.point, q.point, s.point, p, 0.0, 0.0, s.angle.degrees() - t.angle.degrees(),
+                     verdict};
+    if (!test.noCircle) {
+        e.center = p + test.center();
+        e.radius = test.radius();
+        e.distance = test.distance();
+    }
+    return e;
+}
+
+/// §6.3: "If q falls inside the circumsphere or its removal would create an angle difference
+/// between s and t of more than 120 degrees, q must be kept."
+Verdict judge(StepContext& context, const Beside& t, const Candidate& q, const Beside& s) {
+    const SphereTest test =
+        testSphere(t.offset, t.lengthSq, s.offset, s.lengthSq, q.offset, q.lengthSq);
+    Verdict verdict = Verdict::Removed;
+    if (test.noCircle) {
+        verdict = Verdict::NoCircle;
+    } else if (test.inside()) {
+        verdict = Verdict::InsideSphere;
+    } else if (exceedsAngle(t.angle, s.angle, context.params.maxGapCosine)) {
+        verdict = Verdict::GapTooWide;
+    }
+    note(context, Stage::Sphere,
+         [&] { return explain(test, t, q, s, context.state.pivot.frame.origin, verdict); });
+    return verdict;
+}
+
+/// §6.3: one pass over the candidates, each looked at once.
+void thinOnce(StepContext& context) {
+    NeighborRing& n = context.state.pivot;
+    std::vector<Candidate>& all = n.candidates;
+    Beside t = besideAt(context, n.start, n.startAngle);
+    const Beside end = besideAt(context, n.end, n.endAngle);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Beside s = i + 1 < all.size() ? besideAt(all[i + 1]) : end;
+        if (judge(context, t, all[i], s) == Verdict::Removed) continue;
+        all[kept++] = all[i];
+        t = besideAt(all[kept - 1]);
+    }
+    all.resize(kept);
+}
+
+/// Rules::stepBack: after a removal, the point before is looked at again with its new neighbor.
+void thinWithStepBack(StepContext& context) {
+    NeighborRing& n = context.state.pivot;
+    std::vector<Candidate>& all = n.candidates;
+    const Beside start = besideAt(context, n.start, n.startAngle);
+    const Beside end = besideAt(context, n.end, n.endAngle);
+    std::size_t kept = 0;  // all[0 .. kept) passed with their present neighbors.
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        all[kept++] = all[i];
+        const Beside s = i + 1 < all.size() ? besideAt(all[i + 1]) : end;
+        while (kept > 0) {
+            const Beside t = kept > 1 ? besideAt(all[kept - 2]) : start;
+            if (judge(context, t, all[kept - 1], s) != Verdict::Removed) break;
+            --kept;
+        }
+    }
+    all.resize(kept);
+}
+
+}  // namespace
+
+void phaseSphere(StepContext& context) {
+    context.state.phase = Phase::TwoPoint;
+    if (context.params.rules.looksAtFan()) {
+        context.state.pivot.pool = context.state.pivot.candidates;
+    }
+    if (context.state.pivot.candidates.empty()) return;
+    if (context.params.rules.stepBack) {
+        thinWithStepBack(context);
+    } else {
+        thinOnce(context);
+    }
+}
+
+}  // namespace se
