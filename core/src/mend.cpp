@@ -48,7 +48,7 @@ MendState beginMending(std::size_t pointCount, const std::vector<Triangle>& tria
             m.twin[m.twin[h]] = kNone;
             m.twin[h] = kNone;
         }
-        m.queue.push_back(h);
+        if (m.twin[h] != kNone && h < m.twin[h]) m.queue.push_back(h);
     }
     markPinched(m);
     return m;

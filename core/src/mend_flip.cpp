@@ -29,8 +29,10 @@ class FlipScore {
     FlipScore(const PointSet& points, const MendState& m, HalfEdge h)
         : points_(points), m_(m), h_(h), g_(m.twin[h]), quad_(quadAt(m, h)) {}
 
+    /// Faults of the two triangles themselves.
+    int own() const { return faults(quad_.left(), quad_.right()); }
     int before() const {
-        return faults(quad_.left(), quad_.right()) + outerFold(following(h_), quad_.left()) +
+        return own() + outerFold(following(h_), quad_.left()) +
                outerFold(preceding(h_), quad_.left()) + outerFold(following(g_), quad_.right()) +
                outerFold(preceding(g_), quad_.right());
     }
@@ -79,6 +81,30 @@ double worstCosine(const PointSet& points, const Triangle& a, const Triangle& b)
     return std::max(leastAngleCosine(points, a), leastAngleCosine(points, b));
 }
 
+/// The two triangles lie nearly in one plane.
+bool isFlat(const PointSet& points, const Quad& q) {
+    constexpr double kFlat = 0.9;
+    return normalsCosine(points, q.left(), q.right()) > kFlat;
+}
+
+/// Two sound triangles: flip for the angles only, and only where the surface is flat.
+bool givesBetterAngles(const PointSet& points, const FlipScore& score) {
+    constexpr double kFlat = 0.9;
+    const Quad& q = score.quad();
+    return worstCosine(points, q.flippedU(), q.flippedV()) <
+               worstCosine(points, q.left(), q.right()) - 1e-9 &&
+           isFlat(points, q) && normalsCosine(points, q.flippedU(), q.flippedV()) > kFlat &&
+           score.after() == 0;
+}
+
+bool givesFewerFaults(const FlipScore& score) {
+    const Quad& q = score.quad();
+    const int before = score.before();
+    const int after = score.after();
+    return after <= before && after + score.meetings(q.flippedU(), q.flippedV()) <
+                                  before + score.meetings(q.left(), q.right());
+}
+
 bool isBetterFlipped(const PointSet& points, const MendState& m, HalfEdge h) {
     // Rules::reseat makes the list shorter, so that a side in the queue may be gone.
     if (h >= m.twin.size() || m.twin[h] == kNone) return false;
@@ -87,23 +113,9 @@ bool isBetterFlipped(const PointSet& points, const MendState& m, HalfEdge h) {
     if (q.x == q.y || m.pinched[q.u] || m.pinched[q.v] || m.pinched[q.x] || m.pinched[q.y]) {
         return false;
     }
-    int before = score.before();
-    if (before == 0) {
-        // Sound as it is: flip for the angles only, and only where the surface is flat.
-        constexpr double kFlat = 0.9;
-        if (normalsCosine(points, q.left(), q.right()) < kFlat ||
-            worstCosine(points, q.flippedU(), q.flippedV()) >
-                worstCosine(points, q.left(), q.right()) - 1e-9 ||
-            normalsCosine(points, q.flippedU(), q.flippedV()) < kFlat) {
-            return false;
-        }
-    }
-    int after = score.after();
-    if (after > before || joined(m, q.x, q.y)) return false;
-    if (before == 0 && after == 0) return true;
-    before += score.meetings(q.left(), q.right());
-    after += score.meetings(q.flippedU(), q.flippedV());
-    return after < before;
+    const bool sound = score.own() == 0 && (isFlat(points, q) || score.before() == 0);
+    const bool better = sound ? givesBetterAngles(points, score) : givesFewerFaults(score);
+    return better && !joined(m, q.x, q.y);
 }
 
 void flipEdge(MendState& m, HalfEdge h) {

@@ -39,8 +39,10 @@ struct Ear {
 Ear bestEar(StepContext& context) {
     State& s = context.state;
     const Index ring = s.rings.active();
-    // Where the surface may end anyway, an ear with a fault is no gain.
-    const bool force = !context.params.rules.rim || !isOpening(context);
+    // Where the surface may end anyway, an ear with a fault is no gain; and a longer ring has two
+    // sheets at its sides more often than not.
+    const bool force = s.rings.length(ring) <= kNeverAnOpening &&
+                       (!context.params.rules.rim || !isOpening(context));
     Ear best;
     Index entry = s.rings.head(ring);
     for (Index i = 0; i < s.rings.length(ring); ++i, entry = s.rings.next(entry)) {

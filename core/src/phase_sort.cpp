@@ -52,35 +52,23 @@ void keepNearestOfEachAngle(StepContext& context) {
     all.resize(kept);
 }
 
-/// The angle of a listed neighbor and whether it may enter the neighbor ring.
-struct SortTest {
-    Candidate candidate;
-    Verdict verdict;
-};
-
-SortTest testNeighbor(const StepContext& context, Index x) {
+/// May a listed neighbor enter the neighbor ring? Fills in the candidate as far as it gets.
+Verdict testNeighbor(const StepContext& context, Index x, Index first, Index last, Candidate& c) {
     const State& s = context.state;
     const NeighborRing& n = s.pivot;
-    SortTest test{{x, kNone, {}, {}, 0.0}, Verdict::Kept};
-    if (s.status[x] == kDone) {
-        test.verdict = Verdict::AlreadyDone;
-        return test;
-    }
-    if (x == s.rings.point(n.first) || x == s.rings.point(n.last)) {
-        test.verdict = Verdict::OnRingEnd;
-        return test;
-    }
-    Candidate& c = test.candidate;
+    if (s.status[x] == kDone) return Verdict::AlreadyDone;
+    if (x == first || x == last) return Verdict::OnRingEnd;
+    c.point = x;
+    c.instance = kNone;
     c.offset = context.points.position[x] - n.frame.origin;
     c.lengthSq = glm::dot(c.offset, c.offset);
     c.angle = angleOf(n.frame, c.offset, c.lengthSq);
     const double tolerance = context.params.sameAngle;
-    if (!(c.angle.key > n.startAngle.key + tolerance)) {
-        test.verdict = Verdict::NotAfterStart;
-    } else if (!strictlyBetween(c.angle, n.startAngle, n.endAngle, tolerance)) {
-        test.verdict = Verdict::NotBeforeEnd;
+    if (!(c.angle.key > n.startAngle.key + tolerance)) return Verdict::NotAfterStart;
+    if (!strictlyBetween(c.angle, n.startAngle, n.endAngle, tolerance)) {
+        return Verdict::NotBeforeEnd;
     }
-    return test;
+    return Verdict::Kept;
 }
 
 }  // namespace
@@ -89,21 +77,30 @@ void phaseSort(StepContext& context) {
     State& s = context.state;
     NeighborRing& n = s.pivot;
     const Index p = s.rings.point(n.pivot);
-    for (const Index x : context.points.neighbors[p]) {
+    const Index first = s.rings.point(n.first);
+    const Index last = s.rings.point(n.last);
+    const auto list = context.points.neighbors[p];
+    // Room for all, filled in place: candidates are large, and most neighbors do not become one.
+    n.candidates.resize(list.size());
+    std::size_t kept = 0;
+    for (const Index x : list) {
         if (x == p) continue;
-        const SortTest test = testNeighbor(context, x);
-        if (test.verdict == Verdict::Kept) n.candidates.push_back(test.candidate);
+        Candidate& c = n.candidates[kept];
+        const Verdict verdict = testNeighbor(context, x, first, last, c);
         note(context, Stage::Sort, [&] {
-            const Candidate& c = test.candidate;
+            const bool measured = verdict != Verdict::AlreadyDone && verdict != Verdict::OnRingEnd;
+            const Angle angle = measured ? c.angle : Angle{};
             return SortEvidence{x,
-                                c.angle.cosine,
-                                c.angle.key > kHalfTurnKey,
-                                c.angle.degrees(),
+                                angle.cosine,
+                                angle.key > kHalfTurnKey,
+                                angle.degrees(),
                                 n.endAngle.degrees(),
-                                test.verdict,
+                                verdict,
                                 kNone};
         });
+        if (verdict == Verdict::Kept) ++kept;
     }
+    n.candidates.resize(kept);
     sortByAngle(n.candidates);
     keepNearestOfEachAngle(context);
     s.phase = Phase::Limits;

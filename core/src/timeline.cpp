@@ -11,12 +11,20 @@ namespace {
 /// Pivots between two questions to keepGoing: well under a millisecond.
 constexpr std::uint32_t kAskEvery = 32;
 
-std::size_t bytesOf(const State& state) {
+/// Of the edge table of a triangle: two words for each of its sides.
+constexpr std::size_t kSideBytes = 6 * sizeof(Index);
+
+std::size_t bytesOf(const State& state, std::size_t triangleCount) {
     const EdgeRings& rings = state.rings;
     return sizeof(State) + state.status.size() * sizeof(PointStatus) +
            rings.pointCount() * sizeof(Index) + rings.entryCapacity() * sizeof(RingEntry) +
            rings.ringCapacity() * 3 * sizeof(Index) +
-           state.pivot.candidates.size() * sizeof(Candidate);
+           state.pivot.candidates.size() * sizeof(Candidate) +
+           (state.edges.empty() ? 0
+                                : rings.pointCount() * sizeof(Index) + triangleCount * kSideBytes) +
+           (state.mend.empty() ? 0
+                               : rings.pointCount() * sizeof(Index) +
+                                     state.mend.triangles.size() * (sizeof(Triangle) + kSideBytes));
 }
 
 /// Makes `list` the first `count` elements of a run whose longest known list is `known`.
@@ -47,25 +55,28 @@ Timeline::Timeline(const PointSet& points, const Params& params, std::size_t byt
 }
 
 bool Timeline::stepPivot() {
-    const std::uint32_t before = position();
-    if (!stepper_.stepPivot()) {
+    if (state().finished()) {
         endKnown_ = true;
         return false;
     }
+    const Counters before = state().counters;
+    const bool complete = stepper_.stepPivot();
     appendRest(knownTriangles_, state().triangles);
     appendRest(knownAlerts_, state().alerts);
     farthest_ = std::max(farthest_, position());
-    if (state().finished()) {
+    if (!complete) {
+        // Behind the last pivot. Whatever happens there is counted.
         endKnown_ = true;
-        tail_ = tail_ || position() == before;
+        beyondLast_ = true;
+        tail_ = !(state().counters == before);
+    } else if (position() % spacing_ == 0) {
+        rememberKeyframe();
     }
-    if (position() != before && position() % spacing_ == 0) rememberKeyframe();
-    return true;
+    return complete;
 }
 
 void Timeline::seek(std::uint32_t pivot, const std::function<bool()>& keepGoing) {
-    const bool pastTail = tail_ && state().finished();
-    if (pivot < position() || (pastTail && pivot == position())) {
+    if (pivot < position() || (beyondLast_ && pivot == position())) {
         restore(std::prev(keyframes_.upper_bound(pivot))->second);
     } else if (const auto nearest = std::prev(keyframes_.upper_bound(pivot));
                nearest->first > position() + spacing_) {
@@ -105,7 +116,7 @@ Timeline::Keyframe Timeline::makeKeyframe() {
 void Timeline::rememberKeyframe() {
     if (keyframes_.contains(position())) return;
     Keyframe keyframe = makeKeyframe();
-    keyframeBytes_ += bytesOf(keyframe.state);
+    keyframeBytes_ += bytesOf(keyframe.state, keyframe.triangleCount);
     keyframes_.emplace(position(), std::move(keyframe));
     while (keyframeBytes_ > byteBudget_ && keyframes_.size() > 2) thinOut();
 }
@@ -117,7 +128,7 @@ void Timeline::thinOut() {
         if (it->first % spacing_ != 0) {
             it = keyframes_.erase(it);
         } else {
-            keyframeBytes_ += bytesOf(it->second.state);
+            keyframeBytes_ += bytesOf(it->second.state, it->second.triangleCount);
             ++it;
         }
     }
@@ -131,6 +142,7 @@ void Timeline::restore(const Keyframe& keyframe) {
     cutOrFill(state.triangles, knownTriangles_, keyframe.triangleCount);
     cutOrFill(state.alerts, knownAlerts_, keyframe.alertCount);
     stepper_.setState(std::move(state));
+    beyondLast_ = false;
 }
 
 }  // namespace se

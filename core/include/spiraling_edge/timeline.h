@@ -30,7 +30,7 @@ class Timeline {
     /// nothing can be begun with.
     std::uint32_t lastPivot() const { return farthest_ + (tail_ ? 1U : 0U); }
 
-    /// Completes one more pivot. False at the end of the run.
+    /// Completes one more pivot. False if there is none: then what is left to do has been done.
     bool stepPivot();
     /// Goes to the place where `pivot` pivots are complete, or to the end if the run is shorter.
     /// What happens after the last pivot is run only if `pivot` is beyond it.
@@ -65,7 +65,8 @@ class Timeline {
     std::uint32_t spacing_ = 16;  ///< Pivots between keyframes; doubles when the budget is full.
     std::uint32_t farthest_ = 0;
     bool endKnown_ = false;
-    bool tail_ = false;  ///< The run ends with a step that completes no pivot.
+    bool tail_ = false;        ///< Something happens after the last pivot.
+    bool beyondLast_ = false;  ///< The cursor stands behind what happens after the last pivot.
 };
 
 }  // namespace se
