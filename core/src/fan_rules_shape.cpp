@@ -1,4 +1,5 @@
 /// Rules on the shape of a fan: nofold, rim, delay.
+#include <algorithm>
 #include <cmath>
 
 #include "fan_rules.h"
@@ -57,16 +58,41 @@ Objection fold(const StepContext& context) {
 
 // ---- rim ----------------------------------------------------------------------------------------
 
+namespace {
+
+/// Cosine of the angle at the pivot above which a triangle over the rim is too wide: 120 degrees.
+constexpr double kWide = -0.5;
+
+/// The spacing at p: the squared distance of its sixth neighbor, or of the last if there are fewer.
+/// On an even surface a point has six others about it.
+double spacingSq(const PointSet& points, Index p) {
+    const auto list = points.neighbors[p];
+    const Index sixth = list[std::min<std::size_t>(5, list.size() - 1)];
+    const Vec3 d = points.position[sixth] - points.position[p];
+    return glm::dot(d, d);
+}
+
+/// Is the circle through the pivot, a and b larger, by its radius, than the spacing?
+bool isLarge(const FanPoint& a, const FanPoint& b, double spacingSquared) {
+    const Vec3 area = glm::cross(a.offset, b.offset);
+    const Vec3 side = a.offset - b.offset;
+    return a.lengthSq * b.lengthSq * glm::dot(side, side) >
+           4.0 * glm::dot(area, area) * spacingSquared;
+}
+
+}  // namespace
+
 Objection overRim(const StepContext& context) {
+    const PointSet& points = context.points;
     const Fan& fan = context.state.pivot.fan;
-    constexpr double kWide = -0.5;  // 120 degrees.
     const Index p = context.state.rings.point(context.state.pivot.pivot);
-    const auto endsHere = [&](Index x) {
-        return !isBoundary(context.points.type[x]) && isRim(context.points, x);
-    };
+    if (points.neighbors[p].empty()) return {};
+    const double spacing = spacingSq(points, p);
+    const auto endsHere = [&](Index x) { return !isBoundary(points.type[x]) && isRim(points, x); };
     for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
-        if (exceedsAngle(fan[i].angle, fan[i + 1].angle, kWide) && endsHere(p) &&
-            endsHere(fan[i].point) && endsHere(fan[i + 1].point)) {
+        const bool wide = exceedsAngle(fan[i].angle, fan[i + 1].angle, kWide) ||
+                          isLarge(fan[i], fan[i + 1], spacing);
+        if (wide && endsHere(p) && endsHere(fan[i].point) && endsHere(fan[i + 1].point)) {
             return {Verdict::OverRim, i, true};
         }
     }
