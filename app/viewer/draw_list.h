@@ -99,6 +99,9 @@ struct DrawList {
     bool meshVisible = true;
     bool meshEdges = true;
 
+    /// Triangles to draw instead of the finished ones, three corners each, if there are any.
+    std::vector<glm::vec3> meshCorners;
+
     std::vector<Face> faces;  ///< New triangles: lit, opaque.
     std::vector<Line> lines;
     std::vector<Sheet> sheets;  ///< Transparent, unlit.

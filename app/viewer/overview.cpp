@@ -76,11 +76,15 @@ void OverviewThread::work(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         const Counters before = stepper.state().counters;
         const std::size_t alerts = stepper.state().alerts.size();
-        if (!stepper.stepPivot()) break;
-        const bool tail = stepper.state().counters.pivots == before.pivots;
-        if (!tail) noteFigures(fresh, stepper.state());
+        const bool complete = stepper.stepPivot();
+        if (complete) noteFigures(fresh, stepper.state());
         noteMarks(fresh, before, stepper.state(), alerts);
-        if (tail) fresh.lastPivot = before.pivots + 1;
+        if (!complete) {
+            // What happens behind the last pivot has the next number, if anything does.
+            const bool any = !(stepper.state().counters == before);
+            fresh.lastPivot = before.pivots + (any ? 1U : 0U);
+            break;
+        }
         if (std::chrono::steady_clock::now() - handed > kHandOver) {
             hand(fresh);
             handed = std::chrono::steady_clock::now();

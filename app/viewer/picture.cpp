@@ -1,6 +1,8 @@
 #include "picture.h"
 
 #include <algorithm>
+#include <array>
+#include <set>
 
 namespace se::view {
 
@@ -24,6 +26,17 @@ bool isRejection(Verdict verdict) {
         case Verdict::FarSide:
         case Verdict::Removed:
         case Verdict::Discarded:
+        case Verdict::WallComplete:
+        case Verdict::WideGap:
+        case Verdict::EdgeTaken:
+        case Verdict::EntryMissed:
+        case Verdict::Pillow:
+        case Verdict::Crosses:
+        case Verdict::AgainstNormal:
+        case Verdict::FoldsOver:
+        case Verdict::OverRim:
+        case Verdict::Steep:
+        case Verdict::Meets:
         case Verdict::NoThirdPoint:
             return true;
         default:
@@ -96,6 +109,14 @@ class Painter {
         if (e.point != kNone) mark(e.point, {}, e.verdict);
     }
     void on(const SphereEvidence& e) { mark(e.q, {}, e.verdict); }
+    void on(const GuardEvidence& e) {
+        if (e.dropped != kNone) mark(e.dropped, {}, e.verdict);
+    }
+    void on(const FillEvidence& e) {
+        picture_.pivot = e.pivot;
+        picture_.first = picture_.start = e.first;
+        picture_.last = picture_.end = e.last;
+    }
     void on(const EmitEvidence& e) { picture_.newTriangles.push_back(e.corners); }
     void on(const RingEvidence& e) {
         setStatus(e.point, e.status);
@@ -171,6 +192,32 @@ std::size_t firstEventAfterRings(const std::vector<Event>& events) {
     return after;
 }
 
+/// Triangles of `after` that `before` has not got, whichever corner comes first.
+std::vector<Triangle> freshTriangles(const std::vector<Triangle>& before,
+                                     const std::vector<Triangle>& after) {
+    const auto corners = [](const Triangle& t) {
+        std::array<Index, 3> c = {t.a, t.b, t.c};
+        std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+        return c;
+    };
+    std::set<std::array<Index, 3>> old;
+    for (const Triangle& t : before) old.insert(corners(t));
+    std::vector<Triangle> fresh;
+    for (const Triangle& t : after) {
+        if (!old.contains(corners(t))) fresh.push_back(t);
+    }
+    return fresh;
+}
+
+/// The steps after the last pivot edit the mesh: each has one event, and shows what it made.
+void addMended(Picture& picture, const PivotRecord& record) {
+    picture.mended = record.after.mended ? record.after.mended : record.before.mended;
+    if (!picture.mended || record.after.mended == nullptr) return;
+    const bool first = record.before.mended == nullptr;
+    if (!first) picture.newTriangles = freshTriangles(*record.before.mended, *record.after.mended);
+    picture.finishedTriangles = picture.mended->size() - picture.newTriangles.size();
+}
+
 }  // namespace
 
 std::vector<RingPath> ringPaths(const RunState& state) {
@@ -195,6 +242,7 @@ Picture makePicture(const PivotRecord& record, std::size_t cursor) {
     picture.status = record.before.status;
     picture.rings = ringPaths(record.before);
     picture.finishedTriangles = record.before.triangleCount;
+    picture.mended = record.before.mended;
     if (record.events.empty()) return picture;
     cursor = std::min(cursor, record.events.size() - 1);
     Painter painter(picture);
@@ -204,6 +252,7 @@ Picture makePicture(const PivotRecord& record, std::size_t cursor) {
     if (const auto* sphere = std::get_if<SphereEvidence>(&event.evidence)) picture.sphere = *sphere;
     if (event.address.stage != Stage::Hole) picture.hole.reset();
     picture.complete = cursor + 1 == record.events.size();
+    addMended(picture, record);
     if (cursor >= firstEventAfterRings(record.events)) {
         picture.status = record.after.status;
         picture.rings = ringPaths(record.after);
@@ -229,6 +278,11 @@ Index subjectOf(const Event& event) {
                           [](const PivotEvidence& e) { return e.pivot; },
                           [](const SkipEvidence& e) { return e.pivot; },
                           [](const AdvanceEvidence& e) { return e.to; },
+                          [](const GuardEvidence& e) { return e.dropped; },
+                          [](const FillEvidence& e) { return e.pivot; },
+                          [](const ReinsertEvidence& e) { return e.point; },
+                          [](const ReseatEvidence& e) { return e.point; },
+                          [](const FlipEvidence& e) { return e.x; },
                           [](const auto&) { return kNone; },
                       },
                       event.evidence);

@@ -46,7 +46,9 @@ struct Picture {
     std::optional<HoleEvidence> hole;
     std::vector<Triangle> newTriangles;
     std::size_t finishedTriangles = 0;  ///< Those of earlier pivots.
-    std::vector<RingPath> rings;        ///< The active one first, then the stack from the top.
+    /// If not null: drawn instead of the finished triangles.
+    std::shared_ptr<const std::vector<Triangle>> mended;
+    std::vector<RingPath> rings;  ///< The active one first, then the stack from the top.
     std::vector<PointStatus> status;
 };
 

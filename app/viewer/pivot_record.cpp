@@ -8,8 +8,13 @@ namespace se::view {
 namespace {
 
 RunState withoutTriangles(const State& state) {
-    return {state.status,        state.rings,    state.triangles.size(),
-            state.alerts.size(), state.counters, state.finished()};
+    RunState copy{
+        state.status,     state.rings, state.triangles.size(), state.alerts.size(), state.counters,
+        state.finished(), nullptr};
+    if (!state.mend.empty()) {
+        copy.mended = std::make_shared<const std::vector<Triangle>>(state.mend.triangles);
+    }
+    return copy;
 }
 
 }  // namespace

@@ -16,6 +16,8 @@ struct RunState {
     std::size_t alertCount = 0;
     Counters counters;
     bool finished = false;
+    /// Beyond the paper: the mesh that the steps after the last pivot edit; null before them.
+    std::shared_ptr<const std::vector<Triangle>> mended;
 };
 
 /// Everything about pivot number `pivot`. 0 is the beginning of the run and has no events.

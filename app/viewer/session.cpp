@@ -70,6 +70,8 @@ void Session::adopt(std::shared_ptr<const Model> model) {
     overviewThread_ = std::make_unique<OverviewThread>(model_);
     say(model_->watch);
     request(0, Landing::Last);
+    if (!waiting_) return;
+    // The first picture costs little: no window should open empty.
     runner_->wait(std::chrono::seconds(2));
     takeAnswer();
 }
@@ -147,7 +149,11 @@ Address Session::address() const {
 }
 
 bool Session::atEnd() const {
-    return ready() && record_->isLast && cursor_ + 1 >= record_->events.size();
+    return ready() && atLastPivot() && cursor_ + 1 >= record_->events.size();
+}
+
+bool Session::atLastPivot() const {
+    return record_->isLast || (overview_.complete && record_->pivot >= overview_.lastPivot);
 }
 
 void Session::stepEvent(int delta) { push({Move::Kind::Events, delta, {}}); }
@@ -201,7 +207,7 @@ void Session::perform(Move move) {
             break;
         case Move::Kind::Pivots: {
             const long to = static_cast<long>(here) + move.delta;
-            if (move.delta > 0 && record_->isLast) {
+            if (move.delta > 0 && atLastPivot()) {
                 if (!record_->events.empty()) setCursor(record_->events.size() - 1);
                 break;
             }
@@ -211,7 +217,7 @@ void Session::perform(Move move) {
         case Move::Kind::Finish:
             if (cursor_ + 1 < record_->events.size()) {
                 setCursor(record_->events.size() - 1);
-            } else if (!record_->isLast) {
+            } else if (!atLastPivot()) {
                 request(here + 1, Landing::Last);
             }
             break;
@@ -229,7 +235,7 @@ void Session::performEvents(int delta) {
     const int to = here + delta;
     if (count > 0 && to >= 0 && to < count) {
         setCursor(static_cast<std::size_t>(to));
-    } else if (delta > 0 && !record_->isLast) {
+    } else if (delta > 0 && !atLastPivot()) {
         const int rest = count == 0 ? delta - 1 : to - count;
         if (rest > 0) moves_.push_front({Move::Kind::Events, rest, {}});
         request(record_->pivot + 1, Landing::First);

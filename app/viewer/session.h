@@ -107,6 +107,8 @@ class Session {
         Address target;
     };
 
+    /// The pivot at the cursor is the last one, as far as is known.
+    bool atLastPivot() const;
     void push(Move move);
     void processMoves();
     void perform(Move move);

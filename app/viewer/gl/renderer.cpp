@@ -203,9 +203,15 @@ void Renderer::drawMesh(const DrawList& list, const CameraMatrices& camera) {
     meshShader_.set("uHatch", 0.55F * em_);
     meshShader_.set("uEdgeWidth", std::max(1.0F, 0.07F * em_));
     meshShader_.set("uEdgeColor", vec(list.meshEdgeColor.withAlpha(list.meshEdges ? 0.85F : 0.0F)));
-    const std::size_t count = std::min(list.finishedTriangles, meshTriangles_);
+    const bool mended = !list.meshCorners.empty();
+    if (mended) {
+        mended_.upload(0, list.meshCorners.data(), list.meshCorners.size() * sizeof(glm::vec3));
+        mended_.describe(0, sizeof(glm::vec3), {{0, 3, 0}});
+    }
+    const std::size_t count =
+        mended ? list.meshCorners.size() / 3 : std::min(list.finishedTriangles, meshTriangles_);
     if (list.meshVisible && count > 0) {
-        mesh_.bind();
+        mended ? mended_.bind() : mesh_.bind();
         const Color& c = list.meshColor;
         glVertexAttrib4f(1, c.r, c.g, c.b, c.a);
         glVertexAttrib1f(2, 0.0F);

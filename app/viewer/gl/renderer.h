@@ -56,6 +56,7 @@ class Renderer {
     Batch sprites_;
     Batch lines_;
     Batch mesh_;
+    Batch mended_;
     Batch faces_;
     Batch shell_;
     Target target_;

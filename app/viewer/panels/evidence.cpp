@@ -26,7 +26,7 @@ std::string degrees(double value) {
     return text;
 }
 
-std::string points(std::initializer_list<Index> list) {
+std::string points(const std::vector<Index>& list) {
     std::string text;
     for (const Index p : list) {
         text += (text.empty() ? "" : ", ") + (p == kNone ? std::string("none") : std::to_string(p));
@@ -106,6 +106,24 @@ class Rows {
     void operator()(const TwoPointEvidence& e) const {
         row("angle", degrees(e.degrees) + ", limit 180\xC2\xB0");
         bar(e.degrees, 180.0, 360.0);
+    }
+    void operator()(const GuardEvidence& e) const {
+        row(e.b == kNone ? "spoke to" : "triangle at",
+            points(e.b == kNone ? std::vector{e.a} : std::vector{e.a, e.b}));
+        row("dropped",
+            e.dropped == kNone ? "nothing: the fan is refused" : std::to_string(e.dropped));
+    }
+    void operator()(const FillEvidence& e) const {
+        row("ear", points({e.pivot, e.first, e.last}));
+        row("hole", std::to_string(e.ringLength) + " points");
+        row("least angle", degrees(e.leastDegrees));
+        if (e.forced) row("forced", "no ear without a fault was left");
+    }
+    void operator()(const ReinsertEvidence& e) const { row("point", points({e.point})); }
+    void operator()(const ReseatEvidence& e) const { row("point", points({e.point})); }
+    void operator()(const FlipEvidence& e) const {
+        row("edge before", points({e.u, e.v}));
+        row("edge after", points({e.x, e.y}));
     }
     void operator()(const EmitEvidence& e) const {
         row("triangle", std::to_string(e.triangle));

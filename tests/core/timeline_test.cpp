@@ -1,0 +1,127 @@
+#include "spiraling_edge/timeline.h"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <map>
+
+#include "spiraling_edge/prepare.h"
+#include "spiraling_edge/scenes.h"
+
+using namespace se;
+
+namespace {
+
+constexpr std::uint32_t kEnd = std::numeric_limits<std::uint32_t>::max();
+
+PointSet pointsOf(const char* id) {
+    return std::move(prepare(findScene(id)->build(), {}).value().points);
+}
+
+/// Hashes of a straight run, by pivots completed. The last one is that of the end.
+std::map<std::uint32_t, std::uint64_t> straightHashes(const PointSet& points, std::uint64_t& end) {
+    Stepper stepper(points, Params{});
+    std::map<std::uint32_t, std::uint64_t> hashes;
+    hashes.emplace(0, stateHash(stepper.state()));
+    while (stepper.stepPivot()) {
+        hashes.try_emplace(stepper.state().counters.pivots, stateHash(stepper.state()));
+    }
+    end = stateHash(stepper.state());
+    return hashes;
+}
+
+}  // namespace
+
+TEST_CASE("Seeking every pivot from the last to the first gives the states of a straight run") {
+    const PointSet points = pointsOf("sphere");
+    std::uint64_t end = 0;
+    const auto hashes = straightHashes(points, end);
+    // The second budget is far too small for more than a few keyframes.
+    for (const std::size_t budget : {Timeline::kDefaultBudget, std::size_t{60'000}}) {
+        Timeline timeline(points, Params{}, budget);
+        timeline.seek(kEnd);
+        CHECK(timeline.endKnown());
+        CHECK(stateHash(timeline.state()) == end);
+        for (auto it = hashes.rbegin(); it != hashes.rend(); ++it) {
+            timeline.seek(it->first);
+            REQUIRE(timeline.position() == it->first);
+            REQUIRE(stateHash(timeline.state()) == it->second);
+        }
+    }
+}
+
+TEST_CASE("Jumping about gives the same states, triangles and alerts included") {
+    const PointSet points = pointsOf("torus");
+    std::uint64_t end = 0;
+    const auto hashes = straightHashes(points, end);
+    Timeline timeline(points, Params{});
+    const auto count = static_cast<std::uint32_t>(hashes.size());
+    std::uint32_t place = 1;
+    for (int i = 0; i < 60; ++i) {
+        place = (place * 7919U + 104729U) % count;
+        timeline.seek(place);
+        CHECK(stateHash(timeline.state()) == hashes.at(place));
+    }
+}
+
+TEST_CASE("The events of a pivot are those of a straight run, and the cursor stands before it") {
+    const PointSet points = pointsOf("sphere");
+    EventLog log;
+    Stepper stepper(points, Params{}, &log);
+    stepper.run();
+    std::map<std::uint32_t, std::vector<std::string>> expected;
+    for (const Event& event : log.events()) {
+        expected[event.address.pivot].push_back(toString(event.address) + describe(event));
+    }
+    Timeline timeline(points, Params{});
+    timeline.seek(kEnd);
+    for (const auto& [pivot, texts] : expected) {
+        std::vector<std::string> found;
+        for (const Event& event : timeline.eventsOf(pivot)) {
+            found.push_back(toString(event.address) + describe(event));
+        }
+        REQUIRE(found == texts);
+        CHECK(timeline.position() == pivot - 1);
+    }
+    CHECK(timeline.lastPivot() == expected.rbegin()->first);
+    CHECK(timeline.eventsOf(0).empty());
+    CHECK(timeline.eventsOf(timeline.lastPivot() + 1).empty());
+}
+
+TEST_CASE("What happens behind the last pivot has a number of its own") {
+    // Two points that list each other, and one that lists nobody and is stranded at the end.
+    PointSet points;
+    points.position = {{0, 0, 0}, {1, 0, 0}, {9, 9, 9}};
+    points.normal = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
+    points.type = {0, 0, 0};
+    const Index zero[] = {1};
+    const Index one[] = {0};
+    points.neighbors.append(zero);
+    points.neighbors.append(one);
+    points.neighbors.append({});
+    Timeline timeline(points, Params{});
+    timeline.seek(kEnd);
+    REQUIRE(timeline.endKnown());
+    REQUIRE(timeline.lastPivot() == timeline.position() + 1);
+    const std::vector<Event> tail = timeline.eventsOf(timeline.lastPivot());
+    REQUIRE_FALSE(tail.empty());
+    CHECK(tail.back().address.stage == Stage::Strand);
+    CHECK_FALSE(timeline.state().finished());
+    timeline.seek(kEnd);
+    CHECK(timeline.state().finished());
+}
+
+TEST_CASE("A seek stops when it is told to, and can be taken up again") {
+    const PointSet points = pointsOf("torus");
+    std::uint64_t end = 0;
+    const auto hashes = straightHashes(points, end);
+    Timeline timeline(points, Params{});
+    int asked = 0;
+    timeline.seek(kEnd, [&] { return ++asked < 3; });
+    CHECK(asked == 3);
+    CHECK(timeline.position() > 0);
+    CHECK_FALSE(timeline.endKnown());
+    CHECK(stateHash(timeline.state()) == hashes.at(timeline.position()));
+    timeline.seek(kEnd);
+    CHECK(stateHash(timeline.state()) == end);
+}

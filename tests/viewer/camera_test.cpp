@@ -1,0 +1,127 @@
+#include "camera.h"
+
+#include <doctest/doctest.h>
+
+#include <glm/geometric.hpp>
+#include <initializer_list>
+#include <utility>
+
+using namespace se::view;
+
+namespace {
+
+constexpr glm::vec2 kSize{800.0F, 600.0F};
+constexpr float kAspect = 800.0F / 600.0F;
+
+glm::vec3 seen(const Camera& camera, const glm::vec3& point) {
+    return project(camera.matrices(kAspect), point, kSize);
+}
+
+}  // namespace
+
+TEST_CASE("The target is in the middle of the view, from everywhere") {
+    Camera camera;
+    for (const ViewPreset preset : {ViewPreset::Front, ViewPreset::Right, ViewPreset::Top,
+                                    ViewPreset::Bottom, ViewPreset::Back, ViewPreset::Left}) {
+        camera.set(preset);
+        const glm::vec3 at = seen(camera, camera.target());
+        CHECK(at.x == doctest::Approx(400.0F));
+        CHECK(at.y == doctest::Approx(300.0F));
+        CHECK(at.z > 0.0F);
+    }
+}
+
+TEST_CASE("The presets look along the axes") {
+    Camera camera;
+    camera.set(ViewPreset::Front);
+    CHECK(seen(camera, {0.5F, 0, 0}).x > 400.0F);
+    CHECK(seen(camera, {0, 0, 0.5F}).y < 300.0F);
+    camera.set(ViewPreset::Right);
+    CHECK(seen(camera, {0, 0.5F, 0}).x > 400.0F);
+    camera.set(ViewPreset::Top);
+    CHECK(seen(camera, {0.5F, 0, 0}).x > 400.0F);
+    CHECK(seen(camera, {0, 0.5F, 0}).y < 300.0F);
+}
+
+TEST_CASE("Zooming keeps what is under the pointer there") {
+    Camera camera;
+    camera.home();
+    const glm::vec2 pixel(600.0F, 200.0F);
+    const glm::vec2 ndc(2.0F * pixel.x / kSize.x - 1.0F, 1.0F - 2.0F * pixel.y / kSize.y);
+    // The point of the plane through the target that lies under the pixel.
+    const CameraMatrices m = camera.matrices(kAspect);
+    const glm::vec4 far4 = glm::inverse(m.viewProjection()) * glm::vec4(ndc, 1.0F, 1.0F);
+    const glm::vec3 way = glm::normalize(glm::vec3(far4) / far4.w - m.eye);
+    const glm::vec3 axis = glm::normalize(camera.target() - m.eye);
+    const glm::vec3 point = m.eye + way * (camera.distance() / glm::dot(way, axis));
+    camera.zoomAt(3.0F, ndc, kAspect);
+    const glm::vec3 after = seen(camera, point);
+    CHECK(after.x == doctest::Approx(pixel.x).epsilon(0.002));
+    CHECK(after.y == doctest::Approx(pixel.y).epsilon(0.002));
+}
+
+TEST_CASE("A pan moves the picture with the pointer") {
+    Camera camera;
+    camera.home();
+    const glm::vec3 before = seen(camera, glm::vec3(0.0F));
+    camera.pan({30.0F, -20.0F}, kSize.y);
+    const glm::vec3 after = seen(camera, glm::vec3(0.0F));
+    CHECK(after.x - before.x == doctest::Approx(30.0F).epsilon(0.01));
+    CHECK(after.y - before.y == doctest::Approx(-20.0F).epsilon(0.01));
+}
+
+TEST_CASE("Turning keeps target and distance, and never goes over the pole") {
+    Camera camera;
+    const float distance = camera.distance();
+    for (int i = 0; i < 50; ++i) camera.orbit({37.0F, 90.0F}, kSize.y);
+    CHECK(camera.target() == glm::vec3(0.0F));
+    CHECK(camera.distance() == distance);
+    CHECK(glm::length(camera.matrices(kAspect).eye) == doctest::Approx(distance));
+    CHECK(camera.matrices(kAspect).eye.z == doctest::Approx(distance));
+}
+
+TEST_CASE("A framed sphere fits the view and fills it") {
+    Camera camera;
+    for (const bool orthographic : {false, true}) {
+        if (orthographic) camera.toggleOrthographic();
+        camera.frame({0.2F, 0.1F, -0.3F}, 0.25F);
+        const CameraMatrices m = camera.matrices(kAspect);
+        const glm::vec3 up(m.view[0][1], m.view[1][1], m.view[2][1]);
+        const glm::vec3 top = project(m, camera.target() + 0.25F * up, kSize);
+        CHECK(top.y > 0.0F);
+        CHECK(top.y < 60.0F);
+    }
+}
+
+TEST_CASE("Everything in the unit sphere is between the planes of the camera") {
+    Camera camera;
+    for (const float radius : {0.02F, 0.3F, 1.0F}) {
+        camera.frame({0.6F, 0.6F, 0.0F}, radius);
+        for (const glm::vec3 corner :
+             {glm::vec3(-1, 0, 0), glm::vec3(0, -1, 0), glm::vec3(0, 0, 1)}) {
+            const glm::vec4 clip =
+                camera.matrices(kAspect).viewProjection() * glm::vec4(corner, 1.0F);
+            if (clip.w > 0.0F) CHECK(clip.z <= clip.w);
+        }
+    }
+}
+
+TEST_CASE("Every change is counted, so that pictures are drawn anew") {
+    Camera camera;
+    unsigned last = camera.revision();
+    const auto changed = [&] {
+        return std::exchange(last, camera.revision()) != camera.revision();
+    };
+    camera.orbit({1, 1}, 600);
+    CHECK(changed());
+    camera.pan({1, 1}, 600);
+    CHECK(changed());
+    camera.zoomAt(1, {0, 0}, kAspect);
+    CHECK(changed());
+    camera.toggleOrthographic();
+    CHECK(changed());
+    camera.lookAt({0.1F, 0, 0});
+    CHECK(changed());
+    camera.home();
+    CHECK(changed());
+}

@@ -1,0 +1,137 @@
+#include "commands.h"
+
+#include <doctest/doctest.h>
+
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "rig.h"
+
+using namespace se;
+using namespace se::view;
+
+namespace {
+
+std::vector<std::string> keysOf(const Command& command) {
+    std::istringstream words{std::string(command.keys)};
+    std::vector<std::string> keys;
+    for (std::string word; words >> word;) keys.push_back(word);
+    return keys;
+}
+
+struct Desk {
+    test::OpenSession open;
+    Playback playback;
+    Camera camera;
+    UiState ui;
+    CommandContext context{open.session, playback, camera, ui};
+
+    void press(const char* key) {
+        const Command* command = commandForKey(*keyFromString(key));
+        REQUIRE(command != nullptr);
+        command->run(context);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("No key stands for two commands, and every key can be read and written") {
+    std::map<std::string, std::string_view> owner;
+    for (const Command& command : commands()) {
+        for (const std::string& key : keysOf(command)) {
+            CAPTURE(key);
+            const auto chord = keyFromString(key);
+            REQUIRE(chord.has_value());
+            CHECK(toString(*chord) == key);
+            CHECK(owner.emplace(key, command.id).second);
+            CHECK(commandForKey(*chord) == &command);
+        }
+    }
+}
+
+TEST_CASE("Every command has a name of its own, a title and a sentence of help") {
+    std::set<std::string_view> ids;
+    for (const Command& command : commands()) {
+        CAPTURE(std::string(command.id));
+        CHECK(ids.insert(command.id).second);
+        CHECK_FALSE(command.title.empty());
+        CHECK(command.help.ends_with('.'));
+        CHECK((command.run != nullptr));
+        CHECK(findCommand(command.id) == &command);
+    }
+}
+
+TEST_CASE("Texts that are no keys are refused") {
+    for (const char* text : {"", "Ctrl+", "F0", "F25", "Homer", "ab", "Hyper+F"}) {
+        CAPTURE(text);
+        CHECK(keyFromString(text) == std::nullopt);
+    }
+}
+
+TEST_CASE("The keys of the conventions do what they say") {
+    Desk desk;
+    desk.press("F10");
+    desk.press(".");
+    CHECK(desk.open.place() == "2.advance.1");
+    desk.press("Shift+F10");
+    CHECK(desk.open.place() == "1.advance.1");
+    desk.press("Right");
+    CHECK(desk.open.place() == "2.pivot.1");
+    desk.press("Shift+F11");
+    CHECK(desk.open.place() == "2.advance.1");
+    desk.press("Home");
+    CHECK(desk.open.place() == "start");
+    desk.press("F5");
+    desk.open.session.settle();
+    CHECK(desk.open.session.atEnd());
+}
+
+TEST_CASE("Stepping by hand pauses playing") {
+    Desk desk;
+    desk.press("Space");
+    CHECK(desk.playback.playing());
+    desk.press("F11");
+    CHECK_FALSE(desk.playback.playing());
+}
+
+TEST_CASE("Esc closes and clears, and never quits") {
+    Desk desk;
+    desk.press("F1");
+    CHECK(desk.ui.cheatSheet);
+    desk.open.session.select(3);
+    desk.press("Esc");
+    CHECK_FALSE(desk.ui.cheatSheet);
+    CHECK(desk.open.session.selected() == kNone);
+    CHECK_FALSE(desk.ui.requests.quit);
+    desk.press("Ctrl+Q");
+    CHECK(desk.ui.requests.quit);
+}
+
+TEST_CASE("Layer keys switch their layer") {
+    Desk desk;
+    const LayerSwitches before = desk.ui.settings.layers;
+    for (const char* key : {"N", "L", "E", "S", "G", "K"}) desk.press(key);
+    CHECK((before ^ desk.ui.settings.layers).count() == 6);
+}
+
+TEST_CASE("Framing moves the camera to the selection or the pivot; stepping leaves it alone") {
+    Desk desk;
+    const Camera before = desk.camera;
+    desk.press("F10");
+    CHECK(desk.camera == before);
+    desk.open.session.select(9);
+    desk.press("F");
+    CHECK(desk.camera.target() == desk.open.session.model().place[9]);
+    desk.press("Shift+F");
+    CHECK(desk.camera.target() == glm::vec3(0.0F));
+}
+
+TEST_CASE("The list of actions names each one once") {
+    const std::string list = listActions();
+    for (const Command& command : commands()) {
+        CAPTURE(std::string(command.id));
+        CHECK((list.find("\n" + std::string(command.id) + " ") != std::string::npos ||
+               list.starts_with(std::string(command.id) + " ")));
+    }
+}

@@ -1,0 +1,152 @@
+#include "layers/layer.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "rig.h"
+
+using namespace se;
+using namespace se::view;
+
+namespace {
+
+/// The draw list at an address, with only the given layers.
+DrawList drawn(test::OpenSession& open, const Address& address, std::initializer_list<LayerId> ids,
+               Index selected = kNone) {
+    open.session.goTo(address);
+    open.session.settle();
+    LayerSwitches on;
+    for (const LayerId id : ids) on.set(static_cast<std::size_t>(id));
+    const LayerInput in{open.session.model(), open.session.picture(), paletteOf(Theme::Dark),
+                        selected, kNone};
+    DrawList list;
+    fillDrawList(in, on, list);
+    return list;
+}
+
+constexpr Address kWhole{30, Stage::Pivot, 0};
+
+std::size_t count(const DrawList& list, Shape shape) {
+    return static_cast<std::size_t>(
+        std::count_if(list.sprites.begin(), list.sprites.end(),
+                      [&](const Sprite& s) { return s.style.shape == shape; }));
+}
+
+}  // namespace
+
+TEST_CASE("The table has every layer once, in the place of its id") {
+    std::set<std::string_view> names;
+    REQUIRE(layers().size() == kLayerCount);
+    for (const Layer& layer : layers()) CHECK(names.insert(layer.name).second);
+    std::set<LayerId> ids;
+    for (const Layer& layer : layers()) CHECK(ids.insert(layer.id).second);
+}
+
+TEST_CASE("With no layer on nothing is drawn") {
+    test::OpenSession open;
+    const DrawList list = drawn(open, kWhole, {});
+    CHECK_FALSE(list.cloudVisible);
+    CHECK_FALSE(list.meshVisible);
+    CHECK(list.lines.empty());
+    CHECK(list.faces.empty());
+    CHECK(list.sprites.empty());
+    CHECK(list.labels.empty());
+}
+
+TEST_CASE("Points have a style by status and type") {
+    test::OpenSession open("scene:sheet");
+    const DrawList list = drawn(open, kWhole, {LayerId::Points});
+    const Model& model = open.session.model();
+    REQUIRE(list.cloudStyleOf.size() == model.points.size());
+    for (Index p = 0; p < model.points.size(); ++p) {
+        const PointStyle& style = list.cloudStyles.styles[list.cloudStyleOf[p]];
+        const PointStatus status = open.session.picture().status[p];
+        const Palette& c = paletteOf(Theme::Dark);
+        CHECK(style.color == (status == kUnused ? c.unused : status > 0 ? c.used : c.done));
+        const std::uint8_t type = model.points.type[p];
+        if (isCorner(type)) {
+            CHECK((style.shape == Shape::Diamond || style.shape == Shape::OpenDiamond));
+        } else if (isBoundary(type)) {
+            CHECK((style.shape == Shape::Square || style.shape == Shape::OpenSquare));
+        }
+    }
+}
+
+TEST_CASE("Finished triangles are counted, those of the pivot are new") {
+    test::OpenSession open;
+    const DrawList list = drawn(open, kWhole, {LayerId::Triangles});
+    const PivotRecord& record = open.session.record();
+    CHECK(list.finishedTriangles == record.before.triangleCount);
+    CHECK(list.faces.size() == record.after.triangleCount - record.before.triangleCount);
+    for (const Face& face : list.faces) CHECK(face.hatched);
+}
+
+TEST_CASE("The active ring is closed and has arrows; stacked rings are dashed and numbered") {
+    test::OpenSession open("scene:torus");
+    std::uint32_t pivot = 0;
+    const RunOverview& run = open.session.overview();
+    while (pivot < run.stackDepth.size() && run.stackDepth[pivot] == 0) ++pivot;
+    REQUIRE(pivot < run.stackDepth.size());
+    const Address address{pivot + 1, Stage::Pivot, 0};
+    const DrawList active = drawn(open, address, {LayerId::EdgeRing});
+    REQUIRE(active.lines.size() == open.session.picture().rings[0].points.size());
+    for (std::size_t i = 0; i < active.lines.size(); ++i) {
+        CHECK(active.lines[i].to == active.lines[(i + 1) % active.lines.size()].from);
+    }
+    CHECK(std::any_of(active.lines.begin(), active.lines.end(),
+                      [](const Line& l) { return l.arrow > 0.0F; }));
+    const DrawList stacked = drawn(open, address, {LayerId::StackedRings});
+    CHECK_FALSE(stacked.lines.empty());
+    for (const Line& line : stacked.lines) {
+        CHECK(line.dash > 0.0F);
+        CHECK(line.width < active.lines[0].width);
+    }
+    REQUIRE_FALSE(stacked.labels.empty());
+    CHECK(stacked.labels[0].text == "#1");
+}
+
+TEST_CASE("The sphere of a test passes through p, s and t, in view space") {
+    test::OpenSession open;
+    const DrawList list = drawn(open, {30, Stage::Sphere, 1}, {LayerId::Spheres});
+    REQUIRE(open.session.picture().sphere.has_value());
+    const SphereEvidence& test = *open.session.picture().sphere;
+    REQUIRE(list.spheres.size() == 1);
+    for (const Index point : {open.session.picture().pivot, test.s, test.t}) {
+        const float distance =
+            glm::distance(list.spheres[0].center, open.session.model().place[point]);
+        CHECK(distance == doctest::Approx(list.spheres[0].radius).epsilon(1e-4));
+    }
+    CHECK(drawn(open, {30, Stage::Sort, 1}, {LayerId::Spheres}).spheres.empty());
+}
+
+TEST_CASE("A pivot has its marks while it is worked on, and only its own afterwards") {
+    test::OpenSession open;
+    const DrawList during = drawn(open, {30, Stage::Emit, 1}, {LayerId::NeighborRing});
+    CHECK(count(during, Shape::Forward) >= 1);
+    CHECK(count(during, Shape::Back) >= 1);
+    CHECK(count(during, Shape::RingedDisc) >= 1);
+    const DrawList after = drawn(open, kWhole, {LayerId::NeighborRing});
+    CHECK(count(after, Shape::RingedDisc) == 1);
+    CHECK(count(after, Shape::Forward) == 0);
+    CHECK(count(after, Shape::Cross) == 0);
+}
+
+TEST_CASE("Labels stand only at the pivot, its candidates and the selection, one each") {
+    test::OpenSession open;
+    const DrawList list = drawn(open, {30, Stage::Sphere, 1}, {LayerId::Labels}, 7);
+    const Picture& picture = open.session.picture();
+    CHECK(list.labels.size() <= picture.candidates.size() + 6);
+    std::set<std::string> texts;
+    for (const Label& label : list.labels) CHECK(texts.insert(label.text).second);
+    CHECK(texts.contains("7"));
+    CHECK(texts.contains("p " + std::to_string(picture.pivot)));
+}
+
+TEST_CASE("Links are the neighbor list of the pivot") {
+    test::OpenSession open;
+    const DrawList list = drawn(open, kWhole, {LayerId::Links});
+    const Index pivot = open.session.picture().pivot;
+    CHECK(list.lines.size() == open.session.model().points.neighbors[pivot].size());
+}

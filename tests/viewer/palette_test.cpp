@@ -1,0 +1,42 @@
+#include "palette.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace se::view;
+
+TEST_CASE("Every color with a meaning contrasts with the background") {
+    for (const Theme theme : {Theme::Dark, Theme::Light}) {
+        const Palette& c = paletteOf(theme);
+        CAPTURE(std::string(themeName(theme)));
+        for (const Color& color :
+             {c.pivot, c.used, c.first, c.last, c.test, c.rejected, c.unused, c.done}) {
+            CHECK(contrast(color, c.background) >= 3.0);
+        }
+    }
+}
+
+TEST_CASE("Text can be read on what it stands on") {
+    for (const Theme theme : {Theme::Dark, Theme::Light}) {
+        const Palette& c = paletteOf(theme);
+        CAPTURE(std::string(themeName(theme)));
+        for (const Color& under : {c.panel, c.panelRaised, c.background}) {
+            CHECK(contrast(c.text, under) >= 7.0);
+            CHECK(contrast(c.textDim, under) >= 4.5);
+        }
+        CHECK(contrast(c.accentText, c.accent) >= 3.0);
+    }
+}
+
+TEST_CASE("Contrast is that of WCAG") {
+    CHECK(contrast(fromHex(0x000000), fromHex(0xFFFFFF)) == doctest::Approx(21.0));
+    CHECK(contrast(fromHex(0x777777), fromHex(0xFFFFFF)) == doctest::Approx(4.478).epsilon(0.001));
+    CHECK(contrast(fromHex(0x123456), fromHex(0x123456)) == doctest::Approx(1.0));
+}
+
+TEST_CASE("Themes have names") {
+    CHECK(themeFromName("dark") == Theme::Dark);
+    CHECK(themeFromName("light") == Theme::Light);
+    CHECK_FALSE(themeFromName("blue").has_value());
+}

@@ -1,0 +1,64 @@
+#include "settings.h"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+using namespace se::view;
+
+TEST_CASE("Settings are read as they were written") {
+    ViewSettings settings;
+    settings.theme = Theme::Light;
+    settings.uiScale = 1.5;
+    settings.width = 1600;
+    settings.height = 900;
+    settings.playRate = 15.0;
+    settings.legend = false;
+    settings.layers.flip();
+    const auto read = settingsFromJson(settingsToJson(settings));
+    REQUIRE(read.ok());
+    CHECK(read.value().theme == settings.theme);
+    CHECK(read.value().uiScale == settings.uiScale);
+    CHECK(read.value().width == settings.width);
+    CHECK(read.value().height == settings.height);
+    CHECK(read.value().playRate == settings.playRate);
+    CHECK(read.value().legend == settings.legend);
+    CHECK(read.value().layers == settings.layers);
+}
+
+TEST_CASE("Values out of range or of another kind become defaults") {
+    const auto read = settingsFromJson(
+        R"({"theme": 7, "uiScale": 99, "width": -3, "height": "tall", "layers": {"points": 1}, "x": 1})");
+    REQUIRE(read.ok());
+    const ViewSettings defaults;
+    CHECK(read.value().theme == defaults.theme);
+    CHECK(read.value().uiScale == defaults.uiScale);
+    CHECK(read.value().width == defaults.width);
+    CHECK(read.value().height == defaults.height);
+    CHECK(read.value().layers == defaults.layers);
+}
+
+TEST_CASE("What is no JSON object is an error, not a crash") {
+    for (const char* text : {"", "[]", "{", "null", "\xFF\xFE"}) {
+        CAPTURE(text);
+        CHECK_FALSE(settingsFromJson(text).ok());
+    }
+}
+
+TEST_CASE("Files go where XDG says; without a file there are defaults") {
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / "spiraling-edge-settings-test";
+    std::filesystem::remove_all(folder);
+    setenv("XDG_CONFIG_HOME", folder.c_str(), 1);
+    CHECK(settingsPath() == folder / "spiraling-edge" / "settings.json");
+    CHECK(readSettings(settingsPath()).ok());
+    ViewSettings settings;
+    settings.width = 999;
+    REQUIRE(writeSettings(settingsPath(), settings).ok());
+    CHECK(readSettings(settingsPath()).value().width == 999);
+    std::filesystem::remove_all(folder);
+    setenv("XDG_CONFIG_HOME", "relative", 1);
+    CHECK(settingsPath() != std::filesystem::path("relative") / "spiraling-edge" / "settings.json");
+    unsetenv("XDG_CONFIG_HOME");
+}
