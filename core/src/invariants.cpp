@@ -239,7 +239,7 @@ std::string InvariantChecker::check(const State& s) {
     if (problem.empty()) problem = checkPivot(s);
     if (problem.empty()) problem = checkStatusChanges(s);
     if (problem.empty()) problem = checkRingCount(s);
-    if (problem.empty() && level_ == Level::WellSampled) problem = checkEdges(s);
+    if (problem.empty() && level_ != Level::AnyInput) problem = checkEdges(s);
     if (problem.empty() && level_ == Level::WellSampled) problem = checkSurrounded(s);
     remember(s);
     return problem;

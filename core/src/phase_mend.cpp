@@ -50,6 +50,7 @@ void enterNext(StepContext& context) {
 void beginMendPhases(StepContext& context) {
     State& s = context.state;
     s.phase = Phase::Finished;
+    s.pivotTriangles = 0;
     if (s.triangles.empty() || capped(s) || !enterFrom(context, 0)) return;
     s.mend = beginMending(context.points.size(), s.triangles);
 }

@@ -53,14 +53,19 @@ void keepNearestOfEachAngle(StepContext& context) {
 }
 
 /// May a listed neighbor enter the neighbor ring? Fills in the candidate as far as it gets.
-Verdict testNeighbor(const StepContext& context, Index x, Index first, Index last, Candidate& c) {
+Verdict testNeighbor(const StepContext& context, Index first, Index last, Candidate& c) {
     const State& s = context.state;
     const NeighborRing& n = s.pivot;
+    const Index x = c.point;
     if (s.status[x] == kDone) return Verdict::AlreadyDone;
     if (x == first || x == last) return Verdict::OnRingEnd;
-    c.point = x;
-    c.instance = kNone;
     c.offset = context.points.position[x] - n.frame.origin;
+    // Beyond 180 degrees where the sector ends before: no need to know the angle, unless someone
+    // wants to see it.
+    if (context.log == nullptr && n.endAngle.key <= kHalfTurnKey &&
+        glm::dot(n.frame.n, c.offset) < 0.0) {
+        return Verdict::NotBeforeEnd;
+    }
     c.lengthSq = glm::dot(c.offset, c.offset);
     c.angle = angleOf(n.frame, c.offset, c.lengthSq);
     const double tolerance = context.params.sameAngle;
@@ -79,28 +84,22 @@ void phaseSort(StepContext& context) {
     const Index p = s.rings.point(n.pivot);
     const Index first = s.rings.point(n.first);
     const Index last = s.rings.point(n.last);
-    const auto list = context.points.neighbors[p];
-    // Room for all, filled in place: candidates are large, and most neighbors do not become one.
-    n.candidates.resize(list.size());
-    std::size_t kept = 0;
-    for (const Index x : list) {
+    for (const Index x : context.points.neighbors[p]) {
         if (x == p) continue;
-        Candidate& c = n.candidates[kept];
-        const Verdict verdict = testNeighbor(context, x, first, last, c);
+        Candidate c;
+        c.point = x;
+        const Verdict verdict = testNeighbor(context, first, last, c);
         note(context, Stage::Sort, [&] {
-            const bool measured = verdict != Verdict::AlreadyDone && verdict != Verdict::OnRingEnd;
-            const Angle angle = measured ? c.angle : Angle{};
             return SortEvidence{x,
-                                angle.cosine,
-                                angle.key > kHalfTurnKey,
-                                angle.degrees(),
+                                c.angle.cosine,
+                                c.angle.key > kHalfTurnKey,
+                                c.angle.degrees(),
                                 n.endAngle.degrees(),
                                 verdict,
                                 kNone};
         });
-        if (verdict == Verdict::Kept) ++kept;
+        if (verdict == Verdict::Kept) n.candidates.push_back(c);
     }
-    n.candidates.resize(kept);
     sortByAngle(n.candidates);
     keepNearestOfEachAngle(context);
     s.phase = Phase::Limits;

@@ -22,7 +22,8 @@ class InvariantChecker {
     /// Which invariants to expect.
     enum class Level : std::uint8_t {
         AnyInput,     ///< 1, 2, 6 to 11, 13.
-        WellSampled,  ///< Also 3 to 5 and 12: edges and rings fit together as on a manifold.
+        Guarded,      ///< Also 3 to 5: what Rules::guard promises for any input.
+        WellSampled,  ///< Also 12: edges and rings fit together as on a manifold.
     };
 
     InvariantChecker(const PointSet& points, const Params& params, Level level);
