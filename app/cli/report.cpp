@@ -36,14 +36,24 @@ void addCounters(const Counters& counters, Json& json) {
     json["stranded"] = counters.stranded;
     json["inserted"] = counters.inserted;
     json["discarded"] = counters.discarded;
+    json["refused"] = counters.refused;
     json["splits"] = counters.splits;
     json["joins"] = counters.joins;
     json["closed_rings"] = counters.closedRings;
     json["freed_rings"] = counters.freedRings;
     json["holes"] = counters.holes;
+    json["openings"] = counters.openings;
+    json["filled"] = counters.filled;
     json["lost_seeds"] = counters.lostSeeds;
     json["max_ring_length"] = counters.maxRingLength;
     json["max_stack_depth"] = counters.maxStackDepth;
+}
+
+/// The steps after the last pivot.
+void addMending(const MendState& mend, Json& json) {
+    json["mended"] = {{"reinserted_points", mend.reinserted},
+                      {"points_taken_out", mend.takenOut},
+                      {"flipped_edges", mend.flipped}};
 }
 
 void addMesh(const MeshReport& mesh, Json& json) {
@@ -147,6 +157,7 @@ std::string reportJson(const RunOutcome& outcome) {
     json["triangles"] = outcome.mesh.triangles;
     json["components"] = outcome.mesh.components;
     addCounters(outcome.state.counters, json);
+    addMending(outcome.state.mend, json);
     addMesh(outcome.mesh, json);
     addFaults(outcome, json);
     addPreparation(outcome.prepared, json);

@@ -188,13 +188,14 @@ ExitCode runVerb(const Arguments& words) {
     outcome.seconds.triangulate = watch.lap();
     if (outcome.ending != Ending::Interrupted) {
         trace.commit();
-        if (!arguments.output.empty()) writeMesh(arguments.output, file, outcome.state.triangles);
+        if (!arguments.output.empty()) writeMesh(arguments.output, file, outcome.state.mesh());
         outcome.output = arguments.output;
         outcome.seconds.write = watch.lap();
     }
-    outcome.mesh = reportMesh(prepared.points, outcome.state.triangles);
-    if (arguments.check)
-        outcome.faults = countFaults(findFaults(prepared.points, outcome.state.triangles));
+    outcome.mesh = reportMesh(prepared.points, outcome.state.mesh());
+    // A run that was stopped is no surface, and its faults are too many to list.
+    if (arguments.check && outcome.ending != Ending::Capped)
+        outcome.faults = countFaults(findFaults(prepared.points, outcome.state.mesh()));
     return conclude(arguments, outcome);
 }
 

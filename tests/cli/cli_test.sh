@@ -258,6 +258,14 @@ check_finds_faults() {
     says err "the mesh has faults"
 }
 
+capped_run_ends_with_one() {
+    # All neighbors at once and no rule that keeps a run in order: it has to be stopped.
+    expect 1 run scene:sphere -k 300 --rules printed --keep-opposing --check --report report.json
+    says report.json '"stop_reason": "capped"'
+    says err "no surface"
+    absent mesh.ply
+}
+
 output_folder_is_checked_first() {
     for option in -o --report --trace; do
         expect 2 run scene:sphere $option none/file.ply

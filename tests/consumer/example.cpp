@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
     se::Stepper stepper(points, se::Params{});
     stepper.run();  // or stepPivot(), or advance(): one phase of one pivot
 
-    const auto& triangles = stepper.state().triangles;
+    const auto& triangles = stepper.state().mesh();
     const se::MeshReport report = se::reportMesh(points, triangles);
     std::printf("%zu points, %zu triangles, Euler characteristic %lld\n", report.points,
                 report.triangles, report.eulerCharacteristic);
