@@ -1,0 +1,24 @@
+/// What several methods need to know about the input, and how their triangles are turned so that
+/// the same checks apply to all.
+#pragma once
+
+#include <vector>
+
+#include "spiraling_edge/io.h"
+
+namespace se::peers {
+
+/// The mean distance to the nearest other point. Methods that ask for a length get a multiple.
+double meanSpacing(const PointFile& points);
+/// The longest side of the bounding box.
+double extent(const PointFile& points);
+/// The `count` nearest others of every point, nearest first, opposing normals included.
+NeighborLists nearestLists(const PointFile& points, std::size_t count);
+
+/// Turns every triangle to the side of its corners' normals.
+void orientEach(const PointFile& points, std::vector<Triangle>& triangles);
+/// Turns whole pieces (triangles joined by points) to the side of most normals: for methods that
+/// orient a piece consistently, but to either side.
+void orientPieces(const PointFile& points, std::vector<Triangle>& triangles);
+
+}  // namespace se::peers
