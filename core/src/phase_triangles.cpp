@@ -1,4 +1,6 @@
 /// §6.4: the fan of triangles.
+#include <cassert>
+
 #include "phases.h"
 
 namespace se {
@@ -63,6 +65,9 @@ void phaseEmit(StepContext& context) {
         });
     }
     s.pivotTriangles = static_cast<std::uint32_t>(fan.size() - 1);
+    // The bound that ends every guarded run, see docs/architecture.md.
+    assert(!context.params.rules.guard ||
+           3 * s.triangles.size() <= context.points.size() * (context.points.size() - 1));
     s.phase = Phase::Ring;
 }
 
