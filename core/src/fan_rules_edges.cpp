@@ -18,6 +18,18 @@ namespace {
 
 // ---- guard --------------------------------------------------------------------------------------
 
+/// A point twice on the fan, other than as first and last (pinched rings): its spoke would be used
+/// twice in one direction.
+Objection repeatedSpoke(const Fan& fan) {
+    for (std::size_t i = 0; i < fan.size(); ++i) {
+        for (std::size_t j = i + 1; j < fan.size(); ++j) {
+            const bool ends = i == 0 && j + 1 == fan.size();
+            if (!ends && fan[i].point == fan[j].point) return {Verdict::EdgeTaken, j, false};
+        }
+    }
+    return {};
+}
+
 /// The spokes: those inside the fan are new edges, used in both directions.
 Objection takenSpoke(const StepContext& context) {
     const State& s = context.state;
@@ -60,6 +72,7 @@ Objection takenRim(const StepContext& context) {
 }  // namespace
 
 Objection takenEdge(const StepContext& context) {
+    if (const Objection repeated = repeatedSpoke(context.state.pivot.fan)) return repeated;
     const Objection spoke = takenSpoke(context);
     return spoke ? spoke : takenRim(context);
 }

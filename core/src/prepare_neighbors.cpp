@@ -1,11 +1,13 @@
 #include "prepare_neighbors.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <nanoflann.hpp>
 #include <numeric>
 #include <string>
+#include <thread>
 
 namespace se {
 namespace {
@@ -142,40 +144,49 @@ class Candidates {
     std::size_t dropped_ = 0;
 };
 
-/// Finds the lists of all points, in the order of the tree's leaves: there the points that one
-/// search touches were touched by the search before, and are still in the cache.
-class NeighborSearch {
+/// Finds the lists of a range of points in the order of the tree's leaves: there the points that
+/// one search touches were touched by the search before, and are still in the cache. One per
+/// thread.
+class RangeSearch {
   public:
-    NeighborSearch(std::span<const Vec3> position, std::span<const Vec3> normal,
-                   const std::vector<bool>& usable, const NeighborOptions& options)
-        : total_(position.size()),
-          options_(options),
-          cloud_(position, normal, usable),
-          tree_(3, cloud_, nanoflann::KDTreeSingleIndexAdaptorParams(kLeafSize)),
-          candidates_(cloud_) {}
+    RangeSearch(const Cloud& cloud, const Tree& tree, const NeighborOptions& options,
+                std::size_t from, std::size_t to)
+        : cloud_(cloud), tree_(tree), options_(options), candidates_(cloud), from_(from), to_(to) {}
 
-    Result<NeighborLists> run(const Progress& progress) {
-        std::vector<std::size_t> begin(cloud_.size() + 1, 0);  // in found_, in leaf order
-        for (std::size_t i = 0; i < cloud_.size(); ++i) {
-            const bool report = progress && i % kProgressStep == 0;
-            if (report && !progress(static_cast<double>(i) / static_cast<double>(cloud_.size()))) {
-                return Error{"the search for neighbors was cancelled"};
+    /// Asks `goOn` every so often, with the share done; stops early if it says no.
+    template <typename GoOn>
+    void run(GoOn&& goOn) {
+        length_.reserve(to_ - from_);
+        for (std::size_t i = from_; i < to_; ++i) {
+            const std::size_t done = i - from_;
+            if (done % kProgressStep == 0 &&
+                !goOn(static_cast<double>(done) / static_cast<double>(to_ - from_))) {
+                return;
             }
+            const std::size_t before = found_.size();
             search(tree_.vAcc[i]);
-            begin[i + 1] = found_.size();
-            if (found_.size() >= kNone) {
-                return Error{
-                    "the neighbor lists would hold more than 4294967294 entries in all; "
-                    "choose a smaller k or radius"};
-            }
+            length_.push_back(static_cast<std::uint32_t>(found_.size() - before));
         }
-        if (progress) progress(1.0);
-        return inOrderOfIndex(begin);
+    }
+
+    std::size_t entries() const { return found_.size(); }
+    /// Writes how long each list is, one place behind its point, for partial sums.
+    void writeLengths(std::vector<std::uint32_t>& offset) const {
+        for (std::size_t i = from_; i < to_; ++i) {
+            offset[cloud_.id(tree_.vAcc[i]) + std::size_t{1}] = length_[i - from_];
+        }
+    }
+    /// Copies the lists to where `lists.offset` says.
+    void writeLists(NeighborLists& lists) const {
+        auto from = found_.begin();
+        for (std::size_t i = from_; i < to_; ++i) {
+            const auto to = from + length_[i - from_];
+            std::copy(from, to, lists.ids.begin() + lists.offset[cloud_.id(tree_.vAcc[i])]);
+            from = to;
+        }
     }
 
   private:
-    static constexpr std::size_t kLeafSize = 10;
-
     void search(Index point) {
         const std::size_t others = cloud_.size() - 1;
         if (others == 0) return;
@@ -220,20 +231,80 @@ class NeighborSearch {
         }
     }
 
-    /// `begin[i]` is where in found_ the list of the i-th point in leaf order begins.
-    NeighborLists inOrderOfIndex(const std::vector<std::size_t>& begin) const {
+    const Cloud& cloud_;
+    const Tree& tree_;
+    const NeighborOptions& options_;
+    Candidates candidates_;
+    std::size_t from_, to_;
+    std::vector<Index> found_;           // all lists, in leaf order
+    std::vector<std::uint32_t> length_;  // of each
+};
+
+/// Splits the points over threads. Every list is found by itself, so that their number changes
+/// nothing but the time.
+class NeighborSearch {
+  public:
+    NeighborSearch(std::span<const Vec3> position, std::span<const Vec3> normal,
+                   const std::vector<bool>& usable, const NeighborOptions& options)
+        : total_(position.size()),
+          options_(options),
+          cloud_(position, normal, usable),
+          tree_(3, cloud_, nanoflann::KDTreeSingleIndexAdaptorParams(kLeafSize)) {}
+
+    Result<NeighborLists> run(const Progress& progress) {
+        const std::size_t threads = threadCount();
+        for (std::size_t t = 0; t < threads; ++t) {
+            ranges_.emplace_back(cloud_, tree_, options_, cloud_.size() * t / threads,
+                                 cloud_.size() * (t + 1) / threads);
+        }
+        if (!searchAll(progress)) return Error{"the search for neighbors was cancelled"};
+        std::size_t entries = 0;
+        for (const RangeSearch& range : ranges_) entries += range.entries();
+        if (entries >= kNone) {
+            return Error{
+                "the neighbor lists would hold more than 4294967294 entries in all; "
+                "choose a smaller k or radius"};
+        }
+        if (progress) progress(1.0);
+        return inOrderOfIndex(entries);
+    }
+
+  private:
+    static constexpr std::size_t kLeafSize = 10;
+    /// Fewer points than this are not worth a thread.
+    static constexpr std::size_t kPointsPerThread = 4096;
+
+    std::size_t threadCount() const {
+        const std::size_t useful = cloud_.size() / kPointsPerThread + 1;
+        const std::size_t asked =
+            options_.threads > 0 ? options_.threads : std::thread::hardware_concurrency();
+        return std::max<std::size_t>(1, std::min(asked, useful));
+    }
+
+    /// The first range is searched here, and its progress stands for all. False if cancelled.
+    bool searchAll(const Progress& progress) {
+        std::atomic<bool> cancelled = false;
+        std::vector<std::thread> others;
+        for (std::size_t t = 1; t < ranges_.size(); ++t) {
+            others.emplace_back([this, t, &cancelled] {
+                ranges_[t].run([&](double) { return !cancelled.load(); });
+            });
+        }
+        ranges_[0].run([&](double share) {
+            if (progress && !progress(share)) cancelled = true;
+            return !cancelled.load();
+        });
+        for (std::thread& other : others) other.join();
+        return !cancelled;
+    }
+
+    NeighborLists inOrderOfIndex(std::size_t entries) const {
         NeighborLists lists;
         lists.offset.assign(total_ + 1, 0);
-        for (std::size_t i = 0; i < cloud_.size(); ++i) {
-            lists.offset[cloud_.id(tree_.vAcc[i]) + std::size_t{1}] =
-                static_cast<std::uint32_t>(begin[i + 1] - begin[i]);
-        }
+        for (const RangeSearch& range : ranges_) range.writeLengths(lists.offset);
         std::partial_sum(lists.offset.begin(), lists.offset.end(), lists.offset.begin());
-        lists.ids.resize(found_.size());
-        for (std::size_t i = 0; i < cloud_.size(); ++i) {
-            std::copy(found_.data() + begin[i], found_.data() + begin[i + 1],
-                      lists.ids.data() + lists.offset[cloud_.id(tree_.vAcc[i])]);
-        }
+        lists.ids.resize(entries);
+        for (const RangeSearch& range : ranges_) range.writeLists(lists);
         return lists;
     }
 
@@ -241,8 +312,7 @@ class NeighborSearch {
     const NeighborOptions& options_;
     Cloud cloud_;
     Tree tree_;
-    Candidates candidates_;
-    std::vector<Index> found_;  // all lists, in leaf order
+    std::vector<RangeSearch> ranges_;
 };
 
 }  // namespace

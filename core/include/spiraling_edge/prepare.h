@@ -29,6 +29,8 @@ struct NeighborOptions {
     /// the first 8 k + 64 points are looked at, so that a flipped normal amid thousands of others
     /// gets a short list instead of a search through all points.
     bool dropOpposingNormals = true;
+    /// Threads that search at once; 0: as many as the machine has. The result is the same for any.
+    unsigned threads = 0;
     /// Compute lists even if the file has some.
     bool recompute = false;
 };
