@@ -114,7 +114,7 @@ void Application::fillScene() {
         uploadedGeneration_ = session_.generation();
         // Another input, another home; reloading the same one leaves the camera alone.
         if (std::exchange(homeOf_, session_.model().name) != session_.model().name) {
-            camera_.home(session_.model().beginning);
+            camera_.home(session_.model().beginning, session_.model().sample, ui_.viewAspect);
         }
         filledRevision_ = 0;
     }
@@ -170,8 +170,9 @@ void Application::frame(glm::ivec2 size, double seconds) {
     io.DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
     io.DeltaTime = static_cast<float>(seconds);
     imgui_->beginFrame();
-    fillScene();
     const Layout layout = computeLayout(glm::vec2(size), imgui_->em());
+    ui_.viewAspect = layout.view.size.x / std::max(1.0F, layout.view.size.y);
+    fillScene();
     drawUserInterface(layout);
     drawScene(layout);
     clearFrame(size, palette().panel);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 
 namespace se::view {
 
@@ -17,6 +18,8 @@ constexpr float kTurnPerHeight = 240.0F;
 /// Home looks down at least and at most as steeply as this.
 constexpr float kLowestHomeDegrees = 27.0F;
 constexpr float kHighestHomeDegrees = 40.0F;
+/// Room around the points, as a factor.
+constexpr float kHomeMargin = 1.12F;
 /// Everything fits a sphere of this radius.
 constexpr float kSceneRadius = 1.0F;
 
@@ -81,7 +84,7 @@ void Camera::zoomAt(float notches, glm::vec2 ndc, float aspect) {
 
 void Camera::frame(const glm::vec3& center, float radius) {
     target_ = center;
-    distance_ = std::clamp(1.08F * radius / std::sin(glm::radians(kFieldOfViewDegrees) * 0.5F),
+    distance_ = std::clamp(1.12F * radius / std::sin(glm::radians(kFieldOfViewDegrees) * 0.5F),
                            kNearest, kFarthest);
     ++revision_;
 }
@@ -109,12 +112,33 @@ void Camera::set(ViewPreset preset) {
     ++revision_;
 }
 
-void Camera::home(const glm::vec3& beginning) {
+void Camera::fit(std::span<const glm::vec3> sample, float aspect) {
+    glm::vec2 low(std::numeric_limits<float>::max());
+    glm::vec2 high(-low);
+    for (const glm::vec3& p : sample) {
+        const glm::vec2 seen(glm::dot(p, right()), glm::dot(p, up()));
+        low = glm::min(low, seen);
+        high = glm::max(high, seen);
+    }
+    const glm::vec2 middle = 0.5F * (low + high);
+    target_ = right() * middle.x + up() * middle.y;
+    const float t = halfTangent();
+    distance_ = kNearest;
+    for (const glm::vec3& p : sample) {
+        const float x = std::abs(glm::dot(p, right()) - middle.x);
+        const float y = std::abs(glm::dot(p, up()) - middle.y);
+        const float depth = glm::dot(p, direction());
+        distance_ = std::max(distance_, depth + kHomeMargin * std::max(x / (t * aspect), y / t));
+    }
+}
+
+void Camera::home(const glm::vec3& beginning, std::span<const glm::vec3> sample, float aspect) {
     const float flat = std::hypot(beginning.x, beginning.y);
     if (flat > 1e-3F) yawDegrees_ = glm::degrees(std::atan2(beginning.y, beginning.x)) - 35.0F;
     const float elevation = glm::degrees(std::atan2(beginning.z, flat));
     pitchDegrees_ = std::clamp(elevation - 15.0F, kLowestHomeDegrees, kHighestHomeDegrees);
     frame(glm::vec3(0.0F), kSceneRadius);
+    if (!sample.empty()) fit(sample, aspect);
 }
 
 glm::vec3 project(const CameraMatrices& camera, const glm::vec3& position, glm::vec2 size) {

@@ -4,6 +4,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <span>
 
 namespace se::view {
 
@@ -37,7 +38,9 @@ class Camera {
     void toggleOrthographic();
     bool orthographic() const { return orthographic_; }
     /// View of everything, a little beside and above `beginning`, so that the first steps are seen.
-    void home(const glm::vec3& beginning = {0.5F, -0.87F, 0.4F});
+    /// With `sample` points of the input, it fills a view of that aspect as well as it can.
+    void home(const glm::vec3& beginning = {0.5F, -0.87F, 0.4F},
+              std::span<const glm::vec3> sample = {}, float aspect = 1.3F);
 
     const glm::vec3& target() const { return target_; }
     float distance() const { return distance_; }
@@ -49,6 +52,7 @@ class Camera {
     friend bool operator==(const Camera&, const Camera&) = default;
 
   private:
+    void fit(std::span<const glm::vec3> sample, float aspect);
     glm::vec3 direction() const;  ///< From the target to the eye.
     glm::vec3 right() const;
     glm::vec3 up() const;

@@ -39,7 +39,9 @@ void toggleTheme(C& c) {
 }
 
 void home(C& c) {
-    c.session.ready() ? c.camera.home(c.session.model().beginning) : c.camera.home();
+    if (!c.session.ready()) return;
+    const Model& model = c.session.model();
+    c.camera.home(model.beginning, model.sample, c.ui.viewAspect);
 }
 
 void restart(C& c) {

@@ -31,6 +31,18 @@ ViewSettings settingsFor(const Options& options) {
     return settings;
 }
 
+/// What was given on the command line holds for this once.
+ViewSettings settingsToKeep(const Options& options, const Application& application) {
+    ViewSettings keep = application.settings();
+    const se::Result<ViewSettings> read = readSettings(settingsPath());
+    const ViewSettings before = read ? read.value() : ViewSettings{};
+    if (options.theme) keep.theme = before.theme;
+    if (options.uiScale > 0.0) keep.uiScale = before.uiScale;
+    if (options.size) keep.width = before.width;
+    if (options.size) keep.height = before.height;
+    return keep;
+}
+
 int runPicture(const Options& options) {
     const ViewSettings settings = settingsFor(options);
     const auto offscreen = Offscreen::create({settings.width, settings.height});
@@ -62,7 +74,7 @@ int runWindow(const Options& options) {
     }
     window.value()->run(application, options.frames);
     if (!options.noConfig) {
-        const auto written = writeSettings(settingsPath(), application.settings());
+        const auto written = writeSettings(settingsPath(), settingsToKeep(options, application));
         if (!written) fail(kExitGood, written.error().message);
     }
     return kExitGood;

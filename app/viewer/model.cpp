@@ -12,6 +12,7 @@ namespace se::view {
 
 namespace {
 
+constexpr std::size_t kSampleSize = 4000;
 constexpr std::string_view kScenePrefix = "scene:";
 
 bool isFinite(const Vec3& v) {
@@ -80,6 +81,10 @@ void placeModel(Model& model) {
         model.normal.push_back(goodNormal ? glm::vec3(model.points.normal[p]) : glm::vec3(0.0F));
     }
     model.spacing = medianSpacing(model);
+    const std::size_t stride = std::max<std::size_t>(1, position.size() / kSampleSize);
+    for (std::size_t p = 0; p < position.size(); p += stride) {
+        if (model.drawable[p]) model.sample.push_back(model.place[p]);
+    }
     for (std::size_t p = 0; p < position.size(); ++p) {
         if (!model.drawable[p] || model.points.neighbors[static_cast<Index>(p)].empty()) continue;
         model.beginning = model.place[p];

@@ -31,8 +31,9 @@ struct Model {
     std::vector<glm::vec3> normal;
     std::vector<bool> drawable;  ///< False for positions that are not finite.
     Vec3 center{};
-    double scale = 1.0;         ///< View units per scene unit.
-    float spacing = 0.05F;      ///< Median distance to the nearest neighbor, in view units.
+    double scale = 1.0;             ///< View units per scene unit.
+    float spacing = 0.05F;          ///< Median distance to the nearest neighbor, in view units.
+    std::vector<glm::vec3> sample;  ///< Some of the places, to fit the camera to.
     glm::vec3 beginning{0.0F};  ///< Where the run will most likely begin: the first usable point.
 
     glm::vec3 toView(const Vec3& position) const { return glm::vec3((position - center) * scale); }

@@ -38,7 +38,7 @@ struct UiState {
     UiRequests requests;
     bool cheatSheet = false;
     bool fileBrowser = false;
-    int sideTab = -1;  ///< A tab to bring to front, -1: none.
+    float viewAspect = 1.3F;  ///< Of the view, as last drawn.
 };
 
 /// Everything a command may work on.

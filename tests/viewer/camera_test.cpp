@@ -2,9 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include <glm/geometric.hpp>
 #include <initializer_list>
 #include <utility>
+#include <vector>
 
 using namespace se::view;
 
@@ -90,6 +93,24 @@ TEST_CASE("A framed sphere fits the view and fills it") {
         const glm::vec3 top = project(m, camera.target() + 0.25F * up, kSize);
         CHECK(top.y > 0.0F);
         CHECK(top.y < 60.0F);
+    }
+}
+
+TEST_CASE("Home shows all points of a sample, as large as fits, whatever the aspect") {
+    const std::vector<glm::vec3> sample = {
+        {1, 0, 0}, {-0.2F, 0.1F, 0}, {0, 0, 0.3F}, {0.4F, -0.5F, -0.1F}};
+    for (const float aspect : {0.6F, 1.0F, 2.2F}) {
+        Camera camera;
+        camera.home(sample[0], sample, aspect);
+        const glm::vec2 size(600.0F * aspect, 600.0F);
+        glm::vec2 largest(0.0F);
+        for (const glm::vec3& point : sample) {
+            const glm::vec3 at = project(camera.matrices(aspect), point, size);
+            CHECK(at.z > 0.0F);
+            largest = glm::max(largest, glm::abs(2.0F * glm::vec2(at) / size - 1.0F));
+        }
+        CHECK(std::max(largest.x, largest.y) <= 1.0F);
+        CHECK(std::max(largest.x, largest.y) >= 0.7F);
     }
 }
 

@@ -35,6 +35,8 @@ struct FaceVertex {
 
 /// Share of the point spacing by which points and lines are moved toward the eye.
 constexpr float kBiasShare = 0.12F;
+/// With more points than these all are dots, and must be seen.
+constexpr std::size_t kPlainDotsFrom = 100'000;
 /// How much of a hidden line shines through.
 constexpr float kXRayAlpha = 0.28F;
 
@@ -180,6 +182,7 @@ void Renderer::setZoom(const CameraMatrices& camera) {
     const float depth =
         camera.orthographic ? 1.0F : std::max(0.01F, glm::length(camera.eye) - 0.7F);
     const float pixels = 0.5F * size_.y * camera.projection[1][1] * spacing_ / depth;
+    dotAlpha_ = std::clamp((pixels - 2.0F) / 6.0F, 0.0F, 1.0F);
     const float ems = pixels / em_;
     cloudZoom_ = std::clamp(ems / 1.5F, 0.45F, 1.35F);
     markZoom_ = std::clamp(ems / 1.5F, 0.72F, 1.15F);
@@ -239,6 +242,7 @@ void Renderer::drawCloud(const DrawList& list, const CameraMatrices& camera) {
     for (std::size_t i = 0; i < CloudStyles::kCount; ++i) {
         const PointStyle& style = list.cloudStyles.styles[i];
         colors[i] = vec(style.color);
+        if (style.shape == Shape::Dot && cloudCount_ <= kPlainDotsFrom) colors[i].a *= dotAlpha_;
         sizes[i] = {std::max(1.5F, style.size * em_ * cloudZoom_), static_cast<float>(style.shape)};
     }
     useCamera(cloudShader_, camera, kBiasShare * spacing_);

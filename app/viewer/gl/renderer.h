@@ -67,6 +67,7 @@ class Renderer {
     float em_ = 16.0F;
     float cloudZoom_ = 1.0F;  ///< Points shrink when they stand close on the screen.
     float markZoom_ = 1.0F;
+    float dotAlpha_ = 1.0F;  ///< Dots fade where they would cover everything.
     glm::vec2 size_{1.0F};
 };
 

@@ -9,6 +9,8 @@ namespace {
 
 /// Steps shorter than this share of the median spacing get no arrow head of their own.
 constexpr float kArrowShare = 0.5F;
+/// Rings deeper on the stack are numbered only when chosen.
+constexpr Index kNumbersUpTo = 6;
 
 void addRing(const LayerInput& in, const RingPath& ring, const Line& like, DrawList& out) {
     const std::size_t count = ring.points.size();
@@ -60,7 +62,7 @@ void addStackedRings(const LayerInput& in, DrawList& out) {
         like.dash = 0.4F;
         like.depth = Depth::XRay;
         addRing(in, ring, like, out);
-        addNumber(in, ring, out);
+        if (lit || ring.depth < kNumbersUpTo) addNumber(in, ring, out);
     }
 }
 

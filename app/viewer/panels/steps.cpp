@@ -7,18 +7,23 @@ namespace se::view {
 
 namespace {
 
-/// Scrolls to the cursor, but only when it moved: else nobody could scroll away.
-void keepCursorVisible(const Session& session) {
+/// Whether to scroll to the cursor: only when it moved, else nobody could scroll away. Asked once a
+/// frame; the height of the list is known one frame late, hence the second time.
+bool cursorMoved(const Session& session) {
     static std::uint32_t seenRevision = 0;
     static std::size_t seenCursor = 0;
-    if (seenRevision == session.revision() && seenCursor == session.cursor()) return;
-    const float row = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
-    const float at = row * static_cast<float>(session.cursor());
-    const float top = ImGui::GetScrollY();
-    const float height = ImGui::GetWindowHeight();
-    if (at < top || at + 2.0F * row > top + height) ImGui::SetScrollY(at - 0.4F * height);
+    static int again = 0;
+    if (seenRevision != session.revision() || seenCursor != session.cursor()) again = 2;
     seenRevision = session.revision();
     seenCursor = session.cursor();
+    return again > 0 && again-- > 0;
+}
+
+/// Brings the row just drawn into view, if it is not.
+void scrollToRow() {
+    const float top = ImGui::GetCursorPosY() - ImGui::GetScrollY();
+    const float margin = 2.0F * ImGui::GetTextLineHeight();
+    if (top < 2.0F * margin || top > ImGui::GetWindowHeight() - margin) ImGui::SetScrollHereY(0.5F);
 }
 
 std::string subjectText(const Event& event) {
@@ -121,14 +126,17 @@ void drawSteps(const PanelContext& context) {
         ImGui::CalcTextSize("0000000").x * static_cast<float>(widestSubject(session)) / 7.0F;
     ImGui::TableSetupColumn("point", ImGuiTableColumnFlags_WidthFixed, point);
     ImGui::TableSetupColumn("outcome", ImGuiTableColumnFlags_WidthStretch);
+    const bool scroll = cursorMoved(session);
+    const auto cursor = static_cast<int>(session.cursor());
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(session.record().events.size()));
+    clipper.ForceDisplayRangeByIndices(cursor, cursor + 1);
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             drawRow(context, static_cast<std::size_t>(i));
+            if (scroll && i == cursor) scrollToRow();
         }
     }
-    keepCursorVisible(session);
     ImGui::EndTable();
 }
 

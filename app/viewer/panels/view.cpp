@@ -101,10 +101,14 @@ class LabelPlacer {
             corner.y += 0.5F * plate.y * (way.y - 1.0F);
             const Rect rect{glm::round(corner), plate};
             if (!first) first = rect;
-            const bool hit = std::any_of(taken_.begin(), taken_.end(), [&](const Rect& other) {
-                return rect.min.x < other.max().x && other.min.x < rect.max().x &&
-                       rect.min.y < other.max().y && other.min.y < rect.max().y;
-            });
+            const Rect& view = context_.layout.view;
+            const bool inside = rect.min.x >= view.min.x && rect.min.y >= view.min.y &&
+                                rect.max().x <= view.max().x && rect.max().y <= view.max().y;
+            const bool hit =
+                !inside || std::any_of(taken_.begin(), taken_.end(), [&](const Rect& other) {
+                    return rect.min.x < other.max().x && other.min.x < rect.max().x &&
+                           rect.min.y < other.max().y && other.min.y < rect.max().y;
+                });
             if (!hit) return rect;
         }
         return strong ? first : std::nullopt;
