@@ -213,6 +213,14 @@ trace_has_one_line_per_event() {
         fail "file and pipe differ"
 }
 
+trace_is_the_golden_one() {
+    # core_tests made and checks these files; here another build must give the same.
+    expect 0 run scene:figure-4 --trace trace.txt
+    grep -E '^8\.' trace.txt | diff - "$here/../golden/figure-4.txt" || fail "pivot 8 differs"
+    expect 0 run scene:figure-12 --trace trace.txt
+    grep -E '^(35|74)\.' trace.txt | diff - "$here/../golden/figure-12.txt" || fail "pivots differ"
+}
+
 max_pivots_stops_early() {
     expect 0 run scene:torus --max-pivots 10 --report report.json -o mesh.ply
     is "$(number pivots report.json)" 10 pivots
