@@ -86,29 +86,37 @@ TEST_CASE("scenes are equal on every machine: pinned coordinates") {
 }
 
 TEST_CASE("closed scenes become closed manifolds of their genus") {
-    const std::pair<std::string_view, long long> expected[] = {
+    struct Closed {
+        std::string_view id;
+        long long euler;
+    };
+    const Closed expected[] = {
         {"sphere", 2}, {"torus", 0}, {"linked-tori", 0}, {"genus-2", -2}, {"figure-12", 0}};
-    for (const auto& [id, euler] : expected) {
-        const Watched w = watch(id);
-        CHECK_MESSAGE(w.run.mesh.closedManifold(), id);
-        CHECK_MESSAGE(w.run.mesh.eulerCharacteristic == euler, id);
+    for (const Closed& e : expected) {
+        const Watched w = watch(e.id);
+        CHECK_MESSAGE(w.run.mesh.closedManifold(), e.id);
+        CHECK_MESSAGE(w.run.mesh.eulerCharacteristic == e.euler, e.id);
         const auto used = static_cast<long long>(w.run.mesh.usedPoints);
-        CHECK(static_cast<long long>(w.run.mesh.triangles) == 2 * used - 2 * euler);
+        CHECK(static_cast<long long>(w.run.mesh.triangles) == 2 * used - 2 * e.euler);
     }
     CHECK(watch("linked-tori").run.mesh.components == 2);
 }
 
 TEST_CASE("typed scenes become sheets that end at their walls") {
-    const std::pair<std::string_view, std::size_t> expected[] = {
+    struct Sheet {
+        std::string_view id;
+        std::size_t rim;
+    };
+    const Sheet expected[] = {
         {"sheet", 64}, {"grid", 32}, {"figure-2", 32}, {"figure-4", 24}, {"figure-14", 24}};
-    for (const auto& [id, rim] : expected) {
-        const MeshReport mesh = watch(id).run.mesh;
-        CHECK_MESSAGE(mesh.boundaryEdges == rim, id);
+    for (const Sheet& e : expected) {
+        const MeshReport mesh = watch(e.id).run.mesh;
+        CHECK_MESSAGE(mesh.boundaryEdges == e.rim, e.id);
         CHECK(mesh.boundaryLoops == 1);
         CHECK(mesh.eulerCharacteristic == 1);
         CHECK(mesh.unusedPoints == 0);
         CHECK(mesh.nonManifoldEdges + mesh.nonManifoldVertices + mesh.flippedTriangles == 0);
-        CHECK(mesh.triangles == 2 * mesh.points - rim - 2);
+        CHECK(mesh.triangles == 2 * mesh.points - e.rim - 2);
     }
 }
 
