@@ -105,7 +105,7 @@ class Painter {
     void on(const DropEvidence& e) { mark(e.point, e.degrees, e.verdict); }
     void on(const ReciprocalEvidence& e) { mark(e.point, {}, e.verdict); }
     void on(const HoleEvidence& e) {
-        if (e.verdict != Verdict::NotAHole) picture_.hole = e;
+        picture_.hole = e;
         if (e.point != kNone) mark(e.point, {}, e.verdict);
     }
     void on(const SphereEvidence& e) { mark(e.q, {}, e.verdict); }

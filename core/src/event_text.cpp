@@ -285,8 +285,6 @@ std::string_view verdictText(Verdict verdict) {
             return "behind convex end";
         case Verdict::NotReciprocal:
             return "not reciprocal";
-        case Verdict::NotAHole:
-            return "no hole";
         case Verdict::FarSide:
             return "far side";
         case Verdict::InsideSphere:

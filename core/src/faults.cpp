@@ -154,7 +154,7 @@ class Grid {
         const auto from = place(low);
         const auto to = place(high);
         std::uint64_t count = 1;
-        for (int i = 0; i < 3; ++i)
+        for (std::size_t i = 0; i < 3; ++i)
             count *= std::min<std::uint64_t>(to[i] - from[i] + 1, 1U << 20U);
         if (count > kManyCells) return false;
         for (std::uint64_t x = from[0]; x <= to[0]; ++x) {

@@ -87,7 +87,6 @@ class Rows {
     }
     void operator()(const HoleEvidence& e) const {
         if (e.point != kNone) row("point", points({e.point}));
-        if (e.verdict == Verdict::NotAHole) return;
         row("its side", signedNumber(e.side));
         row("side of p", signedNumber(e.pivotSide));
     }

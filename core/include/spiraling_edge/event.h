@@ -85,7 +85,6 @@ enum class Verdict : std::uint8_t {
     NotReciprocal,  ///< p is outside the sector of e (Fig. 6).
     WallComplete,   ///< e is complete along its walls (Rules::wallsDone).
     // hole
-    NotAHole,
     FarSide,  ///< On the far side of the plane (Fig. 7).
     // sphere
     InsideSphere,  ///< Kept: inside the circumsphere (Fig. 8).
@@ -175,10 +174,10 @@ struct ReciprocalEvidence {
     Verdict verdict;  ///< Kept, NotReciprocal
 };
 struct HoleEvidence {
-    Index point;             ///< kNone: the look whether there is a hole at all.
+    Index point;
     Vec3 planeNormal;        ///< Not unit.
     double side, pivotSide;  ///< Signed distances (scene units) of the point and of p.
-    Verdict verdict;         ///< Kept, FarSide, NotAHole
+    Verdict verdict;         ///< Kept, FarSide
 };
 struct SphereEvidence {
     Index t, q, s;

@@ -22,7 +22,7 @@ class InvariantChecker {
     /// Which invariants to expect.
     enum class Level : std::uint8_t {
         AnyInput,     ///< 1, 2, 6 to 11, 13.
-        Guarded,      ///< Also 3 to 5: what Rules::guard promises for any input.
+        Guarded,      ///< Also 3 and 5: what Rules::guard promises for any input.
         WellSampled,  ///< Also 12: edges and rings fit together as on a manifold.
     };
 
