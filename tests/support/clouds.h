@@ -58,7 +58,7 @@ inline Run runAll(const PointSet& points, const Params& params, EventLog* log = 
     Run run;
     run.stop = stepper.run();
     run.state = stepper.takeState();
-    run.mesh = reportMesh(points, run.state.triangles);
+    run.mesh = reportMesh(points, run.state.mesh());
     return run;
 }
 

@@ -44,6 +44,7 @@ class Rig {
         points_.type.assign(points_.size(), kInterior);
         lists_.resize(points_.size());
         state_ = State(points_.size());
+        if (params.rules.needsEdges()) state_.edges = EdgeTable(points_.size());
     }
     Rig(const Rig&) = delete;
     Rig& operator=(const Rig&) = delete;
@@ -99,6 +100,26 @@ class Rig {
         state_.phase = Phase::Pivot;
         return *this;
     }
+    /// Triangles that are there already. They leave status and rings as they are.
+    Rig& mesh(const std::vector<Triangle>& triangles) {
+        for (const Triangle& t : triangles) {
+            state_.triangles.push_back(t);
+            if (!state_.edges.empty()) state_.edges.add(t);
+        }
+        given_ = triangles.size();
+        return *this;
+    }
+    /// Begins with another phase than that of a pivot.
+    Rig& startAt(Phase phase) {
+        state_.phase = phase;
+        return *this;
+    }
+    /// As if some circuits, and this many pivots of the next one, had brought no triangle.
+    Rig& patience(std::uint32_t circuits, Index pivots) {
+        state_.patience = circuits;
+        state_.circuit = pivots;
+        return *this;
+    }
     Rig& done(const std::vector<Index>& points) {
         for (const Index p : points) state_.status[p] = kDone;
         return *this;
@@ -132,6 +153,11 @@ class Rig {
     const State& state() { return stepper().state(); }
     const PointSet& points() { return stepper().points(); }
     const std::vector<Triangle>& triangles() { return state().triangles; }
+    /// Those that were not given.
+    std::vector<Triangle> newTriangles() {
+        const auto& all = triangles();
+        return {all.begin() + static_cast<std::ptrdiff_t>(given_), all.end()};
+    }
     PointStatus status(Index p) { return state().status[p]; }
     /// Points of the active ring from the pivot on.
     std::vector<Index> activeRing() { return ringFrom(state(), state().pivot.pivot); }
@@ -208,6 +234,7 @@ class Rig {
     std::vector<std::vector<Index>> lists_;
     Params params_;
     State state_;
+    std::size_t given_ = 0;
     EventLog log_;
     std::optional<Stepper> stepper_;
 };

@@ -1,0 +1,83 @@
+#include "spiraling_edge/edge_table.h"
+
+#include <doctest/doctest.h>
+
+#include <map>
+#include <set>
+
+#include "../support/oracles.h"
+
+using namespace se;
+using namespace se::test;
+
+TEST_CASE("edge table: a triangle has three sides, each in one direction") {
+    EdgeTable table(5);
+    table.add({1, 4, 2});
+    CHECK(table.has(1, 4));
+    CHECK(table.has(4, 2));
+    CHECK(table.has(2, 1));
+    CHECK_FALSE(table.has(4, 1));
+    CHECK_FALSE(table.has(0, 1));
+    CHECK_FALSE(table.has(1, 3));
+}
+
+TEST_CASE("edge table: a side names its triangle and the corner opposite to it") {
+    EdgeTable table(6);
+    table.add({0, 1, 2});
+    table.add({1, 0, 3});
+    CHECK(table.find(0, 1) == 0);
+    CHECK(table.find(1, 0) == 3);
+    CHECK(table.opposite(table.find(0, 1)) == 2);
+    CHECK(table.opposite(table.find(1, 2)) == 0);
+    CHECK(table.opposite(table.find(2, 0)) == 1);
+    CHECK(table.opposite(table.find(1, 0)) == 3);
+    CHECK(table.opposite(table.find(0, 3)) == 1);
+    CHECK(table.opposite(table.find(3, 1)) == 0);
+    CHECK(table.find(2, 3) == kNone);
+}
+
+TEST_CASE("edge table: of a side that two triangles have, the newer one is found") {
+    EdgeTable table(4);
+    table.add({0, 1, 2});
+    table.add({0, 1, 3});
+    CHECK(table.find(0, 1) / 3 == 1);
+    CHECK(table.opposite(table.find(0, 1)) == 3);
+}
+
+TEST_CASE("edge table: without points it is empty, with points it is not") {
+    CHECK(EdgeTable().empty());
+    CHECK_FALSE(EdgeTable(1).empty());
+}
+
+TEST_CASE("edge table: finds what a map finds, on random triangles") {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        Random random(seed);
+        const std::size_t count = 4 + random.below(30);
+        EdgeTable table(count);
+        std::map<std::pair<Index, Index>, std::set<Index>> expected;  // Side to opposite corners.
+        for (int i = 0; i < 60; ++i) {
+            const auto any = [&] { return static_cast<Index>(random.below(count)); };
+            const Triangle t{any(), any(), any()};
+            if (t.a == t.b || t.b == t.c || t.c == t.a) continue;
+            table.add(t);
+            expected[{t.a, t.b}].insert(t.c);
+            expected[{t.b, t.c}].insert(t.a);
+            expected[{t.c, t.a}].insert(t.b);
+        }
+        bool agrees = true;
+        for (Index u = 0; u < count; ++u) {
+            std::map<std::pair<Index, Index>, std::set<Index>> leaving;
+            for (HalfEdge h = table.firstFrom(u); h != kNone; h = table.nextFrom(h)) {
+                leaving[{u, table.target(h)}].insert(table.opposite(h));
+            }
+            for (Index v = 0; v < count; ++v) {
+                const auto found = expected.find({u, v});
+                agrees = agrees && table.has(u, v) == (found != expected.end());
+                if (found == expected.end()) continue;
+                agrees = agrees && leaving[{u, v}] == found->second;
+                agrees = agrees && found->second.contains(table.opposite(table.find(u, v)));
+            }
+        }
+        CHECK_MESSAGE(agrees, "seed ", seed);
+    }
+}

@@ -1,0 +1,195 @@
+#include "spiraling_edge/faults.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "../support/clouds.h"
+#include "../support/oracles.h"
+#include "exact.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+PointSet pointsAt(std::vector<Vec3> position, const Vec3& normal = {0, 0, 1}) {
+    PointSet points;
+    points.position = std::move(position);
+    points.normal.assign(points.size(), normal);
+    points.type.assign(points.size(), kInterior);
+    return points;
+}
+
+/// All intersections, by trying every pair.
+std::vector<Fault> bruteIntersections(const PointSet& points, const Triangles& triangles) {
+    const auto hasArea = [&](const Triangle& t) {
+        const Vec3 n = glm::cross(points.position[t.b] - points.position[t.a],
+                                  points.position[t.c] - points.position[t.a]);
+        return t.a != t.b && t.b != t.c && t.c != t.a && glm::dot(n, n) > 0;
+    };
+    std::vector<Fault> found;
+    for (Index i = 0; i < triangles.size(); ++i) {
+        for (Index j = i + 1; j < triangles.size(); ++j) {
+            if (!hasArea(triangles[i]) || !hasArea(triangles[j])) continue;
+            if (trianglesShareMore(points.position, triangles[i], triangles[j])) {
+                found.push_back({FaultKind::Intersecting, i, j});
+            }
+        }
+    }
+    return found;
+}
+
+std::vector<Fault> ofKind(const std::vector<Fault>& faults, FaultKind kind) {
+    std::vector<Fault> found;
+    for (const Fault& fault : faults) {
+        if (fault.kind == kind) found.push_back(fault);
+    }
+    return found;
+}
+
+using Faults = std::vector<Fault>;
+
+}  // namespace
+
+TEST_CASE("faults: none on an octahedron with normals outwards") {
+    PointSet points =
+        pointsAt({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}});
+    points.normal = points.position;
+    const Triangles triangles{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                              {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+    CHECK(findFaults(points, triangles).empty());
+    CHECK(findFaults(points, Triangles{}).empty());
+}
+
+TEST_CASE("faults: none on a sphere, and none at its border") {
+    const PointSet points = prepared(closedFamilies(0.5)[0].sample(1));
+    const Run run = runAll(points, *paramsByName("robust"));
+    CHECK(findFaults(points, run.state.mesh()).empty());
+    Triangles open = run.state.mesh();
+    open.resize(open.size() / 2);
+    CHECK(findFaults(points, open).empty());
+}
+
+TEST_CASE("faults: an edge of three triangles") {
+    const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}});
+    const auto faults = findFaults(points, Triangles{{0, 1, 2}, {1, 0, 3}, {1, 0, 4}});
+    const auto edges = ofKind(faults, FaultKind::NonManifoldEdge);
+    CHECK(edges == Faults{{FaultKind::NonManifoldEdge, 0, 1}, {FaultKind::NonManifoldEdge, 0, 2}});
+    CHECK(countFaults(faults)[0] == 2);
+}
+
+TEST_CASE("faults: an edge passed twice in one direction") {
+    const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}});
+    const auto faults = findFaults(points, Triangles{{0, 1, 2}, {0, 1, 3}});
+    CHECK(ofKind(faults, FaultKind::InconsistentEdge) ==
+          Faults{{FaultKind::InconsistentEdge, 0, 1}});
+    CHECK(ofKind(findFaults(points, Triangles{{0, 1, 2}, {1, 0, 3}}), FaultKind::InconsistentEdge)
+              .empty());
+}
+
+TEST_CASE("faults: a triangle with a corner twice or without an area") {
+    const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}});
+    CHECK(findFaults(points, Triangles{{0, 1, 2}}) == Faults{{FaultKind::Degenerate, 0, kNone}});
+    CHECK(ofKind(findFaults(points, Triangles{{0, 1, 3}, {1, 3, 3}}), FaultKind::Degenerate) ==
+          Faults{{FaultKind::Degenerate, 1, kNone}});
+}
+
+TEST_CASE("faults: a triangle against the sum of its normals, not against one of them") {
+    PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    points.normal[0] = {0, 0, -1};
+    CHECK(findFaults(points, Triangles{{0, 1, 2}}).empty());
+    points.normal[1] = {0, 0, -1};
+    CHECK(findFaults(points, Triangles{{0, 1, 2}}) == Faults{{FaultKind::Flipped, 0, kNone}});
+}
+
+TEST_CASE("faults: two triangles that cross") {
+    const PointSet points =
+        pointsAt({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {2, 1, -1}, {1, 1, 1}}, {0, 0, 1});
+    const auto faults = findFaults(points, Triangles{{0, 1, 2}, {3, 4, 5}});
+    CHECK(ofKind(faults, FaultKind::Intersecting) == Faults{{FaultKind::Intersecting, 0, 1}});
+}
+
+TEST_CASE("faults: two triangles at an edge within ten degrees of each other are folded") {
+    const auto foldedAt = [](double degrees) {
+        const double angle = degrees * kPi / 180;
+        const PointSet points = pointsAt(
+            {{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {-std::cos(angle), 0, std::sin(angle)}}, {0, 0, 0});
+        const auto faults = findFaults(points, Triangles{{0, 1, 2}, {1, 0, 3}});
+        CHECK(ofKind(faults, FaultKind::Intersecting).empty());
+        return ofKind(faults, FaultKind::Folded);
+    };
+    CHECK(foldedAt(9.9) == Faults{{FaultKind::Folded, 0, 1}});
+    CHECK(foldedAt(10.1).empty());
+    CHECK(foldedAt(180).empty());
+}
+
+TEST_CASE("faults: folded flat is an intersection as well") {
+    const PointSet points = pointsAt({{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {-1, 0.5, 0}});
+    const auto counts = countFaults(findFaults(points, Triangles{{0, 1, 2}, {1, 0, 3}}));
+    CHECK(counts[static_cast<std::size_t>(FaultKind::Folded)] == 1);
+    CHECK(counts[static_cast<std::size_t>(FaultKind::Intersecting)] == 1);
+}
+
+TEST_CASE("faults: ordered by kind, triangle and other, each once") {
+    Random random(3);
+    PointSet points = pointsAt({});
+    for (int i = 0; i < 30; ++i) points.position.push_back(random.inCube());
+    points.normal.assign(30, Vec3(0, 0, 1));
+    Triangles triangles;
+    for (int i = 0; i < 60; ++i) {
+        const auto any = [&] { return static_cast<Index>(random.below(30)); };
+        triangles.push_back({any(), any(), any()});
+    }
+    const auto faults = findFaults(points, triangles);
+    const auto less = [](const Fault& a, const Fault& b) {
+        return std::tie(a.kind, a.triangle, a.other) < std::tie(b.kind, b.triangle, b.other);
+    };
+    CHECK(std::is_sorted(faults.begin(), faults.end(), less));
+    CHECK(std::adjacent_find(faults.begin(), faults.end()) == faults.end());
+    std::size_t total = 0;
+    for (const std::size_t count : countFaults(faults)) {
+        CHECK(count > 0);
+        total += count;
+    }
+    CHECK(total == faults.size());
+}
+
+TEST_CASE("faults: the grid finds the intersections that trying every pair finds") {
+    std::size_t total = 0;
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+        Random random(seed);
+        PointSet points = pointsAt({});
+        Triangles triangles;
+        const double size = random.between(0.05, 0.6);
+        const Vec3 move = seed % 3 == 0 ? Vec3(1e6, -1e6, 1e5) : Vec3(0);
+        for (Index i = 0; i < 150; ++i) {
+            // Now and then one that spans everything, or in one plane with others.
+            const double reach = i % 40 == 0 ? 4.0 : size;
+            const Vec3 center = random.inCube();
+            for (int k = 0; k < 3; ++k) {
+                Vec3 x = center + reach * random.inCube();
+                if (seed % 4 == 0) x.z = i % 2;
+                points.position.push_back(x + move);
+            }
+            triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+            // Some have a corner in common with one made before.
+            if (i > 0 && i % 5 == 0) triangles.back().a = static_cast<Index>(random.below(3 * i));
+        }
+        points.normal.assign(points.size(), Vec3(0, 0, 1));
+        const Faults expected = bruteIntersections(points, triangles);
+        total += expected.size();
+        const auto found = ofKind(findFaults(points, triangles), FaultKind::Intersecting);
+        CHECK_MESSAGE(found == expected, "seed ", seed);
+    }
+    CHECK(total > 2000);
+}
+
+TEST_CASE("faults: names are those of the report") {
+    CHECK(faultName(FaultKind::NonManifoldEdge) == "non_manifold_edge");
+    CHECK(faultName(FaultKind::InconsistentEdge) == "inconsistent_edge");
+    CHECK(faultName(FaultKind::Degenerate) == "degenerate");
+    CHECK(faultName(FaultKind::Flipped) == "flipped");
+    CHECK(faultName(FaultKind::Intersecting) == "intersecting");
+    CHECK(faultName(FaultKind::Folded) == "folded");
+}
