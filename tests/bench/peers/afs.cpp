@@ -34,7 +34,7 @@ Outcome advancingFront(const PointFile& points, std::size_t) {
     CGAL::Advancing_front_surface_reconstruction<Delaunay> front(delaunay);
     front.run(5.0, 0.52);
     std::vector<std::array<std::size_t, 3>> triples;
-    CGAL::AFSR::write_triple_indices(std::back_inserter(triples), front);
+    CGAL::write_triple_indices(std::back_inserter(triples), front);
     for (const auto& [a, b, c] : triples)
         outcome.triangles.push_back(
             {static_cast<Index>(a), static_cast<Index>(b), static_cast<Index>(c)});

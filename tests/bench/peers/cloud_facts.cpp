@@ -48,15 +48,14 @@ double meanSpacing(const PointFile& points) {
     return sum / static_cast<double>(count);
 }
 
-double extent(const PointFile& points) {
+Vec3 extent(const PointFile& points) {
     Vec3 low = points.position.front();
     Vec3 high = low;
     for (const Vec3& p : points.position) {
         low = glm::min(low, p);
         high = glm::max(high, p);
     }
-    const Vec3 side = high - low;
-    return std::max({side.x, side.y, side.z});
+    return high - low;
 }
 
 void orientEach(const PointFile& points, std::vector<Triangle>& triangles) {

@@ -10,8 +10,8 @@ namespace se::peers {
 
 /// The mean distance to the nearest other point. Methods that ask for a length get a multiple.
 double meanSpacing(const PointFile& points);
-/// The longest side of the bounding box.
-double extent(const PointFile& points);
+/// The sides of the bounding box.
+Vec3 extent(const PointFile& points);
 /// The `count` nearest others of every point, nearest first, opposing normals included.
 NeighborLists nearestLists(const PointFile& points, std::size_t count);
 

@@ -84,6 +84,7 @@ Outcome greedyProjection(const PointFile& points, std::size_t neighbors) {
     method.setMinimumAngle(10.0 * kDegree);
     method.setMaximumAngle(120.0 * kDegree);
     method.setNormalConsistency(true);
+    method.setConsistentVertexOrdering(true);
     method.setInputCloud(cloud);
     method.setSearchMethod(lists);
     std::vector<pcl::Vertices> polygons;

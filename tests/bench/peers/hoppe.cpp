@@ -1,6 +1,6 @@
 // Marching cubes over the distance to the tangent planes: H. Hoppe and others, SIGGRAPH 1992; PCL.
-// Cells are as large as the mean distance to the nearest point, but there are at most 256 along the
-// longest side.
+// Cells are as large as the mean distance to the nearest point, but there are 16 to 256 along every
+// side.
 #include <pcl/search/kdtree.h>
 #include <pcl/surface/marching_cubes_hoppe.h>
 
@@ -17,8 +17,10 @@ Outcome hoppe(const PointFile& points, std::size_t) {
     const auto cloud = toCloud(points);
     StopWatch watch;
     const double spacing = meanSpacing(points);
-    const double cells = extent(points) / spacing;
-    const int resolution = static_cast<int>(std::clamp(cells, 16.0, 256.0));
+    const Vec3 sides = extent(points);
+    const auto cells = [&](double side) {
+        return static_cast<int>(std::clamp(side / spacing, 16.0, 256.0));
+    };
     const pcl::search::KdTree<pcl::PointNormal>::Ptr tree(
         new pcl::search::KdTree<pcl::PointNormal>);
     tree->setInputCloud(cloud);
@@ -26,7 +28,7 @@ Outcome hoppe(const PointFile& points, std::size_t) {
 
     pcl::MarchingCubesHoppe<pcl::PointNormal> method;
     method.setIsoLevel(0.0F);
-    method.setGridResolution(resolution, resolution, resolution);
+    method.setGridResolution(cells(sides.x), cells(sides.y), cells(sides.z));
     method.setPercentageExtendGrid(0.02F);
     method.setDistanceIgnore(static_cast<float>(2.0 * spacing));
     method.setInputCloud(cloud);
@@ -34,8 +36,8 @@ Outcome hoppe(const PointFile& points, std::size_t) {
     pcl::PointCloud<pcl::PointNormal> made;
     std::vector<pcl::Vertices> polygons;
     method.reconstruct(made, polygons);
-    takeMesh(made, polygons, outcome);
     outcome.reconstructSeconds = watch.lap();
+    takeMesh(made, polygons, 1e-3 * spacing, outcome);
     return outcome;
 }
 

@@ -17,7 +17,10 @@ Outcome poisson(const PointFile& points, std::size_t) {
     Outcome outcome;
     const auto cloud = toCloud(points);
     StopWatch watch;
-    const double cells = extent(points) / meanSpacing(points);
+    const double spacing = meanSpacing(points);
+    const Vec3 sides = extent(points);
+    const double side = std::max({sides.x, sides.y, sides.z});
+    const double cells = side / spacing;
     outcome.searchSeconds = watch.lap();
 
     pcl::Poisson<pcl::PointNormal> method;
@@ -26,8 +29,8 @@ Outcome poisson(const PointFile& points, std::size_t) {
     pcl::PointCloud<pcl::PointNormal> made;
     std::vector<pcl::Vertices> polygons;
     method.reconstruct(made, polygons);
-    takeMesh(made, polygons, outcome);
     outcome.reconstructSeconds = watch.lap();
+    takeMesh(made, polygons, 1e-6 * spacing, outcome);
     return outcome;
 }
 

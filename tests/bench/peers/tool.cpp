@@ -38,11 +38,13 @@ int checkMesh(const std::string& path) {
     const auto faults = se::countFaults(se::findFaults(points, faces));
     std::printf(
         "{\n  \"points\": %zu,\n  \"unused_points\": %zu,\n  \"triangles\": %zu,\n"
-        "  \"boundary_loops\": %zu,\n  \"non_manifold_vertices\": %zu",
-        mesh.points, mesh.unusedPoints, mesh.triangles, mesh.boundaryLoops,
+        "  \"boundary_loops\": %zu,\n  \"non_manifold_edges\": %zu,\n  \"non_manifold_vertices\": "
+        "%zu",
+        mesh.points, mesh.unusedPoints, mesh.triangles, mesh.boundaryLoops, mesh.nonManifoldEdges,
         mesh.nonManifoldVertices);
     for (std::size_t kind = 0; kind < se::kFaultKinds; ++kind) {
         const auto fault = static_cast<se::FaultKind>(kind);
+        if (fault == se::FaultKind::NonManifoldEdge) continue;  // per triangle; counted above
         if (fault == se::FaultKind::Flipped && !hasNormals) continue;
         std::printf(",\n  \"%s\": %zu", std::string(se::faultName(fault)).c_str(), faults[kind]);
     }
