@@ -13,6 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostAlerts = 100;
+constexpr std::size_t kMostFaults = 100;
 
 std::string_view endingName(Ending ending) {
     switch (ending) {
@@ -72,10 +73,21 @@ void addMesh(const MeshReport& mesh, Json& json) {
 
 void addFaults(const RunOutcome& outcome, Json& json) {
     if (!outcome.faults) return;
+    const auto counts = countFaults(*outcome.faults);
     for (std::size_t kind = 0; kind < kFaultKinds; ++kind) {
-        const std::string name(faultName(static_cast<FaultKind>(kind)));
-        json["faults"][name] = (*outcome.faults)[kind];
+        json["faults"][std::string(faultName(static_cast<FaultKind>(kind)))] = counts[kind];
     }
+    json["sound"] = outcome.faults->empty();
+    Json list = Json::array();
+    for (std::size_t i = 0; i < std::min(outcome.faults->size(), kMostFaults); ++i) {
+        const Fault& fault = (*outcome.faults)[i];
+        const Vec3& at = outcome.faultPlaces[i];
+        Json row = {{"class", faultName(fault.kind)}, {"triangle", fault.triangle}};
+        row["other"] = fault.other == kNone ? Json() : Json(fault.other);
+        row["at"] = {at.x, at.y, at.z};
+        list.push_back(row);
+    }
+    json["fault_list"] = list;
 }
 
 void addPreparation(const PrepareReport& report, Json& json) {
@@ -139,8 +151,10 @@ std::string endingSentence(const RunOutcome& outcome) {
 
 std::string faultSentence(const RunOutcome& outcome) {
     std::string text;
-    for (std::size_t kind = 0; outcome.faults && kind < kFaultKinds; ++kind) {
-        const std::size_t count = (*outcome.faults)[kind];
+    if (!outcome.faults) return text;
+    const auto counts = countFaults(*outcome.faults);
+    for (std::size_t kind = 0; kind < kFaultKinds; ++kind) {
+        const std::size_t count = counts[kind];
         if (count == 0) continue;
         appendPart(text, fmt::format("{} {}", count, faultName(static_cast<FaultKind>(kind))));
     }

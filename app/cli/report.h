@@ -1,9 +1,9 @@
 /// What a run amounts to: as JSON for programs, as a few lines for people.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "spiraling_edge/faults.h"
 #include "spiraling_edge/mesh.h"
@@ -32,8 +32,10 @@ struct RunOutcome {
     Params params;
     PrepareReport prepared;
     MeshReport mesh;
-    /// By kind; only if they were looked for.
-    std::optional<std::array<std::size_t, kFaultKinds>> faults;
+    /// Only if they were looked for.
+    std::optional<std::vector<Fault>> faults;
+    /// Where each of them is: the middle of its triangle.
+    std::vector<Vec3> faultPlaces;
     State state;
     Seconds seconds;
     Ending ending = Ending::Finished;

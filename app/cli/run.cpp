@@ -139,6 +139,17 @@ void writeMesh(const std::string& path, const PointFile& file, const std::vector
     if (!status) throw Failure(ExitCode::Internal, status.error().message);
 }
 
+/// Finds every fault of the mesh, and its place.
+void lookForFaults(const PointSet& points, RunOutcome& outcome) {
+    const std::vector<Triangle>& mesh = outcome.state.mesh();
+    outcome.faults = findFaults(points, mesh);
+    for (const Fault& fault : *outcome.faults) {
+        const Triangle& t = mesh[fault.triangle];
+        outcome.faultPlaces.push_back(
+            (points.position[t.a] + points.position[t.b] + points.position[t.c]) / 3.0);
+    }
+}
+
 /// Prints what a person should know and finds the exit code.
 ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
     if (!arguments.report.empty()) writeOutput(arguments.report, reportJson(outcome));
@@ -153,7 +164,7 @@ ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
                                   outcome.input, counted(outcome.mesh.triangles, "triangle")));
     }
     const std::string faults = faultSentence(outcome);
-    if (faults.empty()) return ExitCode::Good;
+    if (!arguments.check || faults.empty()) return ExitCode::Good;
     throw Failure(ExitCode::CheckFailed, outcome.input + ": the mesh has faults: " + faults);
 }
 
@@ -194,8 +205,8 @@ ExitCode runVerb(const Arguments& words) {
     }
     outcome.mesh = reportMesh(prepared.points, outcome.state.mesh());
     // A run that was stopped is no surface, and its faults are too many to list.
-    if (arguments.check && outcome.ending != Ending::Capped)
-        outcome.faults = countFaults(findFaults(prepared.points, outcome.state.mesh()));
+    const bool wanted = arguments.check || !arguments.report.empty();
+    if (wanted && outcome.ending != Ending::Capped) lookForFaults(prepared.points, outcome);
     return conclude(arguments, outcome);
 }
 

@@ -8,7 +8,7 @@ install(TARGETS spiraling_edge EXPORT spiraling_edge_targets
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY core/include/spiraling_edge DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT spiraling_edge_targets NAMESPACE spiraling_edge:: DESTINATION ${package_dir})
-configure_package_config_file(cmake/spiraling_edge-config.cmake.in
+configure_package_config_file(core/cmake/spiraling_edge-config.cmake.in
     "${PROJECT_BINARY_DIR}/spiraling_edge-config.cmake" INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/spiraling_edge-config-version.cmake"
     COMPATIBILITY SameMinorVersion)
