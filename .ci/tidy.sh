@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # clang-tidy with the rules of .clang-tidy over our sources, as many at a time as there are cores.
-#   tidy.sh BUILD [FOLDER...]    BUILD holds compile_commands.json; default: core/src and app
+#   tidy.sh BUILD [FOLDER...]    BUILD holds compile_commands.json; default: core/src and
+#   app/cli; app/viewer takes twice as long as both
 # A file that was clean is not looked at again until it, a header or the rules change.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit 1
 build=$1
 shift
 folders=("$@")
-[ ${#folders[@]} -gt 0 ] || folders=(core/src app)
+[ ${#folders[@]} -gt 0 ] || folders=(core/src app/cli)
 tidy=$(command -v clang-tidy-16 || command -v clang-tidy) || { echo "no clang-tidy"; exit 1; }
 cache=$build/tidy
 mkdir -p "$cache"
