@@ -1,0 +1,277 @@
+/// Rules::fill: a ring that would be freed with interior points is closed by ears.
+#include <doctest/doctest.h>
+
+#include "../support/clouds.h"
+#include "../support/oracles.h"
+#include "../support/rig.h"
+#include "shape.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+Params fillWith(std::initializer_list<bool Rules::*> rules = {}) {
+    Params params = paperBut(&Rules::fill);
+    for (const auto rule : rules) params.rules.*rule = true;
+    return params;
+}
+
+/// A hole: points at these angles of the unit circle, which the ring goes round clockwise.
+std::vector<Vec3> hole(const std::vector<double>& degrees) {
+    std::vector<Vec3> position;
+    for (const double d : degrees) position.push_back(polar(-d));
+    return position;
+}
+std::vector<double> regular(std::size_t count) {
+    std::vector<double> degrees;
+    for (std::size_t i = 0; i < count; ++i) {
+        degrees.push_back(360.0 * static_cast<double>(i) / static_cast<double>(count));
+    }
+    return degrees;
+}
+Points upTo(std::size_t count) {
+    Points all;
+    for (Index p = 0; p < count; ++p) all.push_back(p);
+    return all;
+}
+
+/// Every directed edge of the new triangles once, and round the hole none twice.
+bool closesHole(const Triangles& triangles, std::size_t count) {
+    EdgeTable table(count);
+    for (const Triangle& t : triangles) {
+        if (table.has(t.a, t.b) || table.has(t.b, t.c) || table.has(t.c, t.a)) return false;
+        table.add(t);
+    }
+    bool whole = triangles.size() == count - 2;
+    // The ring steps p -> p + 1 are edges of the mesh about the hole; the hole's are the others.
+    for (Index p = 0; p < count; ++p) {
+        whole = whole && table.has(static_cast<Index>((p + 1) % count), p);
+    }
+    return whole;
+}
+
+}  // namespace
+
+TEST_CASE("fill: a ring that would be freed is closed, one ear at each step") {
+    for (const std::size_t count : {3U, 4U, 5U, 9U, 20U}) {
+        Rig rig(hole(regular(count)), fillWith());
+        rig.ring(upTo(count)).startAt(Phase::Fill).pivot();
+        CHECK(rig.triangles().size() == 1);
+        rig.run();
+        CHECK_MESSAGE(closesHole(rig.triangles(), count), count);
+        CHECK(rig.state().counters.holes == 0);
+        CHECK(rig.state().alerts.empty());
+        CHECK(rig.state().finished());
+    }
+}
+
+namespace {
+
+/// A square of four points that lie where the surface ends, each with six finished points close
+/// behind it: Rules::rim makes no triangle of them, for they are too large.
+Rig& rimSquare(Rig& rig) {
+    Index next = 4;
+    for (Index p = 0; p < 4; ++p) {
+        Points list;
+        for (int i = 0; i < 6; ++i) list.push_back(next++);
+        rig.done(list).list(p, list);
+    }
+    return rig.ring({0, 1, 2, 3});
+}
+std::vector<Vec3> rimSquarePoints() {
+    std::vector<Vec3> position = hole(regular(4));
+    for (int p = 0; p < 4; ++p) {
+        for (int i = 0; i < 6; ++i) {
+            position.push_back(position[static_cast<std::size_t>(p)] +
+                               polar(-90.0 * p - 10 + 4 * i, 0.1 + 0.01 * i));
+        }
+    }
+    return position;
+}
+
+}  // namespace
+
+TEST_CASE("fill: without the rule the ring is freed and reported, with it the hole is closed") {
+    Params rimOnly = paperBut(&Rules::rim);
+    Rig freed(rimSquarePoints(), rimOnly);
+    rimSquare(freed).run();
+    CHECK(freed.triangles().empty());
+    CHECK(freed.state().counters.freedRings == 1);
+    CHECK(freed.state().counters.filled == 0);
+    Rig filled(rimSquarePoints(), fillWith({&Rules::rim}));
+    rimSquare(filled).run();
+    CHECK(filled.triangles().size() == 2);
+    CHECK(filled.state().counters.filled == 2);
+    CHECK(filled.state().counters.freedRings == 0);
+}
+
+TEST_CASE("fill: a ring longer than maxFillLength is freed") {
+    for (const std::uint32_t longest : {3U, 4U}) {
+        Params params = fillWith({&Rules::rim});
+        params.maxFillLength = longest;
+        Rig rig(rimSquarePoints(), params);
+        rimSquare(rig).run();
+        CHECK(rig.triangles().empty() == (longest == 3));
+        CHECK(rig.state().finished());
+    }
+    CHECK(Params{}.maxFillLength == 64);
+}
+
+TEST_CASE("fill: the ear with the best least angle goes first") {
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+        Random random(seed);
+        std::vector<double> degrees;
+        const std::size_t count = 4 + random.below(6);
+        while (degrees.size() < count) degrees.push_back(random.between(0, 360));
+        std::sort(degrees.begin(), degrees.end());
+        // Some rings of random points are no ears anywhere: a turn over 180 degrees at one.
+        double widest = degrees[0] + 360 - degrees.back();
+        for (std::size_t i = 1; i < count; ++i) {
+            widest = std::max(widest, degrees[i] - degrees[i - 1]);
+        }
+        if (widest > 170) continue;
+        Rig rig(hole(degrees), fillWith());
+        rig.ring(upTo(count)).startAt(Phase::Fill).pivot();
+        const auto made = rig.all<FillEvidence>();
+        REQUIRE(made.size() == 1);
+        double best = 0;
+        for (Index p = 0; p < count; ++p) {
+            const auto before = static_cast<Index>((p + count - 1) % count);
+            const auto after = static_cast<Index>((p + 1) % count);
+            const double cosine = leastAngleCosine(rig.points(), {p, before, after});
+            best = std::max(best, std::acos(cosine) * 180 / kPi);
+        }
+        CHECK(made[0].leastDegrees == doctest::Approx(best));
+        CHECK(made[0].ringLength == count);
+        CHECK_FALSE(made[0].forced);
+        CHECK(rig.triangles() == Triangles{{made[0].pivot, made[0].first, made[0].last}});
+    }
+}
+
+TEST_CASE("fill: an ear with a fault is made only to close a ring of at most four") {
+    const auto closed = [](std::size_t count, std::initializer_list<bool Rules::*> rules) {
+        const std::vector<Vec3> position = hole(regular(count));
+        Rig rig(position, fillWith(rules));
+        // Every other normal leans so far that each ear is against one of its corners.
+        for (Index p = 0; p < count; ++p) {
+            if (p % 2 == 0) rig.normal(p, Vec3(0, 0, -0.2) + polar(10.0 * p));
+        }
+        rig.ring(upTo(count)).startAt(Phase::Fill).run();
+        for (const auto& made : rig.all<FillEvidence>()) CHECK(made.forced);
+        CHECK(rig.state().finished());
+        return rig.all<FillEvidence>().size();
+    };
+    CHECK(closed(4, {&Rules::noFold}) > 0);
+    CHECK(closed(5, {&Rules::noFold}) == 0);
+    CHECK(closed(8, {&Rules::noFold}) == 0);
+}
+
+TEST_CASE("fill: what is left of a hole that cannot be closed is freed and reported") {
+    Rig rig(hole(regular(6)), fillWith({&Rules::noFold}));
+    for (Index p = 0; p < 6; ++p) rig.normal(p, {0, 0, -1});
+    rig.ring(upTo(6)).startAt(Phase::Fill).run();
+    CHECK(rig.triangles().empty());
+    CHECK(rig.state().counters.freedRings == 1);
+    CHECK(rig.state().counters.holes == 1);
+    REQUIRE(rig.state().alerts.size() == 1);
+    CHECK(rig.state().alerts[0].kind == AlertKind::Hole);
+}
+
+TEST_CASE("fill: an ear that the guard refuses is not made even to close a ring of four") {
+    // 0 2 and 1 3 are edges already.
+    Rig rig(hole(regular(4)), fillWith({&Rules::guard}));
+    rig.mesh({{0, 2, 1}, {3, 1, 2}}).ring(upTo(4)).startAt(Phase::Fill).run();
+    CHECK(rig.newTriangles().empty());
+    CHECK(rig.state().counters.holes == 1);
+    Rig unguarded(hole(regular(4)), fillWith());
+    unguarded.mesh({{0, 2, 1}, {3, 1, 2}}).ring(upTo(4)).startAt(Phase::Fill).run();
+    CHECK(unguarded.newTriangles().size() == 2);
+}
+
+TEST_CASE("fill: no ear beside an open step") {
+    Rig rig(hole(regular(4)), fillWith());
+    rig.ring(upTo(4)).open(0).startAt(Phase::Fill).pivot();
+    const auto made = rig.all<FillEvidence>();
+    REQUIRE(made.size() == 1);
+    CHECK((made[0].pivot == 2 || made[0].pivot == 3));
+    Rig all(hole(regular(4)), fillWith());
+    all.ring(upTo(4)).open(0).open(2).startAt(Phase::Fill).pivot();
+    CHECK(all.all<FillEvidence>().empty());
+}
+
+// ---- openings -----------------------------------------------------------------------------------
+
+namespace {
+
+/// A regular ring of which the first `rim` points lie where the surface ends, the others have a
+/// finished point on every side.
+std::vector<Vec3> withRim(std::size_t count) {
+    std::vector<Vec3> position = hole(regular(count));
+    for (std::size_t p = 0; p < count; ++p) {
+        for (int i = 0; i < 4; ++i) position.push_back(position[p] + polar(90.0 * i, 5));
+    }
+    return position;
+}
+Rig& setRim(Rig& rig, std::size_t count, std::size_t rim) {
+    for (Index p = 0; p < count; ++p) {
+        Points list;
+        for (Index i = 0; i < 4; ++i) list.push_back(static_cast<Index>(count) + 4 * p + i);
+        rig.done(list);
+        if (p < rim) list.resize(2);
+        rig.list(p, list);
+    }
+    return rig.ring(upTo(count));
+}
+
+}  // namespace
+
+TEST_CASE("rim: a ring of which more than two in three points are where the surface ends stays") {
+    for (const std::size_t rim : {6U, 7U, 9U}) {
+        for (const bool on : {false, true}) {
+            // As if all circuits were over but for this pivot.
+            Rig late(withRim(9), on ? fillWith({&Rules::rim}) : fillWith());
+            setRim(late, 9, rim).startAt(Phase::Advance).patience(kDelayedAllowed, 8);
+            late.run();
+            const bool opening = on && rim > 6;
+            CHECK(late.triangles().empty() == opening);
+            CHECK(late.state().counters.openings == (opening ? 1 : 0));
+            CHECK(late.state().counters.holes == 0);
+            CHECK(late.state().alerts.empty());
+        }
+    }
+}
+
+TEST_CASE("rim: a ring of four is a hole even if all of it is where the surface ends") {
+    Rig rig(withRim(4), fillWith({&Rules::rim}));
+    setRim(rig, 4, 4).startAt(Phase::Advance).patience(kDelayedAllowed, 3);
+    rig.run();
+    CHECK(rig.triangles().size() == 2);
+    CHECK(rig.state().counters.openings == 0);
+}
+
+// ---- whole runs ---------------------------------------------------------------------------------
+
+TEST_CASE("fill: on rough clouds, fewer holes are left than without") {
+    std::size_t with = 0;
+    std::size_t without = 0;
+    std::size_t filled = 0;
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        PointFile file = closedFamilies(0.6)[seed % 4].sample(seed);
+        Random random(seed);
+        for (Vec3& x : file.position) x += 0.05 * random.inCube();
+        const PointSet points = prepared(file);
+        Params params = *paramsByName("robust");
+        params.rules.rim = params.rules.reinsert = params.rules.flip = params.rules.reseat = false;
+        const Run on = runAll(points, params);
+        params.rules.fill = false;
+        const Run off = runAll(points, params);
+        with += on.mesh.boundaryEdges;
+        without += off.mesh.boundaryEdges;
+        filled += on.state.counters.filled;
+        CHECK(off.state.counters.filled == 0);
+    }
+    MESSAGE("boundary edges left: ", with, " with, ", without, " without; ears ", filled);
+    CHECK(filled > 0);
+    CHECK(with < without);
+}

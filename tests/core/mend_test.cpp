@@ -1,0 +1,496 @@
+/// Beyond the paper, after the last pivot: reinsert, flip and reseat (docs/robust.md).
+#include "spiraling_edge/mend.h"
+
+#include <doctest/doctest.h>
+
+#include <map>
+#include <set>
+
+#include "../support/clouds.h"
+#include "../support/random_points.h"
+#include "mend_sides.h"
+#include "shape.h"
+#include "spiraling_edge/faults.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+/// Points with normals up; every point lists all others.
+PointSet flatPoints(std::vector<Vec3> position) {
+    PointSet points;
+    points.position = std::move(position);
+    points.normal.assign(points.size(), Vec3(0, 0, 1));
+    points.type.assign(points.size(), kInterior);
+    for (Index p = 0; p < points.size(); ++p) {
+        Points list;
+        for (Index q = 0; q < points.size(); ++q) {
+            if (q != p) list.push_back(q);
+        }
+        std::stable_sort(list.begin(), list.end(), [&](Index a, Index b) {
+            return glm::length(points.position[a] - points.position[p]) <
+                   glm::length(points.position[b] - points.position[p]);
+        });
+        points.neighbors.append(list);
+    }
+    return points;
+}
+
+/// What is wrong with the neighbor relation of the triangles, empty if nothing is.
+std::string adjacencyFault(const MendState& m) {
+    if (m.twin.size() != 3 * m.triangles.size()) return "sides and triangles do not match";
+    std::vector<std::set<HalfEdge>> leaving(m.sideOf.size());
+    for (HalfEdge h = 0; h < m.twin.size(); ++h) {
+        const Triangle& t = m.triangles[h / 3];
+        if (t.a == t.b || t.b == t.c || t.c == t.a) return "a corner twice";
+        leaving[cornerOf(m, h)].insert(h);
+        const HalfEdge g = m.twin[h];
+        if (g == kNone) continue;
+        if (g >= m.twin.size()) return "a twin that is gone";
+        if (m.twin[g] != h) return "a twin with another twin";
+        if (cornerOf(m, g) != cornerOf(m, following(h)) ||
+            cornerOf(m, h) != cornerOf(m, following(g))) {
+            return "a twin with other ends";
+        }
+    }
+    for (Index p = 0; p < m.sideOf.size(); ++p) {
+        if (leaving[p].empty() != (m.sideOf[p] == kNone)) return "a point lost its side";
+        if (m.sideOf[p] == kNone) continue;
+        if (m.sideOf[p] >= m.twin.size() || cornerOf(m, m.sideOf[p]) != p) {
+            return "a side that leaves another point";
+        }
+        std::set<HalfEdge> reached;
+        forEachSideOf(m, p, [&](HalfEdge h) { reached.insert(h); });
+        if (!m.pinched[p] && reached != leaving[p]) return "going round misses a side";
+    }
+    return {};
+}
+/// Also that a manifold has stayed one: a side without a twin is at a border.
+std::string manifoldFault(const MendState& m) {
+    std::set<std::pair<Index, Index>> sides;
+    for (HalfEdge h = 0; h < m.twin.size(); ++h) {
+        if (!sides.insert({cornerOf(m, h), cornerOf(m, following(h))}).second) {
+            return "an edge twice in one direction";
+        }
+    }
+    for (HalfEdge h = 0; h < m.twin.size(); ++h) {
+        const bool other = sides.contains({cornerOf(m, following(h)), cornerOf(m, h)});
+        if (other != (m.twin[h] != kNone)) return "a side without its twin";
+    }
+    return adjacencyFault(m);
+}
+
+/// Corners from the least on, sorted: equal for equal meshes.
+std::set<std::array<Index, 3>> asSet(const Triangles& triangles) {
+    std::set<std::array<Index, 3>> set;
+    for (const Triangle& t : triangles) {
+        std::array<Index, 3> c{t.a, t.b, t.c};
+        std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+        set.insert(c);
+    }
+    return set;
+}
+
+/// All points that go in, in order; the state is checked after each.
+Points reinsertAll(const PointSet& points, MendState& m) {
+    Points in;
+    Index point = kNone;
+    while (reinsertNext(points, m, point)) {
+        in.push_back(point);
+        CHECK(manifoldFault(m) == "");
+    }
+    return in;
+}
+std::size_t flipAll(const PointSet& points, MendState& m) {
+    std::size_t count = 0;
+    Flip flip{};
+    while (flipNext(points, m, flip)) {
+        ++count;
+        CHECK(manifoldFault(m) == "");
+    }
+    return count;
+}
+
+std::size_t flippedIn(const PointSet& points, const Triangles& triangles) {
+    return countFaults(findFaults(points, triangles))[static_cast<std::size_t>(FaultKind::Flipped)];
+}
+
+std::vector<Vec3> square() { return {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}; }
+const Triangles kSquare{{0, 1, 2}, {0, 2, 3}};
+
+}  // namespace
+
+// ---- the start ----------------------------------------------------------------------------------
+
+TEST_CASE("mending: begins with the triangles as they are, and every side's twin") {
+    const MendState m = beginMending(5, kSquare);
+    CHECK(m.triangles == kSquare);
+    CHECK(manifoldFault(m) == "");
+    CHECK(m.twin[2] == 3);
+    CHECK(m.twin[3] == 2);
+    CHECK(m.sideOf[4] == kNone);
+    CHECK(m.queue == std::vector<HalfEdge>{2});
+    CHECK(std::count(m.pinched.begin(), m.pinched.end(), true) == 0);
+}
+
+TEST_CASE("mending: an edge of three triangles has no twins, and its ends are left alone") {
+    const MendState m = beginMending(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
+    CHECK(adjacencyFault(m) == "");
+    CHECK(m.twin[0] == kNone);
+    CHECK(m.twin[3] == kNone);
+    CHECK(m.pinched[0]);
+    CHECK(m.pinched[1]);
+}
+
+TEST_CASE("mending: a point of two fans is left alone") {
+    const MendState m = beginMending(5, {{0, 1, 2}, {0, 3, 4}});
+    CHECK(m.pinched[0]);
+    CHECK_FALSE(m.pinched[1]);
+}
+
+// ---- reinsert -----------------------------------------------------------------------------------
+
+TEST_CASE("reinsert: a stranded point splits the triangle that it lies over") {
+    const PointSet points = flatPoints({{0, 0, 0}, {4, 0, 0}, {2, 4, 0}, {2, 1.5, 0.2}});
+    MendState m = beginMending(4, {{0, 1, 2}});
+    CHECK(reinsertAll(points, m) == Points{3});
+    CHECK(asSet(m.triangles) == asSet({{0, 1, 3}, {1, 2, 3}, {2, 0, 3}}));
+    CHECK(m.reinserted == 1);
+}
+
+TEST_CASE("reinsert: a stranded point on an edge splits the edge") {
+    auto position = square();
+    position.push_back({2.05, 1.95, 0});
+    const PointSet points = flatPoints(position);
+    MendState m = beginMending(5, kSquare);
+    CHECK(reinsertAll(points, m) == Points{4});
+    CHECK(asSet(m.triangles) == asSet({{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}));
+}
+
+TEST_CASE("reinsert: a stranded point beside the border joins it") {
+    const PointSet points = flatPoints({{0, 0, 0}, {4, 0, 0}, {2, 4, 0}, {2, -3, 0}});
+    MendState m = beginMending(4, {{0, 1, 2}});
+    CHECK(reinsertAll(points, m) == Points{3});
+    CHECK(asSet(m.triangles) == asSet({{0, 1, 2}, {1, 0, 3}}));
+}
+
+TEST_CASE("reinsert: of all ways, the one with the best least angle") {
+    // Near the middle of 0 1 2 but nearer to its lower edge: splitting the edge is better.
+    const PointSet points = flatPoints({{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, -3, 0}, {2, 0.2, 0}});
+    MendState m = beginMending(5, {{0, 1, 2}, {1, 0, 3}});
+    reinsertAll(points, m);
+    CHECK(m.triangles.size() == 4);
+}
+
+TEST_CASE("reinsert: no point that would make a fault, none without a list, none that is used") {
+    const auto in = [](const Vec3& x, const Vec3& normal) {
+        PointSet points = flatPoints({{0, 0, 0}, {4, 0, 0}, {2, 4, 0}, x});
+        points.normal[3] = normal;
+        MendState m = beginMending(4, {{0, 1, 2}});
+        return reinsertAll(points, m).size();
+    };
+    const Vec3 up(0, 0, 1);
+    CHECK(in({2, 1.5, 0.2}, up) == 1);
+    CHECK(in({2, 1.5, 0.2}, {0, 0, -1}) == 0);
+    CHECK(in({2, 0, 0}, up) == 0);      // On the border: no area.
+    CHECK(in({2, 1.5, 900}, up) == 0);  // A needle.
+    PointSet bare = flatPoints({{0, 0, 0}, {4, 0, 0}, {2, 4, 0}, {2, 1.5, 0.2}});
+    bare.neighbors = {};
+    for (int p = 0; p < 4; ++p) bare.neighbors.append({});
+    MendState m = beginMending(4, {{0, 1, 2}});
+    CHECK(reinsertAll(bare, m).empty());
+    MendState used = beginMending(4, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
+    CHECK(reinsertAll(flatPoints(bare.position), used).empty());
+}
+
+TEST_CASE("reinsert: no triangle that meets another one nearby") {
+    // A second sheet, upright, cuts the first just beside the place.
+    PointSet points = flatPoints(
+        {{0, 0, 0}, {4, 0, 0}, {2, 4, 0}, {2, 1.5, 1}, {2.2, -9, 0.3}, {2.2, 9, 0.3}, {2.2, 0, 9}});
+    MendState free = beginMending(7, {{0, 1, 2}});
+    Index point = kNone;
+    REQUIRE(reinsertNext(points, free, point));
+    CHECK(point == 3);
+    MendState cut = beginMending(7, {{0, 1, 2}, {4, 5, 6}});
+    CHECK_FALSE(reinsertNext(points, cut, point));
+}
+
+TEST_CASE("reinsert: with the rule, points that a run stranded are used; without, they are not") {
+    std::size_t with = 0;
+    std::size_t without = 0;
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        PointFile file = closedFamilies(0.8)[0].sample(seed);
+        Random random(seed);
+        for (Vec3& x : file.position) x += 0.03 * random.inCube();
+        const PointSet points = prepared(file, reach(16));
+        Params params = paper();
+        params.rules.guard = params.rules.noPillow = true;
+        without += runAll(points, params).mesh.unusedPoints;
+        params.rules.reinsert = true;
+        with += runAll(points, params).mesh.unusedPoints;
+    }
+    MESSAGE("unused: ", with, " with, ", without, " without");
+    CHECK(without > 0);
+    CHECK(with < without);
+}
+
+// ---- flip ---------------------------------------------------------------------------------------
+
+TEST_CASE("flip: the diagonal of a flat quad that makes the least angle larger") {
+    // A rhombus with its long diagonal.
+    const PointSet points = flatPoints({{-3, 0, 0}, {0, -1, 0}, {3, 0, 0}, {0, 1, 0}});
+    MendState m = beginMending(4, kSquare);
+    Flip flip{};
+    REQUIRE(flipNext(points, m, flip));
+    CHECK(asSet(m.triangles) == asSet({{0, 1, 3}, {1, 2, 3}}));
+    CHECK(std::set<Index>{flip.u, flip.v} == std::set<Index>{0, 2});
+    CHECK(std::set<Index>{flip.x, flip.y} == std::set<Index>{1, 3});
+    CHECK(manifoldFault(m) == "");
+    CHECK_FALSE(flipNext(points, m, flip));
+    CHECK(m.flipped == 1);
+}
+
+TEST_CASE("flip: not the better diagonal, and none of an exact square") {
+    MendState good = beginMending(4, kSquare);
+    CHECK(flipAll(flatPoints({{-1, 0, 0}, {0, -3, 0}, {1, 0, 0}, {0, 3, 0}}), good) == 0);
+    MendState even = beginMending(4, kSquare);
+    CHECK(flipAll(flatPoints(square()), even) == 0);
+}
+
+TEST_CASE("flip: not for angles where the surface bends") {
+    // The long diagonal is a ridge of 60 degrees.
+    PointSet points = flatPoints({{-3, 0, 0.6}, {0, -1, 0}, {3, 0, 0.6}, {0, 1, 0}});
+    MendState m = beginMending(4, kSquare);
+    CHECK(flipAll(points, m) == 0);
+}
+
+TEST_CASE("flip: not the edge of a quad that is not convex") {
+    // A dart: its other diagonal lies outside.
+    const PointSet points = flatPoints({{0, 0, 0}, {4, -1, 0}, {1, 0, 0}, {4, 1, 0}});
+    MendState m = beginMending(4, kSquare);
+    CHECK(flipAll(points, m) == 0);
+}
+
+TEST_CASE("flip: removes a flipped triangle") {
+    // 3 lies on the same side of the edge 0 1 as 2.
+    const PointSet points = flatPoints({{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, 1, 0}});
+    const Triangles folded{{0, 1, 2}, {1, 0, 3}};
+    REQUIRE(flippedIn(points, folded) == 1);
+    MendState m = beginMending(4, folded);
+    CHECK(flipAll(points, m) == 1);
+    CHECK(asSet(m.triangles) == asSet({{0, 3, 2}, {3, 1, 2}}));
+    CHECK(findFaults(points, m.triangles).empty());
+}
+
+TEST_CASE("flip: never makes an edge that is there already") {
+    // A thin tetrahedron: each edge's other diagonal is the opposite edge.
+    PointSet points = flatPoints({{-3, 0, 0}, {0, -1, 0}, {3, 0, 0}, {0, 1, 0}});
+    MendState m = beginMending(4, {{0, 1, 2}, {0, 2, 3}, {1, 0, 3}, {2, 1, 3}});
+    REQUIRE(manifoldFault(m) == "");
+    CHECK(flipAll(points, m) == 0);
+}
+
+TEST_CASE("flip: no edge at a point of two fans") {
+    // The rhombus that would be flipped, with a triangle hanging at one of its points.
+    PointSet points =
+        flatPoints({{-3, 0, 0}, {0, -1, 0}, {3, 0, 0}, {0, 1, 0}, {1, 5, 0}, {-1, 5, 0}});
+    MendState m = beginMending(6, {{0, 1, 2}, {0, 2, 3}, {3, 4, 5}});
+    CHECK(m.pinched[3]);
+    CHECK(flipAll(points, m) == 0);
+}
+
+TEST_CASE("flip: with the rule, the least angles of a run are larger than without") {
+    const PointSet points = prepared(closedFamilies(1.0)[0].sample(3));
+    const auto meanCosine = [&](const Params& params) {
+        const Run run = runAll(points, params);
+        double sum = 0;
+        for (const Triangle& t : run.state.mesh()) sum += leastAngleCosine(points, t);
+        return sum / static_cast<double>(run.mesh.triangles);
+    };
+    Params params = paper();
+    const double without = meanCosine(params);
+    params.rules.flip = true;
+    CHECK(meanCosine(params) < without);
+}
+
+TEST_CASE("flip: leaves a flat mesh Delaunay, and no flip is ever taken back") {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        const PointSet points = prepared(sampleSheet(flatSheet(), 8, 80, seed));
+        Params params = paper();
+        params.rules.flip = true;
+        const Run run = runAll(points, params);
+        const MendState m = beginMending(points.size(), run.state.mesh());
+        std::size_t wrong = 0;
+        for (HalfEdge h = 0; h < m.twin.size(); ++h) {
+            if (m.twin[h] == kNone) continue;
+            // Opposite angles of more than 180 degrees would be against Delaunay.
+            const auto angleAt = [&](HalfEdge side) {
+                const Vec3& x = points.position[cornerOf(m, preceding(side))];
+                const Vec3 u = points.position[cornerOf(m, side)] - x;
+                const Vec3 v = points.position[cornerOf(m, following(side))] - x;
+                return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
+            };
+            wrong += angleAt(h) + angleAt(m.twin[h]) > kPi + 1e-6 ? 1 : 0;
+        }
+        CHECK(wrong == 0);
+    }
+}
+
+// ---- reseat -------------------------------------------------------------------------------------
+
+namespace {
+
+/// A pentagon about a point that lies outside of it: some of its triangles are flipped. The
+/// pentagon's border is held by a ring of triangles with five points more.
+struct Misplaced {
+    PointSet points;
+    Triangles triangles;
+};
+Misplaced misplaced() {
+    std::vector<Vec3> position;
+    for (int i = 0; i < 5; ++i) position.push_back(polar(72.0 * i));
+    for (int i = 0; i < 5; ++i) position.push_back(polar(72.0 * i + 36, 2.5));
+    position.push_back(polar(36, 1.3));
+    Misplaced m{flatPoints(position), {}};
+    for (Index i = 0; i < 5; ++i) {
+        const Index j = (i + 1) % 5;
+        m.triangles.push_back({i, j, 10});
+        m.triangles.push_back({j, i, 5 + i});
+        m.triangles.push_back({j, 5 + i, 5 + j});
+    }
+    return m;
+}
+
+}  // namespace
+
+TEST_CASE("reseat: a point at a flipped triangle is taken out, and the hole closed") {
+    const Misplaced input = misplaced();
+    REQUIRE(flippedIn(input.points, input.triangles) > 0);
+    MendState m = beginMending(11, input.triangles);
+    REQUIRE(manifoldFault(m) == "");
+    Index point = kNone;
+    REQUIRE(reseatNext(input.points, m, point));
+    CHECK(manifoldFault(m) == "");
+    CHECK(m.sideOf[point] == kNone);
+    CHECK(m.triangles.size() == input.triangles.size() - 2);
+    CHECK(m.takenOut == 1);
+    while (reseatNext(input.points, m, point)) CHECK(manifoldFault(m) == "");
+    CHECK(flippedIn(input.points, m.triangles) == 0);
+    // And it goes back in where it lies.
+    m.nextPoint = 0;
+    CHECK_FALSE(reinsertAll(input.points, m).empty());
+    CHECK(flippedIn(input.points, m.triangles) == 0);
+}
+
+TEST_CASE("reseat: leaves a mesh without flipped triangles alone") {
+    const PointSet points = prepared(closedFamilies(0.5)[0].sample(1));
+    MendState m = beginMending(points.size(), runAll(points, paper()).state.triangles);
+    Index point = kNone;
+    CHECK_FALSE(reseatNext(points, m, point));
+    CHECK(m.takenOut == 0);
+}
+
+TEST_CASE("reseat: a point at the border or with three triangles stays") {
+    const PointSet points = flatPoints({{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, -1, 0}});
+    MendState m = beginMending(4, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
+    Index point = kNone;
+    CHECK_FALSE(reseatNext(points, m, point));
+}
+
+TEST_CASE("reseat: with the rule, fewer flipped triangles are left in a run than without") {
+    std::size_t with = 0;
+    std::size_t without = 0;
+    std::size_t takenOut = 0;
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        PointFile file = closedFamilies(0.8)[seed % 4].sample(seed);
+        Random random(seed);
+        for (Vec3& x : file.position) x += 0.15 * random.inCube();
+        const PointSet points = prepared(file);
+        Params params = *paramsByName("robust");
+        params.rules.noFold = params.rules.delay = params.rules.flip = false;
+        const Run on = runAll(points, params);
+        with += on.mesh.flippedTriangles;
+        takenOut += on.state.mend.takenOut;
+        params.rules.reseat = false;
+        without += runAll(points, params).mesh.flippedTriangles;
+    }
+    MESSAGE("flipped: ", with, " with, ", without, " without, taken out ", takenOut);
+    CHECK(takenOut > 0);
+    CHECK(with < without);
+}
+
+// ---- all together -------------------------------------------------------------------------------
+
+TEST_CASE("mending: neighbors agree after every step, on meshes of random points") {
+    std::size_t steps = 0;
+    for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+        const PointSet points = randomPoints(seed);
+        Stepper stepper(points, *paramsByName("robust"));
+        std::string fault;
+        while (fault.empty() && stepper.stepPivot()) {
+            if (stepper.state().mend.empty()) continue;
+            fault = manifoldFault(stepper.state().mend);
+            ++steps;
+        }
+        CHECK_MESSAGE(fault == "", "seed ", seed);
+    }
+    CHECK(steps > 100);
+}
+
+TEST_CASE("mending: neighbors agree after every step, on rough closed clouds") {
+    std::size_t steps = 0;
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        PointFile file = closedFamilies(0.5)[seed % 4].sample(seed);
+        Random random(seed);
+        for (Vec3& x : file.position) x += 0.08 * random.inCube();
+        const PointSet points = prepared(file);
+        Stepper stepper(points, *paramsByName("robust"));
+        std::string fault;
+        while (fault.empty() && stepper.stepPivot()) {
+            if (stepper.state().mend.empty()) continue;
+            fault = manifoldFault(stepper.state().mend);
+            ++steps;
+        }
+        CHECK_MESSAGE(fault == "", "seed ", seed);
+    }
+    CHECK(steps > 100);
+}
+
+TEST_CASE("mending: neighbors agree after every step, on triangles that are no surface at all") {
+    std::size_t steps = 0;
+    for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+        const PointSet points = randomPoints(seed);
+        Random random(seed);
+        Triangles soup;
+        // Fans of lists: some edges of two triangles, some of more.
+        for (Index p = 0; p < points.size(); ++p) {
+            const auto list = points.neighbors[p];
+            for (std::size_t i = 0; i + 1 < list.size() && i < 3; ++i) {
+                if (random.below(3) > 0) soup.push_back({p, list[i], list[i + 1]});
+            }
+        }
+        if (soup.empty()) continue;
+        MendState m = beginMending(points.size(), soup);
+        std::string fault = adjacencyFault(m);
+        Index point = kNone;
+        Flip flip{};
+        for (; m.round < kMendRounds && fault.empty(); ++m.round) {
+            m.nextPoint = m.nextTriangle = 0;
+            while (fault.empty() && reinsertNext(points, m, point)) {
+                fault = adjacencyFault(m);
+                ++steps;
+            }
+            while (fault.empty() && flipNext(points, m, flip)) {
+                fault = adjacencyFault(m);
+                ++steps;
+            }
+            while (fault.empty() && reseatNext(points, m, point)) {
+                fault = adjacencyFault(m);
+                ++steps;
+            }
+        }
+        CHECK_MESSAGE(fault == "", "seed ", seed);
+    }
+    CHECK(steps > 100);
+}

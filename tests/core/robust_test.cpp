@@ -1,0 +1,433 @@
+/// The rules beyond the paper, all together (docs/robust.md): sound meshes from clean clouds, an
+/// oriented manifold from any input, and the numbers measured on the shared data.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+
+#include "../support/boxed.h"
+#include "../support/clouds.h"
+#include "../support/random_points.h"
+#include "spiraling_edge/faults.h"
+#include "spiraling_edge/io.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+#ifdef SPIRALING_EDGE_SHARED_DATA
+const std::filesystem::path kData = SPIRALING_EDGE_SHARED_DATA;
+#else
+const std::filesystem::path kData;
+#endif
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define SE_SANITIZED
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(SE_SANITIZED)
+constexpr bool kSanitized = true;
+#else
+constexpr bool kSanitized = false;
+#endif
+
+Params robust() { return *paramsByName("robust"); }
+
+/// The shared points, or none, saying so.
+std::optional<PointSet> shared(const std::string& name) {
+    const auto path = kData / "points" / (name + ".ply");
+    std::error_code ignored;
+    if (kData.empty() || !std::filesystem::exists(path, ignored)) {
+        MESSAGE("skipped: ", name, " is not at hand");
+        return std::nullopt;
+    }
+    auto file = readPoints(path);
+    REQUIRE_MESSAGE(file.ok(), name);
+    return prepared(file.value());
+}
+
+/// Of the large ones, which take minutes with sanitizers.
+std::optional<PointSet> sharedLarge(const std::string& name) {
+    if (!kSanitized) return shared(name);
+    MESSAGE("skipped: ", name, " is too large for a build with sanitizers");
+    return std::nullopt;
+}
+
+/// Mean over the triangles of the least angle, in degrees.
+double meanLeastAngle(const PointSet& points, const std::vector<Triangle>& triangles) {
+    const auto angleAt = [&](Index p, Index q, Index r) {
+        const Vec3 u = points.position[q] - points.position[p];
+        const Vec3 v = points.position[r] - points.position[p];
+        return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v)) * 180 / kPi;
+    };
+    double sum = 0;
+    for (const Triangle& t : triangles) {
+        sum += std::min({angleAt(t.a, t.b, t.c), angleAt(t.b, t.c, t.a), angleAt(t.c, t.a, t.b)});
+    }
+    return sum / static_cast<double>(triangles.size());
+}
+
+std::string describeFaults(const PointSet& points, const std::vector<Triangle>& triangles) {
+    std::string text;
+    const auto counts = countFaults(findFaults(points, triangles));
+    for (std::size_t kind = 0; kind < kFaultKinds; ++kind) {
+        if (counts[kind] == 0) continue;
+        text += std::string(faultName(static_cast<FaultKind>(kind))) + " " +
+                std::to_string(counts[kind]) + " ";
+    }
+    return text;
+}
+
+/// No edge of three triangles, and none passed twice in one direction.
+bool isOrientedManifold(const MeshReport& mesh) {
+    return mesh.nonManifoldEdges == 0 && mesh.inconsistentEdges == 0;
+}
+
+/// A run over a clean cloud; everything that must hold for any, closed or cut by walls.
+Run checkClean(const PointSet& points, const std::string& what) {
+    Run run = runAll(points, robust());
+    const MeshReport& mesh = run.mesh;
+    std::size_t onWalls = 0;
+    for (const std::uint8_t type : points.type) onWalls += isBoundary(type) ? 1 : 0;
+    const auto ideal = 2 * static_cast<long long>(points.size()) - static_cast<long long>(onWalls) -
+                       2 * mesh.eulerCharacteristic;
+    CHECK_MESSAGE(run.state.finished(), what);
+    CHECK_MESSAGE(describeFaults(points, run.state.mesh()) == "", what);
+    CHECK_MESSAGE(mesh.unusedPoints == 0, what);
+    CHECK_MESSAGE(mesh.nonManifoldVertices == 0, what);
+    CHECK_MESSAGE(mesh.boundaryEdges == onWalls, what);
+    CHECK_MESSAGE(static_cast<long long>(mesh.triangles) == ideal, what);
+    CHECK_MESSAGE(meanLeastAngle(points, run.state.mesh()) >= 42.0, what);
+    return run;
+}
+
+/// Scales of closedFamilies() that give about this many points.
+double scaleFor(const Family& family, double points) {
+    return points / (family.name == "sphere" ? 300.0 : family.name == "torus" ? 500.0 : 1000.0);
+}
+
+}  // namespace
+
+// ---- clean clouds -------------------------------------------------------------------------------
+
+TEST_CASE("robust: even closed surfaces come out sound, whole, and of the ideal number") {
+    for (std::size_t i = 0; i < closedFamilies().size(); ++i) {
+        for (const double size : {215.0, 1400.0}) {
+            const std::string name = closedFamilies()[i].name;
+            // Fewer points than that do not tell the tubes of these apart.
+            if (size < 400 && (name == "linked tori" || name == "genus 2")) continue;
+            const Family family = closedFamilies(scaleFor(closedFamilies()[i], size))[i];
+            for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+                const std::string what = name + " of " + std::to_string(static_cast<int>(size)) +
+                                         ", seed " + std::to_string(seed);
+                const Run run = checkClean(prepared(family.sample(seed)), what);
+                CHECK_MESSAGE(run.mesh.closedManifold(), what);
+                CHECK_MESSAGE(run.mesh.eulerCharacteristic == family.euler, what);
+                CHECK_MESSAGE(run.mesh.components == static_cast<std::size_t>(family.components),
+                              what);
+                CHECK_MESSAGE(run.state.counters.holes == 0, what);
+                CHECK_MESSAGE(run.state.counters.openings == 0, what);
+            }
+        }
+    }
+}
+
+TEST_CASE("robust: a torus of 3700 points comes out sound, whole, and of the ideal number") {
+    const Family family = closedFamilies(7.4)[1];
+    const Run run = checkClean(prepared(family.sample(1)), "torus");
+    CHECK(run.mesh.closedManifold());
+    CHECK(run.mesh.eulerCharacteristic == 0);
+    CHECK(run.mesh.triangles == 7400);
+}
+
+TEST_CASE("robust: clean clouds come out as well with other numbers of neighbors") {
+    for (const Family& family : closedFamilies(1.0)) {
+        const PointFile file = family.sample(4);
+        for (const std::size_t k : {10U, 16U}) {
+            const Run run =
+                checkClean(prepared(file, reach(k)), family.name + ", k " + std::to_string(k));
+            CHECK(run.mesh.eulerCharacteristic == family.euler);
+        }
+    }
+}
+
+TEST_CASE("robust: open sheets in a box end at their walls and nowhere else") {
+    struct Size {
+        std::size_t perSide, interior;
+    };
+    for (const Size size : {Size{12, 170}, Size{32, 1300}}) {
+        for (const ImplicitSurface& sheet : {wavySheet(), flatSheet()}) {
+            for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+                const PointFile file = sampleSheet(sheet, size.perSide, size.interior, seed);
+                const Run run = checkClean(prepared(file), "sheet, seed " + std::to_string(seed));
+                CHECK(run.mesh.boundaryLoops == 1);
+                CHECK(run.mesh.eulerCharacteristic == 1);
+                CHECK(run.mesh.components == 1);
+            }
+        }
+    }
+}
+
+TEST_CASE("robust: a sphere cut by a box ends at its walls and nowhere else") {
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+        // Six round windows.
+        const PointFile file = sampleBoxed(unitSphere(), Vec3(-0.9), Vec3(0.9), 0.14, seed);
+        const Run run = checkClean(prepared(file), "sphere, seed " + std::to_string(seed));
+        CHECK(run.mesh.boundaryLoops == 6);
+        CHECK(run.mesh.eulerCharacteristic == 2 - 6);
+    }
+}
+
+TEST_CASE("robust: a gyroid in a box ends at its walls and nowhere else") {
+    struct Sample {
+        double spacing;
+        std::uint64_t seed;
+    };
+    // Seeds that put enough points on each piece of the curves on the walls: the sampler does not
+    // move any from one piece to the next.
+    for (const auto& [spacing, seed] : {Sample{0.38, 2}, Sample{0.38, 4}, Sample{0.3, 1}}) {
+        const PointFile file = sampleBoxed(gyroid(), Vec3(-2.7), Vec3(3.1), spacing, seed);
+        const PointSet points = prepared(file);
+        const std::string what =
+            "gyroid of " + std::to_string(points.size()) + ", seed " + std::to_string(seed);
+        const Run run = checkClean(points, what);
+        CHECK(run.mesh.components == 1);
+        CHECK(run.mesh.boundaryLoops == 1);
+        CHECK(run.mesh.eulerCharacteristic == -3);
+    }
+}
+
+// ---- any input ----------------------------------------------------------------------------------
+
+TEST_CASE("robust: an oriented manifold from random points, lists, normals and types") {
+    std::size_t triangles = 0;
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+        const PointSet points = randomPoints(seed);
+        CHECK_MESSAGE(firstBreach(points, robust(), InvariantChecker::Level::Guarded) == "",
+                      "seed ", seed);
+        const Run run = runAll(points, robust());
+        CHECK_MESSAGE(run.state.finished(), "seed ", seed);
+        CHECK_MESSAGE(run.stop == StopReason::Finished, "seed ", seed);
+        CHECK_MESSAGE(isOrientedManifold(run.mesh), "seed ", seed);
+        CHECK_MESSAGE(isOrientedManifold(reportMesh(points, run.state.triangles)), "seed ", seed);
+        triangles += run.mesh.triangles;
+    }
+    CHECK(triangles > 1000);  // They did something.
+}
+
+TEST_CASE("guard: alone, it keeps random points an oriented manifold; without it they are none") {
+    std::size_t tangled = 0;
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        const PointSet points = randomPoints(seed);
+        const Params guarded = paperBut(&Rules::guard);
+        CHECK_MESSAGE(firstBreach(points, guarded, InvariantChecker::Level::Guarded) == "", "seed ",
+                      seed);
+        const Run run = runAll(points, guarded);
+        CHECK_MESSAGE(isOrientedManifold(run.mesh), "seed ", seed);
+        CHECK_MESSAGE(run.stop == StopReason::Finished, "seed ", seed);
+        tangled += isOrientedManifold(runAll(points, paper()).mesh) ? 0 : 1;
+    }
+    CHECK(tangled > 0);
+}
+
+// ---- shared data --------------------------------------------------------------------------------
+
+TEST_CASE("robust: the numbers of Table 1, on stand-ins") {
+    struct Expected {
+        const char* name;
+        std::size_t triangles;
+    };
+    for (const Expected& e :
+         {Expected{"table1_hydrogen", 3024}, Expected{"table1_blast_wave", 2662},
+          Expected{"table1_hyperboloid", 365}}) {
+        const auto points = shared(e.name);
+        if (!points) continue;
+        const Run run = runAll(*points, robust());
+        CHECK_MESSAGE(run.mesh.triangles == e.triangles, e.name);
+        CHECK_MESSAGE(describeFaults(*points, run.state.mesh()) == "", e.name);
+        CHECK_MESSAGE(run.mesh.unusedPoints == 0, e.name);
+    }
+    const auto cloud = shared("table1_electron_cloud");
+    if (!cloud) return;
+    CHECK(describeFaults(*cloud, runAll(*cloud, robust()).state.mesh()) == "");
+}
+
+TEST_CASE("robust: the lobster is a manifold, nearly all used, with few crossings") {
+    const auto points = sharedLarge("table1_lobster");
+    if (!points) return;
+    const Run run = runAll(*points, robust());
+    const auto counts = countFaults(findFaults(*points, run.state.mesh()));
+    const std::size_t crossings = counts[static_cast<std::size_t>(FaultKind::Intersecting)];
+    MESSAGE("unused ", run.mesh.unusedPoints, ", intersecting ", crossings);
+    CHECK(isOrientedManifold(run.mesh));
+    CHECK(100 * run.mesh.unusedPoints < points->size());
+    CHECK(crossings < 500);
+}
+
+TEST_CASE("robust: every shared set gives an oriented manifold, most of them a sound mesh") {
+    const char* const kSmall[] = {"sphere_even", "kitten",    "torus_knot",  "bunny_small",
+                                  "elephant",    "fandisk",   "oni",         "hippo",
+                                  "blobs",       "nefertiti", "three_peaks", "fin90"};
+    const char* const kLarge[] = {"armadillo", "mannequin_devil", "sphere_noisy"};
+    std::size_t sound = 0;
+    std::size_t seen = 0;
+    const auto look = [&](const std::optional<PointSet>& points, const std::string& name) {
+        if (!points) return;
+        ++seen;
+        const Run run = runAll(*points, robust());
+        CHECK_MESSAGE(isOrientedManifold(run.mesh), name);
+        CHECK_MESSAGE(run.stop == StopReason::Finished, name);
+        const std::string faults = describeFaults(*points, run.state.mesh());
+        MESSAGE(name, ": ", faults.empty() ? "sound" : faults, ", unused ", run.mesh.unusedPoints);
+        sound += faults.empty() ? 1 : 0;
+    };
+    for (const char* name : kSmall) look(shared(name), name);
+    for (const char* name : kLarge) look(sharedLarge(name), name);
+    if (seen < std::size(kSmall)) return;
+    CHECK(sound >= 9);
+}
+
+TEST_CASE("robust: the bunny keeps its five holes") {
+    const auto points = sharedLarge("bunny");
+    if (!points) return;
+    const Run run = runAll(*points, robust());
+    CHECK(describeFaults(*points, run.state.mesh()) == "");
+    CHECK(run.mesh.boundaryLoops == 5);
+    CHECK(run.mesh.eulerCharacteristic == -3);
+}
+
+// ---- the run as a run ---------------------------------------------------------------------------
+
+namespace {
+
+/// Inputs that make every rule beyond the paper speak.
+std::vector<PointSet> eventful() {
+    std::vector<PointSet> sets;
+    sets.push_back(prepared(closedFamilies(0.5)[3].sample(1)));
+    sets.push_back(prepared(sampleSheet(wavySheet(), 8, 80, 1)));
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) sets.push_back(randomPoints(seed));
+    return sets;
+}
+
+}  // namespace
+
+TEST_CASE("robust: a log changes nothing, and the same steps come twice") {
+    for (const PointSet& points : eventful()) {
+        EventLog log;
+        const std::uint64_t hash = stateHash(runAll(points, robust()).state);
+        CHECK(stateHash(runAll(points, robust(), &log).state) == hash);
+        Stepper one(points, robust());
+        Stepper two(points, robust());
+        bool equal = true;
+        while (one.stepPivot()) {
+            two.stepPivot();
+            equal = equal && stateHash(one.state()) == stateHash(two.state());
+        }
+        CHECK_FALSE(two.stepPivot());
+        CHECK(equal);
+        CHECK(stateHash(one.state()) == hash);
+    }
+}
+
+TEST_CASE("robust: a state that is put back goes on to the same end, mending included") {
+    for (const PointSet& points : eventful()) {
+        Stepper stepper(points, robust());
+        std::vector<State> kept;
+        while (stepper.stepPivot()) {
+            if (stepper.state().counters.pivots % 17 == 0) kept.push_back(stepper.state());
+        }
+        const std::uint64_t hash = stateHash(stepper.state());
+        const Triangles mesh = stepper.state().mesh();
+        bool equal = true;
+        for (const State& state : kept) {
+            Stepper again(points, robust());
+            again.setState(state);
+            again.run();
+            equal = equal && stateHash(again.state()) == hash && again.state().mesh() == mesh;
+        }
+        CHECK(equal);
+    }
+}
+
+TEST_CASE("robust: every event has a sentence of its own and an address that is read back") {
+    std::array<std::size_t, kStageCount> seen{};
+    std::size_t empty = 0;
+    for (const PointSet& points : eventful()) {
+        EventLog log;
+        runAll(points, robust(), &log);
+        for (const Event& event : log.events()) {
+            ++seen[static_cast<std::size_t>(event.address.stage)];
+            const std::string sentence = describe(event);
+            empty += sentence.size() < 8 || sentence.back() != '.' ? 1 : 0;
+            empty += addressFromString(toString(event.address)) == event.address ? 0 : 1;
+            if (const auto* guard = std::get_if<GuardEvidence>(&event.evidence)) {
+                empty += verdictText(guard->verdict).empty() ? 1 : 0;
+            }
+        }
+    }
+    CHECK(empty == 0);
+    for (const Stage stage : {Stage::Guard, Stage::Fill, Stage::Reinsert, Stage::Flip}) {
+        CHECK_MESSAGE(seen[static_cast<std::size_t>(stage)] > 0, stageName(stage));
+    }
+}
+
+TEST_CASE("robust: each step after the last pivot has a number and leaves the triangles alone") {
+    const PointSet points = prepared(closedFamilies(1.0)[3].sample(1));
+    Stepper stepper(points, robust());
+    while (stepper.state().mend.empty() && stepper.stepPivot()) {
+    }
+    REQUIRE_FALSE(stepper.state().mend.empty());
+    const Triangles emitted = stepper.state().triangles;
+    std::size_t steps = 0;
+    for (std::uint32_t before = stepper.state().counters.pivots; stepper.stepPivot(); ++steps) {
+        const std::uint32_t now = stepper.state().counters.pivots;
+        CHECK((now == before + 1 || now == before));
+        before = now;
+        CHECK(stepper.state().triangles == emitted);
+    }
+    CHECK(steps > 0);
+    CHECK(stepper.state().mend.flipped > 0);
+    CHECK(stepper.state().mesh() != emitted);
+}
+
+TEST_CASE("paper: knows none of the rules beyond it, and looks at no finished triangle") {
+    const Rules rules = paper().rules;
+    CHECK_FALSE(rules.looksAtFan());
+    CHECK_FALSE(rules.needsEdges());
+    for (const auto rule : {&Rules::tangent, &Rules::unblocked, &Rules::stepBack, &Rules::wallsDone,
+                            &Rules::guard, &Rules::gap, &Rules::noPillow, &Rules::noCross,
+                            &Rules::noFold, &Rules::noMeet, &Rules::rim, &Rules::delay,
+                            &Rules::fill, &Rules::reinsert, &Rules::flip, &Rules::reseat}) {
+        CHECK_FALSE(rules.*rule);
+        CHECK(robust().rules.*rule);
+    }
+    for (const PointSet& points : eventful()) {
+        EventLog log;
+        const Run run = runAll(points, paper(), &log);
+        CHECK(run.state.edges.empty());
+        CHECK(run.state.mend.empty());
+        CHECK(run.state.patience == 0);
+        CHECK(run.state.counters.refused == 0);
+        CHECK(run.state.counters.filled == 0);
+        CHECK(run.state.counters.openings == 0);
+        std::size_t beyond = 0;
+        for (const Event& event : log.events()) {
+            const Stage stage = event.address.stage;
+            beyond += stage == Stage::Guard || stage == Stage::Fill || stage == Stage::Reinsert ||
+                              stage == Stage::Flip || stage == Stage::Reseat
+                          ? 1
+                          : 0;
+        }
+        CHECK(beyond == 0);
+    }
+}
+
+TEST_CASE("corrected: even closed surfaces come out whole without the guard") {
+    for (const Family& family : closedFamilies(0.8)) {
+        const Run run = runAll(prepared(family.sample(2)), *paramsByName("corrected"));
+        CHECK_MESSAGE(run.mesh.closedManifold(), family.name);
+        CHECK_MESSAGE(run.mesh.eulerCharacteristic == family.euler, family.name);
+        CHECK_MESSAGE(run.state.mend.empty(), family.name);
+    }
+}
