@@ -52,5 +52,6 @@ mkdir -p out
 say "there is no display: running $input headless"
 build/bin/spiraling-edge run "$input" -o "out/$name.ply" --report -
 say "the mesh is in out/$name.ply"
+[[ " $* " == *" --goto "* ]] || set -- "$@" --goto 100% # unless asked otherwise, of the end
 "$viewer" "$input" --screenshot "out/$name.png" "$@"
 say "the picture is in out/$name.png"
