@@ -76,6 +76,7 @@ class FaultFinder {
     std::vector<bool> usable_;  ///< Has an area: worth an intersection test.
     std::vector<Box> boxes_;
     std::vector<Fault> faults_;
+    std::size_t intersections_ = 0;
 };
 
 void FaultFinder::findShapes() {
@@ -165,6 +166,12 @@ class Grid {
         return true;
     }
 
+    /// The cell in which two boxes that meet are tested, out of all that both touch.
+    std::uint64_t cellOfPair(const Vec3& lowA, const Vec3& lowB) const {
+        const auto c = place(glm::max(lowA, lowB));
+        return (c[0] << 42U) | (c[1] << 21U) | c[2];
+    }
+
   private:
     std::array<std::uint64_t, 3> place(const Vec3& p) const {
         constexpr double kMost = (1U << 21U) - 1;
@@ -209,7 +216,9 @@ void FaultFinder::findIntersections() {
     });
     for (std::size_t i = 0; i < placed.size(); ++i) {
         for (std::size_t j = i + 1; j < placed.size() && placed[j].cell == placed[i].cell; ++j) {
-            testPair(placed[i].triangle, placed[j].triangle);
+            const Index a = placed[i].triangle;
+            const Index b = placed[j].triangle;
+            if (grid.cellOfPair(boxes_[a].low, boxes_[b].low) == placed[i].cell) testPair(a, b);
         }
     }
     for (const Index a : large) {
@@ -220,9 +229,11 @@ void FaultFinder::findIntersections() {
 }
 
 void FaultFinder::testPair(Index a, Index b) {
+    if (intersections_ == kMostIntersections) return;
     if (boxes_[a].meets(boxes_[b]) &&
         trianglesShareMore(points_.position, triangles_[a], triangles_[b])) {
         add(FaultKind::Intersecting, a, b);
+        ++intersections_;
     }
 }
 

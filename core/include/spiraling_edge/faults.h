@@ -35,6 +35,9 @@ struct Fault {
 /// the angle between their normals is below -cos(10 degrees).
 inline constexpr double kFoldCosine = -0.984807753012208;
 
+/// No more intersecting pairs than this are listed: a hopelessly tangled mesh has millions.
+inline constexpr std::size_t kMostIntersections = 1000000;
+
 /// All faults, ordered by kind, triangle and other. Intersections are exact (floating-point filter,
 /// then exact arithmetic). Boundary edges are no faults: see MeshReport. Requires corners below
 /// points.size() and finite positions of used points. About O(t) for t triangles of similar size.

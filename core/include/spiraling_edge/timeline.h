@@ -14,7 +14,7 @@ namespace se {
 /// A cursor over a run. It always stands between two pivots: "at pivot n" means that n pivots are
 /// complete; 0 is the beginning. points must outlive it and pass validate().
 class Timeline {
- public:
+  public:
     static constexpr std::size_t kDefaultBudget = std::size_t{256} << 20U;
 
     Timeline(const PointSet& points, const Params& params, std::size_t byteBudget = kDefaultBudget);
@@ -43,7 +43,7 @@ class Timeline {
     const PointSet& points() const { return stepper_.points(); }
     const Params& params() const { return stepper_.params(); }
 
- private:
+  private:
     /// A State without its append-only lists, whose lengths suffice.
     struct Keyframe {
         State state;
