@@ -259,7 +259,7 @@ TEST_CASE("fill: on rough clouds, fewer holes are left than without") {
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
         PointFile file = closedFamilies(0.6)[seed % 4].sample(seed);
         Random random(seed);
-        for (Vec3& x : file.position) x += 0.05 * random.inCube();
+        for (Vec3& x : file.position) x += 0.12 * random.inCube();
         const PointSet points = prepared(file);
         Params params = *paramsByName("robust");
         params.rules.rim = params.rules.reinsert = params.rules.flip = params.rules.reseat = false;
