@@ -49,7 +49,7 @@ bool shapeRefuses(const StepContext& context);
 void phaseFill(StepContext& context);
 /// Should the active ring be closed by ears instead of being freed?
 bool mayFill(const StepContext& context);
-/// Rules::rim: do more than two in three points of the active ring lie where it ends?
+/// Rules::rim: do more than two in three points of the active ring lie where the surface ends?
 bool isOpening(const StepContext& context);
 // phase_update.cpp: §6.5
 void phaseRing(StepContext& context);
