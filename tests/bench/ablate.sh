@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# What each rule beyond the paper is worth: `--rules robust` with one rule off at a time, over a list
+# of point files. Prints a Markdown table: files with a sound mesh, faults, unused points, boundary
+# loops and seconds in all.
+#   tests/bench/ablate.sh PROGRAM FILE...     PROGRAM: build/bin/spiraling-edge
+set -uo pipefail
+[ $# -ge 2 ] || { echo "usage: $0 PROGRAM FILE..." >&2; exit 2; }
+program=$1
+shift
+
+# One line per file: sound faults unused loops seconds.
+measure() {
+    local file
+    for file in "$@"; do
+        "$program" run "$file" --rules robust "${off[@]}" --report - -q 2>/dev/null
+    done | awk '
+        function value() { sub(/^[^:]*: */, ""); sub(/,$/, ""); return $0 }
+        /^  "sound":/ { if (value() == "true") sound++ }
+        /^  "unused_points":/ { unused += value() }
+        /^  "boundary_loops":/ { loops += value() }
+        /^    "triangulate":/ { seconds += value() }
+        /^  "faults": \{/ { inside = 1; next }
+        inside && /\}/ { inside = 0 }
+        inside { faults += value() }
+        END { printf "%d | %d | %d | %d | %.2f\n", sound, faults, unused, loops, seconds }'
+}
+
+echo "| off | sound of $# | faults | unused points | boundary loops | seconds |"
+echo "|---|---|---|---|---|---|"
+off=()
+echo "| nothing | $(measure "$@") |"
+for rule in tangent unblocked stepback wallsdone guard gap nopillow nocross nofold nomeet rim delay \
+    fill reinsert flip reseat; do
+    off=(--rule "$rule=off")
+    echo "| \`$rule\` | $(measure "$@") |"
+done
