@@ -30,7 +30,26 @@ Status Application::start(float contentScale) {
     return success();
 }
 
+void Application::character(unsigned sign) {
+    if (ui_.goTo.active()) {
+        ui_.goTo.type(sign);
+    } else if (sign == '?') {
+        // Where the question mark lies differs between keyboards.
+        key({'?', kNoMods}, false);
+    }
+}
+
+void Application::goToTyped() {
+    playback_.pause();
+    const Status status = session_.goToText(ui_.goTo.text());
+    if (!status) session_.say(status.error().message);
+}
+
 void Application::key(const KeyChord& chord, bool repeated) {
+    if (ui_.goTo.active() && ui_.goTo.press(chord)) {
+        if (ui_.goTo.takeSubmitted()) goToTyped();
+        return;
+    }
     const Command* command = commandForKey(chord);
     if (command == nullptr || (repeated && !command->repeats)) return;
     const ImGuiIO& io = ImGui::GetIO();

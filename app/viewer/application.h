@@ -25,6 +25,7 @@ class Application {
 
     // From the window.
     void key(const KeyChord& chord, bool repeated);
+    void character(unsigned sign);
     void open(const std::string& path);
     /// Takes over what threads have finished. True if there is something new to draw.
     bool poll();
@@ -54,6 +55,7 @@ class Application {
         friend bool operator==(const SceneKey&, const SceneKey&) = default;
     };
 
+    void goToTyped();
     void goToFirstPlace();
     void play(double seconds);
     void fillScene();

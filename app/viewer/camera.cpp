@@ -17,7 +17,7 @@ constexpr float kFarthest = 60.0F;
 constexpr float kTurnPerHeight = 240.0F;
 /// Home looks down at least and at most as steeply as this.
 constexpr float kLowestHomeDegrees = 27.0F;
-constexpr float kHighestHomeDegrees = 40.0F;
+constexpr float kHighestHomeDegrees = 46.0F;
 /// Room around the points, as a factor.
 constexpr float kHomeMargin = 1.12F;
 /// Everything fits a sphere of this radius.

@@ -37,7 +37,7 @@ class Camera {
     void set(ViewPreset preset);
     void toggleOrthographic();
     bool orthographic() const { return orthographic_; }
-    /// View of everything, a little beside and above `beginning`, so that the first steps are seen.
+    /// View of everything from beside the direction `beginning`.
     /// With `sample` points of the input, it fills a view of that aspect as well as it can.
     void home(const glm::vec3& beginning = {0.5F, -0.87F, 0.4F},
               std::span<const glm::vec3> sample = {}, float aspect = 1.3F);

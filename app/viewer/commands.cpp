@@ -99,7 +99,7 @@ constexpr auto kCommands = std::to_array<Command>({
      "Go to the last decision of this pivot.", true,
      [](C& c) { pause(c), c.session.finishPivot(); }},
     {"step.goto", "Step", "Go to...", "Ctrl+G", "Type 137, 137.sphere.3, +10, 50% or p812.", false,
-     [](C& c) { c.ui.requests.focusGoTo = true; }},
+     [](C& c) { c.ui.goTo.open(); }},
 
     {"view.frame", "View", "Frame pivot or selection", "F",
      "Show the selection, or the pivot and its neighbors.", false, frameFocus},

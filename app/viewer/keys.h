@@ -14,6 +14,7 @@ namespace key {
 inline constexpr int kSpace = 32;
 inline constexpr int kEscape = 256;
 inline constexpr int kEnter = 257;
+inline constexpr int kBackspace = 259;
 inline constexpr int kRight = 262;
 inline constexpr int kLeft = 263;
 inline constexpr int kDown = 264;
@@ -21,6 +22,7 @@ inline constexpr int kUp = 265;
 inline constexpr int kHome = 268;
 inline constexpr int kEnd = 269;
 inline constexpr int kF1 = 290;
+inline constexpr int kKeypadEnter = 335;
 }  // namespace key
 
 struct KeyChord {

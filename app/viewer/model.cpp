@@ -87,7 +87,7 @@ void placeModel(Model& model) {
     }
     for (std::size_t p = 0; p < position.size(); ++p) {
         if (!model.drawable[p] || model.points.neighbors[static_cast<Index>(p)].empty()) continue;
-        model.beginning = model.place[p];
+        model.beginning = 0.5F * model.place[p] + model.normal[p];
         break;
     }
 }

@@ -34,7 +34,8 @@ struct Model {
     double scale = 1.0;             ///< View units per scene unit.
     float spacing = 0.05F;          ///< Median distance to the nearest neighbor, in view units.
     std::vector<glm::vec3> sample;  ///< Some of the places, to fit the camera to.
-    glm::vec3 beginning{0.0F};  ///< Where the run will most likely begin: the first usable point.
+    /// A direction from which the first steps are seen: the run begins at the first usable point.
+    glm::vec3 beginning{0.0F};
 
     glm::vec3 toView(const Vec3& position) const { return glm::vec3((position - center) * scale); }
 };

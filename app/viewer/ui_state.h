@@ -4,6 +4,7 @@
 #include <string>
 
 #include "camera.h"
+#include "go_to_box.h"
 #include "layers/layer.h"
 #include "palette.h"
 #include "playback.h"
@@ -28,14 +29,13 @@ struct UiRequests {
     bool quit = false;
     bool screenshot = false;
     bool fullScreen = false;
-    bool focusGoTo = false;
-    bool openDialog = false;
     bool closePopups = false;
 };
 
 struct UiState {
     ViewSettings settings;
     UiRequests requests;
+    GoToBox goTo;
     bool cheatSheet = false;
     bool fileBrowser = false;
     float viewAspect = 1.3F;  ///< Of the view, as last drawn.

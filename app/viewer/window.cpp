@@ -14,6 +14,7 @@ namespace se::view {
 
 static_assert(key::kF1 == GLFW_KEY_F1 && key::kHome == GLFW_KEY_HOME && key::kEnd == GLFW_KEY_END);
 static_assert(key::kLeft == GLFW_KEY_LEFT && key::kRight == GLFW_KEY_RIGHT);
+static_assert(key::kBackspace == GLFW_KEY_BACKSPACE && key::kKeypadEnter == GLFW_KEY_KP_ENTER);
 static_assert(key::kEnter == GLFW_KEY_ENTER && key::kEscape == GLFW_KEY_ESCAPE);
 static_assert(kShift == GLFW_MOD_SHIFT && kCtrl == GLFW_MOD_CONTROL && kAlt == GLFW_MOD_ALT);
 
@@ -81,15 +82,14 @@ void Window::onKey(GLFWwindow* window, int key, int scancode, int action, int mo
     of(window).wake_ = kSettleFrames;
     if (action == GLFW_RELEASE) return;
     const int known = mods & (kShift | kCtrl | kAlt);
-    of(window).keys_.push_back({{layoutKey(key, scancode), known}, action == GLFW_REPEAT});
+    of(window).keys_.push_back({{layoutKey(key, scancode), known}, action == GLFW_REPEAT, 0});
 }
 
 void Window::listen() {
     glfwSetWindowUserPointer(window_, this);
     glfwSetKeyCallback(window_, onKey);
     glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned sign) {
-        // Where the question mark lies differs between keyboards.
-        if (sign == '?') of(window).keys_.push_back({{'?', kNoMods}, false});
+        of(window).keys_.push_back({{}, false, sign});
         of(window).wake_ = kSettleFrames;
     });
     glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
@@ -111,7 +111,10 @@ void Window::listen() {
 }
 
 void Window::deliver(Application& application) {
-    for (const KeyPress& press : keys_) application.key(press.chord, press.repeated);
+    for (const KeyPress& press : keys_) {
+        press.sign != 0 ? application.character(press.sign)
+                        : application.key(press.chord, press.repeated);
+    }
     keys_.clear();
     if (!drops_.empty()) application.open(drops_.front());
     drops_.clear();

@@ -29,9 +29,11 @@ class Window {
     float contentScale() const;
 
   private:
+    /// A key, or a sign typed, in the order they came.
     struct KeyPress {
         KeyChord chord;
         bool repeated = false;
+        unsigned sign = 0;
     };
 
     Window() = default;

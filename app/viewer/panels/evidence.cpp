@@ -150,7 +150,8 @@ class Rows {
     void operator()(const AdvanceEvidence& e) const {
         row("next pivot", e.to == kNone ? "none" : std::to_string(e.to));
         if (e.popped) row("ring", "taken off the stack");
-        row("without triangle", std::to_string(e.circuit) + " pivots");
+        row("without triangle",
+            std::to_string(e.circuit) + (e.circuit == 1 ? " pivot" : " pivots"));
     }
     void operator()(const FreeEvidence& e) const {
         row("length", std::to_string(e.length) + " points");

@@ -36,7 +36,7 @@ void drawLegend(const PanelContext& context) {
     const glm::vec2 at(view.max().x - size.x - 0.7F * em, view.min.y + 0.7F * em);
     ImDrawList* list = ImGui::GetWindowDrawList();
     list->AddRectFilled(toVec2(at), toVec2(at + size),
-                        toU32(context.palette.panel.withAlpha(0.86F)), 0.3F * em);
+                        toU32(context.palette.panel.withAlpha(0.94F)), 0.3F * em);
     float y = at.y + 0.35F * em;
     ImGui::PushFont(context.fonts.small);
     for (const Entry& entry : kEntries) {

@@ -71,28 +71,35 @@ void drawSpeed(const PanelContext& context) {
 }
 
 void drawGoTo(const PanelContext& context) {
-    static std::array<char, 64> text{};
+    GoToBox& box = context.ui().goTo;
+    const float em = context.em;
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("at");
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(std::min(9.5F * context.em, ImGui::GetContentRegionAvail().x));
-    if (context.ui().requests.focusGoTo) {
-        ImGui::SetKeyboardFocusHere();
-        context.ui().requests.focusGoTo = false;
+    const ImVec2 size(std::min(9.5F * em, ImGui::GetContentRegionAvail().x),
+                      ImGui::GetFrameHeight());
+    if (ImGui::InvisibleButton("##goto", size)) box.open();
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsItemHovered()) box.close();
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(low, high, toU32(context.palette.panelRaised), 0.25F * em);
+    if (box.active()) {
+        list->AddRect(low, high, toU32(context.palette.accent), 0.25F * em, 0, 0.12F * em);
     }
+    const Color color = box.active() ? context.palette.text : context.palette.textDim;
     ImGui::PushFont(context.fonts.mono);
-    const std::string hint = addressText(context.session());
-    const bool entered = ImGui::InputTextWithHint(
-        "##goto", hint.c_str(), text.data(), text.size(),
-        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    const std::string text =
+        fitted(box.active() ? box.text() : addressText(context.session()), size.x - em);
+    const ImVec2 at(low.x + 0.5F * em, 0.5F * (low.y + high.y - ImGui::GetTextLineHeight()));
+    list->AddText(at, toU32(color), text.c_str());
+    if (box.active()) {
+        const float x = at.x + ImGui::CalcTextSize(text.c_str()).x + 1.0F;
+        list->AddLine({x, at.y}, {x, at.y + ImGui::GetTextLineHeight()}, toU32(color),
+                      std::max(1.0F, 0.09F * em));
+    }
     ImGui::PopFont();
     tooltip("Go to (Ctrl+G): 137, 137.sphere.3, +10, -10, 50%, or p812 to select a point");
-    if (!entered) return;
-    context.playback().pause();
-    const Status status = context.session().goToText(text.data());
-    if (!status) context.session().say(status.error().message);
-    text.fill('\0');
-    ImGui::SetWindowFocus("##view");
 }
 
 }  // namespace
