@@ -40,12 +40,8 @@ std::string sceneList() {
     return text;
 }
 
-}  // namespace
-
-ParsedOptions parseOptions(int argc, const char* const* argv) {
-    Options o;
-    CLI::App app{"Watch the Spiraling Edge algorithm triangulate points, decision by decision.",
-                 "spiraling-edge-viewer"};
+/// What needs a second look before it goes into Options.
+struct RawOptions {
     std::string size;
     std::string theme;
     std::size_t neighbors = 0;
@@ -53,50 +49,65 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
     std::string screenshot;
     std::string shaders;
     bool actions = false;
+};
+
+void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_option("FILE", o.input.source,
                    "Points: PLY, XYZ, OBJ or OFF; or scene:ID. Without it, the first scene");
     app.add_option("--rules", o.input.rules,
                    "How the paper is read: " + ruleSets() + " (default paper)")
         ->check(CLI::IsMember(ruleSetNames()));
-    auto* k = app.add_option("--neighbors", neighbors, "List the K nearest neighbors of each point")
-                  ->check(CLI::Range(std::size_t{1}, std::size_t{1000}));
-    auto* r = app.add_option("--radius", radius, "List the neighbors within R, in scene units")
+    auto* k =
+        app.add_option("--neighbors", raw.neighbors, "List the K nearest neighbors of each point")
+            ->check(CLI::Range(std::size_t{1}, std::size_t{1000}));
+    auto* r = app.add_option("--radius", raw.radius, "List the neighbors within R, in scene units")
                   ->check(CLI::PositiveNumber);
     k->excludes(r);
     app.add_option("--goto", o.goTo,
                    "Begin at PIVOT[.STAGE[.N]], for example 137.sphere.3, or 50%");
     app.add_flag("--focus", o.focus, "Begin with the pivot and its neighbors framed");
-    app.add_option("--size", size, "Size of the window or picture in pixels, for example 1280x800");
-    app.add_option("--screenshot", screenshot,
+    app.add_option("--size", raw.size,
+                   "Size of the window or picture in pixels, for example 1280x800");
+    app.add_option("--screenshot", raw.screenshot,
                    "Write a picture of the window and leave; needs no display");
     app.add_option("--frames", o.frames, "Leave after N frames")->check(CLI::Range(1, 1000000));
     app.add_option("--ui-scale", o.uiScale, "Size of text and panels, 0.75 to 3")
         ->check(CLI::Range(0.75, 3.0));
-    app.add_option("--theme", theme, "dark or light")->check(CLI::IsMember({"dark", "light"}));
+    app.add_option("--theme", raw.theme, "dark or light")->check(CLI::IsMember({"dark", "light"}));
     app.add_flag("--no-config", o.noConfig, "Neither read nor write settings");
-    app.add_option("--shaders", shaders, "Read the shaders from this folder");
+    app.add_option("--shaders", raw.shaders, "Read the shaders from this folder");
     app.add_flag("--keys", o.cheatSheet, "Begin with the list of keys open");
-    app.add_flag("--list-actions", actions, "Print all actions with their keys, and leave");
+    app.add_flag("--list-actions", raw.actions, "Print all actions with their keys, and leave");
     app.set_version_flag("--version", "spiraling-edge-viewer " SE_VERSION);
     app.footer(sceneList);
+}
+
+}  // namespace
+
+ParsedOptions parseOptions(int argc, const char* const* argv) {
+    Options o;
+    CLI::App app{"Watch the Spiraling Edge algorithm triangulate points, decision by decision.",
+                 "spiraling-edge-viewer"};
+    RawOptions raw;
+    addOptions(app, o, raw);
     try {
         app.parse(argc, argv);
-        o.size = sizeFromString(size.empty() ? "1280x800" : size);
+        o.size = sizeFromString(raw.size.empty() ? "1280x800" : raw.size);
         if (!o.size)
             throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, for example 1280x800");
     } catch (const CLI::ParseError& e) {
         return {std::nullopt, app.exit(e) == 0 ? kExitGood : kExitUsage};
     }
-    if (size.empty()) o.size.reset();
-    if (actions) {
+    if (raw.size.empty()) o.size.reset();
+    if (raw.actions) {
         std::fputs(listActions().c_str(), stdout);
         return {std::nullopt, kExitGood};
     }
-    if (neighbors > 0) o.input.neighbors = {KNearest{neighbors}, true, true};
-    if (radius > 0.0) o.input.neighbors = {WithinRadius{radius}, true, true};
-    o.theme = themeFromName(theme);
-    o.screenshot = screenshot;
-    o.shaders = shaders;
+    if (raw.neighbors > 0) o.input.neighbors = {KNearest{raw.neighbors}, true, true};
+    if (raw.radius > 0.0) o.input.neighbors = {WithinRadius{raw.radius}, true, true};
+    o.theme = themeFromName(raw.theme);
+    o.screenshot = raw.screenshot;
+    o.shaders = raw.shaders;
     return {std::move(o), kExitGood};
 }
 
