@@ -197,7 +197,10 @@ void frameFocus(CommandContext& context) {
     const Session& session = context.session;
     if (!session.ready()) return;
     const Model& model = session.model();
-    const Index focus = session.selected() != kNone ? session.selected() : session.picture().pivot;
+    const Picture& picture = session.picture();
+    Index focus = session.selected();
+    if (focus == kNone) focus = picture.pivot;
+    if (focus == kNone) focus = picture.underTest;
     if (focus == kNone) {
         context.camera.frame(glm::vec3(0.0F), 1.0F);
         return;

@@ -30,6 +30,7 @@ void addLabels(const LayerInput& in, DrawList& out) {
     const Palette& c = in.palette;
     LabelMaker labels(in, out);
     labels.add(p.pivot, "p", c.pivot, true);
+    if (p.pivot == kNone) labels.add(p.underTest, "", p.mended ? c.test : c.rejected, true);
     if (!p.complete && p.pivot != kNone) {
         if (p.sphere) {
             labels.add(p.sphere->q, "q", c.test, true);

@@ -119,7 +119,10 @@ void addSector(const LayerInput& in, DrawList& out) {
 void addNeighborRing(const LayerInput& in, DrawList& out) {
     const Picture& p = in.picture;
     if (p.pivot == kNone) {
-        addMark(in, p.underTest, Shape::Cross, in.palette.rejected, 0.8F, out);
+        // Mended, or stranded.
+        const bool mended = p.mended != nullptr;
+        addMark(in, p.underTest, mended ? Shape::RingedDisc : Shape::Cross,
+                mended ? in.palette.test : in.palette.rejected, 0.9F, out);
         return;
     }
     // Once the pivot is complete its tests are history: only the result stays.
