@@ -4,17 +4,18 @@
 #   tests/bench/compare.sh [-n REPEATS] [-o FOLDER] [-m "METHODS"] [-g "SIZES"] [-b BUILD] [INPUT...]
 #     -n  repeats (3); the table has medians. The programs take turns, so that load falls on all
 #     -o  where results go (out/compare): runs.csv, table.md, growth.csv, growth.svg
-#     -m  peers (gp3 afs bpa alpha crust hoppe poisson); "" for none
+#     -m  peers (gp3 gp3:12 afs bpa alpha crust hoppe poisson), :K for that many neighbors; "" for none
 #     -g  sizes of the growing sphere ("1000 10000 100000 1000000"); "" for none
 #     -b  build folder (build-peers); configured and built if the programs are not there
 #   INPUT: point files with normals. Default: a sphere and a torus of 43,000 points.
-#   GROWTH_PEERS ("gp3 afs bpa"): the peers of the growing sphere. LIMIT (900): seconds for one run.
+#   GROWTH_PEERS ("gp3 afs bpa"): the peers of the growing sphere, up to a million points.
+#   LIMIT (900): seconds for one run.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 repeats=3
 out=$root/out/compare
-peers="gp3 afs bpa alpha crust hoppe poisson"
+peers="gp3 gp3:12 afs bpa alpha crust hoppe poisson"
 sizes="1000 10000 100000 1000000"
 build=$root/build-peers
 while getopts n:o:m:g:b: option; do
@@ -49,14 +50,15 @@ field() { sed -nE "s/^ *\"$2\": ([-+.0-9eE]+),?$/\1/p" "$1" | head -n 1; }
 # is left in $scratch/METHOD.ply.
 run() {
     local method=$1 input=$2 json=$scratch/$1.json search=neighbors reconstruct=reconstruct cpu
-    local TIMEFORMAT='%U %S'
+    local TIMEFORMAT='%U %S' more=()
+    [[ $method != *:* ]] || more=(--neighbors "${method#*:}")
     if [[ " $own " == *" $method "* ]]; then
         search=prepare reconstruct=triangulate
         { time timeout "$limit" "$build/bin/spiraling-edge" run "$input" --rules "$method" --report "$json" \
             -o "$scratch/$method.ply" -q >/dev/null 2>&3; } 3>"$scratch/$method.log" 2>"$scratch/cpu" || return 1
     else
-        { time timeout "$limit" "$build/bin/spiraling-edge-peer" "$method" "$input" --json \
-            -o "$scratch/$method.ply" >"$json" 2>&3; } 3>"$scratch/$method.log" 2>"$scratch/cpu" || return 1
+        { time timeout "$limit" "$build/bin/spiraling-edge-peer" "${method%%:*}" "$input" \
+            --json ${more[@]+"${more[@]}"} -o "$scratch/$method.ply" >"$json" 2>&3; } 3>"$scratch/$method.log" 2>"$scratch/cpu" || return 1
     fi
     cpu=$(awk '{ print $1 + $2 }' "$scratch/cpu")
     echo "$(field "$json" read),$(field "$json" $search),$(field "$json" $reconstruct),$(field "$json" write),$cpu,$(field "$json" triangles)"
@@ -113,8 +115,9 @@ growth() {
     echo "points,method,repeat,read,neighbors,reconstruct,write,cpu,triangles" >"$out/growth.csv"
     for size in $sizes; do
         "$tool" shape sphere "$size" "$scratch/sphere.ply"
-        # shellcheck disable=SC2086
-        measure "$out/growth.csv" "$size" "$scratch/sphere.ply" $((size > 500000 ? 1 : repeats)) $own $growth_peers
+        # shellcheck disable=SC2046,SC2086
+        measure "$out/growth.csv" "$size" "$scratch/sphere.ply" $((size > 500000 ? 1 : repeats)) \
+            $own $([ "$size" -gt 1000000 ] || echo "$growth_peers")
     done
     awk -F, -f "$here/growth_plot.awk" "$out/growth.csv" >"$out/growth.svg"
 }
