@@ -18,6 +18,8 @@ constexpr float kTurnPerHeight = 240.0F;
 /// Home looks down at least and at most as steeply as this.
 constexpr float kLowestHomeDegrees = 27.0F;
 constexpr float kHighestHomeDegrees = 46.0F;
+/// A surface whose normal points this much to the eye is seen from outside.
+constexpr float kFacesFrom = 0.15F;
 /// Room around the points, as a factor.
 constexpr float kHomeMargin = 1.12F;
 /// Everything fits a sphere of this radius.
@@ -86,6 +88,14 @@ void Camera::frame(const glm::vec3& center, float radius) {
     target_ = center;
     distance_ = std::clamp(1.12F * radius / std::sin(glm::radians(kFieldOfViewDegrees) * 0.5F),
                            kNearest, kFarthest);
+    ++revision_;
+}
+
+void Camera::face(const glm::vec3& normal) {
+    if (glm::dot(direction(), normal) > kFacesFrom) return;
+    const float flat = std::hypot(normal.x, normal.y);
+    if (flat > 1e-3F) yawDegrees_ = glm::degrees(std::atan2(normal.y, normal.x));
+    pitchDegrees_ = glm::degrees(std::atan2(normal.z, flat));
     ++revision_;
 }
 

@@ -32,6 +32,9 @@ class Camera {
     void zoomAt(float notches, glm::vec2 ndc, float aspect);
     /// Puts a sphere in the middle and makes it fill the view. The direction stays.
     void frame(const glm::vec3& center, float radius);
+    /// Turns to look at a surface with that normal from its outer side; leaves the direction alone
+    /// if it does so already.
+    void face(const glm::vec3& normal);
     /// Moves `target` to the middle of the view; later orbits turn about it.
     void lookAt(const glm::vec3& target);
     void set(ViewPreset preset);

@@ -209,6 +209,8 @@ void frameFocus(CommandContext& context) {
     for (const Index q : model.points.neighbors[focus]) {
         radius = std::max(radius, glm::distance(model.place[focus], model.place[q]));
     }
+    // Else one would look at it from within, through the other side of the surface.
+    context.camera.face(model.normal[focus]);
     context.camera.frame(model.place[focus], 1.25F * radius);
 }
 

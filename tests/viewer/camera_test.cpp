@@ -114,6 +114,17 @@ TEST_CASE("Home shows all points of a sample, as large as fits, whatever the asp
     }
 }
 
+TEST_CASE("Facing a surface seen from within turns to its outer side, else it does nothing") {
+    Camera camera;
+    for (const glm::vec3 normal : {glm::vec3(0, 1, 0), glm::vec3(-1, 0, 0), glm::vec3(0, 0, -1)}) {
+        camera.set(ViewPreset::Front);
+        camera.face({0, -1, 0});
+        CHECK(camera.matrices(kAspect).eye.y == doctest::Approx(-camera.distance()));
+        camera.face(normal);
+        CHECK(glm::dot(glm::normalize(camera.matrices(kAspect).eye), normal) > 0.99F);
+    }
+}
+
 TEST_CASE("Everything in the unit sphere is between the planes of the camera") {
     Camera camera;
     for (const float radius : {0.02F, 0.3F, 1.0F}) {
