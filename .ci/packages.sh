@@ -30,10 +30,11 @@ if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     exit 0
 fi
 
-# Packages of the list that are not installed, one per line.
+# Packages of the list that are not installed, one per line. dpkg-query fails as soon as it has never
+# heard of one of them, which is no failure here.
 missing() {
     local installed
-    installed=$(dpkg-query -W -f='${Package} ${db:Status-Status}\n' "${wanted[@]}" 2>/dev/null |
+    installed=$({ dpkg-query -W -f='${Package} ${db:Status-Status}\n' "${wanted[@]}" 2>/dev/null || true; } |
         sed -n 's/ installed$//p')
     printf '%s\n' "${wanted[@]}" | grep -vxF -e "$installed" || true
 }
