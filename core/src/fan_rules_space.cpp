@@ -1,6 +1,7 @@
 /// Rules on what else is where a fan would be: nocross, nomeet.
 #include <algorithm>
 
+#include "box.h"
 #include "exact.h"
 #include "fan_rules.h"
 
@@ -95,27 +96,6 @@ bool isFlat(const PointSet& points, Index p) {
     return std::all_of(list.begin(), list.end(), [&](Index x) {
         return glm::dot(points.normal[x], points.normal[p]) > kFlat;
     });
-}
-
-struct Box {
-    Vec3 low, high;
-
-    explicit Box(const Vec3& p) : low(p), high(p) {}
-    void add(const Vec3& p) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-    }
-    bool meets(const Box& o) const {
-        return low.x <= o.high.x && o.low.x <= high.x && low.y <= o.high.y && o.low.y <= high.y &&
-               low.z <= o.high.z && o.low.z <= high.z;
-    }
-};
-
-Box boxOf(const PointSet& points, const Triangle& t) {
-    Box box(points.position[t.a]);
-    box.add(points.position[t.b]);
-    box.add(points.position[t.c]);
-    return box;
 }
 
 }  // namespace

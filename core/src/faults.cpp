@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "box.h"
 #include "exact.h"
 
 namespace se {
@@ -47,14 +48,6 @@ class FaultFinder {
     }
 
   private:
-    struct Box {
-        Vec3 low, high;
-        bool meets(const Box& o) const {
-            return low.x <= o.high.x && o.low.x <= high.x && low.y <= o.high.y &&
-                   o.low.y <= high.y && low.z <= o.high.z && o.low.z <= high.z;
-        }
-    };
-
     const Vec3& at(Index p) const { return points_.position[p]; }
     Vec3 areaVector(const Triangle& t) const {
         return glm::cross(at(t.b) - at(t.a), at(t.c) - at(t.a));
@@ -69,7 +62,6 @@ class FaultFinder {
     void findFold(const Side& a, const Side& b);
     void findIntersections();
     void testPair(Index a, Index b);
-    Box boxOf(Index triangle) const;
 
     const PointSet& points_;
     std::span<const Triangle> triangles_;
@@ -127,16 +119,6 @@ void FaultFinder::findEdgeFaults() {
     }
 }
 
-FaultFinder::Box FaultFinder::boxOf(Index triangle) const {
-    const Triangle& t = triangles_[triangle];
-    Box box{at(t.a), at(t.a)};
-    for (const Index p : {t.b, t.c}) {
-        box.low = glm::min(box.low, at(p));
-        box.high = glm::max(box.high, at(p));
-    }
-    return box;
-}
-
 /// A grid cell that a triangle's box touches.
 struct Placed {
     std::uint64_t cell;
@@ -192,8 +174,8 @@ void FaultFinder::findIntersections() {
     if (triangles_.empty()) return;
     boxes_.reserve(triangles_.size());
     double meanSize = 0.0;
-    for (Index i = 0; i < triangles_.size(); ++i) {
-        boxes_.push_back(boxOf(i));
+    for (const Triangle& t : triangles_) {
+        boxes_.push_back(boxOf(points_, t));
         const Vec3 d = boxes_.back().high - boxes_.back().low;
         meanSize += std::max(d.x, std::max(d.y, d.z));
     }
