@@ -6,30 +6,10 @@
 
 #include "box.h"
 #include "exact.h"
+#include "mesh_sides.h"
 
 namespace se {
 namespace {
-
-/// Directed sides of all triangles, sorted by edge.
-struct Side {
-    Index low, high, triangle;
-    bool ascending;
-};
-
-std::vector<Side> sortedSides(std::span<const Triangle> triangles) {
-    std::vector<Side> sides;
-    sides.reserve(3 * triangles.size());
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const Triangle& t = triangles[i];
-        for (const auto& [u, v] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}}) {
-            sides.push_back({std::min(u, v), std::max(u, v), static_cast<Index>(i), u < v});
-        }
-    }
-    std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
-        return std::tie(x.low, x.high, x.triangle) < std::tie(y.low, y.high, y.triangle);
-    });
-    return sides;
-}
 
 class FaultFinder {
   public:
@@ -99,11 +79,7 @@ void FaultFinder::findFold(const Side& a, const Side& b) {
 void FaultFinder::findEdgeFaults() {
     const std::vector<Side> sides = sortedSides(triangles_);
     for (std::size_t i = 0; i < sides.size();) {
-        std::size_t end = i + 1;
-        while (end < sides.size() && sides[end].low == sides[i].low &&
-               sides[end].high == sides[i].high) {
-            ++end;
-        }
+        const std::size_t end = endOfEdge(sides, i);
         for (std::size_t j = i + 1; j < end; ++j) {
             if (end - i > 2) {
                 add(FaultKind::NonManifoldEdge, sides[i].triangle, sides[j].triangle);

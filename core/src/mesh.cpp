@@ -3,33 +3,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "mesh_sides.h"
+
 namespace se {
 namespace {
-
-/// One side of a triangle, named by its points in ascending order.
-struct HalfEdge {
-    Index low, high;
-    Index triangle;
-    bool ascending;  ///< Passed from low to high.
-
-    bool sameEdge(const HalfEdge& other) const { return low == other.low && high == other.high; }
-};
-
-std::vector<HalfEdge> sortedHalfEdges(std::span<const Triangle> triangles) {
-    std::vector<HalfEdge> edges;
-    edges.reserve(3 * triangles.size());
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const Triangle& t = triangles[i];
-        for (const auto& [u, v] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}}) {
-            edges.push_back({std::min(u, v), std::max(u, v), static_cast<Index>(i), u < v});
-        }
-    }
-    std::sort(edges.begin(), edges.end(), [](const HalfEdge& x, const HalfEdge& y) {
-        return x.low != y.low ? x.low < y.low
-                              : (x.high != y.high ? x.high < y.high : x.triangle < y.triangle);
-    });
-    return edges;
-}
 
 /// Disjoint sets by path halving.
 class Sets {
@@ -54,17 +31,15 @@ class Sets {
 };
 
 /// Counts the edges by how many triangles share them, and the loops of the boundary.
-void countEdges(const std::vector<HalfEdge>& sides, std::size_t points, MeshReport& report) {
+void countEdges(const std::vector<Side>& sides, std::size_t points, MeshReport& report) {
     Sets boundary(points);
     std::vector<bool> onBoundary(points, false);
     std::size_t joined = 0;
     for (std::size_t i = 0; i < sides.size();) {
-        std::size_t end = i;
-        std::size_t ascending = 0;
-        for (; end < sides.size() && sides[end].sameEdge(sides[i]); ++end) {
-            ascending += sides[end].ascending ? 1U : 0U;
-        }
+        const std::size_t end = endOfEdge(sides, i);
         const std::size_t count = end - i;
+        std::size_t ascending = 0;
+        for (std::size_t j = i; j < end; ++j) ascending += sides[j].ascending ? 1U : 0U;
         ++report.edges;
         if (count > 2) ++report.nonManifoldEdges;
         if (ascending > 1 || count - ascending > 1) ++report.inconsistentEdges;
@@ -82,7 +57,7 @@ void countEdges(const std::vector<HalfEdge>& sides, std::size_t points, MeshRepo
 
 /// Points whose triangles do not hang together by edges at that point.
 std::size_t countNonManifoldVertices(std::span<const Triangle> triangles,
-                                     const std::vector<HalfEdge>& sides, std::size_t points) {
+                                     const std::vector<Side>& sides, std::size_t points) {
     // A corner is one triangle at one of its points; corners at a point are joined across edges.
     const auto cornerOf = [&](Index triangle, Index point) {
         const Triangle& t = triangles[triangle];
@@ -141,7 +116,7 @@ MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangle
     report.usedPoints = static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
     report.unusedPoints = report.points - report.usedPoints;
     report.components = report.usedPoints - joined;
-    const std::vector<HalfEdge> sides = sortedHalfEdges(triangles);
+    const std::vector<Side> sides = sortedSides(triangles);
     countEdges(sides, points.size(), report);
     report.nonManifoldVertices = countNonManifoldVertices(triangles, sides, points.size());
     countShapes(points, triangles, report);

@@ -1,0 +1,46 @@
+/// The sides of all triangles, brought together by edge: for the checks of a finished mesh, which
+/// may be no manifold at all.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "spiraling_edge/point_set.h"
+
+namespace se {
+
+/// One side of a triangle, named by its points in ascending order.
+struct Side {
+    Index low, high;
+    Index triangle;
+    bool ascending;  ///< Passed from low to high.
+
+    bool sameEdge(const Side& other) const { return low == other.low && high == other.high; }
+};
+
+/// All sides, sorted by edge and then by triangle.
+inline std::vector<Side> sortedSides(std::span<const Triangle> triangles) {
+    std::vector<Side> sides;
+    sides.reserve(3 * triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const Triangle& t = triangles[i];
+        for (const auto& [u, v] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}}) {
+            sides.push_back({std::min(u, v), std::max(u, v), static_cast<Index>(i), u < v});
+        }
+    }
+    std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
+        return std::tie(x.low, x.high, x.triangle) < std::tie(y.low, y.high, y.triangle);
+    });
+    return sides;
+}
+
+/// One past the last side of the edge whose first side is at `begin`.
+inline std::size_t endOfEdge(const std::vector<Side>& sides, std::size_t begin) {
+    std::size_t end = begin + 1;
+    while (end < sides.size() && sides[end].sameEdge(sides[begin])) ++end;
+    return end;
+}
+
+}  // namespace se
