@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fan_rules.h"
+#include "shape.h"
 
 namespace se {
 namespace {
@@ -18,10 +19,8 @@ bool foldsOver(const StepContext& context, Index u, Index v, const Vec3& area) {
     const HalfEdge h = s.edges.find(u, v);
     if (h == kNone) return false;
     const std::vector<Vec3>& position = context.points.position;
-    const Vec3 old =
-        glm::cross(position[v] - position[u], position[s.edges.opposite(h)] - position[u]);
-    const double size = std::sqrt(glm::dot(old, old) * glm::dot(area, area));
-    return glm::dot(old, area) < kSharpestFold * size;
+    const Vec3 old = areaVector(position[u], position[v], position[s.edges.opposite(h)]);
+    return encloseMore(old, area, kSharpestFold);
 }
 
 /// Is a triangle of the pivot, a and b against the normal of a corner, or, once that is allowed, of

@@ -1,12 +1,12 @@
 #include "spiraling_edge/faults.h"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
 #include "box.h"
 #include "exact.h"
 #include "mesh_sides.h"
+#include "shape.h"
 
 namespace se {
 namespace {
@@ -28,10 +28,6 @@ class FaultFinder {
     }
 
   private:
-    const Vec3& at(Index p) const { return points_.position[p]; }
-    Vec3 areaVector(const Triangle& t) const {
-        return glm::cross(at(t.b) - at(t.a), at(t.c) - at(t.a));
-    }
     void add(FaultKind kind, Index a, Index b) {
         if (b != kNone && b < a) std::swap(a, b);
         faults_.push_back({kind, a, b});
@@ -39,7 +35,7 @@ class FaultFinder {
 
     void findShapes();
     void findEdgeFaults();
-    void findFold(const Side& a, const Side& b);
+    void findFold(Index a, Index b);
     void findIntersections();
     void testPair(Index a, Index b);
 
@@ -52,28 +48,19 @@ class FaultFinder {
 };
 
 void FaultFinder::findShapes() {
-    for (std::size_t i = 0; i < triangles_.size(); ++i) {
-        const Triangle& t = triangles_[i];
-        const Vec3 u = at(t.b) - at(t.a);
-        const Vec3 v = at(t.c) - at(t.a);
-        const Vec3 area = glm::cross(u, v);
-        const bool flat = glm::dot(area, area) <= 1e-24 * glm::dot(u, u) * glm::dot(v, v);
-        if (t.a == t.b || t.b == t.c || t.c == t.a || flat) {
+    for (Index i = 0; i < triangles_.size(); ++i) {
+        if (isDegenerate(points_, triangles_[i])) {
             usable_[i] = false;
-            add(FaultKind::Degenerate, static_cast<Index>(i), kNone);
-            continue;
+            add(FaultKind::Degenerate, i, kNone);
+        } else if (isFlipped(points_, triangles_[i])) {
+            add(FaultKind::Flipped, i, kNone);
         }
-        const Vec3 normals = points_.normal[t.a] + points_.normal[t.b] + points_.normal[t.c];
-        if (glm::dot(area, normals) < 0.0) add(FaultKind::Flipped, static_cast<Index>(i), kNone);
     }
 }
 
-void FaultFinder::findFold(const Side& a, const Side& b) {
-    if (!usable_[a.triangle] || !usable_[b.triangle]) return;
-    const Vec3 m = areaVector(triangles_[a.triangle]);
-    const Vec3 n = areaVector(triangles_[b.triangle]);
-    const double size = std::sqrt(glm::dot(m, m)) * std::sqrt(glm::dot(n, n));
-    if (glm::dot(m, n) < kFoldCosine * size) add(FaultKind::Folded, a.triangle, b.triangle);
+void FaultFinder::findFold(Index a, Index b) {
+    if (!usable_[a] || !usable_[b]) return;
+    if (folded(points_, triangles_[a], triangles_[b])) add(FaultKind::Folded, a, b);
 }
 
 void FaultFinder::findEdgeFaults() {
@@ -89,7 +76,7 @@ void FaultFinder::findEdgeFaults() {
             }
         }
         if (end - i == 2 && sides[i].ascending != sides[i + 1].ascending) {
-            findFold(sides[i], sides[i + 1]);
+            findFold(sides[i].triangle, sides[i + 1].triangle);
         }
         i = end;
     }

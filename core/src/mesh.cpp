@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "mesh_sides.h"
+#include "shape.h"
 
 namespace se {
 namespace {
@@ -86,16 +87,11 @@ std::size_t countNonManifoldVertices(std::span<const Triangle> triangles,
 
 void countShapes(const PointSet& points, std::span<const Triangle> triangles, MeshReport& report) {
     for (const Triangle& t : triangles) {
-        const Vec3 u = points.position[t.b] - points.position[t.a];
-        const Vec3 v = points.position[t.c] - points.position[t.a];
-        const Vec3 area = glm::cross(u, v);
-        const bool twice = t.a == t.b || t.b == t.c || t.c == t.a;
-        if (twice || glm::dot(area, area) <= 1e-24 * glm::dot(u, u) * glm::dot(v, v)) {
+        if (isDegenerate(points, t)) {
             ++report.degenerateTriangles;
-            continue;
+        } else if (isFlipped(points, t)) {
+            ++report.flippedTriangles;
         }
-        const Vec3 normals = points.normal[t.a] + points.normal[t.b] + points.normal[t.c];
-        if (glm::dot(area, normals) < 0.0) ++report.flippedTriangles;
     }
 }
 

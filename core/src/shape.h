@@ -1,5 +1,5 @@
 /// Shape of a triangle against its corners' normals and its neighbors: shared by the rules beyond
-/// the paper.
+/// the paper and the checks of a finished mesh, so that both mean the same by a fault.
 #pragma once
 
 #include <algorithm>
@@ -18,6 +18,24 @@ inline Vec3 areaVector(const PointSet& points, const Triangle& t) {
     return areaVector(points.position[t.a], points.position[t.b], points.position[t.c]);
 }
 
+/// FaultKind::Degenerate: a corner twice, or no area to speak of next to its sides.
+inline bool isDegenerate(const PointSet& points, const Triangle& t) {
+    if (t.a == t.b || t.b == t.c || t.c == t.a) return true;
+    const Vec3 u = points.position[t.b] - points.position[t.a];
+    const Vec3 v = points.position[t.c] - points.position[t.a];
+    const Vec3 area = glm::cross(u, v);
+    return glm::dot(area, area) <= 1e-24 * glm::dot(u, u) * glm::dot(v, v);
+}
+
+/// Above zero if the triangle faces the sum of the normals of its corners.
+inline double facing(const PointSet& points, const Triangle& t) {
+    const Vec3 sum = points.normal[t.a] + points.normal[t.b] + points.normal[t.c];
+    return glm::dot(areaVector(points, t), sum);
+}
+
+/// FaultKind::Flipped, for a triangle that is not degenerate.
+inline bool isFlipped(const PointSet& points, const Triangle& t) { return facing(points, t) < 0.0; }
+
 /// Does the triangle face the normal of each of its corners?
 inline bool facesNormals(const PointSet& points, Index a, Index b, Index c) {
     const Vec3 area = areaVector(points, {a, b, c});
@@ -30,9 +48,7 @@ inline constexpr int kFlippedFault = 4;
 
 /// kFlippedFault for a flipped triangle, 1 for one against a single corner's normal, else 0.
 inline int shapeFaults(const PointSet& points, const Triangle& t) {
-    const Vec3 area = areaVector(points, t);
-    const Vec3 sum = points.normal[t.a] + points.normal[t.b] + points.normal[t.c];
-    if (!(glm::dot(area, sum) > 0.0)) return kFlippedFault;
+    if (!(facing(points, t) > 0.0)) return kFlippedFault;
     return facesNormals(points, t.a, t.b, t.c) ? 0 : 1;
 }
 
@@ -44,9 +60,15 @@ inline double normalsCosine(const PointSet& points, const Triangle& a, const Tri
     return size > 0.0 ? glm::dot(m, n) / size : 1.0;
 }
 
+/// Is the angle between two normals of any length larger than the one with this cosine? The roots
+/// are taken one by one: the product of the squares leaves the range of a double much earlier.
+inline bool encloseMore(const Vec3& m, const Vec3& n, double cosine) {
+    return glm::dot(m, n) < cosine * (std::sqrt(glm::dot(m, m)) * std::sqrt(glm::dot(n, n)));
+}
+
 /// FaultKind::Folded, for triangles at a common edge.
 inline bool folded(const PointSet& points, const Triangle& a, const Triangle& b) {
-    return normalsCosine(points, a, b) < kFoldCosine;
+    return encloseMore(areaVector(points, a), areaVector(points, b), kFoldCosine);
 }
 
 /// Cosine of the least angle: the smaller, the better. 1 for a triangle without area.
