@@ -2,33 +2,13 @@
 /// docs/choices.md, on the shared data where it is at hand and on sampled surfaces everywhere.
 #include <doctest/doctest.h>
 
-#include <filesystem>
-
 #include "../support/clouds.h"
-#include "spiraling_edge/io.h"
+#include "../support/shared_data.h"
 
 using namespace se;
 using namespace se::test;
 
 namespace {
-
-#ifdef SPIRALING_EDGE_SHARED_DATA
-const std::filesystem::path kData = SPIRALING_EDGE_SHARED_DATA;
-#else
-const std::filesystem::path kData;
-#endif
-
-/// The shared file, or nothing, saying so.
-std::optional<PointFile> shared(const std::string& name) {
-    std::error_code ignored;
-    if (kData.empty() || !std::filesystem::exists(kData / name, ignored)) {
-        MESSAGE("skipped: ", name, " is not at hand");
-        return std::nullopt;
-    }
-    auto file = readPoints(kData / name);
-    REQUIRE_MESSAGE(file.ok(), name);
-    return std::move(file.value());
-}
 
 struct Expected {
     const char* name;
@@ -45,7 +25,7 @@ TEST_CASE("8 Table 1: the numbers of triangles, on stand-ins") {
         {"points/table1_lobster.ply", 83200, 84600},
     };
     for (const Expected& e : expected) {
-        const auto file = shared(e.name);
+        const auto file = sharedPoints(e.name);
         if (!file) continue;
         const std::size_t triangles = runAll(prepared(*file), paper()).mesh.triangles;
         CHECK_MESSAGE(triangles >= e.least, e.name, ": ", triangles);
@@ -54,7 +34,7 @@ TEST_CASE("8 Table 1: the numbers of triangles, on stand-ins") {
 }
 
 TEST_CASE("8, 6.5 hydrogen: two lobes and a ring, which joins once") {
-    const auto file = shared("points/table1_hydrogen.ply");
+    const auto file = sharedPoints("points/table1_hydrogen.ply");
     if (!file) return;
     const Run run = runAll(prepared(*file), paper());
     CHECK(run.mesh.components == 3);
@@ -68,7 +48,7 @@ TEST_CASE("8, 6.5 hydrogen: two lobes and a ring, which joins once") {
 TEST_CASE("scanned shapes come out nearly whole") {
     for (const Expected& e : {Expected{"points/kitten.ply", 10400, 10420},
                               Expected{"points/torus_knot.ply", 6390, 6400}}) {
-        const auto file = shared(e.name);
+        const auto file = sharedPoints(e.name);
         if (!file) continue;
         const std::size_t triangles = runAll(prepared(*file), paper()).mesh.triangles;
         CHECK_MESSAGE(triangles >= e.least, e.name, ": ", triangles);
@@ -77,7 +57,7 @@ TEST_CASE("scanned shapes come out nearly whole") {
 }
 
 TEST_CASE("an exact grid is triangulated without overlap") {
-    const auto file = shared("hazards/plane_grid.ply");
+    const auto file = sharedPoints("hazards/plane_grid.ply");
     if (!file) return;
     const PointSet points = prepared(*file);
     const Run run = runAll(points, paper());
@@ -99,9 +79,7 @@ TEST_CASE("an exact grid is triangulated without overlap") {
 
 TEST_CASE("every hazard ends, read whole or refused") {
     std::error_code failed;
-    std::size_t seen = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(kData / "hazards", failed)) {
-        ++seen;
+    for (const auto& entry : std::filesystem::directory_iterator(sharedFile("hazards"), failed)) {
         auto file = readPoints(entry.path());
         if (!file) continue;
         auto points = prepare(file.value(), {});
@@ -112,7 +90,6 @@ TEST_CASE("every hazard ends, read whole or refused") {
             CHECK_MESSAGE(run.state.finished(), entry.path().string());
         }
     }
-    if (seen == 0) MESSAGE("skipped: no shared data at hand");
 }
 
 TEST_CASE("even closed surfaces come out closed, but for one in twenty; printed far fewer") {

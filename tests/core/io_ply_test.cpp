@@ -1,6 +1,7 @@
 #include <cmath>
 #include <limits>
 
+#include "../support/shared_data.h"
 #include "io_support.h"
 #include "ply_encoder.h"
 

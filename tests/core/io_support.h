@@ -116,14 +116,4 @@ inline std::string bytesOf(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// A file of the shared test data; empty, with a message, where they are not at hand.
-inline std::filesystem::path sharedFile(const char* name) {
-#ifdef SPIRALING_EDGE_SHARED_DATA
-    std::filesystem::path path = std::filesystem::path(SPIRALING_EDGE_SHARED_DATA) / name;
-    if (std::filesystem::exists(path)) return path;
-#endif
-    MESSAGE("skipped: no ", name);
-    return {};
-}
-
 }  // namespace se::test

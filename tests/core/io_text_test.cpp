@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "../support/shared_data.h"
 #include "io_support.h"
 #include "text_scan.h"
 

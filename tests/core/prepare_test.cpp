@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "../support/shared_data.h"
 #include "neighbor_oracle.h"
 
 using namespace se;
@@ -339,26 +340,20 @@ TEST_CASE("prepare: a list that names a point that does not exist is an error") 
 }
 
 TEST_CASE("prepare: the shared files with hazards pass, and the report counts what is in them") {
-#ifdef SPIRALING_EDGE_SHARED_DATA
-    const std::filesystem::path folder =
-        std::filesystem::path(SPIRALING_EDGE_SHARED_DATA) / "hazards";
-    if (std::filesystem::exists(folder)) {
-        const auto report = [&](const char* name) {
-            const Result<PointFile> file = readPoints(folder / name);
-            REQUIRE_MESSAGE(file.ok(), file.error().message);
-            return mustPrepare(file.value()).report;
-        };
-        CHECK(report("duplicates.ply").duplicatePoints == 50);
-        CHECK(report("not_finite.ply").nonFinitePoints == 15);
-        CHECK(report("zero_normals.ply").zeroNormals == 30);
-        CHECK(report("unscaled_normals.ply").unscaledNormals > 1000);
-        CHECK(report("same_point.ply").duplicatePoints == 19);
-        for (const char* name : {"empty.ply", "one_point.ply", "two_points.ply", "collinear.ply",
-                                 "two_close_sheets.ply", "stray_points.ply"}) {
-            (void)report(name);
-        }
-        return;
+    const auto folder = sharedFile("hazards");
+    if (folder.empty()) return;
+    const auto report = [&](const char* name) {
+        const Result<PointFile> file = readPoints(folder / name);
+        REQUIRE_MESSAGE(file.ok(), file.error().message);
+        return mustPrepare(file.value()).report;
+    };
+    CHECK(report("duplicates.ply").duplicatePoints == 50);
+    CHECK(report("not_finite.ply").nonFinitePoints == 15);
+    CHECK(report("zero_normals.ply").zeroNormals == 30);
+    CHECK(report("unscaled_normals.ply").unscaledNormals > 1000);
+    CHECK(report("same_point.ply").duplicatePoints == 19);
+    for (const char* name : {"empty.ply", "one_point.ply", "two_points.ply", "collinear.ply",
+                             "two_close_sheets.ply", "stray_points.ply"}) {
+        (void)report(name);
     }
-#endif
-    MESSAGE("skipped: no shared data");
 }

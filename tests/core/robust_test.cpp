@@ -2,24 +2,16 @@
 /// oriented manifold from any input, and the numbers measured on the shared data.
 #include <doctest/doctest.h>
 
-#include <filesystem>
-
 #include "../support/boxed.h"
 #include "../support/clouds.h"
 #include "../support/random_points.h"
+#include "../support/shared_data.h"
 #include "spiraling_edge/faults.h"
-#include "spiraling_edge/io.h"
 
 using namespace se;
 using namespace se::test;
 
 namespace {
-
-#ifdef SPIRALING_EDGE_SHARED_DATA
-const std::filesystem::path kData = SPIRALING_EDGE_SHARED_DATA;
-#else
-const std::filesystem::path kData;
-#endif
 
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)
@@ -36,15 +28,9 @@ Params robust() { return *paramsByName("robust"); }
 
 /// The shared points, or none, saying so.
 std::optional<PointSet> shared(const std::string& name) {
-    const auto path = kData / "points" / (name + ".ply");
-    std::error_code ignored;
-    if (kData.empty() || !std::filesystem::exists(path, ignored)) {
-        MESSAGE("skipped: ", name, " is not at hand");
-        return std::nullopt;
-    }
-    auto file = readPoints(path);
-    REQUIRE_MESSAGE(file.ok(), name);
-    return prepared(file.value());
+    const auto file = sharedPoints("points/" + name + ".ply");
+    if (!file) return std::nullopt;
+    return prepared(*file);
 }
 
 /// Of the large ones, which take minutes with sanitizers.

@@ -1,0 +1,34 @@
+/// Large inputs next to the checkout, which not every machine has.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "spiraling_edge/io.h"
+
+namespace se::test {
+
+/// The file or folder of this name; empty, with a message, where it is not at hand.
+inline std::filesystem::path sharedFile(const std::string& name) {
+#ifdef SPIRALING_EDGE_SHARED_DATA
+    std::filesystem::path path = std::filesystem::path(SPIRALING_EDGE_SHARED_DATA) / name;
+    std::error_code ignored;
+    if (std::filesystem::exists(path, ignored)) return path;
+#endif
+    MESSAGE("skipped: ", name, " is not at hand");
+    return {};
+}
+
+/// What the file of this name holds, or nothing, with a message, where it is not at hand.
+inline std::optional<PointFile> sharedPoints(const std::string& name) {
+    const std::filesystem::path path = sharedFile(name);
+    if (path.empty()) return std::nullopt;
+    auto file = readPoints(path);
+    REQUIRE_MESSAGE(file.ok(), name);
+    return std::move(file.value());
+}
+
+}  // namespace se::test
