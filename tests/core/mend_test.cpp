@@ -422,18 +422,27 @@ TEST_CASE("reseat: with the rule, fewer flipped triangles are left in a run than
 
 // ---- all together -------------------------------------------------------------------------------
 
+namespace {
+
+/// The first fault of the neighbor relation after any step of mending in a run, empty if there is
+/// none. Counts the steps.
+std::string faultWhileMending(const PointSet& points, std::size_t& steps) {
+    Stepper stepper(points, *paramsByName("robust"));
+    std::string fault;
+    while (fault.empty() && stepper.stepPivot()) {
+        if (stepper.state().mend.empty()) continue;
+        fault = manifoldFault(stepper.state().mend);
+        ++steps;
+    }
+    return fault;
+}
+
+}  // namespace
+
 TEST_CASE("mending: neighbors agree after every step, on meshes of random points") {
     std::size_t steps = 0;
     for (std::uint64_t seed = 1; seed <= 150; ++seed) {
-        const PointSet points = randomPoints(seed);
-        Stepper stepper(points, *paramsByName("robust"));
-        std::string fault;
-        while (fault.empty() && stepper.stepPivot()) {
-            if (stepper.state().mend.empty()) continue;
-            fault = manifoldFault(stepper.state().mend);
-            ++steps;
-        }
-        CHECK_MESSAGE(fault == "", "seed ", seed);
+        CHECK_MESSAGE(faultWhileMending(randomPoints(seed), steps) == "", "seed ", seed);
     }
     CHECK(steps > 100);
 }
@@ -444,15 +453,7 @@ TEST_CASE("mending: neighbors agree after every step, on rough closed clouds") {
         PointFile file = closedFamilies(0.5)[seed % 4].sample(seed);
         Random random(seed);
         for (Vec3& x : file.position) x += 0.08 * random.inCube();
-        const PointSet points = prepared(file);
-        Stepper stepper(points, *paramsByName("robust"));
-        std::string fault;
-        while (fault.empty() && stepper.stepPivot()) {
-            if (stepper.state().mend.empty()) continue;
-            fault = manifoldFault(stepper.state().mend);
-            ++steps;
-        }
-        CHECK_MESSAGE(fault == "", "seed ", seed);
+        CHECK_MESSAGE(faultWhileMending(prepared(file), steps) == "", "seed ", seed);
     }
     CHECK(steps > 100);
 }
