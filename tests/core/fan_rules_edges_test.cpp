@@ -1,0 +1,251 @@
+/// Rules beyond the paper that decide about one pivot: its candidates, and the edges that its fan
+/// may use. Each on the least input that needs it: with the rule, and without.
+#include <doctest/doctest.h>
+
+#include "../support/oracles.h"
+#include "fan_scene.h"
+#include "spiraling_edge/rules.h"
+
+using namespace se;
+using namespace se::test;
+
+// ---- where the angles come from -----------------------------------------------------------------
+
+TEST_CASE("tangent: a point far below the tangent plane is sorted by its direction in the plane") {
+    // 30 degrees in the plane, 74 between the vectors; the sector ends at 60.
+    const Vec3 deep = polar(30) - Vec3(0, 0, 3);
+    const auto candidates = [&](const Params& params) {
+        Rig rig({{0, 0, 0}, polar(0), polar(60), {-9, -9, 0}, {9, -9, 0}, deep}, params);
+        rig.list(0, {5}).ring(kRing).runTo(Phase::Limits);
+        return rig.candidates();
+    };
+    CHECK(candidates(paper()).empty());
+    CHECK(candidates(paperBut(&Rules::tangent)) == Points{5});
+}
+
+TEST_CASE("tangent: angles in the plane add up to a full turn on a cone, 3-D angles do not") {
+    const Vec3 normal(0, 0, 1);
+    double plane = 0;
+    double space = 0;
+    for (int i = 0; i < 6; ++i) {
+        const Vec3 a = polar(60 * i) - Vec3(0, 0, 1);
+        const Vec3 b = polar(60 * (i + 1)) - Vec3(0, 0, 1);
+        plane += angleOf(makeFrame(Vec3(0), normal, a, true), b).degrees();
+        space += angleOf(makeFrame(Vec3(0), normal, a, false), b).degrees();
+    }
+    CHECK(plane == doctest::Approx(360));
+    CHECK(space < 300);
+}
+
+namespace {
+
+/// The bay of Figure 4; 7 lies within the triangle 0, 1, 5.
+Rig& bay(Rig& rig) {
+    rig.list(0, {1, 2, 5, 6, 7}).ring({0, 2, 6, 3, 4, 5, 1}).runTo(Phase::Reciprocal);
+    return rig;
+}
+std::vector<Vec3> bayPoints() { return underHalf({{1.1, 1.2, 0}, {-1.1, 1.2, 0}, {0.8, 0.6, 0}}); }
+
+}  // namespace
+
+TEST_CASE("unblocked: start does not advance over an UNUSED point in the triangle it would make") {
+    Rig off(bayPoints());
+    bay(off);
+    CHECK(off.startPoint() == 5);
+    CHECK(off.candidates().empty());
+    CHECK(off.verdictOn<DropEvidence>(7) == Verdict::Outside);
+    Rig on(bayPoints(), paperBut(&Rules::unblocked));
+    bay(on);
+    CHECK(on.startPoint() == 1);
+    CHECK(on.endPoint() == 6);  // Nothing is in the way there.
+    CHECK(on.verdictOn<LimitEvidence>(5) == Verdict::Blocked);
+    CHECK(on.candidates() == Points{7});
+}
+
+TEST_CASE("unblocked: a DONE point in the triangle is not in the way") {
+    Rig rig(bayPoints(), paperBut(&Rules::unblocked));
+    bay(rig.done({7}));
+    CHECK(rig.startPoint() == 5);
+}
+
+TEST_CASE("stepback: a point is looked at again when the one behind it has gone") {
+    // 5 is inside the wide sphere with 6; 6 goes; with last instead, 5 is outside.
+    const auto triangles = [](const Params& params) {
+        Rig rig({{0, 0, 0},
+                 polar(0),
+                 polar(100),
+                 {-9, -9, 0},
+                 {9, -9, 0},
+                 polar(40, 1.7),
+                 polar(70, 5)},
+                params);
+        rig.list(0, {5, 6}).ring(kRing).pivot();
+        return rig.triangles();
+    };
+    CHECK(triangles(paper()) == kWith5);
+    CHECK(triangles(paperBut(&Rules::stepBack)) == kWithout5);
+}
+
+TEST_CASE("wallsdone: a wall point whose ring neighbors share its wall is no candidate") {
+    const auto candidates = [](unsigned behind, const Params& params) {
+        Rig rig({{0, 0, 0},
+                 {1, 0, 0},
+                 {-1, 0, 0},
+                 {-9, -9, 0},
+                 {9, -9, 0},
+                 {0, 1, 0},
+                 {-0.7, 1.7, 0},
+                 {0.7, 1.7, 0}},
+                params);
+        rig.type(5, kPositiveX).type(6, kPositiveX).type(7, behind);
+        rig.list(0, {5}).ring({0, 2, 3, 6, 5, 7, 4, 1}).runTo(Phase::Hole);
+        return rig.candidates();
+    };
+    CHECK(candidates(kPositiveX, paper()) == Points{5});
+    CHECK(candidates(kPositiveX, paperBut(&Rules::wallsDone)).empty());
+    // Not complete: behind it the ring leaves the wall.
+    CHECK(candidates(kInterior, paperBut(&Rules::wallsDone)) == Points{5});
+    CHECK(candidates(kNegativeY, paperBut(&Rules::wallsDone)) == Points{5});
+}
+
+// ---- guard --------------------------------------------------------------------------------------
+
+TEST_CASE("guard: a candidate that would use an edge twice is dropped") {
+    // 5 stands on a ring opposite to p; a triangle far off has the edge 0 -> 5 already.
+    const std::vector<Vec3> more{{0, 1, 0}, {-0.7, 1.7, 0}, {0.7, 1.7, 0}, {0, 9, 0}};
+    for (const Triangle& old : {Triangle{0, 5, 8}, Triangle{5, 0, 8}}) {
+        Rig off(underHalf(more));
+        off.mesh({old}).list(0, {5}).ring({0, 2, 3, 6, 5, 7, 4, 1}).pivot();
+        CHECK(off.newTriangles() == kWith5);
+        Rig on(underHalf(more), paperBut(&Rules::guard));
+        on.mesh({old}).list(0, {5}).ring({0, 2, 3, 6, 5, 7, 4, 1}).pivot();
+        CHECK(on.newTriangles() == kWithout5);
+        const auto said = on.all<GuardEvidence>();
+        REQUIRE(said.size() == 1);
+        CHECK(said[0].verdict == Verdict::EdgeTaken);
+        CHECK(said[0].a == 5);
+        CHECK(said[0].b == kNone);
+        CHECK(said[0].dropped == 5);
+    }
+}
+
+TEST_CASE("guard: an edge at first or last that is taken refuses the fan") {
+    for (const Triangle& old : {Triangle{0, 1, 5}, Triangle{2, 0, 5}}) {
+        Rig off(underHalf({{0, 9, 0}}));
+        off.mesh({old}).ring(kRing).pivot();
+        CHECK(off.newTriangles() == kWithout5);
+        Rig on(underHalf({{0, 9, 0}}), paperBut(&Rules::guard));
+        on.mesh({old}).ring(kRing).pivot();
+        CHECK(on.newTriangles().empty());
+        CHECK(objections(on) == Verdicts{Verdict::EdgeTaken});
+        CHECK(on.all<GuardEvidence>()[0].dropped == kNone);
+        CHECK(on.state().counters.refused == 1);
+        CHECK(on.activeRing() == Points{2, 3, 4, 1, 0});  // Its turn comes again.
+    }
+}
+
+TEST_CASE("guard: the ring steps at the pivot are no edges that are taken") {
+    Rig rig(underHalf({}), paperBut(&Rules::guard));
+    rig.mesh({{1, 0, 4}, {0, 2, 3}}).ring(kRing).pivot();
+    CHECK(rig.newTriangles() == kWithout5);
+    CHECK(objections(rig).empty());
+}
+
+namespace {
+
+/// 5 and 6 stand on rings of their own, opposite to p; `old` is there between them.
+Rig& twoOpposite(Rig& rig, const Triangle& old) {
+    return rig.mesh({old})
+        .list(0, {5, 6})
+        .stacked({5, 7, 8})
+        .stacked({6, 9, 10})
+        .ring(kRing)
+        .pivot();
+}
+std::vector<Vec3> twoOppositePoints() {
+    return underHalf({{0.4, 1, 0},
+                      {-0.4, 1.1, 0},
+                      {0.9, 1.8, 0},
+                      {0.3, 1.9, 0},
+                      {-0.3, 1.9, 0},
+                      {-0.9, 1.8, 0},
+                      {0, 9, 0}});
+}
+
+}  // namespace
+
+TEST_CASE("guard: an edge closed away from its ring entries is not made") {
+    Rig off(twoOppositePoints());
+    twoOpposite(off, {6, 5, 11});
+    CHECK(off.newTriangles() == kWith5And6);
+    Rig on(twoOppositePoints(), paperBut(&Rules::guard));
+    twoOpposite(on, {6, 5, 11});
+    CHECK(on.newTriangles() == kWith5);  // The farther of the two went.
+    CHECK(objections(on) == Verdicts{Verdict::EntryMissed});
+    CHECK(on.all<GuardEvidence>()[0].a == 5);
+    CHECK(on.all<GuardEvidence>()[0].b == 6);
+}
+
+TEST_CASE("guard: a rim edge that is there in the same direction is not made") {
+    Rig off(twoOppositePoints());
+    twoOpposite(off, {5, 6, 11});
+    CHECK(off.newTriangles() == kWith5And6);
+    Rig on(twoOppositePoints(), paperBut(&Rules::guard));
+    twoOpposite(on, {5, 6, 11});
+    CHECK(on.newTriangles() == kWith5);
+    CHECK(objections(on) == Verdicts{Verdict::EdgeTaken});
+}
+
+TEST_CASE("guard: an edge closed at its ring entries is made") {
+    // 6 -> 5 is a step of the stacked ring, and the triangle closes it.
+    Rig rig(underHalf({{0.4, 1, 0}, {-0.4, 1.1, 0}, {0, 9, 0}}), paperBut(&Rules::guard));
+    rig.mesh({{6, 5, 7}}).list(0, {5, 6}).stacked({6, 5, 7}).ring(kRing).pivot();
+    CHECK(rig.newTriangles() == kWith5And6);
+    CHECK(objections(rig).empty());
+}
+
+// ---- gap ----------------------------------------------------------------------------------------
+
+TEST_CASE("gap: a fan with 180 degrees or more between two spokes is refused") {
+    const auto made = [](double degrees, const Params& params) {
+        Rig rig({{0, 0, 0}, polar(0), polar(300), {9, -12, 0}, {12, -9, 0}, polar(degrees)},
+                params);
+        rig.list(0, {5}).ring(kRing).pivot();
+        CHECK(rig.state().counters.refused == (rig.triangles().empty() ? 1 : 0));
+        return rig.triangles();
+    };
+    const Params gap = paperBut(&Rules::gap);
+    CHECK(made(200, paper()) == kWith5);
+    CHECK(made(200, gap).empty());
+    CHECK(made(100, paper()) == kWith5);
+    CHECK(made(100, gap).empty());
+    CHECK(made(150, gap) == kWith5);
+    CHECK(made(179, gap) == kWith5);
+}
+
+// ---- nopillow -----------------------------------------------------------------------------------
+
+TEST_CASE("nopillow: a ring of two and one candidate would be the same triangle twice") {
+    const auto made = [](const Params& params, std::size_t candidates) {
+        Rig rig({{0, 0, 0}, polar(0), polar(120), polar(240)}, params);
+        rig.list(0, candidates == 1 ? Points{2} : Points{2, 3}).ring({0, 1}).open(0).open(1);
+        rig.pivot();
+        return rig.triangles();
+    };
+    CHECK(made(paper(), 1) == Triangles{{0, 1, 2}, {0, 2, 1}});
+    CHECK(made(paperBut(&Rules::noPillow), 1).empty());
+    CHECK(made(paperBut(&Rules::noPillow), 2) == Triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}});
+}
+
+TEST_CASE("nopillow: the other side of a finished triangle is left open") {
+    // The normal of 0 is wrong, so that the triangle's outside looks like a hole.
+    const auto made = [](const Params& params) {
+        Rig rig({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, params);
+        rig.normal(0, {0, 0, -1});
+        rig.mesh({{0, 1, 2}}).ring({0, 1, 2}).pivot();
+        return rig.newTriangles();
+    };
+    CHECK(made(paper()) == Triangles{{0, 2, 1}});
+    CHECK(made(paperBut(&Rules::noPillow)).empty());
+    CHECK(made(paperBut(&Rules::guard)) == Triangles{{0, 2, 1}});  // No edge is used twice.
+}
