@@ -204,9 +204,7 @@ ExitCode runVerb(const Arguments& words) {
         outcome.seconds.write = watch.lap();
     }
     outcome.mesh = reportMesh(prepared.points, outcome.state.mesh());
-    // A run that was stopped is no surface, and its faults are too many to list.
-    const bool wanted = arguments.check || !arguments.report.empty();
-    if (wanted && outcome.ending != Ending::Capped) lookForFaults(prepared.points, outcome);
+    if (arguments.check || !arguments.report.empty()) lookForFaults(prepared.points, outcome);
     return conclude(arguments, outcome);
 }
 

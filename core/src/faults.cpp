@@ -11,77 +11,6 @@
 namespace se {
 namespace {
 
-class FaultFinder {
-  public:
-    FaultFinder(const PointSet& points, std::span<const Triangle> triangles)
-        : points_(points), triangles_(triangles), usable_(triangles.size(), true) {}
-
-    std::vector<Fault> find() {
-        findShapes();
-        findEdgeFaults();
-        findIntersections();
-        std::sort(faults_.begin(), faults_.end(), [](const Fault& a, const Fault& b) {
-            return std::tie(a.kind, a.triangle, a.other) < std::tie(b.kind, b.triangle, b.other);
-        });
-        faults_.erase(std::unique(faults_.begin(), faults_.end()), faults_.end());
-        return std::move(faults_);
-    }
-
-  private:
-    void add(FaultKind kind, Index a, Index b) {
-        if (b != kNone && b < a) std::swap(a, b);
-        faults_.push_back({kind, a, b});
-    }
-
-    void findShapes();
-    void findEdgeFaults();
-    void findFold(Index a, Index b);
-    void findIntersections();
-    void testPair(Index a, Index b);
-
-    const PointSet& points_;
-    std::span<const Triangle> triangles_;
-    std::vector<bool> usable_;  ///< Has an area: worth an intersection test.
-    std::vector<Box> boxes_;
-    std::vector<Fault> faults_;
-    std::size_t intersections_ = 0;
-};
-
-void FaultFinder::findShapes() {
-    for (Index i = 0; i < triangles_.size(); ++i) {
-        if (isDegenerate(points_, triangles_[i])) {
-            usable_[i] = false;
-            add(FaultKind::Degenerate, i, kNone);
-        } else if (isFlipped(points_, triangles_[i])) {
-            add(FaultKind::Flipped, i, kNone);
-        }
-    }
-}
-
-void FaultFinder::findFold(Index a, Index b) {
-    if (!usable_[a] || !usable_[b]) return;
-    if (folded(points_, triangles_[a], triangles_[b])) add(FaultKind::Folded, a, b);
-}
-
-void FaultFinder::findEdgeFaults() {
-    const std::vector<Side> sides = sortedSides(triangles_);
-    for (std::size_t i = 0; i < sides.size();) {
-        const std::size_t end = endOfEdge(sides, i);
-        for (std::size_t j = i + 1; j < end; ++j) {
-            if (end - i > 2) {
-                add(FaultKind::NonManifoldEdge, sides[i].triangle, sides[j].triangle);
-            }
-            if (sides[j].ascending == sides[j - 1].ascending) {
-                add(FaultKind::InconsistentEdge, sides[j - 1].triangle, sides[j].triangle);
-            }
-        }
-        if (end - i == 2 && sides[i].ascending != sides[i + 1].ascending) {
-            findFold(sides[i].triangle, sides[i + 1].triangle);
-        }
-        i = end;
-    }
-}
-
 /// A grid cell that a triangle's box touches.
 struct Placed {
     std::uint64_t cell;
@@ -133,6 +62,82 @@ class Grid {
     double perCell_;
 };
 
+class FaultFinder {
+  public:
+    FaultFinder(const PointSet& points, std::span<const Triangle> triangles)
+        : points_(points), triangles_(triangles), usable_(triangles.size(), true) {}
+
+    std::vector<Fault> find() {
+        findShapes();
+        findEdgeFaults();
+        findIntersections();
+        std::sort(faults_.begin(), faults_.end(), [](const Fault& a, const Fault& b) {
+            return std::tie(a.kind, a.triangle, a.other) < std::tie(b.kind, b.triangle, b.other);
+        });
+        faults_.erase(std::unique(faults_.begin(), faults_.end()), faults_.end());
+        return std::move(faults_);
+    }
+
+  private:
+    void add(FaultKind kind, Index a, Index b) {
+        if (b != kNone && b < a) std::swap(a, b);
+        faults_.push_back({kind, a, b});
+    }
+
+    void findShapes();
+    void findEdgeFaults();
+    void findFold(Index a, Index b);
+    void findIntersections();
+    void testCells(const Grid& grid, const std::vector<Placed>& placed);
+    void testLarge(const std::vector<Index>& large);
+    void testPair(Index a, Index b);
+    /// Then the search ends: a triangle made 70,000 times, as in a run that was stopped, is more
+    /// than two billion pairs, and even passing over them takes minutes.
+    bool listIsFull() const { return intersections_ == kMostIntersections; }
+
+    const PointSet& points_;
+    std::span<const Triangle> triangles_;
+    std::vector<bool> usable_;  ///< Has an area: worth an intersection test.
+    std::vector<Box> boxes_;
+    std::vector<Fault> faults_;
+    std::size_t intersections_ = 0;
+};
+
+void FaultFinder::findShapes() {
+    for (Index i = 0; i < triangles_.size(); ++i) {
+        if (isDegenerate(points_, triangles_[i])) {
+            usable_[i] = false;
+            add(FaultKind::Degenerate, i, kNone);
+        } else if (isFlipped(points_, triangles_[i])) {
+            add(FaultKind::Flipped, i, kNone);
+        }
+    }
+}
+
+void FaultFinder::findFold(Index a, Index b) {
+    if (!usable_[a] || !usable_[b]) return;
+    if (folded(points_, triangles_[a], triangles_[b])) add(FaultKind::Folded, a, b);
+}
+
+void FaultFinder::findEdgeFaults() {
+    const std::vector<Side> sides = sortedSides(triangles_);
+    for (std::size_t i = 0; i < sides.size();) {
+        const std::size_t end = endOfEdge(sides, i);
+        for (std::size_t j = i + 1; j < end; ++j) {
+            if (end - i > 2) {
+                add(FaultKind::NonManifoldEdge, sides[i].triangle, sides[j].triangle);
+            }
+            if (sides[j].ascending == sides[j - 1].ascending) {
+                add(FaultKind::InconsistentEdge, sides[j - 1].triangle, sides[j].triangle);
+            }
+        }
+        if (end - i == 2 && sides[i].ascending != sides[i + 1].ascending) {
+            findFold(sides[i].triangle, sides[i + 1].triangle);
+        }
+        i = end;
+    }
+}
+
 void FaultFinder::findIntersections() {
     if (triangles_.empty()) return;
     boxes_.reserve(triangles_.size());
@@ -159,14 +164,24 @@ void FaultFinder::findIntersections() {
     std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
         return std::tie(a.cell, a.triangle) < std::tie(b.cell, b.triangle);
     });
-    for (std::size_t i = 0; i < placed.size(); ++i) {
-        for (std::size_t j = i + 1; j < placed.size() && placed[j].cell == placed[i].cell; ++j) {
-            const Index a = placed[i].triangle;
+    testCells(grid, placed);
+    testLarge(large);
+}
+
+void FaultFinder::testCells(const Grid& grid, const std::vector<Placed>& placed) {
+    for (std::size_t i = 0; i < placed.size() && !listIsFull(); ++i) {
+        const std::uint64_t cell = placed[i].cell;
+        const Index a = placed[i].triangle;
+        for (std::size_t j = i + 1; j < placed.size() && placed[j].cell == cell; ++j) {
             const Index b = placed[j].triangle;
-            if (grid.cellOfPair(boxes_[a].low, boxes_[b].low) == placed[i].cell) testPair(a, b);
+            if (grid.cellOfPair(boxes_[a].low, boxes_[b].low) == cell) testPair(a, b);
         }
     }
+}
+
+void FaultFinder::testLarge(const std::vector<Index>& large) {
     for (const Index a : large) {
+        if (listIsFull()) return;
         for (Index b = 0; b < triangles_.size(); ++b) {
             if (a != b && usable_[b]) testPair(a, b);
         }
@@ -174,7 +189,7 @@ void FaultFinder::findIntersections() {
 }
 
 void FaultFinder::testPair(Index a, Index b) {
-    if (intersections_ == kMostIntersections) return;
+    if (listIsFull()) return;
     if (boxes_[a].meets(boxes_[b]) &&
         trianglesShareMore(points_.position, triangles_[a], triangles_[b])) {
         add(FaultKind::Intersecting, a, b);

@@ -270,6 +270,7 @@ capped_run_ends_with_one() {
     # All neighbors at once and no rule that keeps a run in order: it has to be stopped.
     expect 1 run scene:sphere -k 300 --rules printed --keep-opposing --check --report report.json
     says report.json '"stop_reason": "capped"'
+    says report.json '"sound": false'
     says err "no surface"
     absent mesh.ply
 }

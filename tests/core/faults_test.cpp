@@ -185,6 +185,15 @@ TEST_CASE("faults: the grid finds the intersections that trying every pair finds
     CHECK(total > 2000);
 }
 
+TEST_CASE("faults: with a triangle made very often the search ends at its bound, and soon") {
+    const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    const Triangles triangles(100000, {0, 1, 2});  // Five billion pairs.
+    const auto counts = countFaults(findFaults(points, triangles));
+    CHECK(counts[static_cast<std::size_t>(FaultKind::Intersecting)] == kMostIntersections);
+    // Those about an edge grow with the triangles, not with their pairs.
+    CHECK(counts[static_cast<std::size_t>(FaultKind::NonManifoldEdge)] == 99999);
+}
+
 TEST_CASE("faults: names are those of the report") {
     CHECK(faultName(FaultKind::NonManifoldEdge) == "non_manifold_edge");
     CHECK(faultName(FaultKind::InconsistentEdge) == "inconsistent_edge");

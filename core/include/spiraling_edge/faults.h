@@ -35,12 +35,14 @@ struct Fault {
 /// the angle between their normals is below -cos(10 degrees).
 inline constexpr double kFoldCosine = -0.984807753012208;
 
-/// No more intersecting pairs than this are listed: a hopelessly tangled mesh has millions.
+/// After this many intersecting pairs the search for more ends: a hopelessly tangled mesh has
+/// billions.
 inline constexpr std::size_t kMostIntersections = 1000000;
 
 /// All faults, ordered by kind, triangle and other. Intersections are exact (floating-point filter,
 /// then exact arithmetic). Boundary edges are no faults: see MeshReport. Requires corners below
-/// points.size() and finite positions of used points. About O(t) for t triangles of similar size.
+/// points.size() and finite positions of used points. About O(t) for t triangles of similar size,
+/// however often one is repeated.
 std::vector<Fault> findFaults(const PointSet& points, std::span<const Triangle> triangles);
 
 /// How many there are of each kind.
