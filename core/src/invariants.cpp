@@ -93,8 +93,7 @@ std::string checkProgress(const State& s, const PointSet& points) {
             return at("11: the start pointer passed a point that is not DONE", p);
         }
     }
-    const bool capped = !s.alerts.empty() && s.alerts.back().kind == AlertKind::TriangleCap;
-    if (!s.finished() || capped) return {};
+    if (!s.finished() || s.capped()) return {};
     for (Index p = 0; p < s.status.size(); ++p) {
         if (s.status[p] != kDone) return at("13: a point is not DONE at the end", p);
     }

@@ -9,17 +9,10 @@
 namespace se {
 namespace {
 
-void setPivot(StepContext& context, Index entry) {
-    State& s = context.state;
-    NeighborRing& n = s.pivot;
-    n.pivot = entry;
-    n.first = n.start = s.rings.prev(entry);
-    n.last = n.end = s.rings.next(entry);
-    n.frame = makeFrame(context.positionAt(entry), context.normalAt(entry),
-                        context.positionAt(n.first), context.params.rules.tangent);
-    n.startAngle = Angle{};
-    n.lastAngle = n.endAngle = angleOf(n.frame, context.positionAt(n.last) - n.frame.origin);
-    n.candidates.clear();
+/// The fan of the ear at `entry`.
+void setEar(StepContext& context, Index entry) {
+    setPivot(context, entry);
+    context.state.pivot.candidates.clear();
     layOutFan(context);
 }
 
@@ -41,14 +34,13 @@ Ear bestEar(StepContext& context) {
     const Index ring = s.rings.active();
     // Where the surface may end anyway, an ear with a fault is no gain; and a longer ring has two
     // sheets at its sides more often than not.
-    const bool force = s.rings.length(ring) <= kNeverAnOpening &&
-                       (!context.params.rules.rim || !isOpening(context));
+    const bool force = s.rings.length(ring) <= kNeverAnOpening && !isOpening(context);
     Ear best;
     Index entry = s.rings.head(ring);
     for (Index i = 0; i < s.rings.length(ring); ++i, entry = s.rings.next(entry)) {
         const Index before = s.rings.prev(entry);
         if (s.rings.open(before) || s.rings.open(entry)) continue;
-        setPivot(context, entry);
+        setEar(context, entry);
         if (manifoldRefuses(context)) continue;
         const double cosine = leastAngleCosine(
             context.points,
@@ -65,6 +57,7 @@ Ear bestEar(StepContext& context) {
 }  // namespace
 
 bool isOpening(const StepContext& context) {
+    if (!context.params.rules.rim) return false;
     const EdgeRings& rings = context.state.rings;
     const Index ring = rings.active();
     const Index length = rings.length(ring);
@@ -80,7 +73,7 @@ bool mayFill(const StepContext& context) {
     const EdgeRings& rings = context.state.rings;
     const Index length = rings.length(rings.active());
     return length > 2 && length <= context.params.maxFillLength &&
-           (length <= kNeverAnOpening || !context.params.rules.rim || !isOpening(context));
+           (length <= kNeverAnOpening || !isOpening(context));
 }
 
 void phaseFill(StepContext& context) {
@@ -95,7 +88,7 @@ void phaseFill(StepContext& context) {
         s.phase = Phase::Advance;
         return;
     }
-    setPivot(context, ear.entry);
+    setEar(context, ear.entry);
     ++s.counters.filled;
     note(context, Stage::Fill, [&] {
         constexpr double kDegrees = 57.295779513082320877;

@@ -51,21 +51,20 @@ LimitTest testLimit(const StepContext& context, Side side) {
     const Index to = beyond(s, side);
     if (to == (atStart ? n.end : n.start) || to == n.pivot) return {Verdict::OtherLimit, to};
     if (context.openStep(atStart ? to : limit)) return {Verdict::NotAnEdge, to};
+    const Vec3& position = context.positionAt(to);
+    const Vec3& p = n.frame.origin;
+    const ConcaveTest concave = testConcave(context.positionAt(limit), context.normalAt(limit),
+                                            atStart ? position : p, atStart ? p : position);
+    // The cheap test that fails most often comes first, unless someone wants to see the others.
+    if (context.log == nullptr && !concave.concave()) return {Verdict::NotConcave, to};
     const auto list = context.points.neighbors[s.rings.point(n.pivot)];
     if (std::find(list.begin(), list.end(), s.rings.point(to)) == list.end()) {
         return {Verdict::NotListed, to};
     }
-    const Vec3& position = context.positionAt(to);
-    LimitTest test{Verdict::Moved, to, angleOf(n.frame, position - n.frame.origin)};
+    LimitTest test{Verdict::Moved, to, angleOf(n.frame, position - n.frame.origin), concave.turn};
     if (!strictlyBetween(test.angle, n.startAngle, n.endAngle, context.params.sameAngle)) {
         test.verdict = Verdict::Outside;
-        return test;
-    }
-    const Vec3& p = n.frame.origin;
-    const ConcaveTest concave = testConcave(context.positionAt(limit), context.normalAt(limit),
-                                            atStart ? position : p, atStart ? p : position);
-    test.turn = concave.turn;
-    if (!concave.concave()) {
+    } else if (!concave.concave()) {
         test.verdict = Verdict::NotConcave;
     } else if (context.params.rules.unblocked && isBlocked(context, side, test.angle, position)) {
         test.verdict = Verdict::Blocked;
@@ -109,7 +108,8 @@ void dropCandidates(StepContext& context, Stage stage, Test&& test) {
     for (const Candidate& c : all) {
         const auto [verdict, side] = test(c);
         if (verdict == Verdict::Kept) {
-            all[kept++] = c;
+            if (&all[kept] != &c) all[kept] = c;
+            ++kept;
             continue;
         }
         note(context, stage, [&, v = verdict, sd = side] {

@@ -6,10 +6,6 @@
 namespace se {
 namespace {
 
-bool capped(const State& s) {
-    return !s.alerts.empty() && s.alerts.back().kind == AlertKind::TriangleCap;
-}
-
 struct MendPhase {
     Phase phase;
     bool Rules::*on;
@@ -51,7 +47,7 @@ void beginMendPhases(StepContext& context) {
     State& s = context.state;
     s.phase = Phase::Finished;
     s.pivotTriangles = 0;
-    if (s.triangles.empty() || capped(s) || !enterFrom(context, 0)) return;
+    if (s.triangles.empty() || s.capped() || !enterFrom(context, 0)) return;
     s.mend = beginMending(context.points.size(), s.triangles);
 }
 

@@ -1,39 +1,55 @@
 /// §6.1, Fig. 3: the neighbors of the pivot, sorted by angle.
 #include <algorithm>
+#include <array>
 
 #include "phases.h"
 
 namespace se {
 namespace {
 
-/// Stable insertion sort by angle: lists are short, come nearest first, and so points of the same
-/// angle stay in order of distance.
-void sortByAngle(std::vector<Candidate>& candidates) {
-    constexpr std::size_t kLong = 48;
-    if (candidates.size() > kLong) {
-        std::stable_sort(
-            candidates.begin(), candidates.end(),
-            [](const Candidate& a, const Candidate& b) { return a.angle.key < b.angle.key; });
+/// Lists are worked on in pieces of this length, in arrays on the stack.
+constexpr std::size_t kPiece = 32;
+
+/// Stable sort by angle: lists come nearest first, so points of the same angle stay in order of
+/// distance. The places in a short list are counted, which needs no branch that could be guessed
+/// wrong.
+void sortByAngle(const std::vector<Candidate>& listed, std::vector<Candidate>& sorted) {
+    const std::size_t count = listed.size();
+    if (count > kPiece) {
+        sorted = listed;
+        std::stable_sort(sorted.begin(), sorted.end(), [](const Candidate& a, const Candidate& b) {
+            return a.angle.key < b.angle.key;
+        });
         return;
     }
-    for (std::size_t i = 1; i < candidates.size(); ++i) {
-        const Candidate moving = candidates[i];
-        std::size_t j = i;
-        for (; j > 0 && candidates[j - 1].angle.key > moving.angle.key; --j) {
-            candidates[j] = candidates[j - 1];
+    std::array<unsigned, kPiece> place;
+    std::array<double, kPiece> key;
+    for (std::size_t i = 0; i < count; ++i) {
+        key[i] = listed[i].angle.key;
+        unsigned before = 0;
+        for (std::size_t j = 0; j < i; ++j) {
+            const unsigned behind = key[j] > key[i] ? 1U : 0U;
+            place[j] += behind;
+            before += 1U - behind;
         }
-        candidates[j] = moving;
+        place[i] = before;
     }
+    sorted.resize(count);
+    for (std::size_t i = 0; i < count; ++i) sorted[place[i]] = listed[i];
 }
 
 /// "If two neighboring points are found to have the same angle, the point closest to p is included
 /// in the ring and the other point is eliminated from consideration."
 void keepNearestOfEachAngle(StepContext& context) {
     std::vector<Candidate>& all = context.state.pivot.candidates;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const bool same =
-            kept > 0 && all[i].angle.key - all[kept - 1].angle.key <= context.params.sameAngle;
+    const auto sameAngle = [&](const Candidate& a, const Candidate& b) {
+        return b.angle.key - a.angle.key <= context.params.sameAngle;
+    };
+    const auto twin = std::adjacent_find(all.begin(), all.end(), sameAngle);
+    if (twin == all.end()) return;
+    auto kept = static_cast<std::size_t>(twin - all.begin()) + 1;
+    for (std::size_t i = kept; i < all.size(); ++i) {
+        const bool same = sameAngle(all[kept - 1], all[i]);
         if (!same) {
             all[kept++] = all[i];
             continue;
@@ -52,28 +68,64 @@ void keepNearestOfEachAngle(StepContext& context) {
     all.resize(kept);
 }
 
-/// May a listed neighbor enter the neighbor ring? Fills in the candidate as far as it gets.
-Verdict testNeighbor(const StepContext& context, Index first, Index last, Candidate& c) {
+/// Why a listed neighbor does not enter the neighbor ring; Kept if it does.
+Verdict explainNeighbor(const StepContext& context, Index x, const Angle& angle) {
     const State& s = context.state;
     const NeighborRing& n = s.pivot;
-    const Index x = c.point;
     if (s.status[x] == kDone) return Verdict::AlreadyDone;
-    if (x == first || x == last) return Verdict::OnRingEnd;
-    c.offset = context.points.position[x] - n.frame.origin;
-    // Beyond 180 degrees where the sector ends before: no need to know the angle, unless someone
-    // wants to see it.
-    if (context.log == nullptr && n.endAngle.key <= kHalfTurnKey &&
-        glm::dot(n.frame.n, c.offset) < 0.0) {
-        return Verdict::NotBeforeEnd;
+    if (x == s.rings.point(n.first) || x == s.rings.point(n.last)) return Verdict::OnRingEnd;
+    if (!(angle.key > n.startAngle.key + context.params.sameAngle)) return Verdict::NotAfterStart;
+    return strictlyBetween(angle, n.startAngle, n.endAngle, context.params.sameAngle)
+               ? Verdict::Kept
+               : Verdict::NotBeforeEnd;
+}
+
+void explainNeighbors(StepContext& context, std::span<const Index> list) {
+    const NeighborRing& n = context.state.pivot;
+    for (const Index x : list) {
+        const Angle angle = angleOf(n.frame, context.points.position[x] - n.frame.origin);
+        note(context, Stage::Sort, [&] {
+            return SortEvidence{x,
+                                angle.cosine,
+                                angle.key > kHalfTurnKey,
+                                angle.degrees(),
+                                n.endAngle.degrees(),
+                                explainNeighbor(context, x, angle),
+                                kNone};
+        });
     }
-    c.lengthSq = glm::dot(c.offset, c.offset);
-    c.angle = angleOf(n.frame, c.offset, c.lengthSq);
-    const double tolerance = context.params.sameAngle;
-    if (!(c.angle.key > n.startAngle.key + tolerance)) return Verdict::NotAfterStart;
-    if (!strictlyBetween(c.angle, n.startAngle, n.endAngle, tolerance)) {
-        return Verdict::NotBeforeEnd;
+}
+
+/// The points of `list` that are not DONE and at neither end of the sector, moved to the front of
+/// `free`; how many. Which ones they are cannot be guessed: hence no branch.
+std::size_t freePoints(const State& s, std::span<const Index> list,
+                       std::array<Index, kPiece>& free) {
+    const Index first = s.rings.point(s.pivot.first);
+    const Index last = s.rings.point(s.pivot.last);
+    std::size_t count = 0;
+    for (const Index x : list) {
+        free[count] = x;
+        count += static_cast<std::size_t>(s.status[x] != kDone) &
+                 static_cast<std::size_t>(x != first) & static_cast<std::size_t>(x != last);
     }
-    return Verdict::Kept;
+    return count;
+}
+
+/// Appends the points of `list` that lie between start and end as candidates.
+void addCandidates(StepContext& context, std::span<const Index> list) {
+    NeighborRing& n = context.state.pivot;
+    std::array<Index, kPiece> free;
+    const std::size_t count = freePoints(context.state, list, free);
+    for (std::size_t i = 0; i < count; ++i) {
+        Candidate c;
+        c.point = free[i];
+        c.offset = context.points.position[c.point] - n.frame.origin;
+        c.lengthSq = glm::dot(c.offset, c.offset);
+        c.angle = angleOf(n.frame, c.offset, c.lengthSq);
+        if (strictlyBetween(c.angle, n.startAngle, n.endAngle, context.params.sameAngle)) {
+            n.listed.push_back(c);
+        }
+    }
 }
 
 }  // namespace
@@ -81,26 +133,15 @@ Verdict testNeighbor(const StepContext& context, Index first, Index last, Candid
 void phaseSort(StepContext& context) {
     State& s = context.state;
     NeighborRing& n = s.pivot;
-    const Index p = s.rings.point(n.pivot);
-    const Index first = s.rings.point(n.first);
-    const Index last = s.rings.point(n.last);
-    for (const Index x : context.points.neighbors[p]) {
-        if (x == p) continue;
-        Candidate c;
-        c.point = x;
-        const Verdict verdict = testNeighbor(context, first, last, c);
-        note(context, Stage::Sort, [&] {
-            return SortEvidence{x,
-                                c.angle.cosine,
-                                c.angle.key > kHalfTurnKey,
-                                c.angle.degrees(),
-                                n.endAngle.degrees(),
-                                verdict,
-                                kNone};
-        });
-        if (verdict == Verdict::Kept) n.candidates.push_back(c);
+    std::span<const Index> list = context.points.neighbors[s.rings.point(n.pivot)];
+    if (context.log != nullptr) explainNeighbors(context, list);
+    n.listed.clear();
+    while (!list.empty()) {
+        const std::size_t size = std::min(kPiece, list.size());
+        addCandidates(context, list.first(size));
+        list = list.subspan(size);
     }
-    sortByAngle(n.candidates);
+    sortByAngle(n.listed, n.candidates);
     keepNearestOfEachAngle(context);
     s.phase = Phase::Limits;
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "phases.h"
+#include "prefetch.h"
 
 namespace se {
 namespace {
@@ -30,6 +31,22 @@ void beginRing(StepContext& context, Index p, Index q) {
     }
 }
 
+/// Points lie in memory in any order, so that waiting for them would take a third of the time. The
+/// next pivots are known from the ring: what the next one reads is asked for now, and where to find
+/// it for those behind.
+[[gnu::always_inline]] inline void fetchAhead(const StepContext& context) {
+    const EdgeRings& rings = context.state.rings;
+    const NeighborLists& lists = context.points.neighbors;
+    const Index next = context.state.pivot.last;
+    for (const Index x : lists[rings.point(next)]) prefetch(&context.points.position[x]);
+    prefetch(&context.points.normal[rings.point(next)]);
+    const Index second = rings.next(next);
+    const auto list = lists[rings.point(second)];
+    prefetch(list.data());
+    prefetch(list.data() + list.size());
+    prefetch(&lists.offset[rings.point(rings.next(second))]);
+}
+
 }  // namespace
 
 void phaseSeed(StepContext& context) {
@@ -50,6 +67,19 @@ void phaseSeed(StepContext& context) {
         }
     }
     beginMendPhases(context);
+}
+
+void setPivot(StepContext& context, Index entry) {
+    const EdgeRings& rings = context.state.rings;
+    NeighborRing& n = context.state.pivot;
+    n.pivot = entry;
+    n.first = n.start = rings.prev(entry);
+    n.last = n.end = rings.next(entry);
+    n.frame = makeFrame(context.positionAt(entry), context.normalAt(entry),
+                        context.positionAt(n.first), context.params.rules.tangent);
+    n.startAngle = Angle{};
+    n.lastAngle = n.endAngle =
+        n.fullTurn() ? kFullTurn : angleOf(n.frame, context.positionAt(n.last) - n.frame.origin);
 }
 
 void phasePivot(StepContext& context) {
@@ -78,14 +108,8 @@ void phasePivot(StepContext& context) {
         s.phase = Phase::Advance;
         return;
     }
-    n.first = n.start = s.rings.prev(n.pivot);
-    n.last = n.end = s.rings.next(n.pivot);
-    n.frame = makeFrame(context.points.position[p], context.points.normal[p],
-                        context.positionAt(n.first), context.params.rules.tangent);
-    n.lastAngle =
-        n.fullTurn() ? kFullTurn : angleOf(n.frame, context.positionAt(n.last) - n.frame.origin);
-    n.startAngle = Angle{};
-    n.endAngle = n.lastAngle;
+    setPivot(context, n.pivot);
+    fetchAhead(context);
     s.phase = Phase::Sort;
 }
 

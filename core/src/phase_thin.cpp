@@ -47,22 +47,14 @@ void phaseHole(StepContext& context) {
 
 namespace {
 
-/// A neighbor on either side of the evaluated point: a candidate, or start or end.
-struct Beside {
-    Index point;
-    Vec3 offset;
-    double lengthSq;
-    Angle angle;
-};
-
-Beside besideAt(const StepContext& context, Index entry, const Angle& angle) {
+/// start or end, in the form of its neighbors in the ring.
+Candidate limitAt(const StepContext& context, Index entry, const Angle& angle) {
     const Vec3 offset = context.positionAt(entry) - context.state.pivot.frame.origin;
-    return {context.state.rings.point(entry), offset, glm::dot(offset, offset), angle};
+    return {context.state.rings.point(entry), entry, angle, offset, glm::dot(offset, offset)};
 }
-Beside besideAt(const Candidate& c) { return {c.point, c.offset, c.lengthSq, c.angle}; }
 
-SphereEvidence explain(const SphereTest& test, const Beside& t, const Candidate& q, const Beside& s,
-                       const Vec3& p, Verdict verdict) {
+SphereEvidence explain(const SphereTest& test, const Candidate& t, const Candidate& q,
+                       const Candidate& s, const Vec3& p, Verdict verdict) {
     SphereEvidence e{t.point, q.point, s.point, p, 0.0, 0.0, s.angle.degrees() - t.angle.degrees(),
                      verdict};
     if (!test.noCircle) {
@@ -75,7 +67,7 @@ SphereEvidence explain(const SphereTest& test, const Beside& t, const Candidate&
 
 /// §6.3: "If q falls inside the circumsphere or its removal would create an angle difference
 /// between s and t of more than 120 degrees, q must be kept."
-Verdict judge(StepContext& context, const Beside& t, const Candidate& q, const Beside& s) {
+Verdict judge(StepContext& context, const Candidate& t, const Candidate& q, const Candidate& s) {
     const SphereTest test =
         testSphere(t.offset, t.lengthSq, s.offset, s.lengthSq, q.offset, q.lengthSq);
     Verdict verdict = Verdict::Removed;
@@ -95,14 +87,15 @@ Verdict judge(StepContext& context, const Beside& t, const Candidate& q, const B
 void thinOnce(StepContext& context) {
     NeighborRing& n = context.state.pivot;
     std::vector<Candidate>& all = n.candidates;
-    Beside t = besideAt(context, n.start, n.startAngle);
-    const Beside end = besideAt(context, n.end, n.endAngle);
+    const Candidate start = limitAt(context, n.start, n.startAngle);
+    const Candidate end = limitAt(context, n.end, n.endAngle);
+    const Candidate* t = &start;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const Beside s = i + 1 < all.size() ? besideAt(all[i + 1]) : end;
-        if (judge(context, t, all[i], s) == Verdict::Removed) continue;
-        all[kept++] = all[i];
-        t = besideAt(all[kept - 1]);
+        const Candidate& s = i + 1 < all.size() ? all[i + 1] : end;
+        if (judge(context, *t, all[i], s) == Verdict::Removed) continue;
+        if (kept != i) all[kept] = all[i];
+        t = &all[kept++];
     }
     all.resize(kept);
 }
@@ -111,14 +104,15 @@ void thinOnce(StepContext& context) {
 void thinWithStepBack(StepContext& context) {
     NeighborRing& n = context.state.pivot;
     std::vector<Candidate>& all = n.candidates;
-    const Beside start = besideAt(context, n.start, n.startAngle);
-    const Beside end = besideAt(context, n.end, n.endAngle);
+    const Candidate start = limitAt(context, n.start, n.startAngle);
+    const Candidate end = limitAt(context, n.end, n.endAngle);
     std::size_t kept = 0;  // all[0 .. kept) passed with their present neighbors.
     for (std::size_t i = 0; i < all.size(); ++i) {
-        all[kept++] = all[i];
-        const Beside s = i + 1 < all.size() ? besideAt(all[i + 1]) : end;
+        if (kept != i) all[kept] = all[i];
+        ++kept;
+        const Candidate& s = i + 1 < all.size() ? all[i + 1] : end;
         while (kept > 0) {
-            const Beside t = kept > 1 ? besideAt(all[kept - 2]) : start;
+            const Candidate& t = kept > 1 ? all[kept - 2] : start;
             if (judge(context, t, all[kept - 1], s) != Verdict::Removed) break;
             --kept;
         }

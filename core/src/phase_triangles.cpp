@@ -1,5 +1,6 @@
 /// §6.4: the fan of triangles.
 #include <cassert>
+#include <utility>
 
 #include "phases.h"
 
@@ -22,49 +23,63 @@ void phaseTwoPoint(StepContext& context) {
     s.phase = Phase::Advance;
 }
 
+namespace {
+
+/// Calls `entry`, with its side, for the entries among the spokes of the fan and `candidate` for
+/// the others, in order from first to last. Between first and start, and end and last, stand the
+/// points that were passed (Fig. 4).
+template <typename OnEntry, typename OnCandidate>
+void forEachSpoke(const State& s, OnEntry&& entry, OnCandidate&& candidate) {
+    const NeighborRing& n = s.pivot;
+    for (Index e = n.first; e != n.start; e = s.rings.prev(e)) entry(e, Side::Start);
+    entry(n.start, Side::Start);
+    for (const Candidate& c : n.candidates) candidate(c);
+    for (Index e = n.end; e != n.last; e = s.rings.prev(e)) entry(e, Side::End);
+    entry(n.last, Side::End);
+}
+
+}  // namespace
+
 void layOutFan(StepContext& context) {
     const State& s = context.state;
     NeighborRing& n = context.state.pivot;
     n.fan.clear();
-    const auto addEntry = [&](Index e, const Angle& angle) {
-        const Vec3 offset = context.positionAt(e) - n.frame.origin;
-        n.fan.push_back({s.rings.point(e), e, false, offset, glm::dot(offset, offset), angle});
+    const auto angleAt = [&](Index e, Side side, const Vec3& offset) {
+        const bool atStart = side == Side::Start;
+        if (e == (atStart ? n.start : n.end)) return atStart ? n.startAngle : n.endAngle;
+        if (e == (atStart ? n.first : n.last)) return atStart ? Angle{} : n.lastAngle;
+        return angleOf(n.frame, offset);
     };
-    const auto addPassed = [&](Index e) {
-        addEntry(e, angleOf(n.frame, context.positionAt(e) - n.frame.origin));
-    };
-    // Between first and start, and end and last, stand the points that were passed (Fig. 4).
-    if (n.start != n.first) addEntry(n.first, Angle{});
-    for (Index e = n.first; e != n.start;) {
-        e = s.rings.prev(e);
-        if (e != n.start) addPassed(e);
-    }
-    addEntry(n.start, n.startAngle);
-    for (const Candidate& c : n.candidates) {
-        n.fan.push_back({c.point, c.instance, true, c.offset, c.lengthSq, c.angle});
-    }
-    addEntry(n.end, n.endAngle);
-    for (Index e = n.end; e != n.last;) {
-        e = s.rings.prev(e);
-        if (e != n.last) addPassed(e);
-    }
-    if (n.end != n.last) addEntry(n.last, n.lastAngle);
+    forEachSpoke(
+        s,
+        [&](Index e, Side side) {
+            const Vec3 offset = context.positionAt(e) - n.frame.origin;
+            n.fan.push_back({s.rings.point(e), e, false, offset, glm::dot(offset, offset),
+                             angleAt(e, side, offset)});
+        },
+        [&](const Candidate& c) {
+            n.fan.push_back({c.point, c.instance, true, c.offset, c.lengthSq, c.angle});
+        });
 }
 
 void phaseEmit(StepContext& context) {
     State& s = context.state;
-    if (!context.params.rules.looksAtFan()) layOutFan(context);
     const Index p = s.rings.point(s.pivot.pivot);
-    const std::vector<FanPoint>& fan = s.pivot.fan;
-    for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
-        const Triangle t{p, fan[i].point, fan[i + 1].point};
+    const std::size_t before = s.triangles.size();
+    Index previous = kNone;
+    const auto emitTo = [&](Index point) {
+        const Triangle t{p, std::exchange(previous, point), point};
+        if (t.b == kNone) return;
         s.triangles.push_back(t);
         if (!s.edges.empty()) s.edges.add(t);
         note(context, Stage::Emit, [&] {
             return EmitEvidence{static_cast<Index>(s.triangles.size() - 1), t};
         });
-    }
-    s.pivotTriangles = static_cast<std::uint32_t>(fan.size() - 1);
+    };
+    forEachSpoke(
+        s, [&](Index e, Side) { emitTo(s.rings.point(e)); },
+        [&](const Candidate& c) { emitTo(c.point); });
+    s.pivotTriangles = static_cast<std::uint32_t>(s.triangles.size() - before);
     // The bound that ends every guarded run, see docs/architecture.md.
     assert(!context.params.rules.guard ||
            3 * s.triangles.size() <= context.points.size() * (context.points.size() - 1));

@@ -155,7 +155,7 @@ void freeActiveRing(StepContext& context) {
     const Index length = s.rings.length(ring);
     const bool lostSeed = length == 2 && s.rings.open(s.rings.head(ring)) &&
                           s.rings.open(s.rings.next(s.rings.head(ring)));
-    const bool opening = context.params.rules.rim && isOpening(context);
+    const bool opening = isOpening(context);
     Index interior = 0;
     Index example = s.rings.point(s.rings.head(ring));
     for (Index i = 0; i < length; ++i) {

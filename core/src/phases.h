@@ -25,6 +25,9 @@ struct StepContext {
 // phase_start.cpp: §4
 void phaseSeed(StepContext& context);
 void phasePivot(StepContext& context);
+/// Makes `entry` the pivot, with first and last, start at first and end at last, the frame and the
+/// angles.
+void setPivot(StepContext& context, Index entry);
 // phase_sort.cpp: §6.1
 void phaseSort(StepContext& context);
 // phase_limits.cpp: §6.1
@@ -49,7 +52,7 @@ bool shapeRefuses(const StepContext& context);
 void phaseFill(StepContext& context);
 /// Should the active ring be closed by ears instead of being freed?
 bool mayFill(const StepContext& context);
-/// Rules::rim: do more than two in three points of the active ring lie where the surface ends?
+/// Rules::rim is on, and more than two in three points of the active ring lie where the surface ends.
 bool isOpening(const StepContext& context);
 // phase_update.cpp: §6.5
 void phaseRing(StepContext& context);

@@ -9,6 +9,8 @@
 #include <string>
 #include <thread>
 
+#include "z_curve.h"
+
 namespace se {
 namespace {
 
@@ -24,15 +26,15 @@ constexpr std::size_t kProgressStep = 4096;
 /// here, by exact comparison. The smallest double is for bounds that are 0 by underflow.
 double widened(double bound) { return bound * (1.0 + 1e-9) + std::numeric_limits<double>::min(); }
 
-/// The usable points, packed, in the form that nanoflann asks for.
+/// The usable points, packed along a Z-curve, in the form that nanoflann asks for.
 class Cloud {
   public:
     /// `normal` may be empty; then normal() must not be called.
     Cloud(std::span<const Vec3> position, std::span<const Vec3> normal,
           const std::vector<bool>& usable) {
-        for (std::size_t p = 0; p < position.size(); ++p) {
+        for (const Index p : zCurveOrder(position)) {
             if (!usable[p]) continue;
-            id_.push_back(static_cast<Index>(p));
+            id_.push_back(p);
             position_.push_back(position[p]);
             if (!normal.empty()) normal_.push_back(normal[p]);
         }
@@ -41,7 +43,7 @@ class Cloud {
     std::size_t size() const { return id_.size(); }
     const Vec3& position(Index i) const { return position_[i]; }
     const Vec3& normal(Index i) const { return normal_[i]; }
-    /// The index of packed point i in the whole set. Ascending, so ties fall the same way in both.
+    /// The index of packed point i in the whole set.
     Index id(Index i) const { return id_[i]; }
 
     // NOLINTBEGIN(readability-identifier-naming): names that nanoflann calls
@@ -77,6 +79,13 @@ struct Distance {
 };
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<Distance, Cloud, 3, Index>;
 
+/// A point that was found. Ordered as lists are, see Neighbor.
+struct Found {
+    Neighbor neighbor;  ///< By its index in the whole set.
+    Index packed;       ///< Its index in the Cloud.
+    friend bool operator<(const Found& a, const Found& b) { return a.neighbor < b.neighbor; }
+};
+
 /// Collects candidates for the list of one point while the tree is searched: its nearest points, or
 /// all within a radius. Points at the place of the point itself are none.
 class Candidates {
@@ -99,7 +108,7 @@ class Candidates {
     }
     bool gaveUp() const { return dropped_ > limits_.mostDropped; }
     /// Ends the search and returns what was found, nearest first.
-    const std::vector<Neighbor>& sorted() {
+    const std::vector<Found>& sorted() {
         if (!full()) std::sort(found_.begin(), found_.end());
         return found_;
     }
@@ -109,9 +118,9 @@ class Candidates {
     std::size_t size() const { return found_.size(); }
     bool full() const { return found_.size() == limits_.most; }
     bool addPoint(double distance, Index i) {
-        const Neighbor candidate{distance, i};
         if (distance > limits_.reachSquared) return true;
         if (cloud_.position(i) == cloud_.position(point_)) return true;
+        const Found candidate{{distance, cloud_.id(i)}, i};
         if (full() && !(candidate < found_.back())) return true;
         if (limits_.dropOpposing && normalsOppose(cloud_.normal(point_), cloud_.normal(i))) {
             ++dropped_;
@@ -122,7 +131,7 @@ class Candidates {
     }
 
   private:
-    void insert(const Neighbor& candidate) {
+    void insert(const Found& candidate) {
         if (full()) {
             auto place = found_.end() - 1;  // that of the farthest, which leaves
             for (; place != found_.begin() && candidate < *(place - 1); --place) {
@@ -133,11 +142,11 @@ class Candidates {
             found_.push_back(candidate);
             if (full()) std::sort(found_.begin(), found_.end());
         }
-        if (full()) bound_ = std::min(bound_, widened(found_.back().distanceSquared));
+        if (full()) bound_ = std::min(bound_, widened(found_.back().neighbor.distanceSquared));
     }
 
     const Cloud& cloud_;
-    std::vector<Neighbor> found_;  // sorted as soon as it is full
+    std::vector<Found> found_;  // sorted as soon as it is full
     Index point_ = kNone;
     Limits limits_;
     double bound_ = 0.0;
@@ -221,13 +230,13 @@ class RangeSearch {
     /// Appends the first `most` candidates that pass the filter.
     void take(Index point, std::size_t most) {
         const std::size_t end = found_.size() + most;
-        for (const Neighbor& candidate : candidates_.sorted()) {
+        for (const Found& candidate : candidates_.sorted()) {
             if (found_.size() == end) return;
             if (options_.dropOpposingNormals &&
-                normalsOppose(cloud_.normal(point), cloud_.normal(candidate.id))) {
+                normalsOppose(cloud_.normal(point), cloud_.normal(candidate.packed))) {
                 continue;
             }
-            found_.push_back(cloud_.id(candidate.id));
+            found_.push_back(candidate.neighbor.id);
         }
     }
 

@@ -88,9 +88,7 @@ StopReason Stepper::runUntil(const std::function<bool(const State&)>& condition)
     while (stepPivot()) {
         if (condition(state_)) return StopReason::Condition;
     }
-    const bool capped =
-        !state_.alerts.empty() && state_.alerts.back().kind == AlertKind::TriangleCap;
-    return capped ? StopReason::Capped : StopReason::Finished;
+    return state_.capped() ? StopReason::Capped : StopReason::Finished;
 }
 
 StopReason Stepper::run() {

@@ -66,6 +66,8 @@ struct NeighborRing {
     Angle lastAngle;   ///< The sector: angle of last, kFullTurn when first == last.
     Angle startAngle;  ///< 0 at first.
     Angle endAngle;
+    /// The candidates as they come in the pivot's list, before they are sorted.
+    std::vector<Candidate> listed;
     /// Strictly between start and end, by increasing angle.
     std::vector<Candidate> candidates;
     /// The rules beyond the paper that drop candidates: those that were there before §6.3, so that

@@ -5,6 +5,7 @@
 /// that a set far from the origin loses no precision.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -28,8 +29,11 @@ inline Frame makeFrame(const Vec3& p, const Vec3& normal, const Vec3& first, boo
 
 /// The angle whose cosine is `cosine` (clamped to [-1, 1]), beyond 180 degrees if `secondHalf`.
 inline Angle makeAngle(double cosine, bool secondHalf) {
-    const double c = cosine > 1.0 ? 1.0 : (cosine < -1.0 ? -1.0 : cosine);
-    return {c, secondHalf ? 3.0 + c : 1.0 - c};
+    const double c = std::max(-1.0, std::min(1.0, cosine));
+    // 3 + c or 1 - c: by table, since a branch would be guessed wrong half of the time.
+    constexpr double kBase[2] = {1.0, 3.0};
+    constexpr double kSign[2] = {-1.0, 1.0};
+    return {c, kBase[secondHalf ? 1 : 0] + kSign[secondHalf ? 1 : 0] * c};
 }
 
 /// The angle between z and `offset` (relative to the pivot) as projected onto the tangent plane.
@@ -55,8 +59,9 @@ inline Angle angleOf(const Frame& frame, const Vec3& offset) {
 /// The angle of the reference vector itself counts as 0 and as 360 degrees.
 inline bool strictlyBetween(const Angle& angle, const Angle& from, const Angle& to,
                             double tolerance) {
-    return angle.key > from.key + tolerance && angle.key < to.key - tolerance &&
-           angle.key < kFullTurn.key - tolerance && angle.key > tolerance;
+    const double low = std::max(from.key, 0.0) + tolerance;
+    const double high = std::min(to.key, kFullTurn.key) - tolerance;
+    return angle.key > low && angle.key < high;
 }
 
 /// True if b - a, for a <= b, exceeds the angle below 180 degrees whose cosine is `limitCosine`.

@@ -112,6 +112,8 @@ struct State {
     /// The mesh as far as it is made.
     const std::vector<Triangle>& mesh() const { return mend.empty() ? triangles : mend.triangles; }
     bool finished() const { return phase == Phase::Finished; }
+    /// The run was stopped with AlertKind::TriangleCap.
+    bool capped() const { return !alerts.empty() && alerts.back().kind == AlertKind::TriangleCap; }
 };
 
 /// Hash of everything that decides how the run goes on and of everything it has made. Equal input,
