@@ -14,7 +14,7 @@
 #include "output.h"
 #include "progress.h"
 #include "report.h"
-#include "spiraling_edge/stepper.h"
+#include "spiraling_edge/reconstruct.h"
 #include "trace.h"
 #include "verbs.h"
 
@@ -103,10 +103,29 @@ Prepared prepareInput(const PointFile& file, const NeighborOptions& options,
     return std::move(prepared.value());
 }
 
-/// The run itself; with a trace, every pivot's events are written as soon as it is complete.
+/// Called between pivots, now and then: shows how far the run is; true if it should end.
+bool lookUp(const State& state, ProgressLine& line) {
+    constexpr std::uint32_t kAskEvery = 64;
+    if (state.counters.pivots % kAskEvery != 0) return false;
+    if (line.due()) line.write("points done", shareDone(state));
+    return interrupted();
+}
+
+/// The whole run, where nobody wants to see the steps.
+Ending triangulateAtOnce(const PointSet& points, const Params& params, ProgressLine& line,
+                         State& state) {
+    Reconstruction made =
+        reconstruct(points, params, [&](const State& s) { return lookUp(s, line); });
+    state = std::move(made.state);
+    line.clear();
+    // Even a run that has just ended does not write anything after Ctrl+C.
+    if (interrupted()) return Ending::Interrupted;
+    return made.reason == StopReason::Capped ? Ending::Capped : Ending::Finished;
+}
+
+/// The run with a limit or a trace; every pivot's events are written as soon as it is complete.
 Ending triangulate(Stepper& stepper, std::optional<std::uint32_t> maxPivots, TraceWriter& trace,
                    ProgressLine& line) {
-    constexpr std::uint32_t kAskEvery = 64;
     EventLog log;
     if (trace.active()) stepper.setLog(&log);
     const auto flush = [&] {
@@ -119,11 +138,8 @@ Ending triangulate(Stepper& stepper, std::optional<std::uint32_t> maxPivots, Tra
     if (maxPivots == 0U) return Ending::MaxPivots;
     const StopReason reason = stepper.runUntil([&](const State&) {
         flush();
-        const std::uint32_t pivots = state.counters.pivots;
-        if (maxPivots && pivots >= *maxPivots) ending = Ending::MaxPivots;
-        if (pivots % kAskEvery != 0) return ending != Ending::Finished;
-        if (interrupted()) ending = Ending::Interrupted;
-        if (line.due()) line.write("points done", shareDone(state));
+        if (maxPivots && state.counters.pivots >= *maxPivots) ending = Ending::MaxPivots;
+        if (lookUp(state, line)) ending = Ending::Interrupted;
         return ending != Ending::Finished;
     });
     flush();
@@ -193,9 +209,13 @@ ExitCode runVerb(const Arguments& words) {
     const Prepared prepared = prepareInput(file, options, arguments.input, line);
     outcome.prepared = prepared.report;
     outcome.seconds.prepare = watch.lap();
-    Stepper stepper(prepared.points, outcome.params);
-    outcome.ending = triangulate(stepper, arguments.maxPivots, trace, line);
-    outcome.state = stepper.takeState();
+    if (trace.active() || arguments.maxPivots) {
+        Stepper stepper(prepared.points, outcome.params);
+        outcome.ending = triangulate(stepper, arguments.maxPivots, trace, line);
+        outcome.state = stepper.takeState();
+    } else {
+        outcome.ending = triangulateAtOnce(prepared.points, outcome.params, line, outcome.state);
+    }
     outcome.seconds.triangulate = watch.lap();
     if (outcome.ending != Ending::Interrupted) {
         trace.commit();

@@ -88,7 +88,8 @@ std::string checkProgress(const State& s, const PointSet& points) {
     if (active != kNone && s.circuit >= s.rings.length(active)) {
         return "11: a full circuit without a triangle was not freed";
     }
-    for (Index p = 0; p < std::min<Index>(s.startPointer, static_cast<Index>(points.size())); ++p) {
+    for (Index i = 0; i < std::min<Index>(s.startPointer, static_cast<Index>(points.size())); ++i) {
+        const Index p = points.inOrder(i);
         if (s.phase == Phase::Seed && s.status[p] != kDone) {
             return at("11: the start pointer passed a point that is not DONE", p);
         }

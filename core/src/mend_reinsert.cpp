@@ -145,7 +145,7 @@ void apply(MendState& m, const Change& change, Index x) {
 
 bool reinsertNext(const PointSet& points, MendState& m, Index& point) {
     for (; m.nextPoint < points.size(); ++m.nextPoint) {
-        const Index x = m.nextPoint;
+        const Index x = points.inOrder(m.nextPoint);
         if (m.sideOf[x] != kNone || points.neighbors[x].empty()) continue;
         const Place place = findPlace(points, m, x);
         if (place.side == kNone) continue;

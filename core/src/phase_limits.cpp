@@ -56,7 +56,7 @@ LimitTest testLimit(const StepContext& context, Side side) {
     const ConcaveTest concave = testConcave(context.positionAt(limit), context.normalAt(limit),
                                             atStart ? position : p, atStart ? p : position);
     // The cheap test that fails most often comes first, unless someone wants to see the others.
-    if (context.log == nullptr && !concave.concave()) return {Verdict::NotConcave, to};
+    if (!context.listening() && !concave.concave()) return {Verdict::NotConcave, to};
     const auto list = context.points.neighbors[s.rings.point(n.pivot)];
     if (std::find(list.begin(), list.end(), s.rings.point(to)) == list.end()) {
         return {Verdict::NotListed, to};
@@ -72,6 +72,20 @@ LimitTest testLimit(const StepContext& context, Side side) {
     return test;
 }
 
+/// Does the test anew, as explain() in phase_thin.cpp does.
+LimitEvidence explainLimit(const StepContext& context, Side side) {
+    const State& s = context.state;
+    const bool atStart = side == Side::Start;
+    const LimitTest test = testLimit(context, side);
+    return {side,
+            s.rings.point(atStart ? s.pivot.start : s.pivot.end),
+            s.rings.point(test.to),
+            test.turn,
+            (atStart ? s.pivot.startAngle : s.pivot.endAngle).degrees(),
+            test.angle.degrees(),
+            test.verdict};
+}
+
 /// Advances start or end by one entry if §6.1 (Fig. 4) says so.
 bool moveLimit(StepContext& context, Side side) {
     State& s = context.state;
@@ -79,11 +93,7 @@ bool moveLimit(StepContext& context, Side side) {
     Index& limit = side == Side::Start ? n.start : n.end;
     Angle& angle = side == Side::Start ? n.startAngle : n.endAngle;
     const LimitTest test = testLimit(context, side);
-    note(context, Stage::Limits, [&] {
-        return LimitEvidence{side,        s.rings.point(limit), s.rings.point(test.to),
-                             test.turn,   angle.degrees(),      test.angle.degrees(),
-                             test.verdict};
-    });
+    note(context, Stage::Limits, [&] { return explainLimit(context, side); });
     if (test.verdict != Verdict::Moved) return false;
     limit = test.to;
     angle = test.angle;

@@ -134,7 +134,7 @@ void phaseSort(StepContext& context) {
     State& s = context.state;
     NeighborRing& n = s.pivot;
     std::span<const Index> list = context.points.neighbors[s.rings.point(n.pivot)];
-    if (context.log != nullptr) explainNeighbors(context, list);
+    if (context.listening()) explainNeighbors(context, list);
     n.listed.clear();
     while (!list.empty()) {
         const std::size_t size = std::min(kPiece, list.size());

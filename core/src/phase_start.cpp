@@ -24,7 +24,7 @@ void beginRing(StepContext& context, Index p, Index q) {
     ++s.counters.seeds;
     s.counters.maxRingLength = std::max(s.counters.maxRingLength, 2U);
     s.phase = Phase::Pivot;
-    if (context.log != nullptr) {
+    if (context.listening()) {
         const Vec3 d = context.points.position[q] - context.points.position[p];
         context.log->add(s.counters.pivots + 1, Stage::Seed,
                          SeedEvidence{p, q, std::sqrt(glm::dot(d, d))});
@@ -52,7 +52,7 @@ void beginRing(StepContext& context, Index p, Index q) {
 void phaseSeed(StepContext& context) {
     State& s = context.state;
     for (; s.startPointer < s.status.size(); ++s.startPointer) {
-        const Index p = s.startPointer;
+        const Index p = context.points.inOrder(s.startPointer);
         if (s.status[p] == kDone) continue;
         const Index q = nearestNotDone(context.points, s, p);
         if (q != kNone) {
@@ -62,7 +62,7 @@ void phaseSeed(StepContext& context) {
         s.status[p] = kDone;
         const bool isolated = context.points.neighbors[p].empty();
         ++(isolated ? s.counters.isolated : s.counters.stranded);
-        if (context.log != nullptr) {
+        if (context.listening()) {
             context.log->add(s.counters.pivots + 1, Stage::Strand, StrandEvidence{p, isolated});
         }
     }

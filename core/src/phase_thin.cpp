@@ -53,8 +53,14 @@ Candidate limitAt(const StepContext& context, Index entry, const Angle& angle) {
     return {context.state.rings.point(entry), entry, angle, offset, glm::dot(offset, offset)};
 }
 
-SphereEvidence explain(const SphereTest& test, const Candidate& t, const Candidate& q,
-                       const Candidate& s, const Vec3& p, Verdict verdict) {
+SphereTest testOf(const Candidate& t, const Candidate& q, const Candidate& s) {
+    return testSphere(t.offset, t.lengthSq, s.offset, s.lengthSq, q.offset, q.lengthSq);
+}
+
+/// Does the test anew: kept in memory for who may want to see it, it would cost everyone time.
+SphereEvidence explain(const Candidate& t, const Candidate& q, const Candidate& s, const Vec3& p,
+                       Verdict verdict) {
+    const SphereTest test = testOf(t, q, s);
     SphereEvidence e{t.point, q.point, s.point, p, 0.0, 0.0, s.angle.degrees() - t.angle.degrees(),
                      verdict};
     if (!test.noCircle) {
@@ -67,20 +73,18 @@ SphereEvidence explain(const SphereTest& test, const Candidate& t, const Candida
 
 /// §6.3: "If q falls inside the circumsphere or its removal would create an angle difference
 /// between s and t of more than 120 degrees, q must be kept."
-Verdict judge(StepContext& context, const Candidate& t, const Candidate& q, const Candidate& s) {
-    const SphereTest test =
-        testSphere(t.offset, t.lengthSq, s.offset, s.lengthSq, q.offset, q.lengthSq);
-    Verdict verdict = Verdict::Removed;
-    if (test.noCircle) {
-        verdict = Verdict::NoCircle;
-    } else if (test.inside()) {
-        verdict = Verdict::InsideSphere;
-    } else if (exceedsAngle(t.angle, s.angle, context.params.maxGapCosine)) {
-        verdict = Verdict::GapTooWide;
-    }
+Verdict judge(const Candidate& t, const Candidate& q, const Candidate& s, double maxGapCosine) {
+    const SphereTest test = testOf(t, q, s);
+    if (test.noCircle) return Verdict::NoCircle;
+    if (test.inside()) return Verdict::InsideSphere;
+    return exceedsAngle(t.angle, s.angle, maxGapCosine) ? Verdict::GapTooWide : Verdict::Removed;
+}
+
+bool isRemoved(StepContext& context, const Candidate& t, const Candidate& q, const Candidate& s) {
+    const Verdict verdict = judge(t, q, s, context.params.maxGapCosine);
     note(context, Stage::Sphere,
-         [&] { return explain(test, t, q, s, context.state.pivot.frame.origin, verdict); });
-    return verdict;
+         [&, verdict] { return explain(t, q, s, context.state.pivot.frame.origin, verdict); });
+    return verdict == Verdict::Removed;
 }
 
 /// §6.3: one pass over the candidates, each looked at once.
@@ -93,7 +97,7 @@ void thinOnce(StepContext& context) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Candidate& s = i + 1 < all.size() ? all[i + 1] : end;
-        if (judge(context, *t, all[i], s) == Verdict::Removed) continue;
+        if (isRemoved(context, *t, all[i], s)) continue;
         if (kept != i) all[kept] = all[i];
         t = &all[kept++];
     }
@@ -113,7 +117,7 @@ void thinWithStepBack(StepContext& context) {
         const Candidate& s = i + 1 < all.size() ? all[i + 1] : end;
         while (kept > 0) {
             const Candidate& t = kept > 1 ? all[kept - 2] : start;
-            if (judge(context, t, all[kept - 1], s) != Verdict::Removed) break;
+            if (!isRemoved(context, t, all[kept - 1], s)) break;
             --kept;
         }
     }

@@ -1,6 +1,7 @@
 /// §6.4: the fan of triangles.
+#include <algorithm>
 #include <cassert>
-#include <utility>
+#include <span>
 
 #include "phases.h"
 
@@ -62,24 +63,37 @@ void layOutFan(StepContext& context) {
         });
 }
 
+namespace {
+
+/// The points of the fan's spokes, from first to last.
+void listSpokes(State& s) {
+    std::vector<Index>& spokes = s.pivot.spokes;
+    spokes.clear();
+    forEachSpoke(
+        s, [&](Index e, Side) { spokes.push_back(s.rings.point(e)); },
+        [&](const Candidate& c) { spokes.push_back(c.point); });
+}
+
+}  // namespace
+
 void phaseEmit(StepContext& context) {
     State& s = context.state;
     const Index p = s.rings.point(s.pivot.pivot);
+    listSpokes(s);
+    const std::vector<Index>& spokes = s.pivot.spokes;
     const std::size_t before = s.triangles.size();
-    Index previous = kNone;
-    const auto emitTo = [&](Index point) {
-        const Triangle t{p, std::exchange(previous, point), point};
-        if (t.b == kNone) return;
-        s.triangles.push_back(t);
-        if (!s.edges.empty()) s.edges.add(t);
-        note(context, Stage::Emit, [&] {
-            return EmitEvidence{static_cast<Index>(s.triangles.size() - 1), t};
-        });
-    };
-    forEachSpoke(
-        s, [&](Index e, Side) { emitTo(s.rings.point(e)); },
-        [&](const Candidate& c) { emitTo(c.point); });
+    for (std::size_t i = 0; i + 1 < spokes.size(); ++i) {
+        s.triangles.push_back({p, spokes[i], spokes[i + 1]});
+    }
     s.pivotTriangles = static_cast<std::uint32_t>(s.triangles.size() - before);
+    const auto made = std::span(s.triangles).subspan(before);
+    if (!s.edges.empty())
+        std::for_each(made.begin(), made.end(), [&](const Triangle& t) { s.edges.add(t); });
+    for (std::size_t i = before; context.listening() && i < s.triangles.size(); ++i) {
+        note(context, Stage::Emit, [&] {
+            return EmitEvidence{static_cast<Index>(i), s.triangles[i]};
+        });
+    }
     // The bound that ends every guarded run, see docs/architecture.md.
     assert(!context.params.rules.guard ||
            3 * s.triangles.size() <= context.points.size() * (context.points.size() - 1));

@@ -29,6 +29,20 @@ Status checkLengths(const PointSet& points) {
     return success();
 }
 
+Status checkOrder(const PointSet& points) {
+    if (points.order.empty()) return success();
+    std::vector<bool> seen(points.size(), false);
+    for (const Index p : points.order) {
+        if (p >= points.size())
+            return Error{"the order names " + pointText(p) + ", which does not exist"};
+        if (seen[p]) return Error{"the order names " + pointText(p) + " twice"};
+        seen[p] = true;
+    }
+    if (points.order.size() == points.size()) return success();
+    return Error{"the order holds " + std::to_string(points.order.size()) + " of " +
+                 std::to_string(points.size()) + " points"};
+}
+
 /// What the stepper computes with. NaN fails both comparisons.
 Status checkPoint(const PointSet& points, Index p) {
     if (!isFinite(points.position[p])) {
@@ -44,6 +58,7 @@ Status checkPoint(const PointSet& points, Index p) {
 
 Status validate(const PointSet& points) {
     if (Status status = checkLengths(points); !status) return status;
+    if (Status status = checkOrder(points); !status) return status;
     const auto n = static_cast<Index>(points.size());
     std::vector<Index> lastList(n, kNone);  // the last list that each point was seen in
     for (Index p = 0; p < n; ++p) {

@@ -9,7 +9,7 @@
 namespace se {
 
 /// The indices 0 .. position.size() - 1 along a Z-curve through the bounding box of the finite
-/// positions, at 2^21 steps a side; equal steps by index. Positions that are not finite come last.
+/// positions, at 2^10 steps a side; equal steps by index. Positions that are not finite come last.
 /// O(points).
 std::vector<Index> zCurveOrder(std::span<const Vec3> position);
 

@@ -68,6 +68,17 @@ TEST_CASE("validate: lists name existing other points, each once") {
     CHECK(flawOf(points) == "the list of point 1 names point 2 twice");
 }
 
+TEST_CASE("validate: an order names every point once") {
+    PointSet points = makeSquare();
+    points.order = {2, 0, 1, 3};
+    CHECK(validate(points).ok());
+    for (const std::vector<Index>& wrong :
+         {std::vector<Index>{0, 1, 2}, {0, 1, 2, 2}, {0, 1, 2, 4}, {0, 1, 2, 3, 0}}) {
+        points.order = wrong;
+        CHECK_FALSE(validate(points).ok());
+    }
+}
+
 TEST_CASE("validate: points in lists need a finite position and a unit normal") {
     const double inf = std::numeric_limits<double>::infinity();
     const double nan = std::numeric_limits<double>::quiet_NaN();

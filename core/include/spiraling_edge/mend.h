@@ -21,7 +21,7 @@ struct MendState {
     /// Sides to look at, and how far the looking has come.
     std::vector<HalfEdge> queue;
     std::size_t queueFront = 0;
-    Index nextPoint = 0;
+    Index nextPoint = 0;  ///< A place in PointSet::order.
     Index nextTriangle = 0;
     std::uint32_t takenOut = 0;
     std::uint32_t round = 0;  ///< Reinserting and flipping are done in turn, kMendRounds times.

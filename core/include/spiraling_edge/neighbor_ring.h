@@ -73,8 +73,10 @@ struct NeighborRing {
     /// The rules beyond the paper that drop candidates: those that were there before §6.3, so that
     /// it can be done again without the dropped ones.
     std::vector<Candidate> pool;
-    /// What the triangles will be made of, in order: first .. start, candidates, end .. last.
+    /// For the rules that look at the whole fan, in order: first .. start, candidates, end .. last.
     std::vector<FanPoint> fan;
+    /// The points of the fan alone.
+    std::vector<Index> spokes;
 
     /// First and last are the same entry: a fresh ring of two, the sector is a full turn.
     bool fullTurn() const { return first == last; }

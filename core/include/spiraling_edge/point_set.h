@@ -81,15 +81,21 @@ struct PointSet {
     std::vector<Vec3> normal;        ///< Unit length; the outer side of the surface.
     std::vector<std::uint8_t> type;  ///< TypeBits.
     NeighborLists neighbors;
+    /// The order in which the start pointer of §4 takes the points, all of them once; empty: by
+    /// index.
+    std::vector<Index> order;
 
+    /// The point at place i of that order.
+    Index inOrder(std::size_t i) const { return order.empty() ? static_cast<Index>(i) : order[i]; }
     std::size_t size() const { return position.size(); }
     bool empty() const { return position.empty(); }
 };
 
 /// Checks what the stepper relies on: equal array lengths; for every point that has a list or
 /// stands in one, a finite position and a unit normal (within 1e-6); in every list only existing
-/// points, none twice, not the point itself. Points outside all lists may hold anything: they end
-/// as isolated. `prepare.h` makes any input pass. O(points + list entries).
+/// points, none twice, not the point itself; all points once in `order`, unless empty. Points
+/// outside all lists may hold anything: they end as isolated. `prepare.h` makes any input pass.
+/// O(points + list entries).
 Status validate(const PointSet& points);
 
 }  // namespace se

@@ -90,7 +90,7 @@ struct State {
     explicit State(std::size_t pointCount) : status(pointCount, kUnused), rings(pointCount) {}
 
     Phase phase = Phase::Seed;
-    Index startPointer = 0;  ///< §4: only ever advances.
+    Index startPointer = 0;  ///< §4: a place in PointSet::order; only ever advances.
     Index circuit = 0;       ///< Pivots since the last triangle, in the active ring.
     /// Beyond the paper: what was tried with the active ring since its last triangle, 0 if nothing,
     /// else kDelayedAllowed or kFillFailed.
