@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
+#include <utility>
 
 namespace se::bench {
 namespace {
@@ -39,6 +41,16 @@ PointFile torus(std::size_t count) {
         const double v = kTurn * share * laps;
         const Vec3 normal(std::cos(v) * std::cos(u), std::cos(v) * std::sin(u), std::sin(v));
         add(file, Vec3(std::cos(u), std::sin(u), 0.0) + kTube * normal, normal);
+    }
+    return file;
+}
+
+PointFile shuffled(PointFile file) {
+    std::mt19937 random(1);
+    for (std::size_t i = file.position.size(); i > 1; --i) {
+        const std::size_t j = random() % i;
+        std::swap(file.position[i - 1], file.position[j]);
+        std::swap(file.normal[i - 1], file.normal[j]);
     }
     return file;
 }

@@ -10,4 +10,7 @@ PointFile sphere(std::size_t count);
 /// Points on a torus of radii 1 and 0.4, on a helix around its tube.
 PointFile torus(std::size_t count);
 
+/// The same points in an order by chance, the same one on every machine.
+PointFile shuffled(PointFile file);
+
 }  // namespace se::bench

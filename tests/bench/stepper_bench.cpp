@@ -9,8 +9,10 @@
 #include <numeric>
 #include <string>
 
+#include "memory.h"
 #include "shapes.h"
 #include "spiraling_edge/prepare.h"
+#include "spiraling_edge/reconstruct.h"
 #include "spiraling_edge/rules.h"
 #include "spiraling_edge/stepper.h"
 
@@ -22,6 +24,11 @@ constexpr std::size_t kCount = 43000;  // as many as in the paper's lobster
 PointFile load(const std::string& name) {
     if (name == "sphere") return sphere(kCount);
     if (name == "torus") return torus(kCount);
+    if (name == "shuffled") return shuffled(sphere(kCount));
+    if (name == "sphere_1M") return sphere(1'000'000);
+    if (name == "shuffled_1M") return shuffled(sphere(1'000'000));
+    if (name == "sphere_5M") return sphere(5'000'000);
+    if (name == "shuffled_5M") return shuffled(sphere(5'000'000));
 #ifdef SPIRALING_EDGE_SHARED_DATA
     auto file =
         readPoints(std::filesystem::path(SPIRALING_EDGE_SHARED_DATA "/points/table1_lobster.ply"));
@@ -94,6 +101,21 @@ void triangulate(benchmark::State& bench, const std::string& name, const std::st
     countPoints(bench, points);
 }
 
+/// As triangulate(), but with the run that renumbers scattered points; and what memory it takes.
+void reconstructAtOnce(benchmark::State& bench, const std::string& name) {
+    const PointSet& points = pointsOf(name);
+    if (skipIfAbsent(bench, points)) return;
+    std::size_t beyond = 0;
+    for (auto _ : bench) {
+        const std::size_t before = heldBytes();
+        forgetPeak();
+        const Reconstruction made = reconstruct(points, Params{});
+        beyond = peakBytes() - before - made.state.triangles.size() * sizeof(Triangle);
+    }
+    bench.counters["MB_beyond_mesh"] = static_cast<double>(beyond) / 1e6;
+    countPoints(bench, points);
+}
+
 /// `keep`: all events stay in memory; else those of a pivot are dropped when it is complete.
 void triangulateWithLog(benchmark::State& bench, const std::string& name, bool keep) {
     const PointSet& points = pointsOf(name);
@@ -136,6 +158,7 @@ void registerAll(const std::string& name) {
             ->MinTime(0.3);
     };
     add("baseline_sort", sortNeighborsOnce);
+    add("reconstruct", reconstructAtOnce);
     for (const std::string_view rules : paramSetNames())
         add("triangulate_" + std::string(rules), triangulate, std::string(rules));
     add("triangulate_log_cleared", triangulateWithLog, false);
@@ -143,12 +166,26 @@ void registerAll(const std::string& name) {
     add("neighbors", findNeighborLists);
 }
 
+/// Not run unless asked for: preparing the points alone takes seconds.
+void registerLarge(const std::string& name) {
+    benchmark::RegisterBenchmark(("large/reconstruct/" + name).c_str(),
+                                 [=](benchmark::State& bench) { reconstructAtOnce(bench, name); })
+        ->Unit(benchmark::kMillisecond);
+}
+
 }  // namespace
 }  // namespace se::bench
 
 int main(int argc, char** argv) {
-    for (const char* name : {"sphere", "torus", "lobster"}) se::bench::registerAll(name);
+    for (const char* name : {"sphere", "torus", "shuffled", "lobster"}) {
+        se::bench::registerAll(name);
+    }
     benchmark::Initialize(&argc, argv);
+    if (!benchmark::GetBenchmarkFilter().empty()) {
+        for (const char* name : {"sphere_1M", "shuffled_1M", "sphere_5M", "shuffled_5M"}) {
+            se::bench::registerLarge(name);
+        }
+    }
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
     benchmark::RunSpecifiedBenchmarks();
     return 0;
