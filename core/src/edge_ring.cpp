@@ -165,6 +165,41 @@ void EdgeRings::push(Index ring, Index head) {
     stack_.push_back(ring);
 }
 
+EdgeRings EdgeRings::withoutPoints() const {
+    EdgeRings copy;
+    copy.entries_ = entries_;
+    copy.rings_ = rings_;
+    copy.stack_ = stack_;
+    copy.freeRings_ = freeRings_;
+    copy.freeEntry_ = freeEntry_;
+    copy.active_ = active_;
+    return copy;
+}
+
+void EdgeRings::restore(const EdgeRings& rings) {
+    for (const RingEntry& e : entries_) {
+        if (e.ring != kNone) headOfPoint_[e.point] = kNone;
+    }
+    std::vector<Index> heads = std::move(headOfPoint_);
+    *this = rings;
+    headOfPoint_ = std::move(heads);
+    // The first of a point's entries is the one that no other leads to.
+    std::vector<bool> later(entries_.size(), false);
+    for (const RingEntry& e : entries_) {
+        if (e.ring != kNone && e.nextOfPoint != kNone) later[e.nextOfPoint] = true;
+    }
+    for (Index entry = 0; entry < entries_.size(); ++entry) {
+        if (entries_[entry].ring != kNone && !later[entry]) {
+            headOfPoint_[entries_[entry].point] = entry;
+        }
+    }
+}
+
+std::size_t EdgeRings::bytesWithoutPoints() const {
+    return sizeof(EdgeRings) + entries_.size() * sizeof(RingEntry) + rings_.size() * sizeof(Ring) +
+           (stack_.size() + freeRings_.size()) * sizeof(Index);
+}
+
 Index EdgeRings::pop() {
     if (stack_.empty()) return kNone;
     const Index ring = stack_.back();

@@ -59,7 +59,7 @@ void phaseSeed(StepContext& context) {
             beginRing(context, p, q);
             return;
         }
-        s.status[p] = kDone;
+        s.finish(p);
         const bool isolated = context.points.neighbors[p].empty();
         ++(isolated ? s.counters.isolated : s.counters.stranded);
         if (context.listening()) {

@@ -11,7 +11,11 @@ void release(StepContext& context, Index entry, Stage stage) {
     State& s = context.state;
     const Index x = s.rings.point(entry);
     s.rings.erase(entry);
-    s.status[x] = s.status[x] == 1 ? kDone : s.status[x] - 1;
+    if (s.status[x] == 1) {
+        s.finish(x);
+    } else {
+        --s.status[x];
+    }
     note(context, stage, [&] { return RingEvidence{x, false, s.status[x]}; });
 }
 

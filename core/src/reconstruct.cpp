@@ -93,6 +93,7 @@ void restoreIndices(const Renumbered& renumbered, State& state) {
     state.status = permuted(state.status, inverse(original));
     restore(state.triangles, original);
     restore(state.mend.triangles, original);
+    for (Index& p : state.done) p = original[p];
     for (Alert& alert : state.alerts) {
         if (alert.point != kNone) alert.point = original[alert.point];
     }

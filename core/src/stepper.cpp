@@ -59,6 +59,7 @@ bool endsStep(Phase phase) {
 State freshState(const PointSet& points, const Params& params) {
     State state(points.size());
     state.triangles.reserve(2 * points.size());  // about as many as a closed surface has
+    state.done.reserve(points.size());
     if (params.rules.needsEdges()) state.edges = EdgeTable(points.size());
     return state;
 }

@@ -1,7 +1,6 @@
 #include "spiraling_edge/timeline.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace se {
@@ -11,43 +10,36 @@ namespace {
 /// Pivots between two questions to keepGoing: well under a millisecond.
 constexpr std::uint32_t kAskEvery = 32;
 
-/// Of the edge table of a triangle: two words for each of its sides.
-constexpr std::size_t kSideBytes = 6 * sizeof(Index);
-
-std::size_t bytesOf(const State& state, std::size_t triangleCount) {
-    const EdgeRings& rings = state.rings;
-    return sizeof(State) + state.status.size() * sizeof(PointStatus) +
-           rings.pointCount() * sizeof(Index) + rings.entryCapacity() * sizeof(RingEntry) +
-           rings.ringCapacity() * 3 * sizeof(Index) +
-           state.pivot.candidates.size() * sizeof(Candidate) +
-           (state.edges.empty() ? 0
-                                : rings.pointCount() * sizeof(Index) + triangleCount * kSideBytes) +
-           (state.mend.empty() ? 0
-                               : rings.pointCount() * sizeof(Index) +
-                                     state.mend.triangles.size() * (sizeof(Triangle) + kSideBytes));
+std::size_t bytesOf(const MendState& mend) {
+    return mend.triangles.size() * (sizeof(Triangle) + 3 * sizeof(HalfEdge)) +
+           mend.sideOf.size() * sizeof(HalfEdge) + mend.pinched.size() / 8 +
+           mend.queue.size() * sizeof(HalfEdge);
 }
 
-/// Makes `list` the first `count` elements of a run whose longest known list is `known`.
-/// Both are beginnings of the same list, so only the difference is touched.
-template <typename T>
-void cutOrFill(std::vector<T>& list, const std::vector<T>& known, std::size_t count) {
-    if (list.size() >= count) {
-        list.resize(count);
-    } else {
-        const auto from = known.begin() + static_cast<std::ptrdiff_t>(list.size());
-        list.insert(list.end(), from, known.begin() + static_cast<std::ptrdiff_t>(count));
-    }
+std::size_t bytesOf(const NeighborRing& ring) {
+    return (ring.listed.size() + ring.candidates.size() + ring.pool.size()) * sizeof(Candidate) +
+           ring.fan.size() * sizeof(FanPoint) + ring.spokes.size() * sizeof(Index);
 }
 
-template <typename T>
-void appendRest(std::vector<T>& known, const std::vector<T>& list) {
-    if (list.size() > known.size()) {
-        known.insert(known.end(), list.begin() + static_cast<std::ptrdiff_t>(known.size()),
-                     list.end());
+/// Takes the statuses of the points on the rings away, or gives them.
+void countEntries(State& state, bool present) {
+    for (Index entry = 0; entry < state.rings.entryCapacity(); ++entry) {
+        if (!state.rings.alive(entry)) continue;
+        PointStatus& status = state.status[state.rings.point(entry)];
+        status = present ? status + 1 : kUnused;
     }
 }
 
 }  // namespace
+
+std::size_t Timeline::defaultBudget(const PointSet& points) {
+    constexpr std::size_t kLeast = std::size_t{32} << 20U;
+    const std::size_t input = points.size() * (2 * sizeof(Vec3) + 1 + sizeof(Index)) +
+                              points.neighbors.ids.size() * sizeof(Index);
+    const std::size_t run =
+        points.size() * (sizeof(PointStatus) + 2 * sizeof(Index) + 2 * sizeof(Triangle));
+    return std::max(kLeast, (input + run) / 5);
+}
 
 Timeline::Timeline(const PointSet& points, const Params& params, std::size_t byteBudget)
     : stepper_(points, params), byteBudget_(byteBudget) {
@@ -60,9 +52,16 @@ bool Timeline::stepPivot() {
         return false;
     }
     const Counters before = state().counters;
-    const bool complete = stepper_.stepPivot();
-    appendRest(knownTriangles_, state().triangles);
-    appendRest(knownAlerts_, state().alerts);
+    const std::size_t triangles = state().triangles.size();
+    const std::size_t alerts = state().alerts.size();
+    const std::size_t done = state().done.size();
+    // The steps after the last pivot go on to their next kind without one that counts.
+    while (stepper_.stepPivot() && position() == before.pivots) {
+    }
+    const bool complete = position() > before.pivots;
+    triangles_.appended(state().triangles.size() - triangles);
+    alerts_.appended(state().alerts.size() - alerts);
+    done_.appended(state().done.size() - done);
     farthest_ = std::max(farthest_, position());
     if (!complete) {
         // Behind the last pivot. Whatever happens there is counted.
@@ -102,21 +101,37 @@ std::vector<Event> Timeline::eventsOf(std::uint32_t pivot) {
 }
 
 Timeline::Keyframe Timeline::makeKeyframe() {
-    // The lists are put aside while copying: they may be much larger than all the rest.
-    State state = stepper_.takeState();
-    std::vector<Triangle> triangles = std::exchange(state.triangles, {});
-    std::vector<Alert> alerts = std::exchange(state.alerts, {});
-    Keyframe keyframe{state, triangles.size(), alerts.size()};
-    state.triangles = std::move(triangles);
-    state.alerts = std::move(alerts);
+    // What a keyframe does without is put aside while the rest is copied.
+    State state = stepper_.exchangeState({});
+    State large;
+    std::swap(large.triangles, state.triangles);
+    std::swap(large.alerts, state.alerts);
+    std::swap(large.done, state.done);
+    std::swap(large.status, state.status);
+    std::swap(large.edges, state.edges);
+    std::swap(large.rings, state.rings);
+    Keyframe keyframe{state, large.triangles.size(), large.alerts.size(), large.done.size()};
+    keyframe.rest.rings = large.rings.withoutPoints();
+    keyframe.bytes = sizeof(Keyframe) + large.rings.bytesWithoutPoints() + bytesOf(state.mend) +
+                     bytesOf(state.pivot);
+    std::swap(large.triangles, state.triangles);
+    std::swap(large.alerts, state.alerts);
+    std::swap(large.done, state.done);
+    std::swap(large.status, state.status);
+    std::swap(large.edges, state.edges);
+    std::swap(large.rings, state.rings);
     stepper_.setState(std::move(state));
     return keyframe;
 }
 
 void Timeline::rememberKeyframe() {
     if (keyframes_.contains(position())) return;
+    // The mesh that is edited after the last pivot is in each keyframe as a whole: never so many
+    // that those of the pivots must go.
+    const bool first = keyframes_.empty();
+    if (!first && !state().mend.empty() && bytesOf(state().mend) > byteBudget_ / 4) return;
     Keyframe keyframe = makeKeyframe();
-    keyframeBytes_ += bytesOf(keyframe.state, keyframe.triangleCount);
+    keyframeBytes_ += keyframe.bytes;
     keyframes_.emplace(position(), std::move(keyframe));
     while (keyframeBytes_ > byteBudget_ && keyframes_.size() > 2) thinOut();
 }
@@ -128,19 +143,37 @@ void Timeline::thinOut() {
         if (it->first % spacing_ != 0) {
             it = keyframes_.erase(it);
         } else {
-            keyframeBytes_ += bytesOf(it->second.state, it->second.triangleCount);
+            keyframeBytes_ += it->second.bytes;
             ++it;
         }
     }
 }
 
 void Timeline::restore(const Keyframe& keyframe) {
-    State old = stepper_.takeState();
-    State state = keyframe.state;
+    State old = stepper_.exchangeState({});
+    countEntries(old, false);
+    const std::size_t doneBefore = old.done.size();
+    for (std::size_t i = keyframe.done; i < doneBefore; ++i) old.status[old.done[i]] = kUnused;
+    done_.resize(old.done, keyframe.done);
+    for (std::size_t i = doneBefore; i < old.done.size(); ++i) old.status[old.done[i]] = kDone;
+    const std::size_t trianglesBefore = old.triangles.size();
+    triangles_.resize(old.triangles, keyframe.triangles);
+    alerts_.resize(old.alerts, keyframe.alerts);
+    if (!old.edges.empty()) {
+        old.edges.cutTo(keyframe.triangles);
+        for (std::size_t i = trianglesBefore; i < old.triangles.size(); ++i) {
+            old.edges.add(old.triangles[i]);
+        }
+    }
+    State state = keyframe.rest;
     state.triangles = std::move(old.triangles);
     state.alerts = std::move(old.alerts);
-    cutOrFill(state.triangles, knownTriangles_, keyframe.triangleCount);
-    cutOrFill(state.alerts, knownAlerts_, keyframe.alertCount);
+    state.done = std::move(old.done);
+    state.status = std::move(old.status);
+    state.edges = std::move(old.edges);
+    state.rings = std::move(old.rings);
+    state.rings.restore(keyframe.rest.rings);
+    countEntries(state, true);
     stepper_.setState(std::move(state));
     beyondLast_ = false;
 }

@@ -19,8 +19,9 @@ PointSet pointsOf(const char* id) {
 }
 
 /// Hashes of a straight run, by pivots completed. The last one is that of the end.
-std::map<std::uint32_t, std::uint64_t> straightHashes(const PointSet& points, std::uint64_t& end) {
-    Stepper stepper(points, Params{});
+std::map<std::uint32_t, std::uint64_t> straightHashes(const PointSet& points, std::uint64_t& end,
+                                                      const Params& params = {}) {
+    Stepper stepper(points, params);
     std::map<std::uint32_t, std::uint64_t> hashes;
     hashes.emplace(0, stateHash(stepper.state()));
     while (stepper.stepPivot()) {
@@ -33,21 +34,63 @@ std::map<std::uint32_t, std::uint64_t> straightHashes(const PointSet& points, st
 }  // namespace
 
 TEST_CASE("Seeking every pivot from the last to the first gives the states of a straight run") {
-    const PointSet points = pointsOf("sphere");
-    std::uint64_t end = 0;
-    const auto hashes = straightHashes(points, end);
-    // The second budget is far too small for more than a few keyframes.
-    for (const std::size_t budget : {Timeline::kDefaultBudget, std::size_t{60'000}}) {
-        Timeline timeline(points, Params{}, budget);
-        timeline.seek(kEnd);
-        CHECK(timeline.endKnown());
-        CHECK(stateHash(timeline.state()) == end);
-        for (auto it = hashes.rbegin(); it != hashes.rend(); ++it) {
-            timeline.seek(it->first);
-            REQUIRE(timeline.position() == it->first);
-            REQUIRE(stateHash(timeline.state()) == it->second);
+    for (const char* rules : {"paper", "robust"}) {
+        const Params params = paramsByName(rules).value();
+        const PointSet points = pointsOf("linked-tori");
+        std::uint64_t end = 0;
+        const auto hashes = straightHashes(points, end, params);
+        // The second budget is far too small for more than a few keyframes.
+        for (const std::size_t budget : {Timeline::defaultBudget(points), std::size_t{20'000}}) {
+            CAPTURE(rules);
+            CAPTURE(budget);
+            Timeline timeline(points, params, budget);
+            timeline.seek(kEnd);
+            CHECK(timeline.endKnown());
+            CHECK(stateHash(timeline.state()) == end);
+            for (auto it = hashes.rbegin(); it != hashes.rend(); ++it) {
+                timeline.seek(it->first);
+                REQUIRE(timeline.position() == it->first);
+                REQUIRE(stateHash(timeline.state()) == it->second);
+            }
         }
     }
+}
+
+TEST_CASE("Going back restores all that a State holds, not only what its hash covers") {
+    const PointSet points = pointsOf("linked-tori");
+    const Params params = paramsByName("robust").value();
+    Timeline timeline(points, params, 20'000);
+    timeline.seek(kEnd);
+    for (std::uint32_t place = timeline.farthest(); place > 37; place -= 37) {
+        timeline.seek(place - 37);
+        Stepper straight(points, params);
+        straight.runUntil([&](const State& s) { return s.counters.pivots == timeline.position(); });
+        const State& a = timeline.state();
+        const State& b = straight.state();
+        REQUIRE(a.status == b.status);
+        REQUIRE(a.done == b.done);
+        REQUIRE(a.triangles == b.triangles);
+        REQUIRE(a.mesh() == b.mesh());
+        for (Index p = 0; p < points.size(); ++p) {
+            Index x = a.rings.firstEntryOf(p);
+            Index y = b.rings.firstEntryOf(p);
+            for (; x != kNone && y != kNone;
+                 x = a.rings[x].nextOfPoint, y = b.rings[y].nextOfPoint) {
+                REQUIRE(x == y);
+            }
+            REQUIRE(x == y);
+            REQUIRE(a.edges.firstFrom(p) == b.edges.firstFrom(p));
+        }
+    }
+}
+
+TEST_CASE("Keyframes stay within their budget, and their size goes with the rings") {
+    const PointSet points = pointsOf("torus");
+    constexpr std::size_t kBudget = 100'000;
+    Timeline timeline(points, Params{}, kBudget);
+    timeline.seek(kEnd);
+    CHECK(timeline.keyframeBytes() <= kBudget);
+    CHECK(timeline.keyframeBytes() > kBudget / 4);
 }
 
 TEST_CASE("Jumping about gives the same states, triangles and alerts included") {

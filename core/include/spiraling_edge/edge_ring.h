@@ -86,6 +86,16 @@ class EdgeRings {
     /// empty.
     Index pop();
 
+    // For going back in time.
+    /// A copy of the rings without the points' sides of it, which follow from the entries: its size
+    /// goes with the length of the rings, not with the number of points.
+    EdgeRings withoutPoints() const;
+    /// Becomes what `rings`, from withoutPoints(), was made of. Touches only points that have
+    /// entries now or then.
+    void restore(const EdgeRings& rings);
+    /// About the bytes of withoutPoints().
+    std::size_t bytesWithoutPoints() const;
+
   private:
     struct Ring {
         Index head = kNone;

@@ -12,7 +12,7 @@ namespace se {
 using HalfEdge = Index;
 
 /// Half-edges chained per point they leave. Two words per side, no hashing: a point has few sides,
-/// and they were touched moments ago. Only ever grows, like the list of triangles it belongs to.
+/// and they were touched moments ago. Grows like the list of triangles it belongs to.
 class EdgeTable {
   public:
     EdgeTable() = default;
@@ -26,6 +26,16 @@ class EdgeTable {
             next_.push_back(head_[corners[k]]);
             target_.push_back(corners[(k + 1) % 3]);
             head_[corners[k]] = first + k;
+        }
+    }
+    /// Forgets all triangles but the first `count`.
+    void cutTo(std::size_t count) {
+        while (next_.size() > 3 * count) {
+            const auto h = static_cast<HalfEdge>(next_.size() - 1);
+            const HalfEdge base = h - h % 3;
+            head_[target_[base + (h + 2 - base) % 3]] = next_[h];  // the point that h leaves
+            next_.pop_back();
+            if (h == base) target_.resize(base);
         }
     }
     /// The side u -> v, kNone if no triangle has it.

@@ -19,7 +19,7 @@ struct Renumbered {
 Renumbered renumberAlongZCurve(const PointSet& points);
 
 /// Gives a finished State of a run over `renumbered` the indices of the old set: the points in
-/// triangles, alerts and statuses. It then is the State of a run over the old set.
+/// triangles and alerts, and who is DONE. It then is the State of a run over the old set.
 void restoreIndices(const Renumbered& renumbered, State& state);
 
 /// How a run ended, and what it left.

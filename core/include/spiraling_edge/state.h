@@ -107,8 +107,14 @@ struct State {
     /// The mesh as the steps after the last pivot leave it; empty before them. `triangles` stays.
     MendState mend;
     std::vector<Alert> alerts;  ///< Append-only.
+    std::vector<Index> done;    ///< The DONE points, in the order in which they became so (§4).
     Counters counters;
 
+    /// Marks a point DONE: for good, see invariant 7.
+    void finish(Index p) {
+        status[p] = kDone;
+        done.push_back(p);
+    }
     /// The mesh as far as it is made.
     const std::vector<Triangle>& mesh() const { return mend.empty() ? triangles : mend.triangles; }
     bool finished() const { return phase == Phase::Finished; }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 
 #include "spiraling_edge/event.h"
 #include "spiraling_edge/params.h"
@@ -40,6 +41,8 @@ class Stepper {
     const State& state() const { return state_; }
     /// Goes to another place of a run over the same points and params.
     void setState(State state) { state_ = std::move(state); }
+    /// The same, and returns the State from before.
+    State exchangeState(State state) { return std::exchange(state_, std::move(state)); }
     /// Gives the state away, e.g. to take the triangles out. The stepper starts over.
     State takeState();
     void setLog(EventLog* log) { log_ = log; }

@@ -1,6 +1,7 @@
 /// Going to any pivot of a run, forward and back: keyframes under a byte budget and re-stepping.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -11,13 +12,40 @@
 
 namespace se {
 
+/// An append-only list of a State as one goes back and forth: what lies beyond the present place is
+/// put aside, so that each element is in memory once.
+template <typename T>
+class Beyond {
+  public:
+    /// Makes `list` its first `count` elements; may be longer than it is, if that was seen before.
+    void resize(std::vector<T>& list, std::size_t count) {
+        for (; list.size() > count; list.pop_back()) later_.push_back(list.back());
+        for (; list.size() < count; later_.pop_back()) list.push_back(later_.back());
+    }
+    /// A step has appended `count` elements: if they had been put aside, they are no more.
+    void appended(std::size_t count) {
+        later_.resize(later_.size() - std::min(count, later_.size()));
+    }
+
+  private:
+    std::vector<T> later_;  // the next one last
+};
+
 /// A cursor over a run. It always stands between two pivots: "at pivot n" means that n pivots are
 /// complete; 0 is the beginning. points must outlive it and pass validate().
+///
+/// A keyframe holds what cannot be told from the append-only lists of a State (triangles, alerts,
+/// DONE points): the rings and a few numbers. So its size goes with the length of the rings, and
+/// the way to it with what changed since; neither goes with the number of points.
 class Timeline {
   public:
-    static constexpr std::size_t kDefaultBudget = std::size_t{256} << 20U;
+    /// A budget that adds a fifth to the memory of the plain run, but at least 32 MB.
+    static std::size_t defaultBudget(const PointSet& points);
 
-    Timeline(const PointSet& points, const Params& params, std::size_t byteBudget = kDefaultBudget);
+    Timeline(const PointSet& points, const Params& params)
+        : Timeline(points, params, defaultBudget(points)) {}
+    /// `byteBudget`: about what all keyframes together may take.
+    Timeline(const PointSet& points, const Params& params, std::size_t byteBudget);
 
     const State& state() const { return stepper_.state(); }
     /// Pivots completed at the cursor.
@@ -29,6 +57,8 @@ class Timeline {
     /// pivots of the run if something still happens after the last of them, such as points that
     /// nothing can be begun with.
     std::uint32_t lastPivot() const { return farthest_ + (tail_ ? 1U : 0U); }
+    /// About the bytes of all keyframes.
+    std::size_t keyframeBytes() const { return keyframeBytes_; }
 
     /// Completes one more pivot. False if there is none: then what is left to do has been done.
     bool stepPivot();
@@ -44,11 +74,12 @@ class Timeline {
     const Params& params() const { return stepper_.params(); }
 
   private:
-    /// A State without its append-only lists, whose lengths suffice.
     struct Keyframe {
-        State state;
-        std::size_t triangleCount = 0;
-        std::size_t alertCount = 0;
+        State rest;  ///< Without the lists, the statuses, the edge table and the points' entries.
+        std::size_t triangles = 0;
+        std::size_t alerts = 0;
+        std::size_t done = 0;
+        std::size_t bytes = 0;
     };
 
     Keyframe makeKeyframe();
@@ -58,8 +89,9 @@ class Timeline {
 
     Stepper stepper_;
     std::map<std::uint32_t, Keyframe> keyframes_;
-    std::vector<Triangle> knownTriangles_;  ///< Of the farthest place seen.
-    std::vector<Alert> knownAlerts_;
+    Beyond<Triangle> triangles_;
+    Beyond<Alert> alerts_;
+    Beyond<Index> done_;
     std::size_t byteBudget_;
     std::size_t keyframeBytes_ = 0;
     std::uint32_t spacing_ = 16;  ///< Pivots between keyframes; doubles when the budget is full.
