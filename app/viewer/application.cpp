@@ -147,7 +147,7 @@ void Application::fillScene() {
         return;
     }
     const LayerInput input{session_.model(), session_.picture(), palette(), session_.selected(),
-                           session_.highlightedRing()};
+                           session_.highlightedRing(), session_.hovered()};
     fillDrawList(input, settings.layers, drawList_);
     countStatus();
     filledRevision_ = session_.revision();

@@ -16,6 +16,9 @@ constexpr float kStageStrip = 3.3F;
 /// Below these the window is narrow, or low.
 constexpr float kNarrowBelow = 58.0F;
 constexpr float kLowBelow = 36.0F;
+/// From these on the dial stands by itself: below, the panels under it would be too short.
+constexpr float kDialFrom = 75.0F;
+constexpr float kDialRoom = 30.0F;
 
 }  // namespace
 
@@ -41,7 +44,10 @@ Layout computeLayout(glm::vec2 size, float em) {
     const float bottom = size.y - px(kStatus) - drawer;
     const float middle = std::max(0.0F, bottom - y);
     l.left = {{0.0F, y}, {left, middle}};
-    l.right = {{size.x - right, y}, {right, middle}};
+    l.dialApart = !l.narrow && ems.x >= kDialFrom && middle >= px(kDialRoom);
+    const float dial = l.dialApart ? std::min(right + px(1.0F), 0.45F * middle) : 0.0F;
+    l.dial = {{size.x - right, y}, {right, dial}};
+    l.right = {{size.x - right, y + dial}, {right, middle - dial}};
     const float viewWidth = std::max(0.0F, size.x - left - right);
     l.view = {{left, y}, {viewWidth, std::max(0.0F, middle - narration)}};
     l.narration = {{left, y + l.view.size.y}, {viewWidth, std::min(narration, middle)}};

@@ -19,11 +19,13 @@ struct Layout {
     Rect menu;
     Rect transport;
     Rect left;  ///< Empty in a narrow window: then the right column holds everything, as tabs.
+    Rect dial;   ///< Above the right column; empty in a narrow or low window: then it is a tab.
     Rect right;
     Rect view;
     Rect narration;
     Rect drawer;
     Rect status;
+    bool dialApart = false;  ///< The dial has a place of its own.
     bool narrow = false;     ///< One side column only.
     bool stageStrip = true;  ///< There is room for it in the drawer.
 };

@@ -1,7 +1,7 @@
 /// Which point is under the pointer. Plain mathematics.
 #pragma once
 
-#include <vector>
+#include <span>
 
 #include "camera.h"
 #include "model.h"
@@ -12,5 +12,9 @@ namespace se::view {
 /// is none. Points that face the eye win over those that do not.
 Index pickPoint(const Model& model, const CameraMatrices& camera, glm::vec2 size, glm::vec2 pixel,
                 float radius);
+
+/// The same among some points.
+Index pickAmong(const Model& model, std::span<const Index> points, const CameraMatrices& camera,
+                glm::vec2 size, glm::vec2 pixel, float radius);
 
 }  // namespace se::view

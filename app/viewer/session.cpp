@@ -301,6 +301,12 @@ void Session::select(Index point) {
     ++revision_;
 }
 
+void Session::hover(Index point) {
+    if (point == hovered_) return;
+    hovered_ = point;
+    ++revision_;
+}
+
 void Session::highlightRing(Index ring) {
     highlightedRing_ = highlightedRing_ == ring ? kNone : ring;
     ++revision_;

@@ -92,6 +92,9 @@ class Session {
     // Selection, by index: it survives every move.
     Index selected() const { return selected_; }
     void select(Index point);
+    /// The point under the pointer, in the view or on the dial; lit up in both.
+    Index hovered() const { return hovered_; }
+    void hover(Index point);
     Index highlightedRing() const { return highlightedRing_; }
     void highlightRing(Index ring);
 
@@ -131,6 +134,7 @@ class Session {
     std::vector<Triangle> triangles_;
     RunOverview overview_;
     Index selected_ = kNone;
+    Index hovered_ = kNone;
     Index highlightedRing_ = kNone;
     std::uint32_t generation_ = 0;
     std::uint32_t revision_ = 0;

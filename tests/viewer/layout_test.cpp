@@ -25,7 +25,7 @@ TEST_CASE("Panels fill the window without overlap, at every size") {
         CAPTURE(screen.size.x);
         CAPTURE(screen.em);
         const Layout l = computeLayout(screen.size, screen.em);
-        const Rect all[] = {l.menu, l.transport, l.left,   l.right,
+        const Rect all[] = {l.menu, l.transport, l.left,   l.dial,  l.right,
                             l.view, l.narration, l.drawer, l.status};
         float area = 0.0F;
         for (const Rect& a : all) {

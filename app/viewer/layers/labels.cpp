@@ -50,6 +50,10 @@ void addLabels(const LayerInput& in, DrawList& out) {
         }
     }
     if (p.complete) labels.add(p.nextPivot, "next", c.pivot, false);
+    if (in.hovered != kNone) {
+        out.sprites.push_back({in.at(in.hovered), {c.text.withAlpha(0.8F), 1.5F, Shape::Circle}});
+        labels.add(in.hovered, "", c.text, true);
+    }
     if (in.selected != kNone) {
         out.sprites.push_back({in.at(in.selected), {c.text, 1.3F, Shape::Circle}});
         labels.add(in.selected, "", c.text, true);

@@ -19,6 +19,7 @@ struct LayerInput {
     const Palette& palette;
     Index selected = kNone;
     Index highlightedRing = kNone;
+    Index hovered = kNone;
 
     const glm::vec3& at(Index point) const { return model.place[point]; }
 };

@@ -53,6 +53,7 @@ void drawSteps(const PanelContext& context);
 void drawRings(const PanelContext& context);
 void drawInspect(const PanelContext& context);
 void drawCounters(const PanelContext& context);
+void drawDial(const PanelContext& context);
 void drawLayerSwitches(const PanelContext& context);
 
 // Parts of others.

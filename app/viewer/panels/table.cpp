@@ -7,9 +7,10 @@ namespace se::view {
 
 namespace {
 
-constexpr std::array<SidePanel, 5> kSidePanels = {{
+constexpr std::array<SidePanel, 6> kSidePanels = {{
     {"Steps", true, 0.72F, drawSteps},
     {"Rings", true, 0.28F, drawRings},
+    {"Dial", false, 0.0F, drawDial},
     {"Inspect", false, 0.0F, drawInspect},
     {"Counts", false, 0.0F, drawCounters},
     {"Layers", false, 0.0F, drawLayerSwitches},
@@ -38,6 +39,7 @@ void drawTabs(const PanelContext& context) {
     const bool narrow = context.layout.narrow;
     for (const SidePanel& panel : kSidePanels) {
         if (panel.left && !narrow) continue;
+        if (panel.draw == drawDial && context.layout.dialApart) continue;
         if (!ImGui::BeginTabItem(panel.title)) continue;
         if (narrow) ImGui::PushFont(context.fonts.text);
         if (ImGui::BeginChild("##content", {0, 0}, false)) panel.draw(context);
@@ -45,6 +47,13 @@ void drawTabs(const PanelContext& context) {
         if (narrow) ImGui::PopFont();
         ImGui::EndTabItem();
     }
+}
+
+void drawDialColumn(const PanelContext& context) {
+    if (beginRegion("##dialColumn", context.layout.dial, ImGuiWindowFlags_NoScrollWithMouse)) {
+        drawDial(context);
+    }
+    ImGui::End();
 }
 
 void drawRightColumn(const PanelContext& context) {
@@ -80,6 +89,9 @@ void drawBorders(const PanelContext& context) {
     horizontal(l.status.min.y);
     if (!l.narrow) vertical(l.left.max().x);
     vertical(l.right.min.x);
+    if (l.dialApart) {
+        list->AddRectFilled(toVec2(l.right.min), {l.right.max().x, l.right.min.y + 1.0F}, color);
+    }
     list->AddRectFilled({l.narration.min.x, l.narration.min.y},
                         {l.narration.max().x, l.narration.min.y + 1.0F}, color);
 }
@@ -92,6 +104,7 @@ void drawPanels(const PanelContext& context) {
     drawMenuBar(context);
     drawTransport(context);
     if (!context.layout.narrow) drawLeftColumn(context);
+    if (context.layout.dialApart) drawDialColumn(context);
     drawRightColumn(context);
     drawView(context);
     drawNarration(context);

@@ -27,6 +27,18 @@ Index pointUnderMouse(const PanelContext& context) {
                      0.6F * context.em);
 }
 
+/// Lights up the neighbor of the pivot that the pointer is on, here and on the dial. Only those: to
+/// look at all points in every frame would take too long.
+void hoverNeighbor(const PanelContext& context) {
+    Session& session = context.session();
+    const Index pivot = session.picture().pivot;
+    if (pivot == kNone) return session.hover(kNone);
+    const Rect& view = context.layout.view;
+    const CameraMatrices camera = context.camera().matrices(view.size.x / view.size.y);
+    session.hover(pickAmong(session.model(), session.model().points.neighbors[pivot], camera,
+                            view.size, localMouse(view), 0.6F * context.em));
+}
+
 void dragWith(const PanelContext& context) {
     const ImVec2 moved = ImGui::GetIO().MouseDelta;
     if (moved.x == 0.0F && moved.y == 0.0F) return;
@@ -50,6 +62,7 @@ void handleMouse(const PanelContext& context) {
                                 view.size.x / view.size.y);
     }
     if (!context.session().ready()) return;
+    if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) hoverNeighbor(context);
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         const Index point = pointUnderMouse(context);
         if (point != kNone) context.camera().lookAt(context.session().model().place[point]);

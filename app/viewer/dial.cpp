@@ -1,0 +1,181 @@
+#include "dial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "spiraling_edge/rules.h"
+
+namespace se::view {
+
+namespace {
+
+std::string text(const char* format, double a, double b = 0.0) {
+    char out[96];
+    std::snprintf(out, sizeof out, format, a, b);
+    return out;
+}
+
+/// Fills a Dial step by step.
+class Maker {
+  public:
+    Maker(const Model& model, const Picture& picture)
+        : points_(model.points),
+          picture_(picture),
+          frame_(makeFrame(points_.position[picture.pivot], points_.normal[picture.pivot],
+                           points_.position[picture.first], model.params.rules.tangent)) {}
+
+    Dial make(const Event* event) {
+        dial_.pivot = picture_.pivot;
+        addTicks();
+        addRange();
+        for (const Triangle& t : picture_.newTriangles) addTriangle(t);
+        if (event != nullptr) {
+            stage_ = event->address.stage;
+            std::visit([this](const auto& e) { show(e); }, event->evidence);
+        }
+        return std::move(dial_);
+    }
+
+  private:
+    double degreesOf(Index point) const {
+        if (point == picture_.first) return 0.0;
+        return angleOf(frame_, points_.position[point] - frame_.origin).degrees();
+    }
+
+    void add(Index point, DialRole role) {
+        if (DialTick* known = tickOf(point)) {
+            known->role = role;
+            return;
+        }
+        const Vec3 offset = points_.position[point] - frame_.origin;
+        const double height = glm::dot(offset, frame_.normal);
+        const double lengthSq = glm::dot(offset, offset);
+        DialTick tick;
+        tick.point = point;
+        tick.degrees = degreesOf(point);
+        tick.reach = static_cast<float>(std::sqrt(std::max(0.0, lengthSq - height * height)));
+        tick.height = static_cast<float>(height);
+        tick.role = role;
+        tick.underTest = point == picture_.underTest;
+        dial_.ticks.push_back(tick);
+    }
+
+    void addTicks() {
+        for (const Index q : points_.neighbors[picture_.pivot]) {
+            add(q, picture_.status[q] == kDone ? DialRole::Done : DialRole::Neighbor);
+        }
+        for (const CandidateMark& mark : picture_.candidates) {
+            const bool rejected = mark.state == CandidateState::Rejected;
+            add(mark.point, rejected ? DialRole::Rejected : DialRole::Candidate);
+            if (rejected) tickOf(mark.point)->note = std::string(verdictText(mark.verdict));
+        }
+        addEnd(picture_.first, DialRole::First, "first");
+        addEnd(picture_.last, DialRole::Last, "last");
+        addEnd(picture_.end, DialRole::End, "E");
+        addEnd(picture_.start, DialRole::Start, "S");
+        float farthest = 0.0F;
+        for (const DialTick& t : dial_.ticks) farthest = std::max(farthest, t.reach);
+        for (DialTick& t : dial_.ticks) {
+            if (farthest <= 0.0F) continue;
+            t.reach /= farthest;
+            t.height = std::clamp(t.height / farthest, -1.0F, 1.0F);
+        }
+    }
+
+    void addEnd(Index point, DialRole role, const char* letter) {
+        if (point == kNone) return;
+        add(point, role);
+        name(point, letter);
+    }
+
+    DialTick* tickOf(Index point) {
+        const auto found = std::find_if(dial_.ticks.begin(), dial_.ticks.end(),
+                                        [&](const DialTick& t) { return t.point == point; });
+        return found == dial_.ticks.end() ? nullptr : &*found;
+    }
+    void name(Index point, const char* letter) {
+        if (DialTick* tick = tickOf(point)) tick->letter = letter;
+    }
+
+    void addRange() {
+        const double end = picture_.endDegrees > 0.0 ? picture_.endDegrees : picture_.sectorDegrees;
+        const bool moved = picture_.start != picture_.first || picture_.end != picture_.last;
+        if (moved) dial_.arcs.push_back({DialArc::Kind::OldRange, 0.0, picture_.sectorDegrees});
+        dial_.arcs.push_back({DialArc::Kind::Range, picture_.startDegrees, end});
+    }
+
+    /// The sector of a triangle at the pivot, from its second corner to its third.
+    void addTriangle(const Triangle& t) {
+        const double from = degreesOf(t.b);
+        double to = degreesOf(t.c);
+        if (t.c == picture_.last || to < from) to = to < from ? to + 360.0 : to;
+        dial_.arcs.push_back({DialArc::Kind::Triangle, from, to});
+    }
+
+    void show(const PivotEvidence& e) {
+        dial_.caption = text("free sector %.1f\xC2\xB0, from first to last", e.sectorDegrees);
+    }
+    void show(const SortEvidence& e) {
+        dial_.caption = text("angle %.1f\xC2\xB0, limit %.1f\xC2\xB0", e.degrees, e.endDegrees);
+    }
+    void show(const LimitEvidence& e) {
+        dial_.caption = text(e.side == Side::Start ? "start from %.1f\xC2\xB0 to %.1f\xC2\xB0?"
+                                                   : "end from %.1f\xC2\xB0 to %.1f\xC2\xB0?",
+                             e.fromDegrees, e.toDegrees);
+    }
+    void show(const DropEvidence& e) {
+        dial_.caption = text(stage_ == Stage::Convex ? "angle %.1f\xC2\xB0, but behind a convex end"
+                                                     : "angle %.1f\xC2\xB0, outside the new limits",
+                             e.degrees);
+    }
+    void show(const ReciprocalEvidence& e) {
+        name(e.point, "e");
+        dial_.reciprocal = {e.point, e.degrees, e.limitDegrees, e.verdict == Verdict::Kept};
+        dial_.caption =
+            text("at e: p at %.1f\xC2\xB0, free to %.1f\xC2\xB0", e.degrees, e.limitDegrees);
+    }
+    void show(const HoleEvidence& e) {
+        dial_.chord = {picture_.startDegrees, picture_.endDegrees};
+        dial_.caption = text("side %+.3g, that of p %+.3g", e.side, e.pivotSide);
+    }
+    void show(const SphereEvidence& e) {
+        name(e.q, "q");
+        if (e.t != picture_.start) name(e.t, "t");
+        if (e.s != picture_.end) name(e.s, "s");
+        const double from = degreesOf(e.t);
+        const bool wide = e.gapDegrees > 120.0;
+        dial_.arcs.push_back(
+            {wide ? DialArc::Kind::TooWide : DialArc::Kind::Gap, from, from + e.gapDegrees});
+        dial_.caption = e.verdict == Verdict::NoCircle
+                            ? text("gap %.1f\xC2\xB0 of 120\xC2\xB0; no circle", e.gapDegrees)
+                            : text("gap %.1f\xC2\xB0 of 120\xC2\xB0; d \xE2\x88\x92 r = %+.3g",
+                                   e.gapDegrees, e.distance - e.radius);
+    }
+    void show(const TwoPointEvidence& e) {
+        const bool over = e.verdict == Verdict::Discarded;
+        dial_.arcs.push_back({over ? DialArc::Kind::TooWide : DialArc::Kind::Gap, 0.0, e.degrees});
+        dial_.caption = text("angle %.1f\xC2\xB0, limit 180\xC2\xB0", e.degrees);
+    }
+    void show(const EmitEvidence&) {
+        dial_.caption = std::to_string(picture_.newTriangles.size()) +
+                        (picture_.newTriangles.size() == 1 ? " triangle" : " triangles");
+    }
+    template <typename Other>
+    void show(const Other&) {}
+
+    const PointSet& points_;
+    const Picture& picture_;
+    Frame frame_;
+    Dial dial_;
+    Stage stage_ = Stage::Pivot;
+};
+
+}  // namespace
+
+Dial makeDial(const Model& model, const Picture& picture, const Event* event) {
+    if (picture.pivot == kNone || picture.first == kNone) return {};
+    return Maker(model, picture).make(event);
+}
+
+}  // namespace se::view

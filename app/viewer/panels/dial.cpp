@@ -1,0 +1,321 @@
+#include "../dial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "panel.h"
+#include "widgets.h"
+
+namespace se::view {
+
+namespace {
+
+constexpr float kDegree = 3.14159265F / 180.0F;
+
+/// The disc on the screen: angle 0 to the right, counterclockwise.
+struct Disc {
+    ImVec2 center;
+    float radius = 0.0F;
+
+    ImVec2 at(double degrees, float reach) const {
+        const float a = static_cast<float>(degrees) * kDegree;
+        return {center.x + reach * radius * std::cos(a), center.y - reach * radius * std::sin(a)};
+    }
+};
+
+class DialDrawer {
+  public:
+    DialDrawer(const PanelContext& context, const Dial& dial, const Disc& disc)
+        : c_(context), dial_(dial), disc_(disc), list_(ImGui::GetWindowDrawList()) {}
+
+    void draw() {
+        const Palette& colors = c_.palette;
+        list_->AddCircleFilled(disc_.center, disc_.radius, toU32(colors.background), 96);
+        for (const DialArc& arc : dial_.arcs) drawArc(arc);
+        if (dial_.chord) drawChord(*dial_.chord);
+        list_->AddCircle(disc_.center, disc_.radius, toU32(colors.border), 96, px());
+        drawMark(120.0, "120\xC2\xB0");
+        drawMark(180.0, "180\xC2\xB0");
+        for (const DialTick& tick : dial_.ticks) drawTick(tick);
+        drawShape(list_, disc_.center, 1.15F * c_.em, Shape::RingedDisc, toU32(colors.pivot));
+        for (const DialTick& tick : dial_.ticks) drawName(tick);
+    }
+
+    /// The tick nearest to the pointer, null if none is near.
+    const DialTick* underPointer() const {
+        const ImVec2 mouse = ImGui::GetMousePos();
+        const DialTick* best = nullptr;
+        float bestDistance = c_.em;
+        for (const DialTick& tick : dial_.ticks) {
+            const ImVec2 at = tip(tick);
+            const float distance = std::hypot(mouse.x - at.x, mouse.y - at.y);
+            if (distance >= bestDistance) continue;
+            bestDistance = distance;
+            best = &tick;
+        }
+        return best;
+    }
+
+  private:
+    float px(float width = 0.08F) const { return std::max(1.0F, width * c_.em); }
+    ImVec2 tip(const DialTick& tick) const {
+        return disc_.at(tick.degrees, 0.92F * std::max(0.12F, tick.reach));
+    }
+
+    /// A sector, in parts of at most half a turn: only those are convex.
+    void fillSector(double from, double to, float reach, const Color& color) {
+        for (double a = from; a < to - 1e-6; a += 180.0) {
+            const double b = std::min(a + 180.0, to);
+            list_->PathLineTo(disc_.center);
+            list_->PathArcTo(disc_.center, reach * disc_.radius, -static_cast<float>(a) * kDegree,
+                             -static_cast<float>(b) * kDegree, 48);
+            list_->PathFillConvex(toU32(color));
+        }
+    }
+
+    void strokeArc(double from, double to, float reach, const Color& color, float width,
+                   bool dashed) {
+        const int parts = std::max(2, static_cast<int>((to - from) / 4.0));
+        for (int i = 0; i < parts; ++i) {
+            if (dashed && i % 2 == 1) continue;
+            list_->AddLine(disc_.at(from + (to - from) * i / parts, reach),
+                           disc_.at(from + (to - from) * (i + 1) / parts, reach), toU32(color),
+                           px(width));
+        }
+    }
+
+    void drawArc(const DialArc& arc) {
+        const Palette& colors = c_.palette;
+        switch (arc.kind) {
+            case DialArc::Kind::Range:
+                fillSector(arc.from, arc.to, 1.0F, colors.pivot.withAlpha(0.15F));
+                strokeArc(arc.from, arc.to, 1.0F, colors.pivot.withAlpha(0.9F), 0.16F, false);
+                break;
+            case DialArc::Kind::OldRange:
+                strokeArc(arc.from, arc.to, 1.05F, colors.textDim, 0.1F, true);
+                break;
+            case DialArc::Kind::Gap:
+                strokeArc(arc.from, arc.to, 0.5F, colors.test, 0.22F, false);
+                break;
+            case DialArc::Kind::TooWide:
+                strokeArc(arc.from, arc.to, 0.5F, colors.rejected, 0.22F, true);
+                break;
+            case DialArc::Kind::Triangle:
+                fillSector(arc.from, arc.to, 0.9F, colors.test.withAlpha(0.3F));
+                break;
+        }
+    }
+
+    /// The plane of §6.2 seen from above: what lies beyond the chord is hatched.
+    void drawChord(const DialChord& chord) {
+        const ImU32 color = toU32(c_.palette.rejected.withAlpha(0.6F));
+        constexpr int kLines = 12;
+        for (int i = 1; i < kLines; ++i) {
+            const double degrees = chord.from + (chord.to - chord.from) * i / kLines;
+            const double middle = 0.5 * (chord.from + chord.to);
+            const double half = 0.5 * (chord.to - chord.from);
+            const auto reach = static_cast<float>(std::cos(half * kDegree) /
+                                                  std::cos((degrees - middle) * kDegree));
+            list_->AddLine(disc_.at(degrees, reach), disc_.at(degrees, 1.0F), color, px(0.06F));
+        }
+        list_->AddLine(disc_.at(chord.from, 1.0F), disc_.at(chord.to, 1.0F),
+                       toU32(c_.palette.rejected), px(0.14F));
+    }
+
+    void drawMark(double degrees, const char* text) {
+        const ImU32 color = toU32(c_.palette.textDim);
+        list_->AddLine(disc_.at(degrees, 0.97F), disc_.at(degrees, 1.03F), color, px());
+        place(disc_.at(degrees, 1.0F), degrees, text, c_.palette.textDim, 0.75F);
+    }
+
+    Color colorOf(const DialTick& tick) const {
+        const Palette& colors = c_.palette;
+        switch (tick.role) {
+            case DialRole::Neighbor:
+                return colors.unused;
+            case DialRole::Done:
+                return colors.done;
+            case DialRole::Candidate:
+                return tick.underTest ? colors.test : colors.used;
+            case DialRole::Rejected:
+                return colors.rejected;
+            case DialRole::First:
+            case DialRole::Start:
+                return colors.first;
+            case DialRole::Last:
+            case DialRole::End:
+                return colors.last;
+        }
+        return colors.text;
+    }
+
+    static Shape shapeOf(DialRole role) {
+        switch (role) {
+            case DialRole::Neighbor:
+                return Shape::Circle;
+            case DialRole::Done:
+                return Shape::Dot;
+            case DialRole::Candidate:
+                return Shape::Disc;
+            case DialRole::Rejected:
+                return Shape::Cross;
+            case DialRole::First:
+            case DialRole::Start:
+                return Shape::Forward;
+            case DialRole::Last:
+            case DialRole::End:
+                return Shape::Back;
+        }
+        return Shape::Disc;
+    }
+
+    void drawTick(const DialTick& tick) {
+        const Color color = colorOf(tick);
+        const ImVec2 at = tip(tick);
+        const bool faint = tick.role == DialRole::Neighbor || tick.role == DialRole::Done;
+        if (!faint) {
+            const bool rejected = tick.role == DialRole::Rejected;
+            list_->AddLine(disc_.center, at, toU32(color.withAlpha(rejected ? 0.45F : 0.9F)),
+                           px(tick.underTest ? 0.14F : 0.08F));
+        }
+        // The height above the plane, as a stem: up is the outer side.
+        const float stem = tick.height * disc_.radius;
+        if (std::abs(stem) > 0.2F * c_.em) {
+            const ImVec2 top(at.x, at.y - stem);
+            list_->AddLine(at, top, toU32(color.withAlpha(0.8F)), px(0.07F));
+            list_->AddLine({top.x - 0.2F * c_.em, top.y}, {top.x + 0.2F * c_.em, top.y},
+                           toU32(color.withAlpha(0.8F)), px(0.07F));
+        }
+        const float size = (tick.role == DialRole::Done ? 0.4F : faint ? 0.5F : 0.72F) * c_.em;
+        drawShape(list_, at, size, shapeOf(tick.role), toU32(color));
+        const bool lit = tick.point == c_.session().hovered();
+        if (tick.underTest) {
+            list_->AddCircle(at, 0.62F * c_.em, toU32(c_.palette.test), 0, px(0.12F));
+        }
+        if (lit || tick.point == c_.session().selected()) {
+            list_->AddCircle(at, 0.78F * c_.em, toU32(c_.palette.text), 0, px(0.1F));
+        }
+    }
+
+    void drawName(const DialTick& tick) {
+        const bool faint = tick.role == DialRole::Neighbor || tick.role == DialRole::Done;
+        const bool lit = tick.underTest || tick.point == c_.session().hovered();
+        if (faint && !lit) return;
+        const std::string letter = tick.letter.empty() ? "" : tick.letter + " ";
+        place(disc_.at(tick.degrees, 1.0F), tick.degrees, letter + std::to_string(tick.point),
+              lit ? c_.palette.text : colorOf(tick), 0.8F);
+    }
+
+    /// Writes outside of the rim, unless something is written there already.
+    void place(ImVec2 rim, double degrees, const std::string& text, const Color& color,
+               float scale) {
+        const float size = scale * c_.em;
+        const ImVec2 extent = c_.fonts.text->CalcTextSizeA(size, 1e9F, 0.0F, text.c_str());
+        const float a = static_cast<float>(degrees) * kDegree;
+        const float gap = 0.35F * c_.em;
+        const glm::vec2 low(rim.x + gap * std::cos(a) + 0.5F * extent.x * (std::cos(a) - 1.0F),
+                            rim.y - gap * std::sin(a) - 0.5F * extent.y * (std::sin(a) + 1.0F));
+        const Rect rect{low, {extent.x, extent.y}};
+        for (const Rect& other : taken_) {
+            if (low.x < other.max().x && other.min.x < rect.max().x && low.y < other.max().y &&
+                other.min.y < rect.max().y) {
+                return;
+            }
+        }
+        taken_.push_back(rect);
+        list_->AddText(c_.fonts.text, size, toVec2(low), toU32(color), text.c_str());
+    }
+
+    const PanelContext& c_;
+    const Dial& dial_;
+    Disc disc_;
+    ImDrawList* list_;
+    std::vector<Rect> taken_;
+};
+
+/// The second disc (Fig. 6): the pivot as e sees it.
+void drawReciprocal(const PanelContext& context, const DialReciprocal& r, const Disc& disc) {
+    const Palette& colors = context.palette;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float stroke = std::max(1.0F, 0.08F * context.em);
+    list->AddCircleFilled(disc.center, disc.radius, toU32(colors.background), 48);
+    const int parts = std::max(1, static_cast<int>(r.limitDegrees / 6.0));
+    for (int i = 0; i < parts; ++i) {
+        list->AddTriangleFilled(disc.center, disc.at(r.limitDegrees * i / parts, 1.0F),
+                                disc.at(r.limitDegrees * (i + 1) / parts, 1.0F),
+                                toU32(colors.test.withAlpha(0.25F)));
+    }
+    list->AddCircle(disc.center, disc.radius, toU32(colors.border), 48, stroke);
+    const Color color = r.inside ? colors.used : colors.rejected;
+    const ImVec2 at = disc.at(r.pivotDegrees, 0.9F);
+    list->AddLine(disc.center, at, toU32(color), 1.5F * stroke);
+    drawShape(list, at, 0.6F * context.em, r.inside ? Shape::Disc : Shape::Cross, toU32(color));
+    drawShape(list, disc.center, 0.6F * context.em, Shape::RingedDisc, toU32(colors.test));
+    const std::string name = "e " + std::to_string(r.e);
+    const float size = 0.8F * context.em;
+    const ImVec2 extent = context.fonts.text->CalcTextSizeA(size, 1e9F, 0.0F, name.c_str());
+    list->AddText(context.fonts.text, size,
+                  {disc.center.x - 0.5F * extent.x, disc.center.y - disc.radius - 1.1F * extent.y},
+                  toU32(colors.textDim), name.c_str());
+}
+
+void explain(const PanelContext& context, const DialTick& tick) {
+    char line[96];
+    std::snprintf(line, sizeof line, "point %u: %.1f\xC2\xB0", tick.point, tick.degrees);
+    ImGui::BeginTooltip();
+    ImGui::TextUnformatted(line);
+    const PointSet& points = context.session().model().points;
+    const Index p = context.session().picture().pivot;
+    const double height =
+        glm::dot(points.position[tick.point] - points.position[p], points.normal[p]);
+    ImGui::TextDisabled("height %+.4g", height);
+    if (!tick.note.empty()) ImGui::TextDisabled("%s", tick.note.c_str());
+    ImGui::EndTooltip();
+}
+
+}  // namespace
+
+void drawDial(const PanelContext& context) {
+    Session& session = context.session();
+    if (!session.ready()) return;
+    const Dial dial = makeDial(session.model(), session.picture(), session.event());
+    heading(context, "Dial",
+            dial.empty() ? "" : "tangent plane at p " + std::to_string(dial.pivot));
+    if (dial.empty()) {
+        ImGui::PushTextWrapPos(0.0F);
+        ImGui::TextDisabled("No pivot here. Step on: F11 or \xE2\x86\x92.");
+        ImGui::PopTextWrapPos();
+        return;
+    }
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float captionHeight = ImGui::GetTextLineHeightWithSpacing();
+    const float height = std::min(room.y - captionHeight, room.x);
+    Disc disc{{corner.x + 0.5F * room.x, corner.y + 0.5F * height},
+              0.5F * height - 1.5F * context.em};
+    if (disc.radius < 2.0F * context.em) return;
+    if (dial.reciprocal) disc.center.x -= 0.16F * disc.radius;
+    ImGui::InvisibleButton("##dial", {room.x, height});
+    DialDrawer drawer(context, dial, disc);
+    drawer.draw();
+    if (dial.reciprocal) {
+        const float small = 0.3F * disc.radius;
+        drawReciprocal(context, *dial.reciprocal,
+                       {{corner.x + room.x - small - 0.2F * context.em,
+                         corner.y + height - small - 0.2F * context.em},
+                        small});
+    }
+    if (ImGui::IsItemHovered()) {
+        const DialTick* tick = drawer.underPointer();
+        session.hover(tick != nullptr ? tick->point : kNone);
+        if (tick != nullptr) explain(context, *tick);
+        if (tick != nullptr && ImGui::IsItemClicked()) session.select(tick->point);
+    }
+    const std::string caption = fitted(dial.caption, room.x);
+    const float width = ImGui::CalcTextSize(caption.c_str()).x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, 0.5F * (room.x - width)));
+    ImGui::TextUnformatted(caption.c_str());
+}
+
+}  // namespace se::view
