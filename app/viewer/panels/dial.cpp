@@ -24,6 +24,18 @@ struct Disc {
     }
 };
 
+/// A sector, in parts of at most half a turn: only those are convex.
+void fillSector(const Disc& disc, double from, double to, float reach, const Color& color) {
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    for (double a = from; a < to - 1e-6; a += 180.0) {
+        const double b = std::min(a + 180.0, to);
+        list->PathLineTo(disc.center);
+        list->PathArcTo(disc.center, reach * disc.radius, -static_cast<float>(a) * kDegree,
+                        -static_cast<float>(b) * kDegree, 48);
+        list->PathFillConvex(toU32(color));
+    }
+}
+
 class DialDrawer {
   public:
     DialDrawer(const PanelContext& context, const Dial& dial, const Disc& disc)
@@ -35,11 +47,17 @@ class DialDrawer {
         for (const DialArc& arc : dial_.arcs) drawArc(arc);
         if (dial_.chord) drawChord(*dial_.chord);
         list_->AddCircle(disc_.center, disc_.radius, toU32(colors.border), 96, px());
-        drawMark(120.0, "120\xC2\xB0");
-        drawMark(180.0, "180\xC2\xB0");
         for (const DialTick& tick : dial_.ticks) drawTick(tick);
         drawShape(list_, disc_.center, 1.15F * c_.em, Shape::RingedDisc, toU32(colors.pivot));
-        for (const DialTick& tick : dial_.ticks) drawName(tick);
+        // Where names would cover one another, the first stays: the one that matters most.
+        for (const DialTick& tick : dial_.ticks) {
+            if (tick.underTest) drawName(tick);
+        }
+        for (const DialTick& tick : dial_.ticks) {
+            if (!tick.underTest) drawName(tick);
+        }
+        drawMark(120.0, "120\xC2\xB0");
+        drawMark(180.0, "180\xC2\xB0");
     }
 
     /// The tick nearest to the pointer, null if none is near.
@@ -63,17 +81,6 @@ class DialDrawer {
         return disc_.at(tick.degrees, 0.92F * std::max(0.12F, tick.reach));
     }
 
-    /// A sector, in parts of at most half a turn: only those are convex.
-    void fillSector(double from, double to, float reach, const Color& color) {
-        for (double a = from; a < to - 1e-6; a += 180.0) {
-            const double b = std::min(a + 180.0, to);
-            list_->PathLineTo(disc_.center);
-            list_->PathArcTo(disc_.center, reach * disc_.radius, -static_cast<float>(a) * kDegree,
-                             -static_cast<float>(b) * kDegree, 48);
-            list_->PathFillConvex(toU32(color));
-        }
-    }
-
     void strokeArc(double from, double to, float reach, const Color& color, float width,
                    bool dashed) {
         const int parts = std::max(2, static_cast<int>((to - from) / 4.0));
@@ -89,7 +96,7 @@ class DialDrawer {
         const Palette& colors = c_.palette;
         switch (arc.kind) {
             case DialArc::Kind::Range:
-                fillSector(arc.from, arc.to, 1.0F, colors.pivot.withAlpha(0.15F));
+                fillSector(disc_, arc.from, arc.to, 1.0F, colors.pivot.withAlpha(0.15F));
                 strokeArc(arc.from, arc.to, 1.0F, colors.pivot.withAlpha(0.9F), 0.16F, false);
                 break;
             case DialArc::Kind::OldRange:
@@ -102,7 +109,7 @@ class DialDrawer {
                 strokeArc(arc.from, arc.to, 0.5F, colors.rejected, 0.22F, true);
                 break;
             case DialArc::Kind::Triangle:
-                fillSector(arc.from, arc.to, 0.9F, colors.test.withAlpha(0.3F));
+                fillSector(disc_, arc.from, arc.to, 0.9F, colors.test.withAlpha(0.3F));
                 break;
         }
     }
@@ -240,12 +247,7 @@ void drawReciprocal(const PanelContext& context, const DialReciprocal& r, const 
     ImDrawList* list = ImGui::GetWindowDrawList();
     const float stroke = std::max(1.0F, 0.08F * context.em);
     list->AddCircleFilled(disc.center, disc.radius, toU32(colors.background), 48);
-    const int parts = std::max(1, static_cast<int>(r.limitDegrees / 6.0));
-    for (int i = 0; i < parts; ++i) {
-        list->AddTriangleFilled(disc.center, disc.at(r.limitDegrees * i / parts, 1.0F),
-                                disc.at(r.limitDegrees * (i + 1) / parts, 1.0F),
-                                toU32(colors.test.withAlpha(0.25F)));
-    }
+    fillSector(disc, 0.0, r.limitDegrees, 1.0F, colors.test.withAlpha(0.25F));
     list->AddCircle(disc.center, disc.radius, toU32(colors.border), 48, stroke);
     const Color color = r.inside ? colors.used : colors.rejected;
     const ImVec2 at = disc.at(r.pivotDegrees, 0.9F);
