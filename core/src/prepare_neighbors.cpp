@@ -119,7 +119,8 @@ class Candidates {
     bool full() const { return found_.size() == limits_.most; }
     bool addPoint(double distance, Index i) {
         if (distance > limits_.reachSquared) return true;
-        if (cloud_.position(i) == cloud_.position(point_)) return true;
+        // Only points at the same place are at distance 0, or so near that its square is.
+        if (distance == 0.0 && cloud_.position(i) == cloud_.position(point_)) return true;
         const Found candidate{{distance, cloud_.id(i)}, i};
         if (full() && !(candidate < found_.back())) return true;
         if (limits_.dropOpposing && normalsOppose(cloud_.normal(point_), cloud_.normal(i))) {
