@@ -3,10 +3,13 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstdio>
 #include <cstdlib>
 
 #include "gl/context.h"
 #include "gl/screenshot.h"
+#include "place.h"
 
 namespace se::view {
 
@@ -146,8 +149,8 @@ void Application::fillScene() {
         filledTheme_ == settings.theme) {
         return;
     }
-    const LayerInput input{session_.model(), session_.picture(), palette(), session_.selected(),
-                           session_.highlightedRing(), session_.hovered()};
+    const LayerInput input{session_.model(),    session_.picture(),         palette(),
+                           session_.selected(), session_.highlightedRing(), session_.hovered()};
     fillDrawList(input, settings.layers, drawList_);
     countStatus();
     filledRevision_ = session_.revision();
@@ -188,16 +191,50 @@ void Application::frame(glm::ivec2 size, double seconds) {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
     io.DeltaTime = static_cast<float>(seconds);
+    const auto began = std::chrono::steady_clock::now();
     imgui_->beginFrame();
     const Layout layout = computeLayout(glm::vec2(size), imgui_->em());
     ui_.viewAspect = layout.view.size.x / std::max(1.0F, layout.view.size.y);
     fillScene();
     drawUserInterface(layout);
+    const auto built = std::chrono::steady_clock::now();
     drawScene(layout);
     clearFrame(size, palette().panel);
     imgui_->endFrame();
+    if (options_.benchFrames > 0) finishGl();
+    uiSeconds_ = std::chrono::duration<double>(built - began).count();
+    glSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - built).count();
+    if (options_.narrate) narrate();
+    if (std::exchange(ui_.requests.copyPlace, false)) copyPlace();
+    if (std::exchange(ui_.requests.pastePlace, false)) pastePlace();
     if (std::exchange(ui_.requests.screenshot, false)) saveWindowPicture(size);
     if (std::exchange(ui_.requests.closePopups, false)) ImGui::SetWindowFocus("##view");
+}
+
+void Application::copyPlace() {
+    if (!session_.ready()) return;
+    const std::string address = session_.event() != nullptr ? toString(session_.address()) : "0";
+    ImGui::SetClipboardText(toText(Place{address, camera_.pose()}).c_str());
+    session_.say("Copied: " + address + " and the camera.");
+}
+
+void Application::pastePlace() {
+    const char* text = ImGui::GetClipboardText();
+    const Result<Place> place = placeFromText(text != nullptr ? text : "");
+    if (!place) return session_.say(place.error().message);
+    playback_.pause();
+    if (place.value().camera) camera_.setPose(*place.value().camera);
+    const Status status = session_.goToText(place.value().address);
+    if (!status) session_.say(status.error().message);
+}
+
+void Application::narrate() {
+    if (!session_.ready() || session_.event() == nullptr || session_.busy()) return;
+    const std::string address = toString(session_.address());
+    if (address == narrated_) return;
+    narrated_ = address;
+    std::printf("%s\t%s\n", address.c_str(), describe(*session_.event()).c_str());
+    std::fflush(stdout);
 }
 
 void Application::saveWindowPicture(glm::ivec2 size) {

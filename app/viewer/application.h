@@ -31,6 +31,12 @@ class Application {
     bool poll();
     /// Draws one frame into the bound framebuffer. The platform side of ImGui must be up to date.
     void frame(glm::ivec2 size, double seconds);
+    /// What can be seen and asked of the program, as JSON: for tests.
+    std::string stateDump() const;
+    /// Of the last frame: seconds outside of OpenGL, and in it.
+    double uiSeconds() const { return uiSeconds_; }
+    double glSeconds() const { return glSeconds_; }
+    Session& session() { return session_; }
     /// Blocks until what was asked for on the command line can be seen.
     Status settle();
 
@@ -63,6 +69,9 @@ class Application {
     void drawUserInterface(const Layout& layout);
     void countStatus();
     void saveWindowPicture(glm::ivec2 size);
+    void copyPlace();
+    void pastePlace();
+    void narrate();
     const Palette& palette() const { return paletteOf(ui_.settings.theme); }
 
     Options options_;
@@ -86,6 +95,9 @@ class Application {
     bool focused_ = false;
     std::string homeOf_;  ///< Name of the input that the camera went home for.
     Status placeStatus_ = success();
+    std::string narrated_;  ///< The address of the last sentence on stdout.
+    double uiSeconds_ = 0.0;
+    double glSeconds_ = 0.0;
 };
 
 }  // namespace se::view

@@ -63,6 +63,15 @@ CameraMatrices Camera::matrices(float aspect) const {
     return m;
 }
 
+void Camera::setPose(const CameraPose& pose) {
+    target_ = pose.target;
+    distance_ = std::clamp(pose.distance, kNearest, kFarthest);
+    yawDegrees_ = pose.yawDegrees;
+    pitchDegrees_ = std::clamp(pose.pitchDegrees, -90.0F, 90.0F);
+    orthographic_ = pose.orthographic;
+    ++revision_;
+}
+
 void Camera::orbit(glm::vec2 pixels, float height) {
     yawDegrees_ = std::fmod(yawDegrees_ - pixels.x / height * kTurnPerHeight, 360.0F);
     pitchDegrees_ = std::clamp(pitchDegrees_ + pixels.y / height * kTurnPerHeight,

@@ -20,6 +20,16 @@ struct CameraMatrices {
     glm::mat4 viewProjection() const { return projection * view; }
 };
 
+/// Where a camera stands, as plain numbers: to be kept and given again.
+struct CameraPose {
+    glm::vec3 target{0.0F};  ///< View space.
+    float distance = 3.4F;
+    float yawDegrees = -60.0F;
+    float pitchDegrees = 24.0F;
+    bool orthographic = false;
+    friend bool operator==(const CameraPose&, const CameraPose&) = default;
+};
+
 /// Looks at `target` from `distance`. View space has the input in the unit sphere about the origin.
 class Camera {
   public:
@@ -45,6 +55,11 @@ class Camera {
     void home(const glm::vec3& beginning = {0.5F, -0.87F, 0.4F},
               std::span<const glm::vec3> sample = {}, float aspect = 1.3F);
 
+    CameraPose pose() const {
+        return {target_, distance_, yawDegrees_, pitchDegrees_, orthographic_};
+    }
+    /// Takes over a pose, brought within its limits.
+    void setPose(const CameraPose& pose);
     const glm::vec3& target() const { return target_; }
     float distance() const { return distance_; }
     /// Height of the view at the target, in view units.

@@ -59,6 +59,14 @@ void toStart(C& c) {
     c.session.toStart();
 }
 
+void toMark(C& c, int direction) {
+    pause(c);
+    if (!c.session.goToMark(direction)) {
+        c.session.say(direction > 0 ? "There is no split, join, seed or alert after this one."
+                                    : "There is no split, join, seed or alert before this one.");
+    }
+}
+
 void toggleUnit(C& c) {
     const bool pivots = c.playback.unit() == PlayUnit::Pivot;
     c.playback.setUnit(pivots ? PlayUnit::SubStep : PlayUnit::Pivot);
@@ -98,8 +106,23 @@ constexpr auto kCommands = std::to_array<Command>({
     {"step.pivot.finish", "Step", "Finish this pivot", "Shift+F11",
      "Go to the last decision of this pivot.", true,
      [](C& c) { pause(c), c.session.finishPivot(); }},
+    {"step.mark.next", "Step", "Next split, join, seed or alert", "Ctrl+Right",
+     "Go to the next thing that changes the rings, or to an alert.", true,
+     [](C& c) { toMark(c, 1); }},
+    {"step.mark.previous", "Step", "Previous split, join, seed or alert", "Ctrl+Left",
+     "Go to the one before.", true, [](C& c) { toMark(c, -1); }},
+    {"step.back", "Step", "Back", "Alt+Left", "Go back to where the last jump began.", true,
+     [](C& c) { pause(c), c.session.goBack(); }},
+    {"step.forward", "Step", "Forward", "Alt+Right", "Undo going back.", true,
+     [](C& c) { pause(c), c.session.goForward(); }},
     {"step.goto", "Step", "Go to...", "Ctrl+G", "Type 137, 137.sphere.3, +10, 50% or p812.", false,
      [](C& c) { c.ui.goTo.open(); }},
+
+    {"step.copy", "Step", "Copy this place", "Ctrl+C", "Copy address and camera as text.", false,
+     [](C& c) { c.ui.requests.copyPlace = true; }},
+    {"step.paste", "Step", "Go to the copied place", "Ctrl+V",
+     "Go to an address or place on the clipboard.", false,
+     [](C& c) { c.ui.requests.pastePlace = true; }},
 
     {"view.frame", "View", "Frame pivot or selection", "F",
      "Show the selection, or the pivot and its neighbors.", false, frameFocus},

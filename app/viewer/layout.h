@@ -19,7 +19,7 @@ struct Layout {
     Rect menu;
     Rect transport;
     Rect left;  ///< Empty in a narrow window: then the right column holds everything, as tabs.
-    Rect dial;   ///< Above the right column; empty in a narrow or low window: then it is a tab.
+    Rect dial;  ///< Above the right column; empty in a narrow or low window: then it is a tab.
     Rect right;
     Rect view;
     Rect narration;

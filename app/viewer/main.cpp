@@ -1,10 +1,13 @@
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <vector>
 
 #include "application.h"
 #include "offscreen.h"
 #include "options.h"
 #include "settings.h"
+#include "spiraling_edge/io.h"
 #include "window.h"
 
 namespace {
@@ -18,7 +21,7 @@ int fail(int code, const std::string& message) {
 
 ViewSettings settingsFor(const Options& options) {
     ViewSettings settings;
-    if (!options.noConfig && options.screenshot.empty()) {
+    if (!options.noConfig && options.screenshot.empty() && options.benchFrames == 0) {
         const se::Result<ViewSettings> read = readSettings(settingsPath());
         if (read) settings = read.value();
     }
@@ -43,17 +46,29 @@ ViewSettings settingsToKeep(const Options& options, const Application& applicati
     return keep;
 }
 
-int runPicture(const Options& options) {
-    const ViewSettings settings = settingsFor(options);
-    const auto offscreen = Offscreen::create({settings.width, settings.height});
-    if (!offscreen) return fail(kExitNoDisplay, offscreen.error().message);
-    Application application(options, settings);
+/// Brings what was asked for in view, without a window.
+int prepareOffscreen(Application& application) {
     if (const auto status = application.start(1.0F); !status) {
         return fail(kExitNoDisplay, status.error().message);
     }
     if (const auto status = application.settle(); !status) {
         return fail(application.inputFailed() ? kExitInput : kExitUsage, status.error().message);
     }
+    return kExitGood;
+}
+
+int dumpState(const Options& options, const Application& application) {
+    if (options.stateDump.empty()) return kExitGood;
+    const auto status = se::writeFileAtomically(options.stateDump, application.stateDump());
+    return status ? kExitGood : fail(kExitInput, status.error().message);
+}
+
+int runPicture(const Options& options) {
+    const ViewSettings settings = settingsFor(options);
+    const auto offscreen = Offscreen::create({settings.width, settings.height});
+    if (!offscreen) return fail(kExitNoDisplay, offscreen.error().message);
+    Application application(options, settings);
+    if (const int code = prepareOffscreen(application); code != kExitGood) return code;
     // The first frames only find out how large things are.
     const int frames = options.frames > 0 ? options.frames : 4;
     for (int i = 0; i < frames; ++i) {
@@ -61,7 +76,40 @@ int runPicture(const Options& options) {
         application.frame({settings.width, settings.height}, 1.0 / 60.0);
     }
     const auto status = offscreen.value()->save(options.screenshot);
-    return status ? kExitGood : fail(kExitInput, status.error().message);
+    if (!status) return fail(kExitInput, status.error().message);
+    return dumpState(options, application);
+}
+
+void printTimes(const char* what, std::vector<double> seconds) {
+    std::sort(seconds.begin(), seconds.end());
+    std::printf("%-28s median %7.3f ms   99 %% %7.3f ms   worst %7.3f ms\n", what,
+                1e3 * seconds[seconds.size() / 2], 1e3 * seconds[seconds.size() * 99 / 100],
+                1e3 * seconds.back());
+}
+
+/// Steps through the run, one decision per frame, and says what a frame costs.
+int runBench(const Options& options) {
+    const ViewSettings settings = settingsFor(options);
+    const glm::ivec2 size(settings.width, settings.height);
+    const auto offscreen = Offscreen::create(size);
+    if (!offscreen) return fail(kExitNoDisplay, offscreen.error().message);
+    Application application(options, settings);
+    if (const int code = prepareOffscreen(application); code != kExitGood) return code;
+    std::vector<double> ui;
+    std::vector<double> gl;
+    constexpr int kWarmUp = 10;
+    for (int i = -kWarmUp; i < options.benchFrames; ++i) {
+        application.session().stepEvent(1);
+        offscreen.value()->beginFrame();
+        application.frame(size, 1.0 / 60.0);
+        if (i < 0) continue;
+        ui.push_back(application.uiSeconds());
+        gl.push_back(application.glSeconds());
+    }
+    std::printf("%d frames at %dx%d, one sub-step each\n", options.benchFrames, size.x, size.y);
+    printTimes("user interface and scene", ui);
+    printTimes("OpenGL, until it is done", gl);
+    return dumpState(options, application);
 }
 
 int runWindow(const Options& options) {
@@ -77,7 +125,7 @@ int runWindow(const Options& options) {
         const auto written = writeSettings(settingsPath(), settingsToKeep(options, application));
         if (!written) fail(kExitGood, written.error().message);
     }
-    return kExitGood;
+    return dumpState(options, application);
 }
 
 }  // namespace
@@ -86,6 +134,7 @@ int main(int argc, char** argv) {
     try {
         const ParsedOptions parsed = parseOptions(argc, argv);
         if (!parsed.options) return parsed.exitCode;
+        if (parsed.options->benchFrames > 0) return runBench(*parsed.options);
         return parsed.options->screenshot.empty() ? runWindow(*parsed.options)
                                                   : runPicture(*parsed.options);
     } catch (const std::exception& e) {

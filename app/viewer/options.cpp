@@ -48,6 +48,7 @@ struct RawOptions {
     double radius = 0.0;
     std::string screenshot;
     std::string shaders;
+    std::string stateDump;
     bool actions = false;
 };
 
@@ -74,6 +75,12 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_option("--ui-scale", o.uiScale, "Size of text and panels, 0.75 to 3")
         ->check(CLI::Range(0.75, 3.0));
     app.add_option("--theme", raw.theme, "dark or light")->check(CLI::IsMember({"dark", "light"}));
+    app.add_flag("--narrate", o.narrate, "Print one sentence per step to stdout");
+    app.add_option("--state-dump", raw.stateDump, "On leaving, write what is shown as JSON")
+        ->type_name("FILE");
+    app.add_option("--bench-frames", o.benchFrames,
+                   "Draw N frames, one sub-step each, without a window; print what they cost")
+        ->check(CLI::Range(1, 100000));
     app.add_flag("--no-config", o.noConfig, "Neither read nor write settings");
     app.add_option("--shaders", raw.shaders, "Read the shaders from this folder");
     app.add_flag("--keys", o.cheatSheet, "Begin with the list of keys open");
@@ -108,6 +115,7 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
     o.theme = themeFromName(raw.theme);
     o.screenshot = raw.screenshot;
     o.shaders = raw.shaders;
+    o.stateDump = raw.stateDump;
     return {std::move(o), kExitGood};
 }
 

@@ -31,7 +31,10 @@ struct Options {
     std::filesystem::path shaders;  ///< Folder to read shaders from; empty: those embedded.
     bool focus = false;             ///< Begin with the pivot framed.
     bool noConfig = false;
-    bool cheatSheet = false;  ///< Open with the list of keys.
+    bool narrate = false;             ///< Every sentence goes to stdout as well.
+    std::filesystem::path stateDump;  ///< Write the state as JSON there on leaving.
+    int benchFrames = 0;              ///< Step through so many frames and print their times.
+    bool cheatSheet = false;          ///< Open with the list of keys.
 };
 
 /// What main() does after parsing: go on with options, or leave.

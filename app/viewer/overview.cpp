@@ -39,6 +39,20 @@ void noteFigures(RunOverview& run, const State& state) {
 
 }  // namespace
 
+Stage stageOf(MarkKind kind) {
+    switch (kind) {
+        case MarkKind::Seed:
+            return Stage::Seed;
+        case MarkKind::Split:
+            return Stage::Split;
+        case MarkKind::Join:
+            return Stage::Join;
+        case MarkKind::Alert:
+            return Stage::Done;
+    }
+    return Stage::Pivot;
+}
+
 void append(RunOverview& overview, const RunOverview& fresh) {
     appendList(overview.ringLength, fresh.ringLength);
     appendList(overview.stackDepth, fresh.stackDepth);

@@ -8,11 +8,15 @@
 #include <vector>
 
 #include "model.h"
+#include "spiraling_edge/event.h"
 
 namespace se::view {
 
 /// Something on the way that is worth a mark.
 enum class MarkKind : std::uint8_t { Seed, Split, Join, Alert };
+
+/// The stage whose events tell of it.
+Stage stageOf(MarkKind kind);
 
 struct RunMark {
     std::uint32_t pivot;

@@ -164,8 +164,52 @@ void Session::toEnd() { goToPivot(kEnd); }
 void Session::goToPivot(std::uint32_t pivot) { goTo({pivot, Stage::Pivot, 0}); }
 
 void Session::goTo(const Address& address) {
+    if (ready() && !busy()) history_.leave(hereText());
+    jump(address);
+}
+
+void Session::jump(const Address& address) {
     cancelMove();
     push({Move::Kind::Go, 0, address});
+}
+
+std::string Session::hereText() const {
+    return event() != nullptr ? toString(address()) : std::string("0");
+}
+
+void Session::goBack() {
+    if (!ready()) return;
+    const auto place = history_.back(hereText());
+    if (place) jump(addressFromString(*place).value_or(Address{}));
+}
+
+void Session::goForward() {
+    if (!ready()) return;
+    const auto place = history_.forward(hereText());
+    if (place) jump(addressFromString(*place).value_or(Address{}));
+}
+
+bool Session::goToMark(int direction) {
+    if (!ready()) return false;
+    const std::vector<RunMark>& marks = overview_.marks;  // by pivot, in the order of the run
+    const Address here = address();
+    const auto rank = [](std::uint32_t pivot, Stage stage) {
+        return std::uint64_t{pivot} * kStageCount + static_cast<std::uint64_t>(stage);
+    };
+    const std::uint64_t at = event() != nullptr ? rank(here.pivot, here.stage) : 0;
+    const RunMark* best = nullptr;
+    for (const RunMark& mark : marks) {
+        const std::uint64_t place = rank(mark.pivot, stageOf(mark.kind));
+        const bool beyond = direction > 0 ? place > at : place < at;
+        if (!beyond) continue;
+        const bool nearer =
+            best == nullptr || (direction > 0 ? place < rank(best->pivot, stageOf(best->kind))
+                                              : place > rank(best->pivot, stageOf(best->kind)));
+        if (nearer) best = &mark;
+    }
+    if (best == nullptr) return false;
+    goTo({best->pivot, stageOf(best->kind), 0});
+    return true;
 }
 
 void Session::goToEvent(std::size_t index) {

@@ -12,6 +12,7 @@
 #include <string>
 #include <thread>
 
+#include "history.h"
 #include "model.h"
 #include "overview.h"
 #include "picture.h"
@@ -76,6 +77,12 @@ class Session {
     void goToPivot(std::uint32_t pivot);
     /// To an event; without stage and n to the last event of the pivot.
     void goTo(const Address& address);
+    /// To the next (+1) or previous (-1) split, join, seed or alert. False if none is known.
+    bool goToMark(int direction);
+    /// Back and forward through the places that one jumped away from.
+    void goBack();
+    void goForward();
+    const History& history() const { return history_; }
     /// To an event of the present pivot.
     void goToEvent(std::size_t index);
     /// Reads `137`, `137.sphere.3`, `+10`, `-10`, `50%` or `p812` (selects). Fails with a sentence.
@@ -139,6 +146,11 @@ class Session {
     std::uint32_t generation_ = 0;
     std::uint32_t revision_ = 0;
 
+    /// "137.sphere.3", "0" at the start: what goToText() takes.
+    std::string hereText() const;
+    void jump(const Address& address);
+
+    History history_;
     std::deque<Move> moves_;
     bool waiting_ = false;
     std::chrono::steady_clock::time_point waitingSince_;

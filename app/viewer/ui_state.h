@@ -8,6 +8,7 @@
 #include "layers/layer.h"
 #include "palette.h"
 #include "playback.h"
+#include "spiraling_edge/point_set.h"
 
 namespace se::view {
 
@@ -30,6 +31,8 @@ struct UiRequests {
     bool screenshot = false;
     bool fullScreen = false;
     bool closePopups = false;
+    bool copyPlace = false;
+    bool pastePlace = false;
 };
 
 struct UiState {
@@ -39,6 +42,7 @@ struct UiState {
     bool cheatSheet = false;
     bool fileBrowser = false;
     float viewAspect = 1.3F;  ///< Of the view, as last drawn.
+    Index pointedAt = kNone;  ///< The point under the pointer, found anew in every frame.
 };
 
 /// Everything a command may work on.

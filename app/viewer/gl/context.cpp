@@ -17,6 +17,8 @@ void clearFrame(glm::ivec2 size, const Color& color) {
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
+void finishGl() { glFinish(); }
+
 std::string glDescription() {
     const auto text = [](GLenum name) {
         const GLubyte* value = glGetString(name);

@@ -16,6 +16,8 @@ using GlFunctionLoader = GlFunction (*)(const char* name);
 Status loadGl(GlFunctionLoader loader);
 /// Fills the bound framebuffer of `size` pixels with a color.
 void clearFrame(glm::ivec2 size, const Color& color);
+/// Waits until all that was asked of OpenGL is done.
+void finishGl();
 /// Version and renderer of the current context, for --version and error reports.
 std::string glDescription();
 

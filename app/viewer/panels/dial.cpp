@@ -310,7 +310,7 @@ void drawDial(const PanelContext& context) {
     }
     if (ImGui::IsItemHovered()) {
         const DialTick* tick = drawer.underPointer();
-        session.hover(tick != nullptr ? tick->point : kNone);
+        if (tick != nullptr) context.ui().pointedAt = tick->point;
         if (tick != nullptr) explain(context, *tick);
         if (tick != nullptr && ImGui::IsItemClicked()) session.select(tick->point);
     }

@@ -101,6 +101,7 @@ void drawBorders(const PanelContext& context) {
 std::span<const SidePanel> sidePanels() { return kSidePanels; }
 
 void drawPanels(const PanelContext& context) {
+    context.ui().pointedAt = kNone;
     drawMenuBar(context);
     drawTransport(context);
     if (!context.layout.narrow) drawLeftColumn(context);
@@ -110,6 +111,7 @@ void drawPanels(const PanelContext& context) {
     drawNarration(context);
     drawDrawer(context);
     drawStatusBar(context);
+    context.session().hover(context.ui().pointedAt);
     if (!context.ui().cheatSheet && !context.ui().fileBrowser) drawBorders(context);
     drawNotices(context);
     drawFileBrowser(context);

@@ -30,13 +30,13 @@ Index pointUnderMouse(const PanelContext& context) {
 /// Lights up the neighbor of the pivot that the pointer is on, here and on the dial. Only those: to
 /// look at all points in every frame would take too long.
 void hoverNeighbor(const PanelContext& context) {
-    Session& session = context.session();
+    const Session& session = context.session();
     const Index pivot = session.picture().pivot;
-    if (pivot == kNone) return session.hover(kNone);
+    if (pivot == kNone) return;
     const Rect& view = context.layout.view;
     const CameraMatrices camera = context.camera().matrices(view.size.x / view.size.y);
-    session.hover(pickAmong(session.model(), session.model().points.neighbors[pivot], camera,
-                            view.size, localMouse(view), 0.6F * context.em));
+    context.ui().pointedAt = pickAmong(session.model(), session.model().points.neighbors[pivot],
+                                       camera, view.size, localMouse(view), 0.6F * context.em);
 }
 
 void dragWith(const PanelContext& context) {

@@ -1,0 +1,71 @@
+#include "place.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "spiraling_edge/event.h"
+
+namespace se::view {
+
+namespace {
+
+using nlohmann::json;
+
+std::optional<CameraPose> poseFrom(const json& object) {
+    CameraPose pose;
+    try {
+        const json& target = object.at("target");
+        for (int i = 0; i < 3; ++i)
+            pose.target[i] = target.at(static_cast<std::size_t>(i)).get<float>();
+        pose.distance = object.at("distance").get<float>();
+        pose.yawDegrees = object.at("yaw").get<float>();
+        pose.pitchDegrees = object.at("pitch").get<float>();
+        pose.orthographic = object.value("orthographic", false);
+    } catch (const json::exception&) {
+        return std::nullopt;
+    }
+    const float sum = pose.target.x + pose.target.y + pose.target.z + pose.distance +
+                      pose.yawDegrees + pose.pitchDegrees;
+    if (!std::isfinite(sum) || pose.distance <= 0.0F) return std::nullopt;
+    return pose;
+}
+
+}  // namespace
+
+std::string toText(const Place& place) {
+    json object{{"address", place.address}};
+    if (place.camera) {
+        const CameraPose& c = *place.camera;
+        object["camera"] = {{"target", {c.target.x, c.target.y, c.target.z}},
+                            {"distance", c.distance},
+                            {"yaw", c.yawDegrees},
+                            {"pitch", c.pitchDegrees},
+                            {"orthographic", c.orthographic}};
+    }
+    return object.dump();
+}
+
+Result<Place> placeFromText(std::string_view text) {
+    const Error unknown{
+        "This is no place. Expected an address such as 137.sphere.3, or what Ctrl+C copies."};
+    const json object = json::parse(text, nullptr, false);
+    if (!object.is_object()) {
+        const auto first = text.find_first_not_of(" \t\r\n");
+        const auto last = text.find_last_not_of(" \t\r\n");
+        if (first == std::string_view::npos) return unknown;
+        text = text.substr(first, last - first + 1);
+        if (!addressFromString(text)) return unknown;
+        return Place{std::string(text), std::nullopt};
+    }
+    const auto address = object.find("address");
+    if (address == object.end() || !address->is_string()) return unknown;
+    Place place{address->get<std::string>(), std::nullopt};
+    if (!place.address.empty() && !addressFromString(place.address)) return unknown;
+    if (const auto camera = object.find("camera"); camera != object.end()) {
+        place.camera = poseFrom(*camera);
+        if (!place.camera) return Error{"The camera of this place cannot be read."};
+    }
+    return place;
+}
+
+}  // namespace se::view

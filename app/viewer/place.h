@@ -1,0 +1,23 @@
+/// Where one is in a run, with the camera, as text: to be copied, pasted and kept.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "camera.h"
+#include "spiraling_edge/result.h"
+
+namespace se::view {
+
+struct Place {
+    std::string address;  ///< As the go-to box takes it; empty at the start of the run.
+    std::optional<CameraPose> camera;
+};
+
+/// One line of JSON.
+std::string toText(const Place& place);
+/// Reads what toText() wrote, or a bare address. Fails with a sentence.
+Result<Place> placeFromText(std::string_view text);
+
+}  // namespace se::view

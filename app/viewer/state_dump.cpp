@@ -1,0 +1,64 @@
+#include <nlohmann/json.hpp>
+
+#include "application.h"
+#include "place.h"
+
+namespace se::view {
+
+namespace {
+
+using nlohmann::json;
+
+json indexOrNull(Index index) { return index == kNone ? json(nullptr) : json(index); }
+
+const char* phaseName(SessionPhase phase) {
+    switch (phase) {
+        case SessionPhase::Empty:
+            return "empty";
+        case SessionPhase::Loading:
+            return "loading";
+        case SessionPhase::Ready:
+            return "ready";
+        case SessionPhase::Failed:
+            return "failed";
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string Application::stateDump() const {
+    json out{{"phase", phaseName(session_.phase())},
+             {"message", session_.message()},
+             {"playing", playback_.playing()},
+             {"unit", playback_.unit() == PlayUnit::Pivot ? "pivot" : "sub-step"},
+             {"rate", playback_.rate()},
+             {"theme", std::string(themeName(ui_.settings.theme))},
+             {"em", imgui_ ? imgui_->em() : 0.0F},
+             {"cheat_sheet", ui_.cheatSheet},
+             {"file_browser", ui_.fileBrowser},
+             {"layers", json::array()}};
+    for (const Layer& layer : layers()) {
+        if (ui_.settings.layers.test(static_cast<std::size_t>(layer.id))) {
+            out["layers"].push_back(std::string(layer.name));
+        }
+    }
+    const Place place{session_.event() != nullptr ? toString(session_.address()) : "",
+                      camera_.pose()};
+    out.update(json::parse(toText(place)));
+    if (!session_.ready()) return out.dump(2) + "\n";
+    out["input"] = session_.model().name;
+    out["points"] = session_.model().points.size();
+    out["pivot"] = session_.record().pivot;
+    out["event"] = session_.cursor();
+    out["events"] = session_.record().events.size();
+    out["triangles"] =
+        session_.picture().finishedTriangles + session_.picture().newTriangles.size();
+    out["rings"] = session_.picture().rings.size();
+    out["selected"] = indexOrNull(session_.selected());
+    out["hovered"] = indexOrNull(session_.hovered());
+    out["busy"] = session_.busy();
+    return out.dump(2) + "\n";
+}
+
+}  // namespace se::view
