@@ -18,8 +18,18 @@ double turn(const Flat& a, const Flat& b, const Flat& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
+/// In line but for rounding.
+bool inLine(const Flat& a, const Flat& b, const Flat& c) {
+    const double t = turn(a, b, c);
+    const Flat u{b.x - a.x, b.y - a.y};
+    const Flat v{c.x - a.x, c.y - a.y};
+    return t * t <= 1e-24 * (u.x * u.x + u.y * u.y) * (v.x * v.x + v.y * v.y);
+}
+
+/// Along a straight border all four points are in line, and the signs those of rounding errors.
 bool properlyCross(const Flat& a, const Flat& b, const Flat& c, const Flat& d) {
-    return turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0;
+    return turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0 &&
+           !(inLine(a, b, c) && inLine(a, b, d));
 }
 
 /// Looks for ring steps near the pivot that a new edge crosses, in the pivot's tangent plane.
@@ -62,7 +72,9 @@ class CrossingSearch {
         for (std::size_t i = 0; i < fan.size(); ++i) {
             if (fan[i].point == u || fan[i].point == v) continue;
             const Flat a = flat(fan[i].offset);
-            if (fan[i].candidate && properlyCross({0.0, 0.0}, a, fu, fv)) {
+            // Also to ring points that start and end have passed: they may have left out one.
+            const bool isNew = i > 0 && i + 1 < fan.size();
+            if (isNew && properlyCross({0.0, 0.0}, a, fu, fv)) {
                 return {Verdict::Crosses, i, false};
             }
             if (i + 1 == fan.size() || fan[i + 1].point == u || fan[i + 1].point == v) continue;
