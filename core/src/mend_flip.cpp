@@ -1,5 +1,6 @@
 /// Rules::flip: edges that are better the other way round.
 #include <algorithm>
+#include <array>
 
 #include "exact.h"
 #include "mend_sides.h"
@@ -59,6 +60,22 @@ class FlipScore {
         }
         return count;
     }
+    /// Do the two given ones meet any triangle at a neighbor?
+    bool meetNearby(const Triangle& a, const Triangle& b) const {
+        bool found = false;
+        for (const Index p : {quad_.u, quad_.v, quad_.x, quad_.y}) {
+            for (const Index near : points_.neighbors[p]) {
+                if (found) return true;
+                forEachSideOf(m_, near, [&](HalfEdge side) {
+                    const Index t = side / 3;
+                    if (found || t == h_ / 3 || t == g_ / 3) return;
+                    found = trianglesShareMore(points_.position, a, m_.triangles[t]) ||
+                            trianglesShareMore(points_.position, b, m_.triangles[t]);
+                });
+            }
+        }
+        return found;
+    }
     const Quad& quad() const { return quad_; }
 
   private:
@@ -81,20 +98,35 @@ double worstCosine(const PointSet& points, const Triangle& a, const Triangle& b)
     return std::max(leastAngleCosine(points, a), leastAngleCosine(points, b));
 }
 
+/// Normals within 26 degrees of one another are those of a flat piece.
+constexpr double kFlat = 0.9;
+
 /// The two triangles lie nearly in one plane.
 bool isFlat(const PointSet& points, const Quad& q) {
-    constexpr double kFlat = 0.9;
     return normalsCosine(points, q.left(), q.right()) > kFlat;
+}
+
+/// One of the triangles is so narrow, three points almost in line, that it may stand on a flat
+/// surface like a wall. The surface is flat there if the normals of the four points say so.
+bool standsOnFlat(const PointSet& points, const Quad& q) {
+    constexpr double kNarrow = 0.94;  // 20 degrees.
+    if (worstCosine(points, q.left(), q.right()) < kNarrow) return false;
+    const std::array corners{q.u, q.v, q.x, q.y};
+    Vec3 sum(0.0);
+    for (const Index p : corners) sum += points.normal[p];
+    return std::none_of(corners.begin(), corners.end(),
+                        [&](Index p) { return encloseMore(points.normal[p], sum, kFlat); });
 }
 
 /// Two sound triangles: flip for the angles only, and only where the surface is flat.
 bool givesBetterAngles(const PointSet& points, const FlipScore& score) {
-    constexpr double kFlat = 0.9;
     const Quad& q = score.quad();
-    return worstCosine(points, q.flippedU(), q.flippedV()) <
-               worstCosine(points, q.left(), q.right()) - 1e-9 &&
-           isFlat(points, q) && normalsCosine(points, q.flippedU(), q.flippedV()) > kFlat &&
-           score.after() == 0;
+    const bool better = worstCosine(points, q.flippedU(), q.flippedV()) <
+                        worstCosine(points, q.left(), q.right()) - 1e-9;
+    if (!better || normalsCosine(points, q.flippedU(), q.flippedV()) <= kFlat) return false;
+    if (isFlat(points, q)) return score.after() == 0;
+    return standsOnFlat(points, q) && score.after() == 0 &&
+           !score.meetNearby(q.flippedU(), q.flippedV());
 }
 
 bool givesFewerFaults(const FlipScore& score) {
