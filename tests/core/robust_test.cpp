@@ -1,28 +1,15 @@
-/// The rules beyond the paper, all together (docs/robust.md): sound meshes from clean clouds, an
-/// oriented manifold from any input, and the numbers measured on the shared data.
+/// The rules beyond the paper, all together (docs/robust.md): an oriented manifold from any input,
+/// and the numbers measured on the shared data. robust_clean_test.cpp has the clean clouds.
 #include <doctest/doctest.h>
 
-#include "../support/boxed.h"
 #include "../support/clouds.h"
 #include "../support/random_points.h"
 #include "../support/shared_data.h"
-#include "spiraling_edge/faults.h"
 
 using namespace se;
 using namespace se::test;
 
 namespace {
-
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define SE_SANITIZED
-#endif
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(SE_SANITIZED)
-constexpr bool kSanitized = true;
-#else
-constexpr bool kSanitized = false;
-#endif
 
 Params robust() { return *paramsByName("robust"); }
 
@@ -40,149 +27,12 @@ std::optional<PointSet> sharedLarge(const std::string& name) {
     return std::nullopt;
 }
 
-/// Mean over the triangles of the least angle, in degrees.
-double meanLeastAngle(const PointSet& points, const std::vector<Triangle>& triangles) {
-    const auto angleAt = [&](Index p, Index q, Index r) {
-        const Vec3 u = points.position[q] - points.position[p];
-        const Vec3 v = points.position[r] - points.position[p];
-        return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v)) * 180 / kPi;
-    };
-    double sum = 0;
-    for (const Triangle& t : triangles) {
-        sum += std::min({angleAt(t.a, t.b, t.c), angleAt(t.b, t.c, t.a), angleAt(t.c, t.a, t.b)});
-    }
-    return sum / static_cast<double>(triangles.size());
-}
-
-std::string describeFaults(const PointSet& points, const std::vector<Triangle>& triangles) {
-    std::string text;
-    const auto counts = countFaults(findFaults(points, triangles));
-    for (std::size_t kind = 0; kind < kFaultKinds; ++kind) {
-        if (counts[kind] == 0) continue;
-        text += std::string(faultName(static_cast<FaultKind>(kind))) + " " +
-                std::to_string(counts[kind]) + " ";
-    }
-    return text;
-}
-
 /// No edge of three triangles, and none passed twice in one direction.
 bool isOrientedManifold(const MeshReport& mesh) {
     return mesh.nonManifoldEdges == 0 && mesh.inconsistentEdges == 0;
 }
 
-/// A run over a clean cloud; everything that must hold for any, closed or cut by walls.
-Run checkClean(const PointSet& points, const std::string& what) {
-    Run run = runAll(points, robust());
-    const MeshReport& mesh = run.mesh;
-    std::size_t onWalls = 0;
-    for (const std::uint8_t type : points.type) onWalls += isBoundary(type) ? 1 : 0;
-    const auto ideal = 2 * static_cast<long long>(points.size()) - static_cast<long long>(onWalls) -
-                       2 * mesh.eulerCharacteristic;
-    CHECK_MESSAGE(run.state.finished(), what);
-    CHECK_MESSAGE(describeFaults(points, run.state.mesh()) == "", what);
-    CHECK_MESSAGE(mesh.unusedPoints == 0, what);
-    CHECK_MESSAGE(mesh.nonManifoldVertices == 0, what);
-    CHECK_MESSAGE(mesh.boundaryEdges == onWalls, what);
-    CHECK_MESSAGE(static_cast<long long>(mesh.triangles) == ideal, what);
-    CHECK_MESSAGE(meanLeastAngle(points, run.state.mesh()) >= 42.0, what);
-    return run;
-}
-
-/// Scales of closedFamilies() that give about this many points.
-double scaleFor(const Family& family, double points) {
-    return points / (family.name == "sphere" ? 300.0 : family.name == "torus" ? 500.0 : 1000.0);
-}
-
 }  // namespace
-
-// ---- clean clouds -------------------------------------------------------------------------------
-
-TEST_CASE("robust: even closed surfaces come out sound, whole, and of the ideal number") {
-    for (std::size_t i = 0; i < closedFamilies().size(); ++i) {
-        for (const double size : {215.0, 1400.0}) {
-            const std::string name = closedFamilies()[i].name;
-            // Fewer points than that do not tell the tubes of these apart.
-            if (size < 400 && (name == "linked tori" || name == "genus 2")) continue;
-            const Family family = closedFamilies(scaleFor(closedFamilies()[i], size))[i];
-            for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-                const std::string what = name + " of " + std::to_string(static_cast<int>(size)) +
-                                         ", seed " + std::to_string(seed);
-                const Run run = checkClean(prepared(family.sample(seed)), what);
-                CHECK_MESSAGE(run.mesh.closedManifold(), what);
-                CHECK_MESSAGE(run.mesh.eulerCharacteristic == family.euler, what);
-                CHECK_MESSAGE(run.mesh.components == static_cast<std::size_t>(family.components),
-                              what);
-                CHECK_MESSAGE(run.state.counters.holes == 0, what);
-                CHECK_MESSAGE(run.state.counters.openings == 0, what);
-            }
-        }
-    }
-}
-
-TEST_CASE("robust: a torus of 3700 points comes out sound, whole, and of the ideal number") {
-    const Family family = closedFamilies(7.4)[1];
-    const Run run = checkClean(prepared(family.sample(1)), "torus");
-    CHECK(run.mesh.closedManifold());
-    CHECK(run.mesh.eulerCharacteristic == 0);
-    CHECK(run.mesh.triangles == 7400);
-}
-
-TEST_CASE("robust: clean clouds come out as well with other numbers of neighbors") {
-    for (const Family& family : closedFamilies(1.0)) {
-        const PointFile file = family.sample(4);
-        for (const std::size_t k : {10U, 16U}) {
-            const Run run =
-                checkClean(prepared(file, reach(k)), family.name + ", k " + std::to_string(k));
-            CHECK(run.mesh.eulerCharacteristic == family.euler);
-        }
-    }
-}
-
-TEST_CASE("robust: open sheets in a box end at their walls and nowhere else") {
-    struct Size {
-        std::size_t perSide, interior;
-    };
-    for (const Size size : {Size{12, 170}, Size{32, 1300}}) {
-        for (const ImplicitSurface& sheet : {wavySheet(), flatSheet()}) {
-            for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-                const PointFile file = sampleSheet(sheet, size.perSide, size.interior, seed);
-                const Run run = checkClean(prepared(file), "sheet, seed " + std::to_string(seed));
-                CHECK(run.mesh.boundaryLoops == 1);
-                CHECK(run.mesh.eulerCharacteristic == 1);
-                CHECK(run.mesh.components == 1);
-            }
-        }
-    }
-}
-
-TEST_CASE("robust: a sphere cut by a box ends at its walls and nowhere else") {
-    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-        // Six round windows.
-        const PointFile file = sampleBoxed(unitSphere(), Vec3(-0.9), Vec3(0.9), 0.14, seed);
-        const Run run = checkClean(prepared(file), "sphere, seed " + std::to_string(seed));
-        CHECK(run.mesh.boundaryLoops == 6);
-        CHECK(run.mesh.eulerCharacteristic == 2 - 6);
-    }
-}
-
-TEST_CASE("robust: a gyroid in a box ends at its walls and nowhere else") {
-    struct Sample {
-        double spacing;
-        std::uint64_t seed;
-    };
-    // Seeds that put enough points on each piece of the curves on the walls: the sampler does not
-    // move any from one piece to the next.
-    for (const auto& [spacing, seed] : {Sample{0.38, 2}, Sample{0.38, 4}, Sample{0.3, 1}}) {
-        const PointFile file = sampleBoxed(gyroid(), Vec3(-2.7), Vec3(3.1), spacing, seed);
-        const PointSet points = prepared(file);
-        const std::string what =
-            "gyroid of " + std::to_string(points.size()) + ", seed " + std::to_string(seed);
-        const Run run = checkClean(points, what);
-        CHECK(run.mesh.components == 1);
-        CHECK(run.mesh.boundaryLoops == 1);
-        CHECK(run.mesh.eulerCharacteristic == -3);
-    }
-}
 
 // ---- any input ----------------------------------------------------------------------------------
 

@@ -8,11 +8,24 @@
 
 #include "../../core/src/scenes_sampling.h"
 #include "rig.h"
+#include "spiraling_edge/faults.h"
 #include "spiraling_edge/invariants.h"
 #include "spiraling_edge/mesh.h"
 #include "spiraling_edge/prepare.h"
 
 namespace se::test {
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define SE_SANITIZED
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(SE_SANITIZED)
+/// Large inputs take minutes with sanitizers.
+inline constexpr bool kSanitized = true;
+#else
+inline constexpr bool kSanitized = false;
+#endif
 
 /// A family of even samples, one per seed.
 struct Family {
@@ -60,6 +73,18 @@ inline Run runAll(const PointSet& points, const Params& params, EventLog* log = 
     run.state = stepper.takeState();
     run.mesh = reportMesh(points, run.state.mesh());
     return run;
+}
+
+/// The faults of a mesh in words, empty if it is sound.
+inline std::string describeFaults(const PointSet& points, const std::vector<Triangle>& triangles) {
+    std::string text;
+    const auto counts = countFaults(findFaults(points, triangles));
+    for (std::size_t kind = 0; kind < kFaultKinds; ++kind) {
+        if (counts[kind] == 0) continue;
+        text += std::string(faultName(static_cast<FaultKind>(kind))) + " " +
+                std::to_string(counts[kind]) + " ";
+    }
+    return text;
 }
 
 /// Steps a run to its end and returns the first breach, empty if there is none.

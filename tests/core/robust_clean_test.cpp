@@ -1,0 +1,241 @@
+/// The rules beyond the paper, all together, on even samples of smooth surfaces (docs/robust.md):
+/// a sound mesh of the ideal number of triangles, at any size.
+#include <doctest/doctest.h>
+
+#include "../support/boxed.h"
+#include "../support/clouds.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+Params robust() { return *paramsByName("robust"); }
+
+/// What a mesh of a whole surface must amount to.
+struct Topology {
+    long long euler;
+    std::size_t components, loops;
+};
+
+struct LeastAngles {
+    double mean = 0.0;
+    double least = 180.0;
+};
+
+/// Over the triangles, in degrees.
+LeastAngles leastAngles(const PointSet& points, const std::vector<Triangle>& triangles) {
+    const auto angleAt = [&](Index p, Index q, Index r) {
+        const Vec3 u = points.position[q] - points.position[p];
+        const Vec3 v = points.position[r] - points.position[p];
+        return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v)) * 180 / kPi;
+    };
+    LeastAngles angles;
+    for (const Triangle& t : triangles) {
+        const double least =
+            std::min({angleAt(t.a, t.b, t.c), angleAt(t.b, t.c, t.a), angleAt(t.c, t.a, t.b)});
+        angles.mean += least / static_cast<double>(triangles.size());
+        angles.least = std::min(angles.least, least);
+    }
+    return angles;
+}
+
+/// Runs and checks everything that must hold for any clean cloud, closed or cut by walls.
+Run checkClean(const PointSet& points, const Topology& topology, const std::string& what) {
+    Run run = runAll(points, robust());
+    const MeshReport& mesh = run.mesh;
+    std::size_t onWalls = 0;
+    for (const std::uint8_t type : points.type) onWalls += isBoundary(type) ? 1 : 0;
+    const auto ideal = 2 * static_cast<long long>(points.size()) - static_cast<long long>(onWalls) -
+                       2 * topology.euler;
+    CHECK_MESSAGE(run.state.finished(), what);
+    CHECK_MESSAGE(describeFaults(points, run.state.mesh()) == "", what);
+    CHECK_MESSAGE(mesh.unusedPoints == 0, what);
+    CHECK_MESSAGE(mesh.nonManifoldVertices == 0, what);
+    CHECK_MESSAGE(static_cast<long long>(mesh.triangles) == ideal, what);
+    CHECK_MESSAGE(mesh.eulerCharacteristic == topology.euler, what);
+    CHECK_MESSAGE(mesh.components == topology.components, what);
+    CHECK_MESSAGE(mesh.boundaryLoops == topology.loops, what);
+    CHECK_MESSAGE(mesh.boundaryEdges == onWalls, what);
+    CHECK_MESSAGE(mesh.closedManifold() == (topology.loops == 0), what);
+    CHECK_MESSAGE(run.state.counters.holes == 0, what);
+    CHECK_MESSAGE(leastAngles(points, run.state.mesh()).mean >= 42.0, what);
+    return run;
+}
+
+Topology topologyOf(const Family& family) {
+    return {family.euler, static_cast<std::size_t>(family.components), 0};
+}
+
+/// Scales of closedFamilies() that give about this many points.
+double scaleFor(const Family& family, double points) {
+    return points / (family.name == "sphere" ? 300.0 : family.name == "torus" ? 500.0 : 1000.0);
+}
+
+/// A surface in a box, to be sampled at any size.
+struct Shape {
+    std::string name;
+    ImplicitSurface surface;
+    Vec3 low, high;
+    Topology topology;
+    double fewest = 0.0;  ///< Points that tell its parts apart.
+
+    PointSet sample(double count, std::uint64_t seed) const {
+        return prepared(sampleBoxed(surface, low, high, std::max(count, fewest), seed));
+    }
+};
+
+Shape closed(const std::string& name, const ImplicitSurface& surface, const Topology& topology) {
+    return {name, surface, surface.low, surface.high, topology};
+}
+Shape gyroidInBox() { return {"gyroid", gyroid(), Vec3(-2.7), Vec3(3.1), {-3, 1, 1}}; }
+
+std::vector<Shape> shapes() {
+    std::vector<Shape> all{closed("sphere", unitSphere(), {2, 1, 0}),
+                           closed("torus", torus(), {0, 1, 0}),
+                           closed("linked tori", linkedTori(), {0, 2, 0}),
+                           closed("genus 2", doubleTorus(), {-2, 1, 0}),
+                           {"wavy sheet", wavySheet(), Vec3(-1.0), Vec3(1.0), {1, 1, 1}},
+                           gyroidInBox()};
+    all[2].fewest = 400.0;
+    return all;
+}
+
+/// Checks a cloud of each size for every seed.
+void checkSizes(const Shape& shape, std::initializer_list<double> sizes, std::uint64_t seeds) {
+    for (const double size : sizes) {
+        for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+            const PointSet points = shape.sample(size, seed);
+            checkClean(points, shape.topology,
+                       shape.name + " of " + std::to_string(points.size()) + ", seed " +
+                           std::to_string(seed));
+        }
+    }
+}
+
+}  // namespace
+
+// ---- from random points -------------------------------------------------------------------------
+
+TEST_CASE("robust: even closed surfaces come out sound, whole, and of the ideal number") {
+    for (std::size_t i = 0; i < closedFamilies().size(); ++i) {
+        for (const double size : {215.0, 1400.0}) {
+            const std::string name = closedFamilies()[i].name;
+            // Fewer points than that do not tell the tubes of these apart.
+            if (size < 400 && (name == "linked tori" || name == "genus 2")) continue;
+            const Family family = closedFamilies(scaleFor(closedFamilies()[i], size))[i];
+            for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+                const std::string what = name + " of " + std::to_string(static_cast<int>(size)) +
+                                         ", seed " + std::to_string(seed);
+                const Run run = checkClean(prepared(family.sample(seed)), topologyOf(family), what);
+                CHECK_MESSAGE(run.state.counters.openings == 0, what);
+            }
+        }
+    }
+}
+
+TEST_CASE("robust: clean clouds come out as well with other numbers of neighbors") {
+    for (const Family& family : closedFamilies(1.0)) {
+        const PointFile file = family.sample(4);
+        for (const std::size_t k : {10U, 16U}) {
+            checkClean(prepared(file, reach(k)), topologyOf(family),
+                       family.name + ", k " + std::to_string(k));
+        }
+    }
+}
+
+TEST_CASE("robust: open sheets in a box end at their walls and nowhere else") {
+    struct Size {
+        std::size_t perSide, interior;
+    };
+    for (const Size size : {Size{12, 170}, Size{32, 1300}}) {
+        for (const ImplicitSurface& sheet : {wavySheet(), flatSheet()}) {
+            for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+                const PointFile file = sampleSheet(sheet, size.perSide, size.interior, seed);
+                checkClean(prepared(file), {1, 1, 1}, "sheet, seed " + std::to_string(seed));
+            }
+        }
+    }
+}
+
+// ---- at any size --------------------------------------------------------------------------------
+
+TEST_CASE("robust: clean clouds of 215 to 3,700 points come out sound and of the ideal number") {
+    for (const Shape& shape : shapes()) {
+        // The pieces of a gyroid this large need more points than 215.
+        if (shape.name == "gyroid") continue;
+        checkSizes(shape, {215.0, 1400.0}, 2);
+        checkSizes(shape, {3700.0}, 1);
+    }
+}
+
+TEST_CASE("robust: a gyroid in a box ends at its walls and nowhere else") {
+    checkSizes({"gyroid", gyroid(), Vec3(-2.7), Vec3(0.9), {-1, 1, 3}}, {215.0}, 4);
+    checkSizes(gyroidInBox(), {1400.0}, 2);
+    checkSizes(gyroidInBox(), {3700.0}, 1);
+}
+
+TEST_CASE("robust: clean clouds of 43,000 points come out sound and of the ideal number") {
+    if (kSanitized) {
+        MESSAGE("skipped: too large for a build with sanitizers");
+        return;
+    }
+    for (const Shape& shape : shapes()) checkSizes(shape, {43000.0}, 1);
+}
+
+TEST_CASE("robust: a sphere cut by a box ends at its six windows and nowhere else") {
+    checkSizes({"windows", unitSphere(), Vec3(-0.9), Vec3(0.9), {2 - 6, 1, 6}},
+               {215.0, 1400.0, 3700.0}, 2);
+}
+
+TEST_CASE("nocross: an end that passes by a ring point closer by is not moved over the ring") {
+    // The triangle 0 3 2 would hold 4, from which the ring runs on to 5 across its side 0 3.
+    const auto run = [](const Params& params) {
+        Rig rig({{0, 0, 0},
+                 polar(0),
+                 polar(170),
+                 polar(124, 1.6),
+                 polar(125, 1.0),
+                 polar(72, 1.2),
+                 polar(30, 2.5)},
+                params);
+        rig.list(0, {1, 2, 3, 4, 5}).ring({0, 2, 3, 4, 5, 6, 1}).pivot();
+        return rig.newTriangles();
+    };
+    const Triangles overRing{{0, 1, 5}, {0, 5, 3}, {0, 3, 2}};
+    CHECK(run(paper()) == overRing);
+    CHECK(run(paperBut(&Rules::noCross)).empty());
+}
+
+TEST_CASE("nocross: edges of one straight border do not cross, however it lies") {
+    // The border runs through 5, 2, 3 and 4; 5 and 2 are to be joined, 3 and 4 are.
+    const std::vector<Vec3> upright{{0, 0, 0},       {1, 0.2, 0},     {-0.5, -0.1, 0},
+                                    {-0.5, -0.2, 0}, {-0.5, -1.2, 0}, {-0.5, 0.9, 0}};
+    const Triangles both{{0, 1, 5}, {0, 5, 2}};
+    // Rounding errors rarely conspire.
+    constexpr int kTurns = 10000;
+    for (int turn = 0; turn < kTurns; ++turn) {
+        const double degrees = 360.0 * turn / kTurns;
+        std::vector<Vec3> turned;
+        const Vec3 x = polar(degrees);
+        const Vec3 y = polar(degrees + 90);
+        for (const Vec3& p : upright) turned.push_back(p.x * x + p.y * y);
+        Rig rig(turned, paperBut(&Rules::noCross));
+        rig.list(0, {5, 3}).ring({0, 2, 3, 4, 1}).pivot();
+        CHECK_MESSAGE(rig.newTriangles() == both, degrees, " degrees");
+    }
+}
+
+TEST_CASE("robust: no point of a straight border is passed over") {
+    const Shape sheet{"flat sheet", flatSheet(), Vec3(-1.0), Vec3(1.0), {1, 1, 1}};
+    checkSizes(sheet, {100.0, 215.0}, 12);
+    checkSizes(sheet, {1400.0}, 1);
+}
+
+TEST_CASE("robust: no triangle over three points in line stands on a curved surface") {
+    for (const Shape& shape : shapes()) {
+        const PointSet points = shape.sample(3700.0, 2);
+        const Run run = runAll(points, robust());
+        CHECK_MESSAGE(leastAngles(points, run.state.mesh()).least > 15.0, shape.name);
+    }
+}
