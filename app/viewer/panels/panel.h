@@ -54,6 +54,7 @@ void drawRings(const PanelContext& context);
 void drawInspect(const PanelContext& context);
 void drawCounters(const PanelContext& context);
 void drawDial(const PanelContext& context);
+void drawPaper(const PanelContext& context);
 void drawLayerSwitches(const PanelContext& context);
 
 // Parts of others.

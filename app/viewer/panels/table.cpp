@@ -7,11 +7,12 @@ namespace se::view {
 
 namespace {
 
-constexpr std::array<SidePanel, 6> kSidePanels = {{
+constexpr std::array<SidePanel, 7> kSidePanels = {{
     {"Steps", true, 0.72F, drawSteps},
     {"Rings", true, 0.28F, drawRings},
     {"Dial", false, 0.0F, drawDial},
     {"Inspect", false, 0.0F, drawInspect},
+    {"Paper", false, 0.0F, drawPaper},
     {"Counts", false, 0.0F, drawCounters},
     {"Layers", false, 0.0F, drawLayerSwitches},
 }};

@@ -1,0 +1,66 @@
+#include "../paper.h"
+
+#include "panel.h"
+#include "widgets.h"
+
+namespace se::view {
+
+namespace {
+
+/// A line of pseudo-code; the present one lit, with its numbers below.
+void drawLine(const PanelContext& context, const std::string& line, bool present,
+              const std::string& numbers, const Color& color) {
+    const std::size_t level = line.find_first_not_of(' ');
+    const float indent = 0.5F * context.em * static_cast<float>(level) + 0.6F * context.em;
+    const float left = ImGui::GetCursorPosX();
+    const float width = ImGui::GetContentRegionAvail().x - indent;
+    const std::vector<std::string> lines = wrapped(line.substr(level), width);
+    const float height = ImGui::GetTextLineHeightWithSpacing();
+    if (present) {
+        const auto rows = static_cast<float>(lines.size() + (numbers.empty() ? 0 : 1));
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        ImDrawList* list = ImGui::GetWindowDrawList();
+        const float right = at.x + ImGui::GetContentRegionAvail().x;
+        list->AddRectFilled(at, {right, at.y + rows * height},
+                            toU32(context.palette.accent.withAlpha(0.25F)), 0.2F * context.em);
+        list->AddRectFilled(at, {at.x + 0.2F * context.em, at.y + rows * height}, toU32(color));
+    }
+    for (const std::string& part : lines) {
+        ImGui::SetCursorPosX(left + indent);
+        present ? ImGui::TextUnformatted(part.c_str()) : ImGui::TextDisabled("%s", part.c_str());
+    }
+    if (!present || numbers.empty()) return;
+    ImGui::SetCursorPosX(left + indent + 0.5F * context.em);
+    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
+    ImGui::TextUnformatted(numbers.c_str());
+    ImGui::PopStyleColor();
+}
+
+}  // namespace
+
+void drawPaper(const PanelContext& context) {
+    const Session& session = context.session();
+    if (!session.ready()) return;
+    const Event* event = session.event();
+    if (event == nullptr) {
+        heading(context, "Paper");
+        ImGui::PushTextWrapPos(0.0F);
+        ImGui::TextDisabled("Step on (F11 or \xE2\x86\x92): the rule at work is explained here.");
+        ImGui::PopTextWrapPos();
+        return;
+    }
+    const PaperRule& rule = paperRule(event->address.stage);
+    const std::string section(stageSection(event->address.stage));
+    heading(context, rule.title, section.empty() ? "" : "section " + section);
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(rule.words);
+    ImGui::PopTextWrapPos();
+    ImGui::Spacing();
+    const std::size_t present = presentLine(*event);
+    const Color color = verdictOf(*event) ? verdictColor(context, *event) : context.palette.accent;
+    for (std::size_t i = 0; i < rule.code.size(); ++i) {
+        drawLine(context, rule.code[i], i == present, liveNumbers(*event), color);
+    }
+}
+
+}  // namespace se::view
