@@ -47,7 +47,8 @@ read -r -t 20 number <"$work/number" || fail "Xvfb does not start"
 export DISPLAY=:$number
 unset WAYLAND_DISPLAY
 
-"$viewer" scene:sphere --no-config --size $size --ui-scale 1 --theme dark >"$work/program.log" 2>&1 &
+"$viewer" scene:sphere --no-config --size $size --ui-scale 1 --theme dark --narrate \
+    --state-dump "$work/state.json" >"$work/program.log" 2>&1 &
 program=$!
 
 title() { xdotool getwindowname "$window" 2>/dev/null; }
@@ -92,6 +93,19 @@ press period; expect "20.advance.1"
 press comma; expect "19.advance.1"
 press ctrl+g; xdotool type --delay 60 "12.sort.2"; press Return
 expect "12.sort.2"
+# Back and forward, marks, and a place as text.
+press ctrl+g; xdotool type --delay 60 "40.sphere.2"; press Return
+expect "40.sphere.2"
+press alt+Left; expect "12.sort.2"
+press alt+Right; expect "40.sphere.2"
+press ctrl+c; sleep 0.2
+press Home; expect "start"
+press ctrl+v; expect "40.sphere.2"
+grep -q "^40\.sphere\.2.*q = .* removed\.$" "$work/program.log" || fail "--narrate prints no sentence"
+press Home; expect "start"
+press ctrl+Right; expect "1.seed.1"
+press ctrl+g; xdotool type --delay 60 "12.sort.2"; press Return
+expect "12.sort.2"
 press space; sleep 1.2; press space; sleep 0.3
 played=$(title)
 [ "${played%%.*}" -gt 12 ] || fail "Space does not play: '$played'"
@@ -116,6 +130,11 @@ import -window "$window" "$work/turned.png"
 turned=$(compare -metric AE -fuzz 5% "$work/plain.png" "$work/turned.png" null: 2>&1)
 [ "${turned%%[!0-9]*}" -gt 1000 ] || fail "a drag does not turn the view"
 
+press Escape; sleep 0.2
+press ctrl+g; xdotool type --delay 60 "40.sphere.2"; press Return
+expect "40.sphere.2"
+press n; sleep 0.3
+
 press ctrl+q
 for _ in $(seq 50); do kill -0 "$program" 2>/dev/null || break; sleep 0.1; done
 kill -0 "$program" 2>/dev/null && fail "Ctrl+Q does not quit"
@@ -123,4 +142,12 @@ wait "$program"
 code=$?
 program=
 [ $code -eq 0 ] || fail "the exit code is $code"
+# says NAME VALUE: does the state that was written on leaving say so?
+says() { grep -qE "\"$1\": $2,?\$" "$work/state.json" || fail "the state does not say $1: $2"; }
+says address '"40\.sphere\.2"'
+says phase '"ready"'
+says input '"scene:sphere"'
+says pivot 40
+says playing false
+grep -q '"normals"' "$work/state.json" || fail "N does not switch normals on"
 echo "all is well"
