@@ -69,10 +69,42 @@ bool isOpening(const StepContext& context) {
     return 3 * rim > 2 * length;
 }
 
+namespace {
+
+/// Is the hole too wide to be one that missing points left, measured by the points about it?
+bool isTooWide(const StepContext& context) {
+    const EdgeRings& rings = context.state.rings;
+    const Index ring = rings.active();
+    const Index length = rings.length(ring);
+    const Vec3 origin = context.positionAt(rings.head(ring));
+    Vec3 sum(0.0);
+    double spacing = 0.0;
+    Index entry = rings.head(ring);
+    for (Index i = 0; i < length; ++i, entry = rings.next(entry)) {
+        const Vec3 offset = context.positionAt(entry) - origin;
+        sum += offset;
+        const auto list = context.points.neighbors[rings.point(entry)];
+        if (list.empty()) continue;
+        const Vec3 nearest = context.points.position[list.front()] - context.positionAt(entry);
+        spacing += std::sqrt(glm::dot(nearest, nearest));
+    }
+    if (!(spacing > 0.0)) return false;
+    const Vec3 middle = sum / static_cast<double>(length);
+    double farthestSq = 0.0;
+    for (Index i = 0; i < length; ++i, entry = rings.next(entry)) {
+        const Vec3 offset = context.positionAt(entry) - origin - middle;
+        farthestSq = std::max(farthestSq, glm::dot(offset, offset));
+    }
+    const double limit = 0.5 * context.params.maxFillWidth * spacing / static_cast<double>(length);
+    return farthestSq > limit * limit;
+}
+
+}  // namespace
+
 bool mayFill(const StepContext& context) {
     const EdgeRings& rings = context.state.rings;
     const Index length = rings.length(rings.active());
-    return length > 2 && length <= context.params.maxFillLength &&
+    return length > 2 && length <= context.params.maxFillLength && !isTooWide(context) &&
            (length <= kNeverAnOpening || !isOpening(context));
 }
 

@@ -118,6 +118,18 @@ TEST_CASE("fill: a ring longer than maxFillLength is freed") {
     CHECK(Params{}.maxFillLength == 64);
 }
 
+TEST_CASE("fill: a ring wider than maxFillWidth spacings of its points is freed") {
+    // The square is 2 wide from corner to corner, and each corner's nearest neighbor 0.1 away.
+    for (const double widest : {19.9, 20.1}) {
+        Params params = fillWith({&Rules::rim});
+        params.maxFillWidth = widest;
+        Rig rig(rimSquarePoints(), params);
+        rimSquare(rig).run();
+        CHECK(rig.triangles().empty() == (widest < 20.0));
+        CHECK(rig.state().finished());
+    }
+}
+
 TEST_CASE("fill: the ear with the best least angle goes first") {
     for (std::uint64_t seed = 1; seed <= 30; ++seed) {
         Random random(seed);

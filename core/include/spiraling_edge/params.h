@@ -107,6 +107,8 @@ struct Params {
     std::uint32_t maxTrianglesPerPoint = 8;
     /// Rules::fill closes rings of at most this many entries.
     std::uint32_t maxFillLength = 64;
+    /// ... and of at most this width, in mean distances of its points to their nearest neighbor.
+    double maxFillWidth = 48.0;
     /// Opposing normals are left out of neighbor lists that are computed (see prepare.h).
     bool dropOpposingNormals = true;
 
