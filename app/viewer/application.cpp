@@ -177,7 +177,8 @@ void Application::drawUserInterface(const Layout& layout) {
     const bool released =
         ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !ImGui::IsAnyItemActive();
     const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-    if ((released && !popup && !ui_.fileBrowser && !ui_.cheatSheet) || !focused_) {
+    const bool covered = popup || ui_.fileBrowser || ui_.cheatSheet || ui_.palette.open;
+    if ((released && !covered) || !focused_) {
         ImGui::SetWindowFocus("##view");
         focused_ = true;
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <glm/geometric.hpp>
 #include <utility>
 #include <vector>
@@ -29,6 +30,7 @@ void pause(C& c) { c.playback.pause(); }
 void escape(C& c) {
     c.ui.cheatSheet = false;
     c.ui.fileBrowser = false;
+    c.ui.palette.open = false;
     c.ui.requests.closePopups = true;
     c.session.select(kNone);
 }
@@ -157,6 +159,8 @@ constexpr auto kCommands = std::to_array<Command>({
     {"layer.stack", "Layers", "Stacked rings", "K", "Show the rings on the stack.", false,
      toggleLayer<LayerId::StackedRings>},
 
+    {"help.palette", "Help", "Find an action...", "Ctrl+P Ctrl+K",
+     "Type words of an action and run it.", false, [](C& c) { c.ui.palette.show(); }},
     {"help.keys", "Help", "Keys and mouse", "F1 ?", "Show this list.", false,
      [](C& c) { c.ui.cheatSheet = !c.ui.cheatSheet; }},
     {"help.leave", "Help", "Close popup, clear selection", "Esc", "Never quits.", false, escape},
@@ -189,6 +193,40 @@ const Command* commandForKey(const KeyChord& chord) {
         }
     }
     return nullptr;
+}
+
+namespace {
+
+std::string lowered(std::string_view text) {
+    std::string out(text);
+    for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return out;
+}
+
+bool hasAll(const std::string& text, const std::vector<std::string_view>& words) {
+    return std::all_of(words.begin(), words.end(),
+                       [&](std::string_view word) { return text.find(word) != std::string::npos; });
+}
+
+}  // namespace
+
+std::vector<const Command*> matchingCommands(std::string_view filter) {
+    const std::string low = lowered(filter);
+    const std::vector<std::string_view> words = wordsOf(low);
+    std::vector<const Command*> inTitle;
+    std::vector<const Command*> elsewhere;
+    for (const Command& command : kCommands) {
+        const std::string title = lowered(command.title);
+        const std::string all = title + " " + lowered(command.group) + " " + lowered(command.id) +
+                                " " + lowered(command.help);
+        if (hasAll(title, words)) {
+            inTitle.push_back(&command);
+        } else if (hasAll(all, words)) {
+            elsewhere.push_back(&command);
+        }
+    }
+    inTitle.insert(inTitle.end(), elsewhere.begin(), elsewhere.end());
+    return inTitle;
 }
 
 std::string firstKey(const Command& command) {

@@ -37,6 +37,7 @@ std::string Application::stateDump() const {
              {"em", imgui_ ? imgui_->em() : 0.0F},
              {"cheat_sheet", ui_.cheatSheet},
              {"file_browser", ui_.fileBrowser},
+             {"palette", ui_.palette.open},
              {"layers", json::array()}};
     for (const Layer& layer : layers()) {
         if (ui_.settings.layers.test(static_cast<std::size_t>(layer.id))) {

@@ -1,6 +1,7 @@
 /// What the user interface remembers and what it asks for. Plain values, no ImGui.
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "camera.h"
@@ -35,12 +36,23 @@ struct UiRequests {
     bool pastePlace = false;
 };
 
+/// The list of actions that one types into.
+struct CommandPalette {
+    bool open = false;
+    bool justOpened = false;
+    std::array<char, 64> filter{};
+    int chosen = 0;
+
+    void show() { *this = {true, true, {}, 0}; }
+};
+
 struct UiState {
     ViewSettings settings;
     UiRequests requests;
     GoToBox goTo;
     bool cheatSheet = false;
     bool fileBrowser = false;
+    CommandPalette palette;
     float viewAspect = 1.3F;  ///< Of the view, as last drawn.
     Index pointedAt = kNone;  ///< The point under the pointer, found anew in every frame.
 };

@@ -135,3 +135,23 @@ TEST_CASE("The list of actions names each one once") {
                list.starts_with(std::string(command.id) + " ")));
     }
 }
+
+TEST_CASE("The palette finds actions by words, those in the title first") {
+    CHECK(matchingCommands("").size() == commands().size());
+    CHECK(matchingCommands("no such action").empty());
+    const auto pivots = matchingCommands("PIVOT next");
+    REQUIRE_FALSE(pivots.empty());
+    CHECK(pivots.front()->id == "step.pivot.next");
+    for (const Command* command : matchingCommands("normals")) {
+        CAPTURE(std::string(command->id));
+        CHECK(command->id == "layer.normals");
+    }
+}
+
+TEST_CASE("Ctrl+P opens the palette, and Esc closes it") {
+    Desk desk;
+    desk.press("Ctrl+P");
+    CHECK(desk.ui.palette.open);
+    desk.press("Esc");
+    CHECK_FALSE(desk.ui.palette.open);
+}

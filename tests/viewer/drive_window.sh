@@ -113,6 +113,9 @@ press End; sleep 0.5
 ended=$(title)
 [ "${ended%%.*}" -gt 100 ] || fail "End does not run to the end: '$ended'"
 press Home; expect "start"
+press ctrl+p; sleep 0.4; xdotool type --delay 60 "next pivot"; sleep 0.3; press Return
+expect "1."
+press Home; expect "start"
 press F1; sleep 0.3
 import -window "$window" "$work/keys.png"
 press Escape; sleep 0.3

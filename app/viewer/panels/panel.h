@@ -44,6 +44,7 @@ void drawNarration(const PanelContext& context);
 void drawDrawer(const PanelContext& context);
 void drawStatusBar(const PanelContext& context);
 void drawCheatSheet(const PanelContext& context);
+void drawCommandPalette(const PanelContext& context);
 void drawFileBrowser(const PanelContext& context);
 /// Loading, failed, or a long move under way.
 void drawNotices(const PanelContext& context);

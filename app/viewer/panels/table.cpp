@@ -113,10 +113,12 @@ void drawPanels(const PanelContext& context) {
     drawDrawer(context);
     drawStatusBar(context);
     context.session().hover(context.ui().pointedAt);
-    if (!context.ui().cheatSheet && !context.ui().fileBrowser) drawBorders(context);
+    if (!context.ui().cheatSheet && !context.ui().fileBrowser && !context.ui().palette.open)
+        drawBorders(context);
     drawNotices(context);
     drawFileBrowser(context);
     drawCheatSheet(context);
+    drawCommandPalette(context);
 }
 
 }  // namespace se::view

@@ -1,0 +1,80 @@
+#include <algorithm>
+
+#include "panel.h"
+#include "widgets.h"
+
+namespace se::view {
+
+namespace {
+
+bool pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
+
+/// The arrows move through the matches; returns true if Enter was pressed.
+bool moveChoice(CommandPalette& palette, std::size_t matches) {
+    const auto last = static_cast<int>(matches) - 1;
+    if (pressed(ImGuiKey_DownArrow)) ++palette.chosen;
+    if (pressed(ImGuiKey_UpArrow)) --palette.chosen;
+    palette.chosen = std::clamp(palette.chosen, 0, std::max(0, last));
+    return pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter);
+}
+
+/// One row: title, group, keys. True if it was clicked.
+bool drawMatch(const PanelContext& context, const Command& command, bool chosen) {
+    const std::string label = std::string(command.title) + "##" + std::string(command.id);
+    const bool clicked = ImGui::Selectable(label.c_str(), chosen);
+    const std::string keys = firstKey(command);
+    const std::string note = std::string(command.group) + (keys.empty() ? "" : "   " + keys);
+    const float width = ImGui::CalcTextSize(note.c_str()).x;
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - width - 0.3F * context.em);
+    ImGui::TextDisabled("%s", note.c_str());
+    if (chosen) ImGui::SetScrollHereY(0.5F);
+    return clicked;
+}
+
+}  // namespace
+
+void drawCommandPalette(const PanelContext& context) {
+    CommandPalette& palette = context.ui().palette;
+    if (!palette.open) return;
+    const float em = context.em;
+    const glm::vec2 screen(context.layout.status.size.x, context.layout.status.max().y);
+    const float width = std::min(36.0F * em, screen.x - 2.0F * em);
+    ImGui::SetNextWindowPos({0.5F * screen.x, context.layout.view.min.y + em}, ImGuiCond_Always,
+                            {0.5F, 0.0F});
+    ImGui::SetNextWindowSize({width, std::min(22.0F * em, 0.7F * screen.y)});
+    ImGui::SetNextWindowFocus();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+    const bool shown =
+        ImGui::Begin("##palette", nullptr,
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNavInputs);
+    ImGui::PopStyleVar();
+    if (shown) {
+        if (palette.justOpened) ImGui::SetKeyboardFocusHere();
+        palette.justOpened = false;
+        ImGui::SetNextItemWidth(-1.0F);
+        if (ImGui::InputTextWithHint("##filter", "Type an action", palette.filter.data(),
+                                     palette.filter.size())) {
+            palette.chosen = 0;
+        }
+        const std::vector<const Command*> matches = matchingCommands(palette.filter.data());
+        const bool enter = moveChoice(palette, matches.size());
+        const Command* run = nullptr;
+        if (ImGui::BeginChild("##matches", {0, 0}, false, ImGuiWindowFlags_NoNavInputs)) {
+            for (std::size_t i = 0; i < matches.size(); ++i) {
+                const bool chosen = static_cast<int>(i) == palette.chosen;
+                if (drawMatch(context, *matches[i], chosen) || (chosen && enter)) run = matches[i];
+            }
+            if (matches.empty()) ImGui::TextDisabled("No action has these words. Esc closes.");
+        }
+        ImGui::EndChild();
+        if (run != nullptr) {
+            palette.open = false;
+            context.ui().requests.closePopups = true;
+            run->run(context.commands);
+        }
+    }
+    ImGui::End();
+}
+
+}  // namespace se::view
