@@ -43,6 +43,7 @@ struct LimitTest {
     double turn = 0.0;
 };
 
+template <bool kNoted>
 LimitTest testLimit(const StepContext& context, Side side) {
     const State& s = context.state;
     const NeighborRing& n = s.pivot;
@@ -56,7 +57,7 @@ LimitTest testLimit(const StepContext& context, Side side) {
     const ConcaveTest concave = testConcave(context.positionAt(limit), context.normalAt(limit),
                                             atStart ? position : p, atStart ? p : position);
     // The cheap test that fails most often comes first, unless someone wants to see the others.
-    if (!context.listening() && !concave.concave()) return {Verdict::NotConcave, to};
+    if (!kNoted && !concave.concave()) return {Verdict::NotConcave, to};
     const auto list = context.points.neighbors[s.rings.point(n.pivot)];
     if (std::find(list.begin(), list.end(), s.rings.point(to)) == list.end()) {
         return {Verdict::NotListed, to};
@@ -76,7 +77,7 @@ LimitTest testLimit(const StepContext& context, Side side) {
 LimitEvidence explainLimit(const StepContext& context, Side side) {
     const State& s = context.state;
     const bool atStart = side == Side::Start;
-    const LimitTest test = testLimit(context, side);
+    const LimitTest test = testLimit<true>(context, side);
     return {side,
             s.rings.point(atStart ? s.pivot.start : s.pivot.end),
             s.rings.point(test.to),
@@ -87,13 +88,14 @@ LimitEvidence explainLimit(const StepContext& context, Side side) {
 }
 
 /// Advances start or end by one entry if §6.1 (Fig. 4) says so.
+template <bool kNoted>
 bool moveLimit(StepContext& context, Side side) {
     State& s = context.state;
     NeighborRing& n = s.pivot;
     Index& limit = side == Side::Start ? n.start : n.end;
     Angle& angle = side == Side::Start ? n.startAngle : n.endAngle;
-    const LimitTest test = testLimit(context, side);
-    note(context, Stage::Limits, [&] { return explainLimit(context, side); });
+    const LimitTest test = testLimit<kNoted>(context, side);
+    noteIf<kNoted>(context, Stage::Limits, [&] { return explainLimit(context, side); });
     if (test.verdict != Verdict::Moved) return false;
     limit = test.to;
     angle = test.angle;
@@ -101,12 +103,22 @@ bool moveLimit(StepContext& context, Side side) {
 }
 
 /// Rules::limitsFirst off: each listed neighbor is looked at once, as it comes.
+template <bool kNoted>
 void moveLimitsAsNeighborsCome(StepContext& context) {
     const State& s = context.state;
     for (const Index x : context.points.neighbors[s.rings.point(s.pivot.pivot)]) {
         for (const Side side : {Side::Start, Side::End}) {
-            if (x == s.rings.point(beyond(s, side)) && moveLimit(context, side)) break;
+            if (x == s.rings.point(beyond(s, side)) && moveLimit<kNoted>(context, side)) break;
         }
+    }
+}
+
+template <bool kNoted>
+void moveLimits(StepContext& context) {
+    if (!context.params.rules.limitsFirst) return moveLimitsAsNeighborsCome<kNoted>(context);
+    while (moveLimit<kNoted>(context, Side::Start)) {
+    }
+    while (moveLimit<kNoted>(context, Side::End)) {
     }
 }
 
@@ -136,14 +148,7 @@ void phaseLimits(StepContext& context) {
     NeighborRing& n = s.pivot;
     s.phase = Phase::Convex;
     if (n.fullTurn()) return;
-    if (context.params.rules.limitsFirst) {
-        while (moveLimit(context, Side::Start)) {
-        }
-        while (moveLimit(context, Side::End)) {
-        }
-    } else {
-        moveLimitsAsNeighborsCome(context);
-    }
+    withOrWithoutEvents(context, [&](auto noted) { moveLimits<noted>(context); });
     if (n.start == n.first && n.end == n.last) return;
     const Index atStart = s.rings.point(n.start);
     const Index atEnd = s.rings.point(n.end);

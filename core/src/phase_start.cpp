@@ -82,6 +82,26 @@ void setPivot(StepContext& context, Index entry) {
         n.fullTurn() ? kFullTurn : angleOf(n.frame, context.positionAt(n.last) - n.frame.origin);
 }
 
+namespace {
+
+/// The pivot as it is before §7 may put a third point beside it.
+[[gnu::noinline, gnu::cold]] void notePivot(StepContext& context) {
+    const State& s = context.state;
+    const Index pivot = s.pivot.pivot;
+    const Index p = s.rings.point(pivot);
+    const Index first = s.rings.prev(pivot);
+    const Index last = s.rings.next(pivot);
+    const Frame frame = makeFrame(context.points.position[p], context.points.normal[p],
+                                  context.positionAt(first), context.params.rules.tangent);
+    const Angle sector =
+        first == last ? kFullTurn : angleOf(frame, context.positionAt(last) - frame.origin);
+    context.log->add(s.counters.pivots, Stage::Pivot,
+                     PivotEvidence{p, s.rings.point(first), s.rings.point(last),
+                                   s.rings.length(s.rings.active()), sector.degrees()});
+}
+
+}  // namespace
+
 void phasePivot(StepContext& context) {
     State& s = context.state;
     NeighborRing& n = s.pivot;
@@ -92,16 +112,8 @@ void phasePivot(StepContext& context) {
     s.instances.clear();
     n.candidates.clear();
     const Index p = s.rings.point(n.pivot);
-    note(context, Stage::Pivot, [&] {
-        const Index first = s.rings.prev(n.pivot);
-        const Index last = s.rings.next(n.pivot);
-        const Frame frame = makeFrame(context.points.position[p], context.points.normal[p],
-                                      context.positionAt(first), context.params.rules.tangent);
-        const Angle sector =
-            first == last ? kFullTurn : angleOf(frame, context.positionAt(last) - frame.origin);
-        return PivotEvidence{p, s.rings.point(first), s.rings.point(last),
-                             s.rings.length(s.rings.active()), sector.degrees()};
-    });
+    if (context.listening()) [[unlikely]]
+        notePivot(context);
     if (isBoundary(context.points.type[p]) && !admitBoundaryPivot(context)) {
         ++s.counters.skipped;
         note(context, Stage::Skip, [&] { return SkipEvidence{p, context.points.type[p]}; });

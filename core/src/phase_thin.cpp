@@ -80,14 +80,17 @@ Verdict judge(const Candidate& t, const Candidate& q, const Candidate& s, double
     return exceedsAngle(t.angle, s.angle, maxGapCosine) ? Verdict::GapTooWide : Verdict::Removed;
 }
 
+template <bool kNoted>
 bool isRemoved(StepContext& context, const Candidate& t, const Candidate& q, const Candidate& s) {
     const Verdict verdict = judge(t, q, s, context.params.maxGapCosine);
-    note(context, Stage::Sphere,
-         [&, verdict] { return explain(t, q, s, context.state.pivot.frame.origin, verdict); });
+    noteIf<kNoted>(context, Stage::Sphere, [&, verdict] {
+        return explain(t, q, s, context.state.pivot.frame.origin, verdict);
+    });
     return verdict == Verdict::Removed;
 }
 
 /// §6.3: one pass over the candidates, each looked at once.
+template <bool kNoted>
 void thinOnce(StepContext& context) {
     NeighborRing& n = context.state.pivot;
     std::vector<Candidate>& all = n.candidates;
@@ -97,7 +100,7 @@ void thinOnce(StepContext& context) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Candidate& s = i + 1 < all.size() ? all[i + 1] : end;
-        if (isRemoved(context, *t, all[i], s)) continue;
+        if (isRemoved<kNoted>(context, *t, all[i], s)) continue;
         if (kept != i) all[kept] = all[i];
         t = &all[kept++];
     }
@@ -105,6 +108,7 @@ void thinOnce(StepContext& context) {
 }
 
 /// Rules::stepBack: after a removal, the point before is looked at again with its new neighbor.
+template <bool kNoted>
 void thinWithStepBack(StepContext& context) {
     NeighborRing& n = context.state.pivot;
     std::vector<Candidate>& all = n.candidates;
@@ -117,7 +121,7 @@ void thinWithStepBack(StepContext& context) {
         const Candidate& s = i + 1 < all.size() ? all[i + 1] : end;
         while (kept > 0) {
             const Candidate& t = kept > 1 ? all[kept - 2] : start;
-            if (!isRemoved(context, t, all[kept - 1], s)) break;
+            if (!isRemoved<kNoted>(context, t, all[kept - 1], s)) break;
             --kept;
         }
     }
@@ -132,11 +136,13 @@ void phaseSphere(StepContext& context) {
         context.state.pivot.pool = context.state.pivot.candidates;
     }
     if (context.state.pivot.candidates.empty()) return;
-    if (context.params.rules.stepBack) {
-        thinWithStepBack(context);
-    } else {
-        thinOnce(context);
-    }
+    withOrWithoutEvents(context, [&](auto noted) {
+        if (context.params.rules.stepBack) {
+            thinWithStepBack<noted>(context);
+        } else {
+            thinOnce<noted>(context);
+        }
+    });
 }
 
 }  // namespace se

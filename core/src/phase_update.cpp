@@ -6,6 +6,14 @@
 namespace se {
 namespace {
 
+/// Apart from its callers, with plain arguments: what a closure captures would have to be in
+/// memory.
+[[gnu::noinline, gnu::cold]] void noteRing(StepContext& context, Stage stage, Index x,
+                                           bool inserted) {
+    context.log->add(context.state.counters.pivots, stage,
+                     RingEvidence{x, inserted, context.state.status[x]});
+}
+
 /// Takes an entry out and counts its point's status down (§4): the last one makes it DONE.
 void release(StepContext& context, Index entry, Stage stage) {
     State& s = context.state;
@@ -16,7 +24,8 @@ void release(StepContext& context, Index entry, Stage stage) {
     } else {
         --s.status[x];
     }
-    note(context, stage, [&] { return RingEvidence{x, false, s.status[x]}; });
+    if (context.listening()) [[unlikely]]
+        noteRing(context, stage, x, false);
 }
 
 void insertCandidates(StepContext& context) {
@@ -27,7 +36,8 @@ void insertCandidates(StepContext& context) {
         s.status[c.point] = s.status[c.point] + 1;
         s.insertedEntries.push_back(behind);
         s.instances.push_back(c.instance);
-        note(context, Stage::Ring, [&] { return RingEvidence{c.point, true, s.status[c.point]}; });
+        if (context.listening()) [[unlikely]]
+            noteRing(context, Stage::Ring, c.point, true);
     }
 }
 

@@ -1,6 +1,8 @@
 /// The phases of a pivot, one function each; stepper.cpp calls them in the order of State::phase.
 #pragma once
 
+#include <type_traits>
+
 #include "spiraling_edge/event.h"
 #include "spiraling_edge/params.h"
 #include "spiraling_edge/point_set.h"
@@ -95,6 +97,24 @@ template <typename MakeEvidence>
                                         const MakeEvidence& make) {
     if (context.listening()) [[unlikely]]
         addEvent(context, stage, make);
+}
+
+/// note() where the caller knows already whether someone listens, see withOrWithoutEvents().
+template <bool kNoted, typename MakeEvidence>
+[[gnu::always_inline]] inline void noteIf(StepContext& context, Stage stage,
+                                          const MakeEvidence& make) {
+    if constexpr (kNoted) addEvent(context, stage, make);
+}
+
+/// Calls `work` with a constant that says whether someone listens: inner loops that add events are
+/// compiled once with them and once without, so that nobody pays for what nobody hears.
+template <typename Work>
+[[gnu::always_inline]] inline void withOrWithoutEvents(const StepContext& context, Work&& work) {
+    if (context.listening()) [[unlikely]] {
+        work(std::true_type{});
+    } else {
+        work(std::false_type{});
+    }
 }
 
 }  // namespace se
