@@ -62,7 +62,7 @@ struct Rules {
     /// Fans with steep triangles wait until a circuit of the ring brought no triangle.
     bool delay = false;
     /// A ring that would be freed with interior points is closed by ears, best least angle first,
-    /// unless it is an opening or too long.
+    /// unless it is too long or too wide, or longer than four and an opening.
     bool fill = false;
     /// After the last pivot: a stranded point goes into the triangle it lies over.
     bool reinsert = false;

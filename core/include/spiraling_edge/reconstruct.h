@@ -18,8 +18,9 @@ struct Renumbered {
 /// every list keeps its order. O(points + list entries).
 Renumbered renumberAlongZCurve(const PointSet& points);
 
-/// Gives a finished State of a run over `renumbered` the indices of the old set: the points in
-/// triangles and alerts, and who is DONE. It then is the State of a run over the old set.
+/// Gives a finished State of a run over `renumbered` the indices of the old set: in triangles, mesh
+/// and alerts, and in who is DONE. What only a run that goes
+/// on would need (edge table, the half-edges of the mesh, the last pivot) keeps the new ones.
 void restoreIndices(const Renumbered& renumbered, State& state);
 
 /// How a run ended, and what it left.
@@ -32,9 +33,10 @@ struct Reconstruction {
 /// those of the points.
 using StopCondition = std::function<bool(const State&)>;
 
-/// Runs the Spiraling Edge algorithm to the end: exactly what Stepper::runUntil() does, state for
-/// state. Many points in an order without regard to their place are renumbered for the time of the
-/// run, which halves it. After StopReason::Condition only the triangles and counters are of use.
+/// Runs the Spiraling Edge algorithm to the end: the same triangles, mesh, statuses,
+/// alerts and counters as by Stepper::runUntil(). Many points in an order without regard to their
+/// place are renumbered for the time of the run, which halves it. After StopReason::Condition only
+/// the triangles and counters are of use.
 Reconstruction reconstruct(const PointSet& points, const Params& params,
                            const StopCondition& stop = {});
 

@@ -122,7 +122,8 @@ struct State {
     bool capped() const { return !alerts.empty() && alerts.back().kind == AlertKind::TriangleCap; }
 };
 
-/// Hash of everything that decides how the run goes on and of everything it has made. Equal input,
+/// Hash of what decides how the run goes on and of what it has made up to the last pivot; the mesh
+/// that is edited afterwards counts only through the counters. Equal input,
 /// params and step number give equal hashes on every machine, compiler and build type. O(points).
 std::uint64_t stateHash(const State& state);
 

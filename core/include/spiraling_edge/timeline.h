@@ -36,7 +36,8 @@ class Beyond {
 ///
 /// A keyframe holds what cannot be told from the append-only lists of a State (triangles, alerts,
 /// DONE points): the rings and a few numbers. So its size goes with the length of the rings, and
-/// the way to it with what changed since; neither goes with the number of points.
+/// the way to it with what changed since; neither goes with the number of points. Only after the
+/// last pivot, with the rules that edit the mesh, a keyframe holds that mesh as a whole.
 class Timeline {
   public:
     /// A budget that adds a fifth to the memory of the plain run, but at least 32 MB.
