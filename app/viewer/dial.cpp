@@ -109,7 +109,7 @@ class Maker {
     void addTriangle(const Triangle& t) {
         const double from = degreesOf(t.b);
         double to = degreesOf(t.c);
-        if (t.c == picture_.last || to < from) to = to < from ? to + 360.0 : to;
+        if (to < from) to += 360.0;
         dial_.arcs.push_back({DialArc::Kind::Triangle, from, to});
     }
 

@@ -11,20 +11,26 @@ void History::leave(std::string place) {
     if (before_.size() > kMost) before_.erase(before_.begin());
 }
 
-std::optional<std::string> History::back(std::string here) {
-    if (before_.empty()) return std::nullopt;
-    std::string place = std::move(before_.back());
-    before_.pop_back();
-    after_.push_back(std::move(here));
+namespace {
+
+/// Takes the nearest place off `from` and puts `here` onto `to`.
+std::optional<std::string> step(std::vector<std::string>& from, std::vector<std::string>& to,
+                                std::string here) {
+    if (from.empty()) return std::nullopt;
+    std::string place = std::move(from.back());
+    from.pop_back();
+    to.push_back(std::move(here));
     return place;
 }
 
+}  // namespace
+
+std::optional<std::string> History::back(std::string here) {
+    return step(before_, after_, std::move(here));
+}
+
 std::optional<std::string> History::forward(std::string here) {
-    if (after_.empty()) return std::nullopt;
-    std::string place = std::move(after_.back());
-    after_.pop_back();
-    before_.push_back(std::move(here));
-    return place;
+    return step(after_, before_, std::move(here));
 }
 
 }  // namespace se::view

@@ -69,17 +69,35 @@ void phaseSeed(StepContext& context) {
     beginMendPhases(context);
 }
 
+namespace {
+
+/// The frame of an entry, and the angle of the entry behind it.
+struct Sector {
+    Frame frame;
+    Angle last;
+};
+
+Sector sectorAt(const StepContext& context, Index entry) {
+    const Index first = context.state.rings.prev(entry);
+    const Index last = context.state.rings.next(entry);
+    const Frame frame = makeFrame(context.positionAt(entry), context.normalAt(entry),
+                                  context.positionAt(first), context.params.rules.tangent);
+    return {frame,
+            first == last ? kFullTurn : angleOf(frame, context.positionAt(last) - frame.origin)};
+}
+
+}  // namespace
+
 void setPivot(StepContext& context, Index entry) {
     const EdgeRings& rings = context.state.rings;
     NeighborRing& n = context.state.pivot;
     n.pivot = entry;
     n.first = n.start = rings.prev(entry);
     n.last = n.end = rings.next(entry);
-    n.frame = makeFrame(context.positionAt(entry), context.normalAt(entry),
-                        context.positionAt(n.first), context.params.rules.tangent);
+    const Sector sector = sectorAt(context, entry);
+    n.frame = sector.frame;
     n.startAngle = Angle{};
-    n.lastAngle = n.endAngle =
-        n.fullTurn() ? kFullTurn : angleOf(n.frame, context.positionAt(n.last) - n.frame.origin);
+    n.lastAngle = n.endAngle = sector.last;
 }
 
 namespace {
@@ -87,17 +105,12 @@ namespace {
 /// The pivot as it is before §7 may put a third point beside it.
 [[gnu::noinline, gnu::cold]] void notePivot(StepContext& context) {
     const State& s = context.state;
-    const Index pivot = s.pivot.pivot;
-    const Index p = s.rings.point(pivot);
-    const Index first = s.rings.prev(pivot);
-    const Index last = s.rings.next(pivot);
-    const Frame frame = makeFrame(context.points.position[p], context.points.normal[p],
-                                  context.positionAt(first), context.params.rules.tangent);
-    const Angle sector =
-        first == last ? kFullTurn : angleOf(frame, context.positionAt(last) - frame.origin);
-    context.log->add(s.counters.pivots, Stage::Pivot,
-                     PivotEvidence{p, s.rings.point(first), s.rings.point(last),
-                                   s.rings.length(s.rings.active()), sector.degrees()});
+    const Index entry = s.pivot.pivot;
+    context.log->add(
+        s.counters.pivots, Stage::Pivot,
+        PivotEvidence{s.rings.point(entry), s.rings.point(s.rings.prev(entry)),
+                      s.rings.point(s.rings.next(entry)), s.rings.length(s.rings.active()),
+                      sectorAt(context, entry).last.degrees()});
 }
 
 }  // namespace

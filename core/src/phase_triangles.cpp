@@ -1,5 +1,4 @@
 /// §6.4: the fan of triangles.
-#include <algorithm>
 #include <cassert>
 #include <span>
 
@@ -74,6 +73,15 @@ void listSpokes(State& s) {
         [&](const Candidate& c) { spokes.push_back(c.point); });
 }
 
+/// The triangles from number `from` on.
+[[gnu::noinline, gnu::cold]] void noteTriangles(StepContext& context, std::size_t from) {
+    const State& s = context.state;
+    for (std::size_t i = from; i < s.triangles.size(); ++i) {
+        context.log->add(s.counters.pivots, Stage::Emit,
+                         EmitEvidence{static_cast<Index>(i), s.triangles[i]});
+    }
+}
+
 }  // namespace
 
 void phaseEmit(StepContext& context) {
@@ -86,14 +94,11 @@ void phaseEmit(StepContext& context) {
         s.triangles.push_back({p, spokes[i], spokes[i + 1]});
     }
     s.pivotTriangles = static_cast<std::uint32_t>(s.triangles.size() - before);
-    const auto made = std::span(s.triangles).subspan(before);
-    if (!s.edges.empty())
-        std::for_each(made.begin(), made.end(), [&](const Triangle& t) { s.edges.add(t); });
-    for (std::size_t i = before; context.listening() && i < s.triangles.size(); ++i) {
-        note(context, Stage::Emit, [&] {
-            return EmitEvidence{static_cast<Index>(i), s.triangles[i]};
-        });
+    if (!s.edges.empty()) {
+        for (const Triangle& t : std::span(s.triangles).subspan(before)) s.edges.add(t);
     }
+    if (context.listening()) [[unlikely]]
+        noteTriangles(context, before);
     // The bound that ends every guarded run, see docs/architecture.md.
     assert(!context.params.rules.guard ||
            3 * s.triangles.size() <= context.points.size() * (context.points.size() - 1));

@@ -2,14 +2,12 @@
 
 #include <cmath>
 
+#include "finite.h"
+
 namespace se {
 namespace {
 
 constexpr double kUnitTolerance = 1e-6;
-
-bool isFinite(const Vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 std::string pointText(Index p) { return "point " + std::to_string(p); }
 

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <string>
 
+#include "finite.h"
 #include "prepare_neighbors.h"
 
 namespace se {
@@ -15,10 +16,6 @@ namespace {
 constexpr double kUnitTolerance = 1e-12;
 /// Normals off by more than this are reported: less is what few digits in a file bring about.
 constexpr double kReportedTolerance = 1e-3;
-
-bool isFinite(const Vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 /// Positions already seen, for finding exact copies: open addressing, each slot a point or kNone.
 class PositionTable {

@@ -21,6 +21,16 @@ std::size_t bytesOf(const NeighborRing& ring) {
            ring.fan.size() * sizeof(FanPoint) + ring.spokes.size() * sizeof(Index);
 }
 
+/// Exchanges what a keyframe does without.
+void swapLarge(State& a, State& b) {
+    std::swap(a.triangles, b.triangles);
+    std::swap(a.alerts, b.alerts);
+    std::swap(a.done, b.done);
+    std::swap(a.status, b.status);
+    std::swap(a.edges, b.edges);
+    std::swap(a.rings, b.rings);
+}
+
 /// Takes the statuses of the points on the rings away, or gives them.
 void countEntries(State& state, bool present) {
     for (Index entry = 0; entry < state.rings.entryCapacity(); ++entry) {
@@ -104,22 +114,12 @@ Timeline::Keyframe Timeline::makeKeyframe() {
     // What a keyframe does without is put aside while the rest is copied.
     State state = stepper_.exchangeState({});
     State large;
-    std::swap(large.triangles, state.triangles);
-    std::swap(large.alerts, state.alerts);
-    std::swap(large.done, state.done);
-    std::swap(large.status, state.status);
-    std::swap(large.edges, state.edges);
-    std::swap(large.rings, state.rings);
+    swapLarge(large, state);
     Keyframe keyframe{state, large.triangles.size(), large.alerts.size(), large.done.size()};
     keyframe.rest.rings = large.rings.withoutPoints();
     keyframe.bytes = sizeof(Keyframe) + large.rings.bytesWithoutPoints() + bytesOf(state.mend) +
                      bytesOf(state.pivot);
-    std::swap(large.triangles, state.triangles);
-    std::swap(large.alerts, state.alerts);
-    std::swap(large.done, state.done);
-    std::swap(large.status, state.status);
-    std::swap(large.edges, state.edges);
-    std::swap(large.rings, state.rings);
+    swapLarge(large, state);
     stepper_.setState(std::move(state));
     return keyframe;
 }
@@ -166,12 +166,7 @@ void Timeline::restore(const Keyframe& keyframe) {
         }
     }
     State state = keyframe.rest;
-    state.triangles = std::move(old.triangles);
-    state.alerts = std::move(old.alerts);
-    state.done = std::move(old.done);
-    state.status = std::move(old.status);
-    state.edges = std::move(old.edges);
-    state.rings = std::move(old.rings);
+    swapLarge(old, state);
     state.rings.restore(keyframe.rest.rings);
     countEntries(state, true);
     stepper_.setState(std::move(state));

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numeric>
+
+#include "finite.h"
 
 namespace se {
 namespace {
@@ -14,10 +15,6 @@ namespace {
 /// for tens of millions of points.
 constexpr unsigned kBits = 10;
 constexpr std::uint64_t kNowhere = (std::uint64_t{1} << 3 * kBits) - 1;
-
-bool isFinite(const Vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 /// Puts two zeros between each two of the lowest 10 bits.
 std::uint64_t spread(std::uint64_t x) {

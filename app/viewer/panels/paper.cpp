@@ -29,7 +29,7 @@ void drawLine(const PanelContext& context, const std::string& line, bool present
         ImGui::SetCursorPosX(left + indent);
         present ? ImGui::TextUnformatted(part.c_str()) : ImGui::TextDisabled("%s", part.c_str());
     }
-    if (!present || numbers.empty()) return;
+    if (numbers.empty()) return;
     ImGui::SetCursorPosX(left + indent + 0.5F * context.em);
     ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
     ImGui::TextUnformatted(numbers.c_str());
@@ -59,7 +59,8 @@ void drawPaper(const PanelContext& context) {
     const std::size_t present = presentLine(*event);
     const Color color = verdictOf(*event) ? verdictColor(context, *event) : context.palette.accent;
     for (std::size_t i = 0; i < rule.code.size(); ++i) {
-        drawLine(context, rule.code[i], i == present, liveNumbers(*event), color);
+        const bool isPresent = i == present;
+        drawLine(context, rule.code[i], isPresent, isPresent ? liveNumbers(*event) : "", color);
     }
 }
 

@@ -19,8 +19,8 @@ struct Renumbered {
 Renumbered renumberAlongZCurve(const PointSet& points);
 
 /// Gives a finished State of a run over `renumbered` the indices of the old set: in triangles, mesh
-/// and alerts, and in who is DONE. What only a run that goes
-/// on would need (edge table, the half-edges of the mesh, the last pivot) keeps the new ones.
+/// and alerts, and in who is DONE. What only a run that goes on would need (edge table, the
+/// half-edges of the mesh, the last pivot) keeps the new ones.
 void restoreIndices(const Renumbered& renumbered, State& state);
 
 /// How a run ended, and what it left.

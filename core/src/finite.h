@@ -1,0 +1,14 @@
+/// Positions and normals that one can compute with.
+#pragma once
+
+#include <cmath>
+
+#include "spiraling_edge/point_set.h"
+
+namespace se {
+
+inline bool isFinite(const Vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+}  // namespace se
