@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <string>
@@ -15,6 +16,7 @@
 #include "spiraling_edge/reconstruct.h"
 #include "spiraling_edge/rules.h"
 #include "spiraling_edge/stepper.h"
+#include "spiraling_edge/timeline.h"
 
 namespace se::bench {
 namespace {
@@ -116,6 +118,22 @@ void reconstructAtOnce(benchmark::State& bench, const std::string& name) {
     countPoints(bench, points);
 }
 
+/// Going about in a run that was seen once: to the pivot before, or to any.
+void goBack(benchmark::State& bench, const std::string& name, bool anywhere) {
+    const PointSet& points = pointsOf(name);
+    if (skipIfAbsent(bench, points)) return;
+    Timeline timeline(points, Params{});
+    timeline.seek(std::numeric_limits<std::uint32_t>::max());
+    const std::uint32_t pivots = timeline.farthest();
+    std::uint32_t place = pivots / 2;
+    for (auto _ : bench) {
+        place = anywhere ? (place * 7919U + 104729U) % pivots : std::max(1U, place) - 1;
+        timeline.seek(place);
+    }
+    bench.counters["pivots"] = pivots;
+    bench.counters["MB_keyframes"] = static_cast<double>(timeline.keyframeBytes()) / 1e6;
+}
+
 /// `keep`: all events stay in memory; else those of a pivot are dropped when it is complete.
 void triangulateWithLog(benchmark::State& bench, const std::string& name, bool keep) {
     const PointSet& points = pointsOf(name);
@@ -171,6 +189,12 @@ void registerLarge(const std::string& name) {
     benchmark::RegisterBenchmark(("large/reconstruct/" + name).c_str(),
                                  [=](benchmark::State& bench) { reconstructAtOnce(bench, name); })
         ->Unit(benchmark::kMillisecond);
+    for (const bool anywhere : {false, true}) {
+        benchmark::RegisterBenchmark(
+            ("large/seek_" + std::string(anywhere ? "any/" : "previous/") + name).c_str(),
+            [=](benchmark::State& bench) { goBack(bench, name, anywhere); })
+            ->Unit(benchmark::kMillisecond);
+    }
 }
 
 }  // namespace
