@@ -165,7 +165,7 @@ struct Line {
     std::size_t operator()(const PivotEvidence&) const { return 1; }
     std::size_t operator()(const SkipEvidence&) const { return 4; }
     std::size_t operator()(const InsertEvidence& e) const {
-        if (e.verdict == Verdict::NoThirdPoint) return 4;
+        if (e.verdict == Verdict::NoThirdPoint || e.verdict == Verdict::OtherSideOpen) return 4;
         return e.corner ? 3 : 1;
     }
     std::size_t operator()(const SortEvidence& e) const {

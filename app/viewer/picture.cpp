@@ -37,6 +37,7 @@ bool isRejection(Verdict verdict) {
         case Verdict::OverRim:
         case Verdict::Steep:
         case Verdict::Meets:
+        case Verdict::OtherSideOpen:
         case Verdict::NoThirdPoint:
             return true;
         default:

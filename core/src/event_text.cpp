@@ -63,6 +63,9 @@ std::string text(const InsertEvidence& e) {
     if (e.verdict == Verdict::NoThirdPoint) {
         return where + " no UNUSED neighbor on the same wall fits: passed over.";
     }
+    if (e.verdict == Verdict::OtherSideOpen) {
+        return where + " a third point would end the pivot with its other side open: passed over.";
+    }
     std::string result = where + ", point " + str(e.third) + " joins the ring " +
                          (e.verdict == Verdict::Before ? "before" : "after") + " the pivot";
     if (!e.corner) {
@@ -323,6 +326,8 @@ std::string_view verdictText(Verdict verdict) {
             return "before";
         case Verdict::After:
             return "after";
+        case Verdict::OtherSideOpen:
+            return "other side open";
         case Verdict::NoThirdPoint:
             return "no third point";
     }

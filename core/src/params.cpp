@@ -24,6 +24,8 @@ constexpr std::array kSwitches{
                &Rules::stepBack},
     RuleSwitch{"wallsdone", "7", "boundary points complete along their walls are no candidates",
                &Rules::wallsDone},
+    RuleSwitch{"bothwalls", "7.2", "no third point beside a boundary point open at its other side",
+               &Rules::bothWalls},
     RuleSwitch{"guard", "6.4", "no directed edge twice: always an oriented manifold",
                &Rules::guard},
     RuleSwitch{"gap", "6.4", "no fan with a gap of 180 degrees or more", &Rules::gap},
@@ -66,7 +68,7 @@ Params corrected() {
 Params robust() {
     Params params = corrected();
     Rules& r = params.rules;
-    r.guard = r.gap = r.noPillow = r.noCross = r.noFold = r.noMeet = r.rim = true;
+    r.bothWalls = r.guard = r.gap = r.noPillow = r.noCross = r.noFold = r.noMeet = r.rim = true;
     r.delay = r.fill = r.reinsert = r.flip = r.reseat = true;
     return params;
 }

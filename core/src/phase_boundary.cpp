@@ -23,7 +23,7 @@ bool unusedOnSameWall(const StepContext& context, Index p, Index x) {
 }
 
 /// §7.1: the ring consists of two boundary points.
-bool insertOnRingOfTwo(StepContext& context, Index p, Index second) {
+bool insertOnRingOfTwo(AnyContext auto& context, Index p, Index second) {
     const PointSet& points = context.points;
     InsertEvidence evidence{
         p, second, kNone, false, Vec3(0.0), points.type[p], Verdict::NoThirdPoint};
@@ -42,13 +42,26 @@ bool insertOnRingOfTwo(StepContext& context, Index p, Index second) {
     return evidence.third != kNone;
 }
 
-/// §7.2: a transition between p and the ring neighbor `across`, which follows p ("entering",
-/// `before` true: the third point goes before p) or precedes it ("exiting").
-bool insertAtCorner(StepContext& context, Index p, Index across, bool before) {
+/// The pivot and its neighbors on the ring, as points.
+struct OnRing {
+    Index p, previous, next;
+};
+
+/// §7.2: a transition between p and the ring neighbor across the corner: next ("entering", the
+/// third point goes before p) or previous ("exiting").
+bool insertAtCorner(AnyContext auto& context, const OnRing& at, bool before) {
     const PointSet& points = context.points;
+    const Index p = at.p;
+    const Index across = before ? at.next : at.previous;
+    const Index other = before ? at.previous : at.next;
     const Vec3& position = points.position[p];
     InsertEvidence evidence{
         p, across, kNone, true, Vec3(0.0), points.type[p], Verdict::NoThirdPoint};
+    if (context.params.rules.bothWalls && !shareFace(points.type[p], points.type[other])) {
+        evidence.verdict = Verdict::OtherSideOpen;
+        note(context, Stage::Insert, [&] { return evidence; });
+        return false;
+    }
     for (const Index x : points.neighbors[p]) {
         if (!unusedOnSameWall(context, p, x)) continue;
         const Vec3& from = before ? points.position[x] : points.position[across];
@@ -65,18 +78,17 @@ bool insertAtCorner(StepContext& context, Index p, Index across, bool before) {
 
 }  // namespace
 
-bool admitBoundaryPivot(StepContext& context) {
+bool admitBoundaryPivot(AnyContext auto& context) {
     const State& s = context.state;
     const std::vector<std::uint8_t>& type = context.points.type;
     const Index pivot = s.pivot.pivot;
-    const Index p = s.rings.point(pivot);
-    const Index previous = s.rings.point(s.rings.prev(pivot));
-    const Index next = s.rings.point(s.rings.next(pivot));
+    const OnRing at{s.rings.point(pivot), s.rings.point(s.rings.prev(pivot)),
+                    s.rings.point(s.rings.next(pivot))};
     if (s.rings.length(s.rings.active()) == 2) {
-        return isBoundary(type[next]) && insertOnRingOfTwo(context, p, next);
+        return isBoundary(type[at.next]) && insertOnRingOfTwo(context, at.p, at.next);
     }
-    if (isTransition(type[p], type[next]) && insertAtCorner(context, p, next, true)) return true;
-    return isTransition(type[p], type[previous]) && insertAtCorner(context, p, previous, false);
+    if (isTransition(type[at.p], type[at.next]) && insertAtCorner(context, at, true)) return true;
+    return isTransition(type[at.p], type[at.previous]) && insertAtCorner(context, at, false);
 }
 
 void withdrawThirdPoint(StepContext& context) {
@@ -88,5 +100,8 @@ void withdrawThirdPoint(StepContext& context) {
     s.rings.setOpen(behind, s.third.stepBeforeWasOpen);
     s.third = {};
 }
+
+template bool admitBoundaryPivot(SilentContext&);
+template bool admitBoundaryPivot(LoggedContext&);
 
 }  // namespace se

@@ -108,7 +108,7 @@ bool mayFill(const StepContext& context) {
            (length <= kNeverAnOpening || !isOpening(context));
 }
 
-void phaseFill(StepContext& context) {
+void phaseFill(AnyContext auto& context) {
     State& s = context.state;
     ++s.counters.pivots;
     s.pivotTriangles = 0;
@@ -133,5 +133,8 @@ void phaseFill(StepContext& context) {
     });
     s.phase = Phase::Emit;
 }
+
+template void phaseFill(SilentContext&);
+template void phaseFill(LoggedContext&);
 
 }  // namespace se

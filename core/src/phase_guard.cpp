@@ -74,7 +74,7 @@ void tryWithout(StepContext& context, Index point) {
 
 }  // namespace
 
-void phaseGuard(StepContext& context) {
+void phaseGuard(AnyContext auto& context) {
     layOutFan(context);
     const Fan& fan = context.state.pivot.fan;
     Objection objection;
@@ -107,5 +107,8 @@ bool shapeRefuses(const StepContext& context) {
     Objection objection;
     return firstObjecting(context, kShapeRules, objection) != nullptr;
 }
+
+template void phaseGuard(SilentContext&);
+template void phaseGuard(LoggedContext&);
 
 }  // namespace se

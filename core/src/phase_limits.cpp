@@ -43,7 +43,7 @@ struct LimitTest {
     double turn = 0.0;
 };
 
-template <bool kNoted>
+template <bool kEveryTest>
 LimitTest testLimit(const StepContext& context, Side side) {
     const State& s = context.state;
     const NeighborRing& n = s.pivot;
@@ -57,7 +57,7 @@ LimitTest testLimit(const StepContext& context, Side side) {
     const ConcaveTest concave = testConcave(context.positionAt(limit), context.normalAt(limit),
                                             atStart ? position : p, atStart ? p : position);
     // The cheap test that fails most often comes first, unless someone wants to see the others.
-    if (!kNoted && !concave.concave()) return {Verdict::NotConcave, to};
+    if (!kEveryTest && !concave.concave()) return {Verdict::NotConcave, to};
     const auto list = context.points.neighbors[s.rings.point(n.pivot)];
     if (std::find(list.begin(), list.end(), s.rings.point(to)) == list.end()) {
         return {Verdict::NotListed, to};
@@ -88,14 +88,14 @@ LimitEvidence explainLimit(const StepContext& context, Side side) {
 }
 
 /// Advances start or end by one entry if §6.1 (Fig. 4) says so.
-template <bool kNoted>
-bool moveLimit(StepContext& context, Side side) {
+template <AnyContext Context>
+bool moveLimit(Context& context, Side side) {
     State& s = context.state;
     NeighborRing& n = s.pivot;
     Index& limit = side == Side::Start ? n.start : n.end;
     Angle& angle = side == Side::Start ? n.startAngle : n.endAngle;
-    const LimitTest test = testLimit<kNoted>(context, side);
-    noteIf<kNoted>(context, Stage::Limits, [&] { return explainLimit(context, side); });
+    const LimitTest test = testLimit<kListening<Context>>(context, side);
+    note(context, Stage::Limits, [&] { return explainLimit(context, side); });
     if (test.verdict != Verdict::Moved) return false;
     limit = test.to;
     angle = test.angle;
@@ -103,28 +103,26 @@ bool moveLimit(StepContext& context, Side side) {
 }
 
 /// Rules::limitsFirst off: each listed neighbor is looked at once, as it comes.
-template <bool kNoted>
-void moveLimitsAsNeighborsCome(StepContext& context) {
+void moveLimitsAsNeighborsCome(AnyContext auto& context) {
     const State& s = context.state;
     for (const Index x : context.points.neighbors[s.rings.point(s.pivot.pivot)]) {
         for (const Side side : {Side::Start, Side::End}) {
-            if (x == s.rings.point(beyond(s, side)) && moveLimit<kNoted>(context, side)) break;
+            if (x == s.rings.point(beyond(s, side)) && moveLimit(context, side)) break;
         }
     }
 }
 
-template <bool kNoted>
-void moveLimits(StepContext& context) {
-    if (!context.params.rules.limitsFirst) return moveLimitsAsNeighborsCome<kNoted>(context);
-    while (moveLimit<kNoted>(context, Side::Start)) {
+void moveLimits(AnyContext auto& context) {
+    if (!context.params.rules.limitsFirst) return moveLimitsAsNeighborsCome(context);
+    while (moveLimit(context, Side::Start)) {
     }
-    while (moveLimit<kNoted>(context, Side::End)) {
+    while (moveLimit(context, Side::End)) {
     }
 }
 
 /// Drops the candidates for which `verdict` (of candidate and side) is not Kept.
 template <typename Test>
-void dropCandidates(StepContext& context, Stage stage, Test&& test) {
+void dropCandidates(AnyContext auto& context, Stage stage, Test&& test) {
     std::vector<Candidate>& all = context.state.pivot.candidates;
     std::size_t kept = 0;
     for (const Candidate& c : all) {
@@ -143,12 +141,12 @@ void dropCandidates(StepContext& context, Stage stage, Test&& test) {
 
 }  // namespace
 
-void phaseLimits(StepContext& context) {
+void phaseLimits(AnyContext auto& context) {
     State& s = context.state;
     NeighborRing& n = s.pivot;
     s.phase = Phase::Convex;
     if (n.fullTurn()) return;
-    withOrWithoutEvents(context, [&](auto noted) { moveLimits<noted>(context); });
+    moveLimits(context);
     if (n.start == n.first && n.end == n.last) return;
     const Index atStart = s.rings.point(n.start);
     const Index atEnd = s.rings.point(n.end);
@@ -164,7 +162,7 @@ void phaseLimits(StepContext& context) {
 
 // ---- §6.1: convexity and reciprocity ------------------------------------------------------------
 
-void phaseConvex(StepContext& context) {
+void phaseConvex(AnyContext auto& context) {
     State& s = context.state;
     const NeighborRing& n = s.pivot;
     s.phase = Phase::Reciprocal;
@@ -205,7 +203,7 @@ bool completeAlongWalls(const StepContext& context, Index entry) {
 }
 
 /// The entry of the USED candidate whose sector holds the pivot, kNone if none does.
-Index findInstance(StepContext& context, const Candidate& candidate) {
+Index findInstance(AnyContext auto& context, const Candidate& candidate) {
     const State& s = context.state;
     const EdgeRings& rings = s.rings;
     Index found = kNone;
@@ -236,7 +234,7 @@ Index findInstance(StepContext& context, const Candidate& candidate) {
 
 }  // namespace
 
-void phaseReciprocal(StepContext& context) {
+void phaseReciprocal(AnyContext auto& context) {
     State& s = context.state;
     std::vector<Candidate>& all = s.pivot.candidates;
     std::size_t kept = 0;
@@ -250,5 +248,12 @@ void phaseReciprocal(StepContext& context) {
     all.resize(kept);
     s.phase = Phase::Hole;
 }
+
+template void phaseLimits(SilentContext&);
+template void phaseLimits(LoggedContext&);
+template void phaseConvex(SilentContext&);
+template void phaseConvex(LoggedContext&);
+template void phaseReciprocal(SilentContext&);
+template void phaseReciprocal(LoggedContext&);
 
 }  // namespace se

@@ -51,7 +51,7 @@ void beginMendPhases(StepContext& context) {
     s.mend = beginMending(context.points.size(), s.triangles);
 }
 
-void phaseReinsert(StepContext& context) {
+void phaseReinsert(AnyContext auto& context) {
     State& s = context.state;
     Index point = kNone;
     if (!reinsertNext(context.points, s.mend, point)) return enterNext(context);
@@ -59,7 +59,7 @@ void phaseReinsert(StepContext& context) {
     note(context, Stage::Reinsert, [&] { return ReinsertEvidence{point}; });
 }
 
-void phaseFlip(StepContext& context) {
+void phaseFlip(AnyContext auto& context) {
     State& s = context.state;
     Flip flip{};
     if (!flipNext(context.points, s.mend, flip)) return enterNext(context);
@@ -67,12 +67,19 @@ void phaseFlip(StepContext& context) {
     note(context, Stage::Flip, [&] { return FlipEvidence{flip.u, flip.v, flip.x, flip.y}; });
 }
 
-void phaseReseat(StepContext& context) {
+void phaseReseat(AnyContext auto& context) {
     State& s = context.state;
     Index point = kNone;
     if (!reseatNext(context.points, s.mend, point)) return enterNext(context);
     ++s.counters.pivots;
     note(context, Stage::Reseat, [&] { return ReseatEvidence{point}; });
 }
+
+template void phaseReinsert(SilentContext&);
+template void phaseReinsert(LoggedContext&);
+template void phaseFlip(SilentContext&);
+template void phaseFlip(LoggedContext&);
+template void phaseReseat(SilentContext&);
+template void phaseReseat(LoggedContext&);
 
 }  // namespace se

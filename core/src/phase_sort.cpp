@@ -40,7 +40,7 @@ void sortByAngle(const std::vector<Candidate>& listed, std::vector<Candidate>& s
 
 /// "If two neighboring points are found to have the same angle, the point closest to p is included
 /// in the ring and the other point is eliminated from consideration."
-void keepNearestOfEachAngle(StepContext& context) {
+void keepNearestOfEachAngle(AnyContext auto& context) {
     std::vector<Candidate>& all = context.state.pivot.candidates;
     const auto sameAngle = [&](const Candidate& a, const Candidate& b) {
         return b.angle.key - a.angle.key <= context.params.sameAngle;
@@ -80,11 +80,11 @@ Verdict explainNeighbor(const StepContext& context, Index x, const Angle& angle)
                : Verdict::NotBeforeEnd;
 }
 
-void explainNeighbors(StepContext& context, std::span<const Index> list) {
+void explainNeighbors(AnyContext auto& context, std::span<const Index> list) {
     const NeighborRing& n = context.state.pivot;
     for (const Index x : list) {
-        const Angle angle = angleOf(n.frame, context.points.position[x] - n.frame.origin);
         note(context, Stage::Sort, [&] {
+            const Angle angle = angleOf(n.frame, context.points.position[x] - n.frame.origin);
             return SortEvidence{x,
                                 angle.cosine,
                                 angle.key > kHalfTurnKey,
@@ -130,11 +130,11 @@ void addCandidates(StepContext& context, std::span<const Index> list) {
 
 }  // namespace
 
-void phaseSort(StepContext& context) {
+void phaseSort(AnyContext auto& context) {
     State& s = context.state;
     NeighborRing& n = s.pivot;
     std::span<const Index> list = context.points.neighbors[s.rings.point(n.pivot)];
-    if (context.listening()) explainNeighbors(context, list);
+    explainNeighbors(context, list);
     n.listed.clear();
     while (!list.empty()) {
         const std::size_t size = std::min(kPiece, list.size());
@@ -145,5 +145,8 @@ void phaseSort(StepContext& context) {
     keepNearestOfEachAngle(context);
     s.phase = Phase::Limits;
 }
+
+template void phaseSort(SilentContext&);
+template void phaseSort(LoggedContext&);
 
 }  // namespace se

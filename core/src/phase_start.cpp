@@ -15,7 +15,7 @@ Index nearestNotDone(const PointSet& points, const State& state, Index p) {
     return found == list.end() ? kNone : *found;
 }
 
-void beginRing(StepContext& context, Index p, Index q) {
+void beginRing(AnyContext auto& context, Index p, Index q) {
     State& s = context.state;
     s.status[p] = 1;
     s.status[q] = 1;
@@ -24,11 +24,10 @@ void beginRing(StepContext& context, Index p, Index q) {
     ++s.counters.seeds;
     s.counters.maxRingLength = std::max(s.counters.maxRingLength, 2U);
     s.phase = Phase::Pivot;
-    if (context.listening()) {
+    noteAt(context, s.counters.pivots + 1, Stage::Seed, [&] {
         const Vec3 d = context.points.position[q] - context.points.position[p];
-        context.log->add(s.counters.pivots + 1, Stage::Seed,
-                         SeedEvidence{p, q, std::sqrt(glm::dot(d, d))});
-    }
+        return SeedEvidence{p, q, std::sqrt(glm::dot(d, d))};
+    });
 }
 
 /// Points lie in memory in any order, so that waiting for them would take a third of the time. The
@@ -49,7 +48,7 @@ void beginRing(StepContext& context, Index p, Index q) {
 
 }  // namespace
 
-void phaseSeed(StepContext& context) {
+void phaseSeed(AnyContext auto& context) {
     State& s = context.state;
     for (; s.startPointer < s.status.size(); ++s.startPointer) {
         const Index p = context.points.inOrder(s.startPointer);
@@ -62,9 +61,9 @@ void phaseSeed(StepContext& context) {
         s.finish(p);
         const bool isolated = context.points.neighbors[p].empty();
         ++(isolated ? s.counters.isolated : s.counters.stranded);
-        if (context.listening()) {
-            context.log->add(s.counters.pivots + 1, Stage::Strand, StrandEvidence{p, isolated});
-        }
+        noteAt(context, s.counters.pivots + 1, Stage::Strand, [&] {
+            return StrandEvidence{p, isolated};
+        });
     }
     beginMendPhases(context);
 }
@@ -103,19 +102,19 @@ void setPivot(StepContext& context, Index entry) {
 namespace {
 
 /// The pivot as it is before §7 may put a third point beside it.
-[[gnu::noinline, gnu::cold]] void notePivot(StepContext& context) {
-    const State& s = context.state;
-    const Index entry = s.pivot.pivot;
-    context.log->add(
-        s.counters.pivots, Stage::Pivot,
-        PivotEvidence{s.rings.point(entry), s.rings.point(s.rings.prev(entry)),
-                      s.rings.point(s.rings.next(entry)), s.rings.length(s.rings.active()),
-                      sectorAt(context, entry).last.degrees()});
+void notePivot(AnyContext auto& context) {
+    note(context, Stage::Pivot, [&] {
+        const EdgeRings& rings = context.state.rings;
+        const Index entry = context.state.pivot.pivot;
+        return PivotEvidence{rings.point(entry), rings.point(rings.prev(entry)),
+                             rings.point(rings.next(entry)), rings.length(rings.active()),
+                             sectorAt(context, entry).last.degrees()};
+    });
 }
 
 }  // namespace
 
-void phasePivot(StepContext& context) {
+void phasePivot(AnyContext auto& context) {
     State& s = context.state;
     NeighborRing& n = s.pivot;
     ++s.counters.pivots;
@@ -125,8 +124,7 @@ void phasePivot(StepContext& context) {
     s.instances.clear();
     n.candidates.clear();
     const Index p = s.rings.point(n.pivot);
-    if (context.listening()) [[unlikely]]
-        notePivot(context);
+    notePivot(context);
     if (isBoundary(context.points.type[p]) && !admitBoundaryPivot(context)) {
         ++s.counters.skipped;
         note(context, Stage::Skip, [&] { return SkipEvidence{p, context.points.type[p]}; });
@@ -137,5 +135,10 @@ void phasePivot(StepContext& context) {
     fetchAhead(context);
     s.phase = Phase::Sort;
 }
+
+template void phaseSeed(SilentContext&);
+template void phaseSeed(LoggedContext&);
+template void phasePivot(SilentContext&);
+template void phasePivot(LoggedContext&);
 
 }  // namespace se

@@ -20,7 +20,7 @@ bool isHoleOfThree(const StepContext& context) {
 
 }  // namespace
 
-void phaseHole(StepContext& context) {
+void phaseHole(AnyContext auto& context) {
     State& s = context.state;
     NeighborRing& n = s.pivot;
     s.phase = Phase::Sphere;
@@ -80,18 +80,16 @@ Verdict judge(const Candidate& t, const Candidate& q, const Candidate& s, double
     return exceedsAngle(t.angle, s.angle, maxGapCosine) ? Verdict::GapTooWide : Verdict::Removed;
 }
 
-template <bool kNoted>
-bool isRemoved(StepContext& context, const Candidate& t, const Candidate& q, const Candidate& s) {
+bool isRemoved(AnyContext auto& context, const Candidate& t, const Candidate& q,
+               const Candidate& s) {
     const Verdict verdict = judge(t, q, s, context.params.maxGapCosine);
-    noteIf<kNoted>(context, Stage::Sphere, [&, verdict] {
-        return explain(t, q, s, context.state.pivot.frame.origin, verdict);
-    });
+    note(context, Stage::Sphere,
+         [&, verdict] { return explain(t, q, s, context.state.pivot.frame.origin, verdict); });
     return verdict == Verdict::Removed;
 }
 
 /// §6.3: one pass over the candidates, each looked at once.
-template <bool kNoted>
-void thinOnce(StepContext& context) {
+void thinOnce(AnyContext auto& context) {
     NeighborRing& n = context.state.pivot;
     std::vector<Candidate>& all = n.candidates;
     const Candidate start = limitAt(context, n.start, n.startAngle);
@@ -100,7 +98,7 @@ void thinOnce(StepContext& context) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Candidate& s = i + 1 < all.size() ? all[i + 1] : end;
-        if (isRemoved<kNoted>(context, *t, all[i], s)) continue;
+        if (isRemoved(context, *t, all[i], s)) continue;
         if (kept != i) all[kept] = all[i];
         t = &all[kept++];
     }
@@ -108,8 +106,7 @@ void thinOnce(StepContext& context) {
 }
 
 /// Rules::stepBack: after a removal, the point before is looked at again with its new neighbor.
-template <bool kNoted>
-void thinWithStepBack(StepContext& context) {
+void thinWithStepBack(AnyContext auto& context) {
     NeighborRing& n = context.state.pivot;
     std::vector<Candidate>& all = n.candidates;
     const Candidate start = limitAt(context, n.start, n.startAngle);
@@ -121,7 +118,7 @@ void thinWithStepBack(StepContext& context) {
         const Candidate& s = i + 1 < all.size() ? all[i + 1] : end;
         while (kept > 0) {
             const Candidate& t = kept > 1 ? all[kept - 2] : start;
-            if (!isRemoved<kNoted>(context, t, all[kept - 1], s)) break;
+            if (!isRemoved(context, t, all[kept - 1], s)) break;
             --kept;
         }
     }
@@ -130,19 +127,22 @@ void thinWithStepBack(StepContext& context) {
 
 }  // namespace
 
-void phaseSphere(StepContext& context) {
+void phaseSphere(AnyContext auto& context) {
     context.state.phase = Phase::TwoPoint;
     if (context.params.rules.looksAtFan()) {
         context.state.pivot.pool = context.state.pivot.candidates;
     }
     if (context.state.pivot.candidates.empty()) return;
-    withOrWithoutEvents(context, [&](auto noted) {
-        if (context.params.rules.stepBack) {
-            thinWithStepBack<noted>(context);
-        } else {
-            thinOnce<noted>(context);
-        }
-    });
+    if (context.params.rules.stepBack) {
+        thinWithStepBack(context);
+    } else {
+        thinOnce(context);
+    }
 }
+
+template void phaseHole(SilentContext&);
+template void phaseHole(LoggedContext&);
+template void phaseSphere(SilentContext&);
+template void phaseSphere(LoggedContext&);
 
 }  // namespace se

@@ -8,7 +8,7 @@ namespace se {
 
 // ---- §6.4: triangles ----------------------------------------------------------------------------
 
-void phaseTwoPoint(StepContext& context) {
+void phaseTwoPoint(AnyContext auto& context) {
     State& s = context.state;
     const NeighborRing& n = s.pivot;
     s.phase = context.params.rules.looksAtFan() ? Phase::Guard : Phase::Emit;
@@ -74,17 +74,18 @@ void listSpokes(State& s) {
 }
 
 /// The triangles from number `from` on.
-[[gnu::noinline, gnu::cold]] void noteTriangles(StepContext& context, std::size_t from) {
+void noteTriangles(AnyContext auto& context, std::size_t from) {
     const State& s = context.state;
     for (std::size_t i = from; i < s.triangles.size(); ++i) {
-        context.log->add(s.counters.pivots, Stage::Emit,
-                         EmitEvidence{static_cast<Index>(i), s.triangles[i]});
+        note(context, Stage::Emit, [&] {
+            return EmitEvidence{static_cast<Index>(i), s.triangles[i]};
+        });
     }
 }
 
 }  // namespace
 
-void phaseEmit(StepContext& context) {
+void phaseEmit(AnyContext auto& context) {
     State& s = context.state;
     const Index p = s.rings.point(s.pivot.pivot);
     listSpokes(s);
@@ -97,12 +98,16 @@ void phaseEmit(StepContext& context) {
     if (!s.edges.empty()) {
         for (const Triangle& t : std::span(s.triangles).subspan(before)) s.edges.add(t);
     }
-    if (context.listening()) [[unlikely]]
-        noteTriangles(context, before);
+    noteTriangles(context, before);
     // The bound that ends every guarded run, see docs/architecture.md.
     assert(!context.params.rules.guard ||
            3 * s.triangles.size() <= context.points.size() * (context.points.size() - 1));
     s.phase = Phase::Ring;
 }
+
+template void phaseTwoPoint(SilentContext&);
+template void phaseTwoPoint(LoggedContext&);
+template void phaseEmit(SilentContext&);
+template void phaseEmit(LoggedContext&);
 
 }  // namespace se

@@ -6,16 +6,12 @@
 namespace se {
 namespace {
 
-/// Apart from its callers, with plain arguments: what a closure captures would have to be in
-/// memory.
-[[gnu::noinline, gnu::cold]] void noteRing(StepContext& context, Stage stage, Index x,
-                                           bool inserted) {
-    context.log->add(context.state.counters.pivots, stage,
-                     RingEvidence{x, inserted, context.state.status[x]});
+void noteRing(AnyContext auto& context, Stage stage, Index x, bool inserted) {
+    note(context, stage, [&] { return RingEvidence{x, inserted, context.state.status[x]}; });
 }
 
 /// Takes an entry out and counts its point's status down (§4): the last one makes it DONE.
-void release(StepContext& context, Index entry, Stage stage) {
+void release(AnyContext auto& context, Index entry, Stage stage) {
     State& s = context.state;
     const Index x = s.rings.point(entry);
     s.rings.erase(entry);
@@ -24,11 +20,10 @@ void release(StepContext& context, Index entry, Stage stage) {
     } else {
         --s.status[x];
     }
-    if (context.listening()) [[unlikely]]
-        noteRing(context, stage, x, false);
+    noteRing(context, stage, x, false);
 }
 
-void insertCandidates(StepContext& context) {
+void insertCandidates(AnyContext auto& context) {
     State& s = context.state;
     Index behind = s.pivot.start;
     for (const Candidate& c : s.pivot.candidates) {
@@ -36,14 +31,13 @@ void insertCandidates(StepContext& context) {
         s.status[c.point] = s.status[c.point] + 1;
         s.insertedEntries.push_back(behind);
         s.instances.push_back(c.instance);
-        if (context.listening()) [[unlikely]]
-            noteRing(context, Stage::Ring, c.point, true);
+        noteRing(context, Stage::Ring, c.point, true);
     }
 }
 
 }  // namespace
 
-void phaseRing(StepContext& context) {
+void phaseRing(AnyContext auto& context) {
     State& s = context.state;
     const NeighborRing& n = s.pivot;
     release(context, n.pivot, Stage::Ring);
@@ -79,7 +73,7 @@ Index goOnFrom(const State& s) {
 }
 
 /// Closes a ring of two finished steps, or of a lone entry: Choice, see Rules::closeTwo.
-void closeIfFinished(StepContext& context, Index ring) {
+void closeIfFinished(AnyContext auto& context, Index ring) {
     State& s = context.state;
     const Index length = s.rings.length(ring);
     const Index a = s.rings.head(ring);
@@ -97,7 +91,7 @@ void closeIfFinished(StepContext& context, Index ring) {
 }
 
 /// §6.5: the part that holds end stays active, the other goes on the stack.
-void placeSplitRings(StepContext& context, const Exchange& exchange, Index x, Index y) {
+void placeSplitRings(AnyContext auto& context, const Exchange& exchange, Index x, Index y) {
     State& s = context.state;
     ++s.counters.splits;
     const bool wasActive =
@@ -117,7 +111,7 @@ void placeSplitRings(StepContext& context, const Exchange& exchange, Index x, In
 }
 
 /// An inserted point that already stood on a ring: exchange successors with that entry.
-void link(StepContext& context, Index x, Index y) {
+void link(AnyContext auto& context, Index x, Index y) {
     State& s = context.state;
     const Index depth = s.rings.depthFromTop(s.rings.ringOf(y));
     const Exchange exchange = s.rings.exchangeSuccessors(x, y);
@@ -137,7 +131,7 @@ void link(StepContext& context, Index x, Index y) {
 
 }  // namespace
 
-void phaseLink(StepContext& context) {
+void phaseLink(AnyContext auto& context) {
     State& s = context.state;
     for (std::size_t i = 0; i < s.insertedEntries.size(); ++i) {
         const Index x = s.insertedEntries[i];
@@ -156,14 +150,14 @@ void phaseLink(StepContext& context) {
 
 namespace {
 
-void alert(StepContext& context, AlertKind kind, Index point) {
+void alert(AnyContext auto& context, AlertKind kind, Index point) {
     State& s = context.state;
     s.alerts.push_back({kind, s.counters.pivots, point});
     note(context, Stage::Done, [&] { return AlertEvidence{kind, point}; });
 }
 
 /// §7: "Then the algorithm marks the boundary points as DONE and frees the edge ring."
-void freeActiveRing(StepContext& context) {
+void freeActiveRing(AnyContext auto& context) {
     State& s = context.state;
     const Index ring = s.rings.active();
     const Index length = s.rings.length(ring);
@@ -193,7 +187,7 @@ void freeActiveRing(StepContext& context) {
 }
 
 /// Takes the ring on top of the stack, or ends the component if there is none.
-void popOrEnd(StepContext& context) {
+void popOrEnd(AnyContext auto& context) {
     State& s = context.state;
     s.circuit = 0;
     s.patience = 0;
@@ -209,7 +203,7 @@ void popOrEnd(StepContext& context) {
     });
 }
 
-void goOnAt(StepContext& context, Index entry) {
+void goOnAt(AnyContext auto& context, Index entry) {
     State& s = context.state;
     s.pivot.pivot = entry;
     s.phase = Phase::Pivot;
@@ -218,7 +212,7 @@ void goOnAt(StepContext& context, Index entry) {
     });
 }
 
-void advanceAfterTriangles(StepContext& context) {
+void advanceAfterTriangles(AnyContext auto& context) {
     State& s = context.state;
     s.circuit = 0;
     s.patience = 0;
@@ -233,7 +227,7 @@ void advanceAfterTriangles(StepContext& context) {
 
 /// What is tried, in turn, with a ring that a full circuit brought no triangle (State::patience).
 /// False: nothing is left to try.
-bool tryHarder(StepContext& context) {
+bool tryHarder(AnyContext auto& context) {
     State& s = context.state;
     if (context.params.rules.delay && s.patience < kCornerAllowed) {
         ++s.patience;
@@ -249,7 +243,7 @@ bool tryHarder(StepContext& context) {
     return false;
 }
 
-void advanceWithoutTriangles(StepContext& context) {
+void advanceWithoutTriangles(AnyContext auto& context) {
     State& s = context.state;
     withdrawThirdPoint(context);
     ++s.circuit;
@@ -264,7 +258,7 @@ void advanceWithoutTriangles(StepContext& context) {
 
 }  // namespace
 
-void phaseAdvance(StepContext& context) {
+void phaseAdvance(AnyContext auto& context) {
     State& s = context.state;
     if (s.pivotTriangles > 0) {
         advanceAfterTriangles(context);
@@ -279,5 +273,12 @@ void phaseAdvance(StepContext& context) {
         s.phase = Phase::Finished;
     }
 }
+
+template void phaseRing(SilentContext&);
+template void phaseRing(LoggedContext&);
+template void phaseLink(SilentContext&);
+template void phaseLink(LoggedContext&);
+template void phaseAdvance(SilentContext&);
+template void phaseAdvance(LoggedContext&);
 
 }  // namespace se

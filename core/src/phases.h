@@ -11,22 +11,11 @@
 
 namespace se {
 
-/// What a phase works on. `log` is null unless someone listens.
+/// What a phase works on.
 struct StepContext {
     const PointSet& points;
     const Params& params;
     State& state;
-    EventLog* log;
-
-    /// Someone wants to see the events. The benchmark compiles the core once more with
-    /// SPIRALING_EDGE_WITHOUT_LOG, to measure what the question costs.
-    bool listening() const {
-#ifdef SPIRALING_EDGE_WITHOUT_LOG
-        return false;
-#else
-        return log != nullptr;
-#endif
-    }
 
     const Vec3& positionAt(Index entry) const { return points.position[state.rings.point(entry)]; }
     const Vec3& normalAt(Index entry) const { return points.normal[state.rings.point(entry)]; }
@@ -34,87 +23,79 @@ struct StepContext {
     bool openStep(Index entry) const { return params.rules.openSteps && state.rings.open(entry); }
 };
 
+// Phases are compiled twice, for a context with a log and for one without, so that nobody pays for
+// what nobody hears: the question alone would cost 1 to 4 percent (docs/performance.md).
+
+/// Nobody listens.
+struct SilentContext : StepContext {};
+/// Every decision goes to the log.
+struct LoggedContext : StepContext {
+    EventLog& log;
+};
+template <typename T>
+concept AnyContext = std::is_same_v<T, SilentContext> || std::is_same_v<T, LoggedContext>;
+template <AnyContext Context>
+constexpr bool kListening = std::is_same_v<Context, LoggedContext>;
+
+/// Adds the event that `make` returns to those of `pivot`, if someone listens.
+template <AnyContext Context, typename MakeEvidence>
+void noteAt(Context& context, std::uint32_t pivot, Stage stage, const MakeEvidence& make) {
+    if constexpr (kListening<Context>) context.log.add(pivot, stage, make());
+}
+/// ... of the present pivot.
+template <typename MakeEvidence>
+void note(AnyContext auto& context, Stage stage, const MakeEvidence& make) {
+    noteAt(context, context.state.counters.pivots, stage, make);
+}
+
 // phase_start.cpp: §4
-void phaseSeed(StepContext& context);
-void phasePivot(StepContext& context);
+void phaseSeed(AnyContext auto& context);
+void phasePivot(AnyContext auto& context);
 /// Makes `entry` the pivot, with first and last, start at first and end at last, the frame and the
 /// angles.
 void setPivot(StepContext& context, Index entry);
 // phase_sort.cpp: §6.1
-void phaseSort(StepContext& context);
+void phaseSort(AnyContext auto& context);
 // phase_limits.cpp: §6.1
-void phaseLimits(StepContext& context);
-void phaseConvex(StepContext& context);
-void phaseReciprocal(StepContext& context);
+void phaseLimits(AnyContext auto& context);
+void phaseConvex(AnyContext auto& context);
+void phaseReciprocal(AnyContext auto& context);
 // phase_thin.cpp: §6.2, §6.3
-void phaseHole(StepContext& context);
-void phaseSphere(StepContext& context);
+void phaseHole(AnyContext auto& context);
+void phaseSphere(AnyContext auto& context);
 // phase_triangles.cpp: §6.4
-void phaseTwoPoint(StepContext& context);
-void phaseEmit(StepContext& context);
+void phaseTwoPoint(AnyContext auto& context);
+void phaseEmit(AnyContext auto& context);
 /// Lays out NeighborRing::fan from the candidates that are left.
 void layOutFan(StepContext& context);
 // phase_guard.cpp: beyond the paper
-void phaseGuard(StepContext& context);
+void phaseGuard(AnyContext auto& context);
 /// Would a rule that keeps the mesh a manifold (Rules::guard, Rules::noPillow) refuse the fan?
 bool manifoldRefuses(const StepContext& context);
 /// Would any rule on faults of shape (Rules::noFold, Rules::noCross, Rules::noMeet) refuse it?
 bool shapeRefuses(const StepContext& context);
 // phase_fill.cpp: beyond the paper
-void phaseFill(StepContext& context);
+void phaseFill(AnyContext auto& context);
 /// Should the active ring be closed by ears instead of being freed?
 bool mayFill(const StepContext& context);
 /// Rules::rim is on, and more than two in three points of the active ring lie where the surface
 /// ends.
 bool isOpening(const StepContext& context);
 // phase_update.cpp: §6.5
-void phaseRing(StepContext& context);
-void phaseLink(StepContext& context);
-void phaseAdvance(StepContext& context);
+void phaseRing(AnyContext auto& context);
+void phaseLink(AnyContext auto& context);
+void phaseAdvance(AnyContext auto& context);
 // phase_mend.cpp: beyond the paper, after the last pivot
 /// Goes to the first phase after the last pivot that a rule asks for, else to Finished.
 void beginMendPhases(StepContext& context);
-void phaseReinsert(StepContext& context);
-void phaseFlip(StepContext& context);
-void phaseReseat(StepContext& context);
+void phaseReinsert(AnyContext auto& context);
+void phaseFlip(AnyContext auto& context);
+void phaseReseat(AnyContext auto& context);
 // phase_boundary.cpp: §7
 /// Decides whether a boundary point may be a pivot, and puts the third point of §7.1 or §7.2 on the
 /// ring if so. False: pass over it.
-bool admitBoundaryPivot(StepContext& context);
+bool admitBoundaryPivot(AnyContext auto& context);
 /// Takes the third point off the ring again, after a pivot that made no triangle.
 void withdrawThirdPoint(StepContext& context);
-
-template <typename MakeEvidence>
-[[gnu::noinline, gnu::cold]] void addEvent(StepContext& context, Stage stage,
-                                           const MakeEvidence& make) {
-    context.log->add(context.state.counters.pivots, stage, make());
-}
-
-/// Adds an event if someone listens. `make` is called only then, and out of the way: what remains
-/// of it in the phases is one comparison.
-template <typename MakeEvidence>
-[[gnu::always_inline]] inline void note(StepContext& context, Stage stage,
-                                        const MakeEvidence& make) {
-    if (context.listening()) [[unlikely]]
-        addEvent(context, stage, make);
-}
-
-/// note() where the caller knows already whether someone listens, see withOrWithoutEvents().
-template <bool kNoted, typename MakeEvidence>
-[[gnu::always_inline]] inline void noteIf(StepContext& context, Stage stage,
-                                          const MakeEvidence& make) {
-    if constexpr (kNoted) addEvent(context, stage, make);
-}
-
-/// Calls `work` with a constant that says whether someone listens: inner loops that add events are
-/// compiled once with them and once without, so that nobody pays for what nobody hears.
-template <typename Work>
-[[gnu::always_inline]] inline void withOrWithoutEvents(const StepContext& context, Work&& work) {
-    if (context.listening()) [[unlikely]] {
-        work(std::true_type{});
-    } else {
-        work(std::false_type{});
-    }
-}
 
 }  // namespace se

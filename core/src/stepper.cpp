@@ -7,7 +7,7 @@
 namespace se {
 namespace {
 
-void runPhase(StepContext& context) {
+void runPhase(AnyContext auto& context) {
     switch (context.state.phase) {
         case Phase::Seed:
             return phaseSeed(context);
@@ -69,21 +69,35 @@ State freshState(const PointSet& points, const Params& params) {
 Stepper::Stepper(const PointSet& points, const Params& params, EventLog* log)
     : points_(points), params_(params), state_(freshState(points, params)), log_(log) {}
 
+template <typename Work>
+bool Stepper::inContext(Work&& work) {
+#ifndef SPIRALING_EDGE_WITHOUT_LOG
+    if (log_ != nullptr) {
+        LoggedContext context{{points_, params_, state_}, *log_};
+        return work(context);
+    }
+#endif
+    SilentContext context{{points_, params_, state_}};
+    return work(context);
+}
+
 bool Stepper::advance() {
     if (state_.finished()) return false;
-    StepContext context{points_, params_, state_, log_};
-    runPhase(context);
-    return true;
+    return inContext([](auto& context) {
+        runPhase(context);
+        return true;
+    });
 }
 
 bool Stepper::stepPivot() {
-    StepContext context{points_, params_, state_, log_};
-    bool complete = false;
-    while (!complete && !state_.finished()) {
-        complete = endsStep(state_.phase);
-        runPhase(context);
-    }
-    return complete;
+    return inContext([](auto& context) {
+        bool complete = false;
+        while (!complete && !context.state.finished()) {
+            complete = endsStep(context.state.phase);
+            runPhase(context);
+        }
+        return complete;
+    });
 }
 
 StopReason Stepper::runUntil(const std::function<bool(const State&)>& condition) {

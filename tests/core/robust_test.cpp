@@ -231,10 +231,11 @@ TEST_CASE("paper: knows none of the rules beyond it, and looks at no finished tr
     const Rules rules = paper().rules;
     CHECK_FALSE(rules.looksAtFan());
     CHECK_FALSE(rules.needsEdges());
-    for (const auto rule : {&Rules::tangent, &Rules::unblocked, &Rules::stepBack, &Rules::wallsDone,
-                            &Rules::guard, &Rules::gap, &Rules::noPillow, &Rules::noCross,
-                            &Rules::noFold, &Rules::noMeet, &Rules::rim, &Rules::delay,
-                            &Rules::fill, &Rules::reinsert, &Rules::flip, &Rules::reseat}) {
+    for (const auto rule :
+         {&Rules::tangent, &Rules::unblocked, &Rules::stepBack, &Rules::wallsDone,
+          &Rules::bothWalls, &Rules::guard, &Rules::gap, &Rules::noPillow, &Rules::noCross,
+          &Rules::noFold, &Rules::noMeet, &Rules::rim, &Rules::delay, &Rules::fill,
+          &Rules::reinsert, &Rules::flip, &Rules::reseat}) {
         CHECK_FALSE(rules.*rule);
         CHECK(robust().rules.*rule);
     }

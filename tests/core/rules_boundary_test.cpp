@@ -230,6 +230,20 @@ TEST_CASE("7.2 the third point is UNUSED, on a wall of p, and its sector stays i
     CHECK(third([](Rig& rig) { rig.done({2, 6}); }) == kNone);
 }
 
+TEST_CASE("bothwalls: no third point beside a pivot whose other ring neighbor is off its walls") {
+    // 0 on the wall +x; 1 round the corner on +y; the ring comes from 3, on the wall or inside.
+    const auto run = [](std::uint8_t behind, const Params& params) {
+        Rig rig(inCorner(), params);
+        typedCorner(rig).type(3, behind).listAll().ring({0, 1, 5, 4, 3}).pivot();
+        return std::pair(rig.all<InsertEvidence>().at(0).verdict, rig.triangles());
+    };
+    const Triangles made{{0, 2, 1}};
+    CHECK(run(kPositiveX, paperBut(&Rules::bothWalls)) == std::pair(Verdict::Before, made));
+    CHECK(run(kInterior, paper()) == std::pair(Verdict::Before, made));
+    CHECK(run(kInterior, paperBut(&Rules::bothWalls)) ==
+          std::pair(Verdict::OtherSideOpen, Triangles{}));
+}
+
 TEST_CASE("7.2 a third point that leads to no triangle leaves the ring as it was") {
     // From 2 to 1 it is a little over 180 degrees: straight for the wall, too much for a triangle.
     Rig rig({{1, 0.5, 0}, {1.02, -0.6, 0}, {1, 0.8, 0}, {0, 0.5, 0}, {0, -0.5, 0}});

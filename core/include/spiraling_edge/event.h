@@ -108,6 +108,7 @@ enum class Verdict : std::uint8_t {
     // insert
     Before,
     After,
+    OtherSideOpen,  ///< The pivot's other side would be left open (Rules::bothWalls).
     NoThirdPoint,
 };
 /// "inside the sphere", ...
@@ -140,7 +141,7 @@ struct InsertEvidence {
     bool corner;         ///< 7.2; else 7.1.
     Vec3 cross;          ///< 7.1: normal of p cross the vector to the second point.
     std::uint8_t faces;  ///< Face bits of p.
-    Verdict verdict;     ///< Before, After or NoThirdPoint.
+    Verdict verdict;     ///< Before, After, OtherSideOpen or NoThirdPoint.
 };
 struct SortEvidence {
     Index point;

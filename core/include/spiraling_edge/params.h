@@ -41,6 +41,9 @@ struct Rules {
     /// §7: a boundary point whose ring neighbors both share a wall with it is complete, and no
     /// candidate.
     bool wallsDone = false;
+    /// §7.2: a third point is put beside a boundary point only if its other ring neighbor shares a
+    /// wall with it; else the side towards that neighbor would be left open for good.
+    bool bothWalls = false;
     /// A candidate that would use a directed edge twice, or close an edge without meeting its ring
     /// entries, is dropped: the mesh is an oriented manifold on any input, and every run ends.
     bool guard = false;

@@ -50,6 +50,11 @@ class Stepper {
     const Params& params() const { return params_; }
 
   private:
+    /// Calls work(context), with a log or without: what listens is asked once per call, not in the
+    /// phases.
+    template <typename Work>
+    bool inContext(Work&& work);
+
     const PointSet& points_;
     Params params_;
     State state_;
