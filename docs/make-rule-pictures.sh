@@ -107,6 +107,7 @@ picture tangent scene:linked-tori "1.82 0.16 -1.09" 0.28 "40 0" --rules correcte
 picture unblocked scene:torus "0.873 0.021 -0.373" 0.25 "0 0" --rules paper
 focus=0.75 picture stepback scene:genus-2 "-2.177 0.357 0.394" 0.25 "0 0" --rules paper
 picture wallsdone "$work/ball.ply" "-0.15 -0.42 0.83" 0.8 "0 0" --rules paper -k 16
+picture bothwalls ../assets/points/corner.ply "-0.08 -1.106 -2.444" 0.85 "0 0" --rules robust
 focus=0.8 picture guard $scans/oni.xyz "0.075 -0.076 0.236" 0.1 "0 40" --rules robust -k 24
 picture nopillow scene:genus-2 "1.507 -1.338 0.143" 0.18 "40 0" --rules paper -k 20
 picture gap scene:figure-9 "-0.1 -0.9 -0.03" 0.45 "15 0" --rules paper -k 12
