@@ -119,4 +119,4 @@ focus=0.9 picture delay $scans/kitten.xyz "-0.191 0.291 0.0128" 0.055 "0 0" --ru
 picture fill $scans/hippo.ply "0.2115 0.156 0.1306" 0.0165 "0 0" --rules robust
 picture reinsert $scans/hippo.ply "-0.138 -0.0086 -0.121" 0.031 "0 0" --rules robust
 picture flip $scans/kitten.xyz "-0.0831 0.2031 0.2035" 0.039 "0 0" --rules robust
-picture reseat $scans/fin90.xyz "0.015 0.42 0.115" 0.1 "40 30" --rules robust -k 10
+picture reseat scene:linked-tori "2.0995 -0.3689 -0.1898" 0.28 "0 0" --rules corrected --rule guard=on --rule reinsert=on --rule flip=on -k 32

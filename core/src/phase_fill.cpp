@@ -32,9 +32,8 @@ struct Ear {
 Ear bestEar(StepContext& context) {
     State& s = context.state;
     const Index ring = s.rings.active();
-    // Where the surface may end anyway, an ear with a fault is no gain; and a longer ring has two
-    // sheets at its sides more often than not.
-    const bool force = s.rings.length(ring) <= kNeverAnOpening && !isOpening(context);
+    // Where the surface may end anyway, an ear with a fault is no gain.
+    const bool force = !isOpening(context);
     Ear best;
     Index entry = s.rings.head(ring);
     for (Index i = 0; i < s.rings.length(ring); ++i, entry = s.rings.next(entry)) {
@@ -56,6 +55,28 @@ Ear bestEar(StepContext& context) {
 
 }  // namespace
 
+namespace {
+
+/// Does the active ring run round a patch of the surface, instead of round a hole in it? Seen along
+/// the normals it turns clockwise about a hole, which lies in the free sectors of its points.
+bool runsRoundPatch(const StepContext& context) {
+    const EdgeRings& rings = context.state.rings;
+    const Index head = rings.head(rings.active());
+    const Vec3 origin = context.positionAt(head);
+    Vec3 area(0.0);
+    Vec3 normal(0.0);
+    Index entry = head;
+    do {
+        const Index next = rings.next(entry);
+        area += glm::cross(context.positionAt(entry) - origin, context.positionAt(next) - origin);
+        normal += context.normalAt(entry);
+        entry = next;
+    } while (entry != head);
+    return glm::dot(area, normal) > 0.0;
+}
+
+}  // namespace
+
 bool isOpening(const StepContext& context) {
     if (!context.params.rules.rim) return false;
     const EdgeRings& rings = context.state.rings;
@@ -66,7 +87,7 @@ bool isOpening(const StepContext& context) {
     for (Index i = 0; i < length; ++i, entry = rings.next(entry)) {
         rim += isRim(context.points, rings.point(entry)) ? 1U : 0U;
     }
-    return 3 * rim > 2 * length;
+    return 3 * rim > 2 * length || runsRoundPatch(context);
 }
 
 namespace {

@@ -1,6 +1,8 @@
 /// Rules::fill: a ring that would be freed with interior points is closed by ears.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "../support/clouds.h"
 #include "../support/oracles.h"
 #include "../support/rig.h"
@@ -161,10 +163,9 @@ TEST_CASE("fill: the ear with the best least angle goes first") {
     }
 }
 
-TEST_CASE("fill: an ear with a fault is made only to close a ring of at most four") {
+TEST_CASE("fill: an ear with a fault is made only where nothing else closes a hole") {
     const auto closed = [](std::size_t count, std::initializer_list<bool Rules::*> rules) {
-        const std::vector<Vec3> position = hole(regular(count));
-        Rig rig(position, fillWith(rules));
+        Rig rig(hole(regular(count)), fillWith(rules));
         // Every other normal leans so far that each ear is against one of its corners.
         for (Index p = 0; p < count; ++p) {
             if (p % 2 == 0) rig.normal(p, Vec3(0, 0, -0.2) + polar(10.0 * p));
@@ -174,20 +175,10 @@ TEST_CASE("fill: an ear with a fault is made only to close a ring of at most fou
         CHECK(rig.state().finished());
         return rig.all<FillEvidence>().size();
     };
-    CHECK(closed(4, {&Rules::noFold}) > 0);
-    CHECK(closed(5, {&Rules::noFold}) == 0);
-    CHECK(closed(8, {&Rules::noFold}) == 0);
-}
-
-TEST_CASE("fill: what is left of a hole that cannot be closed is freed and reported") {
-    Rig rig(hole(regular(6)), fillWith({&Rules::noFold}));
-    for (Index p = 0; p < 6; ++p) rig.normal(p, {0, 0, -1});
-    rig.ring(upTo(6)).startAt(Phase::Fill).run();
-    CHECK(rig.triangles().empty());
-    CHECK(rig.state().counters.freedRings == 1);
-    CHECK(rig.state().counters.holes == 1);
-    REQUIRE(rig.state().alerts.size() == 1);
-    CHECK(rig.state().alerts[0].kind == AlertKind::Hole);
+    CHECK(closed(4, {&Rules::noFold}) == 2);
+    CHECK(closed(8, {&Rules::noFold}) == 6);
+    // No neighbors on any side: the surface ends there.
+    CHECK(closed(8, {&Rules::noFold, &Rules::rim}) == 0);
 }
 
 TEST_CASE("fill: an ear that the guard refuses is not made even to close a ring of four") {
@@ -195,7 +186,10 @@ TEST_CASE("fill: an ear that the guard refuses is not made even to close a ring 
     Rig rig(hole(regular(4)), fillWith({&Rules::guard}));
     rig.mesh({{0, 2, 1}, {3, 1, 2}}).ring(upTo(4)).startAt(Phase::Fill).run();
     CHECK(rig.newTriangles().empty());
+    CHECK(rig.state().counters.freedRings == 1);
     CHECK(rig.state().counters.holes == 1);
+    REQUIRE(rig.state().alerts.size() == 1);
+    CHECK(rig.state().alerts[0].kind == AlertKind::Hole);
     Rig unguarded(hole(regular(4)), fillWith());
     unguarded.mesh({{0, 2, 1}, {3, 1, 2}}).ring(upTo(4)).startAt(Phase::Fill).run();
     CHECK(unguarded.newTriangles().size() == 2);
@@ -251,6 +245,20 @@ TEST_CASE("rim: a ring of which more than two in three points are where the surf
             CHECK(late.state().counters.holes == 0);
             CHECK(late.state().alerts.empty());
         }
+    }
+}
+
+TEST_CASE("rim: a ring that runs round a patch of the surface is an opening") {
+    for (const bool patch : {false, true}) {
+        std::vector<Vec3> position = withRim(7);
+        if (patch) {
+            for (Vec3& x : position) x.y = -x.y;
+        }
+        Rig rig(position, fillWith({&Rules::rim}));
+        setRim(rig, 7, 0).startAt(Phase::Advance).patience(kDelayedAllowed, 6);
+        rig.run();
+        CHECK(rig.triangles().empty() == patch);
+        CHECK(rig.state().counters.openings == (patch ? 1 : 0));
     }
 }
 

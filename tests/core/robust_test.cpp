@@ -143,6 +143,10 @@ std::vector<PointSet> eventful() {
     sets.push_back(prepared(closedFamilies(0.5)[3].sample(1)));
     sets.push_back(prepared(sampleSheet(wavySheet(), 8, 80, 1)));
     for (std::uint64_t seed = 1; seed <= 40; ++seed) sets.push_back(randomPoints(seed));
+    PointFile rough = closedFamilies(0.6)[2].sample(1);
+    Random random(1);
+    for (Vec3& x : rough.position) x += 0.3 * random.inCube();
+    sets.push_back(prepared(rough));
     return sets;
 }
 
