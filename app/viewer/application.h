@@ -33,6 +33,8 @@ class Application {
     void frame(glm::ivec2 size, double seconds);
     /// What can be seen and asked of the program, as JSON: for tests.
     std::string stateDump() const;
+    /// Writes stateDump() to the file of --state-dump, if there is one and it says something new.
+    Status writeState();
     /// Of the last frame: seconds outside of OpenGL, and in it.
     double uiSeconds() const { return uiSeconds_; }
     double glSeconds() const { return glSeconds_; }
@@ -95,6 +97,7 @@ class Application {
     bool focused_ = false;
     std::string homeOf_;  ///< Name of the input that the camera went home for.
     Status placeStatus_ = success();
+    std::string writtenState_;
     std::string narrated_;  ///< The address of the last sentence on stdout.
     double uiSeconds_ = 0.0;
     double glSeconds_ = 0.0;

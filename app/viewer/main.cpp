@@ -57,9 +57,8 @@ int prepareOffscreen(Application& application) {
     return kExitGood;
 }
 
-int dumpState(const Options& options, const Application& application) {
-    if (options.stateDump.empty()) return kExitGood;
-    const auto status = se::writeFileAtomically(options.stateDump, application.stateDump());
+int dumpState(Application& application) {
+    const auto status = application.writeState();
     return status ? kExitGood : fail(kExitInput, status.error().message);
 }
 
@@ -77,7 +76,7 @@ int runPicture(const Options& options) {
     }
     const auto status = offscreen.value()->save(options.screenshot);
     if (!status) return fail(kExitInput, status.error().message);
-    return dumpState(options, application);
+    return dumpState(application);
 }
 
 void printTimes(const char* what, std::vector<double> seconds) {
@@ -109,7 +108,7 @@ int runBench(const Options& options) {
     std::printf("%d frames at %dx%d, one sub-step each\n", options.benchFrames, size.x, size.y);
     printTimes("user interface and scene", ui);
     printTimes("OpenGL, until it is done", gl);
-    return dumpState(options, application);
+    return dumpState(application);
 }
 
 int runWindow(const Options& options) {
@@ -125,7 +124,7 @@ int runWindow(const Options& options) {
         const auto written = writeSettings(settingsPath(), settingsToKeep(options, application));
         if (!written) fail(kExitGood, written.error().message);
     }
-    return dumpState(options, application);
+    return dumpState(application);
 }
 
 }  // namespace

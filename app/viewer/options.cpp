@@ -76,7 +76,7 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
         ->check(CLI::Range(0.75, 3.0));
     app.add_option("--theme", raw.theme, "dark or light")->check(CLI::IsMember({"dark", "light"}));
     app.add_flag("--narrate", o.narrate, "Print one sentence per step to stdout");
-    app.add_option("--state-dump", raw.stateDump, "On leaving, write what is shown as JSON")
+    app.add_option("--state-dump", raw.stateDump, "Write what is shown as JSON, whenever it changes")
         ->type_name("FILE");
     app.add_option("--bench-frames", o.benchFrames,
                    "Draw N frames, one sub-step each, without a window; print what they cost")

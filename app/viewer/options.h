@@ -32,7 +32,7 @@ struct Options {
     bool focus = false;             ///< Begin with the pivot framed.
     bool noConfig = false;
     bool narrate = false;             ///< Every sentence goes to stdout as well.
-    std::filesystem::path stateDump;  ///< Write the state as JSON there on leaving.
+    std::filesystem::path stateDump;  ///< Write the state there as JSON when it changes.
     int benchFrames = 0;              ///< Step through so many frames and print their times.
     bool cheatSheet = false;          ///< Open with the list of keys.
 };

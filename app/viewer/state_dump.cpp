@@ -2,6 +2,7 @@
 
 #include "application.h"
 #include "place.h"
+#include "spiraling_edge/io.h"
 
 namespace se::view {
 
@@ -26,6 +27,15 @@ const char* phaseName(SessionPhase phase) {
 }
 
 }  // namespace
+
+Status Application::writeState() {
+    if (options_.stateDump.empty()) return success();
+    std::string state = stateDump();
+    if (state == writtenState_) return success();
+    const Status written = writeFileAtomically(options_.stateDump, state);
+    if (written) writtenState_ = std::move(state);
+    return written;
+}
 
 std::string Application::stateDump() const {
     json out{{"phase", phaseName(session_.phase())},

@@ -154,6 +154,8 @@ void Window::run(Application& application, int frames) {
         if (wake_ == 0 && !application.animating()) continue;
         if (wake_ > 0) --wake_;
         drawFrame(application);
+        // What cannot be written now is told on leaving.
+        static_cast<void>(application.writeState());
         ++drawn;
         if (application.takeFullScreenRequest()) toggleFullScreen();
     }

@@ -1,0 +1,140 @@
+# Drives the real window under a virtual display as a person would, and asks the program what it
+# shows. To be sourced by a scenario, a script that is called with the path of the viewer:
+#
+#   . "$(dirname "$0")/harness.sh"
+#   start scene:sphere            # opens the window; size=1024x640 scale=2 theme=light start ...
+#                                 # for another than 1280x800, scale 1, dark
+#   press F10; says pivot 1       # keys; a field of --state-dump, as a regular expression
+#   click 480 300                 # in pixels of the window
+#   stop                          # Ctrl+Q, and a good exit code
+#
+# Leaves 0 if all is well, 77 (skipped) if a tool is missing, and says what it saw if not.
+set -u
+viewer=$(realpath "$1")
+for tool in Xvfb xdotool compare import; do
+    command -v "$tool" >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
+done
+
+work=$(mktemp -d)
+server=
+program=
+window=
+state=$work/state.json
+cleanup() {
+    [ -n "$program" ] && kill "$program" 2>/dev/null
+    [ -n "$server" ] && kill "$server" 2>/dev/null
+    rm -rf "$work"
+}
+trap cleanup EXIT
+fail() {
+    echo "FAILED: $*" >&2
+    [ -f "$state" ] && cat "$state" >&2
+    [ -f "$work/program.log" ] && tail -n 20 "$work/program.log" >&2
+    exit 1
+}
+
+# A display of our own, SIZE (1700x1000) large; the program finds an empty home.
+display() {
+    mkfifo "$work/number"
+    Xvfb -displayfd 3 -screen 0 "${1:-1700x1000}x24" -nolisten tcp -noreset 3>"$work/number" 2>/dev/null &
+    server=$!
+    local number
+    read -r -t 20 number <"$work/number" || fail "Xvfb does not start"
+    export DISPLAY=:$number
+    unset WAYLAND_DISPLAY
+    export HOME=$work/home XDG_CONFIG_HOME=$work/config XDG_STATE_HOME=$work/state XDG_CACHE_HOME=$work/cache
+    mkdir -p "$HOME" "$XDG_CONFIG_HOME" "$XDG_STATE_HOME" "$XDG_CACHE_HOME"
+}
+
+# start OPTION...: opens the window, and waits for it.
+start() {
+    [ -n "$server" ] || display
+    rm -f "$state"
+    "$viewer" --size "${size:-1280x800}" --ui-scale "${scale:-1}" --theme "${theme:-dark}" --state-dump "$state" "$@" >"$work/program.log" 2>&1 &
+    program=$!
+    window=
+    for _ in $(seq 200); do
+        kill -0 "$program" 2>/dev/null || fail "the program ends at once"
+        window=$(xdotool search --onlyvisible --name "Spiraling Edge" 2>/dev/null | head -n 1)
+        [ -n "$window" ] && [ -f "$state" ] && break
+        sleep 0.05
+    done
+    [ -n "$window" ] || fail "no window appears"
+    xdotool windowfocus --sync "$window"
+}
+
+# stop: Ctrl+Q; the program leaves with exit code 0.
+stop() {
+    press ctrl+q
+    for _ in $(seq 100); do kill -0 "$program" 2>/dev/null || break; sleep 0.05; done
+    kill -0 "$program" 2>/dev/null && fail "Ctrl+Q does not quit"
+    wait "$program"
+    local code=$?
+    program=
+    [ $code -eq 0 ] || fail "the exit code is $code"
+}
+
+press() {
+    local chord
+    for chord in "$@"; do
+        xdotool key --clearmodifiers "$chord"
+        sleep 0.06
+    done
+}
+type_text() { xdotool type --delay 25 -- "$1"; }
+go_to() { press ctrl+g; type_text "$1"; press Return; }
+move_to() { xdotool mousemove --window "$window" "$1" "$2"; sleep 0.08; }
+click() {
+    move_to "$1" "$2"
+    xdotool click "${3:-1}"
+    sleep 0.1
+}
+# drag X Y BY_X BY_Y [BUTTON]
+drag() {
+    move_to "$1" "$2"
+    xdotool mousedown "${5:-1}"
+    sleep 0.05
+    xdotool mousemove_relative --sync -- "$(($3 / 2))" "$(($4 / 2))"
+    sleep 0.05
+    xdotool mousemove_relative --sync -- "$(($3 - $3 / 2))" "$(($4 - $4 / 2))"
+    sleep 0.05
+    xdotool mouseup "${5:-1}"
+    sleep 0.1
+}
+# resize WIDTH HEIGHT
+resize() {
+    xdotool windowsize --sync "$window" "$1" "$2"
+    sleep 0.3
+}
+
+# field NAME: what the program says of it now, without quotes; lists on one line.
+field() {
+    tr '\n' ' ' <"$state" | sed -E 's/ +/ /g' |
+        sed -nE "s/.*\"$1\": (\[[^]]*\]|\{[^}]*\}|\"[^\"]*\"|[^ ,}]+).*/\1/p" | sed -E 's/^"(.*)"$/\1/'
+}
+# says NAME PATTERN: waits up to 10 s until the program says so.
+says() {
+    for _ in $(seq 200); do
+        [[ $(field "$1") =~ ^($2)$ ]] && return 0
+        kill -0 "$program" 2>/dev/null || fail "the program is gone while waiting for $1: $2"
+        sleep 0.05
+    done
+    fail "expected $1: $2, found '$(field "$1")'"
+}
+# denies NAME PATTERN: what the program says now is something else.
+denies() {
+    sleep 0.3
+    [[ $(field "$1") =~ ^($2)$ ]] && fail "$1 is $2"
+    return 0
+}
+title() { xdotool getwindowname "$window" 2>/dev/null; }
+
+# picture NAME; differing A B: pixels that are not the same.
+picture() { import -window "$window" "$work/$1.png" || fail "cannot read the window"; }
+differing() {
+    local count
+    count=$(compare -metric AE -fuzz "${3:-5%}" "$work/$1.png" "$work/$2.png" null: 2>&1)
+    count=${count%%[!0-9]*}
+    echo "${count:-0}"
+}
+well() { echo "all is well"; }

@@ -1,0 +1,90 @@
+#!/usr/bin/env bash
+# Every key of the table in docs/viewer.md.
+. "$(dirname "$0")/harness.sh"
+start scene:sphere
+says phase ready
+says pivot 0
+
+# Stepping.
+press F10; says address "1\.advance\.1"
+press period; says address "2\.advance\.1"
+press comma; says address "1\.advance\.1"
+press shift+F10; says pivot 0
+go_to 20; says address "20\.advance\.1"
+press Right; says pivot 21
+press Left; says address "20\.advance\.1"
+press Left; denies address "20\.advance\.1"; says pivot 20
+press F11; says address "20\.advance\.1"
+press shift+F11; says address "21\.advance\.1"
+press F5; denies pivot 21
+whole=$(field pivot)
+[ "$whole" -gt 100 ] || fail "F5 does not run to the end: $whole"
+press shift+F5; says pivot 0
+press End; says pivot "$whole"
+press Home; says pivot 0
+
+# Marks, history, places.
+press ctrl+Right; says address "1\.seed\.1"
+go_to 12.sort.2; says address "12\.sort\.2"
+go_to 40.sphere.2; says address "40\.sphere\.2"
+press alt+Left; says address "12\.sort\.2"
+press alt+Right; says address "40\.sphere\.2"
+press ctrl+c; sleep 0.1
+press Home; says pivot 0
+press ctrl+v; says address "40\.sphere\.2"
+press ctrl+Left; says address "1\.seed\.1"
+go_to 50%; denies address "1\.seed\.1"
+go_to +10; sleep 0.2
+here=$(field pivot)
+go_to -10; says pivot "$((here - 10))"
+go_to p12; says selected 12
+press Escape; says selected null
+
+# Playing.
+go_to 20; says address "20\.advance\.1"
+press space; says playing true
+press space; says playing false
+[ "$(field pivot)" -ge 20 ] || fail "Space plays backwards"
+rate=$(field rate)
+press equal; denies rate "$rate"
+press minus; says rate "$rate"
+unit=$(field unit)
+press u; denies unit "$unit"
+
+# Camera: every key changes it, and Enter brings it home.
+home=$(field camera)
+for chord in 1 3 7 5; do
+    before=$(field camera)
+    press "$chord"
+    denies camera "$(printf '%s' "$before" | sed 's/[][{}.*+?()|^$\\]/\\&/g')"
+done
+press 5 Return
+sleep 0.3
+[ -n "$home" ] || fail "the state has no camera"
+
+# Layers, theme, lists.
+shown() { field layers; }
+for chord in n l e s g k; do
+    before=$(shown)
+    press "$chord"; sleep 0.25
+    [ "$(shown)" != "$before" ] || fail "$chord changes no layer"
+    press "$chord"
+done
+press t; says theme light
+press t; says theme dark
+press F1; says cheat_sheet true
+press Escape; says cheat_sheet false
+press ctrl+p; says palette true
+type_text "next pivot"; sleep 0.2
+before=$(field pivot)
+press Return; says palette false
+says pivot "$((before + 1))"
+press ctrl+k; says palette true
+press Escape; says palette false
+press ctrl+o; says file_browser true
+press Escape; says file_browser false
+press ctrl+r; says phase ready
+press F12; sleep 0.5
+ls "$HOME"/spiraling-edge-*.png >/dev/null 2>&1 || fail "F12 saves no picture"
+stop
+well

@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# The window from start to end: exit codes, the same picture as without a display, the title.
+. "$(dirname "$0")/harness.sh"
+
+env -u DISPLAY -u WAYLAND_DISPLAY "$viewer" --no-config scene:sphere 2>"$work/no-display.txt"
+[ $? -eq 4 ] || fail "without a display the exit code is not 4"
+grep -q -- "--screenshot" "$work/no-display.txt" || fail "the message does not name --screenshot"
+grep -q "xvfb-run" "$work/no-display.txt" || fail "the message does not name xvfb-run"
+[ "$(wc -l <"$work/no-display.txt")" -eq 1 ] || fail "the message is more than one line"
+env -u DISPLAY -u WAYLAND_DISPLAY "$viewer" scene:sphere --goto 20 --size 1000x700 \
+    --screenshot "$work/offscreen.png" || fail "no picture without a display"
+env -u DISPLAY "$viewer" --no-config "$work/missing.ply" --screenshot "$work/x.png" 2>/dev/null
+[ $? -eq 3 ] || fail "a missing file does not lead to exit code 3"
+"$viewer" --size nonsense 2>/dev/null
+[ $? -eq 2 ] || fail "wrong usage does not lead to exit code 2"
+
+size=1000x700 start scene:sphere --no-config --narrate
+says phase ready
+says input scene:sphere
+for _ in $(seq 20); do press F10; done
+says address "20\.advance\.1"
+case "$(title)" in "20.advance.1"*) ;; *) fail "the title is '$(title)'" ;; esac
+sleep 0.5
+picture window
+[ "$(differing window offscreen 12%)" -lt 35000 ] || fail "the picture off screen is another"
+go_to 40.sphere.2
+says address "40\.sphere\.2"
+grep -q "^40\.sphere\.2.*q = .* removed\.$" "$work/program.log" || fail "--narrate prints no sentence"
+press Escape
+kill -0 "$program" 2>/dev/null || fail "Esc quits"
+stop
+[ "$(field address)" = "40.sphere.2" ] || fail "the state was not written on leaving"
+[ -z "$(ls -A "$XDG_CONFIG_HOME")" ] || fail "--no-config leaves settings behind"
+well
