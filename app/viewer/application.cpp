@@ -17,6 +17,7 @@ Application::Application(const Options& options, const ViewSettings& settings)
     : options_(options), commands_{session_, playback_, camera_, ui_} {
     ui_.settings = settings;
     ui_.cheatSheet = options.cheatSheet;
+    ui_.arrangement = options.layout.value_or(Arrangement::Debug);
     playback_.setRate(settings.playRate);
     camera_.home();
 }
@@ -194,7 +195,7 @@ void Application::frame(glm::ivec2 size, double seconds) {
     io.DeltaTime = static_cast<float>(seconds);
     const auto began = std::chrono::steady_clock::now();
     imgui_->beginFrame();
-    const Layout layout = computeLayout(glm::vec2(size), imgui_->em());
+    const Layout layout = computeLayout(glm::vec2(size), imgui_->em(), ui_.arrangement);
     ui_.viewAspect = layout.view.size.x / std::max(1.0F, layout.view.size.y);
     fillScene();
     drawUserInterface(layout);

@@ -74,6 +74,17 @@ void toggleUnit(C& c) {
     c.playback.setUnit(pivots ? PlayUnit::SubStep : PlayUnit::Pivot);
 }
 
+void arrange(C& c, Arrangement arrangement) {
+    c.ui.arrangement = arrangement;
+    const ArrangementRow& row = rowOf(arrangement);
+    c.session.say("Layout " + std::string(row.title) + ". " + std::string(row.help));
+}
+
+template <Arrangement arrangement>
+void setArrangement(C& c) {
+    arrange(c, arrangement);
+}
+
 // Groups in the order of the menu bar.
 constexpr auto kCommands = std::to_array<Command>({
     {"file.open", "File", "Open...", "Ctrl+O", "Open a point file.", false,
@@ -144,6 +155,15 @@ constexpr auto kCommands = std::to_array<Command>({
      [](C& c) { c.ui.requests.fullScreen = true; }},
     {"view.theme", "View", "Dark or light", "T", "Change between the dark and the light theme.",
      false, toggleTheme},
+    {"view.layout.next", "View", "Next layout", "F2", "Debug, Learn, Present.", false,
+     [](C& c) { arrange(c, following(c.ui.arrangement)); }},
+    {"view.layout.debug", "View", "Layout Debug", "", "All panels.", false,
+     setArrangement<Arrangement::Debug>},
+    {"view.layout.learn", "View", "Layout Learn", "",
+     "The rule beside a large view, the decision in large print.", false,
+     setArrangement<Arrangement::Learn>},
+    {"view.layout.present", "View", "Layout Present", "", "View, caption and the run alone.", false,
+     setArrangement<Arrangement::Present>},
     {"view.legend", "View", "Legend", "", "Show or hide the legend.", false,
      [](C& c) { c.ui.settings.legend = !c.ui.settings.legend; }},
 

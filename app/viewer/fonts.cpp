@@ -77,6 +77,7 @@ Fonts loadFonts(float em) {
     fonts.mono = addWithSymbols(mono.empty() ? text : mono, symbols, 0.88F * em);
     fonts.small = addWithSymbols(text.empty() ? symbols : text, symbols, 0.84F * em);
     fonts.large = addWithSymbols(text.empty() ? symbols : text, symbols, 1.12F * em);
+    fonts.caption = addWithSymbols(text.empty() ? symbols : text, symbols, 1.5F * 1.12F * em);
     fonts.symbols = !symbols.empty();
     return fonts;
 }

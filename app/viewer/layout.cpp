@@ -19,32 +19,52 @@ constexpr float kLowBelow = 36.0F;
 /// From these on the dial stands by itself: below, the panels under it would be too short.
 constexpr float kDialFrom = 75.0F;
 constexpr float kDialRoom = 30.0F;
+/// Who learns or looks on from afar reads the caption first.
+constexpr float kLargeCaption = 1.5F;
+
+/// Widths of the side columns, in em.
+struct Columns {
+    float left = 0.0F;
+    float right = 0.0F;
+};
+
+Columns columnsFor(Arrangement arrangement, float width, bool narrow) {
+    if (arrangement == Arrangement::Present) return {};
+    if (arrangement == Arrangement::Learn) return {std::clamp(0.3F * width, 14.0F, 28.0F), 0.0F};
+    if (narrow) return {0.0F, std::clamp(0.42F * width, 12.0F, 20.0F)};
+    return {std::clamp(0.225F * width, 15.0F, 22.0F), std::clamp(0.24F * width, 17.0F, 26.0F)};
+}
 
 }  // namespace
 
-Layout computeLayout(glm::vec2 size, float em) {
+Layout computeLayout(glm::vec2 size, float em, Arrangement arrangement) {
     const glm::vec2 ems = size / em;
+    const bool present = arrangement == Arrangement::Present;
+    const bool debug = arrangement == Arrangement::Debug;
     Layout l;
-    l.narrow = ems.x < kNarrowBelow;
-    l.stageStrip = ems.y >= kLowBelow;
+    l.arrangement = arrangement;
+    l.caption = debug ? 1.0F : kLargeCaption;
+    l.narrow = debug && ems.x < kNarrowBelow;
+    l.stageStrip = !present && ems.y >= kLowBelow;
     const auto px = [em](float length) { return std::round(length * em); };
-    const float left = l.narrow ? 0.0F : px(std::clamp(0.225F * ems.x, 15.0F, 22.0F));
-    const float right = px(l.narrow ? std::clamp(0.42F * ems.x, 12.0F, 20.0F)
-                                    : std::clamp(0.24F * ems.x, 17.0F, 26.0F));
+    const Columns columns = columnsFor(arrangement, ems.x, l.narrow);
+    const float left = px(columns.left);
+    const float right = px(columns.right);
     const float drawer = px(kRunStrip + (l.stageStrip ? kStageStrip : 0.0F));
-    const float narration = px(l.stageStrip ? kNarration : 0.9F * kNarration);
+    const float narration = px((ems.y >= kLowBelow ? kNarration : 0.9F * kNarration) * l.caption);
     float y = 0.0F;
     const auto row = [&](float height) {
         const Rect r{{0.0F, y}, {size.x, height}};
         y += height;
         return r;
     };
-    l.menu = row(px(kMenu));
-    l.transport = row(px(kTransport));
-    const float bottom = size.y - px(kStatus) - drawer;
+    l.menu = row(present ? 0.0F : px(kMenu));
+    l.transport = row(present ? 0.0F : px(kTransport));
+    const float status = present ? 0.0F : px(kStatus);
+    const float bottom = size.y - status - drawer;
     const float middle = std::max(0.0F, bottom - y);
     l.left = {{0.0F, y}, {left, middle}};
-    l.dialApart = !l.narrow && ems.x >= kDialFrom && middle >= px(kDialRoom);
+    l.dialApart = debug && !l.narrow && ems.x >= kDialFrom && middle >= px(kDialRoom);
     const float dial = l.dialApart ? std::min(right + px(1.0F), 0.45F * middle) : 0.0F;
     l.dial = {{size.x - right, y}, {right, dial}};
     l.right = {{size.x - right, y + dial}, {right, middle - dial}};
@@ -53,7 +73,7 @@ Layout computeLayout(glm::vec2 size, float em) {
     l.narration = {{left, y + l.view.size.y}, {viewWidth, std::min(narration, middle)}};
     y = bottom;
     l.drawer = row(drawer);
-    l.status = row(px(kStatus));
+    l.status = row(status);
     return l;
 }
 

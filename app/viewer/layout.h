@@ -3,6 +3,8 @@
 
 #include <glm/vec2.hpp>
 
+#include "arrangement.h"
+
 namespace se::view {
 
 struct Rect {
@@ -28,9 +30,12 @@ struct Layout {
     bool dialApart = false;  ///< The dial has a place of its own.
     bool narrow = false;     ///< One side column only.
     bool stageStrip = true;  ///< There is room for it in the drawer.
+    Arrangement arrangement = Arrangement::Debug;
+    float caption = 1.0F;  ///< Size of the text below the view, over that of the Debug arrangement.
 };
 
-/// The view never gets less than 40 % of the width.
-Layout computeLayout(glm::vec2 size, float em);
+/// The view never gets less than 40 % of the width. Learn has all side panels in the left column;
+/// Present has no panel but view, caption and the strip of the run: the other areas are empty.
+Layout computeLayout(glm::vec2 size, float em, Arrangement arrangement = Arrangement::Debug);
 
 }  // namespace se::view

@@ -44,6 +44,7 @@ std::string sceneList() {
 struct RawOptions {
     std::string size;
     std::string theme;
+    std::string layout;
     std::size_t neighbors = 0;
     double radius = 0.0;
     std::string screenshot;
@@ -75,6 +76,8 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_option("--ui-scale", o.uiScale, "Size of text and panels, 0.75 to 3")
         ->check(CLI::Range(0.75, 3.0));
     app.add_option("--theme", raw.theme, "dark or light")->check(CLI::IsMember({"dark", "light"}));
+    app.add_option("--layout", raw.layout, "How the window is arranged: debug, learn or present")
+        ->check(CLI::IsMember({"debug", "learn", "present"}));
     app.add_flag("--narrate", o.narrate, "Print one sentence per step to stdout");
     app.add_option("--state-dump", raw.stateDump, "Write what is shown as JSON, whenever it changes")
         ->type_name("FILE");
@@ -113,6 +116,7 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
     if (raw.neighbors > 0) o.input.neighbors = {KNearest{raw.neighbors}, true, true};
     if (raw.radius > 0.0) o.input.neighbors = {WithinRadius{raw.radius}, true, true};
     o.theme = themeFromName(raw.theme);
+    o.layout = arrangementFromName(raw.layout);
     o.screenshot = raw.screenshot;
     o.shaders = raw.shaders;
     o.stateDump = raw.stateDump;

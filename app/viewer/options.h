@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "arrangement.h"
 #include "model.h"
 #include "palette.h"
 
@@ -28,6 +29,7 @@ struct Options {
     int frames = 0;                    ///< Leave after so many frames; 0: when told to.
     double uiScale = 0.0;              ///< 0: not given.
     std::optional<Theme> theme;
+    std::optional<Arrangement> layout;
     std::filesystem::path shaders;  ///< Folder to read shaders from; empty: those embedded.
     bool focus = false;             ///< Begin with the pivot framed.
     bool noConfig = false;

@@ -44,6 +44,7 @@ std::string Application::stateDump() const {
              {"unit", playback_.unit() == PlayUnit::Pivot ? "pivot" : "sub-step"},
              {"rate", playback_.rate()},
              {"theme", std::string(themeName(ui_.settings.theme))},
+             {"layout", std::string(rowOf(ui_.arrangement).name)},
              {"em", imgui_ ? imgui_->em() : 0.0F},
              {"cheat_sheet", ui_.cheatSheet},
              {"file_browser", ui_.fileBrowser},

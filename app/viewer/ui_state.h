@@ -4,6 +4,8 @@
 #include <array>
 #include <string>
 
+#include "arrangement.h"
+#include "bookmarks.h"
 #include "camera.h"
 #include "go_to_box.h"
 #include "layers/layer.h"
@@ -53,6 +55,9 @@ struct UiState {
     bool cheatSheet = false;
     bool fileBrowser = false;
     CommandPalette palette;
+    Arrangement arrangement = Arrangement::Debug;
+    Bookmarks bookmarks;
+    std::string notes;        ///< Free text of the person, kept in the session file.
     float viewAspect = 1.3F;  ///< Of the view, as last drawn.
     Index pointedAt = kNone;  ///< The point under the pointer, found anew in every frame.
 };

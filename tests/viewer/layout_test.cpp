@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <vector>
+
 using namespace se::view;
 
 namespace {
@@ -14,6 +16,19 @@ struct Screen {
 constexpr Screen kScreens[] = {{{1280, 800}, 16}, {{1600, 900}, 16},  {{1024, 640}, 16},
                                {{1280, 800}, 32}, {{3840, 2160}, 32}, {{640, 400}, 16}};
 
+struct Case {
+    Screen screen;
+    Arrangement arrangement;
+};
+
+std::vector<Case> allCases() {
+    std::vector<Case> all;
+    for (const Screen& screen : kScreens) {
+        for (const ArrangementRow& row : arrangements()) all.push_back({screen, row.id});
+    }
+    return all;
+}
+
 bool overlap(const Rect& a, const Rect& b) {
     return a.min.x < b.max().x && b.min.x < a.max().x && a.min.y < b.max().y && b.min.y < a.max().y;
 }
@@ -21,10 +36,12 @@ bool overlap(const Rect& a, const Rect& b) {
 }  // namespace
 
 TEST_CASE("Panels fill the window without overlap, at every size") {
-    for (const Screen& screen : kScreens) {
+    for (const Case& each : allCases()) {
+        const Screen& screen = each.screen;
         CAPTURE(screen.size.x);
         CAPTURE(screen.em);
-        const Layout l = computeLayout(screen.size, screen.em);
+        CAPTURE(rowOf(each.arrangement).name);
+        const Layout l = computeLayout(screen.size, screen.em, each.arrangement);
         const Rect all[] = {l.menu, l.transport, l.left,   l.dial,  l.right,
                             l.view, l.narration, l.drawer, l.status};
         float area = 0.0F;
@@ -40,8 +57,10 @@ TEST_CASE("Panels fill the window without overlap, at every size") {
 }
 
 TEST_CASE("The view never has less than 40 percent of the width") {
-    for (const Screen& screen : kScreens) {
-        const Layout l = computeLayout(screen.size, screen.em);
+    for (const auto& [screen, arrangement] : allCases()) {
+        CAPTURE(screen.size.x);
+        CAPTURE(rowOf(arrangement).name);
+        const Layout l = computeLayout(screen.size, screen.em, arrangement);
         CHECK(l.view.size.x >= 0.4F * screen.size.x);
         CHECK(l.view.size.y >= 0.2F * screen.size.y);
     }
@@ -52,4 +71,29 @@ TEST_CASE("Small windows have one column, low ones one strip") {
     CHECK(computeLayout({1280, 800}, 32).narrow);
     CHECK(computeLayout({1280, 800}, 16).stageStrip);
     CHECK_FALSE(computeLayout({1280, 800}, 32).stageStrip);
+}
+
+TEST_CASE("Learn has one column, Present none, and both a larger caption") {
+    const Layout debug = computeLayout({1280, 800}, 16);
+    const Layout learn = computeLayout({1280, 800}, 16, Arrangement::Learn);
+    const Layout present = computeLayout({1280, 800}, 16, Arrangement::Present);
+    CHECK(learn.left.size.x > 0.0F);
+    CHECK(learn.right.size.x == 0.0F);
+    CHECK(learn.view.size.x > debug.view.size.x);
+    CHECK(present.view.size.x == 1280.0F);
+    CHECK(present.menu.size.y == 0.0F);
+    CHECK(present.drawer.size.y > 0.0F);
+    CHECK(learn.narration.size.y == doctest::Approx(1.5F * debug.narration.size.y).epsilon(0.02));
+    CHECK(present.narration.size.y == learn.narration.size.y);
+}
+
+TEST_CASE("Arrangements are found by name, and following each other all are seen") {
+    for (const ArrangementRow& row : arrangements()) {
+        CHECK(arrangementFromName(row.name) == row.id);
+        CHECK(&rowOf(row.id) == &row);
+    }
+    CHECK(arrangementFromName("compare") == std::nullopt);
+    Arrangement at = Arrangement::Debug;
+    for (std::size_t i = 0; i < arrangements().size(); ++i) at = following(at);
+    CHECK(at == Arrangement::Debug);
 }

@@ -3,6 +3,32 @@
 
 namespace se::view {
 
+namespace {
+
+struct Caption {
+    ImFont* font = nullptr;
+    std::vector<std::string> lines;
+};
+
+/// In the largest print of the layout that leaves no line out.
+Caption fittingCaption(const PanelContext& context, const std::string& sentence) {
+    const Fonts& fonts = context.fonts;
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    Caption caption;
+    for (ImFont* font : {fonts.caption, fonts.large, fonts.text, fonts.small}) {
+        if (font == fonts.caption && context.layout.caption <= 1.0F) continue;
+        ImGui::PushFont(font);
+        caption = {font, wrapped(sentence, room.x)};
+        const float height =
+            ImGui::GetTextLineHeightWithSpacing() * static_cast<float>(caption.lines.size());
+        ImGui::PopFont();
+        if (height <= room.y + ImGui::GetStyle().ItemSpacing.y) break;
+    }
+    return caption;
+}
+
+}  // namespace
+
 void drawNarration(const PanelContext& context) {
     const Session& session = context.session();
     if (beginRegion("##narration", context.layout.narration)) {
@@ -24,10 +50,10 @@ void drawNarration(const PanelContext& context) {
                             toU32(color));
         list->PopClipRect();
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5F * context.em);
-        ImGui::PushFont(context.fonts.large);
-        const float width = ImGui::GetContentRegionAvail().x;
         const float left = ImGui::GetCursorPosX();
-        for (const std::string& line : wrapped(sentence, width)) {
+        const Caption caption = fittingCaption(context, sentence);
+        ImGui::PushFont(caption.font);
+        for (const std::string& line : caption.lines) {
             ImGui::SetCursorPosX(left);
             ImGui::TextUnformatted(line.c_str());
         }

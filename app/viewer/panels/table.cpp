@@ -50,6 +50,30 @@ void drawTabs(const PanelContext& context) {
     }
 }
 
+/// Learn has the panels as tabs on the left, the rule first; no list of steps.
+void drawLearnColumn(const PanelContext& context) {
+    const bool tight = context.layout.left.size.x < 23.0F * context.em;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing,
+                        {tight ? 0.1F * context.em : ImGui::GetStyle().ItemInnerSpacing.x, 0.0F});
+    if (beginRegion("##learn", context.layout.left) && ImGui::BeginTabBar("##learnTabs")) {
+        for (const bool rule : {true, false}) {
+            for (const SidePanel& panel : kSidePanels) {
+                if (panel.left || (panel.draw == drawPaper) != rule) continue;
+                if (tight) ImGui::PushFont(context.fonts.small);
+                const bool open = ImGui::BeginTabItem(panel.title);
+                if (tight) ImGui::PopFont();
+                if (!open) continue;
+                if (ImGui::BeginChild("##content", {0, 0}, false)) panel.draw(context);
+                ImGui::EndChild();
+                ImGui::EndTabItem();
+            }
+        }
+        ImGui::EndTabBar();
+    }
+    ImGui::End();
+    ImGui::PopStyleVar();
+}
+
 void drawDialColumn(const PanelContext& context) {
     if (beginRegion("##dialColumn", context.layout.dial, ImGuiWindowFlags_NoScrollWithMouse)) {
         drawDial(context);
@@ -74,6 +98,18 @@ void drawRightColumn(const PanelContext& context) {
     ImGui::End();
 }
 
+/// What stands around the view; Present has none of it.
+void drawColumns(const PanelContext& context) {
+    if (context.layout.arrangement == Arrangement::Present) return;
+    drawMenuBar(context);
+    drawTransport(context);
+    drawStatusBar(context);
+    if (context.layout.arrangement == Arrangement::Learn) return drawLearnColumn(context);
+    if (!context.layout.narrow) drawLeftColumn(context);
+    if (context.layout.dialApart) drawDialColumn(context);
+    drawRightColumn(context);
+}
+
 /// Hairlines between the regions.
 void drawBorders(const PanelContext& context) {
     const Layout& l = context.layout;
@@ -88,8 +124,8 @@ void drawBorders(const PanelContext& context) {
     horizontal(l.transport.max().y);
     horizontal(l.drawer.min.y);
     horizontal(l.status.min.y);
-    if (!l.narrow) vertical(l.left.max().x);
-    vertical(l.right.min.x);
+    if (l.left.size.x > 0.0F) vertical(l.left.max().x);
+    if (l.right.size.x > 0.0F) vertical(l.right.min.x);
     if (l.dialApart) {
         list->AddRectFilled(toVec2(l.right.min), {l.right.max().x, l.right.min.y + 1.0F}, color);
     }
@@ -103,15 +139,10 @@ std::span<const SidePanel> sidePanels() { return kSidePanels; }
 
 void drawPanels(const PanelContext& context) {
     context.ui().pointedAt = kNone;
-    drawMenuBar(context);
-    drawTransport(context);
-    if (!context.layout.narrow) drawLeftColumn(context);
-    if (context.layout.dialApart) drawDialColumn(context);
-    drawRightColumn(context);
+    drawColumns(context);
     drawView(context);
     drawNarration(context);
     drawDrawer(context);
-    drawStatusBar(context);
     context.session().hover(context.ui().pointedAt);
     if (!context.ui().cheatSheet && !context.ui().fileBrowser && !context.ui().palette.open)
         drawBorders(context);

@@ -1,0 +1,37 @@
+#include "arrangement.h"
+
+#include <algorithm>
+#include <array>
+
+namespace se::view {
+
+namespace {
+
+constexpr std::array<ArrangementRow, 3> kRows = {{
+    {Arrangement::Debug, "debug", "Debug", "All panels."},
+    {Arrangement::Learn, "learn", "Learn",
+     "The rule beside a large view, the decision in large print. F2: next layout."},
+    {Arrangement::Present, "present", "Present",
+     "View, caption and the run alone. F2 brings the panels back; all keys work."},
+}};
+
+}  // namespace
+
+std::span<const ArrangementRow> arrangements() { return kRows; }
+
+const ArrangementRow& rowOf(Arrangement arrangement) {
+    return kRows[static_cast<std::size_t>(arrangement)];
+}
+
+std::optional<Arrangement> arrangementFromName(std::string_view name) {
+    const auto found = std::find_if(kRows.begin(), kRows.end(),
+                                    [&](const ArrangementRow& row) { return row.name == name; });
+    if (found == kRows.end()) return std::nullopt;
+    return found->id;
+}
+
+Arrangement following(Arrangement arrangement) {
+    return kRows[(static_cast<std::size_t>(arrangement) + 1) % kRows.size()].id;
+}
+
+}  // namespace se::view
