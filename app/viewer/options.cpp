@@ -79,7 +79,8 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_option("--layout", raw.layout, "How the window is arranged: debug, learn or present")
         ->check(CLI::IsMember({"debug", "learn", "present"}));
     app.add_flag("--narrate", o.narrate, "Print one sentence per step to stdout");
-    app.add_option("--state-dump", raw.stateDump, "Write what is shown as JSON, whenever it changes")
+    app.add_option("--state-dump", raw.stateDump,
+                   "Write what is shown as JSON, whenever it changes")
         ->type_name("FILE");
     app.add_option("--bench-frames", o.benchFrames,
                    "Draw N frames, one sub-step each, without a window; print what they cost")

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "application.h"
@@ -49,11 +50,16 @@ std::string Application::stateDump() const {
              {"cheat_sheet", ui_.cheatSheet},
              {"file_browser", ui_.fileBrowser},
              {"palette", ui_.palette.open},
+             {"open_tab", ui_.openTab},
              {"layers", json::array()}};
     for (const Layer& layer : layers()) {
         if (ui_.settings.layers.test(static_cast<std::size_t>(layer.id))) {
             out["layers"].push_back(std::string(layer.name));
         }
+    }
+    for (const auto& [name, rect] : ui_.where) {
+        out["where"][name] = {std::lround(rect.min.x), std::lround(rect.min.y),
+                              std::lround(rect.size.x), std::lround(rect.size.y)};
     }
     const Place place{session_.event() != nullptr ? toString(session_.address()) : "",
                       camera_.pose()};

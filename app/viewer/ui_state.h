@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <string>
 
 #include "arrangement.h"
@@ -9,6 +10,7 @@
 #include "camera.h"
 #include "go_to_box.h"
 #include "layers/layer.h"
+#include "layout.h"
 #include "palette.h"
 #include "playback.h"
 #include "spiraling_edge/point_set.h"
@@ -59,6 +61,11 @@ struct UiState {
     Bookmarks bookmarks;
     std::string notes;        ///< Free text of the person, kept in the session file.
     float viewAspect = 1.3F;  ///< Of the view, as last drawn.
+    /// Where what was drawn in this frame is, in pixels of the window: "region view", "tab Dial",
+    /// "strip run"
+    /// ... For --state-dump, so that whoever drives the window finds it.
+    std::map<std::string, Rect> where;
+    std::string openTab;
     Index pointedAt = kNone;  ///< The point under the pointer, found anew in every frame.
 };
 

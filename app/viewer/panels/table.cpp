@@ -41,7 +41,10 @@ void drawTabs(const PanelContext& context) {
     for (const SidePanel& panel : kSidePanels) {
         if (panel.left && !narrow) continue;
         if (panel.draw == drawDial && context.layout.dialApart) continue;
-        if (!ImGui::BeginTabItem(panel.title)) continue;
+        const bool open = ImGui::BeginTabItem(panel.title);
+        context.ui().where[std::string("tab ") + panel.title] = lastItem();
+        if (!open) continue;
+        context.ui().openTab = panel.title;
         if (narrow) ImGui::PushFont(context.fonts.text);
         if (ImGui::BeginChild("##content", {0, 0}, false)) panel.draw(context);
         ImGui::EndChild();
@@ -139,6 +142,10 @@ std::span<const SidePanel> sidePanels() { return kSidePanels; }
 
 void drawPanels(const PanelContext& context) {
     context.ui().pointedAt = kNone;
+    context.ui().where = {
+        {"region view", context.layout.view},           {"region left", context.layout.left},
+        {"region dial", context.layout.dial},           {"region right", context.layout.right},
+        {"region narration", context.layout.narration}, {"region drawer", context.layout.drawer}};
     drawColumns(context);
     drawView(context);
     drawNarration(context);

@@ -17,6 +17,13 @@ ImU32 toU32(const Color& color);
 inline ImVec4 toVec4(const Color& color) { return {color.r, color.g, color.b, color.a}; }
 inline ImVec2 toVec2(glm::vec2 v) { return {v.x, v.y}; }
 
+/// Where the item drawn last is.
+inline Rect lastItem() {
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    return {{low.x, low.y}, {high.x - low.x, high.y - low.y}};
+}
+
 /// Begins a window without frame that fills `rect`. Call ImGui::End() in any case.
 bool beginRegion(const char* name, const Rect& rect, int extraFlags = 0);
 /// A line with the title of a panel, and something dim at its right end.

@@ -127,6 +127,25 @@ denies() {
     [[ $(field "$1") =~ ^($2)$ ]] && fail "$1 is $2"
     return 0
 }
+# center NAME: "X Y", the middle of something that the program says it has drawn, e.g. "tab Dial".
+center() {
+    local x y w h
+    read -r x y w h < <(field "$1" | tr -d '[],' )
+    [ -n "${h:-}" ] || fail "nothing is drawn that is called '$1'"
+    echo "$((x + w / 2)) $((y + h / 2))"
+}
+# click_on NAME [BUTTON]; inside NAME PERCENT_X PERCENT_Y: "X Y" at that place of it.
+click_on() {
+    local x y
+    read -r x y < <(center "$1") || exit 1
+    click "$x" "$y" "${2:-1}"
+}
+inside() {
+    local x y w h
+    read -r x y w h < <(field "$1" | tr -d '[],' )
+    [ -n "${h:-}" ] || fail "nothing is drawn that is called '$1'"
+    echo "$((x + w * $2 / 100)) $((y + h * $3 / 100))"
+}
 title() { xdotool getwindowname "$window" 2>/dev/null; }
 
 # picture NAME; differing A B: pixels that are not the same.

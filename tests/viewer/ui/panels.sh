@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# Every panel is opened, in three sizes of the window and at twice the scale; each can be seen.
+. "$(dirname "$0")/harness.sh"
+
+# each_tab: opens every tab there is; each changes what can be seen.
+each_tab() {
+    local name seen=0
+    while IFS= read -r name; do
+        click_on "$name"
+        sleep 0.3
+        says open_tab "${name#tab }"
+        seen=$((seen + 1))
+    done < <(grep -oE '"tab [^"]+"' "$state" | tr -d '"')
+    [ "$seen" -ge "$1" ] || fail "only $seen tabs"
+}
+
+# everything_inside WIDTH HEIGHT: no region leaves the window, and the view keeps its share.
+everything_inside() {
+    local name x y w h
+    for name in view left dial right narration drawer; do
+        read -r x y w h < <(field "region $name" | tr -d '[],')
+        [ "$w" -eq 0 ] || [ "$h" -eq 0 ] || { [ $((x + w)) -le "$1" ] && [ $((y + h)) -le "$2" ]; } ||
+            fail "$name leaves the window: $x $y $w $h"
+    done
+    read -r x y w h < <(field "region view" | tr -d '[],')
+    [ $((100 * w)) -ge $((39 * $1)) ] || fail "the view is $w of $1 wide"
+    [ "$h" -ge 150 ] || fail "the view is $h high"
+}
+
+start scene:torus --goto 137.sphere
+says address "137\.sphere\.[0-9]+"
+everything_inside 1280 800
+each_tab 3
+resize 1600 900
+everything_inside 1600 900
+resize 1024 640
+everything_inside 1024 640
+each_tab 3
+says address "137\.sphere\.[0-9]+"
+stop
+
+size=1280x800 scale=2 start scene:torus --goto 137.sphere
+says em 32.0
+everything_inside 1280 800
+each_tab 3
+stop
+size=1024x640 theme=light start scene:torus --goto 137.sphere
+says theme light
+everything_inside 1024 640
+stop
+well

@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# The mouse in the view: turning, panning, zooming, picking; a click on nothing clears.
+. "$(dirname "$0")/harness.sh"
+start scene:sphere --goto 40
+says address "40\.advance\.1"
+
+escaped() { printf '%s' "$(field camera)" | sed 's/[][{}.*+?()|^$\\]/\\&/g'; }
+read -r x y < <(inside "region view" 20 20)
+before=$(escaped); drag "$x" "$y" 60 20; denies camera "$before"
+before=$(escaped); drag "$x" "$y" 30 30 3; denies camera "$before"
+before=$(escaped); drag "$x" "$y" 30 30 2; denies camera "$before"
+before=$(escaped); click "$x" "$y" 4; denies camera "$before"
+says address "40\.advance\.1"
+
+# F puts the pivot into the middle of the view; a click there selects it, and stepping keeps it.
+press Return f; sleep 0.3
+read -r x y < <(center "region view")
+click "$x" "$y"
+denies selected null
+point=$(field selected)
+press F10 F10
+says pivot 42
+says selected "$point"
+# A drag selects nothing.
+press Escape; says selected null
+drag "$x" "$y" 90 40
+says selected null
+# Beside the surface there is nothing to select.
+press Return; sleep 0.3
+read -r x y < <(inside "region view" 3 6)
+click "$x" "$y"; sleep 0.5
+says selected null
+# A neighbor of the pivot lights up under the pointer.
+press f; sleep 0.3
+read -r x y < <(center "region view")
+lit() {
+    local dx dy
+    for dy in 0 40 -40 80 -80 120 -120; do
+        for dx in 40 60 80 100 120 140 160 180 200 220; do
+            xdotool mousemove --window "$window" $((x + dx)) $((y + dy))
+            sleep 0.05
+            [ "$(field hovered)" != null ] && return 0
+        done
+    done
+    return 1
+}
+lit || fail "no neighbor of the pivot lights up"
+stop
+well
