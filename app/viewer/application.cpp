@@ -122,13 +122,6 @@ void Application::play(double seconds) {
     playback_.unit() == PlayUnit::Pivot ? session_.stepPivot(due) : session_.stepEvent(due);
 }
 
-void Application::countStatus() {
-    counts_ = {};
-    for (const PointStatus status : session_.picture().status) {
-        ++(status == kUnused ? counts_.unused : status > 0 ? counts_.used : counts_.done);
-    }
-}
-
 void Application::fillScene() {
     if (!session_.ready()) return;
     const ViewSettings& settings = ui_.settings;
@@ -146,6 +139,7 @@ void Application::fillScene() {
         frameFocus(commands_);
     }
     renderer_->setTriangles(session_.model(), session_.triangles());
+    renderer_->setMended(session_.model(), session_.picture().mended);
     if (filledRevision_ == session_.revision() && filledLayers_ == settings.layers &&
         filledTheme_ == settings.theme) {
         return;
@@ -153,7 +147,6 @@ void Application::fillScene() {
     const LayerInput input{session_.model(),    session_.picture(),         palette(),
                            session_.selected(), session_.highlightedRing(), session_.hovered()};
     fillDrawList(input, settings.layers, drawList_);
-    countStatus();
     filledRevision_ = session_.revision();
     filledLayers_ = settings.layers;
     filledTheme_ = settings.theme;
@@ -171,8 +164,9 @@ void Application::drawScene(const Layout& layout) {
 }
 
 void Application::drawUserInterface(const Layout& layout) {
+    const StatusCounts& counts = session_.picture().status.counts();
     const PanelContext context{commands_, palette(), imgui_->fonts(), layout,
-                               drawList_, counts_,   imgui_->em(),    renderer_->texture()};
+                               drawList_, counts,    imgui_->em(),    renderer_->texture()};
     drawPanels(context);
     // After a click the keys go to the view again; Ctrl+Tab leads into the panels.
     const bool released =
@@ -186,6 +180,7 @@ void Application::drawUserInterface(const Layout& layout) {
 }
 
 void Application::frame(glm::ivec2 size, double seconds) {
+    const auto began = std::chrono::steady_clock::now();
     poll();
     play(seconds);
     const double chosen = ui_.settings.uiScale > 0.0 ? ui_.settings.uiScale : contentScale_;
@@ -193,7 +188,6 @@ void Application::frame(glm::ivec2 size, double seconds) {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
     io.DeltaTime = static_cast<float>(seconds);
-    const auto began = std::chrono::steady_clock::now();
     imgui_->beginFrame();
     const Layout layout = computeLayout(glm::vec2(size), imgui_->em(), ui_.arrangement);
     ui_.viewAspect = layout.view.size.x / std::max(1.0F, layout.view.size.y);
@@ -203,9 +197,12 @@ void Application::frame(glm::ivec2 size, double seconds) {
     drawScene(layout);
     clearFrame(size, palette().panel);
     imgui_->endFrame();
-    if (options_.benchFrames > 0) finishGl();
+    const bool first = firstFrameSeconds_ == 0.0 && session_.ready();
+    if (first || options_.benchFrames > 0) finishGl();
+    const auto drawn = std::chrono::steady_clock::now();
     uiSeconds_ = std::chrono::duration<double>(built - began).count();
-    glSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - built).count();
+    glSeconds_ = std::chrono::duration<double>(drawn - built).count();
+    if (first) firstFrameSeconds_ = std::chrono::duration<double>(drawn - options_.began).count();
     if (options_.narrate) narrate();
     if (std::exchange(ui_.requests.copyPlace, false)) copyPlace();
     if (std::exchange(ui_.requests.pastePlace, false)) pastePlace();

@@ -38,6 +38,8 @@ class Application {
     /// Of the last frame: seconds outside of OpenGL, and in it.
     double uiSeconds() const { return uiSeconds_; }
     double glSeconds() const { return glSeconds_; }
+    /// From the start of the program until the input was first drawn; 0 before.
+    double firstFrameSeconds() const { return firstFrameSeconds_; }
     Session& session() { return session_; }
     /// Blocks until what was asked for on the command line can be seen.
     Status settle();
@@ -69,7 +71,6 @@ class Application {
     void fillScene();
     void drawScene(const Layout& layout);
     void drawUserInterface(const Layout& layout);
-    void countStatus();
     void saveWindowPicture(glm::ivec2 size);
     void copyPlace();
     void pastePlace();
@@ -85,7 +86,6 @@ class Application {
     std::unique_ptr<Ui> imgui_;
     std::unique_ptr<Renderer> renderer_;
     DrawList drawList_;
-    StatusCounts counts_;
     SceneKey drawn_;
     std::uint32_t filledRevision_ = 0;
     LayerSwitches filledLayers_;
@@ -101,6 +101,7 @@ class Application {
     std::string narrated_;  ///< The address of the last sentence on stdout.
     double uiSeconds_ = 0.0;
     double glSeconds_ = 0.0;
+    double firstFrameSeconds_ = 0.0;
 };
 
 }  // namespace se::view

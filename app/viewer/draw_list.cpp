@@ -2,8 +2,16 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace se::view {
+
+void DrawList::clear() {
+    DrawList fresh;
+    std::swap(fresh.cloudStyleOf, cloudStyleOf);
+    std::swap(fresh.cloudMadeOf, cloudMadeOf);
+    *this = std::move(fresh);
+}
 
 void DrawList::circle(const glm::vec3& center, const glm::vec3& u, const glm::vec3& v, float radius,
                       const Color& color, float width, Depth depth, int segments) {

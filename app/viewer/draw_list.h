@@ -5,10 +5,13 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "block_list.h"
 #include "palette.h"
+#include "spiraling_edge/point_set.h"
 
 namespace se::view {
 
@@ -90,7 +93,10 @@ struct DrawList {
     // The input: positions are uploaded once, only the bytes change.
     bool cloudVisible = true;
     CloudStyles cloudStyles;
-    std::vector<std::uint8_t> cloudStyleOf;
+    BlockList<std::uint8_t> cloudStyleOf;
+    /// What cloudStyleOf was made of: stays when all else is cleared, so that only blocks of points
+    /// that changed are made anew.
+    BlockList<std::int32_t> cloudMadeOf;
 
     // Finished triangles: uploaded once, drawn up to a count.
     std::size_t finishedTriangles = 0;
@@ -99,8 +105,8 @@ struct DrawList {
     bool meshVisible = true;
     bool meshEdges = true;
 
-    /// Triangles to draw instead of the finished ones, three corners each, if there are any.
-    std::vector<glm::vec3> meshCorners;
+    /// Triangles to draw instead of the finished ones, if not null.
+    std::shared_ptr<const std::vector<Triangle>> mended;
 
     std::vector<Face> faces;  ///< New triangles: lit, opaque.
     std::vector<Line> lines;
@@ -109,7 +115,8 @@ struct DrawList {
     std::vector<Sprite> sprites;
     std::vector<Label> labels;
 
-    void clear() { *this = DrawList{}; }
+    /// Empties all but the styles of the cloud, see cloudMadeOf.
+    void clear();
     void line(const glm::vec3& from, const glm::vec3& to, const Color& color, float width,
               Depth depth = Depth::Tested) {
         lines.push_back({from, to, color, width, 0.0F, 0.0F, depth});

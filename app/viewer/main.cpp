@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <exception>
+#include <thread>
 #include <vector>
 
 #include "application.h"
@@ -46,15 +48,19 @@ ViewSettings settingsToKeep(const Options& options, const Application& applicati
     return keep;
 }
 
+/// Waits until what was asked for can be drawn.
+int settle(Application& application) {
+    const auto status = application.settle();
+    if (status) return kExitGood;
+    return fail(application.inputFailed() ? kExitInput : kExitUsage, status.error().message);
+}
+
 /// Brings what was asked for in view, without a window.
 int prepareOffscreen(Application& application) {
     if (const auto status = application.start(1.0F); !status) {
         return fail(kExitNoDisplay, status.error().message);
     }
-    if (const auto status = application.settle(); !status) {
-        return fail(application.inputFailed() ? kExitInput : kExitUsage, status.error().message);
-    }
-    return kExitGood;
+    return settle(application);
 }
 
 int dumpState(Application& application) {
@@ -86,28 +92,60 @@ void printTimes(const char* what, std::vector<double> seconds) {
                 1e3 * seconds.back());
 }
 
-/// Steps through the run, one decision per frame, and says what a frame costs.
+/// What one kind of move costs, frame by frame.
+void benchMoves(const Options& options, Offscreen& offscreen, Application& application,
+                const char* what, void (*move)(Session&)) {
+    constexpr int kWarmUp = 10;
+    std::vector<double> own;
+    std::vector<double> gl;
+    for (int i = -kWarmUp; i < options.benchFrames; ++i) {
+        const auto began = std::chrono::steady_clock::now();
+        move(application.session());
+        const std::chrono::duration<double> moved = std::chrono::steady_clock::now() - began;
+        offscreen.beginFrame();
+        application.frame(offscreen.size(), 1.0 / 60.0);
+        if (i < 0) continue;
+        own.push_back(moved.count() + application.uiSeconds());
+        gl.push_back(application.glSeconds());
+    }
+    std::printf("%d frames, %s\n", options.benchFrames, what);
+    printTimes("  our own time", own);
+    printTimes("  OpenGL, until it is done", gl);
+}
+
+/// Steps through the run and says what a frame costs: the move, user interface and scene, and apart
+/// from that OpenGL.
 int runBench(const Options& options) {
     const ViewSettings settings = settingsFor(options);
     const glm::ivec2 size(settings.width, settings.height);
     const auto offscreen = Offscreen::create(size);
     if (!offscreen) return fail(kExitNoDisplay, offscreen.error().message);
     Application application(options, settings);
-    if (const int code = prepareOffscreen(application); code != kExitGood) return code;
-    std::vector<double> ui;
-    std::vector<double> gl;
-    constexpr int kWarmUp = 10;
-    for (int i = -kWarmUp; i < options.benchFrames; ++i) {
-        application.session().stepEvent(1);
+    if (const auto status = application.start(1.0F); !status) {
+        return fail(kExitNoDisplay, status.error().message);
+    }
+    // As a window does it: fonts and the empty panels while the input is being read.
+    const auto draw = [&] {
         offscreen.value()->beginFrame();
         application.frame(size, 1.0 / 60.0);
-        if (i < 0) continue;
-        ui.push_back(application.uiSeconds());
-        gl.push_back(application.glSeconds());
+    };
+    draw();
+    for (; !application.session().ready() && !application.inputFailed(); application.poll()) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    std::printf("%d frames at %dx%d, one sub-step each\n", options.benchFrames, size.x, size.y);
-    printTimes("user interface and scene", ui);
-    printTimes("OpenGL, until it is done", gl);
+    draw();
+    if (const int code = settle(application); code != kExitGood) return code;
+    std::printf("%zu points at %dx%d; first frame %.3f s after the start\n",
+                application.session().model().points.size(), size.x, size.y,
+                application.firstFrameSeconds());
+    Offscreen& target = *offscreen.value();
+    benchMoves(options, target, application, "one sub-step each",
+               [](Session& session) { session.stepEvent(1); });
+    benchMoves(options, target, application, "one pivot each",
+               [](Session& session) { session.stepPivot(1); });
+    benchMoves(options, target, application, "one pivot back each",
+               [](Session& session) { session.stepPivot(-1); });
+    benchMoves(options, target, application, "nothing moves", [](Session&) {});
     return dumpState(application);
 }
 

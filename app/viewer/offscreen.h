@@ -17,6 +17,7 @@ class Offscreen {
     Offscreen(const Offscreen&) = delete;
     Offscreen& operator=(const Offscreen&) = delete;
 
+    glm::ivec2 size() const { return size_; }
     /// Makes the picture the place that drawing goes to.
     void beginFrame() { target_->begin(size_); }
     /// Writes what was drawn since beginFrame() as PNG.

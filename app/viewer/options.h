@@ -1,6 +1,7 @@
 /// The command line of the viewer.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <glm/vec2.hpp>
 #include <optional>
@@ -22,6 +23,8 @@ enum ExitCode : int {
 };
 
 struct Options {
+    /// When the program was started: what the time to the first frame is counted from.
+    std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
     InputSpec input;
     std::string goTo;
     std::optional<glm::ivec2> size;

@@ -132,7 +132,7 @@ class Painter {
         return any ? &picture_.rings.front() : nullptr;
     }
     void setStatus(Index point, PointStatus status) {
-        if (point < picture_.status.size()) picture_.status[point] = status;
+        if (point < picture_.status.size()) picture_.status.set(point, status);
     }
     void insertAt(std::size_t place, Index point) {
         RingPath* ring = activeRing();
@@ -193,7 +193,8 @@ std::size_t firstEventAfterRings(const std::vector<Event>& events) {
     return after;
 }
 
-/// Triangles of `after` that `before` has not got, whichever corner comes first.
+/// Triangles of `after` that `before` has not got, whichever corner comes first. The steps change a
+/// few places of a long list, so only those are compared with each other.
 std::vector<Triangle> freshTriangles(const std::vector<Triangle>& before,
                                      const std::vector<Triangle>& after) {
     const auto corners = [](const Triangle& t) {
@@ -201,12 +202,17 @@ std::vector<Triangle> freshTriangles(const std::vector<Triangle>& before,
         std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
         return c;
     };
+    const std::size_t common = std::min(before.size(), after.size());
     std::set<std::array<Index, 3>> old;
-    for (const Triangle& t : before) old.insert(corners(t));
     std::vector<Triangle> fresh;
-    for (const Triangle& t : after) {
-        if (!old.contains(corners(t))) fresh.push_back(t);
+    for (std::size_t i = 0; i < common; ++i) {
+        if (before[i] == after[i]) continue;
+        old.insert(corners(before[i]));
+        fresh.push_back(after[i]);
     }
+    for (std::size_t i = common; i < before.size(); ++i) old.insert(corners(before[i]));
+    for (std::size_t i = common; i < after.size(); ++i) fresh.push_back(after[i]);
+    std::erase_if(fresh, [&](const Triangle& t) { return old.contains(corners(t)); });
     return fresh;
 }
 

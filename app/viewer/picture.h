@@ -49,7 +49,7 @@ struct Picture {
     /// If not null: drawn instead of the finished triangles.
     std::shared_ptr<const std::vector<Triangle>> mended;
     std::vector<RingPath> rings;  ///< The active one first, then the stack from the top.
-    std::vector<PointStatus> status;
+    StatusList status;
 };
 
 /// Makes the picture at events[cursor] of the record; with no events, that of the state itself.

@@ -7,10 +7,16 @@ namespace se::view {
 
 namespace {
 
-RunState withoutTriangles(const State& state) {
-    RunState copy{
-        state.status,     state.rings, state.triangles.size(), state.alerts.size(), state.counters,
-        state.finished(), nullptr};
+/// What `state` is without its triangles; `last` are the statuses at an earlier look.
+RunState withoutTriangles(const State& state, StatusList& last) {
+    last.assign(state.status);
+    RunState copy{last,
+                  state.rings.withoutPoints(),
+                  state.triangles.size(),
+                  state.alerts.size(),
+                  state.counters,
+                  state.finished(),
+                  nullptr};
     if (!state.mend.empty()) {
         copy.mended = std::make_shared<const std::vector<Triangle>>(state.mend.triangles);
     }
@@ -30,6 +36,12 @@ std::optional<std::size_t> PivotRecord::find(const Address& address) const {
 }
 
 std::shared_ptr<const PivotRecord> recordPivot(Timeline& timeline, std::uint32_t pivot) {
+    StatusList none;
+    return recordPivot(timeline, pivot, none);
+}
+
+std::shared_ptr<const PivotRecord> recordPivot(Timeline& timeline, std::uint32_t pivot,
+                                               StatusList& last) {
     auto record = std::make_shared<PivotRecord>();
     record->events = timeline.eventsOf(pivot);
     if (record->events.empty() && pivot > 0) {
@@ -40,13 +52,13 @@ std::shared_ptr<const PivotRecord> recordPivot(Timeline& timeline, std::uint32_t
     record->pivot = pivot;
     if (pivot == 0) {
         timeline.seek(0);
-        record->before = record->after = withoutTriangles(timeline.state());
+        record->before = record->after = withoutTriangles(timeline.state(), last);
         record->isLast = timeline.endKnown() && timeline.lastPivot() == 0;
         return record;
     }
-    record->before = withoutTriangles(timeline.state());
+    record->before = withoutTriangles(timeline.state(), last);
     timeline.stepPivot();
-    record->after = withoutTriangles(timeline.state());
+    record->after = withoutTriangles(timeline.state(), last);
     record->isLast = timeline.endKnown() && pivot == timeline.lastPivot();
     return record;
 }

@@ -5,13 +5,14 @@
 #include <memory>
 
 #include "spiraling_edge/timeline.h"
+#include "status_list.h"
 
 namespace se::view {
 
 /// A State without its triangles, of which the number suffices: they are only ever appended.
 struct RunState {
-    std::vector<PointStatus> status;
-    EdgeRings rings;
+    StatusList status;
+    EdgeRings rings;  ///< As EdgeRings::withoutPoints() gives them: their size goes with the rings.
     std::size_t triangleCount = 0;
     std::size_t alertCount = 0;
     Counters counters;
@@ -34,5 +35,9 @@ struct PivotRecord {
 
 /// Takes pivot number `pivot` out of the timeline, or the last one if the run is shorter.
 std::shared_ptr<const PivotRecord> recordPivot(Timeline& timeline, std::uint32_t pivot);
+/// The same; shares with `last`, the statuses of an earlier record, what has not changed since, and
+/// makes it those of this one.
+std::shared_ptr<const PivotRecord> recordPivot(Timeline& timeline, std::uint32_t pivot,
+                                               StatusList& last);
 
 }  // namespace se::view

@@ -66,7 +66,7 @@ void Runner::serve(std::uint32_t pivot, const std::stop_token& stop) {
 }
 
 void Runner::publish(std::uint32_t pivot, bool final) {
-    std::shared_ptr<const PivotRecord> record = recordPivot(timeline_, pivot);
+    std::shared_ptr<const PivotRecord> record = recordPivot(timeline_, pivot, status_);
     position_ = timeline_.position();
     const std::vector<Triangle>& all = timeline_.state().triangles;
     {

@@ -47,6 +47,7 @@ class Runner {
 
     std::shared_ptr<const Model> model_;
     Timeline timeline_;
+    StatusList status_;  ///< Of the last record.
     std::size_t publishedTriangles_ = 0;
 
     std::mutex mutex_;

@@ -46,6 +46,7 @@ std::string Application::stateDump() const {
              {"rate", playback_.rate()},
              {"theme", std::string(themeName(ui_.settings.theme))},
              {"layout", std::string(rowOf(ui_.arrangement).name)},
+             {"first_frame_seconds", firstFrameSeconds_},
              {"em", imgui_ ? imgui_->em() : 0.0F},
              {"cheat_sheet", ui_.cheatSheet},
              {"file_browser", ui_.fileBrowser},

@@ -63,6 +63,20 @@ std::vector<glm::vec3> unitSphere() {
     return vertices;
 }
 
+/// Puts the corners of the triangles from `first` up to `last` where they belong in `batch`.
+void uploadCorners(Batch& batch, const Model& model, std::span<const Triangle> triangles,
+                   std::size_t first, std::size_t last) {
+    std::vector<glm::vec3> corners;
+    corners.reserve(3 * (last - first));
+    for (const Triangle& t : triangles.subspan(first, last - first)) {
+        for (const Index p : {t.a, t.b, t.c}) corners.push_back(model.place[p]);
+    }
+    batch.append(0, 3 * first * sizeof(glm::vec3), corners.data(),
+                 corners.size() * sizeof(glm::vec3));
+    // The buffer may be another one now.
+    batch.describe(0, sizeof(glm::vec3), {{0, 3, 0}});
+}
+
 Status loadInto(Shader& shader, const char* vertex, const char* fragment,
                 const std::filesystem::path& folder, const char* defines = "") {
     Result<Shader> loaded = Shader::load(vertex, fragment, folder, defines);
@@ -126,21 +140,32 @@ void Renderer::setModel(const Model& model) {
     cloud_.upload(0, vertices.data(), vertices.size() * sizeof(CloudVertex));
     cloudCount_ = vertices.size();
     meshTriangles_ = 0;
+    uploadedStyles_ = {};
+    uploadedMended_ = nullptr;
     spacing_ = model.spacing;
 }
 
 void Renderer::setTriangles(const Model& model, std::span<const Triangle> triangles) {
     if (triangles.size() <= meshTriangles_) return;
-    std::vector<glm::vec3> corners;
-    corners.reserve(3 * (triangles.size() - meshTriangles_));
-    for (const Triangle& t : triangles.subspan(meshTriangles_)) {
-        for (const Index p : {t.a, t.b, t.c}) corners.push_back(model.place[p]);
-    }
-    mesh_.append(0, 3 * meshTriangles_ * sizeof(glm::vec3), corners.data(),
-                 corners.size() * sizeof(glm::vec3));
-    // The buffer may be another one now.
-    mesh_.describe(0, sizeof(glm::vec3), {{0, 3, 0}});
+    uploadCorners(mesh_, model, triangles, meshTriangles_, triangles.size());
     meshTriangles_ = triangles.size();
+}
+
+void Renderer::setMended(const Model& model,
+                         std::shared_ptr<const std::vector<Triangle>> triangles) {
+    if (!triangles || triangles == uploadedMended_) return;
+    static const std::vector<Triangle> kNothing;
+    const std::vector<Triangle>& before = uploadedMended_ ? *uploadedMended_ : kNothing;
+    const std::size_t common = std::min(before.size(), triangles->size());
+    for (std::size_t i = 0; i < common; ++i) {
+        const std::size_t first = i;
+        while (i < common && !((*triangles)[i] == before[i])) ++i;
+        if (i > first) uploadCorners(mended_, model, *triangles, first, i);
+    }
+    if (common < triangles->size()) {
+        uploadCorners(mended_, model, *triangles, common, triangles->size());
+    }
+    uploadedMended_ = std::move(triangles);
 }
 
 void Renderer::draw(const DrawList& list, const CameraMatrices& camera, glm::ivec2 size, float em,
@@ -206,13 +231,9 @@ void Renderer::drawMesh(const DrawList& list, const CameraMatrices& camera) {
     meshShader_.set("uHatch", 0.55F * em_);
     meshShader_.set("uEdgeWidth", std::max(1.0F, 0.07F * em_));
     meshShader_.set("uEdgeColor", vec(list.meshEdgeColor.withAlpha(list.meshEdges ? 0.85F : 0.0F)));
-    const bool mended = !list.meshCorners.empty();
-    if (mended) {
-        mended_.upload(0, list.meshCorners.data(), list.meshCorners.size() * sizeof(glm::vec3));
-        mended_.describe(0, sizeof(glm::vec3), {{0, 3, 0}});
-    }
+    const bool mended = list.mended != nullptr && list.mended == uploadedMended_;
     const std::size_t count =
-        mended ? list.meshCorners.size() / 3 : std::min(list.finishedTriangles, meshTriangles_);
+        mended ? list.mended->size() : std::min(list.finishedTriangles, meshTriangles_);
     if (list.meshVisible && count > 0) {
         mended ? mended_.bind() : mesh_.bind();
         const Color& c = list.meshColor;
@@ -235,6 +256,24 @@ void Renderer::drawFaces(std::span<const Face> faces) {
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));
 }
 
+void Renderer::uploadStyles(const BlockList<std::uint8_t>& styles) {
+    constexpr std::size_t kBlock = BlockList<std::uint8_t>::kBlock;
+    std::vector<std::uint8_t> bytes;
+    for (std::size_t b = 0; b < styles.blockCount(); ++b) {
+        // Blocks in a row go together.
+        const std::size_t first = b;
+        for (; b < styles.blockCount() && !styles.shares(b, uploadedStyles_); ++b) {
+            const auto block = styles.block(b);
+            bytes.insert(bytes.end(), block.begin(), block.end());
+        }
+        if (b > first) cloud_.append(1, first * kBlock, bytes.data(), bytes.size());
+        bytes.clear();
+    }
+    // The buffer may be another one now.
+    if (uploadedStyles_.empty()) cloud_.describe(1, 1, {{2, 1, 0, true}});
+    uploadedStyles_ = styles;
+}
+
 void Renderer::drawCloud(const DrawList& list, const CameraMatrices& camera) {
     if (!list.cloudVisible || cloudCount_ == 0 || list.cloudStyleOf.size() != cloudCount_) return;
     std::array<glm::vec4, CloudStyles::kCount> colors{};
@@ -248,7 +287,8 @@ void Renderer::drawCloud(const DrawList& list, const CameraMatrices& camera) {
     useCamera(cloudShader_, camera, kBiasShare * spacing_);
     cloudShader_.set("uStyleColor", std::span<const glm::vec4>(colors));
     cloudShader_.set("uStyleSizeShape", std::span<const glm::vec2>(sizes));
-    cloud_.upload(1, list.cloudStyleOf.data(), list.cloudStyleOf.size());
+    uploadStyles(list.cloudStyleOf);
+    cloud_.bind();
     glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(cloudCount_));
 }
 

@@ -24,6 +24,8 @@ class Renderer {
     void setModel(const Model& model);
     /// Uploads those triangles that are behind the ones known already.
     void setTriangles(const Model& model, std::span<const Triangle> triangles);
+    /// Uploads those triangles that differ from the mended mesh known already; null is allowed.
+    void setMended(const Model& model, std::shared_ptr<const std::vector<Triangle>> triangles);
 
     /// Draws. Sizes follow the distance of the points on the screen within limits.
     /// `em` is the size of an em in pixels. The result is texture().
@@ -39,6 +41,7 @@ class Renderer {
     void useCamera(Shader& shader, const CameraMatrices& camera, float bias);
     void setZoom(const CameraMatrices& camera);
     void drawMesh(const DrawList& list, const CameraMatrices& camera);
+    void uploadStyles(const BlockList<std::uint8_t>& styles);
     void drawCloud(const DrawList& list, const CameraMatrices& camera);
     void drawLines(const DrawList& list, const CameraMatrices& camera);
     void drawLineRun(std::span<const Line> lines, Shader& shader);
@@ -61,6 +64,8 @@ class Renderer {
     Batch shell_;
     Target target_;
     std::size_t cloudCount_ = 0;
+    BlockList<std::uint8_t> uploadedStyles_;
+    std::shared_ptr<const std::vector<Triangle>> uploadedMended_;
     std::size_t meshTriangles_ = 0;
     std::size_t shellVertices_ = 0;
     float spacing_ = 0.05F;

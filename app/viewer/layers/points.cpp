@@ -1,3 +1,5 @@
+#include <array>
+
 #include "layer.h"
 
 namespace se::view {
@@ -31,6 +33,24 @@ CloudStyles stylesFor(const LayerInput& in) {
     return s;
 }
 
+/// Makes the styles of the points in blocks that are not as they were.
+void fillStyles(const LayerInput& in, DrawList& out) {
+    const BlockList<PointStatus>& status = in.picture.status.blocks();
+    out.cloudStyleOf.resize(status.size());
+    std::array<std::uint8_t, BlockList<std::uint8_t>::kBlock> styles{};
+    for (std::size_t b = 0; b < status.blockCount(); ++b) {
+        if (status.shares(b, out.cloudMadeOf)) continue;
+        const auto block = status.block(b);
+        for (std::size_t i = 0; i < block.size(); ++i) {
+            const std::size_t p = b * BlockList<PointStatus>::kBlock + i;
+            styles[i] =
+                in.model.drawable[p] ? styleIndex(block[i], in.model.points.type[p]) : kHiddenStyle;
+        }
+        out.cloudStyleOf.setBlock(b, std::span(styles).first(block.size()));
+    }
+    out.cloudMadeOf = status;
+}
+
 }  // namespace
 
 void addPoints(const LayerInput& in, DrawList& out) {
@@ -42,12 +62,7 @@ void addPoints(const LayerInput& in, DrawList& out) {
             if (style.shape != Shape::Hidden) style = {style.color, 0.16F, Shape::Dot};
         }
     }
-    out.cloudStyleOf.resize(count);
-    for (std::size_t p = 0; p < count; ++p) {
-        out.cloudStyleOf[p] = in.model.drawable[p]
-                                  ? styleIndex(in.picture.status[p], in.model.points.type[p])
-                                  : kHiddenStyle;
-    }
+    fillStyles(in, out);
 }
 
 }  // namespace se::view

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "layer.h"
 
 namespace se::view {
@@ -9,13 +7,8 @@ void addTriangles(const LayerInput& in, DrawList& out) {
     out.finishedTriangles = in.picture.finishedTriangles;
     out.meshColor = in.palette.mesh;
     out.meshEdgeColor = in.palette.meshEdge;
-    if (in.picture.mended) {
-        const std::vector<Triangle>& fresh = in.picture.newTriangles;
-        for (const Triangle& t : *in.picture.mended) {
-            if (std::find(fresh.begin(), fresh.end(), t) != fresh.end()) continue;
-            for (const Index p : {t.a, t.b, t.c}) out.meshCorners.push_back(in.at(p));
-        }
-    }
+    // New ones are among them, too; those below cover them.
+    out.mended = in.picture.mended;
     for (const Triangle& t : in.picture.newTriangles) {
         out.faces.push_back({{in.at(t.a), in.at(t.b), in.at(t.c)}, in.palette.test, true});
     }

@@ -13,13 +13,6 @@
 
 namespace se::view {
 
-/// How many points are in which state; counted once per picture.
-struct StatusCounts {
-    std::size_t unused = 0;
-    std::size_t used = 0;
-    std::size_t done = 0;
-};
-
 struct PanelContext {
     CommandContext& commands;
     const Palette& palette;
