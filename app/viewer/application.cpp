@@ -64,6 +64,12 @@ void Application::key(const KeyChord& chord, bool repeated) {
     command->run(commands_);
 }
 
+void Application::keyReleased(const KeyChord& chord) {
+    if (commandForKey({chord.key, kNoMods}) == findCommand("step.before")) {
+        session_.showBefore(false);
+    }
+}
+
 void Application::open(const std::string& path) {
     InputSpec spec = session_.spec();
     spec.source = path;
@@ -122,6 +128,23 @@ void Application::play(double seconds) {
     playback_.unit() == PlayUnit::Pivot ? session_.stepPivot(due) : session_.stepEvent(due);
 }
 
+namespace {
+
+/// How many triangles there were at the last seed before the cursor.
+std::size_t componentBegin(const Session& session) {
+    const RunOverview& run = session.overview();
+    const std::uint32_t pivot = session.record().pivot;
+    std::size_t begin = 0;
+    for (const RunMark& mark : run.marks) {
+        if (mark.kind != MarkKind::Seed || mark.pivot > pivot || mark.pivot < 2) continue;
+        const std::size_t before = mark.pivot - 2;
+        if (before < run.triangles.size()) begin = run.triangles[before];
+    }
+    return begin;
+}
+
+}  // namespace
+
 void Application::fillScene() {
     if (!session_.ready()) return;
     const ViewSettings& settings = ui_.settings;
@@ -140,15 +163,17 @@ void Application::fillScene() {
     }
     renderer_->setTriangles(session_.model(), session_.triangles());
     renderer_->setMended(session_.model(), session_.picture().mended);
-    if (filledRevision_ == session_.revision() && filledLayers_ == settings.layers &&
+    shownLayers_ = shownLayers(settings.layers, session_.stage());
+    if (filledRevision_ == session_.revision() && filledLayers_ == shownLayers_ &&
         filledTheme_ == settings.theme) {
         return;
     }
-    const LayerInput input{session_.model(),    session_.picture(),         palette(),
-                           session_.selected(), session_.highlightedRing(), session_.hovered()};
-    fillDrawList(input, settings.layers, drawList_);
+    const LayerInput input{session_.model(),     session_.picture(),         palette(),
+                           session_.selected(),  session_.highlightedRing(), session_.hovered(),
+                           session_.triangles(), componentBegin(session_)};
+    fillDrawList(input, shownLayers_, drawList_);
     filledRevision_ = session_.revision();
-    filledLayers_ = settings.layers;
+    filledLayers_ = shownLayers_;
     filledTheme_ = settings.theme;
 }
 
@@ -156,7 +181,7 @@ void Application::drawScene(const Layout& layout) {
     const glm::ivec2 size(layout.view.size);
     if (size.x < 1 || size.y < 1) return;
     const SceneKey key{session_.revision(), session_.generation(), camera_.revision(), size,
-                       ui_.settings.layers, ui_.settings.theme,    imgui_->em()};
+                       shownLayers_,        ui_.settings.theme,    imgui_->em()};
     if (key == drawn_) return;
     drawn_ = key;
     const float aspect = layout.view.size.x / layout.view.size.y;

@@ -25,6 +25,7 @@ class Application {
 
     // From the window.
     void key(const KeyChord& chord, bool repeated);
+    void keyReleased(const KeyChord& chord);
     void character(unsigned sign);
     void open(const std::string& path);
     /// Takes over what threads have finished. True if there is something new to draw.
@@ -88,6 +89,7 @@ class Application {
     DrawList drawList_;
     SceneKey drawn_;
     std::uint32_t filledRevision_ = 0;
+    LayerSwitches shownLayers_;  ///< At the event that the picture shows.
     LayerSwitches filledLayers_;
     Theme filledTheme_ = Theme::Dark;
     std::uint32_t uploadedGeneration_ = 0;

@@ -16,8 +16,8 @@ namespace {
 using C = CommandContext;
 
 template <LayerId layer>
-void toggleLayer(C& c) {
-    c.ui.settings.layers.flip(static_cast<std::size_t>(layer));
+void toggle(C& c) {
+    toggleLayer(c.ui.settings.layers, layer, c.session.stage());
 }
 
 template <ViewPreset preset>
@@ -128,6 +128,9 @@ constexpr auto kCommands = std::to_array<Command>({
      [](C& c) { pause(c), c.session.goBack(); }},
     {"step.forward", "Step", "Forward", "Alt+Right", "Undo going back.", true,
      [](C& c) { pause(c), c.session.goForward(); }},
+    {"step.before", "Step", "Before this decision (hold)", "`",
+     "Show the state before this decision, as long as the key is held.", false,
+     [](C& c) { c.session.showBefore(!c.session.showsBefore()); }},
     {"step.goto", "Step", "Go to...", "Ctrl+G", "Type 137, 137.sphere.3, +10, 50% or p812.", false,
      [](C& c) { c.ui.goTo.open(); }},
 
@@ -167,17 +170,18 @@ constexpr auto kCommands = std::to_array<Command>({
     {"view.legend", "View", "Legend", "", "Show or hide the legend.", false,
      [](C& c) { c.ui.settings.legend = !c.ui.settings.legend; }},
 
-    {"layer.normals", "Layers", "Normals", "N", "Show normals near the pivot.", false,
-     toggleLayer<LayerId::Normals>},
-    {"layer.labels", "Layers", "Labels", "L", "Show labels.", false, toggleLayer<LayerId::Labels>},
-    {"layer.edges", "Layers", "Mesh edges", "E", "Show edges of finished triangles.", false,
-     toggleLayer<LayerId::MeshEdges>},
-    {"layer.spheres", "Layers", "Spheres", "S", "Show the circumsphere of a test.", false,
-     toggleLayer<LayerId::Spheres>},
+    {"layer.normals", "Layers", "Normals", "N", "Pin normals near the pivot on or off.", false,
+     toggle<LayerId::Normals>},
+    {"layer.labels", "Layers", "Labels", "L", "Pin labels on or off.", false,
+     toggle<LayerId::Labels>},
+    {"layer.edges", "Layers", "Mesh edges", "E", "Pin edges of finished triangles on or off.",
+     false, toggle<LayerId::MeshEdges>},
+    {"layer.spheres", "Layers", "Spheres", "S", "Pin the circumsphere of a test on or off.", false,
+     toggle<LayerId::Spheres>},
     {"layer.links", "Layers", "Neighbor links", "G",
-     "Show the neighbor lists of pivot and selection.", false, toggleLayer<LayerId::Links>},
-    {"layer.stack", "Layers", "Stacked rings", "K", "Show the rings on the stack.", false,
-     toggleLayer<LayerId::StackedRings>},
+     "Pin the neighbor lists of pivot and selection on or off.", false, toggle<LayerId::Links>},
+    {"layer.stack", "Layers", "Stacked rings", "K", "Pin the rings on the stack on or off.", false,
+     toggle<LayerId::StackedRings>},
 
     {"help.palette", "Help", "Find an action...", "Ctrl+P Ctrl+K",
      "Type words of an action and run it.", false, [](C& c) { c.ui.palette.show(); }},

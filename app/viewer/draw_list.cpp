@@ -23,4 +23,20 @@ void DrawList::circle(const glm::vec3& center, const glm::vec3& u, const glm::ve
     for (int i = 0; i < segments; ++i) line(at(i), at(i + 1), color, width, depth);
 }
 
+void DrawList::arrow(const glm::vec3& from, const glm::vec3& to, const Color& color, float width,
+                     float head) {
+    // Heads stand at the middle of a line: the last quarter is a line of its own.
+    const glm::vec3 neck = from + 0.72F * (to - from);
+    line(from, neck, color, width, Depth::OnTop);
+    lines.push_back({neck, to, color, width, 0.0F, head, Depth::OnTop});
+}
+
+void DrawList::hatch(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const Color& color,
+                     int stripes) {
+    for (int i = 0; i < stripes; ++i) {
+        const float share = (static_cast<float>(i) + 0.5F) / static_cast<float>(stripes);
+        line(a + share * (c - a), b + share * (c - b), color, 0.06F, Depth::OnTop);
+    }
+}
+
 }  // namespace se::view

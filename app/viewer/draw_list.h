@@ -121,6 +121,26 @@ struct DrawList {
               Depth depth = Depth::Tested) {
         lines.push_back({from, to, color, width, 0.0F, 0.0F, depth});
     }
+    void dashed(const glm::vec3& from, const glm::vec3& to, const Color& color, float width,
+                float dash = 0.3F, Depth depth = Depth::OnTop) {
+        lines.push_back({from, to, color, width, dash, 0.0F, depth});
+    }
+    /// A line with its head near the far end, always on top.
+    void arrow(const glm::vec3& from, const glm::vec3& to, const Color& color, float width,
+               float head = 0.6F);
+    void sheet(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const Color& color) {
+        sheets.push_back({{a, b, c}, color, false});
+    }
+    /// A triangle filled with `stripes` lines parallel to its edge from a to b.
+    void hatch(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const Color& color,
+               int stripes = 8);
+    void mark(const glm::vec3& position, Shape shape, const Color& color, float size) {
+        sprites.push_back({position, {color, size, shape}});
+    }
+    void label(const glm::vec3& position, std::string text, const Color& color,
+               bool strong = false) {
+        labels.push_back({position, std::move(text), color, strong});
+    }
     /// A circle about `center` with the unit vectors u and v, as `segments` lines.
     void circle(const glm::vec3& center, const glm::vec3& u, const glm::vec3& v, float radius,
                 const Color& color, float width, Depth depth, int segments = 64);

@@ -63,10 +63,21 @@ class Painter {
 
     void apply(const Event& event) {
         stage_ = event.address.stage;
+        const bool changesRings = stage_ == Stage::Ring || stage_ == Stage::Split ||
+                                  stage_ == Stage::Join || stage_ == Stage::Done;
+        if (changesRings && picture_.oldRings.empty()) picture_.oldRings = picture_.rings;
+        remember(event);
         std::visit([this](const auto& evidence) { on(evidence); }, event.evidence);
     }
 
   private:
+    void remember(const Event& event) {
+        auto& latest = picture_.latest;
+        const auto same = std::find_if(latest.begin(), latest.end(), [&](const Event& each) {
+            return each.address.stage == event.address.stage;
+        });
+        same == latest.end() ? latest.push_back(event) : void(*same = event);
+    }
     void on(const SeedEvidence& e) {
         RingPath path{{e.first, e.second}, {true, true}, true, 0, kNone};
         picture_.rings.insert(picture_.rings.begin(), std::move(path));
@@ -120,6 +131,7 @@ class Painter {
     }
     void on(const EmitEvidence& e) { picture_.newTriangles.push_back(e.corners); }
     void on(const RingEvidence& e) {
+        picture_.ringChanges.push_back(e);
         setStatus(e.point, e.status);
         e.inserted ? insertAt(place_++, e.point) : removeNearPlace(e.point);
     }
@@ -244,17 +256,31 @@ std::vector<RingPath> ringPaths(const RunState& state) {
     return paths;
 }
 
-Picture makePicture(const PivotRecord& record, std::size_t cursor) {
+namespace {
+
+Picture pictureBefore(const PivotRecord& record) {
     Picture picture;
     picture.status = record.before.status;
     picture.rings = ringPaths(record.before);
     picture.finishedTriangles = record.before.triangleCount;
     picture.mended = record.before.mended;
+    return picture;
+}
+
+}  // namespace
+
+Picture makePictureBefore(const PivotRecord& record, std::size_t cursor) {
+    return cursor == 0 ? pictureBefore(record) : makePicture(record, cursor - 1);
+}
+
+Picture makePicture(const PivotRecord& record, std::size_t cursor) {
+    Picture picture = pictureBefore(record);
     if (record.events.empty()) return picture;
     cursor = std::min(cursor, record.events.size() - 1);
     Painter painter(picture);
     for (std::size_t i = 0; i <= cursor; ++i) painter.apply(record.events[i]);
     const Event& event = record.events[cursor];
+    picture.event = event;
     picture.underTest = subjectOf(event);
     if (const auto* sphere = std::get_if<SphereEvidence>(&event.evidence)) picture.sphere = *sphere;
     if (event.address.stage != Stage::Hole) picture.hole.reset();

@@ -30,6 +30,9 @@ struct RingPath {
 };
 
 struct Picture {
+    std::optional<Event> event;  ///< What this is the state just after; nothing at the beginning.
+    /// The last event of every stage of this pivot so far: a pinned layer goes on showing it.
+    std::vector<Event> latest;
     Index pivot = kNone;  ///< Point; kNone at the beginning and where no pivot is.
     Index first = kNone;
     Index last = kNone;
@@ -49,11 +52,25 @@ struct Picture {
     /// If not null: drawn instead of the finished triangles.
     std::shared_ptr<const std::vector<Triangle>> mended;
     std::vector<RingPath> rings;  ///< The active one first, then the stack from the top.
+    /// The rings before §6.5 changed them; empty before that.
+    std::vector<RingPath> oldRings;
+    std::vector<RingEvidence> ringChanges;  ///< So far, in order.
     StatusList status;
+
+    /// The evidence of the last event of a stage if it is of that kind, else null.
+    template <typename Kind>
+    const Kind* evidence(Stage stage) const {
+        for (const Event& each : latest) {
+            if (each.address.stage == stage) return std::get_if<Kind>(&each.evidence);
+        }
+        return nullptr;
+    }
 };
 
 /// Makes the picture at events[cursor] of the record; with no events, that of the state itself.
 Picture makePicture(const PivotRecord& record, std::size_t cursor);
+/// Makes the picture of the state before events[cursor].
+Picture makePictureBefore(const PivotRecord& record, std::size_t cursor);
 
 /// The rings of a state: the active one first, then the stack from the top.
 std::vector<RingPath> ringPaths(const RunState& state);

@@ -135,8 +135,19 @@ void Session::land() {
 
 void Session::setCursor(std::size_t cursor) {
     cursor_ = cursor;
-    picture_ = makePicture(*record_, cursor_);
+    picture_ = before_ ? makePictureBefore(*record_, cursor_) : makePicture(*record_, cursor_);
     ++revision_;
+}
+
+void Session::showBefore(bool on) {
+    if (before_ == on) return;
+    before_ = on;
+    if (ready()) setCursor(cursor_);
+}
+
+std::optional<Stage> Session::stage() const {
+    if (!ready() || !picture_.event) return std::nullopt;
+    return picture_.event->address.stage;
 }
 
 const Event* Session::event() const {

@@ -62,6 +62,11 @@ class Session {
     std::size_t cursor() const { return cursor_; }
     /// The event at the cursor, null at the beginning.
     const Event* event() const;
+    /// The stage of what the picture shows; nothing at the beginning.
+    std::optional<Stage> stage() const;
+    /// The picture is that before the event at the cursor, as long as this is on.
+    void showBefore(bool on);
+    bool showsBefore() const { return before_; }
     Address address() const;
     bool atStart() const { return record_ == nullptr || record_->pivot == 0; }
     bool atEnd() const;
@@ -138,6 +143,7 @@ class Session {
     std::shared_ptr<const PivotRecord> record_;
     std::size_t cursor_ = 0;
     Picture picture_;
+    bool before_ = false;
     std::vector<Triangle> triangles_;
     RunOverview overview_;
     Index selected_ = kNone;

@@ -53,8 +53,17 @@ Result<ViewSettings> settingsFromJson(std::string_view text) {
     if (switches == object.end() || !switches->is_object()) return s;
     for (const Layer& layer : layers()) {
         const auto found = switches->find(std::string(layer.name));
-        if (found == switches->end() || !found->is_boolean()) continue;
-        s.layers.set(static_cast<std::size_t>(layer.id), found->get<bool>());
+        if (found == switches->end()) continue;
+        if (found->is_boolean()) {
+            // Earlier versions had no automatic layers: what was as at first is so now.
+            const bool shown = layer.stages != kNoStage;
+            if (found->get<bool>() != shown) {
+                modeOf(s.layers, layer.id) = shown ? LayerMode::PinnedOff : LayerMode::PinnedOn;
+            }
+        } else if (found->is_string()) {
+            modeOf(s.layers, layer.id) =
+                layerModeFromName(found->get<std::string>()).value_or(LayerMode::Automatic);
+        }
     }
     return s;
 }
@@ -62,7 +71,8 @@ Result<ViewSettings> settingsFromJson(std::string_view text) {
 std::string settingsToJson(const ViewSettings& s) {
     json switches = json::object();
     for (const Layer& layer : layers()) {
-        switches[std::string(layer.name)] = s.layers.test(static_cast<std::size_t>(layer.id));
+        switches[std::string(layer.name)] =
+            layerModeName(s.layers[static_cast<std::size_t>(layer.id)]);
     }
     json object = {{"version", 1},       {"theme", themeName(s.theme)}, {"width", s.width},
                    {"height", s.height}, {"playRate", s.playRate},      {"legend", s.legend},

@@ -52,10 +52,16 @@ std::string Application::stateDump() const {
              {"file_browser", ui_.fileBrowser},
              {"palette", ui_.palette.open},
              {"open_tab", ui_.openTab},
-             {"layers", json::array()}};
+             {"layers", json::array()},
+             {"pins", json::object()},
+             {"before", session_.showsBefore()}};
+    const LayerSwitches shown = shownLayers(ui_.settings.layers, session_.stage());
     for (const Layer& layer : layers()) {
-        if (ui_.settings.layers.test(static_cast<std::size_t>(layer.id))) {
-            out["layers"].push_back(std::string(layer.name));
+        const auto place = static_cast<std::size_t>(layer.id);
+        const LayerMode mode = ui_.settings.layers[place];
+        if (shown.test(place)) out["layers"].push_back(std::string(layer.name));
+        if (mode != LayerMode::Automatic) {
+            out["pins"][std::string(layer.name)] = layerModeName(mode);
         }
     }
     for (const auto& [name, rect] : ui_.where) {

@@ -23,7 +23,7 @@ class Session;
 struct ViewSettings {
     Theme theme = Theme::Dark;
     double uiScale = 0.0;  ///< 0: as the monitor says.
-    LayerSwitches layers = defaultLayers();
+    LayerModes layers{};
     int width = 1280;
     int height = 800;
     double playRate = 4.0;

@@ -28,6 +28,8 @@ constexpr double kFrameSeconds = 1.0 / 60.0;
 /// Keys by what is printed on them, so that Ctrl+Q is where the keyboard layout has Q.
 int layoutKey(int key, int scancode) {
     if (key < GLFW_KEY_SPACE || key > GLFW_KEY_GRAVE_ACCENT || key == GLFW_KEY_SPACE) return key;
+    // The key that is held to look back is meant by its place, left of 1.
+    if (key == GLFW_KEY_GRAVE_ACCENT) return key;
     const char* name = glfwGetKeyName(key, scancode);
     if (name == nullptr || name[0] == '\0' || name[1] != '\0') return key;
     const auto sign = static_cast<unsigned char>(name[0]);
@@ -80,16 +82,16 @@ Window& Window::of(GLFWwindow* window) {
 
 void Window::onKey(GLFWwindow* window, int key, int scancode, int action, int mods) {
     of(window).wake_ = kSettleFrames;
-    if (action == GLFW_RELEASE) return;
     const int known = mods & (kShift | kCtrl | kAlt);
-    of(window).keys_.push_back({{layoutKey(key, scancode), known}, action == GLFW_REPEAT, 0});
+    of(window).keys_.push_back(
+        {{layoutKey(key, scancode), known}, action == GLFW_REPEAT, 0, action == GLFW_RELEASE});
 }
 
 void Window::listen() {
     glfwSetWindowUserPointer(window_, this);
     glfwSetKeyCallback(window_, onKey);
     glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned sign) {
-        of(window).keys_.push_back({{}, false, sign});
+        of(window).keys_.push_back({{}, false, sign, false});
         of(window).wake_ = kSettleFrames;
     });
     glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
@@ -112,8 +114,13 @@ void Window::listen() {
 
 void Window::deliver(Application& application) {
     for (const KeyPress& press : keys_) {
-        press.sign != 0 ? application.character(press.sign)
-                        : application.key(press.chord, press.repeated);
+        if (press.sign != 0) {
+            application.character(press.sign);
+        } else if (press.released) {
+            application.keyReleased(press.chord);
+        } else {
+            application.key(press.chord, press.repeated);
+        }
     }
     keys_.clear();
     if (!drops_.empty()) application.open(drops_.front());

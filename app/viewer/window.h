@@ -34,6 +34,7 @@ class Window {
         KeyChord chord;
         bool repeated = false;
         unsigned sign = 0;
+        bool released = false;
     };
 
     Window() = default;

@@ -150,3 +150,68 @@ TEST_CASE("Links are the neighbor list of the pivot") {
     const Index pivot = open.session.picture().pivot;
     CHECK(list.lines.size() == open.session.model().points.neighbors[pivot].size());
 }
+
+TEST_CASE("Entering a stage shows its layers, leaving it hides them again") {
+    const LayerModes automatic{};
+    const auto shown = [&](LayerId id, std::optional<Stage> stage) {
+        return shownLayers(automatic, stage).test(static_cast<std::size_t>(id));
+    };
+    for (const auto& [id, stage] : {std::pair{LayerId::Seed, Stage::Seed},
+                                    {LayerId::Walls, Stage::Insert},
+                                    {LayerId::Walls, Stage::Skip},
+                                    {LayerId::SortAngles, Stage::Sort},
+                                    {LayerId::Limits, Stage::Limits},
+                                    {LayerId::Convexity, Stage::Convex},
+                                    {LayerId::Reciprocal, Stage::Reciprocal},
+                                    {LayerId::HolePlane, Stage::Hole},
+                                    {LayerId::Spheres, Stage::Sphere},
+                                    {LayerId::TwoPoint, Stage::TwoPoint},
+                                    {LayerId::Fan, Stage::Emit},
+                                    {LayerId::RingChange, Stage::Ring},
+                                    {LayerId::Exchange, Stage::Split},
+                                    {LayerId::Exchange, Stage::Join},
+                                    {LayerId::Advance, Stage::Advance},
+                                    {LayerId::Component, Stage::Done}}) {
+        CAPTURE(std::string(stageName(stage)));
+        CHECK(shown(id, stage));
+        CHECK_FALSE(shown(id, Stage::Pivot));
+        CHECK_FALSE(shown(id, std::nullopt));
+    }
+    for (const LayerId id : {LayerId::Points, LayerId::Triangles, LayerId::EdgeRing}) {
+        CHECK(shown(id, std::nullopt));
+        CHECK(shown(id, Stage::Sphere));
+    }
+    CHECK_FALSE(shown(LayerId::Normals, Stage::Sort));
+}
+
+TEST_CASE("A pinned layer stays whatever the stage, until its pin is taken out") {
+    LayerModes modes{};
+    const auto shown = [&](Stage stage) {
+        return shownLayers(modes, stage).test(static_cast<std::size_t>(LayerId::Spheres));
+    };
+    toggleLayer(modes, LayerId::Spheres, Stage::Sort);
+    CHECK(modeOf(modes, LayerId::Spheres) == LayerMode::PinnedOn);
+    CHECK(shown(Stage::Sort));
+    CHECK(shown(Stage::Advance));
+    toggleLayer(modes, LayerId::Spheres, Stage::Advance);
+    CHECK(modeOf(modes, LayerId::Spheres) == LayerMode::Automatic);
+    toggleLayer(modes, LayerId::Spheres, Stage::Sphere);
+    CHECK(modeOf(modes, LayerId::Spheres) == LayerMode::PinnedOff);
+    CHECK_FALSE(shown(Stage::Sphere));
+    toggleLayer(modes, LayerId::Spheres, Stage::Sort);
+    CHECK(modeOf(modes, LayerId::Spheres) == LayerMode::PinnedOn);
+}
+
+TEST_CASE("A layer that is pinned on goes on showing the last test of its stage") {
+    test::OpenSession open;
+    CHECK(drawn(open, {30, Stage::Sphere, 1}, {LayerId::Spheres}).spheres.size() == 1);
+    CHECK(drawn(open, {30, Stage::Emit, 1}, {LayerId::Spheres}).spheres.size() == 1);
+    CHECK_FALSE(drawn(open, {30, Stage::Emit, 1}, {LayerId::SortAngles}).lines.empty());
+}
+
+TEST_CASE("Names of the three states of a layer are read as they are written") {
+    for (const LayerMode mode : {LayerMode::Automatic, LayerMode::PinnedOn, LayerMode::PinnedOff}) {
+        CHECK(layerModeFromName(layerModeName(mode)) == mode);
+    }
+    CHECK(layerModeFromName("maybe") == std::nullopt);
+}

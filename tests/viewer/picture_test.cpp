@@ -135,3 +135,44 @@ TEST_CASE("The stack shows its top first, as the state has it") {
     }
     CHECK(seen);
 }
+
+TEST_CASE("The picture before an event is that of the event before it") {
+    const auto model = test::sphereModel();
+    REQUIRE(model != nullptr);
+    Timeline timeline(model->points, model->params);
+    const auto record = recordPivot(timeline, 30);
+    const std::size_t emit = indexOf(*record, Stage::Emit);
+    CHECK(makePictureBefore(*record, emit).newTriangles.empty());
+    CHECK(makePictureBefore(*record, emit + 1).newTriangles.size() == 1);
+    const Picture first = makePictureBefore(*record, 0);
+    CHECK_FALSE(first.event.has_value());
+    CHECK(first.pivot == kNone);
+    CHECK(first.status == record->before.status);
+}
+
+TEST_CASE("Holding the look before an event changes the picture, not the cursor") {
+    test::OpenSession open;
+    open.session.goTo({30, Stage::Emit, 1});
+    open.session.settle();
+    open.session.showBefore(true);
+    CHECK(open.session.picture().newTriangles.empty());
+    CHECK(open.place() == "30.emit.1");
+    open.session.showBefore(false);
+    CHECK(open.session.picture().newTriangles.size() == 1);
+}
+
+TEST_CASE("A refused candidate keeps its cross until the pivot ends") {
+    const auto model = test::sphereModel();
+    REQUIRE(model != nullptr);
+    Timeline timeline(model->points, model->params);
+    const auto record = recordPivot(timeline, 30);
+    const auto crosses = [&](std::size_t cursor) {
+        const Picture picture = makePicture(*record, cursor);
+        return std::count_if(
+            picture.candidates.begin(), picture.candidates.end(),
+            [](const CandidateMark& m) { return m.state == CandidateState::Rejected; });
+    };
+    const std::size_t emit = indexOf(*record, Stage::Emit);
+    REQUIRE(crosses(emit) > 0);
+    CHECK(crosses(record->events.size() - 2) == crosses(emit));
+}

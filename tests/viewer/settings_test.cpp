@@ -15,7 +15,8 @@ TEST_CASE("Settings are read as they were written") {
     settings.height = 900;
     settings.playRate = 15.0;
     settings.legend = false;
-    settings.layers.flip();
+    modeOf(settings.layers, LayerId::Normals) = LayerMode::PinnedOn;
+    modeOf(settings.layers, LayerId::Spheres) = LayerMode::PinnedOff;
     const auto read = settingsFromJson(settingsToJson(settings));
     REQUIRE(read.ok());
     CHECK(read.value().theme == settings.theme);
@@ -37,6 +38,16 @@ TEST_CASE("Values out of range or of another kind become defaults") {
     CHECK(read.value().width == defaults.width);
     CHECK(read.value().height == defaults.height);
     CHECK(read.value().layers == defaults.layers);
+}
+
+TEST_CASE("Layers that an earlier version kept as true and false become pins where they differ") {
+    const auto read = settingsFromJson(
+        R"({"layers": {"normals": true, "links": false, "spheres": false, "labels": true}})");
+    REQUIRE(read.ok());
+    LayerModes expected{};
+    modeOf(expected, LayerId::Normals) = LayerMode::PinnedOn;
+    modeOf(expected, LayerId::Spheres) = LayerMode::PinnedOff;
+    CHECK(read.value().layers == expected);
 }
 
 TEST_CASE("What is no JSON object is an error, not a crash") {

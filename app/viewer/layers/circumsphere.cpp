@@ -1,13 +1,39 @@
-#include <cmath>
-#include <glm/geometric.hpp>
-
-#include "layer.h"
+#include "corner.h"
 
 namespace se::view {
 
+namespace {
+
+/// The angle that would be left without q, against its limit of 120 degrees; and the edge from t
+/// to s that would close the rim.
+void addGap(const LayerInput& in, const SphereEvidence& test, DrawList& out) {
+    const std::optional<Disc> disc = pivotDisc(in);
+    if (!disc) return;
+    const Palette& c = in.palette;
+    const double from = degreesOn(*disc, in.at(test.t));
+    const double to = from + test.gapDegrees;
+    const float radius = discRadius(in);
+    const bool wide = test.verdict == Verdict::GapTooWide;
+    const Color& color = wide ? c.rejected : c.used;
+    addArc(*disc, {from, to, radius}, color, wide ? 0.34F : 0.2F, out);
+    out.line(disc->at(from + 120.0, 0.88F * radius), disc->at(from + 120.0, 1.12F * radius), c.text,
+             0.12F, Depth::OnTop);
+    out.label(disc->at(0.5 * (from + to), radius),
+              degreesText(test.gapDegrees) + (wide ? " > 120\xC2\xB0: kept" : ""), color, wide);
+    if (test.verdict == Verdict::Removed) {
+        out.line(in.at(test.t), in.at(test.s), c.used, 0.26F, Depth::OnTop);
+    } else {
+        out.dashed(in.at(test.t), in.at(test.s), c.used.withAlpha(0.7F), 0.1F);
+    }
+}
+
+}  // namespace
+
 void addCircumsphere(const LayerInput& in, DrawList& out) {
-    if (!in.picture.sphere || in.picture.pivot == kNone) return;
-    const SphereEvidence& test = *in.picture.sphere;
+    const auto* latest = in.picture.evidence<SphereEvidence>(Stage::Sphere);
+    if (latest == nullptr || in.picture.pivot == kNone) return;
+    const SphereEvidence& test = *latest;
+    addGap(in, test, out);
     if (test.verdict == Verdict::NoCircle || !std::isfinite(test.radius)) return;
     const glm::vec3 center = in.model.toView(test.center);
     const auto radius = static_cast<float>(test.radius * in.model.scale);
@@ -36,9 +62,11 @@ void addCircumsphere(const LayerInput& in, DrawList& out) {
     distance.dash = 0.3F;
     distance.depth = Depth::OnTop;
     out.lines.push_back(distance);
-    out.labels.push_back({center, "c", color, false});
-    out.labels.push_back({0.5F * (center + p), "r", color, false});
-    out.labels.push_back({0.5F * (center + in.at(test.q)), "d", distance.color, false});
+    out.label(center, "c", color);
+    out.label(0.5F * (center + p), "r", color, true);
+    const bool inside = test.distance < test.radius;
+    out.label(0.5F * (center + in.at(test.q)), inside ? "d < r" : "d \xE2\x89\xA5 r",
+              distance.color, true);
 }
 
 }  // namespace se::view

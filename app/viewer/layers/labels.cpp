@@ -34,10 +34,8 @@ void addLabels(const LayerInput& in, DrawList& out) {
     if (!p.complete && p.pivot != kNone) {
         if (p.sphere) {
             labels.add(p.sphere->q, "q", c.test, true);
-            if (p.sphere->s != p.start && p.sphere->s != p.end)
-                labels.add(p.sphere->s, "s", c.test, false);
-            if (p.sphere->t != p.start && p.sphere->t != p.end)
-                labels.add(p.sphere->t, "t", c.test, false);
+            labels.add(p.sphere->s, p.sphere->s == p.end ? "s = E" : "s", c.test, true);
+            labels.add(p.sphere->t, p.sphere->t == p.start ? "t = S" : "t", c.test, true);
         }
         labels.add(p.start, p.start == p.end ? "S E" : "S", c.first, true);
         labels.add(p.end, "E", c.last, true);

@@ -1,8 +1,10 @@
 /// Layers turn (input, picture, selection) into plain things to draw. One file each; the table
-/// names them for the panel, the keys and the settings.
+/// names them for the panel, the keys and the settings, and says which stages show them.
 #pragma once
 
+#include <array>
 #include <bitset>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -20,6 +22,9 @@ struct LayerInput {
     Index selected = kNone;
     Index highlightedRing = kNone;
     Index hovered = kNone;
+    /// Of the run so far; for what marks more than the pivot's surroundings.
+    std::span<const Triangle> triangles = {};
+    std::size_t componentBegin = 0;  ///< The first triangle of the present component.
 
     const glm::vec3& at(Index point) const { return model.place[point]; }
 };
@@ -35,6 +40,20 @@ void addCircumsphere(const LayerInput& in, DrawList& out);
 void addNormals(const LayerInput& in, DrawList& out);
 void addLinks(const LayerInput& in, DrawList& out);
 void addLabels(const LayerInput& in, DrawList& out);
+// Those of one stage each.
+void addSeed(const LayerInput& in, DrawList& out);
+void addWalls(const LayerInput& in, DrawList& out);
+void addSortAngles(const LayerInput& in, DrawList& out);
+void addLimits(const LayerInput& in, DrawList& out);
+void addConvexity(const LayerInput& in, DrawList& out);
+void addReciprocal(const LayerInput& in, DrawList& out);
+void addHolePlane(const LayerInput& in, DrawList& out);
+void addTwoPoint(const LayerInput& in, DrawList& out);
+void addFan(const LayerInput& in, DrawList& out);
+void addRingChange(const LayerInput& in, DrawList& out);
+void addExchange(const LayerInput& in, DrawList& out);
+void addAdvance(const LayerInput& in, DrawList& out);
+void addComponent(const LayerInput& in, DrawList& out);
 
 enum class LayerId : std::uint8_t {
     Points,
@@ -48,14 +67,36 @@ enum class LayerId : std::uint8_t {
     Normals,
     Links,
     Labels,
+    Seed,
+    Walls,
+    SortAngles,
+    Limits,
+    Convexity,
+    Reciprocal,
+    HolePlane,
+    TwoPoint,
+    Fan,
+    RingChange,
+    Exchange,
+    Advance,
+    Component,
 };
-inline constexpr std::size_t kLayerCount = 11;
+inline constexpr std::size_t kLayerCount = 24;
+
+/// The stages that show a layer by themselves, one bit each.
+using StageMask = std::uint32_t;
+inline constexpr StageMask kNoStage = 0;
+inline constexpr StageMask kEveryStage = ~StageMask{0};  ///< Also where there is no event.
+template <typename... Stages>
+constexpr StageMask during(Stages... stages) {
+    return ((StageMask{1} << static_cast<unsigned>(stages)) | ...);
+}
 
 struct Layer {
     LayerId id;
     std::string_view name;   ///< In settings and command names.
     std::string_view title;  ///< For people.
-    bool onAtFirst;
+    StageMask stages;        ///< Where it is shown by itself.
     void (*add)(const LayerInput& in, DrawList& out);
 };
 
@@ -63,7 +104,20 @@ struct Layer {
 std::span<const Layer> layers();
 
 using LayerSwitches = std::bitset<kLayerCount>;
-LayerSwitches defaultLayers();
+
+/// What a person wants of a layer: a pin holds it whatever the stage.
+enum class LayerMode : std::uint8_t { Automatic, PinnedOn, PinnedOff };
+using LayerModes = std::array<LayerMode, kLayerCount>;
+/// "auto", "on", "off".
+std::string_view layerModeName(LayerMode mode);
+std::optional<LayerMode> layerModeFromName(std::string_view name);
+LayerMode& modeOf(LayerModes& modes, LayerId id);
+
+/// The layers to draw at an event of `stage` (nothing: at the beginning).
+LayerSwitches shownLayers(const LayerModes& modes, std::optional<Stage> stage);
+/// Shows a hidden layer and hides a shown one: by taking its pin out if that is enough, else by a
+/// pin.
+void toggleLayer(LayerModes& modes, LayerId id, std::optional<Stage> stage);
 
 /// Fills `out` with all layers that are on. The result depends on nothing else.
 void fillDrawList(const LayerInput& in, const LayerSwitches& on, DrawList& out);

@@ -1,39 +1,10 @@
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 
-#include "layer.h"
+#include "disc.h"
 
 namespace se::view {
 
 namespace {
-
-/// The frame of §6.1 at the pivot, in view space: angle 0 toward first, counterclockwise.
-struct PivotFrame {
-    glm::vec3 origin{0.0F};
-    glm::vec3 normal{0.0F};
-    glm::vec3 zero{0.0F};
-    glm::vec3 quarter{0.0F};
-
-    glm::vec3 at(float degrees, float radius) const {
-        const float angle = glm::radians(degrees);
-        return origin + radius * (std::cos(angle) * zero + std::sin(angle) * quarter);
-    }
-};
-
-std::optional<PivotFrame> frameOf(const LayerInput& in) {
-    if (in.picture.pivot == kNone || in.picture.first == kNone) return std::nullopt;
-    PivotFrame frame;
-    frame.origin = in.at(in.picture.pivot);
-    frame.normal = in.model.normal[in.picture.pivot];
-    const glm::vec3 toFirst = in.at(in.picture.first) - frame.origin;
-    const glm::vec3 flat = toFirst - frame.normal * glm::dot(toFirst, frame.normal);
-    if (glm::length(flat) < 1e-9F) return std::nullopt;
-    frame.zero = glm::normalize(flat);
-    frame.quarter = glm::cross(frame.normal, frame.zero);
-    return frame;
-}
 
 void addSpoke(const LayerInput& in, const CandidateMark& mark, DrawList& out) {
     const bool rejected = mark.state == CandidateState::Rejected;
@@ -81,39 +52,20 @@ void addEnds(const LayerInput& in, DrawList& out) {
     addMark(in, p.start, Shape::Forward, in.palette.first, 1.0F, out);
 }
 
-void addNext(const LayerInput& in, DrawList& out) {
-    const Picture& p = in.picture;
-    if (p.nextPivot == kNone || p.nextPivot == p.pivot) return;
-    Line line;
-    line.from = in.at(p.pivot);
-    line.to = in.at(p.nextPivot);
-    line.color = in.palette.pivot;
-    line.width = 0.1F;
-    line.arrow = 0.7F;
-    line.depth = Depth::OnTop;
-    out.lines.push_back(line);
-}
-
 }  // namespace
 
 void addSector(const LayerInput& in, DrawList& out) {
-    const std::optional<PivotFrame> frame = frameOf(in);
-    if (!frame) return;
-    const float radius = 0.62F * in.model.spacing;
-    const auto from = static_cast<float>(in.picture.startDegrees);
-    const auto to = static_cast<float>(std::max(in.picture.endDegrees, in.picture.startDegrees));
-    const int parts = std::max(1, static_cast<int>((to - from) / 8.0F));
-    for (int i = 0; i < parts; ++i) {
-        const float a = from + (to - from) * static_cast<float>(i) / static_cast<float>(parts);
-        const float b = from + (to - from) * static_cast<float>(i + 1) / static_cast<float>(parts);
-        out.sheets.push_back({{frame->origin, frame->at(a, radius), frame->at(b, radius)},
-                              in.palette.pivot.withAlpha(0.16F),
-                              false});
-        out.line(frame->at(a, radius), frame->at(b, radius), in.palette.pivot.withAlpha(0.8F),
-                 0.06F, Depth::OnTop);
-    }
-    out.line(frame->origin, frame->origin + frame->normal * in.model.spacing,
-             in.palette.pivot.withAlpha(0.8F), 0.08F, Depth::XRay);
+    const std::optional<Disc> disc = pivotDisc(in);
+    if (!disc) return;
+    const float radius = discRadius(in);
+    const Color& color = in.palette.pivot;
+    const double from = in.picture.startDegrees;
+    const Arc arc{from, std::max(in.picture.endDegrees, from), radius};
+    addSectorSheet(*disc, arc, color.withAlpha(0.16F), out);
+    addArc(*disc, {0.0, 360.0, radius}, color.withAlpha(0.25F), 0.05F, out);
+    addArc(*disc, arc, color.withAlpha(0.8F), 0.08F, out);
+    out.line(disc->origin, disc->origin + disc->normal * in.model.spacing, color.withAlpha(0.8F),
+             0.08F, Depth::XRay);
 }
 
 void addNeighborRing(const LayerInput& in, DrawList& out) {
@@ -128,7 +80,6 @@ void addNeighborRing(const LayerInput& in, DrawList& out) {
     // Once the pivot is complete its tests are history: only the result stays.
     if (!p.complete) addCandidates(in, out);
     if (!p.complete) addEnds(in, out);
-    if (p.complete) addNext(in, out);
     if (!p.complete && p.underTest != p.pivot) {
         addMark(in, p.underTest, Shape::RingedDisc, in.palette.test, 1.0F, out);
     }

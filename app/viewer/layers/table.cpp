@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "layer.h"
@@ -7,27 +8,80 @@ namespace se::view {
 namespace {
 
 constexpr std::array<Layer, kLayerCount> kLayers = {{
-    {LayerId::Points, "points", "Points", true, addPoints},
-    {LayerId::Triangles, "triangles", "Triangles", true, addTriangles},
-    {LayerId::MeshEdges, "edges", "Mesh edges", true, addMeshEdges},
-    {LayerId::EdgeRing, "ring", "Active edge ring", true, addEdgeRing},
-    {LayerId::StackedRings, "stack", "Stacked rings", true, addStackedRings},
-    {LayerId::Sector, "sector", "Free sector of the pivot", true, addSector},
-    {LayerId::NeighborRing, "neighbors", "Pivot and candidates", true, addNeighborRing},
-    {LayerId::Spheres, "spheres", "Circumsphere of a test", true, addCircumsphere},
-    {LayerId::Normals, "normals", "Normals near the pivot", false, addNormals},
-    {LayerId::Links, "links", "Neighbor links", false, addLinks},
-    {LayerId::Labels, "labels", "Labels", true, addLabels},
+    {LayerId::Points, "points", "Points", kEveryStage, addPoints},
+    {LayerId::Triangles, "triangles", "Triangles", kEveryStage, addTriangles},
+    {LayerId::MeshEdges, "edges", "Mesh edges", kEveryStage, addMeshEdges},
+    {LayerId::EdgeRing, "ring", "Active edge ring", kEveryStage, addEdgeRing},
+    {LayerId::StackedRings, "stack", "Stacked rings", kEveryStage, addStackedRings},
+    {LayerId::Sector, "sector", "Tangent disc of the pivot", kEveryStage, addSector},
+    {LayerId::NeighborRing, "neighbors", "Pivot and candidates", kEveryStage, addNeighborRing},
+    {LayerId::Seed, "seed", "Seed of a ring", during(Stage::Seed, Stage::Strand), addSeed},
+    {LayerId::Walls, "walls", "Walls of the box", during(Stage::Skip, Stage::Insert), addWalls},
+    {LayerId::SortAngles, "angles", "Angle of a candidate", during(Stage::Sort), addSortAngles},
+    {LayerId::Limits, "limits", "Corners at start and end", during(Stage::Limits), addLimits},
+    {LayerId::Convexity, "convex", "Convexity test", during(Stage::Convex), addConvexity},
+    {LayerId::Reciprocal, "reciprocal", "Reciprocal test", during(Stage::Reciprocal),
+     addReciprocal},
+    {LayerId::HolePlane, "hole", "Plane of a hole", during(Stage::Hole), addHolePlane},
+    {LayerId::Spheres, "spheres", "Circumsphere of a test", during(Stage::Sphere), addCircumsphere},
+    {LayerId::TwoPoint, "twopoint", "Triangle of two points", during(Stage::TwoPoint), addTwoPoint},
+    {LayerId::Fan, "fan", "Numbers of new triangles", during(Stage::Emit), addFan},
+    {LayerId::RingChange, "change", "Old and new path of the ring", during(Stage::Ring),
+     addRingChange},
+    {LayerId::Exchange, "exchange", "Split and join", during(Stage::Split, Stage::Join),
+     addExchange},
+    {LayerId::Advance, "advance", "Way to the next pivot", during(Stage::Advance), addAdvance},
+    {LayerId::Component, "component", "Finished component", during(Stage::Done), addComponent},
+    {LayerId::Normals, "normals", "Normals near the pivot", kNoStage, addNormals},
+    {LayerId::Links, "links", "Neighbor links", kNoStage, addLinks},
+    {LayerId::Labels, "labels", "Labels", kEveryStage, addLabels},
 }};
+
+constexpr std::array<std::string_view, 3> kModeNames = {"auto", "on", "off"};
+
+bool shownByItself(const Layer& layer, std::optional<Stage> stage) {
+    if (!stage) return layer.stages == kEveryStage;
+    return (layer.stages & during(*stage)) != 0;
+}
+
+bool isShown(const Layer& layer, LayerMode mode, std::optional<Stage> stage) {
+    return mode == LayerMode::Automatic ? shownByItself(layer, stage) : mode == LayerMode::PinnedOn;
+}
 
 }  // namespace
 
 std::span<const Layer> layers() { return kLayers; }
 
-LayerSwitches defaultLayers() {
-    LayerSwitches on;
-    for (const Layer& layer : kLayers) on.set(static_cast<std::size_t>(layer.id), layer.onAtFirst);
-    return on;
+std::string_view layerModeName(LayerMode mode) {
+    return kModeNames[static_cast<std::size_t>(mode)];
+}
+
+std::optional<LayerMode> layerModeFromName(std::string_view name) {
+    const auto found = std::find(kModeNames.begin(), kModeNames.end(), name);
+    if (found == kModeNames.end()) return std::nullopt;
+    return static_cast<LayerMode>(found - kModeNames.begin());
+}
+
+LayerMode& modeOf(LayerModes& modes, LayerId id) { return modes[static_cast<std::size_t>(id)]; }
+
+LayerSwitches shownLayers(const LayerModes& modes, std::optional<Stage> stage) {
+    LayerSwitches shown;
+    for (const Layer& layer : kLayers) {
+        const auto place = static_cast<std::size_t>(layer.id);
+        shown.set(place, isShown(layer, modes[place], stage));
+    }
+    return shown;
+}
+
+void toggleLayer(LayerModes& modes, LayerId id, std::optional<Stage> stage) {
+    const auto found = std::find_if(kLayers.begin(), kLayers.end(),
+                                    [&](const Layer& layer) { return layer.id == id; });
+    if (found == kLayers.end()) return;
+    LayerMode& mode = modeOf(modes, id);
+    const bool show = !isShown(*found, mode, stage);
+    mode = shownByItself(*found, stage) == show ? LayerMode::Automatic
+           : show                               ? LayerMode::PinnedOn
+                                                : LayerMode::PinnedOff;
 }
 
 void fillDrawList(const LayerInput& in, const LayerSwitches& on, DrawList& out) {

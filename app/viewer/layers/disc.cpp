@@ -1,0 +1,77 @@
+#include "disc.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace se::view {
+
+namespace {
+
+int partsOf(const Arc& arc) {
+    return std::clamp(static_cast<int>(std::abs(arc.to - arc.from) / 6.0), 2, 60);
+}
+
+double partOf(const Arc& arc, int i, int parts) {
+    return arc.from + (arc.to - arc.from) * i / parts;
+}
+
+}  // namespace
+
+std::optional<Disc> discAt(const LayerInput& in, Index point, Index first) {
+    if (point == kNone || first == kNone) return std::nullopt;
+    Disc disc;
+    disc.origin = in.at(point);
+    disc.normal = in.model.normal[point];
+    const glm::vec3 toFirst = in.at(first) - disc.origin;
+    const glm::vec3 flat = toFirst - disc.normal * glm::dot(toFirst, disc.normal);
+    if (glm::length(flat) < 1e-9F) return std::nullopt;
+    disc.zero = glm::normalize(flat);
+    disc.quarter = glm::cross(disc.normal, disc.zero);
+    return disc;
+}
+
+std::optional<Disc> pivotDisc(const LayerInput& in) {
+    return discAt(in, in.picture.pivot, in.picture.first);
+}
+
+void addArc(const Disc& disc, const Arc& arc, const Color& color, float width, DrawList& out) {
+    const int parts = partsOf(arc);
+    for (int i = 0; i < parts; ++i) {
+        out.line(disc.at(partOf(arc, i, parts), arc.radius),
+                 disc.at(partOf(arc, i + 1, parts), arc.radius), color, width, Depth::OnTop);
+    }
+}
+
+void addDashedArc(const Disc& disc, const Arc& arc, const Color& color, float width,
+                  DrawList& out) {
+    const int parts = 2 * partsOf(arc) + 1;
+    for (int i = 0; i < parts; i += 2) {
+        out.line(disc.at(partOf(arc, i, parts), arc.radius),
+                 disc.at(partOf(arc, i + 1, parts), arc.radius), color, width, Depth::OnTop);
+    }
+}
+
+void addSectorSheet(const Disc& disc, const Arc& arc, const Color& color, DrawList& out) {
+    const int parts = partsOf(arc);
+    for (int i = 0; i < parts; ++i) {
+        out.sheet(disc.origin, disc.at(partOf(arc, i, parts), arc.radius),
+                  disc.at(partOf(arc, i + 1, parts), arc.radius), color);
+    }
+}
+
+void addHatchedSector(const Disc& disc, const Arc& arc, const Color& color, DrawList& out) {
+    for (const float share : {0.25F, 0.4F, 0.55F, 0.7F, 0.85F, 1.0F}) {
+        addArc(disc, {arc.from, arc.to, share * arc.radius}, color, 0.05F, out);
+    }
+    for (const double degrees : {arc.from, arc.to}) {
+        out.line(disc.origin, disc.at(degrees, arc.radius), color, 0.08F, Depth::OnTop);
+    }
+}
+
+std::string degreesText(double degrees) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f\xC2\xB0", degrees);
+    return text;
+}
+
+}  // namespace se::view

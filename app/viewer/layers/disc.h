@@ -1,0 +1,52 @@
+/// The disc of a tangent plane, in view space: what several layers draw angles on.
+#pragma once
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <optional>
+
+#include "layer.h"
+
+namespace se::view {
+
+/// The frame of §6.1 at a point: angle 0 toward first, counterclockwise about the normal.
+struct Disc {
+    glm::vec3 origin{0.0F};
+    glm::vec3 normal{0.0F};
+    glm::vec3 zero{0.0F};
+    glm::vec3 quarter{0.0F};
+
+    glm::vec3 at(double degrees, float radius) const {
+        const float angle = glm::radians(static_cast<float>(degrees));
+        return origin + radius * (std::cos(angle) * zero + std::sin(angle) * quarter);
+    }
+    /// The foot of a place on the plane.
+    glm::vec3 foot(const glm::vec3& place) const {
+        return place - normal * glm::dot(place - origin, normal);
+    }
+};
+
+/// The disc at `point` with angle 0 toward `first`; nothing if that stands right above it.
+std::optional<Disc> discAt(const LayerInput& in, Index point, Index first);
+/// The disc of the pivot.
+std::optional<Disc> pivotDisc(const LayerInput& in);
+/// How large discs are drawn.
+inline float discRadius(const LayerInput& in) { return 0.62F * in.model.spacing; }
+
+/// An arc on a disc, `degrees` wide at most 360.
+struct Arc {
+    double from = 0.0;
+    double to = 0.0;
+    float radius = 0.0F;
+};
+void addArc(const Disc& disc, const Arc& arc, const Color& color, float width, DrawList& out);
+void addDashedArc(const Disc& disc, const Arc& arc, const Color& color, float width, DrawList& out);
+void addSectorSheet(const Disc& disc, const Arc& arc, const Color& color, DrawList& out);
+/// Both sides and stripes, for what must be told without color.
+void addHatchedSector(const Disc& disc, const Arc& arc, const Color& color, DrawList& out);
+
+/// "96.1 degrees", with the sign.
+std::string degreesText(double degrees);
+
+}  // namespace se::view

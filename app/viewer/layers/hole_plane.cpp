@@ -1,0 +1,77 @@
+/// §6.2, Fig. 7: the plane through start and end along the mean normal; what lies beyond is far.
+#include <array>
+#include <cstdio>
+
+#include "disc.h"
+
+namespace se::view {
+
+namespace {
+
+struct Plane {
+    glm::vec3 origin;
+    glm::vec3 normal;  ///< Unit.
+    glm::vec3 foot(const glm::vec3& place) const {
+        return place - normal * glm::dot(place - origin, normal);
+    }
+};
+
+void addPlane(const LayerInput& in, const glm::vec3& up, DrawList& out) {
+    const glm::vec3 s = in.at(in.picture.start);
+    const glm::vec3 e = in.at(in.picture.end);
+    const glm::vec3 beyond = 0.25F * (e - s);
+    const glm::vec3 rise = 0.9F * in.model.spacing * up;
+    const std::array corners = {s - beyond - rise, e + beyond - rise, e + beyond + rise,
+                                s - beyond + rise};
+    const Color& color = in.palette.test;
+    out.sheet(corners[0], corners[1], corners[2], color.withAlpha(0.3F));
+    out.sheet(corners[0], corners[2], corners[3], color.withAlpha(0.3F));
+    for (std::size_t i = 0; i < 4; ++i) {
+        out.line(corners[i], corners[(i + 1) % 4], color, 0.1F, Depth::OnTop);
+    }
+    out.arrow(0.5F * (s + e), 0.5F * (s + e) + 1.4F * rise, color, 0.12F);
+    out.label(0.5F * (s + e) + 1.4F * rise, "mean normal", color);
+}
+
+void addFeet(const LayerInput& in, const Plane& plane, float pivotSide, DrawList& out) {
+    for (const CandidateMark& mark : in.picture.candidates) {
+        if (mark.state == CandidateState::Rejected && mark.stage != Stage::Hole) continue;
+        const glm::vec3 at = in.at(mark.point);
+        const bool far = glm::dot(at - plane.origin, plane.normal) * pivotSide <= 0.0F;
+        const Color& color = far ? in.palette.rejected : in.palette.used;
+        out.dashed(at, plane.foot(at), color, 0.1F, 0.2F);
+        out.mark(plane.foot(at), Shape::Dot, color, 0.4F);
+    }
+}
+
+}  // namespace
+
+void addHolePlane(const LayerInput& in, DrawList& out) {
+    const auto* e = in.picture.evidence<HoleEvidence>(Stage::Hole);
+    const Picture& picture = in.picture;
+    if (e == nullptr || picture.pivot == kNone || picture.start == kNone) return;
+    const glm::vec3 normal(e->planeNormal);
+    if (!(glm::length(normal) > 0.0F)) return;
+    const glm::vec3 p = in.at(picture.pivot);
+    const glm::vec3 s = in.at(picture.start);
+    const glm::vec3 end = in.at(picture.end);
+    const Plane plane{s, glm::normalize(normal)};
+    const glm::vec3 up = glm::normalize(glm::cross(plane.normal, end - s));
+    const float way = glm::dot(up, in.model.normal[picture.pivot]) < 0.0F ? -1.0F : 1.0F;
+    const Palette& c = in.palette;
+    out.sheet(p, s, end, c.used.withAlpha(0.35F));
+    for (const auto& [from, to] : {std::pair{p, s}, std::pair{s, end}, std::pair{end, p}}) {
+        out.line(from, to, c.used, 0.16F, Depth::OnTop);
+    }
+    out.label((p + s + end) / 3.0F, "side of p", c.used, true);
+    addPlane(in, way * up, out);
+    addFeet(in, plane, glm::dot(p - s, plane.normal), out);
+    if (e->point == kNone) return;
+    char text[64];
+    std::snprintf(text, sizeof text, "%s side, %.3g off",
+                  e->verdict == Verdict::Kept ? "near" : "far", std::abs(e->side));
+    const Color& color = e->verdict == Verdict::Kept ? c.used : c.rejected;
+    out.label(0.5F * (in.at(e->point) + plane.foot(in.at(e->point))), text, color, true);
+}
+
+}  // namespace se::view

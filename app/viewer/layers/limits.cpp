@@ -1,0 +1,70 @@
+/// §6.1, Fig. 4: start and end move on along the ring.
+#include "corner.h"
+
+namespace se::view {
+
+double degreesOn(const Disc& disc, const glm::vec3& place) {
+    const glm::vec3 offset = place - disc.origin;
+    const double angle =
+        glm::degrees(std::atan2(glm::dot(offset, disc.quarter), glm::dot(offset, disc.zero)));
+    return angle < 0.0 ? angle + 360.0 : angle;
+}
+
+void addCorner(const LayerInput& in, const Corner& corner, DrawList& out) {
+    const std::optional<Disc> disc = discAt(in, corner.point, corner.before);
+    if (!disc || corner.after == kNone) return;
+    const Color& color = corner.concave ? in.palette.used : in.palette.rejected;
+    const Arc arc{0.0, degreesOn(*disc, in.at(corner.after)), 0.5F * in.model.spacing};
+    if (corner.concave) {
+        addSectorSheet(*disc, arc, color.withAlpha(0.55F), out);
+        addArc(*disc, arc, color, 0.12F, out);
+    } else {
+        addDashedArc(*disc, arc, color, 0.12F, out);
+    }
+    for (const double side : {arc.from, arc.to}) {
+        out.line(disc->origin, disc->at(side, arc.radius), color, 0.1F, Depth::OnTop);
+    }
+    out.label(disc->at(0.5 * arc.to, 0.7F * arc.radius),
+              (corner.concave ? "concave " : "convex ") + degreesText(arc.to), color, true);
+}
+
+namespace {
+
+void addMove(const LayerInput& in, const LimitEvidence& e, DrawList& out) {
+    const Palette& c = in.palette;
+    const bool start = e.side == Side::Start;
+    const Color& color = start ? c.first : c.last;
+    if (e.verdict != Verdict::Moved) {
+        out.dashed(in.at(e.from), in.at(e.to), c.rejected, 0.12F);
+        out.label(in.at(e.to), std::string(verdictText(e.verdict)), c.rejected, true);
+        return;
+    }
+    out.arrow(in.at(e.from), in.at(e.to), color, 0.24F, 0.8F);
+    out.label(0.5F * (in.at(e.from) + in.at(e.to)), start ? "S moves here" : "E moves here", color,
+              true);
+    // What the range loses is dotted, outside of what is left of it.
+    if (const std::optional<Disc> disc = pivotDisc(in)) {
+        addDashedArc(*disc, {e.fromDegrees, e.toDegrees, 1.12F * discRadius(in)}, c.textDim, 0.12F,
+                     out);
+    }
+}
+
+}  // namespace
+
+void addLimits(const LayerInput& in, DrawList& out) {
+    if (const auto* drop = in.picture.evidence<DropEvidence>(Stage::Limits)) {
+        out.label(in.at(drop->point), "outside now", in.palette.rejected, true);
+    }
+    const auto* e = in.picture.evidence<LimitEvidence>(Stage::Limits);
+    if (e == nullptr || e->to == kNone) return;
+    const bool start = e->side == Side::Start;
+    const Index p = in.picture.pivot;
+    // The turn is known wherever the test went that far.
+    const bool looked = e->verdict != Verdict::OtherLimit && e->verdict != Verdict::NotAnEdge;
+    if (looked) {
+        addCorner(in, {start ? e->to : p, e->from, start ? p : e->to, e->turn > 0.0}, out);
+    }
+    addMove(in, *e, out);
+}
+
+}  // namespace se::view

@@ -1,0 +1,81 @@
+/// §6.1, Fig. 3: the angle of a candidate, from the slicing plane.
+#include <algorithm>
+#include <vector>
+
+#include "disc.h"
+
+namespace se::view {
+
+namespace {
+
+/// The plane through p that parts the disc into halves: it contains z and the normal.
+void addSlicingPlane(const LayerInput& in, const Disc& disc, DrawList& out) {
+    const float size = 1.5F * in.model.spacing;
+    const glm::vec3 along = size * disc.zero;
+    const glm::vec3 up = 0.55F * size * disc.normal;
+    const glm::vec3& p = disc.origin;
+    const Color& color = in.palette.accent;
+    out.sheet(p - along - up, p + along - up, p + along + up, color.withAlpha(0.14F));
+    out.sheet(p - along - up, p + along + up, p - along + up, color.withAlpha(0.14F));
+    const std::array corners = {p - along - up, p + along - up, p + along + up, p - along + up};
+    for (std::size_t i = 0; i < 4; ++i) {
+        out.line(corners[i], corners[(i + 1) % 4], color.withAlpha(0.7F), 0.06F, Depth::OnTop);
+    }
+    out.arrow(p, p + 0.7F * size * disc.quarter, color, 0.1F);
+    out.label(p + 0.7F * size * disc.quarter, "n", in.palette.text);
+}
+
+void addRanks(const LayerInput& in, DrawList& out) {
+    std::vector<const CandidateMark*> kept;
+    for (const CandidateMark& mark : in.picture.candidates) {
+        if (mark.state == CandidateState::Kept) kept.push_back(&mark);
+    }
+    std::stable_sort(kept.begin(), kept.end(), [](const CandidateMark* a, const CandidateMark* b) {
+        return a->degrees < b->degrees;
+    });
+    const glm::vec3 p = in.at(in.picture.pivot);
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        out.label(p + 0.72F * (in.at(kept[i]->point) - p), std::to_string(i + 1) + ".",
+                  in.palette.used);
+    }
+}
+
+void addTested(const LayerInput& in, const Disc& disc, const SortEvidence& e, DrawList& out) {
+    const Palette& c = in.palette;
+    const Color& half = e.secondHalf ? c.last : c.first;
+    const glm::vec3 foot = disc.foot(in.at(e.point));
+    const Arc arc{0.0, e.degrees, 0.8F * discRadius(in)};
+    out.dashed(in.at(e.point), foot, half, 0.08F, 0.2F);
+    out.dashed(disc.origin, foot, half, 0.06F, 0.2F);
+    addArc(disc, arc, half, 0.16F, out);
+    out.label(disc.at(0.5 * e.degrees, arc.radius),
+              degreesText(e.degrees) + (e.secondHalf ? ", n\xC2\xB7v < 0" : ""), half, true);
+    if (e.verdict == Verdict::NotBeforeEnd) {
+        addDashedArc(disc, {e.endDegrees, e.degrees, 1.1F * arc.radius}, c.rejected, 0.12F, out);
+        out.label(disc.at(e.endDegrees, 1.5F * arc.radius), "limit " + degreesText(e.endDegrees),
+                  c.rejected);
+    }
+    if (e.verdict == Verdict::SameAngle && e.rival != kNone) {
+        out.mark(in.at(e.rival), Shape::Circle, c.used, 1.1F);
+        out.label(in.at(e.rival), "nearer: stays", c.used);
+        out.label(in.at(e.point), "same angle, farther", c.rejected);
+    }
+}
+
+}  // namespace
+
+void addSortAngles(const LayerInput& in, DrawList& out) {
+    const auto* e = in.picture.evidence<SortEvidence>(Stage::Sort);
+    const std::optional<Disc> disc = pivotDisc(in);
+    if (e == nullptr || !disc) return;
+    addSlicingPlane(in, *disc, out);
+    const glm::vec3 p = disc->origin;
+    out.arrow(p, in.at(in.picture.first), in.palette.first, 0.16F);
+    out.label(p + 0.62F * (in.at(in.picture.first) - p), "z", in.palette.first, true);
+    addRanks(in, out);
+    if (e->verdict != Verdict::OnRingEnd && e->verdict != Verdict::AlreadyDone) {
+        addTested(in, *disc, *e, out);
+    }
+}
+
+}  // namespace se::view
