@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <glm/trigonometric.hpp>
 
 #include "gl/context.h"
 #include "gl/screenshot.h"
@@ -143,6 +145,20 @@ std::size_t componentBegin(const Session& session) {
     return begin;
 }
 
+/// For pictures of one decision: from obliquely above the disc of the pivot, near by.
+void comeCloser(const Session& session, Camera& camera) {
+    const Index pivot = session.picture().pivot;
+    if (pivot == kNone) return;
+    const glm::vec3& normal = session.model().normal[pivot];
+    CameraPose pose = camera.pose();
+    const float pitch = glm::degrees(std::atan2(normal.z, std::hypot(normal.x, normal.y)));
+    if (std::abs(pitch) < 80.0F) pose.yawDegrees = glm::degrees(std::atan2(normal.y, normal.x));
+    pose.yawDegrees += 14.0F;
+    pose.pitchDegrees = pitch > 10.0F ? pitch - 34.0F : pitch + 30.0F;
+    pose.distance *= 0.66F;
+    camera.setPose(pose);
+}
+
 }  // namespace
 
 void Application::fillScene() {
@@ -160,6 +176,7 @@ void Application::fillScene() {
     if (focusWanted_ && !session_.busy()) {
         focusWanted_ = false;
         frameFocus(commands_);
+        comeCloser(session_, camera_);
     }
     renderer_->setTriangles(session_.model(), session_.triangles());
     renderer_->setMended(session_.model(), session_.picture().mended);

@@ -29,10 +29,12 @@ class Maker {
         dial_.pivot = picture_.pivot;
         addTicks();
         addRange();
+        addRanks();
         for (const Triangle& t : picture_.newTriangles) addTriangle(t);
         if (event != nullptr) {
             stage_ = event->address.stage;
             std::visit([this](const auto& e) { show(e); }, event->evidence);
+            addReason(*event);
         }
         return std::move(dial_);
     }
@@ -105,6 +107,28 @@ class Maker {
         dial_.arcs.push_back({DialArc::Kind::Range, picture_.startDegrees, end});
     }
 
+    /// Ranks by angle, and who has passed the test of §6.3 already.
+    void addRanks() {
+        std::vector<DialTick*> kept;
+        for (const CandidateMark& mark : picture_.candidates) {
+            DialTick* tick = tickOf(mark.point);
+            if (tick == nullptr || tick->role != DialRole::Candidate) continue;
+            tick->passed = mark.stage == Stage::Sphere && mark.state == CandidateState::Kept;
+            kept.push_back(tick);
+        }
+        std::stable_sort(kept.begin(), kept.end(), [](const DialTick* a, const DialTick* b) {
+            return a->degrees < b->degrees;
+        });
+        for (std::size_t i = 0; i < kept.size(); ++i) kept[i]->rank = static_cast<int>(i) + 1;
+    }
+
+    /// What is refused says so in words.
+    void addReason(const Event& event) {
+        const std::optional<Verdict> verdict = verdictOf(event);
+        if (!verdict || dial_.caption.empty() || !rejects(event)) return;
+        dial_.caption += ": " + std::string(verdictText(*verdict));
+    }
+
     /// The sector of a triangle at the pivot, from its second corner to its third.
     void addTriangle(const Triangle& t) {
         const double from = degreesOf(t.b);
@@ -117,6 +141,12 @@ class Maker {
         dial_.caption = text("free sector %.1f\xC2\xB0, from first to last", e.sectorDegrees);
     }
     void show(const SortEvidence& e) {
+        if (e.verdict == Verdict::AlreadyDone || e.verdict == Verdict::OnRingEnd) {
+            dial_.caption = std::string(verdictText(e.verdict)) + ": no candidate";
+            return;
+        }
+        dial_.arcs.push_back({DialArc::Kind::Angle, 0.0, e.degrees});
+        dial_.marks.push_back({e.endDegrees, "limit"});
         dial_.caption = text("angle %.1f\xC2\xB0, limit %.1f\xC2\xB0", e.degrees, e.endDegrees);
     }
     void show(const LimitEvidence& e) {
@@ -147,6 +177,7 @@ class Maker {
         const bool wide = e.gapDegrees > 120.0;
         dial_.arcs.push_back(
             {wide ? DialArc::Kind::TooWide : DialArc::Kind::Gap, from, from + e.gapDegrees});
+        dial_.marks.push_back({from + 120.0, "120\xC2\xB0"});
         dial_.caption = e.verdict == Verdict::NoCircle
                             ? text("gap %.1f\xC2\xB0 of 120\xC2\xB0; no circle", e.gapDegrees)
                             : text("gap %.1f\xC2\xB0 of 120\xC2\xB0; d \xE2\x88\x92 r = %+.3g",
@@ -155,11 +186,39 @@ class Maker {
     void show(const TwoPointEvidence& e) {
         const bool over = e.verdict == Verdict::Discarded;
         dial_.arcs.push_back({over ? DialArc::Kind::TooWide : DialArc::Kind::Gap, 0.0, e.degrees});
+        dial_.marks.push_back({180.0, "180\xC2\xB0"});
         dial_.caption = text("angle %.1f\xC2\xB0, limit 180\xC2\xB0", e.degrees);
     }
     void show(const EmitEvidence&) {
         dial_.caption = std::to_string(picture_.newTriangles.size()) +
                         (picture_.newTriangles.size() == 1 ? " triangle" : " triangles");
+    }
+    void show(const InsertEvidence& e) {
+        dial_.slots.push_back({0.0, "before p", e.verdict == Verdict::Before});
+        dial_.slots.push_back({degreesOf(picture_.last), "after p", e.verdict == Verdict::After});
+        dial_.caption = e.third == kNone               ? "no third point"
+                        : e.verdict == Verdict::Before ? "joins before p"
+                                                       : "joins after p";
+    }
+    void show(const SkipEvidence&) { dial_.caption = "on a wall: passed over"; }
+    void show(const RingEvidence&) {
+        for (const RingEvidence& change : picture_.ringChanges) {
+            name(change.point, change.inserted ? "+" : "\xE2\x88\x92");
+        }
+        dial_.caption = "+ enters the ring, \xE2\x88\x92 leaves it";
+    }
+    void show(const SplitEvidence& e) {
+        name(e.point, "a | b");
+        dial_.caption =
+            text("the ring splits: %.0f and %.0f entries", e.activeLength, e.stackedLength);
+    }
+    void show(const JoinEvidence& e) {
+        name(e.point, "a + b");
+        dial_.caption = text("the rings join: %.0f entries", e.length);
+    }
+    void show(const AdvanceEvidence& e) {
+        name(e.to, "next");
+        dial_.caption = e.to == kNone ? "no ring is left" : "the next pivot";
     }
     template <typename Other>
     void show(const Other&) {}

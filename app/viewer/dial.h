@@ -33,6 +33,8 @@ struct DialTick {
     std::string
         letter;        ///< What the paper calls it: "S", "E", "first", "last", "t", "q", "s", "e".
     std::string note;  ///< Why it was rejected; empty if it was not.
+    int rank = 0;      ///< Among the candidates that are kept, from start, counted from 1.
+    bool passed = false;  ///< It was tested by §6.3 and stayed.
 };
 
 /// A part of the turn, with what it means.
@@ -43,6 +45,7 @@ struct DialArc {
         Gap,       ///< §6.3: from t to s, without q.
         TooWide,   ///< The same over 120 degrees; or §6.4: over 180.
         Triangle,  ///< A triangle of this pivot.
+        Angle,     ///< §6.1: from z to what is tested.
     } kind = Kind::Range;
     double from = 0.0;  ///< Degrees.
     double to = 0.0;
@@ -62,8 +65,23 @@ struct DialChord {
     double to = 0.0;
 };
 
+/// A place on the rim that an angle is compared with.
+struct DialMark {
+    double degrees = 0.0;
+    std::string text;
+};
+
+/// §7: a place on the ring before or after the pivot, for a third point.
+struct DialSlot {
+    double degrees = 0.0;
+    std::string text;
+    bool filled = false;
+};
+
 struct Dial {
     Index pivot = kNone;
+    std::vector<DialMark> marks;
+    std::vector<DialSlot> slots;
     std::vector<DialTick> ticks;
     std::vector<DialArc> arcs;
     std::optional<DialReciprocal> reciprocal;

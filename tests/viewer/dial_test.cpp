@@ -101,6 +101,59 @@ TEST_CASE("Dial: the range runs from start to end, and the gap of a sphere test 
     CHECK(gaps > 50);
 }
 
+TEST_CASE("Dial: the limits that angles are compared with are marked, and refusals named") {
+    int spheres = 0;
+    int refusals = 0;
+    forEachDial("scene:figure-9", [&](const Picture&, const Event& event, const Dial& dial) {
+        if (const auto* sphere = std::get_if<SphereEvidence>(&event.evidence)) {
+            const bool wide = sphere->gapDegrees > 120.0;
+            const DialArc* gap = arcOf(dial, wide ? DialArc::Kind::TooWide : DialArc::Kind::Gap);
+            REQUIRE(gap != nullptr);
+            REQUIRE(dial.marks.size() == 1);
+            CHECK(dial.marks[0].degrees == doctest::Approx(gap->from + 120.0));
+            ++spheres;
+        }
+        if (std::holds_alternative<TwoPointEvidence>(event.evidence)) {
+            REQUIRE(dial.marks.size() == 1);
+            CHECK(dial.marks[0].degrees == 180.0);
+        }
+        if (std::holds_alternative<HoleEvidence>(event.evidence)) CHECK(dial.chord.has_value());
+        if (!rejects(event) || dial.empty()) return;
+        CHECK(dial.caption.find(verdictText(*verdictOf(event))) != std::string::npos);
+        ++refusals;
+    });
+    CHECK(spheres > 50);
+    CHECK(refusals > 50);
+}
+
+TEST_CASE("Dial: kept candidates have a rank by angle") {
+    forEachDial("scene:torus", [](const Picture&, const Event&, const Dial& dial) {
+        std::vector<const DialTick*> ranked;
+        for (const DialTick& tick : dial.ticks) {
+            CHECK((tick.rank > 0) == (tick.role == DialRole::Candidate));
+            if (tick.rank > 0) ranked.push_back(&tick);
+        }
+        std::sort(ranked.begin(), ranked.end(),
+                  [](const DialTick* a, const DialTick* b) { return a->rank < b->rank; });
+        for (std::size_t i = 1; i < ranked.size(); ++i) {
+            CHECK(ranked[i - 1]->degrees <= ranked[i]->degrees);
+        }
+    });
+}
+
+TEST_CASE("Dial: a third point has a slot before and after the pivot, one of them filled") {
+    int slots = 0;
+    forEachDial("scene:figure-14", [&](const Picture&, const Event& event, const Dial& dial) {
+        const auto* insert = std::get_if<InsertEvidence>(&event.evidence);
+        if (insert == nullptr) return;
+        REQUIRE(dial.slots.size() == 2);
+        CHECK(dial.slots[0].filled == (insert->verdict == Verdict::Before));
+        CHECK(dial.slots[1].filled == (insert->verdict == Verdict::After));
+        ++slots;
+    });
+    CHECK(slots > 0);
+}
+
 TEST_CASE("Dial: the second disc shows the pivot as the tested point sees it") {
     int discs = 0;
     forEachDial("scene:figure-6", [&](const Picture&, const Event& event, const Dial& dial) {

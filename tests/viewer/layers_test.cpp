@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <set>
 
 #include "rig.h"
@@ -64,7 +65,8 @@ TEST_CASE("Points have a style by status and type") {
         const PointStyle& style = list.cloudStyles.styles[list.cloudStyleOf[p]];
         const PointStatus status = open.session.picture().status[p];
         const Palette& c = paletteOf(Theme::Dark);
-        CHECK(style.color == (status == kUnused ? c.unused : status > 0 ? c.used : c.done));
+        const Color& color = status == kUnused ? c.unused : status > 0 ? c.used : c.done;
+        CHECK(style.color == color.withAlpha(style.color.a));
         const std::uint8_t type = model.points.type[p];
         if (isCorner(type)) {
             CHECK((style.shape == Shape::Diamond || style.shape == Shape::OpenDiamond));
@@ -214,4 +216,195 @@ TEST_CASE("Names of the three states of a layer are read as they are written") {
         CHECK(layerModeFromName(layerModeName(mode)) == mode);
     }
     CHECK(layerModeFromName("maybe") == std::nullopt);
+}
+
+// What the table of docs/viewer.md says of every stage.
+
+namespace {
+
+bool says(const DrawList& list, std::string_view part) {
+    return std::any_of(list.labels.begin(), list.labels.end(), [&](const Label& label) {
+        return label.text.find(part) != std::string::npos;
+    });
+}
+
+bool hasLine(const DrawList& list, const glm::vec3& from, const glm::vec3& to) {
+    return std::any_of(list.lines.begin(), list.lines.end(), [&](const Line& line) {
+        return (glm::distance(line.from, from) < 1e-5F && glm::distance(line.to, to) < 1e-5F) ||
+               (glm::distance(line.from, to) < 1e-5F && glm::distance(line.to, from) < 1e-5F);
+    });
+}
+
+/// The address of the first event of a run of which `wanted` is true.
+template <typename Kind>
+Address firstWhere(test::OpenSession& open, bool (*wanted)(const Kind&)) {
+    Timeline timeline(open.session.model().points, open.session.model().params);
+    for (std::uint32_t pivot = 1; pivot < 130; ++pivot) {
+        const auto record = recordPivot(timeline, pivot);
+        for (const Event& event : record->events) {
+            const auto* evidence = std::get_if<Kind>(&event.evidence);
+            if (evidence != nullptr && wanted(*evidence)) return event.address;
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("Drawn for insert: the walls that p touches, their vectors and the place on the ring") {
+    test::OpenSession open("scene:figure-14");
+    const DrawList list = drawn(open, {1, Stage::Insert, 1}, {LayerId::Walls});
+    const Index pivot = open.session.picture().pivot;
+    int walls = 0;
+    for (unsigned face = 0; face < 6; ++face) {
+        walls += open.session.model().points.type[pivot] >> face & 1U;
+    }
+    CHECK(walls > 0);
+    CHECK(list.sheets.size() == 2U * static_cast<unsigned>(walls));
+    CHECK(says(list, "wall "));
+    CHECK(says(list, "N \xC3\x97 v"));
+    CHECK(says(list, "after p"));
+    CHECK(count(list, Shape::Circle) >= 1);
+}
+
+TEST_CASE("Drawn for sort: the slicing plane, the drop line and the angle") {
+    test::OpenSession open;
+    const Address kept = firstWhere<SortEvidence>(
+        open, [](const SortEvidence& e) { return e.verdict == Verdict::Kept && e.degrees > 20.0; });
+    const DrawList list = drawn(open, kept, {LayerId::SortAngles});
+    CHECK(list.sheets.size() == 2);
+    CHECK(says(list, "z"));
+    CHECK(says(list, "1."));
+    CHECK(says(list, "\xC2\xB0"));
+    const Picture& picture = open.session.picture();
+    const glm::vec3 tested = open.session.model().place[picture.underTest];
+    CHECK(std::any_of(list.lines.begin(), list.lines.end(),
+                      [&](const Line& line) { return line.from == tested && line.dash > 0.0F; }));
+}
+
+TEST_CASE("Drawn for limits: the concave corner filled, the letter on its way") {
+    test::OpenSession open("scene:figure-4");
+    const Address moved = firstWhere<LimitEvidence>(
+        open, [](const LimitEvidence& e) { return e.verdict == Verdict::Moved; });
+    const DrawList list = drawn(open, moved, {LayerId::Limits});
+    CHECK_FALSE(list.sheets.empty());
+    CHECK(says(list, "concave"));
+    CHECK(says(list, "moves here"));
+}
+
+TEST_CASE("Drawn for convex: a hollow corner and the way along the ring") {
+    test::OpenSession open("scene:figure-5");
+    const Address behind = firstWhere<DropEvidence>(
+        open, [](const DropEvidence& e) { return e.verdict == Verdict::BehindConvex; });
+    const DrawList list = drawn(open, behind, {LayerId::Convexity});
+    CHECK(list.sheets.empty());
+    CHECK(says(list, "convex"));
+    CHECK(says(list, "along the ring"));
+    CHECK(says(list, "height"));
+}
+
+TEST_CASE("Drawn for reciprocal: a second disc at e, its range and the line to p") {
+    test::OpenSession open("scene:figure-6");
+    const Address refused = firstWhere<ReciprocalEvidence>(
+        open, [](const ReciprocalEvidence& e) { return e.verdict == Verdict::NotReciprocal; });
+    const DrawList list = drawn(open, refused, {LayerId::Reciprocal});
+    const Picture& picture = open.session.picture();
+    const auto& place = open.session.model().place;
+    CHECK_FALSE(list.sheets.empty());
+    CHECK(hasLine(list, place[picture.underTest], place[picture.pivot]));
+    CHECK(says(list, "outside"));
+}
+
+TEST_CASE("Drawn for hole: the plane through start and end and the side of p") {
+    test::OpenSession open("scene:figure-7");
+    const DrawList list =
+        drawn(open, firstWhere<HoleEvidence>(open, [](const auto&) { return true; }),
+              {LayerId::HolePlane});
+    CHECK(list.sheets.size() == 3);
+    CHECK(says(list, "side of p"));
+    CHECK(says(list, "far side"));
+}
+
+TEST_CASE("Drawn for sphere: three great circles, the radius and the limit of the gap") {
+    test::OpenSession open;
+    const DrawList list = drawn(open, {30, Stage::Sphere, 1}, {LayerId::Spheres, LayerId::Labels});
+    REQUIRE(list.spheres.size() == 1);
+    const Sphere& sphere = list.spheres[0];
+    const auto onShell = std::count_if(list.lines.begin(), list.lines.end(), [&](const Line& l) {
+        return std::abs(glm::distance(l.from, sphere.center) - sphere.radius) < 1e-4F &&
+               std::abs(glm::distance(l.to, sphere.center) - sphere.radius) < 1e-4F;
+    });
+    CHECK(onShell >= 96 + 2 * 64);
+    const Picture& picture = open.session.picture();
+    CHECK(hasLine(list, sphere.center, open.session.model().place[picture.pivot]));
+    CHECK(hasLine(list, sphere.center, open.session.model().place[picture.sphere->q]));
+    for (const char* text : {"c", "r", "d ", "q ", "s", "t"}) CHECK(says(list, text));
+}
+
+TEST_CASE("Drawn for twopoint: the one triangle hatched, its angle against 180 degrees") {
+    test::OpenSession open("scene:figure-9");
+    const DrawList list =
+        drawn(open, firstWhere<TwoPointEvidence>(open, [](const auto&) { return true; }),
+              {LayerId::TwoPoint});
+    CHECK(list.sheets.size() == 1);
+    CHECK(list.lines.size() > 9);
+    CHECK(says(list, "hole: filled"));
+    CHECK(says(list, "180\xC2\xB0"));
+    const DrawList over =
+        drawn(open,
+              firstWhere<TwoPointEvidence>(
+                  open, [](const TwoPointEvidence& e) { return e.verdict == Verdict::Discarded; }),
+              {LayerId::TwoPoint});
+    CHECK(says(over, "overlap: dropped"));
+}
+
+TEST_CASE("Drawn for emit and ring: numbers of triangles, the old path dashed, the new one bold") {
+    test::OpenSession open;
+    const DrawList fan = drawn(open, {30, Stage::Emit, 2}, {LayerId::Fan});
+    CHECK(says(fan, "1"));
+    CHECK(says(fan, "2"));
+    const DrawList ring = drawn(open, {30, Stage::Ring, 3}, {LayerId::RingChange});
+    CHECK(says(ring, "leaves"));
+    CHECK(says(ring, "joins"));
+    CHECK(std::any_of(ring.lines.begin(), ring.lines.end(),
+                      [](const Line& l) { return l.dash > 0.0F; }));
+    CHECK(std::any_of(ring.lines.begin(), ring.lines.end(),
+                      [](const Line& l) { return l.dash == 0.0F && l.width > 0.3F; }));
+}
+
+TEST_CASE("Drawn for split and join: both loops and a mark where they meet") {
+    test::OpenSession open("scene:figure-12");
+    const DrawList split = drawn(open, {45, Stage::Split, 1}, {LayerId::Exchange});
+    CHECK(says(split, "cut"));
+    CHECK(says(split, "a: "));
+    CHECK(says(split, "b: "));
+    const DrawList join = drawn(open, {74, Stage::Join, 1}, {LayerId::Exchange});
+    CHECK(says(join, "bridge"));
+    CHECK(says(join, "b was #1"));
+}
+
+TEST_CASE("Drawn for seed, advance and done") {
+    test::OpenSession open("scene:linked-tori");
+    const auto& place = open.session.model().place;
+    const DrawList seed = drawn(open, {1, Stage::Seed, 1}, {LayerId::Seed});
+    CHECK(says(seed, "start point"));
+    CHECK(seed.lines.size() == 1);
+    const DrawList advance = drawn(open, {20, Stage::Advance, 1}, {LayerId::Advance});
+    const Picture& picture = open.session.picture();
+    CHECK(std::any_of(advance.lines.begin(), advance.lines.end(),
+                      [&](const Line& l) { return l.to == place[picture.nextPivot]; }));
+    open.session.goTo({536, Stage::Done, 1});
+    open.session.settle();
+    const LayerInput in{open.session.model(),
+                        open.session.picture(),
+                        paletteOf(Theme::Dark),
+                        kNone,
+                        kNone,
+                        kNone,
+                        open.session.triangles()};
+    DrawList done;
+    addComponent(in, done);
+    CHECK(done.faces.size() == 1488);
+    CHECK(done.lines.empty());  // Closed: no rim.
+    CHECK(says(done, "component 1"));
 }

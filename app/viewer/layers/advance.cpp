@@ -17,10 +17,10 @@ void addAdvance(const LayerInput& in, DrawList& out) {
     if (const std::optional<Disc> disc = discAt(in, e->to, pivot)) {
         addDashedArc(*disc, {0.0, 360.0, discRadius(in)}, color, 0.1F, out);
     }
-    std::string text = "next pivot";
-    if (e->popped) text = "next pivot, its ring off the stack";
-    if (e->circuit > 0) text += ", " + std::to_string(e->circuit) + " without a triangle";
-    out.label(in.at(e->to), text, color, true);
+    if (e->popped) out.label(in.at(e->to), "its ring came off the stack", color);
+    if (e->circuit > 0) {
+        out.label(in.at(e->to), std::to_string(e->circuit) + " without a triangle", color);
+    }
 }
 
 }  // namespace se::view

@@ -45,8 +45,8 @@ void addSplit(const LayerInput& in, const SplitEvidence& e, DrawList& out) {
     const std::vector<RingPath>& rings = in.picture.rings;
     if (!rings.empty() && rings.front().active) {
         addBand(in, rings.front(), c.used, 0.0F, out);
-        addName(in, rings.front(), e.point, "a goes on: " + entries(rings.front().points.size()),
-                c.used, out);
+        addName(in, rings.front(), e.point,
+                "a: " + entries(rings.front().points.size()) + ", goes on", c.used, out);
     }
     const auto stacked = std::find_if(rings.begin(), rings.end(), [&](const RingPath& ring) {
         return !ring.active && holds(ring, e.point);
@@ -54,8 +54,8 @@ void addSplit(const LayerInput& in, const SplitEvidence& e, DrawList& out) {
     if (stacked != rings.end()) {
         addBand(in, *stacked, c.last, 0.6F, out);
         addName(in, *stacked, e.point,
-                "b waits as #" + std::to_string(stacked->depth + 1) + ": " +
-                    entries(stacked->points.size()),
+                "b: " + entries(stacked->points.size()) + ", waits as #" +
+                    std::to_string(stacked->depth + 1),
                 c.last, out);
     }
     out.mark(in.at(e.point), Shape::OpenDiamond, c.pivot, 1.5F);

@@ -30,7 +30,8 @@ void addLabels(const LayerInput& in, DrawList& out) {
     const Palette& c = in.palette;
     LabelMaker labels(in, out);
     labels.add(p.pivot, "p", c.pivot, true);
-    if (p.pivot == kNone) labels.add(p.underTest, "", p.mended ? c.test : c.rejected, true);
+    const bool stranded = p.event && p.event->address.stage == Stage::Strand;
+    if (p.pivot == kNone) labels.add(p.underTest, "", stranded ? c.rejected : c.test, true);
     if (!p.complete && p.pivot != kNone) {
         if (p.sphere) {
             labels.add(p.sphere->q, "q", c.test, true);
@@ -47,7 +48,7 @@ void addLabels(const LayerInput& in, DrawList& out) {
             labels.add(mark.point, "", kept ? c.used : c.rejected, false);
         }
     }
-    if (p.complete) labels.add(p.nextPivot, "next", c.pivot, false);
+    if (p.complete) labels.add(p.nextPivot, "next pivot", c.pivot, true);
     if (in.hovered != kNone) {
         out.sprites.push_back({in.at(in.hovered), {c.text.withAlpha(0.8F), 1.5F, Shape::Circle}});
         labels.add(in.hovered, "", c.text, true);

@@ -71,10 +71,8 @@ void addSector(const LayerInput& in, DrawList& out) {
 void addNeighborRing(const LayerInput& in, DrawList& out) {
     const Picture& p = in.picture;
     if (p.pivot == kNone) {
-        // Mended, or stranded.
-        const bool mended = p.mended != nullptr;
-        addMark(in, p.underTest, mended ? Shape::RingedDisc : Shape::Cross,
-                mended ? in.palette.test : in.palette.rejected, 0.9F, out);
+        // Mended; seeds and stranded points have a layer of their own.
+        if (p.mended) addMark(in, p.underTest, Shape::RingedDisc, in.palette.test, 0.9F, out);
         return;
     }
     // Once the pivot is complete its tests are history: only the result stays.

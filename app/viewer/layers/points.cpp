@@ -9,6 +9,8 @@ namespace {
 /// Above this many, every point is a plain dot: shapes could not be told apart anyway.
 constexpr std::size_t kShapesUpTo = 100'000;
 constexpr std::uint8_t kHiddenStyle = 15;
+/// How strong points beyond the neighborhood are.
+constexpr float kBeyondAlpha = 0.35F;
 
 /// Rows: UNUSED, USED, DONE. Columns: interior, boundary, corner.
 std::uint8_t styleIndex(PointStatus status, std::uint8_t type) {
@@ -51,6 +53,17 @@ void fillStyles(const LayerInput& in, DrawList& out) {
     out.cloudMadeOf = status;
 }
 
+/// Within a pivot its neighborhood stands out, and all else steps back. On top of the cloud and not
+/// in its styles, which are made anew only where a status changed.
+void addNeighborhood(const LayerInput& in, DrawList& out) {
+    for (const Index q : in.model.points.neighbors[in.picture.pivot]) {
+        if (!in.model.drawable[q]) continue;
+        const std::uint8_t style = styleIndex(in.picture.status[q], in.model.points.type[q]);
+        out.sprites.push_back({in.at(q), out.cloudStyles.styles[style]});
+    }
+    for (PointStyle& style : out.cloudStyles.styles) style.color.a *= kBeyondAlpha;
+}
+
 }  // namespace
 
 void addPoints(const LayerInput& in, DrawList& out) {
@@ -63,6 +76,7 @@ void addPoints(const LayerInput& in, DrawList& out) {
         }
     }
     fillStyles(in, out);
+    if (in.picture.pivot != kNone && !in.picture.complete) addNeighborhood(in, out);
 }
 
 }  // namespace se::view

@@ -35,7 +35,7 @@ void addRingChange(const LayerInput& in, DrawList& out) {
     }
     if (const RingPath* old = activeOf(p.oldRings)) {
         forStepsAt(*old, gone, [&](Index from, Index to) {
-            out.dashed(in.at(from), in.at(to), c.rejected, 0.16F, 0.35F);
+            out.dashed(in.at(from), in.at(to), c.text, 0.2F, 0.35F);
         });
     }
     // Where points leave without others coming in, the ring closes from start to end.
@@ -55,7 +55,7 @@ void addRingChange(const LayerInput& in, DrawList& out) {
         }
         out.mark(in.at(change.point), change.inserted ? Shape::RingedDisc : Shape::Dot,
                  change.inserted ? c.used : c.done, change.inserted ? 1.0F : 0.6F);
-        out.label(in.at(change.point), text, change.inserted ? c.used : c.rejected, true);
+        out.label(in.at(change.point), text, change.inserted ? c.used : c.text, true);
     }
 }
 

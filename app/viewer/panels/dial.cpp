@@ -41,10 +41,13 @@ class DialDrawer {
     DialDrawer(const PanelContext& context, const Dial& dial, const Disc& disc)
         : c_(context), dial_(dial), disc_(disc), list_(ImGui::GetWindowDrawList()) {}
 
-    void draw() {
+    /// `room` is where names may stand.
+    void draw(const Rect& room) {
+        room_ = room;
         const Palette& colors = c_.palette;
         list_->AddCircleFilled(disc_.center, disc_.radius, toU32(colors.background), 96);
         for (const DialArc& arc : dial_.arcs) drawArc(arc);
+        for (const DialSlot& slot : dial_.slots) drawSlot(slot);
         if (dial_.chord) drawChord(*dial_.chord);
         list_->AddCircle(disc_.center, disc_.radius, toU32(colors.border), 96, px());
         for (const DialTick& tick : dial_.ticks) drawTick(tick);
@@ -56,8 +59,7 @@ class DialDrawer {
         for (const DialTick& tick : dial_.ticks) {
             if (!tick.underTest) drawName(tick);
         }
-        drawMark(120.0, "120\xC2\xB0");
-        drawMark(180.0, "180\xC2\xB0");
+        for (const DialMark& mark : dial_.marks) drawMark(mark.degrees, mark.text.c_str());
     }
 
     /// The tick nearest to the pointer, null if none is near.
@@ -108,6 +110,9 @@ class DialDrawer {
             case DialArc::Kind::TooWide:
                 strokeArc(arc.from, arc.to, 0.5F, colors.rejected, 0.22F, true);
                 break;
+            case DialArc::Kind::Angle:
+                strokeArc(arc.from, arc.to, 0.4F, colors.test, 0.16F, false);
+                break;
             case DialArc::Kind::Triangle:
                 fillSector(disc_, arc.from, arc.to, 0.9F, colors.test.withAlpha(0.3F));
                 break;
@@ -132,8 +137,29 @@ class DialDrawer {
 
     void drawMark(double degrees, const char* text) {
         const ImU32 color = toU32(c_.palette.textDim);
-        list_->AddLine(disc_.at(degrees, 0.97F), disc_.at(degrees, 1.03F), color, px());
+        list_->AddLine(disc_.at(degrees, 0.86F), disc_.at(degrees, 1.05F), color, px(0.14F));
         place(disc_.at(degrees, 1.0F), degrees, text, c_.palette.textDim, 0.75F);
+    }
+
+    /// A place on the ring beside the pivot, filled if the third point went there.
+    void drawSlot(const DialSlot& slot) {
+        const ImU32 color = toU32(c_.palette.test);
+        const float half = 0.45F * c_.em;
+        const ImVec2 at = disc_.at(slot.degrees, 0.78F);
+        const ImVec2 low(at.x - half, at.y - half);
+        const ImVec2 high(at.x + half, at.y + half);
+        slot.filled ? list_->AddRectFilled(low, high, color)
+                    : list_->AddRect(low, high, color, 0.0F, 0, px(0.1F));
+        place(disc_.at(slot.degrees, 1.0F), slot.degrees, slot.text, c_.palette.test, 0.8F);
+    }
+
+    /// What was refused is hatched at the rim: the reason is in the tooltip and the caption.
+    void drawRefusal(const DialTick& tick, const ImU32 color) {
+        for (int i = -2; i <= 2; ++i) {
+            const double degrees = tick.degrees + 2.2 * i;
+            list_->AddLine(disc_.at(degrees - 2.0, 0.93F), disc_.at(degrees + 2.0, 1.0F), color,
+                           px(0.06F));
+        }
     }
 
     Color colorOf(const DialTick& tick) const {
@@ -196,6 +222,17 @@ class DialDrawer {
         }
         const float size = (tick.role == DialRole::Done ? 0.4F : faint ? 0.5F : 0.72F) * c_.em;
         drawShape(list_, at, size, shapeOf(tick.role), toU32(color));
+        if (tick.role == DialRole::Rejected) drawRefusal(tick, toU32(color));
+        if (tick.passed) {
+            list_->AddLine(disc_.at(tick.degrees, 0.94F), disc_.at(tick.degrees, 1.0F),
+                           toU32(color), px(0.3F));
+        }
+        if (tick.rank > 0) {
+            const std::string rank = std::to_string(tick.rank) + ".";
+            const ImVec2 middle = disc_.at(tick.degrees, 0.5F * std::max(0.12F, tick.reach));
+            list_->AddText(c_.fonts.text, 0.75F * c_.em, middle, toU32(c_.palette.text),
+                           rank.c_str());
+        }
         const bool lit = tick.point == c_.session().hovered();
         if (tick.underTest) {
             list_->AddCircle(at, 0.62F * c_.em, toU32(c_.palette.test), 0, px(0.12F));
@@ -221,8 +258,9 @@ class DialDrawer {
         const ImVec2 extent = c_.fonts.text->CalcTextSizeA(size, 1e9F, 0.0F, text.c_str());
         const float a = static_cast<float>(degrees) * kDegree;
         const float gap = 0.35F * c_.em;
-        const glm::vec2 low(rim.x + gap * std::cos(a) + 0.5F * extent.x * (std::cos(a) - 1.0F),
-                            rim.y - gap * std::sin(a) - 0.5F * extent.y * (std::sin(a) + 1.0F));
+        glm::vec2 low(rim.x + gap * std::cos(a) + 0.5F * extent.x * (std::cos(a) - 1.0F),
+                      rim.y - gap * std::sin(a) - 0.5F * extent.y * (std::sin(a) + 1.0F));
+        low.x = std::clamp(low.x, room_.min.x, std::max(room_.min.x, room_.max().x - extent.x));
         const Rect rect{low, {extent.x, extent.y}};
         for (const Rect& other : taken_) {
             if (low.x < other.max().x && other.min.x < rect.max().x && low.y < other.max().y &&
@@ -238,6 +276,7 @@ class DialDrawer {
     const Dial& dial_;
     Disc disc_;
     ImDrawList* list_;
+    Rect room_;
     std::vector<Rect> taken_;
 };
 
@@ -294,13 +333,14 @@ void drawDial(const PanelContext& context) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float captionHeight = ImGui::GetTextLineHeightWithSpacing();
     const float height = std::min(room.y - captionHeight, room.x);
+    // Names stand at either side, above and below.
+    const float beside = room.x > 14.0F * context.em ? 3.0F * context.em : 1.6F * context.em;
     Disc disc{{corner.x + 0.5F * room.x, corner.y + 0.5F * height},
-              0.5F * height - 1.5F * context.em};
+              std::min(0.5F * height - 1.5F * context.em, 0.5F * room.x - beside)};
     if (disc.radius < 2.0F * context.em) return;
-    if (dial.reciprocal) disc.center.x -= 0.16F * disc.radius;
     ImGui::InvisibleButton("##dial", {room.x, height});
     DialDrawer drawer(context, dial, disc);
-    drawer.draw();
+    drawer.draw({{corner.x, corner.y}, {room.x, height}});
     if (dial.reciprocal) {
         const float small = 0.3F * disc.radius;
         drawReciprocal(context, *dial.reciprocal,
