@@ -163,7 +163,7 @@ class Maker {
         name(e.point, "e");
         dial_.reciprocal = {e.point, e.degrees, e.limitDegrees, e.verdict == Verdict::Kept};
         dial_.caption =
-            text("at e: p at %.1f\xC2\xB0, free to %.1f\xC2\xB0", e.degrees, e.limitDegrees);
+            text("at e: %.1f\xC2\xB0 of %.1f\xC2\xB0", e.degrees, e.limitDegrees);
     }
     void show(const HoleEvidence& e) {
         dial_.chord = {picture_.startDegrees, picture_.endDegrees};

@@ -32,7 +32,8 @@ void addWall(const LayerInput& in, const glm::vec3& at, int face, DrawList& out)
         out.line(corners[i], corners[(i + 1) % 4], in.palette.accent.withAlpha(0.7F), 0.06F,
                  Depth::OnTop);
     }
-    out.label(corners[2], std::string("wall ") + kFaceNames[static_cast<std::size_t>(face)],
+    out.label(0.55F * corners[2] + 0.45F * at,
+              std::string("wall ") + kFaceNames[static_cast<std::size_t>(face)],
               in.palette.textDim);
 }
 

@@ -332,7 +332,9 @@ void drawDial(const PanelContext& context) {
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float captionHeight = ImGui::GetTextLineHeightWithSpacing();
-    const float height = std::min(room.y - captionHeight, room.x);
+    // In a low panel one scrolls.
+    const float least = std::min(9.0F * context.em, room.x);
+    const float height = std::max(std::min(room.y - captionHeight, room.x), least);
     // Names stand at either side, above and below.
     const float beside = room.x > 14.0F * context.em ? 3.0F * context.em : 1.6F * context.em;
     Disc disc{{corner.x + 0.5F * room.x, corner.y + 0.5F * height},
