@@ -231,7 +231,9 @@ void Application::frame(glm::ivec2 size, double seconds) {
     io.DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
     io.DeltaTime = static_cast<float>(seconds);
     imgui_->beginFrame();
-    const Layout layout = computeLayout(glm::vec2(size), imgui_->em(), ui_.arrangement);
+    const Layout layout =
+        computeLayout(glm::vec2(size), imgui_->em(), ui_.arrangement, ui_.navigation.drawer);
+    ui_.navigation.drawerFolded = layout.drawerFolded;
     ui_.viewAspect = layout.view.size.x / std::max(1.0F, layout.view.size.y);
     fillScene();
     drawUserInterface(layout);

@@ -169,6 +169,9 @@ constexpr auto kCommands = std::to_array<Command>({
      setArrangement<Arrangement::Present>},
     {"view.legend", "View", "Legend", "", "Show or hide the legend.", false,
      [](C& c) { c.ui.settings.legend = !c.ui.settings.legend; }},
+    {"view.drawer", "View", "Fold the drawer", "Ctrl+J",
+     "Show the strip RUN alone, or PIVOT and STAGE too.", false,
+     [](C& c) { c.ui.navigation.toggleDrawer(); }},
 
     {"layer.normals", "Layers", "Normals", "N", "Pin normals near the pivot on or off.", false,
      toggle<LayerId::Normals>},

@@ -10,12 +10,22 @@ namespace {
 constexpr float kMenu = 1.56F;
 constexpr float kTransport = 2.7F;
 constexpr float kStatus = 1.7F;
+/// Of the narration: two lines of a wide view, three of one narrower than kWideView.
 constexpr float kNarration = 3.6F;
-constexpr float kRunStrip = 4.2F;
-constexpr float kStageStrip = 3.3F;
+constexpr float kNarrationNarrow = 4.7F;
+constexpr float kWideView = 40.0F;
+/// Of the strips: RUN in a folded drawer, in an open one, in an open one of a high window.
+constexpr float kRunFolded = 3.0F;
+constexpr float kRunOpen = 4.9F;
+constexpr float kRunHigh = 6.4F;
+constexpr float kPivotStrip = 2.9F;
+constexpr float kStageStrip = 2.3F;
 /// Below these the window is narrow, or low.
 constexpr float kNarrowBelow = 58.0F;
-constexpr float kLowBelow = 36.0F;
+constexpr float kLowBelow = 43.75F;
+constexpr float kHighFrom = 54.0F;
+/// No drawer is opened below this: nothing would be left of the view.
+constexpr float kDrawerFrom = 30.0F;
 /// From these on the dial stands by itself: below, the panels under it would be too short.
 constexpr float kDialFrom = 75.0F;
 constexpr float kDialRoom = 30.0F;
@@ -31,13 +41,30 @@ struct Columns {
 Columns columnsFor(Arrangement arrangement, float width, bool narrow) {
     if (arrangement == Arrangement::Present) return {};
     if (arrangement == Arrangement::Learn) return {std::clamp(0.3F * width, 14.0F, 28.0F), 0.0F};
-    if (narrow) return {0.0F, std::clamp(0.42F * width, 12.0F, 20.0F)};
+    if (narrow) return {0.0F, std::clamp(0.48F * width, 12.0F, 20.0F)};
     return {std::clamp(0.225F * width, 15.0F, 22.0F), std::clamp(0.24F * width, 17.0F, 26.0F)};
+}
+
+bool isFolded(float emsHigh, DrawerWish wish) {
+    if (emsHigh < kDrawerFrom || wish == DrawerWish::Folded) return true;
+    return wish == DrawerWish::Auto && emsHigh < kLowBelow;
+}
+
+/// Cuts the drawer into its strips, which are `run` and `pivot` high; the rest is the stage's.
+void layOutStrips(Layout& l, float run, float pivot) {
+    const Rect& d = l.drawer;
+    const auto part = [&](float from, float to) {
+        return Rect{{d.min.x, d.min.y + from}, {d.size.x, std::max(0.0F, to - from)}};
+    };
+    l.runStrip = part(0.0F, std::min(run, d.size.y));
+    if (l.drawerFolded) return;
+    l.pivotStrip = part(run, run + pivot);
+    l.stageStrip = part(run + pivot, d.size.y);
 }
 
 }  // namespace
 
-Layout computeLayout(glm::vec2 size, float em, Arrangement arrangement) {
+Layout computeLayout(glm::vec2 size, float em, Arrangement arrangement, DrawerWish wish) {
     const glm::vec2 ems = size / em;
     const bool present = arrangement == Arrangement::Present;
     const bool debug = arrangement == Arrangement::Debug;
@@ -45,13 +72,15 @@ Layout computeLayout(glm::vec2 size, float em, Arrangement arrangement) {
     l.arrangement = arrangement;
     l.caption = debug ? 1.0F : kLargeCaption;
     l.narrow = debug && ems.x < kNarrowBelow;
-    l.stageStrip = !present && ems.y >= kLowBelow;
+    l.drawerFolded = present || isFolded(ems.y, wish);
     const auto px = [em](float length) { return std::round(length * em); };
     const Columns columns = columnsFor(arrangement, ems.x, l.narrow);
     const float left = px(columns.left);
     const float right = px(columns.right);
-    const float drawer = px(kRunStrip + (l.stageStrip ? kStageStrip : 0.0F));
-    const float narration = px((ems.y >= kLowBelow ? kNarration : 0.9F * kNarration) * l.caption);
+    const float run = px(l.drawerFolded ? kRunFolded : ems.y < kHighFrom ? kRunOpen : kRunHigh);
+    const float drawer = run + (l.drawerFolded ? 0.0F : px(kPivotStrip) + px(kStageStrip));
+    const bool wide = size.x - left - right >= px(kWideView);
+    const float narration = px((wide ? kNarration : kNarrationNarrow) * l.caption);
     float y = 0.0F;
     const auto row = [&](float height) {
         const Rect r{{0.0F, y}, {size.x, height}};
@@ -73,6 +102,7 @@ Layout computeLayout(glm::vec2 size, float em, Arrangement arrangement) {
     l.narration = {{left, y + l.view.size.y}, {viewWidth, std::min(narration, middle)}};
     y = bottom;
     l.drawer = row(drawer);
+    layOutStrips(l, run, px(kPivotStrip));
     l.status = row(status);
     return l;
 }

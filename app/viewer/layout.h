@@ -1,6 +1,7 @@
 /// Where the panels are, from the size of the window and of the text. Plain arithmetic.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec2.hpp>
 
 #include "arrangement.h"
@@ -17,6 +18,9 @@ struct Rect {
     }
 };
 
+/// The drawer with the strips under the view. Auto: folded in a low window.
+enum class DrawerWish : std::uint8_t { Auto, Folded, Open };
+
 struct Layout {
     Rect menu;
     Rect transport;
@@ -27,15 +31,21 @@ struct Layout {
     Rect narration;
     Rect drawer;
     Rect status;
-    bool dialApart = false;  ///< The dial has a place of its own.
-    bool narrow = false;     ///< One side column only.
-    bool stageStrip = true;  ///< There is room for it in the drawer.
+    bool dialApart = false;     ///< The dial has a place of its own.
+    bool narrow = false;        ///< One side column only.
+    bool drawerFolded = false;  ///< It holds the RUN strip alone.
     Arrangement arrangement = Arrangement::Debug;
     float caption = 1.0F;  ///< Size of the text below the view, over that of the Debug arrangement.
+
+    // Parts of the drawer; the last two are empty if it is folded.
+    Rect runStrip;
+    Rect pivotStrip;
+    Rect stageStrip;
 };
 
 /// The view never gets less than 40 % of the width. Learn has all side panels in the left column;
 /// Present has no panel but view, caption and the strip of the run: the other areas are empty.
-Layout computeLayout(glm::vec2 size, float em, Arrangement arrangement = Arrangement::Debug);
+Layout computeLayout(glm::vec2 size, float em, Arrangement arrangement = Arrangement::Debug,
+                     DrawerWish drawer = DrawerWish::Auto);
 
 }  // namespace se::view

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
+#include "picture.h"
 #include "spiraling_edge/stepper.h"
 
 namespace se::view {
@@ -10,31 +12,95 @@ namespace se::view {
 namespace {
 
 constexpr std::chrono::milliseconds kHandOver{60};
+/// Pivots between two looks at the clock.
+constexpr std::uint32_t kLookEvery = 64;
 
 template <typename T>
 void appendList(std::vector<T>& list, const std::vector<T>& more) {
     list.insert(list.end(), more.begin(), more.end());
 }
 
-void noteMarks(RunOverview& run, const Counters& before, const State& state, std::size_t alerts) {
-    const Counters& now = state.counters;
-    const std::uint32_t pivot = now.pivots;
-    if (now.seeds > before.seeds) run.marks.push_back({pivot, MarkKind::Seed});
-    if (now.splits > before.splits) run.marks.push_back({pivot, MarkKind::Split});
-    if (now.joins > before.joins) run.marks.push_back({pivot, MarkKind::Join});
-    if (state.alerts.size() > alerts) run.marks.push_back({pivot, MarkKind::Alert});
+void countUp(std::uint16_t& number) {
+    if (number < std::numeric_limits<std::uint16_t>::max()) ++number;
 }
 
-void noteFigures(RunOverview& run, const State& state) {
-    const EdgeRings& rings = state.rings;
-    const std::uint32_t length = rings.active() == kNone ? 0 : rings.length(rings.active());
-    const auto depth = static_cast<std::uint32_t>(rings.stack().size());
-    run.ringLength.push_back(length);
-    run.stackDepth.push_back(depth);
-    run.triangles.push_back(static_cast<std::uint32_t>(state.triangles.size()));
-    run.longestRing = std::max(run.longestRing, length);
-    run.deepestStack = std::max(run.deepestStack, depth);
-    run.lastPivot = state.counters.pivots;
+/// Runs a model from pivot to pivot and notes what there is to see from afar.
+class Observer {
+  public:
+    explicit Observer(const Model& model) : stepper_(model.points, model.params, &log_) {}
+
+    const State& state() const { return stepper_.state(); }
+
+    /// Goes on to the end of the next pivot. False if there was none.
+    bool step(RunOverview& run) {
+        const Counters before = state().counters;
+        const std::size_t alerts = state().alerts.size();
+        bool complete = true;
+        // The steps after the last pivot go on to their next kind without one that counts.
+        while (complete && state().counters.pivots == before.pivots)
+            complete = stepper_.stepPivot();
+        if (complete) noteFigures(run);
+        if (complete || !log_.events().empty()) noteEvents(run);
+        noteMarks(run, before, alerts);
+        if (!complete) {
+            // What happens behind the last pivot has the next number, if anything does.
+            const bool any = !(state().counters == before);
+            run.lastPivot = before.pivots + (any ? 1U : 0U);
+        }
+        log_.clear();
+        return complete;
+    }
+
+  private:
+    void noteFigures(RunOverview& run) {
+        const EdgeRings& rings = state().rings;
+        const std::uint32_t length = rings.active() == kNone ? 0 : rings.length(rings.active());
+        const auto depth = static_cast<std::uint32_t>(rings.stack().size());
+        run.ringLength.push_back(length);
+        run.stackDepth.push_back(depth);
+        run.triangles.push_back(static_cast<std::uint32_t>(state().triangles.size()));
+        run.longestRing = std::max(run.longestRing, length);
+        run.deepestStack = std::max(run.deepestStack, depth);
+        run.lastPivot = state().counters.pivots;
+    }
+
+    void noteEvents(RunOverview& run) {
+        PivotSummary summary;
+        for (const Event& event : log_.events()) {
+            count(summary, event);
+            lanes_.take(event);
+            run.lanes = std::max(run.lanes, lanes_.live());
+        }
+        lanes_.settle(state().rings);
+        run.pivots.push_back(summary);
+        appendList(run.laneChanges, lanes_.takeChanges());
+    }
+
+    void noteMarks(RunOverview& run, const Counters& before, std::size_t alerts) const {
+        const Counters& now = state().counters;
+        const std::uint32_t pivot = now.pivots;
+        if (now.seeds > before.seeds) run.marks.push_back({pivot, MarkKind::Seed});
+        if (now.splits > before.splits) run.marks.push_back({pivot, MarkKind::Split});
+        if (now.joins > before.joins) run.marks.push_back({pivot, MarkKind::Join});
+        if (state().alerts.size() > alerts) run.marks.push_back({pivot, MarkKind::Alert});
+    }
+
+    EventLog log_;
+    Stepper stepper_;
+    LaneKeeper lanes_;
+};
+
+/// Counts the pivots that are new in `overview` for their components.
+void countComponents(RunOverview& overview, const std::vector<PivotSummary>& fresh) {
+    auto pivot = static_cast<std::uint32_t>(overview.pivots.size() - fresh.size());
+    for (const PivotSummary& summary : fresh) {
+        ++pivot;
+        if ((summary.found & findingOf(Stage::Seed)) != 0 || overview.components.empty()) {
+            overview.components.push_back({pivot, 0, 0});
+        }
+        overview.components.back().tests += summary.tests;
+        overview.components.back().refused += summary.refused;
+    }
 }
 
 }  // namespace
@@ -53,11 +119,27 @@ Stage stageOf(MarkKind kind) {
     return Stage::Pivot;
 }
 
+void count(PivotSummary& summary, const Event& event) {
+    summary.found |= findingOf(event.address.stage);
+    if (const auto verdict = verdictOf(event)) {
+        summary.found |= findingOf(*verdict);
+        countUp(summary.tests);
+        if (rejects(event)) countUp(summary.refused);
+    }
+    const bool names =
+        std::holds_alternative<PivotEvidence>(event.evidence) || summary.point == kNone;
+    if (names && event.address.stage != Stage::Seed) summary.point = subjectOf(event);
+}
+
 void append(RunOverview& overview, const RunOverview& fresh) {
     appendList(overview.ringLength, fresh.ringLength);
     appendList(overview.stackDepth, fresh.stackDepth);
     appendList(overview.triangles, fresh.triangles);
+    appendList(overview.pivots, fresh.pivots);
+    countComponents(overview, fresh.pivots);
     appendList(overview.marks, fresh.marks);
+    appendList(overview.laneChanges, fresh.laneChanges);
+    overview.lanes = std::max(overview.lanes, fresh.lanes);
     overview.longestRing = std::max(overview.longestRing, fresh.longestRing);
     overview.deepestStack = std::max(overview.deepestStack, fresh.deepestStack);
     overview.lastPivot = std::max(overview.lastPivot, fresh.lastPivot);
@@ -84,27 +166,18 @@ void OverviewThread::hand(RunOverview& fresh) {
 }
 
 void OverviewThread::work(const std::stop_token& stop) {
-    Stepper stepper(model_->points, model_->params);
+    Observer observer(*model_);
     RunOverview fresh;
     auto handed = std::chrono::steady_clock::now();
-    while (!stop.stop_requested()) {
-        const Counters before = stepper.state().counters;
-        const std::size_t alerts = stepper.state().alerts.size();
-        const bool complete = stepper.stepPivot();
-        if (complete) noteFigures(fresh, stepper.state());
-        noteMarks(fresh, before, stepper.state(), alerts);
-        if (!complete) {
-            // What happens behind the last pivot has the next number, if anything does.
-            const bool any = !(stepper.state().counters == before);
-            fresh.lastPivot = before.pivots + (any ? 1U : 0U);
-            break;
-        }
+    std::uint32_t steps = 0;
+    while (!stop.stop_requested() && observer.step(fresh)) {
+        if (++steps % kLookEvery != 0) continue;
         if (std::chrono::steady_clock::now() - handed > kHandOver) {
             hand(fresh);
             handed = std::chrono::steady_clock::now();
         }
     }
-    fresh.complete = stepper.state().finished();
+    fresh.complete = observer.state().finished();
     hand(fresh);
 }
 

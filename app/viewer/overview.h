@@ -1,5 +1,5 @@
-/// The whole run at a glance, for the strip under the view: made by a thread of its own that runs
-/// once from start to end without a log.
+/// The whole run at a glance, for the tree of steps and the strip under the view: made by a thread
+/// of its own that runs once from start to end and listens to every decision, but keeps none.
 #pragma once
 
 #include <atomic>
@@ -8,7 +8,12 @@
 #include <vector>
 
 #include "model.h"
+#include "run_lanes.h"
 #include "spiraling_edge/event.h"
+
+namespace se {
+struct State;
+}
 
 namespace se::view {
 
@@ -23,12 +28,44 @@ struct RunMark {
     MarkKind kind;
 };
 
-/// One number per completed pivot; index 0 is the first pivot.
+/// The stages and verdicts that occur among some events, one bit for each.
+using Findings = std::uint64_t;
+constexpr Findings findingOf(Stage stage) { return Findings{1} << static_cast<unsigned>(stage); }
+constexpr Findings findingOf(Verdict verdict) {
+    return Findings{1} << (kStageCount + static_cast<unsigned>(verdict));
+}
+static_assert(kStageCount + static_cast<std::size_t>(Verdict::NoThirdPoint) < 64);
+
+/// What is known of each pivot without running it again: 16 bytes.
+struct PivotSummary {
+    Findings found = 0;
+    Index point = kNone;
+    std::uint16_t tests = 0;  ///< Decisions with a verdict; no more than 65,535 are counted.
+    std::uint16_t refused = 0;
+};
+static_assert(sizeof(PivotSummary) == 16);
+
+/// Adds an event of the pivot.
+void count(PivotSummary& summary, const Event& event);
+
+/// The pivots from a seed to the next one.
+struct ComponentSummary {
+    std::uint32_t firstPivot = 1;
+    std::size_t tests = 0;
+    std::size_t refused = 0;
+};
+
+/// Lists with one element per pivot begin with the first pivot.
 struct RunOverview {
-    std::vector<std::uint32_t> ringLength;  ///< Of the active ring.
+    std::vector<std::uint32_t> ringLength;  ///< Of the active ring, per completed pivot.
     std::vector<std::uint32_t> stackDepth;
     std::vector<std::uint32_t> triangles;  ///< So far.
+    /// One more than completed pivots if something still happens after the last of them.
+    std::vector<PivotSummary> pivots;
+    std::vector<ComponentSummary> components;  ///< In order; filled by append().
     std::vector<RunMark> marks;
+    std::vector<LaneChange> laneChanges;
+    std::uint32_t lanes = 0;  ///< Most at a time.
     std::uint32_t longestRing = 0;
     std::uint32_t deepestStack = 0;
     std::uint32_t lastPivot = 0;  ///< Of the whole run if complete, else the farthest so far.

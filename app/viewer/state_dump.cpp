@@ -27,6 +27,22 @@ const char* phaseName(SessionPhase phase) {
     return "";
 }
 
+/// Where one is in the run, as the tree of steps and the strips show it.
+void dumpNavigation(json& out, const Navigation& nav, const Session& session) {
+    const StepTree& tree = nav.steps;
+    out["tree"] = {{"rows", tree.rowCount()},
+                   {"filter", tree.filterText()},
+                   {"cursor", nullptr},
+                   {"pivots", session.overview().pivots.size()},
+                   {"components", session.overview().components.size()}};
+    if (const auto row = tree.rowOfCursor()) out["tree"]["cursor"] = *row;
+    out["strip"] = {{"from", nav.strip.from()},
+                    {"to", nav.strip.to()},
+                    {"whole", nav.strip.whole()},
+                    {"lanes", lanesAt(session.overview().laneChanges, session.record().pivot)}};
+    out["drawer"] = nav.drawerFolded ? "folded" : "open";
+}
+
 }  // namespace
 
 Status Application::writeState() {
@@ -83,6 +99,7 @@ std::string Application::stateDump() const {
     out["selected"] = indexOrNull(session_.selected());
     out["hovered"] = indexOrNull(session_.hovered());
     out["busy"] = session_.busy();
+    dumpNavigation(out, ui_.navigation, session_);
     return out.dump(2) + "\n";
 }
 

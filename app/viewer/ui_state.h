@@ -11,6 +11,7 @@
 #include "go_to_box.h"
 #include "layers/layer.h"
 #include "layout.h"
+#include "navigation.h"
 #include "palette.h"
 #include "playback.h"
 #include "spiraling_edge/point_set.h"
@@ -59,6 +60,7 @@ struct UiState {
     CommandPalette palette;
     Arrangement arrangement = Arrangement::Debug;
     Bookmarks bookmarks;
+    Navigation navigation;
     std::string notes;        ///< Free text of the person, kept in the session file.
     float viewAspect = 1.3F;  ///< Of the view, as last drawn.
     /// Where what was drawn in this frame is, in pixels of the window: "region view", "tab Dial",

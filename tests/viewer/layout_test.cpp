@@ -69,8 +69,36 @@ TEST_CASE("The view never has less than 40 percent of the width") {
 TEST_CASE("Small windows have one column, low ones one strip") {
     CHECK_FALSE(computeLayout({1280, 800}, 16).narrow);
     CHECK(computeLayout({1280, 800}, 32).narrow);
-    CHECK(computeLayout({1280, 800}, 16).stageStrip);
-    CHECK_FALSE(computeLayout({1280, 800}, 32).stageStrip);
+    CHECK_FALSE(computeLayout({1280, 800}, 16).drawerFolded);
+    CHECK_FALSE(computeLayout({1280, 700}, 16).drawerFolded);
+    CHECK(computeLayout({1280, 699}, 16).drawerFolded);
+    CHECK(computeLayout({1280, 800}, 32).drawerFolded);
+}
+
+TEST_CASE("The drawer can be folded to three em by hand, and opened in a low window") {
+    const Layout folded = computeLayout({1280, 800}, 16, Arrangement::Debug, DrawerWish::Folded);
+    CHECK(folded.drawerFolded);
+    CHECK(folded.drawer.size.y == doctest::Approx(3.0F * 16.0F));
+    CHECK(folded.stageStrip.size.y == 0.0F);
+    const Layout open = computeLayout({1024, 640}, 16, Arrangement::Debug, DrawerWish::Open);
+    CHECK_FALSE(open.drawerFolded);
+    CHECK(open.view.size.y >= 0.3F * 640.0F);
+    // There is a limit: something of the view must be left.
+    CHECK(computeLayout({640, 400}, 16, Arrangement::Debug, DrawerWish::Open).drawerFolded);
+}
+
+TEST_CASE("The strips fill the drawer without overlap") {
+    for (const Screen& screen : kScreens) {
+        CAPTURE(screen.size.x);
+        const Layout l = computeLayout(screen.size, screen.em);
+        CHECK(l.runStrip.min.y == l.drawer.min.y);
+        CHECK(l.runStrip.size.y + l.pivotStrip.size.y + l.stageStrip.size.y ==
+              doctest::Approx(l.drawer.size.y));
+        if (l.drawerFolded) continue;
+        CHECK(l.pivotStrip.min.y == doctest::Approx(l.runStrip.max().y));
+        CHECK(l.stageStrip.min.y == doctest::Approx(l.pivotStrip.max().y));
+        CHECK(l.stageStrip.max().y == doctest::Approx(l.drawer.max().y));
+    }
 }
 
 TEST_CASE("Learn has one column, Present none, and both a larger caption") {

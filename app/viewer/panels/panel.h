@@ -52,8 +52,6 @@ void drawPaper(const PanelContext& context);
 void drawLayerSwitches(const PanelContext& context);
 
 // Parts of others.
-void drawRunStrip(const PanelContext& context, const Rect& area);
-void drawStageStrip(const PanelContext& context, const Rect& area);
 void drawLegend(const PanelContext& context);
 /// The evidence of an event as rows of values and thresholds.
 void drawEvidence(const PanelContext& context, const Event& event);

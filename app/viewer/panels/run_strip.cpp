@@ -1,144 +1,291 @@
 #include <algorithm>
 #include <cmath>
 
-#include "panel.h"
+#include "strips.h"
 #include "widgets.h"
 
 namespace se::view {
 
 namespace {
 
-/// Where the bars of a strip are: right of its name.
-Rect barsOf(const PanelContext& context, const Rect& area) {
-    const float left = 4.4F * context.em;
-    const float right = 0.9F * context.em;
-    return {{area.min.x + left, area.min.y},
-            {std::max(1.0F, area.size.x - left - right), area.size.y}};
-}
+/// Height of a lane: so many as fit, but none higher than this looks like a bar chart.
+constexpr float kLeastLane = 0.38F;
+constexpr float kHighestLane = 0.95F;
 
-/// Highest ring over each pixel column, as a filled curve.
-void drawRingLengths(const PanelContext& context, const Rect& bars, std::uint32_t last) {
-    const RunOverview& run = context.session().overview();
-    if (run.longestRing == 0 || last == 0) return;
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    const auto columns = static_cast<std::size_t>(bars.size.x);
-    const std::size_t count = run.ringLength.size();
-    const ImU32 ring = toU32(context.palette.used.withAlpha(0.55F));
-    const ImU32 stack = toU32(context.palette.text.withAlpha(0.85F));
-    for (std::size_t c = 0; c < columns; ++c) {
-        const std::size_t from = c * last / columns;
-        const std::size_t to = std::max(from + 1, (c + 1) * last / columns);
-        std::uint32_t longest = 0;
-        std::uint32_t deepest = 0;
-        for (std::size_t i = from; i < std::min(to, count); ++i) {
-            longest = std::max(longest, run.ringLength[i]);
-            deepest = std::max(deepest, run.stackDepth[i]);
-        }
-        const float x = bars.min.x + static_cast<float>(c);
-        const float share = static_cast<float>(longest) / static_cast<float>(run.longestRing);
-        list->AddRectFilled({x, bars.max().y - share * bars.size.y}, {x + 1.0F, bars.max().y},
-                            ring);
-        if (deepest == 0) continue;
-        const float depth = static_cast<float>(deepest) / static_cast<float>(run.deepestStack);
-        const float y = bars.max().y - depth * 0.45F * bars.size.y;
-        list->AddRectFilled({x, y - 1.0F}, {x + 1.0F, y + 1.0F}, stack);
+struct RunStrip {
+    const PanelContext& context;
+    Rect bars;
+    Rect lanes;  ///< Within bars, without the scale above.
+    float pitch = 1.0F;
+
+    const LanePicture& picture() const { return context.ui().navigation.lanes.picture; }
+    const StripWindow& window() const { return context.ui().navigation.strip; }
+    float xOf(double pivot) const {
+        return bars.min.x + static_cast<float>(window().shareOf(pivot)) * bars.size.x;
     }
-}
-
-void drawMarks(const PanelContext& context, const Rect& bars, std::uint32_t last) {
-    const RunOverview& run = context.session().overview();
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    const float em = context.em;
-    float seedX = -1.0F;
-    for (const RunMark& mark : run.marks) {
-        const float x =
-            bars.min.x + bars.size.x * static_cast<float>(mark.pivot) / static_cast<float>(last);
-        if (mark.kind == MarkKind::Seed && x > seedX + 0.3F * em) {
-            seedX = x;
-            list->AddRectFilled({x, bars.min.y}, {x + 1.0F, bars.max().y},
-                                toU32(context.palette.textDim.withAlpha(0.6F)));
-        } else if (mark.kind == MarkKind::Alert) {
-            list->AddTriangleFilled({x - 0.3F * em, bars.min.y}, {x + 0.3F * em, bars.min.y},
-                                    {x, bars.min.y + 0.5F * em}, toU32(context.palette.rejected));
-        }
+    float yOf(std::uint32_t row) const {
+        return lanes.min.y + (static_cast<float>(row) + 0.5F) * pitch;
     }
-}
+};
 
-void drawPlayhead(const PanelContext& context, const Rect& bars, std::uint32_t last) {
+/// Paints the lanes anew if the run, the window or the room for them has changed.
+void keepPainted(const PanelContext& context, const LaneRoom& room) {
     const Session& session = context.session();
-    const float share =
-        static_cast<float>(session.record().pivot) / static_cast<float>(std::max(1U, last));
-    const float x = std::round(bars.min.x + bars.size.x * std::min(1.0F, share));
-    const float em = context.em;
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    const ImU32 color = toU32(context.palette.pivot);
-    list->AddRectFilled({x - 0.06F * em, bars.min.y}, {x + 0.06F * em + 1.0F, bars.max().y}, color);
-    list->AddTriangleFilled({x - 0.35F * em, bars.min.y - 0.25F * em},
-                            {x + 0.35F * em, bars.min.y - 0.25F * em}, {x, bars.min.y + 0.3F * em},
-                            color);
+    const RunOverview& run = session.overview();
+    Navigation& nav = context.ui().navigation;
+    PaintedLanes& painted = nav.lanes;
+    const bool same =
+        painted.generation == session.generation() && painted.pivots == run.pivots.size() &&
+        painted.changes == run.laneChanges.size() && painted.complete == run.complete &&
+        painted.window == nav.strip && painted.room == room;
+    if (same) return;
+    painted = {session.generation(),
+               run.pivots.size(),
+               run.laneChanges.size(),
+               run.complete,
+               nav.strip,
+               room,
+               makeLanePicture(run, nav.strip, room)};
 }
 
-void handleDrag(const PanelContext& context, const Rect& bars, std::uint32_t last) {
-    ImGui::SetCursorScreenPos(toVec2(bars.min));
-    ImGui::InvisibleButton("##run", toVec2(bars.size));
-    const float share = std::clamp((ImGui::GetMousePos().x - bars.min.x) / bars.size.x, 0.0F, 1.0F);
-    const auto pivot = static_cast<std::uint32_t>(std::lround(share * static_cast<float>(last)));
-    Session& session = context.session();
-    if (ImGui::IsItemActive() && session.record().pivot != pivot &&
-        (ImGui::IsItemActivated() || ImGui::GetIO().MouseDelta.x != 0.0F)) {
-        context.playback().pause();
+void drawRingLengths(const RunStrip& strip) {
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const ImU32 color = toU32(strip.context.palette.used.withAlpha(0.16F));
+    const float bottom = strip.lanes.max().y;
+    const auto& lengths = strip.picture().ringLength;
+    for (std::size_t c = 0; c < lengths.size(); ++c) {
+        if (lengths[c] <= 0.0F) continue;
+        const float x = strip.bars.min.x + static_cast<float>(c);
+        list->AddRectFilled({x, bottom - lengths[c] * strip.lanes.size.y}, {x + 1.0F, bottom},
+                            color);
+    }
+}
+
+/// Pivots along the top, at round numbers.
+void drawScale(const RunStrip& strip) {
+    const float em = strip.context.em;
+    const double room =
+        6.0 * em / strip.bars.size.x * (strip.window().to() - strip.window().from());
+    double step = std::pow(10.0, std::ceil(std::log10(std::max(1.0, room))));
+    if (step / 5.0 >= room) {
+        step /= 5.0;
+    } else if (step / 2.0 >= room) {
+        step /= 2.0;
+    }
+    step = std::max(1.0, step);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const ImU32 color = toU32(strip.context.palette.textDim);
+    const ImU32 line = toU32(strip.context.palette.textDim.withAlpha(0.22F));
+    const float size = 0.78F * em;
+    for (double pivot = std::ceil(strip.window().from() / step) * step;
+         pivot <= strip.window().to(); pivot += step) {
+        const float x = std::round(strip.xOf(pivot));
+        const std::string text = grouped(static_cast<std::size_t>(pivot));
+        const float width =
+            strip.context.fonts.text->CalcTextSizeA(size, 1e9F, 0.0F, text.c_str()).x;
+        list->AddRectFilled({x, strip.lanes.min.y}, {x + 1.0F, strip.lanes.max().y}, line);
+        const float left =
+            std::clamp(x - 0.5F * width, strip.bars.min.x, strip.bars.max().x - width);
+        list->AddText(strip.context.fonts.text, size, {left, strip.bars.min.y}, color,
+                      text.c_str());
+    }
+}
+
+/// The active ring thick, those that wait on the stack thin.
+void drawBars(const RunStrip& strip) {
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const Palette& palette = strip.context.palette;
+    const float thick = std::max(2.0F, std::round(0.46F * strip.pitch));
+    const float thin = std::max(1.0F, std::round(0.14F * strip.pitch));
+    for (const bool active : {false, true}) {
+        const ImU32 color = toU32(palette.used.withAlpha(active ? 1.0F : 0.75F));
+        for (const LaneBar& bar : strip.picture().bars) {
+            if (bar.active != active) continue;
+            const float y = std::round(strip.yOf(bar.row) - 0.5F * (active ? thick : thin));
+            const float from = strip.bars.min.x + bar.from;
+            const float to = std::max(strip.bars.min.x + bar.to, from + 1.0F);
+            list->AddRectFilled({from, y}, {to, y + (active ? thick : thin)}, color);
+        }
+    }
+}
+
+void drawSign(const RunStrip& strip, const LaneSign& sign) {
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const Palette& palette = strip.context.palette;
+    const float em = strip.context.em;
+    const float x = std::round(strip.bars.min.x + sign.x);
+    const float y = strip.yOf(sign.row);
+    const float size = std::clamp(0.75F * strip.pitch, 0.34F * em, 0.55F * em);
+    const ImU32 color = toU32(palette.text);
+    switch (sign.kind) {
+        case LaneChangeKind::Split:
+        case LaneChangeKind::Join: {
+            const ImU32 line = toU32(palette.used);
+            list->AddRectFilled(
+                {x, std::min(y, strip.yOf(sign.otherRow))},
+                {x + std::max(1.0F, 0.08F * em), std::max(y, strip.yOf(sign.otherRow))}, line);
+            if (!sign.alone) break;
+            // A split opens forward, a join closes: triangles on the lane that begins or ends.
+            const bool split = sign.kind == LaneChangeKind::Split;
+            drawShape(list, {split ? x + 0.3F * size : x - 0.2F * size, y}, size,
+                      split ? Shape::Forward : Shape::Back, color);
+            break;
+        }
+        case LaneChangeKind::Closed:
+            list->AddCircleFilled({x, y}, 0.5F * size, toU32(palette.background));
+            drawShape(list, {x, y}, size, Shape::Circle, color);
+            break;
+        case LaneChangeKind::Freed:
+            drawShape(list, {x, y}, size, Shape::Square, color);
+            break;
+        case LaneChangeKind::Hole:
+            drawShape(list, {x, y}, 1.15F * size, Shape::Cross, toU32(palette.rejected));
+            break;
+        case LaneChangeKind::Seed:
+            list->AddRectFilled({x, y - 0.5F * strip.pitch},
+                                {x + std::max(1.0F, 0.1F * em), y + 0.5F * strip.pitch}, color);
+            break;
+        case LaneChangeKind::Activated:
+            break;
+    }
+}
+
+void drawAlerts(const RunStrip& strip) {
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float em = strip.context.em;
+    const float y = strip.lanes.min.y;
+    for (const float at : strip.picture().alerts) {
+        const float x = strip.bars.min.x + at;
+        list->AddTriangleFilled({x - 0.3F * em, y - 0.25F * em}, {x + 0.3F * em, y - 0.25F * em},
+                                {x, y + 0.25F * em}, toU32(strip.context.palette.rejected));
+    }
+}
+
+void drawPlayhead(const RunStrip& strip) {
+    const Session& session = strip.context.session();
+    const float at = strip.xOf(std::min<double>(session.record().pivot, strip.window().last()));
+    if (at < strip.bars.min.x - 1.0F || at > strip.bars.max().x + 1.0F) return;
+    const float x = std::round(at);
+    const float em = strip.context.em;
+    const float top = strip.bars.min.y;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const ImU32 color = toU32(strip.context.palette.pivot);
+    list->AddRectFilled({x - 0.06F * em, top}, {x + 0.06F * em + 1.0F, strip.bars.max().y}, color);
+    list->AddTriangleFilled({x - 0.38F * em, top - 0.2F * em}, {x + 0.38F * em, top - 0.2F * em},
+                            {x, top + 0.4F * em}, color);
+}
+
+std::string tooltipText(const RunStrip& strip, std::uint32_t pivot, ImVec2 mouse) {
+    const RunOverview& run = strip.context.session().overview();
+    std::string text = "pivot " + grouped(pivot);
+    if (pivot > 0 && pivot <= run.ringLength.size()) {
+        text += "\nring of " + grouped(run.ringLength[pivot - 1]) + ", " +
+                grouped(run.stackDepth[pivot - 1]) + " stacked\n" +
+                grouped(run.triangles[pivot - 1]) + " triangles";
+    }
+    // What the sign next to the pointer means.
+    const LaneSign* nearest = nullptr;
+    float best = 0.7F * strip.context.em;
+    for (const LaneSign& sign : strip.picture().signs) {
+        const float dx = strip.bars.min.x + sign.x - mouse.x;
+        const float distance = std::hypot(dx, strip.yOf(sign.row) - mouse.y);
+        if (distance < best) best = distance, nearest = &sign;
+    }
+    if (nearest == nullptr) return text;
+    return text + "\nring " + laneChangeText(nearest->kind) + " at pivot " +
+           grouped(nearest->pivot);
+}
+
+void handleMouse(const RunStrip& strip) {
+    Session& session = strip.context.session();
+    StripWindow& window = strip.context.ui().navigation.strip;
+    ImGui::SetCursorScreenPos(toVec2(strip.bars.min));
+    ImGui::InvisibleButton("##run", toVec2(strip.bars.size),
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+    const ImGuiIO& io = ImGui::GetIO();
+    const double share =
+        std::clamp((io.MousePos.x - strip.bars.min.x) / strip.bars.size.x, 0.0F, 1.0F);
+    const auto pivot = static_cast<std::uint32_t>(std::llround(window.pivotAt(share)));
+    const bool moved = io.MouseDelta.x != 0.0F;
+    if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
+        if (moved) window.pan(-io.MouseDelta.x / strip.bars.size.x);
+    } else if (ImGui::IsItemActive() && session.record().pivot != pivot &&
+               (ImGui::IsItemActivated() || moved)) {
+        strip.context.playback().pause();
         session.goToPivot(pivot);
     }
     if (!ImGui::IsItemHovered()) return;
-    const RunOverview& run = session.overview();
-    std::string text = "pivot " + grouped(pivot);
-    if (pivot > 0 && pivot <= run.ringLength.size()) {
-        text += "\nring " + grouped(run.ringLength[pivot - 1]) + ", stacked " +
-                grouped(run.stackDepth[pivot - 1]) + "\ntriangles " +
-                grouped(run.triangles[pivot - 1]);
+    if (io.MouseWheel != 0.0F) window.zoomAt(share, io.MouseWheel);
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) window.showAll();
+    tooltip(tooltipText(strip, pivot, io.MousePos));
+}
+
+/// Keeps the strip's window on the run, and on the cursor when that moves.
+void keepWindow(const PanelContext& context) {
+    const Session& session = context.session();
+    Navigation& nav = context.ui().navigation;
+    if (nav.lanes.generation != session.generation()) nav.strip.showAll();
+    nav.strip.setLast(std::max({1U, session.overview().lastPivot, session.record().pivot}));
+    const bool moved =
+        nav.stripWatch.moved(session.generation(), session.record().pivot, session.cursor());
+    if (moved && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        nav.strip.reveal(session.record().pivot);
     }
-    tooltip(text);
+}
+
+/// How much of the run there is, under the strip's name.
+void drawTotal(const RunStrip& strip) {
+    const RunOverview& run = strip.context.session().overview();
+    const float em = strip.context.em;
+    const std::string total = (run.complete ? "" : "\xE2\x89\xA5") +
+                              grouped(static_cast<std::size_t>(strip.window().last()));
+    if (strip.context.layout.drawerFolded) return;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float size = 0.85F * em;
+    const auto line = [&](float y, const std::string& text) {
+        list->AddText(strip.context.fonts.text, size, {0.7F * em, strip.bars.min.y + y * em},
+                      toU32(strip.context.palette.textDim), text.c_str());
+    };
+    line(1.15F, total);
+    if (strip.picture().gathered && strip.bars.size.y > 4.2F * em) {
+        line(2.2F, grouped(run.lanes) + " lanes");
+    }
 }
 
 }  // namespace
 
 void drawRunStrip(const PanelContext& context, const Rect& area) {
     const Session& session = context.session();
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    const Rect bars = barsOf(context, area);
-    const float line = ImGui::GetTextLineHeight();
-    ImGui::PushFont(context.fonts.strong);
-    list->AddText({area.min.x + 0.7F * context.em, bars.min.y}, toU32(context.palette.textDim),
-                  "RUN");
-    ImGui::PopFont();
-    list->AddRectFilled(toVec2(bars.min), toVec2(bars.max()), toU32(context.palette.background),
-                        0.2F * context.em);
+    const float em = context.em;
+    const bool folded = context.layout.drawerFolded;
+    const float top = 0.55F * em;
+    const Rect bars = barsOf(context, area, area.size.y - top - (folded ? 0.3F : 0.2F) * em, top);
+    stripName(context, "RUN", bars);
+    context.ui().where["strip run"] = bars;
     if (!session.ready()) return;
-    const std::uint32_t last = std::max({1U, session.overview().lastPivot, session.record().pivot});
-    drawRingLengths(context, bars, last);
-    drawMarks(context, bars, last);
-    drawPlayhead(context, bars, last);
-    handleDrag(context, bars, last);
-    const std::string total = (session.overview().complete ? "" : "\xE2\x89\xA5") + grouped(last);
-    if (area.size.y > 2.0F * line) {
-        list->AddText({area.min.x + 0.7F * context.em, bars.max().y - line},
-                      toU32(context.palette.textDim), total.c_str());
-    }
-}
-
-void drawDrawer(const PanelContext& context) {
-    if (beginRegion("##drawer", context.layout.drawer)) {
-        const Rect& whole = context.layout.drawer;
-        const float em = context.em;
-        const float height = context.layout.stageStrip ? 2.9F * em : whole.size.y - 1.3F * em;
-        drawRunStrip(context, {{whole.min.x, whole.min.y + 0.65F * em}, {whole.size.x, height}});
-        if (context.layout.stageStrip) {
-            const float top = whole.min.y + height + 1.1F * em;
-            drawStageStrip(context,
-                           {{whole.min.x, top}, {whole.size.x, whole.max().y - top - 0.5F * em}});
-        }
-    }
-    ImGui::End();
+    keepWindow(context);
+    // Folded, there is room for the scale only where it covers nothing.
+    const float scale = folded ? 0.35F * em : 1.0F * em;
+    RunStrip strip{context, bars, {{bars.min.x, bars.min.y + scale}, bars.size}, 1.0F};
+    strip.lanes.size.y = bars.size.y - scale;
+    const auto rows = static_cast<std::uint32_t>(strip.lanes.size.y / (kLeastLane * em));
+    keepPainted(context, {bars.size.x, std::max(1U, rows), 0.7F * em});
+    const float inUse = static_cast<float>(std::max(1U, strip.picture().rows));
+    strip.pitch = std::min(kHighestLane * em, strip.lanes.size.y / inUse);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(toVec2(strip.lanes.min), toVec2(strip.lanes.max()),
+                        toU32(context.palette.background), 0.2F * em);
+    ImGui::PushClipRect({bars.min.x - 0.4F * em, area.min.y},
+                        {bars.max().x + 0.4F * em, area.max().y}, true);
+    drawRingLengths(strip);
+    if (!folded) drawScale(strip);
+    drawBars(strip);
+    for (const LaneSign& sign : strip.picture().signs) drawSign(strip, sign);
+    drawAlerts(strip);
+    drawPlayhead(strip);
+    ImGui::PopClipRect();
+    drawTotal(strip);
+    handleMouse(strip);
 }
 
 }  // namespace se::view

@@ -1,4 +1,5 @@
-#include <cstdio>
+#include <algorithm>
+#include <cmath>
 
 #include "panel.h"
 #include "widgets.h"
@@ -7,34 +8,105 @@ namespace se::view {
 
 namespace {
 
-/// Whether to scroll to the cursor: only when it moved, else nobody could scroll away. Asked once a
-/// frame; the height of the list is known one frame late, hence the second time.
-bool cursorMoved(const Session& session) {
-    static std::uint32_t seenRevision = 0;
-    static std::size_t seenCursor = 0;
-    static int again = 0;
-    if (seenRevision != session.revision() || seenCursor != session.cursor()) again = 2;
-    seenRevision = session.revision();
-    seenCursor = session.cursor();
-    return again > 0 && again-- > 0;
+/// In em: one level of the tree, and the columns at the right end.
+constexpr float kIndent = 0.75F;
+constexpr float kArrow = 1.0F;
+constexpr float kCountColumn = 2.7F;
+/// Below this the column of triangles is left out.
+constexpr float kTrianglesFrom = 17.0F;
+/// What lies ahead of the cursor.
+constexpr float kAhead = 0.55F;
+
+/// The columns at the right end of a row; x of their right edges, 0 for one that is left out.
+struct Columns {
+    float triangles = 0.0F;
+    float tests = 0.0F;
+    float refused = 0.0F;
+};
+
+Columns columnsAt(const PanelContext& context, float left, float room) {
+    const float em = context.em;
+    Columns c;
+    c.refused = left + room - 0.2F * em;
+    c.tests = c.refused - kCountColumn * em;
+    c.triangles = room >= kTrianglesFrom * em ? c.tests - kCountColumn * em : 0.0F;
+    return c;
 }
 
-/// Brings the row just drawn into view, if it is not.
-void scrollToRow() {
-    const float top = ImGui::GetCursorPosY() - ImGui::GetScrollY();
-    const float margin = 2.0F * ImGui::GetTextLineHeight();
-    if (top < 2.0F * margin || top > ImGui::GetWindowHeight() - margin) ImGui::SetScrollHereY(0.5F);
-}
+/// Draws the parts of one row into the list, from left to right.
+class RowPen {
+  public:
+    RowPen(const PanelContext& context, ImVec2 at, float room, float alpha)
+        : context_(context),
+          list_(ImGui::GetWindowDrawList()),
+          at_(at),
+          x_(at.x),
+          alpha_(alpha),
+          columns_(columnsAt(context, at.x, room)) {}
 
-std::string subjectText(const Event& event) {
-    const Index subject = subjectOf(event);
-    return subject == kNone ? std::string{} : std::to_string(subject);
-}
+    void indent(float em) { x_ += em * context_.em; }
+    void arrow(bool open) {
+        const ImVec2 c(x_ + 0.4F * context_.em, middle());
+        const float r = 0.27F * context_.em;
+        const ImU32 color = ink(context_.palette.textDim);
+        if (open) {
+            list_->AddTriangleFilled({c.x - r, c.y - 0.6F * r}, {c.x + r, c.y - 0.6F * r},
+                                     {c.x, c.y + 0.8F * r}, color);
+        } else {
+            list_->AddTriangleFilled({c.x - 0.6F * r, c.y - r}, {c.x + 0.8F * r, c.y},
+                                     {c.x - 0.6F * r, c.y + r}, color);
+        }
+    }
+    void text(const std::string& words, const Color& color, float end) {
+        const std::string cut = fitted(words, end - x_);
+        list_->AddText({x_, at_.y}, ink(color), cut.c_str());
+        x_ += ImGui::CalcTextSize(cut.c_str()).x + 0.5F * context_.em;
+    }
+    /// In a row with counts at its end.
+    void label(const std::string& words, const Color& color) {
+        const float first = columns_.triangles > 0.0F ? columns_.triangles : columns_.tests;
+        text(words, color, first - 1.3F * context_.em);
+    }
+    /// Ends at `width` from here.
+    void rightAligned(const std::string& words, float width, const Color& color) {
+        const float extent = ImGui::CalcTextSize(words.c_str()).x;
+        list_->AddText({x_ + width - extent, at_.y}, ink(color), words.c_str());
+        x_ += width + 0.5F * context_.em;
+    }
+    void shape(Shape shape, float size, const Color& color) {
+        drawShape(list_, {x_ + 0.35F * context_.em, middle()}, size, shape, ink(color));
+        x_ += 0.95F * context_.em;
+    }
+    void counts(std::size_t tests, std::size_t refused) {
+        if (tests > 0) endingAt(columns_.tests, grouped(tests), context_.palette.textDim);
+        if (refused == 0) return;
+        const std::string number = grouped(refused);
+        endingAt(columns_.refused, number, context_.palette.rejected);
+        const float left = columns_.refused - ImGui::CalcTextSize(number.c_str()).x;
+        drawShape(list_, {left - 0.42F * context_.em, middle()}, 0.48F * context_.em, Shape::Cross,
+                  ink(context_.palette.rejected));
+    }
+    void triangles(std::size_t number) {
+        if (columns_.triangles <= 0.0F || number == 0) return;
+        endingAt(columns_.triangles, "+" + grouped(number), context_.palette.textDim);
+    }
+    float end() const { return columns_.refused; }
 
-/// Digits of the largest point number.
-std::size_t widestSubject(const Session& session) {
-    return std::to_string(session.model().points.size()).size();
-}
+  private:
+    float middle() const { return at_.y + 0.5F * ImGui::GetTextLineHeight(); }
+    ImU32 ink(const Color& color) const { return toU32(color.withAlpha(alpha_ * color.a)); }
+    void endingAt(float right, const std::string& words, const Color& color) {
+        const float width = ImGui::CalcTextSize(words.c_str()).x;
+        list_->AddText({right - width, at_.y}, ink(color), words.c_str());
+    }
+
+    const PanelContext& context_;
+    ImDrawList* list_;
+    ImVec2 at_;
+    float x_;
+    float alpha_;
+    Columns columns_;
+};
 
 std::string outcomeText(const Event& event) {
     if (const auto verdict = verdictOf(event)) return std::string(verdictText(*verdict));
@@ -52,92 +124,319 @@ Shape markOf(const Event& event) {
     return verdictOf(event) ? Shape::Disc : Shape::Dot;
 }
 
-/// At the right end of the present column, whose left end is at `left`.
-void rightAligned(const std::string& text, float left, float room, const Color& color) {
-    if (text.empty()) return;
-    ImGui::SameLine(0.0F, 0.0F);
-    ImGui::SetCursorPosX(left + room - ImGui::CalcTextSize(text.c_str()).x);
-    ImGui::TextColored(toVec4(color), "%s", text.c_str());
+std::size_t trianglesOf(const RunOverview& run, std::uint32_t pivot) {
+    if (pivot == 0 || pivot > run.triangles.size()) return 0;
+    return run.triangles[pivot - 1] - (pivot > 1 ? run.triangles[pivot - 2] : 0);
 }
 
-void drawRow(const PanelContext& context, std::size_t index) {
-    Session& session = context.session();
-    const Event& event = session.record().events[index];
-    const bool later = index > session.cursor();
-    const Color color = verdictColor(context, event);
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    float left = ImGui::GetCursorPosX();
-    float room = ImGui::GetContentRegionAvail().x;
-    ImGui::PushID(static_cast<int>(index));
-    if (ImGui::Selectable("##row", index == session.cursor(),
-                          ImGuiSelectableFlags_SpanAllColumns)) {
-        context.playback().pause();
-        session.goToEvent(index);
+/// What a pivot did to the rings, in one word.
+std::string pivotNote(const PivotSummary& summary) {
+    const auto found = [&](Stage stage) { return (summary.found & findingOf(stage)) != 0; };
+    for (const Stage stage : {Stage::Split, Stage::Join, Stage::Done, Stage::Seed, Stage::Skip,
+                              Stage::Fill, Stage::Reinsert, Stage::Flip, Stage::Reseat}) {
+        if (found(stage)) return std::string(stageName(stage));
     }
-    if (ImGui::IsItemHovered()) {
-        tooltip(toString(event.address) + "\n" + describe(event));
+    return {};
+}
+
+std::string withS(std::size_t number, const char* word) {
+    return grouped(number) + " " + word + (number == 1 ? "" : "s");
+}
+
+void drawComponent(const PanelContext& context, RowPen& pen, const StepRow& row) {
+    const StepTree& tree = context.ui().navigation.steps;
+    const ComponentSummary& component = context.session().overview().components[row.component];
+    pen.arrow(tree.isOpen(row));
+    pen.indent(kArrow);
+    pen.label("component " + grouped(row.component + 1), context.palette.text);
+    pen.label(withS(tree.pivotsOf(row.component), "pivot"), context.palette.textDim);
+    pen.counts(component.tests, component.refused);
+}
+
+void drawPivot(const PanelContext& context, RowPen& pen, const StepRow& row) {
+    const RunOverview& run = context.session().overview();
+    const StepTree& tree = context.ui().navigation.steps;
+    const PivotSummary& summary = run.pivots[row.pivot - 1];
+    pen.indent(kIndent);
+    pen.arrow(tree.isOpen(row));
+    pen.indent(kArrow);
+    pen.label(grouped(row.pivot), context.palette.text);
+    std::string note = pivotNote(summary);
+    if (row.pivot <= run.ringLength.size() && run.ringLength[row.pivot - 1] > 0) {
+        const std::string ring = "ring " + grouped(run.ringLength[row.pivot - 1]);
+        note = note.empty() ? ring : ring + ", " + note;
     }
-    ImGui::SameLine(0.0F, 0.0F);
-    const float alpha = later ? 0.55F : 1.0F;
-    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, alpha);
-    if (event.address.n <= 1) {
-        ImGui::TextUnformatted(std::string(stageName(event.address.stage)).c_str());
+    pen.label(note, context.palette.textDim);
+    pen.triangles(trianglesOf(run, row.pivot));
+    pen.counts(summary.tests, summary.refused);
+}
+
+void drawStage(const PanelContext& context, RowPen& pen, const StepRow& row) {
+    const StepTree& tree = context.ui().navigation.steps;
+    const StageRun& run = tree.runs()[row.run];
+    const Event& event = context.session().record().events[row.event];
+    pen.indent(2.0F * kIndent);
+    if (tree.canOpen(row)) pen.arrow(tree.isOpen(row));
+    pen.indent(kArrow);
+    pen.label(std::string(stageName(run.stage)), context.palette.text);
+    if (run.size() == 1) {
+        if (rejects(event)) pen.shape(Shape::Cross, 0.52F * context.em, context.palette.rejected);
+        const Index subject = subjectOf(event);
+        std::string note = subject == kNone ? std::string{} : std::to_string(subject) + " ";
+        // A single decision has no counts: the width is its own.
+        pen.text(note + outcomeText(event), context.palette.textDim, pen.end());
+        return;
+    } else if (run.tests == 0) {
+        pen.label(grouped(run.size()), context.palette.textDim);
     }
-    rightAligned(std::to_string(event.address.n), left, room, context.palette.textDim);
-    ImGui::TableNextColumn();
-    left = ImGui::GetCursorPosX();
-    room = ImGui::GetContentRegionAvail().x;
-    ImGui::Dummy({0.0F, 0.0F});
-    rightAligned(subjectText(event), left, room, context.palette.text);
-    ImGui::TableNextColumn();
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float height = ImGui::GetTextLineHeight();
+    pen.counts(run.tests, run.refused);
+}
+
+void drawTest(const PanelContext& context, RowPen& pen, const StepRow& row) {
+    const Session& session = context.session();
+    const Event& event = session.record().events[row.event];
+    const float em = context.em;
+    const bool filtered = context.ui().navigation.steps.filtered();
+    pen.indent(filtered ? kIndent + kArrow : 3.0F * kIndent + 0.6F);
+    if (filtered) {
+        pen.text(
+            std::string(stageName(event.address.stage)) + "." + std::to_string(event.address.n),
+            context.palette.textDim, pen.end());
+    } else {
+        pen.rightAligned(std::to_string(event.address.n), 1.5F * em, context.palette.textDim);
+    }
+    const Index subject = subjectOf(event);
+    const std::string widest = std::to_string(session.model().points.size());
+    const std::string digits(widest.size(), '0');
+    if (subject != kNone) {
+        pen.rightAligned(std::to_string(subject), ImGui::CalcTextSize(digits.c_str()).x,
+                         context.palette.text);
+    }
     const Shape mark = markOf(event);
-    const float size = mark == Shape::Dot ? 0.28F * context.em : 0.52F * context.em;
-    drawShape(ImGui::GetWindowDrawList(), {at.x + 0.4F * context.em, at.y + 0.5F * height}, size,
-              mark, toU32(color.withAlpha(alpha)));
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.95F * context.em);
-    const std::string outcome = fitted(outcomeText(event), ImGui::GetContentRegionAvail().x);
-    ImGui::TextColored(toVec4(color), "%s", outcome.c_str());
-    ImGui::PopStyleVar();
+    const Color color = verdictColor(context, event);
+    pen.shape(mark, mark == Shape::Dot ? 0.28F * em : 0.52F * em, color);
+    pen.text(outcomeText(event), color, pen.end());
+}
+
+bool isAhead(const PanelContext& context, const StepRow& row) {
+    const Session& session = context.session();
+    const std::uint32_t here = session.record().pivot;
+    switch (row.kind) {
+        case StepRowKind::Component:
+            return session.overview().components[row.component].firstPivot > std::max(1U, here);
+        case StepRowKind::Pivot:
+            return row.pivot > here;
+        case StepRowKind::Stage:
+        case StepRowKind::Test:
+            return row.event > session.cursor();
+    }
+    return false;
+}
+
+std::string rowTooltip(const PanelContext& context, const StepRow& row) {
+    const Session& session = context.session();
+    const RunOverview& run = session.overview();
+    if (row.kind == StepRowKind::Component) {
+        const ComponentSummary& component = run.components[row.component];
+        return "component " + grouped(row.component + 1) + ", from pivot " +
+               grouped(component.firstPivot) + "\n" + withS(component.tests, "test") + ", " +
+               grouped(component.refused) + " refused";
+    }
+    if (row.kind == StepRowKind::Pivot) {
+        const PivotSummary& summary = run.pivots[row.pivot - 1];
+        std::string text = "pivot " + grouped(row.pivot);
+        if (summary.point != kNone) text += " at point " + std::to_string(summary.point);
+        return text + "\n" + withS(trianglesOf(run, row.pivot), "triangle") + ", " +
+               withS(summary.tests, "test") + ", " + grouped(summary.refused) + " refused";
+    }
+    const Event& event = session.record().events[row.event];
+    return toString(event.address) + "\n" + describe(event);
+}
+
+void goTo(const PanelContext& context, const StepRow& row) {
+    Session& session = context.session();
+    StepTree& tree = context.ui().navigation.steps;
+    context.playback().pause();
+    switch (row.kind) {
+        case StepRowKind::Component:
+            tree.toggle(row);
+            break;
+        case StepRowKind::Pivot:
+            session.goToPivot(row.pivot);
+            break;
+        case StepRowKind::Stage:
+        case StepRowKind::Test:
+            session.goToEvent(row.event);
+            break;
+    }
+}
+
+/// Opens or folds; another pivot can only be opened by going there.
+void toggle(const PanelContext& context, const StepRow& row) {
+    StepTree& tree = context.ui().navigation.steps;
+    if (row.kind == StepRowKind::Pivot && row.pivot != context.session().record().pivot) {
+        goTo(context, row);
+        tree.openPivot();
+    } else {
+        tree.toggle(row);
+    }
+}
+
+float arrowEnd(const PanelContext& context, const StepRow& row) {
+    const float level = row.kind == StepRowKind::Component ? 0.0F
+                        : row.kind == StepRowKind::Pivot   ? kIndent
+                                                           : 2.0F * kIndent;
+    return (level + kArrow) * context.em;
+}
+
+/// A click, or Enter, Left and Right for those who walk by keyboard.
+void handleRow(const PanelContext& context, const StepRow& row, bool pressed, float left) {
+    StepTree& tree = context.ui().navigation.steps;
+    const bool byMouse = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+    if (pressed) {
+        const bool onArrow =
+            byMouse && ImGui::GetMousePos().x < left + arrowEnd(context, row) && tree.canOpen(row);
+        onArrow ? toggle(context, row) : goTo(context, row);
+        return;
+    }
+    if (!ImGui::IsItemFocused() || !tree.canOpen(row)) return;
+    const auto hit = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
+    const bool wanted = tree.isOpen(row) ? hit(ImGuiKey_LeftArrow) : hit(ImGuiKey_RightArrow);
+    if (ImGui::GetIO().NavVisible && wanted) toggle(context, row);
+}
+
+void drawRow(const PanelContext& context, std::size_t index, bool here) {
+    const StepTree& tree = context.ui().navigation.steps;
+    const StepRow row = tree.row(index);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float room = ImGui::GetContentRegionAvail().x;
+    ImGui::PushID(static_cast<int>(index));
+    const bool pressed = ImGui::Selectable("##row", here);
+    if (ImGui::IsItemHovered()) {
+        if (row.kind >= StepRowKind::Stage) {
+            context.ui().pointedAt = subjectOf(context.session().record().events[row.event]);
+        }
+        tooltip(rowTooltip(context, row));
+    }
+    RowPen pen(context, at, room, isAhead(context, row) ? kAhead : 1.0F);
+    switch (row.kind) {
+        case StepRowKind::Component:
+            drawComponent(context, pen, row);
+            break;
+        case StepRowKind::Pivot:
+            drawPivot(context, pen, row);
+            break;
+        case StepRowKind::Stage:
+            drawStage(context, pen, row);
+            break;
+        case StepRowKind::Test:
+            drawTest(context, pen, row);
+            break;
+    }
+    // Last: the rows may be others afterwards.
+    handleRow(context, row, pressed, at.x);
     ImGui::PopID();
+}
+
+void drawFilter(const PanelContext& context) {
+    Navigation& nav = context.ui().navigation;
+    ImGui::SetNextItemWidth(-1.0F);
+    const bool wide = ImGui::GetContentRegionAvail().x > 16.0F * context.em;
+    ImGui::InputTextWithHint("##filter", wide ? "filter: stage, verdict, point, x" : "filter",
+                             nav.stepFilter.data(), nav.stepFilter.size());
+    if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
+        tooltip(
+            "Shows only pivots and tests with all of these words: the beginning of a stage "
+            "(sphere), a word of a verdict (removed), the number of a point or pivot, or x for "
+            "what was refused.");
+    }
+    nav.steps.setFilter(nav.stepFilter.data());
+}
+
+void drawColumnTitles(const PanelContext& context) {
+    const float em = context.em;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize;
+    const Columns columns = columnsAt(context, at.x, room);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float size = 0.78F * em;
+    const ImU32 color = toU32(context.palette.textDim);
+    const auto title = [&](float right, const char* text) {
+        if (right <= 0.0F) return;
+        const float width = context.fonts.text->CalcTextSizeA(size, 1e9F, 0.0F, text).x;
+        list->AddText(context.fonts.text, size, {right - width, at.y}, color, text);
+    };
+    title(columns.triangles, "tri");
+    title(columns.tests, "tests");
+    title(columns.refused, "refused");
+    ImGui::Dummy({0.0F, 0.75F * em});
+}
+
+/// Brings the cursor's row into view if the cursor has moved away from it.
+void followCursor(const PanelContext& context, float pitch) {
+    const Session& session = context.session();
+    Navigation& nav = context.ui().navigation;
+    if (!nav.stepsWatch.moved(session.generation(), session.record().pivot, session.cursor())) {
+        return;
+    }
+    const auto row = nav.steps.rowOfCursor();
+    if (!row) return;
+    const float top = static_cast<float>(*row) * pitch;
+    const float height = ImGui::GetWindowHeight();
+    const float scroll = ImGui::GetScrollY();
+    if (top < scroll + 2.0F * pitch || top > scroll + height - 3.0F * pitch) {
+        const float target = std::max(0.0F, top - 0.4F * height);
+        ImGui::SetScrollY(std::floor(target / pitch) * pitch);
+    }
+}
+
+void drawRows(const PanelContext& context) {
+    const StepTree& tree = context.ui().navigation.steps;
+    const float pitch = ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y;
+    followCursor(context, pitch);
+    const auto cursorRow = tree.rowOfCursor();
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(tree.rowCount()), pitch);
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            const auto row = static_cast<std::size_t>(i);
+            // A click may have folded what was below.
+            if (row < tree.rowCount()) drawRow(context, row, cursorRow == row);
+        }
+    }
+}
+
+void note(const char* text) {
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextDisabled("%s", text);
+    ImGui::PopTextWrapPos();
 }
 
 }  // namespace
 
 void drawSteps(const PanelContext& context) {
     const Session& session = context.session();
-    const bool any = session.ready() && !session.record().events.empty();
-    const std::string note = !any ? std::string{} : "pivot " + grouped(session.record().pivot);
-    heading(context, "Steps", note);
-    if (!any) {
-        ImGui::PushTextWrapPos(0.0F);
-        ImGui::TextDisabled("%s",
-                            "Nothing has been done yet. F10 goes on by a pivot, F11 by a "
-                            "single decision.");
-        ImGui::PopTextWrapPos();
-        return;
+    const bool ready = session.ready();
+    const RunOverview& run = session.overview();
+    heading(context, "Steps",
+            !ready ? std::string{}
+                   : withS(run.pivots.size(), "pivot") + (run.complete ? "" : "\xE2\x80\xA6"));
+    if (!ready) return note("Open a file, or a scene, to see its steps here.");
+    drawFilter(context);
+    const StepTree& tree = context.ui().navigation.steps;
+    drawColumnTitles(context);
+    if (tree.rowCount() == 0) {
+        return note(tree.filtered() ? "No pivot has all of these words. Esc in the line above "
+                                      "undoes what was typed."
+                                    : "Nothing has been done yet. F10 goes on by a pivot, F11 by "
+                                      "a single decision.");
     }
-    constexpr auto kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit;
-    if (!ImGui::BeginTable("##events", 3, kFlags)) return;
-    ImGui::TableSetupColumn("stage", ImGuiTableColumnFlags_WidthFixed, 5.4F * context.em);
-    const float point =
-        ImGui::CalcTextSize("0000000").x * static_cast<float>(widestSubject(session)) / 7.0F;
-    ImGui::TableSetupColumn("point", ImGuiTableColumnFlags_WidthFixed, point);
-    ImGui::TableSetupColumn("outcome", ImGuiTableColumnFlags_WidthStretch);
-    const bool scroll = cursorMoved(session);
-    const auto cursor = static_cast<int>(session.cursor());
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(session.record().events.size()));
-    clipper.ForceDisplayRangeByIndices(cursor, cursor + 1);
-    while (clipper.Step()) {
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            drawRow(context, static_cast<std::size_t>(i));
-            if (scroll && i == cursor) scrollToRow();
-        }
+    if (ImGui::BeginChild("##rows", {0, 0}, false, ImGuiWindowFlags_AlwaysVerticalScrollbar)) {
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.2F * context.em});
+        drawRows(context);
+        ImGui::PopStyleVar();
     }
-    ImGui::EndTable();
+    ImGui::EndChild();
 }
 
 }  // namespace se::view

@@ -35,20 +35,35 @@ void drawLeftColumn(const PanelContext& context) {
     }
 }
 
-/// In a narrow window all panels are tabs here, in smaller print.
-void drawTabs(const PanelContext& context) {
-    const bool narrow = context.layout.narrow;
+/// In a narrow window all panels are tabs of the right column.
+bool isTab(const PanelContext& context, const SidePanel& panel) {
+    if (panel.left) return context.layout.narrow;
+    return panel.draw != drawDial || !context.layout.dialApart;
+}
+
+/// Do the names of the tabs of the right column fit beside each other in the usual print?
+bool tabNamesFit(const PanelContext& context) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    float width = 0.0F;
     for (const SidePanel& panel : kSidePanels) {
-        if (panel.left && !narrow) continue;
-        if (panel.draw == drawDial && context.layout.dialApart) continue;
+        if (!isTab(context, panel)) continue;
+        width += ImGui::CalcTextSize(panel.title).x + 2.0F * style.FramePadding.x +
+                 style.ItemInnerSpacing.x;
+    }
+    return width <= ImGui::GetContentRegionAvail().x;
+}
+
+void drawTabs(const PanelContext& context) {
+    for (const SidePanel& panel : kSidePanels) {
+        if (!isTab(context, panel)) continue;
         const bool open = ImGui::BeginTabItem(panel.title);
         context.ui().where[std::string("tab ") + panel.title] = lastItem();
         if (!open) continue;
         context.ui().openTab = panel.title;
-        if (narrow) ImGui::PushFont(context.fonts.text);
+        ImGui::PushFont(context.fonts.text);
         if (ImGui::BeginChild("##content", {0, 0}, false)) panel.draw(context);
         ImGui::EndChild();
-        if (narrow) ImGui::PopFont();
+        ImGui::PopFont();
         ImGui::EndTabItem();
     }
 }
@@ -85,18 +100,18 @@ void drawDialColumn(const PanelContext& context) {
 }
 
 void drawRightColumn(const PanelContext& context) {
-    const bool narrow = context.layout.narrow;
     if (beginRegion("##right", context.layout.right)) {
-        if (narrow) ImGui::PushFont(context.fonts.small);
-        const float pad = narrow ? 0.22F * context.em : ImGui::GetStyle().FramePadding.x;
+        const bool tight = !tabNamesFit(context);
+        if (tight) ImGui::PushFont(context.fonts.small);
+        const float pad = tight ? 0.22F * context.em : ImGui::GetStyle().FramePadding.x;
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {pad, ImGui::GetStyle().FramePadding.y});
-        if (narrow) ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {0.1F * context.em, 0.0F});
+        if (tight) ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {0.1F * context.em, 0.0F});
         if (ImGui::BeginTabBar("##tabs")) {
             drawTabs(context);
             ImGui::EndTabBar();
         }
-        ImGui::PopStyleVar(narrow ? 2 : 1);
-        if (narrow) ImGui::PopFont();
+        ImGui::PopStyleVar(tight ? 2 : 1);
+        if (tight) ImGui::PopFont();
     }
     ImGui::End();
 }
@@ -146,6 +161,10 @@ void drawPanels(const PanelContext& context) {
         {"region view", context.layout.view},           {"region left", context.layout.left},
         {"region dial", context.layout.dial},           {"region right", context.layout.right},
         {"region narration", context.layout.narration}, {"region drawer", context.layout.drawer}};
+    if (const Session& session = context.session(); session.ready()) {
+        context.ui().navigation.steps.update(session.overview(), session.generation(),
+                                             session.record(), session.cursor());
+    }
     drawColumns(context);
     drawView(context);
     drawNarration(context);

@@ -1,0 +1,153 @@
+#include "lane_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace se::view {
+
+namespace {
+
+/// Two bars of a row that are this near are one.
+constexpr float kJoinWithin = 0.75F;
+
+class LanePainter {
+  public:
+    LanePainter(const RunOverview& run, const StripWindow& window, const LaneRoom& room)
+        : run_(run), window_(window), room_(room) {
+        const std::uint32_t rows = std::max(1U, room.rows);
+        out_.rows = std::clamp(run.lanes, 1U, rows);
+        out_.gathered = run.lanes > rows;
+        open_.resize(run.lanes);
+        lastBar_.resize(std::size_t{2} * out_.rows, kNoBar);
+        lastSign_.resize(out_.rows, -room.signGap);
+        lastLine_.resize(out_.rows, -2.0F);
+    }
+
+    LanePicture paint() {
+        for (const LaneChange& change : run_.laneChanges) take(change);
+        const auto end = static_cast<double>(run_.lastPivot);
+        for (std::uint32_t lane = 0; lane < open_.size(); ++lane) endPiece(lane, end);
+        return std::move(out_);
+    }
+
+  private:
+    static constexpr std::size_t kNoBar = ~std::size_t{0};
+    struct Open {
+        bool live = false;
+        bool active = false;
+        double since = 0.0;
+    };
+
+    std::uint32_t rowOf(std::uint32_t lane) const { return std::min(lane, out_.rows - 1); }
+    float xOf(double pivot) const {
+        return static_cast<float>(window_.shareOf(pivot)) * room_.width;
+    }
+
+    void take(const LaneChange& change) {
+        if (change.lane >= open_.size()) return;
+        // A pivot fills the pixels from the end of the one before it to its own end.
+        const double at = change.pivot;
+        Open& lane = open_[change.lane];
+        if (change.kind == LaneChangeKind::Seed) {
+            lane = {true, true, at - 1.0};
+        } else if (change.kind == LaneChangeKind::Split) {
+            lane = {true, false, at};
+        } else if (change.kind == LaneChangeKind::Activated) {
+            endPiece(change.lane, at);
+            lane = {true, true, at};
+        } else {
+            endPiece(change.lane, at);
+        }
+        sign(change);
+    }
+
+    void endPiece(std::uint32_t number, double at) {
+        Open& lane = open_[number];
+        if (lane.live) bar(rowOf(number), lane.active, lane.since, at);
+        lane.live = false;
+    }
+
+    void bar(std::uint32_t row, bool active, double since, double until) {
+        const float from = std::max(0.0F, xOf(since));
+        const float to = std::min(room_.width, xOf(until));
+        if (to < 0.0F || from > room_.width) return;
+        std::size_t& last = lastBar_[2 * row + (active ? 1U : 0U)];
+        // Lanes of a gathered row end in any order: a bar may reach back behind the one before it.
+        if (last != kNoBar && from <= out_.bars[last].to + kJoinWithin &&
+            to >= out_.bars[last].from - kJoinWithin) {
+            out_.bars[last].from = std::min(out_.bars[last].from, from);
+            out_.bars[last].to = std::max(out_.bars[last].to, to);
+            return;
+        }
+        last = out_.bars.size();
+        out_.bars.push_back({row, from, to, active});
+    }
+
+    void sign(const LaneChange& change) {
+        if (change.kind == LaneChangeKind::Activated) return;
+        const double at = change.kind == LaneChangeKind::Seed ? change.pivot - 1.0 : change.pivot;
+        const float x = xOf(at);
+        if (x < 0.0F || x > room_.width) return;
+        LaneSign sign{change.kind, change.pivot, rowOf(change.lane), rowOf(change.lane), x, true};
+        const bool links =
+            change.kind == LaneChangeKind::Split || change.kind == LaneChangeKind::Join;
+        if (links) sign.otherRow = rowOf(change.other);
+        sign.alone = x >= lastSign_[sign.row] + room_.signGap;
+        const bool lineFits = links && x >= lastLine_[sign.row] + 2.0F;
+        if (!sign.alone && !lineFits) return;
+        if (sign.alone) lastSign_[sign.row] = x;
+        if (links) lastLine_[sign.row] = x;
+        out_.signs.push_back(sign);
+    }
+
+    const RunOverview& run_;
+    const StripWindow& window_;
+    const LaneRoom& room_;
+    LanePicture out_;
+    std::vector<Open> open_;
+    std::vector<std::size_t> lastBar_;  // two per row: stacked, active
+    std::vector<float> lastSign_;
+    std::vector<float> lastLine_;
+};
+
+/// The longest ring over each pixel column.
+std::vector<float> ringLengths(const RunOverview& run, const StripWindow& window, float width) {
+    const auto columns = static_cast<std::size_t>(std::max(1.0F, width));
+    std::vector<float> lengths(columns, 0.0F);
+    if (run.longestRing == 0) return lengths;
+    const auto pivotOf = [&](std::size_t column) {
+        const double share = static_cast<double>(column) / static_cast<double>(columns);
+        return static_cast<std::size_t>(std::max(0.0, window.pivotAt(share)));
+    };
+    for (std::size_t c = 0; c < columns; ++c) {
+        const std::size_t from = pivotOf(c);
+        const std::size_t to = std::min(std::max(from + 1, pivotOf(c + 1)), run.ringLength.size());
+        std::uint32_t longest = 0;
+        for (std::size_t i = from; i < to; ++i) longest = std::max(longest, run.ringLength[i]);
+        lengths[c] = static_cast<float>(longest) / static_cast<float>(run.longestRing);
+    }
+    return lengths;
+}
+
+std::vector<float> alertPlaces(const RunOverview& run, const StripWindow& window, float width) {
+    std::vector<float> places;
+    for (const RunMark& mark : run.marks) {
+        if (mark.kind != MarkKind::Alert) continue;
+        const float x = static_cast<float>(window.shareOf(mark.pivot)) * width;
+        const bool within = x >= 0.0F && x <= width;
+        if (within && (places.empty() || x >= places.back() + 2.0F)) places.push_back(x);
+    }
+    return places;
+}
+
+}  // namespace
+
+LanePicture makeLanePicture(const RunOverview& run, const StripWindow& window,
+                            const LaneRoom& room) {
+    LanePicture picture = LanePainter(run, window, room).paint();
+    picture.ringLength = ringLengths(run, window, room.width);
+    picture.alerts = alertPlaces(run, window, room.width);
+    return picture;
+}
+
+}  // namespace se::view

@@ -1,0 +1,50 @@
+/// What the RUN strip draws for the lanes of a part of the run: so much as there are pixels for,
+/// however long the run is.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "overview.h"
+#include "strip_window.h"
+
+namespace se::view {
+
+/// A ring's time, from x to x in pixels.
+struct LaneBar {
+    std::uint32_t row = 0;
+    float from = 0.0F;
+    float to = 0.0F;
+    bool active = false;  ///< Else it waits on the stack.
+};
+
+/// A place where a lane begins or ends.
+struct LaneSign {
+    LaneChangeKind kind = LaneChangeKind::Seed;
+    std::uint32_t pivot = 0;
+    std::uint32_t row = 0;
+    std::uint32_t otherRow = 0;  ///< Of a split or join.
+    float x = 0.0F;
+    bool alone = true;  ///< There is room for its sign; else only for the line of a split or join.
+};
+
+struct LanePicture {
+    std::vector<LaneBar> bars;
+    std::vector<LaneSign> signs;
+    std::vector<float> ringLength;  ///< Per pixel column, as a share of the longest; 0 if unknown.
+    std::vector<float> alerts;      ///< x of those that can be told apart.
+    std::uint32_t rows = 0;         ///< That are in use.
+    bool gathered = false;          ///< The last row stands for all lanes beyond it.
+};
+
+struct LaneRoom {
+    float width = 1.0F;
+    std::uint32_t rows = 1;
+    float signGap = 8.0F;  ///< Least distance of two signs in a row.
+    friend bool operator==(const LaneRoom&, const LaneRoom&) = default;
+};
+
+LanePicture makeLanePicture(const RunOverview& run, const StripWindow& window,
+                            const LaneRoom& room);
+
+}  // namespace se::view

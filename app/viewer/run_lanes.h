@@ -1,0 +1,104 @@
+/// One lane per edge ring, over the whole run: splits fork, joins merge, closed and freed rings
+/// end. Told by the events of the run, in order; the lanes at any time are the active ring and the
+/// stack.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <queue>
+#include <span>
+#include <vector>
+
+#include "spiraling_edge/edge_ring.h"
+#include "spiraling_edge/event.h"
+
+namespace se::view {
+
+/// What happens to a lane.
+enum class LaneChangeKind : std::uint8_t {
+    Seed,       ///< Begins, with a ring of two.
+    Split,      ///< Begins, split off the lane `other`.
+    Activated,  ///< Comes off the stack.
+    Join,       ///< Ends in the lane `other`.
+    Closed,     ///< Ends: its last gap is filled.
+    Freed,      ///< Ends: the surface ends here (a boundary).
+    Hole,       ///< Ends: a hole stays open, or nothing came of the seed. There is an alert.
+};
+/// "split off", "closed", ...
+const char* laneChangeText(LaneChangeKind kind);
+inline bool beginsLane(LaneChangeKind kind) { return kind <= LaneChangeKind::Split; }
+inline bool endsLane(LaneChangeKind kind) { return kind >= LaneChangeKind::Join; }
+
+/// In the order of the run.
+struct LaneChange {
+    std::uint32_t pivot = 0;
+    std::uint32_t lane = 0;   ///< From 0; a lane that is free again is used again.
+    std::uint32_t other = 0;  ///< Of a split or join.
+    std::uint32_t live = 0;   ///< Lanes afterwards.
+    LaneChangeKind kind = LaneChangeKind::Seed;
+};
+
+/// Lanes after the given number of pivots; `changes` are in the order of the run.
+std::uint32_t lanesAt(std::span<const LaneChange> changes, std::uint32_t pivot);
+
+/// Gives every ring of a run its lane.
+///
+/// Events name no rings. The stack is replayed from them, and where an event could mean one of
+/// several rings their lengths tell which.
+class LaneKeeper {
+  public:
+    struct Ring {
+        std::uint32_t lane = 0;
+        Index length = 0;
+        bool fresh = false;  ///< Put on the stack by the present pivot.
+    };
+
+    /// The next event of the run.
+    void take(const Event& event);
+    /// Between two pivots: what no event tells is read from the rings.
+    void settle(const EdgeRings& rings);
+
+    const std::optional<Ring>& active() const { return active_; }
+    /// The most recently pushed last.
+    const std::vector<Ring>& stack() const { return stack_; }
+    std::uint32_t live() const {
+        return static_cast<std::uint32_t>(stack_.size()) + (active_ ? 1U : 0U);
+    }
+    /// What was found since the last call.
+    std::vector<LaneChange> takeChanges();
+
+  private:
+    void take(const SeedEvidence& seed);
+    void take(const PivotEvidence& pivot);
+    void take(const FillEvidence& fill);
+    void take(const InsertEvidence& insert);
+    void take(const RingEvidence& ring);
+    void take(const SplitEvidence& split);
+    void take(const JoinEvidence& join);
+    void take(const CloseEvidence& close);
+    void take(const AdvanceEvidence& advance);
+    void take(const FreeEvidence& free);
+    void take(const AlertEvidence& alert);
+    template <typename Other>
+    void take(const Other&) {}
+
+    void beginPivot(Index ringLength);
+    /// Place on the stack of the ring pushed by this pivot with that length.
+    std::optional<std::size_t> freshOfLength(Index length) const;
+    void joinStacked(std::size_t gone, Ring& into);
+    void activate(std::size_t place);
+    void endActive(LaneChangeKind kind);
+    void note(LaneChangeKind kind, std::uint32_t lane, std::uint32_t other);
+    std::uint32_t freeLane();
+    void giveBack(std::uint32_t lane) { free_.push(lane); }
+
+    std::optional<Ring> active_;
+    std::vector<Ring> stack_;
+    std::vector<LaneChange> changes_;
+    std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> free_;
+    std::uint32_t lanes_ = 0;
+    std::uint32_t pivot_ = 0;
+    Index closing_ = 0;  ///< Entries of a closed ring that are yet to be told of.
+};
+
+}  // namespace se::view

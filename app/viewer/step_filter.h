@@ -1,0 +1,37 @@
+/// The filter line above the tree of steps.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "overview.h"
+
+namespace se::view {
+
+/// Words that must all be found: the beginning of a stage's name, a word of a verdict, the number
+/// of a point or pivot, or `x` for what was refused. Whatever the case.
+class StepFilter {
+  public:
+    StepFilter() = default;
+    explicit StepFilter(std::string_view text);
+
+    bool empty() const { return words_.empty(); }
+    /// Could there be such a decision in the pivot?
+    bool matches(std::uint32_t pivot, const PivotSummary& summary) const;
+    /// Also words of the sentence that describes the event.
+    bool matches(const Event& event) const;
+
+  private:
+    struct Word {
+        std::string text;
+        Findings found = 0;
+        bool refused = false;
+        Index number = kNone;
+    };
+    static Word read(std::string text);
+
+    std::vector<Word> words_;
+};
+
+}  // namespace se::view

@@ -1,0 +1,115 @@
+/// The rows of the panel Steps: component > pivot > stage > test. A model of what is open and which
+/// row is what, not a list of rows: a run may have millions.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "overview.h"
+#include "pivot_record.h"
+#include "step_filter.h"
+
+namespace se::view {
+
+/// A run of events of the same stage within a pivot.
+struct StageRun {
+    Stage stage = Stage::Pivot;
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    std::size_t tests = 0;  ///< Events with a verdict.
+    std::size_t refused = 0;
+
+    std::size_t size() const { return end - begin; }
+    bool contains(std::size_t event) const { return event >= begin && event < end; }
+};
+std::vector<StageRun> stageRuns(const std::vector<Event>& events);
+
+enum class StepRowKind : std::uint8_t { Component, Pivot, Stage, Test };
+
+struct StepRow {
+    StepRowKind kind = StepRowKind::Component;
+    std::size_t component = 0;  ///< Position in RunOverview::components.
+    std::uint32_t pivot = 0;
+    std::size_t run = 0;    ///< Stage, test: position in runs().
+    std::size_t event = 0;  ///< Test, and a stage of a single event: position in the record.
+    friend bool operator==(const StepRow&, const StepRow&) = default;
+};
+
+/// Which rows there are follows from what is open. Only the pivot at the cursor has its decisions
+/// at hand, so only it can be open.
+class StepTree {
+  public:
+    /// Takes over where the run and the cursor are. All of it must stay until the next call.
+    void update(const RunOverview& run, std::uint32_t generation, const PivotRecord& record,
+                std::size_t cursor);
+    /// Shows only what the filter lets through, as a flat list of pivots and tests.
+    void setFilter(const std::string& text);
+    const std::string& filterText() const { return filterText_; }
+    bool filtered() const { return !filter_.empty(); }
+
+    std::size_t rowCount() const;
+    /// Requires row < rowCount(). O(log rows).
+    StepRow row(std::size_t row) const;
+    /// The row that the cursor is on, or the nearest one around it that is shown.
+    std::optional<std::size_t> rowOfCursor() const;
+
+    bool canOpen(const StepRow& row) const;
+    bool isOpen(const StepRow& row) const;
+    /// Opens or folds a row. Not for a pivot that the cursor is not at: go there.
+    void toggle(const StepRow& row);
+    /// Shows the decisions of the pivot at the cursor.
+    void openPivot() { pivotFolded_ = false, layOut(); }
+
+    const std::vector<StageRun>& runs() const { return runs_; }
+    std::uint32_t pivotsOf(std::size_t component) const;
+    /// The component that a pivot belongs to.
+    std::size_t componentOf(std::uint32_t pivot) const;
+
+  private:
+    struct OpenComponent {
+        std::size_t component = 0;
+        std::size_t row = 0;   ///< Of the component itself.
+        std::size_t rows = 0;  ///< Below it.
+    };
+
+    void layOut();
+    void matchPivots();
+    void matchEvents();
+    bool stageOpen(std::size_t run) const;
+    bool componentOpen(std::size_t component) const;
+    bool cursorPivotListed() const;
+    std::size_t rowsOfPivot() const;
+    StepRow rowOfPivot(std::size_t component, std::size_t place) const;
+    StepRow rowInPivot(std::size_t place) const;
+    std::size_t placeInPivot() const;
+    StepRow filteredRow(std::size_t row) const;
+    std::optional<std::size_t> filteredCursor() const;
+
+    const RunOverview* run_ = nullptr;
+    const PivotRecord* record_ = nullptr;
+    std::uint32_t generation_ = 0;
+    std::size_t pivotCount_ = 0;
+    std::uint32_t recordPivot_ = 0;
+    std::size_t cursor_ = 0;
+    std::size_t cursorComponent_ = 0;
+    std::size_t cursorRun_ = 0;
+
+    std::vector<StageRun> runs_;
+    std::vector<std::size_t> runRow_;  ///< Row of each run below the pivot's, and their number.
+    std::vector<OpenComponent> open_;  ///< In order.
+    std::set<std::size_t> opened_;     ///< Components opened by hand.
+    std::uint64_t openedStages_ = 0;
+    bool componentFolded_ = false;  ///< That of the cursor, by hand.
+    bool pivotFolded_ = false;
+    bool stageFolded_ = false;
+
+    std::string filterText_;
+    StepFilter filter_;
+    std::vector<std::uint32_t> matches_;  ///< Pivots, but that of the cursor.
+    std::size_t matchedPivots_ = 0;       ///< How many have been looked at.
+    std::vector<std::size_t> eventMatches_;
+};
+
+}  // namespace se::view
