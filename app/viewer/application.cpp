@@ -185,8 +185,8 @@ void Application::fillScene() {
         filledTheme_ == settings.theme) {
         return;
     }
-    const LayerInput input{session_.model(),     session_.picture(),         palette(),
-                           session_.selected(),  session_.highlightedRing(), session_.hovered(),
+    const LayerInput input{session_.model(),     session_.picture(),      palette(),
+                           session_.selected(),  session_.litRing(),      session_.hovered(),
                            session_.triangles(), componentBegin(session_)};
     fillDrawList(input, shownLayers_, drawList_);
     filledRevision_ = session_.revision();

@@ -42,6 +42,9 @@ struct Navigation {
     StepTree steps;
     CursorWatch stepsWatch;
     std::array<char, 64> stepFilter{};
+    Index pointedRing = kNone;  ///< The ring under the pointer, found anew in every frame.
+    CursorWatch ringWatch;
+    long ringShift = 0;  ///< Points that the strip of the ring is moved on by.
 
     /// Folds the drawer if it is open, else opens it, whatever the height of the window.
     void toggleDrawer() { drawer = drawerFolded ? DrawerWish::Open : DrawerWish::Folded; }

@@ -62,7 +62,7 @@ void Session::adopt(std::shared_ptr<const Model> model) {
     picture_ = {};
     moves_.clear();
     waiting_ = false;
-    selected_ = highlightedRing_ = kNone;
+    selected_ = highlightedRing_ = hoveredRing_ = kNone;
     ++generation_;
     ++revision_;
     phase_ = SessionPhase::Ready;
@@ -364,6 +364,12 @@ void Session::hover(Index point) {
 
 void Session::highlightRing(Index ring) {
     highlightedRing_ = highlightedRing_ == ring ? kNone : ring;
+    ++revision_;
+}
+
+void Session::hoverRing(Index ring) {
+    if (ring == hoveredRing_) return;
+    hoveredRing_ = ring;
     ++revision_;
 }
 

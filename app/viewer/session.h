@@ -109,6 +109,10 @@ class Session {
     void hover(Index point);
     Index highlightedRing() const { return highlightedRing_; }
     void highlightRing(Index ring);
+    /// The ring under the pointer; it is lit up for so long.
+    void hoverRing(Index ring);
+    /// The ring to light up: that under the pointer, else the highlighted one.
+    Index litRing() const { return hoveredRing_ != kNone ? hoveredRing_ : highlightedRing_; }
 
     /// The last thing worth saying that is no event, e.g. that an address does not exist.
     const std::string& message() const { return message_; }
@@ -149,6 +153,7 @@ class Session {
     Index selected_ = kNone;
     Index hovered_ = kNone;
     Index highlightedRing_ = kNone;
+    Index hoveredRing_ = kNone;
     std::uint32_t generation_ = 0;
     std::uint32_t revision_ = 0;
 

@@ -40,6 +40,8 @@ void dumpNavigation(json& out, const Navigation& nav, const Session& session) {
                     {"to", nav.strip.to()},
                     {"whole", nav.strip.whole()},
                     {"lanes", lanesAt(session.overview().laneChanges, session.record().pivot)}};
+    out["highlighted_ring"] = indexOrNull(session.highlightedRing());
+    out["lit_ring"] = indexOrNull(session.litRing());
     out["drawer"] = nav.drawerFolded ? "folded" : "open";
 }
 

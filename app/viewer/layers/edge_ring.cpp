@@ -43,9 +43,10 @@ void addNumber(const LayerInput& in, const RingPath& ring, DrawList& out) {
 void addEdgeRing(const LayerInput& in, DrawList& out) {
     for (const RingPath& ring : in.picture.rings) {
         if (!ring.active) continue;
+        const bool lit = ring.id != kNone && ring.id == in.highlightedRing;
         Line like;
-        like.color = in.palette.used;
-        like.width = 0.2F;
+        like.color = lit ? in.palette.pivot : in.palette.used;
+        like.width = lit ? 0.26F : 0.2F;
         like.arrow = 0.55F;
         like.depth = Depth::XRay;
         addRing(in, ring, like, out);

@@ -8,8 +8,8 @@ namespace se::view {
 namespace {
 
 constexpr std::array<SidePanel, 7> kSidePanels = {{
-    {"Steps", true, 0.72F, drawSteps},
-    {"Rings", true, 0.28F, drawRings},
+    {"Steps", true, 0.66F, drawSteps},
+    {"Rings", true, 0.34F, drawRings},
     {"Dial", false, 0.0F, drawDial},
     {"Inspect", false, 0.0F, drawInspect},
     {"Paper", false, 0.0F, drawPaper},
@@ -157,6 +157,7 @@ std::span<const SidePanel> sidePanels() { return kSidePanels; }
 
 void drawPanels(const PanelContext& context) {
     context.ui().pointedAt = kNone;
+    context.ui().navigation.pointedRing = kNone;
     context.ui().where = {
         {"region view", context.layout.view},           {"region left", context.layout.left},
         {"region dial", context.layout.dial},           {"region right", context.layout.right},
@@ -170,6 +171,7 @@ void drawPanels(const PanelContext& context) {
     drawNarration(context);
     drawDrawer(context);
     context.session().hover(context.ui().pointedAt);
+    context.session().hoverRing(context.ui().navigation.pointedRing);
     if (!context.ui().cheatSheet && !context.ui().fileBrowser && !context.ui().palette.open)
         drawBorders(context);
     drawNotices(context);
