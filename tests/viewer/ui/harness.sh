@@ -130,7 +130,12 @@ denies() {
 # center NAME: "X Y", the middle of something that the program says it has drawn, e.g. "tab Dial".
 center() {
     local x y w h
-    read -r x y w h < <(field "$1" | tr -d '[],' )
+    # In the first frames tabs have no size yet.
+    for _ in $(seq 100); do
+        read -r x y w h < <(field "$1" | tr -d '[],' )
+        [ "${w:-0}" -gt 0 ] && break
+        sleep 0.05
+    done
     [ -n "${h:-}" ] || fail "nothing is drawn that is called '$1'"
     echo "$((x + w / 2)) $((y + h / 2))"
 }
@@ -142,7 +147,12 @@ click_on() {
 }
 inside() {
     local x y w h
-    read -r x y w h < <(field "$1" | tr -d '[],' )
+    # In the first frames tabs have no size yet.
+    for _ in $(seq 100); do
+        read -r x y w h < <(field "$1" | tr -d '[],' )
+        [ "${w:-0}" -gt 0 ] && break
+        sleep 0.05
+    done
     [ -n "${h:-}" ] || fail "nothing is drawn that is called '$1'"
     echo "$((x + w * $2 / 100)) $((y + h * $3 / 100))"
 }

@@ -70,6 +70,15 @@ for chord in n l e s g k; do
     [ "$(shown)" != "$before" ] || fail "$chord changes no layer"
     press "$chord"
 done
+press n; says pins '.*"normals": "on".*'
+press n; says pins '\{\}'
+
+# As long as the back-quote is held one looks at the state before the decision.
+go_to 30.emit.1; says address '30\.emit\.1'
+triangles=$(field triangles)
+xdotool keydown grave; says before true; says triangles "$((triangles - 1))"
+xdotool keyup grave; says before false; says triangles "$triangles"
+says address '30\.emit\.1'
 press t; says theme light
 press t; says theme dark
 press F1; says cheat_sheet true
