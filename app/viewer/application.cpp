@@ -16,7 +16,7 @@
 namespace se::view {
 
 Application::Application(const Options& options, const ViewSettings& settings)
-    : options_(options), commands_{session_, playback_, camera_, ui_} {
+    : options_(options), commands_{session_, playback_, camera_, ui_}, filing_(commands_) {
     ui_.settings = settings;
     ui_.cheatSheet = options.cheatSheet;
     ui_.arrangement = options.layout.value_or(Arrangement::Debug);
@@ -32,7 +32,7 @@ Status Application::start(float contentScale) {
     Result<std::unique_ptr<Renderer>> renderer = Renderer::create(options_.shaders);
     if (!renderer) return renderer.error();
     renderer_ = std::move(renderer.value());
-    session_.open(options_.input);
+    filing_.begin(options_);
     return success();
 }
 
@@ -72,37 +72,22 @@ void Application::keyReleased(const KeyChord& chord) {
     }
 }
 
-void Application::open(const std::string& path) {
-    InputSpec spec = session_.spec();
-    spec.source = path;
-    playback_.pause();
-    session_.open(std::move(spec));
-}
+void Application::open(const std::string& path) { filing_.open(path); }
 
 bool Application::poll() {
     const bool changed = session_.poll();
-    goToFirstPlace();
+    filing_.poll();
     return changed;
-}
-
-void Application::goToFirstPlace() {
-    if (placed_ || !session_.ready()) return;
-    const bool needsLength = options_.goTo.ends_with('%');
-    if (needsLength && !session_.overview().complete) return;
-    placed_ = true;
-    if (options_.goTo.empty()) return;
-    focusWanted_ = options_.focus;
-    placeStatus_ = session_.goToText(options_.goTo);
-    if (!placeStatus_) session_.say(placeStatus_.error().message);
 }
 
 Status Application::settle() {
     session_.settle();
     if (inputFailed()) return Error{session_.error()};
-    goToFirstPlace();
+    filing_.poll();
     session_.settle();
-    if (!placeStatus_) return placeStatus_;
+    if (!filing_.placeStatus()) return filing_.placeStatus();
     if (!options_.goTo.empty() && !session_.message().empty()) return Error{session_.message()};
+    filing_.warn();
     return success();
 }
 
@@ -171,10 +156,10 @@ void Application::fillScene() {
         if (std::exchange(homeOf_, session_.model().name) != session_.model().name) {
             camera_.home(session_.model().beginning, session_.model().sample, ui_.viewAspect);
         }
+        if (const auto pose = filing_.takeCamera()) camera_.setPose(*pose);
         filledRevision_ = 0;
     }
-    if (focusWanted_ && !session_.busy()) {
-        focusWanted_ = false;
+    if (!session_.busy() && filing_.takeFocus()) {
         frameFocus(commands_);
         comeCloser(session_, camera_);
     }
@@ -216,7 +201,7 @@ void Application::drawUserInterface(const Layout& layout) {
     const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     const bool covered = popup || ui_.fileBrowser || ui_.cheatSheet || ui_.palette.open;
     if ((released && !covered) || !focused_) {
-        ImGui::SetWindowFocus("##view");
+        ImGui::SetWindowFocus(session_.startPage() ? "##start" : "##view");
         focused_ = true;
     }
 }
@@ -226,6 +211,7 @@ void Application::frame(glm::ivec2 size, double seconds) {
     poll();
     play(seconds);
     const double chosen = ui_.settings.uiScale > 0.0 ? ui_.settings.uiScale : contentScale_;
+    ui_.scale = static_cast<float>(chosen);
     imgui_->setLooks(static_cast<float>(chosen), ui_.settings.theme);
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
@@ -248,10 +234,36 @@ void Application::frame(glm::ivec2 size, double seconds) {
     glSeconds_ = std::chrono::duration<double>(drawn - built).count();
     if (first) firstFrameSeconds_ = std::chrono::duration<double>(drawn - options_.began).count();
     if (options_.narrate) narrate();
+    observeEdits();
+    undoOrRedo();
+    filing_.carryOut(ui_.requests);
     if (std::exchange(ui_.requests.copyPlace, false)) copyPlace();
     if (std::exchange(ui_.requests.pastePlace, false)) pastePlace();
     if (std::exchange(ui_.requests.screenshot, false)) saveWindowPicture(size);
     if (std::exchange(ui_.requests.closePopups, false)) ImGui::SetWindowFocus("##view");
+}
+
+void Application::observeEdits() {
+    const Edits now = captureEdits(commands_);
+    if (std::exchange(undoGeneration_, session_.generation()) != session_.generation()) {
+        return undo_.begin(now);
+    }
+    const bool changing = ImGui::IsAnyMouseDown() || ImGui::GetIO().WantTextInput;
+    const auto sinceStart = std::chrono::steady_clock::now().time_since_epoch();
+    undo_.observe(now, std::chrono::duration<double>(sinceStart).count(), changing);
+}
+
+void Application::undoOrRedo() {
+    const bool undo = std::exchange(ui_.requests.undo, false);
+    const bool redo = std::exchange(ui_.requests.redo, false);
+    if (!undo && !redo) return;
+    const Edits now = captureEdits(commands_);
+    const auto step = undo ? undo_.undo(now) : undo_.redo(now);
+    if (!step)
+        return session_.say(undo ? "There is nothing to undo." : "There is nothing to redo.");
+    applyEdits(step->edits, commands_);
+    undo_.accept(captureEdits(commands_));
+    session_.say((undo ? "Undone: " : "Redone: ") + step->change + ".");
 }
 
 void Application::copyPlace() {

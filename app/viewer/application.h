@@ -6,6 +6,7 @@
 
 #include "camera.h"
 #include "commands.h"
+#include "filing.h"
 #include "gl/renderer.h"
 #include "options.h"
 #include "panels/panel.h"
@@ -51,6 +52,9 @@ class Application {
     bool takeFullScreenRequest() { return std::exchange(ui_.requests.fullScreen, false); }
     bool inputFailed() const { return session_.phase() == SessionPhase::Failed; }
     std::string title() const;
+    /// Takes recent files and layout from that file and keeps them there; to be called before
+    /// start().
+    void keepIn(const std::filesystem::path& path) { filing_.keepIn(path, options_.resetLayout); }
     const ViewSettings& settings() const { return ui_.settings; }
     void rememberSize(glm::ivec2 size);
 
@@ -67,7 +71,8 @@ class Application {
     };
 
     void goToTyped();
-    void goToFirstPlace();
+    void undoOrRedo();
+    void observeEdits();
     void play(double seconds);
     void fillScene();
     void drawScene(const Layout& layout);
@@ -94,11 +99,11 @@ class Application {
     Theme filledTheme_ = Theme::Dark;
     std::uint32_t uploadedGeneration_ = 0;
     float contentScale_ = 1.0F;
-    bool placed_ = false;  ///< The place of --goto was asked for.
-    bool focusWanted_ = false;
+    Filing filing_;
+    UndoStack undo_;
+    std::uint32_t undoGeneration_ = 0xffffffffU;  ///< Of the input that the stack is about.
     bool focused_ = false;
     std::string homeOf_;  ///< Name of the input that the camera went home for.
-    Status placeStatus_ = success();
     std::string writtenState_;
     std::string narrated_;  ///< The address of the last sentence on stdout.
     double uiSeconds_ = 0.0;

@@ -51,6 +51,17 @@ void restart(C& c) {
     c.session.open(c.session.spec());
 }
 
+void openBrowser(C& c) {
+    c.ui.browser = BrowserTask::Open;
+    c.ui.fileBrowser = true;
+}
+
+void saveAs(C& c) {
+    if (!c.session.ready()) return c.session.say("There is nothing open to save.");
+    c.ui.browser = BrowserTask::SaveSession;
+    c.ui.fileBrowser = true;
+}
+
 void toEnd(C& c) {
     pause(c);
     c.session.toEnd();
@@ -87,14 +98,25 @@ void setArrangement(C& c) {
 
 // Groups in the order of the menu bar.
 constexpr auto kCommands = std::to_array<Command>({
-    {"file.open", "File", "Open...", "Ctrl+O", "Open a point file.", false,
-     [](C& c) { c.ui.fileBrowser = true; }},
+    {"file.open", "File", "Open...", "Ctrl+O", "Open a point file or a session.", false,
+     openBrowser},
+    {"file.save", "File", "Save session", "Ctrl+S",
+     "Save input, options, place, camera, layers, bookmarks and notes as a session file.", false,
+     [](C& c) { c.ui.requests.saveSession = true; }},
+    {"file.saveas", "File", "Save session as...", "Ctrl+Shift+S",
+     "Save the session under another name.", false, saveAs},
     {"file.restart", "File", "Reload and restart", "Ctrl+R",
      "Read the input again and go to the start.", false, restart},
     {"file.screenshot", "File", "Save screenshot", "F12", "Save a picture of the window.", false,
      [](C& c) { c.ui.requests.screenshot = true; }},
     {"file.quit", "File", "Quit", "Ctrl+Q", "Leave.", false,
      [](C& c) { c.ui.requests.quit = true; }},
+
+    {"edit.undo", "Edit", "Undo", "Ctrl+Z",
+     "Take back a change of layers, camera, selection, bookmarks, notes, layout or looks.", true,
+     [](C& c) { c.ui.requests.undo = true; }},
+    {"edit.redo", "Edit", "Redo", "Ctrl+Y Ctrl+Shift+Z", "Make it again.", true,
+     [](C& c) { c.ui.requests.redo = true; }},
 
     {"run.play", "Run", "Play or pause", "Space P", "Play by the chosen unit, or pause.", false,
      [](C& c) { c.playback.toggle(); }},

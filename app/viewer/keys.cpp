@@ -12,7 +12,7 @@ struct NamedKey {
     int key;
 };
 
-constexpr std::array<NamedKey, 10> kNamed = {{{"Space", key::kSpace},
+constexpr std::array<NamedKey, 16> kNamed = {{{"Space", key::kSpace},
                                               {"Esc", key::kEscape},
                                               {"Enter", key::kEnter},
                                               {"Right", key::kRight},
@@ -21,7 +21,13 @@ constexpr std::array<NamedKey, 10> kNamed = {{{"Space", key::kSpace},
                                               {"Up", key::kUp},
                                               {"Home", key::kHome},
                                               {"End", key::kEnd},
-                                              {"Plus", '+'}}};
+                                              {"Plus", '+'},
+                                              {"Tab", key::kTab},
+                                              {"Backspace", key::kBackspace},
+                                              {"Insert", key::kInsert},
+                                              {"Delete", key::kDelete},
+                                              {"PageUp", key::kPageUp},
+                                              {"PageDown", key::kPageDown}}};
 
 struct NamedMod {
     std::string_view name;
@@ -71,7 +77,9 @@ std::string toString(const KeyChord& chord) {
         if (named.key == chord.key) return text + std::string(named.name);
     }
     if (chord.isFunctionKey()) return text + "F" + std::to_string(chord.key - key::kF1 + 1);
-    return text + static_cast<char>(chord.key);
+    // A key without a sign and without a name here has no text either.
+    const bool sign = chord.key > ' ' && chord.key < 127;
+    return sign ? text + static_cast<char>(chord.key) : std::string{};
 }
 
 }  // namespace se::view

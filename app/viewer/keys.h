@@ -14,11 +14,16 @@ namespace key {
 inline constexpr int kSpace = 32;
 inline constexpr int kEscape = 256;
 inline constexpr int kEnter = 257;
+inline constexpr int kTab = 258;
 inline constexpr int kBackspace = 259;
+inline constexpr int kInsert = 260;
+inline constexpr int kDelete = 261;
 inline constexpr int kRight = 262;
 inline constexpr int kLeft = 263;
 inline constexpr int kDown = 264;
 inline constexpr int kUp = 265;
+inline constexpr int kPageUp = 266;
+inline constexpr int kPageDown = 267;
 inline constexpr int kHome = 268;
 inline constexpr int kEnd = 269;
 inline constexpr int kF1 = 290;
@@ -35,6 +40,7 @@ struct KeyChord {
 
 /// "Ctrl+G", "F10", "Space", "."; nothing if the text names no key.
 std::optional<KeyChord> keyFromString(std::string_view text);
+/// Empty for a key that has no name here.
 std::string toString(const KeyChord& chord);
 
 }  // namespace se::view

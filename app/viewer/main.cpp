@@ -8,6 +8,7 @@
 #include "application.h"
 #include "offscreen.h"
 #include "options.h"
+#include "recent.h"
 #include "settings.h"
 #include "spiraling_edge/io.h"
 #include "window.h"
@@ -43,6 +44,7 @@ ViewSettings settingsToKeep(const Options& options, const Application& applicati
     const ViewSettings before = read ? read.value() : ViewSettings{};
     if (options.theme) keep.theme = before.theme;
     if (options.uiScale > 0.0) keep.uiScale = before.uiScale;
+    if (options.session && options.session->layers) keep.layers = before.layers;
     if (options.size) keep.width = before.width;
     if (options.size) keep.height = before.height;
     return keep;
@@ -154,6 +156,7 @@ int runWindow(const Options& options) {
     const auto window = Window::create({settings.width, settings.height});
     if (!window) return fail(kExitNoDisplay, window.error().message);
     Application application(options, settings);
+    if (!options.noConfig) application.keepIn(statePath());
     if (const auto status = application.start(window.value()->contentScale()); !status) {
         return fail(kExitNoDisplay, status.error().message);
     }
@@ -169,11 +172,14 @@ int runWindow(const Options& options) {
 
 int main(int argc, char** argv) {
     try {
-        const ParsedOptions parsed = parseOptions(argc, argv);
+        ParsedOptions parsed = parseOptions(argc, argv);
         if (!parsed.options) return parsed.exitCode;
-        if (parsed.options->benchFrames > 0) return runBench(*parsed.options);
-        return parsed.options->screenshot.empty() ? runWindow(*parsed.options)
-                                                  : runPicture(*parsed.options);
+        Options& options = *parsed.options;
+        if (const auto status = adoptSession(options); !status) {
+            return fail(kExitInput, status.error().message);
+        }
+        if (options.benchFrames > 0) return runBench(options);
+        return options.screenshot.empty() ? runWindow(options) : runPicture(options);
     } catch (const std::exception& e) {
         return fail(kExitInternal, std::string("internal error: ") + e.what());
     }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "input_hash.h"
 #include "spiraling_edge/io.h"
 #include "spiraling_edge/scenes.h"
 
@@ -32,9 +33,12 @@ Result<PointFile> readSource(const std::string& source, Model& model) {
         }
         model.name = std::string(kScenePrefix) + std::string(scene->id);
         model.watch = std::string(scene->watch);
-        return scene->build();
+        PointFile points = scene->build();
+        model.hash = hashOfPoints(points);
+        return points;
     }
     model.name = std::filesystem::path(source).filename().string();
+    model.hash = hashOfFile(source);
     return readPoints(std::filesystem::path(source));
 }
 
@@ -97,6 +101,9 @@ Result<std::shared_ptr<const Model>> loadModel(const InputSpec& spec, LoadProgre
     const std::optional<Params> params = paramsByName(spec.rules);
     if (!params) return Error{"There is no rule set \"" + spec.rules + "\"."};
     model->params = *params;
+    if (const Status known = applyChoices(spec.choices, model->params.rules); !known) {
+        return known.error();
+    }
     const Result<PointFile> file = readSource(spec.source, *model);
     if (!file) return file.error();
     NeighborOptions neighbors = spec.neighbors;

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "rule_choice.h"
 #include "spiraling_edge/params.h"
 #include "spiraling_edge/prepare.h"
 
@@ -17,12 +18,14 @@ namespace se::view {
 struct InputSpec {
     std::string source;  ///< A path, or `scene:ID`. Empty: the first scene.
     NeighborOptions neighbors;
-    std::string rules = "paper";  ///< A name that paramsByName() knows.
+    std::string rules = "paper";           ///< A name that paramsByName() knows.
+    std::vector<RuleChoice> choices = {};  ///< Single rules that differ from that set.
 };
 
 /// Points in view space: centered on their bounding box, which then fits a sphere of radius 1.
 struct Model {
     std::string name;   ///< File name or scene id, for title and menu.
+    std::string hash;   ///< Of the input, see input_hash.h.
     std::string watch;  ///< One sentence of a scene; empty for files.
     PointSet points;
     Params params;

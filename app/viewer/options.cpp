@@ -45,6 +45,8 @@ struct RawOptions {
     std::string size;
     std::string theme;
     std::string layout;
+    std::string place;
+    std::vector<std::string> choices;
     std::size_t neighbors = 0;
     double radius = 0.0;
     std::string screenshot;
@@ -54,11 +56,16 @@ struct RawOptions {
 };
 
 void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
-    app.add_option("FILE", o.input.source,
-                   "Points: PLY, XYZ, OBJ or OFF; or scene:ID. Without it, the first scene");
+    app.add_option(
+        "FILE", o.input.source,
+        "Points: PLY, XYZ, OBJ or OFF; scene:ID; or a session file. Without it, the start "
+        "page");
     app.add_option("--rules", o.input.rules,
                    "How the paper is read: " + ruleSets() + " (default paper)")
         ->check(CLI::IsMember(ruleSetNames()));
+    app.add_option("--rule", raw.choices, "Turn one rule on or off, after --rules; may be repeated")
+        ->type_name("NAME=on|off")
+        ->allow_extra_args(false);
     auto* k =
         app.add_option("--neighbors", raw.neighbors, "List the K nearest neighbors of each point")
             ->check(CLI::Range(std::size_t{1}, std::size_t{1000}));
@@ -67,6 +74,9 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     k->excludes(r);
     app.add_option("--goto", o.goTo,
                    "Begin at PIVOT[.STAGE[.N]], for example 137.sphere.3, or 50%");
+    app.add_option("--place", raw.place,
+                   "Begin at an address with a camera: the text that Ctrl+C copies")
+        ->type_name("TEXT");
     app.add_flag("--focus", o.focus, "Begin with the pivot and its neighbors framed");
     app.add_option("--size", raw.size,
                    "Size of the window or picture in pixels, for example 1280x800");
@@ -78,6 +88,7 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_option("--theme", raw.theme, "dark or light")->check(CLI::IsMember({"dark", "light"}));
     app.add_option("--layout", raw.layout, "How the window is arranged: debug, learn or present")
         ->check(CLI::IsMember({"debug", "learn", "present"}));
+    app.add_flag("--reset-layout", o.resetLayout, "Forget the layout that was chosen last");
     app.add_flag("--narrate", o.narrate, "Print one sentence per step to stdout");
     app.add_option("--state-dump", raw.stateDump,
                    "Write what is shown as JSON, whenever it changes")
@@ -85,7 +96,8 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_option("--bench-frames", o.benchFrames,
                    "Draw N frames, one sub-step each, without a window; print what they cost")
         ->check(CLI::Range(1, 100000));
-    app.add_flag("--no-config", o.noConfig, "Neither read nor write settings");
+    app.add_flag("--no-config", o.noConfig,
+                 "Neither read nor write settings, layout and recent files");
     app.add_option("--shaders", raw.shaders, "Read the shaders from this folder");
     app.add_flag("--keys", o.cheatSheet, "Begin with the list of keys open");
     app.add_flag("--list-actions", raw.actions, "Print all actions with their keys, and leave");
@@ -93,7 +105,54 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.footer(sceneList);
 }
 
+/// Throws what CLI11 reports as wrong usage.
+void takeOver(const RawOptions& raw, Options& o) {
+    o.size = sizeFromString(raw.size.empty() ? "1280x800" : raw.size);
+    if (!o.size) {
+        throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, for example 1280x800");
+    }
+    if (raw.size.empty()) o.size.reset();
+    for (const std::string& text : raw.choices) {
+        const Result<RuleChoice> choice = ruleChoiceFromText(text);
+        if (!choice) throw CLI::ValidationError("--rule " + text, choice.error().message);
+        o.input.choices.push_back(choice.value());
+    }
+    if (!raw.place.empty()) {
+        const Result<Place> place = placeFromText(raw.place);
+        if (!place) throw CLI::ValidationError("--place", place.error().message);
+        o.camera = place.value().camera;
+        if (o.goTo.empty()) o.goTo = place.value().address;
+    }
+    if (o.input.source.empty() && !o.goTo.empty()) {
+        throw CLI::ValidationError("--goto, --place",
+                                   "need a FILE or scene:ID to go to a place of");
+    }
+}
+
+/// Measuring needs something to step through.
+void chooseBenchScene(Options& o) {
+    if (o.benchFrames == 0 || !o.input.source.empty() || scenes().empty()) return;
+    o.input.source = "scene:" + std::string(scenes().front().id);
+}
+
 }  // namespace
+
+Status adoptSession(Options& o) {
+    const std::string path = o.input.source;
+    if (path.empty() || path.starts_with("scene:") || !looksLikeSession(path)) return success();
+    Result<SessionFile> read = readSessionFile(path);
+    if (!read) return read.error();
+    o.sessionPath = path;
+    o.session = std::move(read.value());
+    const InputSpec& kept = o.session->input;
+    o.input.source = kept.source;
+    if (!o.reachGiven) o.input.neighbors = kept.neighbors;
+    if (!o.rulesGiven) {
+        o.input.rules = kept.rules;
+        o.input.choices.insert(o.input.choices.begin(), kept.choices.begin(), kept.choices.end());
+    }
+    return success();
+}
 
 ParsedOptions parseOptions(int argc, const char* const* argv) {
     Options o;
@@ -103,19 +162,19 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
     addOptions(app, o, raw);
     try {
         app.parse(argc, argv);
-        o.size = sizeFromString(raw.size.empty() ? "1280x800" : raw.size);
-        if (!o.size)
-            throw CLI::ValidationError("--size", "expected WIDTHxHEIGHT, for example 1280x800");
+        chooseBenchScene(o);
+        takeOver(raw, o);
     } catch (const CLI::ParseError& e) {
         return {std::nullopt, app.exit(e) == 0 ? kExitGood : kExitUsage};
     }
-    if (raw.size.empty()) o.size.reset();
     if (raw.actions) {
         std::fputs(listActions().c_str(), stdout);
         return {std::nullopt, kExitGood};
     }
-    if (raw.neighbors > 0) o.input.neighbors = {KNearest{raw.neighbors}, true, true};
-    if (raw.radius > 0.0) o.input.neighbors = {WithinRadius{raw.radius}, true, true};
+    if (raw.neighbors > 0) o.input.neighbors = {KNearest{raw.neighbors}, true, 0, true};
+    if (raw.radius > 0.0) o.input.neighbors = {WithinRadius{raw.radius}, true, 0, true};
+    o.rulesGiven = app.count("--rules") > 0;
+    o.reachGiven = raw.neighbors > 0 || raw.radius > 0.0;
     o.theme = themeFromName(raw.theme);
     o.layout = arrangementFromName(raw.layout);
     o.screenshot = raw.screenshot;

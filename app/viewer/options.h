@@ -10,6 +10,8 @@
 #include "arrangement.h"
 #include "model.h"
 #include "palette.h"
+#include "place.h"
+#include "session_file.h"
 
 namespace se::view {
 
@@ -25,8 +27,14 @@ enum ExitCode : int {
 struct Options {
     /// When the program was started: what the time to the first frame is counted from.
     std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
-    InputSpec input;
+    InputSpec input;  ///< An empty source: begin with the start page.
+    bool rulesGiven = false;
+    bool reachGiven = false;             ///< --neighbors or --radius.
+    std::optional<SessionFile> session;  ///< What FILE held, if it was one.
+    std::string sessionPath;
     std::string goTo;
+    std::optional<CameraPose> camera;  ///< Of --place.
+    bool resetLayout = false;
     std::optional<glm::ivec2> size;
     std::filesystem::path screenshot;  ///< Empty: open a window.
     int frames = 0;                    ///< Leave after so many frames; 0: when told to.
@@ -50,5 +58,9 @@ struct ParsedOptions {
 
 /// Prints help, version, the list of actions or what is wrong by itself.
 ParsedOptions parseOptions(int argc, const char* const* argv);
+
+/// If FILE is a session file: reads it and takes from it what the command line does not say.
+/// Fails with a sentence.
+Status adoptSession(Options& options);
 
 }  // namespace se::view

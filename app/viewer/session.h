@@ -33,8 +33,8 @@ class Session {
     // Opening. What was open before stays until the new input is ready, or failed.
     void open(InputSpec spec);
     void cancelOpening() { progress_.cancelled = true; }
-    /// After a failure: goes on with what was open before. Requires ready().
-    void dismissError() { phase_ = SessionPhase::Ready; }
+    /// After a failure: goes on with what was open before, or with nothing.
+    void dismissError() { phase_ = ready() ? SessionPhase::Ready : SessionPhase::Empty; }
     /// Takes over what threads have finished. True if there is something new to draw.
     bool poll();
     /// Blocks until nothing is under way any more: for pictures without a person, and tests.
@@ -47,6 +47,8 @@ class Session {
 
     // What is open. Everything below requires phase() == Ready, or an earlier input still shown.
     bool ready() const { return model_ != nullptr && record_ != nullptr; }
+    /// Nothing is open and nothing is on its way: the place to choose something.
+    bool startPage() const { return !ready() && phase_ != SessionPhase::Loading; }
     const Model& model() const { return *model_; }
     const PivotRecord& record() const { return *record_; }
     const Picture& picture() const { return picture_; }

@@ -23,16 +23,19 @@ T numberIn(const json& object, const char* name, T low, T high, T otherwise) {
 
 }  // namespace
 
-std::filesystem::path settingsPath() {
-    const std::filesystem::path tail = std::filesystem::path("spiraling-edge") / "settings.json";
+std::filesystem::path xdgFolder(const char* variable, const char* below) {
     // The XDG standard: relative paths are to be ignored.
-    if (const char* config = std::getenv("XDG_CONFIG_HOME");
-        config != nullptr && config[0] == '/') {
-        return std::filesystem::path(config) / tail;
+    if (const char* folder = std::getenv(variable); folder != nullptr && folder[0] == '/') {
+        return folder;
     }
     const char* home = std::getenv("HOME");
     if (home == nullptr || home[0] != '/') return {};
-    return std::filesystem::path(home) / ".config" / tail;
+    return std::filesystem::path(home) / below;
+}
+
+std::filesystem::path settingsPath() {
+    const std::filesystem::path folder = xdgFolder("XDG_CONFIG_HOME", ".config");
+    return folder.empty() ? folder : folder / "spiraling-edge" / "settings.json";
 }
 
 Result<ViewSettings> settingsFromJson(std::string_view text) {

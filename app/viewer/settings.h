@@ -10,6 +10,8 @@
 
 namespace se::view {
 
+/// The folder that the variable names, or `below` the home folder. Empty if there is no home.
+std::filesystem::path xdgFolder(const char* variable, const char* below);
 /// $XDG_CONFIG_HOME/spiraling-edge/settings.json, or below ~/.config. Empty if there is no home.
 std::filesystem::path settingsPath();
 

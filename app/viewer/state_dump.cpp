@@ -65,6 +65,13 @@ std::string Application::stateDump() const {
              {"theme", std::string(themeName(ui_.settings.theme))},
              {"layout", std::string(rowOf(ui_.arrangement).name)},
              {"first_frame_seconds", firstFrameSeconds_},
+             {"start_page", session_.startPage()},
+             {"recent", ui_.recent.size()},
+             {"session_file", ui_.sessionPath},
+             {"bookmarks", json::array()},
+             {"notes", ui_.notes},
+             {"undo", undo_.undoDepth()},
+             {"redo", undo_.redoDepth()},
              {"em", imgui_ ? imgui_->em() : 0.0F},
              {"cheat_sheet", ui_.cheatSheet},
              {"file_browser", ui_.fileBrowser},
@@ -86,6 +93,7 @@ std::string Application::stateDump() const {
         out["where"][name] = {std::lround(rect.min.x), std::lround(rect.min.y),
                               std::lround(rect.size.x), std::lround(rect.size.y)};
     }
+    for (const Bookmark& each : ui_.bookmarks) out["bookmarks"].push_back(toString(each.address));
     const Place place{session_.event() != nullptr ? toString(session_.address()) : "",
                       camera_.pose()};
     out.update(json::parse(toText(place)));

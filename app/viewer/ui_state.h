@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "arrangement.h"
 #include "bookmarks.h"
@@ -15,6 +16,7 @@
 #include "palette.h"
 #include "playback.h"
 #include "spiraling_edge/point_set.h"
+#include "start_page.h"
 
 namespace se::view {
 
@@ -39,7 +41,15 @@ struct UiRequests {
     bool closePopups = false;
     bool copyPlace = false;
     bool pastePlace = false;
+    bool saveSession = false;
+    bool undo = false;
+    bool redo = false;
+    std::string open;           ///< A path or `scene:ID`; empty: nothing.
+    std::string saveSessionAs;  ///< A path; empty: nothing.
 };
+
+/// What the file browser is for.
+enum class BrowserTask : std::uint8_t { Open, SaveSession };
 
 /// The list of actions that one types into.
 struct CommandPalette {
@@ -57,11 +67,16 @@ struct UiState {
     GoToBox goTo;
     bool cheatSheet = false;
     bool fileBrowser = false;
+    BrowserTask browser = BrowserTask::Open;
     CommandPalette palette;
     Arrangement arrangement = Arrangement::Debug;
     Bookmarks bookmarks;
     Navigation navigation;
-    std::string notes;        ///< Free text of the person, kept in the session file.
+    std::string notes;                ///< Free text of the person, kept in the session file.
+    std::string sessionPath;          ///< What Ctrl+S writes to; empty: not known yet.
+    std::vector<std::string> recent;  ///< Files opened lately, the latest first.
+    StartPage startPage;
+    float scale = 1.0F;       ///< Of text and panels, as drawn.
     float viewAspect = 1.3F;  ///< Of the view, as last drawn.
     /// Where what was drawn in this frame is, in pixels of the window: "region view", "tab Dial",
     /// "strip run"

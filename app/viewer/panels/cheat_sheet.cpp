@@ -19,7 +19,7 @@ constexpr std::array kMouse = {
     MouseLine{"wheel", "Zoom to the pointer"},
     MouseLine{"click", "Select a point; on nothing, none"},
     MouseLine{"double click", "Center the orbit on a point"},
-    MouseLine{"drop a file", "Open it"},
+    MouseLine{"drop a file", "Open points or a session"},
 };
 
 void keyRow(const PanelContext& context, const std::string& keys, const std::string& what) {
@@ -62,7 +62,7 @@ void drawMouseGroup(const PanelContext& context) {
 void drawColumns(const PanelContext& context, bool two) {
     if (!ImGui::BeginTable("##columns", two ? 2 : 1, ImGuiTableFlags_SizingStretchSame)) return;
     ImGui::TableNextColumn();
-    for (const char* group : {"Step", "Run", "File", "Layers"}) drawGroup(context, group);
+    for (const char* group : {"Step", "Run", "File", "Edit", "Layers"}) drawGroup(context, group);
     ImGui::TableNextColumn();
     for (const char* group : {"View", "Help"}) drawGroup(context, group);
     drawMouseGroup(context);

@@ -5,15 +5,46 @@ namespace se::view {
 
 namespace {
 
+void drawRecent(const PanelContext& context) {
+    const std::vector<std::string>& recent = context.ui().recent;
+    if (!ImGui::BeginMenu("Recent", !recent.empty())) return;
+    for (const std::string& path : recent) {
+        const std::string name = fitted(path, 30.0F * context.em) + "##" + path;
+        if (ImGui::MenuItem(name.c_str())) context.ui().requests.open = path;
+    }
+    ImGui::EndMenu();
+}
+
+/// The layouts are rows of the table of commands as well, but here one sees which one is on.
+void drawLayouts(const PanelContext& context) {
+    if (!ImGui::BeginMenu("Layout")) return;
+    for (const ArrangementRow& row : arrangements()) {
+        const bool on = context.ui().arrangement == row.id;
+        const std::string command = "view.layout." + std::string(row.name);
+        if (ImGui::MenuItem(std::string(row.title).c_str(), nullptr, on)) context.run(command);
+    }
+    ImGui::EndMenu();
+}
+
+bool isLayout(const Command& command) {
+    return command.id.starts_with("view.layout.") && command.id != "view.layout.next";
+}
+
+void drawItem(const PanelContext& context, const Command& command) {
+    const std::string key = firstKey(command);
+    if (ImGui::MenuItem(std::string(command.title).c_str(), key.c_str())) {
+        command.run(context.commands);
+    }
+}
+
 /// One menu from all commands of a group.
 void drawGroup(const PanelContext& context, std::string_view group) {
     if (!ImGui::BeginMenu(std::string(group).c_str())) return;
     for (const Command& command : commands()) {
-        if (command.group != group) continue;
-        const std::string key = firstKey(command);
-        if (ImGui::MenuItem(std::string(command.title).c_str(), key.c_str())) {
-            command.run(context.commands);
-        }
+        if (command.group != group || isLayout(command)) continue;
+        drawItem(context, command);
+        if (command.id == "file.open") drawRecent(context);
+        if (command.id == "view.layout.next") drawLayouts(context);
     }
     ImGui::EndMenu();
 }

@@ -26,8 +26,7 @@ void drawLoading(const PanelContext& context) {
     Session& session = context.session();
     if (beginNotice(context, "##loading")) {
         const std::string& source = session.spec().source;
-        heading(context, "Opening",
-                source.empty() ? "first scene" : fitted(source, 16.0F * context.em));
+        heading(context, "Opening", fitted(source, 16.0F * context.em));
         ImGui::ProgressBar(static_cast<float>(session.loadShare()), {-1.0F, 0.0F});
         if (ImGui::Button("Cancel")) session.cancelOpening();
     }
@@ -46,11 +45,7 @@ void drawError(const PanelContext& context) {
         ImGui::Spacing();
         if (ImGui::Button("Open another...")) context.ui().fileBrowser = true;
         ImGui::SameLine();
-        if (ImGui::Button("First scene")) session.open({});
-        if (session.ready()) {
-            ImGui::SameLine();
-            if (ImGui::Button("Go on")) session.dismissError();
-        }
+        if (ImGui::Button(session.ready() ? "Go on" : "Start page")) session.dismissError();
     }
     ImGui::End();
 }

@@ -31,6 +31,8 @@ struct PanelContext {
 };
 
 void drawMenuBar(const PanelContext& context);
+/// Instead of everything else while nothing is open.
+void drawStartPage(const PanelContext& context);
 void drawTransport(const PanelContext& context);
 void drawView(const PanelContext& context);
 void drawNarration(const PanelContext& context);

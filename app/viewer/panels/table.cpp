@@ -166,13 +166,20 @@ void drawPanels(const PanelContext& context) {
         context.ui().navigation.steps.update(session.overview(), session.generation(),
                                              session.record(), session.cursor());
     }
-    drawColumns(context);
-    drawView(context);
-    drawNarration(context);
-    drawDrawer(context);
+    const bool startPage = context.session().startPage();
+    if (startPage) {
+        drawMenuBar(context);
+        drawStartPage(context);
+    } else {
+        drawColumns(context);
+        drawView(context);
+        drawNarration(context);
+        drawDrawer(context);
+    }
     context.session().hover(context.ui().pointedAt);
     context.session().hoverRing(context.ui().navigation.pointedRing);
-    if (!context.ui().cheatSheet && !context.ui().fileBrowser && !context.ui().palette.open)
+    if (!startPage && !context.ui().cheatSheet && !context.ui().fileBrowser &&
+        !context.ui().palette.open)
         drawBorders(context);
     drawNotices(context);
     drawFileBrowser(context);

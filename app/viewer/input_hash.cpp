@@ -1,0 +1,63 @@
+#include "input_hash.h"
+
+#include <array>
+#include <bit>
+#include <cstdio>
+#include <fstream>
+#include <vector>
+
+namespace se::view {
+
+namespace {
+
+void addNumber(InputHash& hash, double number) {
+    const auto bits = std::bit_cast<std::uint64_t>(number);
+    std::array<char, 8> bytes{};
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        bytes[i] = static_cast<char>(static_cast<unsigned char>(bits >> (8 * i)));
+    }
+    hash.add({bytes.data(), bytes.size()});
+}
+
+void addAll(InputHash& hash, const std::vector<Vec3>& vectors) {
+    for (const Vec3& v : vectors) {
+        for (int i = 0; i < 3; ++i) addNumber(hash, v[i]);
+    }
+}
+
+}  // namespace
+
+void InputHash::add(std::string_view bytes) {
+    constexpr std::uint64_t kPrime = 0x100000001b3U;
+    for (const char byte : bytes) {
+        state_ = (state_ ^ static_cast<unsigned char>(byte)) * kPrime;
+    }
+}
+
+std::string InputHash::text() const {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "fnv1a64:%016llx",
+                  static_cast<unsigned long long>(state_));
+    return text.data();
+}
+
+std::string hashOfFile(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return {};
+    InputHash hash;
+    std::vector<char> piece(1U << 20U);
+    while (file) {
+        file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+        hash.add({piece.data(), static_cast<std::size_t>(file.gcount())});
+    }
+    return file.bad() ? std::string{} : hash.text();
+}
+
+std::string hashOfPoints(const PointFile& points) {
+    InputHash hash;
+    addAll(hash, points.position);
+    addAll(hash, points.normal);
+    return hash.text();
+}
+
+}  // namespace se::view

@@ -1,0 +1,197 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "panel.h"
+#include "widgets.h"
+
+namespace se::view {
+
+namespace {
+
+constexpr float kLeastTile = 14.5F;  ///< Width in em.
+constexpr float kPicture = 7.4F;     ///< Height of the picture in a tile, in em.
+constexpr float kSide = 19.0F;       ///< Width of the column beside the tiles, in em.
+
+void drawPicture(const PanelContext& context, ImDrawList* list, const SceneTile& tile, ImVec2 low,
+                 ImVec2 high) {
+    const Palette& palette = context.palette;
+    const ImVec2 middle(0.5F * (low.x + high.x), 0.5F * (low.y + high.y));
+    const float scale = std::min(0.44F * (high.x - low.x) / std::max(0.01F, tile.reach.x),
+                                 0.42F * (high.y - low.y) / std::max(0.01F, tile.reach.y));
+    const float dot = std::max(1.0F, 0.08F * context.em);
+    for (const ThumbnailDot& each : tile.dots) {
+        if (each.facing <= 0.0F) continue;
+        const ImU32 color = toU32(mix(palette.done, palette.used, std::min(1.0F, each.facing)));
+        const ImVec2 at(middle.x + each.at.x * scale, middle.y - each.at.y * scale);
+        list->AddRectFilled({at.x - dot, at.y - dot}, {at.x + dot, at.y + dot}, color, dot);
+    }
+}
+
+/// The sentence of a scene on two lines; the tooltip has all of it.
+void drawSentence(const PanelContext& context, ImDrawList* list, const SceneTile& tile, ImVec2 at,
+                  float width) {
+    ImGui::PushFont(context.fonts.small);
+    std::vector<std::string> lines = wrapped(std::string(tile.watch), width);
+    if (lines.size() > 2) lines[1] = fitted(lines[1] + " " + lines[2] + " ...", width);
+    for (std::size_t i = 0; i < std::min<std::size_t>(2, lines.size()); ++i) {
+        list->AddText(at, toU32(context.palette.textDim), lines[i].c_str());
+        at.y += ImGui::GetTextLineHeight();
+    }
+    ImGui::PopFont();
+}
+
+void drawTile(const PanelContext& context, const SceneTile& tile, ImVec2 size) {
+    const float em = context.em;
+    const Palette& palette = context.palette;
+    const std::string id = "scene:" + std::string(tile.id);
+    if (ImGui::InvisibleButton(id.c_str(), size)) context.ui().requests.open = id;
+    tooltip(std::string(tile.title) + " (" + id + ")\n" + std::string(tile.watch));
+    if (!ImGui::IsItemVisible()) return;
+    const bool lit = ImGui::IsItemHovered() || ImGui::IsItemFocused();
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float picture = low.y + kPicture * em;
+    list->AddRectFilled(low, high, toU32(palette.panelRaised), 0.3F * em);
+    list->AddRectFilled(low, {high.x, picture}, toU32(palette.background), 0.3F * em,
+                        ImDrawFlags_RoundCornersTop);
+    drawPicture(context, list, tile, low, {high.x, picture});
+    list->AddRect(low, high, toU32(lit ? palette.accent : palette.border), 0.3F * em, 0,
+                  lit ? 0.12F * em : 1.0F);
+    const float room = size.x - 1.0F * em;
+    ImGui::PushFont(context.fonts.strong);
+    list->AddText({low.x + 0.5F * em, picture + 0.35F * em}, toU32(palette.text),
+                  fitted(std::string(tile.title), room).c_str());
+    ImGui::PopFont();
+    drawSentence(context, list, tile, {low.x + 0.5F * em, picture + 1.65F * em}, room);
+}
+
+void drawTiles(const PanelContext& context) {
+    const float em = context.em;
+    heading(context, "Scenes");
+    StartPage& page = context.ui().startPage;
+    page.prepare();
+    if (ImGui::BeginChild("##tiles", {0, 0}, false)) {
+        const float gap = 0.7F * em;
+        const float width = ImGui::GetContentRegionAvail().x;
+        const int columns = std::max(1, static_cast<int>((width + gap) / (kLeastTile * em + gap)));
+        const float share = (width + gap) / static_cast<float>(columns) - gap;
+        const ImVec2 size(std::floor(share), std::round((kPicture + 4.1F) * em));
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
+        int column = 0;
+        for (const SceneTile& tile : page.tiles) {
+            if (column++ % columns != 0) ImGui::SameLine();
+            drawTile(context, tile, size);
+        }
+        ImGui::PopStyleVar();
+    }
+    ImGui::EndChild();
+}
+
+void drawDropHint(const PanelContext& context) {
+    const float em = context.em;
+    const ImVec2 size(ImGui::GetContentRegionAvail().x, 5.4F * em);
+    if (ImGui::InvisibleButton("##drop", size)) context.run("file.open");
+    const bool lit = ImGui::IsItemHovered() || ImGui::IsItemFocused();
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const ImU32 color = toU32(lit ? context.palette.accent : context.palette.border);
+    list->AddRect(low, high, color, 0.4F * em, 0, std::max(1.0F, 0.1F * em));
+    const std::string keys = firstKey(*findCommand("file.open"));
+    const std::string note = "or click to choose one (" + keys + ")";
+    const auto middle = [&](const std::string& text, float y, const Color& ink) {
+        const float width = ImGui::CalcTextSize(text.c_str()).x;
+        list->AddText({0.5F * (low.x + high.x - width), low.y + y}, toU32(ink), text.c_str());
+    };
+    ImGui::PushFont(context.fonts.strong);
+    middle("Drop a file here", 0.8F * em, context.palette.text);
+    ImGui::PopFont();
+    middle(note, 2.1F * em, context.palette.textDim);
+    ImGui::PushFont(context.fonts.small);
+    middle("PLY, XYZ, OBJ, OFF with normals; .sesession", 3.6F * em, context.palette.textDim);
+    ImGui::PopFont();
+}
+
+void drawRecent(const PanelContext& context) {
+    heading(context, "Recent files");
+    const std::vector<std::string>& recent = context.ui().recent;
+    if (recent.empty()) ImGui::TextDisabled("Files that you open are listed here.");
+    const float width = ImGui::GetContentRegionAvail().x;
+    std::string chosen;
+    for (const std::string& path : recent) {
+        const std::string name = std::filesystem::path(path).filename().string();
+        const std::string label = fitted(name, width) + "##" + path;
+        if (ImGui::Selectable(label.c_str())) chosen = path;
+        tooltip(path);
+    }
+    if (!chosen.empty()) context.ui().requests.open = chosen;
+    ImGui::Spacing();
+}
+
+void drawKeys(const PanelContext& context) {
+    heading(context, "Three keys");
+    for (const char* id : {"step.event.next", "step.pivot.next", "help.keys"}) {
+        const Command& command = *findCommand(id);
+        ImGui::PushFont(context.fonts.mono);
+        ImGui::TextUnformatted(firstKey(command).c_str());
+        ImGui::PopFont();
+        ImGui::SameLine(5.0F * context.em);
+        ImGui::TextUnformatted(std::string(command.title).c_str());
+    }
+    ImGui::Spacing();
+}
+
+void drawMessage(const PanelContext& context) {
+    const std::string& message = context.session().message();
+    if (message.empty()) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
+    ImGui::TextWrapped("! %s", message.c_str());
+    ImGui::PopStyleColor();
+    ImGui::Spacing();
+}
+
+void drawSide(const PanelContext& context) {
+    if (ImGui::BeginChild("##startSide", {0, 0}, false)) {
+        drawMessage(context);
+        drawDropHint(context);
+        ImGui::Spacing();
+        drawKeys(context);
+        drawRecent(context);
+    }
+    ImGui::EndChild();
+}
+
+}  // namespace
+
+void drawStartPage(const PanelContext& context) {
+    const float em = context.em;
+    const glm::vec2 screen(context.layout.status.size.x, context.layout.status.max().y);
+    const float top = std::max(context.layout.menu.max().y, ImGui::GetFrameHeight());
+    const Rect area{{0.0F, top}, {screen.x, screen.y - top}};
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {1.2F * em, 0.9F * em});
+    const bool open = beginRegion("##start", area);
+    ImGui::PopStyleVar();
+    if (open) {
+        ImGui::PushFont(context.fonts.large);
+        ImGui::TextUnformatted("Watch the Spiraling Edge triangulate points, decision by decision");
+        ImGui::PopFont();
+        ImGui::Spacing();
+        const float side = std::min(kSide * em, 0.4F * area.size.x);
+        ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.6F * em, 0.0F});
+        if (ImGui::BeginTable("##page", 2, 0, ImGui::GetContentRegionAvail())) {
+            ImGui::TableSetupColumn("side", ImGuiTableColumnFlags_WidthFixed, side);
+            ImGui::TableSetupColumn("tiles", ImGuiTableColumnFlags_WidthStretch);
+            ImGui::TableNextColumn();
+            drawSide(context);
+            ImGui::TableNextColumn();
+            drawTiles(context);
+            ImGui::EndTable();
+        }
+        ImGui::PopStyleVar();
+    }
+    ImGui::End();
+}
+
+}  // namespace se::view

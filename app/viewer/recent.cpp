@@ -1,0 +1,75 @@
+#include "recent.h"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "settings.h"
+#include "spiraling_edge/io.h"
+
+namespace se::view {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+}  // namespace
+
+void remember(KeptState& state, const std::string& path) {
+    if (path.empty() || path.starts_with("scene:")) return;
+    std::error_code error;
+    const fs::path whole = fs::absolute(path, error).lexically_normal();
+    std::vector<std::string>& list = state.recent;
+    std::erase(list, whole.string());
+    list.insert(list.begin(), whole.string());
+    if (list.size() > kMostRecent) list.resize(kMostRecent);
+}
+
+fs::path statePath() {
+    const fs::path folder = xdgFolder("XDG_STATE_HOME", ".local/state");
+    return folder.empty() ? folder : folder / "spiraling-edge" / "state.json";
+}
+
+KeptState keptStateFromJson(std::string_view text) {
+    KeptState state;
+    const json object = json::parse(text, nullptr, false);
+    if (!object.is_object()) return state;
+    if (const auto layout = object.find("layout"); layout != object.end() && layout->is_string()) {
+        state.layout = arrangementFromName(layout->get<std::string>()).value_or(state.layout);
+    }
+    const auto recent = object.find("recent");
+    if (recent == object.end() || !recent->is_array()) return state;
+    for (const json& each : *recent) {
+        if (each.is_string() && state.recent.size() < kMostRecent) {
+            state.recent.push_back(each.get<std::string>());
+        }
+    }
+    return state;
+}
+
+std::string keptStateToJson(const KeptState& state) {
+    const json object = {{"version", 1},
+                         {"layout", std::string(rowOf(state.layout).name)},
+                         {"recent", state.recent}};
+    return object.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+KeptState readKeptState(const fs::path& path) {
+    std::ifstream file(path);
+    if (path.empty() || !file) return {};
+    std::ostringstream text;
+    text << file.rdbuf();
+    return keptStateFromJson(text.str());
+}
+
+Status writeKeptState(const fs::path& path, const KeptState& state) {
+    if (path.empty()) return success();
+    std::error_code error;
+    fs::create_directories(path.parent_path(), error);
+    if (error) return Error{"Cannot make the folder " + path.parent_path().string() + "."};
+    return writeFileAtomically(path, keptStateToJson(state));
+}
+
+}  // namespace se::view

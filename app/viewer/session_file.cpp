@@ -1,0 +1,290 @@
+#include "session_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "spiraling_edge/io.h"
+
+namespace se::view {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr int kVersion = 1;
+constexpr std::string_view kFormat = "spiraling-edge session";
+constexpr std::string_view kScene = "scene:";
+constexpr const char* kLayerModes = "\"auto\", \"on\" or \"off\"";
+
+/// What is wrong with a part of the file; nothing if all is well.
+using Complaint = std::optional<std::string>;
+
+Complaint expected(const std::string& field, const std::string& what) {
+    return "\"" + field + "\": expected " + what;
+}
+
+const json* find(const json& object, const char* name) {
+    const auto found = object.find(name);
+    return found == object.end() ? nullptr : &*found;
+}
+
+Complaint readHeader(const json& object) {
+    const json* format = find(object, "format");
+    if (format == nullptr || *format != kFormat) {
+        return expected("format", "\"" + std::string(kFormat) + "\"; this is another kind of file");
+    }
+    const json* version = find(object, "version");
+    if (version == nullptr || !version->is_number_integer()) {
+        return expected("version", "a whole number");
+    }
+    if (*version > kVersion) {
+        return expected("version", "at most " + std::to_string(kVersion) +
+                                       "; a newer program has written it: use that one");
+    }
+    return std::nullopt;
+}
+
+Complaint readInput(const json& object, const fs::path& folder, SessionFile& out) {
+    const json* input = find(object, "input");
+    const json* source = input != nullptr && input->is_object() ? find(*input, "source") : nullptr;
+    if (source == nullptr || !source->is_string() || source->get<std::string>().empty()) {
+        return expected("input",
+                        "an object with \"source\": a path relative to the session file, "
+                        "or scene:ID");
+    }
+    out.input.source = source->get<std::string>();
+    if (!out.input.source.starts_with(kScene)) {
+        out.input.source = (folder / out.input.source).lexically_normal().string();
+    }
+    if (const json* hash = find(*input, "hash"); hash != nullptr) {
+        if (!hash->is_string()) return expected("input.hash", "a text");
+        out.inputHash = hash->get<std::string>();
+    }
+    return std::nullopt;
+}
+
+Complaint readReach(const json& options, NeighborOptions& out) {
+    if (const json* count = find(options, "neighbors"); count != nullptr) {
+        if (!count->is_number_integer() || *count < 1 || *count > 1000) {
+            return expected("options.neighbors", "a whole number from 1 to 1000");
+        }
+        out = {KNearest{count->get<std::size_t>()}, true, 0, true};
+    }
+    if (const json* radius = find(options, "radius"); radius != nullptr) {
+        if (!radius->is_number() || !(radius->get<double>() > 0.0)) {
+            return expected("options.radius", "a number above 0");
+        }
+        out = {WithinRadius{radius->get<double>()}, true, 0, true};
+    }
+    return std::nullopt;
+}
+
+Complaint readOptions(const json& object, InputSpec& out) {
+    const json* options = find(object, "options");
+    if (options == nullptr) return std::nullopt;
+    if (!options->is_object()) return expected("options", "an object");
+    if (const json* rules = find(*options, "rules"); rules != nullptr) {
+        if (!rules->is_string() || !paramsByName(rules->get<std::string>())) {
+            return expected("options.rules", "the name of a set of rules, such as \"paper\"");
+        }
+        out.rules = rules->get<std::string>();
+    }
+    if (const json* choices = find(*options, "switches"); choices != nullptr) {
+        if (!choices->is_object()) return expected("options.switches", "an object of true, false");
+        for (const auto& [name, on] : choices->items()) {
+            Rules unused;
+            if (!on.is_boolean()) return expected("options.switches." + name, "true or false");
+            out.choices.push_back({name, on.get<bool>()});
+            if (const Status known = applyChoices({out.choices.back()}, unused); !known) {
+                return "\"options.switches\": " + known.error().message;
+            }
+        }
+    }
+    return readReach(*options, out.neighbors);
+}
+
+Complaint readPlace(const json& object, SessionFile& out) {
+    const json* address = find(object, "address");
+    json place{{"address", address != nullptr ? *address : json("0")}};
+    if (const json* camera = find(object, "camera"); camera != nullptr) place["camera"] = *camera;
+    const Result<Place> read = placeFromText(place.dump());
+    if (read) {
+        out.place = read.value();
+        return std::nullopt;
+    }
+    const bool bad = address != nullptr &&
+                     (!address->is_string() || !addressFromString(address->get<std::string>()));
+    if (bad) return expected("address", "an address such as \"137.sphere.3\"");
+    return expected("camera", "target, distance, yaw and pitch as Ctrl+C copies them");
+}
+
+Complaint readLooks(const json& object, SessionFile& out) {
+    if (const json* on = find(object, "layers"); on != nullptr) {
+        if (!on->is_object()) return expected("layers", "an object");
+        LayerModes modes{};
+        for (const Layer& layer : layers()) {
+            const json* value = find(*on, std::string(layer.name).c_str());
+            if (value == nullptr) continue;
+            const auto mode = value->is_string() ? layerModeFromName(value->get<std::string>())
+                                                 : std::optional<LayerMode>();
+            if (!mode) return expected("layers." + std::string(layer.name), kLayerModes);
+            modeOf(modes, layer.id) = *mode;
+        }
+        out.layers = modes;
+    }
+    if (const json* layout = find(object, "layout"); layout != nullptr) {
+        if (layout->is_string()) out.layout = arrangementFromName(layout->get<std::string>());
+        if (!out.layout) return expected("layout", "\"debug\", \"learn\" or \"present\"");
+    }
+    if (const json* selected = find(object, "selected"); selected != nullptr) {
+        if (!selected->is_number_unsigned() || *selected >= kNone) {
+            return expected("selected", "the index of a point");
+        }
+        out.selected = selected->get<Index>();
+    }
+    return std::nullopt;
+}
+
+Complaint readNotes(const json& object, SessionFile& out) {
+    if (const json* notes = find(object, "notes"); notes != nullptr) {
+        if (!notes->is_string()) return expected("notes", "a text");
+        out.notes = notes->get<std::string>();
+    }
+    const json* list = find(object, "bookmarks");
+    if (list == nullptr) return std::nullopt;
+    if (!list->is_array()) return expected("bookmarks", "a list");
+    for (const json& each : *list) {
+        const json* text = each.is_object() ? find(each, "address") : nullptr;
+        const auto address = text != nullptr && text->is_string()
+                                 ? addressFromString(text->get<std::string>())
+                                 : std::nullopt;
+        const json* note = each.is_object() ? find(each, "note") : nullptr;
+        if (!address || (note != nullptr && !note->is_string())) {
+            return expected("bookmarks", "objects with \"address\" and, at will, \"note\": texts");
+        }
+        insertBookmark(out.bookmarks,
+                       {*address, note != nullptr ? note->get<std::string>() : std::string{}});
+    }
+    return std::nullopt;
+}
+
+Complaint readAll(const json& object, const fs::path& folder, SessionFile& out) {
+    if (!object.is_object()) return "expected a JSON object, as Ctrl+S writes it";
+    if (Complaint c = readHeader(object)) return c;
+    if (Complaint c = readInput(object, folder, out)) return c;
+    if (Complaint c = readOptions(object, out.input)) return c;
+    if (Complaint c = readPlace(object, out)) return c;
+    if (Complaint c = readLooks(object, out)) return c;
+    return readNotes(object, out);
+}
+
+/// An object at `name`, with what was there before.
+json& objectAt(json& object, const char* name) {
+    json& part = object[name];
+    if (!part.is_object()) part = json::object();
+    return part;
+}
+
+std::string relativeSource(const std::string& source, const fs::path& folder) {
+    if (source.starts_with(kScene)) return source;
+    std::error_code error;
+    const fs::path file = fs::absolute(source, error);
+    const fs::path from = fs::absolute(folder.empty() ? fs::path(".") : folder, error);
+    const fs::path way = file.lexically_normal().lexically_relative(from.lexically_normal());
+    return way.empty() ? file.generic_string() : way.generic_string();
+}
+
+json optionsToJson(const InputSpec& input, json options) {
+    options["rules"] = input.rules;
+    options.erase("switches");
+    options.erase("neighbors");
+    options.erase("radius");
+    for (const RuleChoice& choice : input.choices) options["switches"][choice.name] = choice.on;
+    if (!input.neighbors.recompute) return options;
+    if (const auto* nearest = std::get_if<KNearest>(&input.neighbors.reach)) {
+        options["neighbors"] = nearest->k;
+    } else {
+        options["radius"] = std::get<WithinRadius>(input.neighbors.reach).radius;
+    }
+    return options;
+}
+
+}  // namespace
+
+bool looksLikeSession(const fs::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (extension == kSessionExtension) return true;
+    std::error_code error;
+    if (!fs::is_regular_file(path, error)) return false;
+    std::ifstream file(path, std::ios::binary);
+    char first = 0;
+    return (file >> first) && first == '{';
+}
+
+Result<SessionFile> sessionFromJson(std::string_view text, const std::string& name,
+                                    const fs::path& folder) {
+    json object;
+    try {
+        object = json::parse(text);
+    } catch (const json::parse_error& error) {
+        return Error{name + ": byte " + std::to_string(error.byte) +
+                     ": expected JSON, as Ctrl+S writes it."};
+    }
+    SessionFile session;
+    session.original = text;
+    if (const Complaint complaint = readAll(object, folder, session)) {
+        return Error{name + ": " + *complaint + "."};
+    }
+    return session;
+}
+
+std::string sessionToJson(const SessionFile& session, const fs::path& folder) {
+    json object = json::parse(session.original, nullptr, false);
+    if (!object.is_object()) object = json::object();
+    object["format"] = kFormat;
+    object["version"] = kVersion;
+    json& input = objectAt(object, "input");
+    input["source"] = relativeSource(session.input.source, folder);
+    input["hash"] = session.inputHash;
+    if (session.inputHash.empty()) input.erase("hash");
+    object["options"] = optionsToJson(session.input, objectAt(object, "options"));
+    object.erase("camera");
+    object.update(json::parse(toText(session.place)));
+    if (session.place.address.empty()) object["address"] = "0";
+    if (session.layers) {
+        json& on = objectAt(object, "layers");
+        for (const Layer& layer : layers()) {
+            on[std::string(layer.name)] =
+                layerModeName((*session.layers)[static_cast<std::size_t>(layer.id)]);
+        }
+    }
+    if (session.layout) object["layout"] = rowOf(*session.layout).name;
+    object.erase("selected");
+    if (session.selected != kNone) object["selected"] = session.selected;
+    object["bookmarks"] = json::array();
+    for (const Bookmark& each : session.bookmarks) {
+        object["bookmarks"].push_back({{"address", toString(each.address)}, {"note", each.note}});
+    }
+    object["notes"] = session.notes;
+    return object.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+Result<SessionFile> readSessionFile(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    if (file) text << file.rdbuf();
+    if (!file || file.bad()) return Error{path.string() + ": cannot be read."};
+    return sessionFromJson(text.str(), path.string(), path.parent_path());
+}
+
+Status writeSessionFile(const fs::path& path, const SessionFile& session) {
+    return writeFileAtomically(path, sessionToJson(session, path.parent_path()));
+}
+
+}  // namespace se::view

@@ -1,0 +1,48 @@
+/// The session file: what is open, how, where one stands and what one noted, as JSON
+/// (docs/file-formats.md).
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "arrangement.h"
+#include "bookmarks.h"
+#include "layers/layer.h"
+#include "model.h"
+#include "place.h"
+#include "spiraling_edge/result.h"
+
+namespace se::view {
+
+inline constexpr std::string_view kSessionExtension = ".sesession";
+
+struct SessionFile {
+    InputSpec input;        ///< The source is a path from where the program runs, or `scene:ID`.
+    std::string inputHash;  ///< Of the input when it was saved; empty if not known.
+    Place place;
+    std::optional<LayerModes> layers;
+    std::optional<Arrangement> layout;
+    Index selected = kNone;
+    Bookmarks bookmarks;
+    std::string notes;
+    /// What it was read from: fields that we do not know are written back. Empty for a new one.
+    std::string original;
+};
+
+/// By extension, else by the first sign of the content: no point file begins with a brace.
+bool looksLikeSession(const std::filesystem::path& path);
+
+/// Reads a session that lies in `folder`; `name` is what errors call it. Errors say what was
+/// expected; nothing is guessed.
+Result<SessionFile> sessionFromJson(std::string_view text, const std::string& name,
+                                    const std::filesystem::path& folder);
+/// With the path of the input relative to `folder`.
+std::string sessionToJson(const SessionFile& session, const std::filesystem::path& folder);
+
+Result<SessionFile> readSessionFile(const std::filesystem::path& path);
+/// Old or new, never half written.
+Status writeSessionFile(const std::filesystem::path& path, const SessionFile& session);
+
+}  // namespace se::view

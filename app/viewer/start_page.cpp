@@ -1,0 +1,82 @@
+#include "start_page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <utility>
+
+namespace se::view {
+
+namespace {
+
+constexpr std::size_t kDots = 1500;
+
+struct Seen {
+    ThumbnailDot dot;
+    double depth = 0.0;
+};
+
+/// The three directions of a view from beside and above.
+struct Frame {
+    Vec3 right;
+    Vec3 up;
+    Vec3 toViewer;
+};
+
+Frame viewFrame() {
+    const double yaw = glm::radians(-60.0);
+    const double pitch = glm::radians(42.0);
+    const Vec3 toViewer(std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw),
+                        std::sin(pitch));
+    const Vec3 right = glm::normalize(glm::cross(Vec3(0, 0, 1), toViewer));
+    return {right, glm::cross(toViewer, right), toViewer};
+}
+
+}  // namespace
+
+std::vector<ThumbnailDot> thumbnail(const PointFile& points, std::size_t most) {
+    const Frame frame = viewFrame();
+    const std::size_t count = points.position.size();
+    if (count == 0 || most == 0) return {};
+    const std::size_t stride = (count + most - 1) / most;
+    std::vector<Seen> seen;
+    glm::dvec2 low(INFINITY);
+    glm::dvec2 high(-INFINITY);
+    for (std::size_t p = 0; p < count; p += stride) {
+        const Vec3& at = points.position[p];
+        const glm::dvec2 flat(glm::dot(at, frame.right), glm::dot(at, frame.up));
+        if (!std::isfinite(flat.x + flat.y)) continue;
+        low = glm::min(low, flat);
+        high = glm::max(high, flat);
+        const double facing = points.hasNormals() ? glm::dot(points.normal[p], frame.toViewer) : 1;
+        seen.push_back(
+            {{glm::vec2(flat), static_cast<float>(facing)}, glm::dot(at, frame.toViewer)});
+    }
+    std::stable_sort(seen.begin(), seen.end(),
+                     [](const Seen& a, const Seen& b) { return a.depth < b.depth; });
+    const glm::vec2 middle(0.5 * (low + high));
+    const double half = 0.5 * std::max(high.x - low.x, high.y - low.y);
+    const float scale = half > 0.0 ? static_cast<float>(1.0 / half) : 1.0F;
+    std::vector<ThumbnailDot> dots;
+    dots.reserve(seen.size());
+    for (const Seen& each : seen) {
+        dots.push_back({(each.dot.at - middle) * scale, each.dot.facing});
+    }
+    return dots;
+}
+
+void StartPage::prepare() {
+    if (!tiles.empty()) return;
+    for (const Scene& scene : scenes()) {
+        SceneTile tile{scene.id, scene.title, scene.watch, thumbnail(scene.build(), kDots), {}};
+        tile.reach = glm::vec2(0.0F);
+        for (const ThumbnailDot& dot : tile.dots) {
+            tile.reach = glm::max(tile.reach, glm::abs(dot.at));
+        }
+        tiles.push_back(std::move(tile));
+    }
+}
+
+}  // namespace se::view

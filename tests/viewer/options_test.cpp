@@ -1,0 +1,99 @@
+#include "options.h"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <vector>
+
+using namespace se;
+using namespace se::view;
+
+namespace {
+
+ParsedOptions parse(std::vector<const char*> arguments) {
+    arguments.insert(arguments.begin(), "spiraling-edge-viewer");
+    return parseOptions(static_cast<int>(arguments.size()), arguments.data());
+}
+
+/// A session file about a scene, gone after the test.
+struct KeptSession {
+    std::filesystem::path path =
+        std::filesystem::temp_directory_path() / "spiraling-edge-options-test.sesession";
+    KeptSession() {
+        SessionFile s;
+        s.input = {"scene:torus", {KNearest{16}, true, 0, true}, "printed", {{"fill", true}}};
+        s.place.address = "12.sort.2";
+        s.layout = Arrangement::Learn;
+        REQUIRE(writeSessionFile(path, s).ok());
+    }
+    ~KeptSession() { std::filesystem::remove(path); }
+};
+
+}  // namespace
+
+TEST_CASE("Without a file there is a start page, and nothing to go to") {
+    const ParsedOptions none = parse({});
+    REQUIRE(none.options.has_value());
+    CHECK(none.options->input.source.empty());
+    CHECK(parse({"--goto", "12"}).exitCode == kExitUsage);
+    CHECK_FALSE(parse({"--goto", "12"}).options.has_value());
+}
+
+TEST_CASE("Rules, layout and place are read; what they cannot be is wrong usage") {
+    const ParsedOptions parsed =
+        parse({"scene:torus", "--rules", "printed", "--rule", "fill=on", "--rule", "closetwo=off",
+               "--layout", "present", "--place",
+               R"({"address": "12.sort.2", "camera": {"target": [0, 0, 0], "distance": 2,
+                  "yaw": 1, "pitch": 2, "orthographic": false}})"});
+    REQUIRE(parsed.options.has_value());
+    const Options& o = *parsed.options;
+    CHECK(o.input.rules == "printed");
+    REQUIRE(o.input.choices.size() == 2);
+    CHECK(o.input.choices[1] == RuleChoice{"closetwo", false});
+    CHECK(o.layout == Arrangement::Present);
+    CHECK(o.goTo == "12.sort.2");
+    REQUIRE(o.camera.has_value());
+    CHECK(o.camera->distance == 2.0F);
+    for (const std::vector<const char*>& bad :
+         std::vector<std::vector<const char*>>{{"scene:torus", "--rule", "nosuch=on"},
+                                               {"scene:torus", "--rule", "fill"},
+                                               {"scene:torus", "--layout", "compare"},
+                                               {"scene:torus", "--place", "nowhere"}}) {
+        CAPTURE(bad.back());
+        CHECK(parse(bad).exitCode == kExitUsage);
+    }
+}
+
+TEST_CASE("Neighbors asked for are computed, whatever lists the file has") {
+    const ParsedOptions parsed = parse({"scene:torus", "--neighbors", "16"});
+    REQUIRE(parsed.options.has_value());
+    CHECK(parsed.options->input.neighbors.recompute);
+    CHECK(parsed.options->input.neighbors.threads == 0);
+}
+
+TEST_CASE("The command line comes before the session, the session before the defaults") {
+    const KeptSession kept;
+    Options plain = *parse({kept.path.c_str()}).options;
+    REQUIRE(adoptSession(plain).ok());
+    REQUIRE(plain.session.has_value());
+    CHECK(plain.input.source == "scene:torus");
+    CHECK(plain.input.rules == "printed");
+    CHECK(plain.input.choices == std::vector<RuleChoice>{{"fill", true}});
+    CHECK(std::get<KNearest>(plain.input.neighbors.reach).k == 16);
+    Options given =
+        *parse({kept.path.c_str(), "--rules", "paper", "--rule", "gap=on", "--neighbors", "9"})
+             .options;
+    REQUIRE(adoptSession(given).ok());
+    CHECK(given.input.rules == "paper");
+    CHECK(given.input.choices == std::vector<RuleChoice>{{"gap", true}});
+    CHECK(std::get<KNearest>(given.input.neighbors.reach).k == 9);
+}
+
+TEST_CASE("A session that cannot be read is an error; other files are left alone") {
+    Options missing = *parse({"/nowhere/a.sesession"}).options;
+    CHECK_FALSE(adoptSession(missing).ok());
+    Options points = *parse({"/nowhere/a.ply"}).options;
+    CHECK(adoptSession(points).ok());
+    CHECK(points.input.source == "/nowhere/a.ply");
+    CHECK_FALSE(points.session.has_value());
+}

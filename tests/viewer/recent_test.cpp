@@ -1,0 +1,52 @@
+#include "recent.h"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+
+using namespace se::view;
+
+TEST_CASE("The latest file stands first and once, and the oldest ones are forgotten") {
+    KeptState state;
+    for (int i = 0; i < 14; ++i) remember(state, "/data/" + std::to_string(i) + ".ply");
+    remember(state, "/data/9.ply");
+    remember(state, "/data/sub/../9.ply");
+    REQUIRE(state.recent.size() == kMostRecent);
+    CHECK(state.recent[0] == "/data/9.ply");
+    CHECK(state.recent[1] == "/data/13.ply");
+    CHECK(state.recent.back() == "/data/4.ply");
+}
+
+TEST_CASE("Scenes and nothing are no recent files; relative paths become absolute") {
+    KeptState state;
+    remember(state, "scene:torus");
+    remember(state, "");
+    CHECK(state.recent.empty());
+    remember(state, "here.ply");
+    REQUIRE(state.recent.size() == 1);
+    CHECK(std::filesystem::path(state.recent[0]).is_absolute());
+}
+
+TEST_CASE("Layout and recent files are read as they were written") {
+    KeptState state{Arrangement::Present, {"/a.ply", "/b \"c\".sesession"}};
+    CHECK(keptStateFromJson(keptStateToJson(state)) == state);
+    for (const char* bad : {"", "[]", "{", R"({"layout": 3, "recent": [1, {}]})"}) {
+        CAPTURE(bad);
+        CHECK(keptStateFromJson(bad) == KeptState{});
+    }
+}
+
+TEST_CASE("The state lies where XDG says, and is made with its folder") {
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / "spiraling-edge-state-test";
+    std::filesystem::remove_all(folder);
+    setenv("XDG_STATE_HOME", folder.c_str(), 1);
+    CHECK(statePath() == folder / "spiraling-edge" / "state.json");
+    CHECK(readKeptState(statePath()) == KeptState{});
+    const KeptState state{Arrangement::Learn, {"/a.ply"}};
+    REQUIRE(writeKeptState(statePath(), state).ok());
+    CHECK(readKeptState(statePath()) == state);
+    CHECK(writeKeptState({}, state).ok());
+    std::filesystem::remove_all(folder);
+    unsetenv("XDG_STATE_HOME");
+}

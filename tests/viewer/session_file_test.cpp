@@ -1,0 +1,206 @@
+#include "session_file.h"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "input_hash.h"
+
+using namespace se;
+using namespace se::view;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder that is gone after the test.
+struct Folder {
+    fs::path path = fs::temp_directory_path() / "spiraling-edge-session-test";
+    Folder() {
+        fs::remove_all(path);
+        fs::create_directories(path);
+    }
+    ~Folder() { fs::remove_all(path); }
+};
+
+void put(const fs::path& path, std::string_view text) {
+    std::ofstream file(path, std::ios::binary);
+    file << text;
+}
+
+SessionFile fullSession() {
+    SessionFile s;
+    s.input.source = "/data/scans/kitten.xyz";
+    s.input.rules = "robust";
+    s.input.choices = {{"closetwo", false}, {"fill", true}};
+    s.input.neighbors = {KNearest{16}, true, 0, true};
+    s.inputHash = "fnv1a64:0123456789abcdef";
+    s.place.address = "137.sphere.3";
+    s.place.camera = CameraPose{{0.1F, 0.2F, 0.3F}, 2.5F, 30.0F, -10.0F, true};
+    s.layers = LayerModes{};
+    modeOf(*s.layers, LayerId::Labels) = LayerMode::PinnedOff;
+    modeOf(*s.layers, LayerId::Normals) = LayerMode::PinnedOn;
+    s.layout = Arrangement::Learn;
+    s.selected = 812;
+    insertBookmark(s.bookmarks, {*addressFromString("12.sort.2"), "the first \"odd\" one"});
+    insertBookmark(s.bookmarks, {*addressFromString("40.sphere.1"), ""});
+    s.notes = "Two lines,\nwith \xC3\xA4 sign.";
+    return s;
+}
+
+std::string minimal(const std::string& more) {
+    return R"({"format": "spiraling-edge session", "version": 1, "input": {"source": "scene:torus"})" +
+           more + "}";
+}
+
+std::string complaintOf(const std::string& text) {
+    const auto read = sessionFromJson(text, "a.sesession", "");
+    return read.ok() ? "" : read.error().message;
+}
+
+}  // namespace
+
+TEST_CASE("A session file is read as it was written, the path relative to the file") {
+    const SessionFile s = fullSession();
+    const std::string text = sessionToJson(s, "/data/sessions");
+    CHECK(text.find("\"../scans/kitten.xyz\"") != std::string::npos);
+    const auto read = sessionFromJson(text, "a.sesession", "/data/sessions");
+    REQUIRE(read.ok());
+    const SessionFile& r = read.value();
+    CHECK(r.input.source == s.input.source);
+    CHECK(r.input.rules == s.input.rules);
+    CHECK(r.input.choices == s.input.choices);
+    CHECK(r.input.neighbors.recompute);
+    CHECK(std::get<KNearest>(r.input.neighbors.reach).k == 16);
+    CHECK(r.inputHash == s.inputHash);
+    CHECK(r.place.address == s.place.address);
+    CHECK(r.place.camera == s.place.camera);
+    CHECK(r.layers == s.layers);
+    CHECK(r.layout == s.layout);
+    CHECK(r.selected == s.selected);
+    CHECK(r.bookmarks == s.bookmarks);
+    CHECK(r.notes == s.notes);
+    CHECK(sessionToJson(r, "/data/sessions") == text);
+}
+
+TEST_CASE("A session and its input can be moved together") {
+    const std::string text = sessionToJson(fullSession(), "/data/sessions");
+    const auto read = sessionFromJson(text, "a.sesession", "/mnt/stick/sessions");
+    REQUIRE(read.ok());
+    CHECK(read.value().input.source == "/mnt/stick/scans/kitten.xyz");
+}
+
+TEST_CASE("Unknown fields are kept, wherever they stand") {
+    const std::string text = minimal(
+        R"(, "future": [1, 2], "layers": {"points": "on", "hologram": "on"},
+            "options": {"rules": "paper", "speed": 3})");
+    const auto read = sessionFromJson(text, "a.sesession", "");
+    REQUIRE(read.ok());
+    SessionFile changed = read.value();
+    changed.notes = "new";
+    const std::string written = sessionToJson(changed, "");
+    for (const char* kept : {"\"future\"", "\"hologram\": \"on\"", "\"speed\": 3", "\"new\""}) {
+        CAPTURE(kept);
+        CHECK(written.find(kept) != std::string::npos);
+    }
+}
+
+TEST_CASE("What is not said is left open: three fields are enough") {
+    const auto read = sessionFromJson(minimal(""), "a.sesession", "");
+    REQUIRE(read.ok());
+    CHECK(read.value().input.source == "scene:torus");
+    CHECK(read.value().input.rules == "paper");
+    CHECK_FALSE(read.value().input.neighbors.recompute);
+    CHECK_FALSE(read.value().layers.has_value());
+    CHECK_FALSE(read.value().layout.has_value());
+    CHECK(read.value().selected == kNone);
+    CHECK(read.value().bookmarks.empty());
+}
+
+TEST_CASE("A bad session file is refused with its name and what was expected") {
+    struct Bad {
+        std::string text;
+        const char* says;
+    };
+    const Bad all[] = {
+        {"", "byte"},
+        {"{", "byte"},
+        {"[]", "JSON object"},
+        {R"({"version": 1})", "\"format\""},
+        {R"({"format": "spiraling-edge session"})", "\"version\""},
+        {R"({"format": "spiraling-edge session", "version": 2})", "at most 1"},
+        {R"({"format": "spiraling-edge session", "version": 1, "input": 3})", "\"input\""},
+        {minimal(R"(, "options": [])"), "\"options\""},
+        {minimal(R"(, "options": {"rules": "best"})"), "options.rules"},
+        {minimal(R"(, "options": {"switches": {"nosuch": true}})"), "nosuch"},
+        {minimal(R"(, "options": {"switches": {"fill": "yes"}})"), "options.switches.fill"},
+        {minimal(R"(, "options": {"neighbors": 0})"), "1 to 1000"},
+        {minimal(R"(, "options": {"neighbors": 2.5})"), "1 to 1000"},
+        {minimal(R"(, "options": {"radius": -1})"), "above 0"},
+        {minimal(R"(, "address": "137.nowhere.3")"), "\"address\""},
+        {minimal(R"(, "address": 137)"), "\"address\""},
+        {minimal(R"(, "camera": {"distance": 1})"), "\"camera\""},
+        {minimal(R"(, "layers": {"points": 1})"), "layers.points"},
+        {minimal(R"(, "layout": "compare")"), "\"layout\""},
+        {minimal(R"(, "selected": -4)"), "\"selected\""},
+        {minimal(R"(, "bookmarks": {})"), "\"bookmarks\""},
+        {minimal(R"(, "bookmarks": [{"note": "x"}])"), "\"bookmarks\""},
+        {minimal(R"(, "notes": 1)"), "\"notes\""},
+    };
+    for (const Bad& bad : all) {
+        CAPTURE(bad.text);
+        const std::string complaint = complaintOf(bad.text);
+        CHECK(complaint.starts_with("a.sesession: "));
+        CHECK(complaint.find(bad.says) != std::string::npos);
+    }
+}
+
+TEST_CASE("Session files are told from point files by extension or by their first sign") {
+    const Folder folder;
+    put(folder.path / "a.json", "  \n{\"format\": 1}");
+    put(folder.path / "a.xyz", "0 0 0 0 0 1\n");
+    CHECK(looksLikeSession(folder.path / "missing.sesession"));
+    CHECK(looksLikeSession("A.SESESSION"));
+    CHECK(looksLikeSession(folder.path / "a.json"));
+    CHECK_FALSE(looksLikeSession(folder.path / "a.xyz"));
+    CHECK_FALSE(looksLikeSession(folder.path / "missing.ply"));
+    CHECK_FALSE(looksLikeSession(folder.path));
+}
+
+TEST_CASE("Session files are written whole, and an unreadable one is an error with its path") {
+    const Folder folder;
+    const fs::path path = folder.path / "kitten.sesession";
+    REQUIRE(writeSessionFile(path, fullSession()).ok());
+    const auto read = readSessionFile(path);
+    REQUIRE(read.ok());
+    CHECK(read.value().notes == fullSession().notes);
+    CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
+    const auto missing = readSessionFile(folder.path / "missing.sesession");
+    REQUIRE_FALSE(missing.ok());
+    CHECK(missing.error().message.find("missing.sesession") != std::string::npos);
+    CHECK_FALSE(writeSessionFile(folder.path / "no" / "folder.sesession", fullSession()).ok());
+}
+
+TEST_CASE("The hash of an input is FNV-1a of its bytes") {
+    const Folder folder;
+    put(folder.path / "empty", "");
+    put(folder.path / "a", "a");
+    put(folder.path / "foobar", "foobar");
+    CHECK(hashOfFile(folder.path / "empty") == "fnv1a64:cbf29ce484222325");
+    CHECK(hashOfFile(folder.path / "a") == "fnv1a64:af63dc4c8601ec8c");
+    CHECK(hashOfFile(folder.path / "foobar") == "fnv1a64:85944171f73967e8");
+    CHECK(hashOfFile(folder.path / "missing").empty());
+}
+
+TEST_CASE("Rule choices are read from NAME=on and NAME=off, and nothing else") {
+    REQUIRE(ruleChoiceFromText("fill=on").ok());
+    CHECK(ruleChoiceFromText("closetwo=off").value() == RuleChoice{"closetwo", false});
+    for (const char* bad : {"", "fill", "fill=", "fill=yes", "nosuch=on", "=on"}) {
+        CAPTURE(bad);
+        CHECK_FALSE(ruleChoiceFromText(bad).ok());
+    }
+    Rules rules;
+    REQUIRE(applyChoices({{"fill", true}, {"closetwo", false}}, rules).ok());
+    CHECK(rules.fill);
+    CHECK_FALSE(rules.closeTwo);
+}

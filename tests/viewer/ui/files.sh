@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# The start page, sessions, recent files, layouts and undo, as a person meets them.
+. "$(dirname "$0")/harness.sh"
+start
+says start_page true
+says phase empty
+press F10 Right space Home F5 f Return 1 ctrl+b ctrl+z ctrl+s; says start_page true
+click 490 150
+says start_page false
+says input scene:sphere
+
+# Undo and redo: layer, camera, selection, layout.
+says undo 0
+press n; says undo 1
+says layers '.*"normals".*'
+drag 600 300 80 20; says undo 2
+go_to p12; says selected 12; says undo 3
+press ctrl+z; says selected null; says message "Undone: selection\."
+press ctrl+z; says undo 1; says redo 2
+press ctrl+z; says undo 0
+case "$(field layers)" in *normals*) fail "undo leaves the layer on" ;; esac
+press ctrl+y; says layers '.*"normals".*'
+press ctrl+shift+z ctrl+y; says selected 12; says redo 0
+press F2; says layout learn
+press F2; says layout present
+press F10; says pivot 1
+press F2; says layout debug
+press F2; says layout learn
+
+# A session is saved under a name that is asked for once.
+go_to 40.sphere.2; says address "40\.sphere\.2"
+press ctrl+s; says file_browser true
+sleep 0.3
+type_text "$work/one"; sleep 0.2; press Return
+says file_browser false
+says session_file "$work/one\.sesession"
+[ -f "$work/one.sesession" ] || fail "no session file is written"
+press F10; says pivot 41
+press ctrl+s; sleep 0.4
+grep -q '"address": "41\.advance\.1"' "$work/one.sesession" || fail "the second save does not write"
+says recent 1
+stop
+[ -f "$XDG_STATE_HOME/spiraling-edge/state.json" ] || fail "no state is kept"
+
+# It comes back; the command line comes before it. The layout is remembered without it, too.
+start "$work/one.sesession"
+says address "41\.advance\.1"; says selected 12; says layout learn
+stop
+start "$work/one.sesession" --goto 20 --layout present
+says address "20\.advance\.1"; says layout present
+stop
+start scene:grid; says layout learn; says recent 1; stop
+start scene:grid --reset-layout; says layout debug; stop
+start scene:grid; says layout debug; stop
+
+# A click on a recent file; without settings nothing is known and nothing is kept.
+start; says start_page true
+click 60 285; says input scene:sphere; says pivot 41
+stop
+before=$(cat "$XDG_STATE_HOME/spiraling-edge/state.json")
+start --no-config; says recent 0; press F2; says start_page true; stop
+[ "$before" = "$(cat "$XDG_STATE_HOME/spiraling-edge/state.json")" ] || fail "--no-config keeps a state"
+
+# What is wrong is said, with exit code 3.
+echo '{"format": 1}' >"$work/bad.sesession"
+"$viewer" "$work/bad.sesession" 2>"$work/err.txt"
+[ $? -eq 3 ] || fail "a bad session does not lead to exit code 3"
+grep -q 'bad\.sesession.*format.*expected' "$work/err.txt" || fail "the message does not say what was expected"
+well

@@ -1,0 +1,127 @@
+#include "undo.h"
+
+#include <doctest/doctest.h>
+
+using namespace se;
+using namespace se::view;
+
+namespace {
+
+/// A stack and what a person sees; every change comes ten seconds after the one before.
+struct Bench {
+    UndoStack stack;
+    Edits now;
+    double time = 100.0;
+
+    Bench() { stack.begin(now); }
+    void look(double pass = 10.0, bool changing = false) {
+        time += pass;
+        stack.observe(now, time, changing);
+    }
+    std::string undo() {
+        const auto step = stack.undo(now);
+        if (!step) return "nothing";
+        now = step->edits;
+        return step->change;
+    }
+    std::string redo() {
+        const auto step = stack.redo(now);
+        if (!step) return "nothing";
+        now = step->edits;
+        return step->change;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("Changes are undone in reverse and made again in order") {
+    Bench b;
+    b.now.theme = Theme::Light;
+    b.look();
+    modeOf(b.now.layers, LayerId::Normals) = LayerMode::PinnedOn;
+    b.look();
+    b.now.selected = 7;
+    b.look();
+    const Edits last = b.now;
+    CHECK(b.stack.undoDepth() == 3);
+    CHECK(b.undo() == "selection");
+    CHECK(b.undo() == "layer normals");
+    CHECK(b.undo() == "theme");
+    CHECK(b.now == Edits{});
+    CHECK(b.undo() == "nothing");
+    CHECK(b.redo() == "theme");
+    CHECK(b.redo() == "layer normals");
+    CHECK(b.redo() == "selection");
+    CHECK(b.now == last);
+    CHECK(b.redo() == "nothing");
+}
+
+TEST_CASE("A new change after an undo forgets what was undone") {
+    Bench b;
+    b.now.layout = Arrangement::Learn;
+    b.look();
+    b.undo();
+    b.now.notes = "x";
+    b.look();
+    CHECK(b.stack.redoDepth() == 0);
+    CHECK(b.undo() == "notes");
+}
+
+TEST_CASE("A drag is one entry, and two drags are two") {
+    Bench b;
+    for (int drag = 0; drag < 2; ++drag) {
+        for (int i = 0; i < 20; ++i) {
+            b.now.camera.yawDegrees += 1.0F;
+            b.look(0.016, true);
+        }
+        b.look(0.016);
+    }
+    CHECK(b.stack.undoDepth() == 2);
+    CHECK(b.undo() == "camera");
+    CHECK(b.now.camera.yawDegrees == doctest::Approx(CameraPose{}.yawDegrees + 20.0F));
+}
+
+TEST_CASE("Notches of a wheel that follow each other are one entry") {
+    Bench b;
+    for (int i = 0; i < 5; ++i) {
+        b.now.camera.distance *= 0.9F;
+        b.look(0.1);
+    }
+    CHECK(b.stack.undoDepth() == 1);
+    b.now.camera.distance *= 0.9F;
+    b.look(2.0);
+    CHECK(b.stack.undoDepth() == 2);
+}
+
+TEST_CASE("Undo notes what is under way, so that nothing is lost") {
+    Bench b;
+    b.now.camera.yawDegrees = 5.0F;
+    b.look(0.016, true);
+    CHECK(b.undo() == "camera");
+    CHECK(b.redo() == "camera");
+    CHECK(b.now.camera.yawDegrees == 5.0F);
+}
+
+TEST_CASE("The stack is bounded, and another input begins a new one") {
+    Bench b;
+    for (std::size_t i = 0; i < 3 * UndoStack::kDepth; ++i) {
+        b.now.selected = static_cast<Index>(i);
+        b.look();
+    }
+    CHECK(b.stack.undoDepth() == UndoStack::kDepth);
+    b.stack.begin(b.now);
+    CHECK(b.undo() == "nothing");
+}
+
+TEST_CASE("Every kind of change has a name") {
+    const Edits from;
+    Edits to = from;
+    to.uiScale = 2.0;
+    to.legend = false;
+    to.camera.orthographic = true;
+    to.bookmarks.push_back({*addressFromString("3.sort.1"), ""});
+    CHECK(describeChange(from, to) == "text size, legend, camera, bookmark");
+    Edits noted = to;
+    noted.bookmarks[0].note = "look";
+    CHECK(describeChange(to, noted) == "note of a bookmark");
+}
