@@ -87,7 +87,7 @@ bool isOpening(const StepContext& context) {
     for (Index i = 0; i < length; ++i, entry = rings.next(entry)) {
         rim += isRim(context.points, rings.point(entry)) ? 1U : 0U;
     }
-    return 3 * rim > 2 * length || runsRoundPatch(context);
+    return 3 * rim > 2 * length || (length > kNeverAnOpening && runsRoundPatch(context));
 }
 
 namespace {

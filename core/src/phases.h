@@ -78,8 +78,8 @@ bool shapeRefuses(const StepContext& context);
 void phaseFill(AnyContext auto& context);
 /// Should the active ring be closed by ears instead of being freed?
 bool mayFill(const StepContext& context);
-/// Rules::rim is on, and the active ring runs round a patch of the surface, or more than two in
-/// three of its points lie where the surface ends.
+/// Rules::rim is on, and the active ring, of more than four, runs round a patch of the surface, or
+/// more than two in three of its points lie where the surface ends.
 bool isOpening(const StepContext& context);
 // phase_update.cpp: §6.5
 void phaseRing(AnyContext auto& context);

@@ -124,6 +124,22 @@ TEST_CASE("robust: every shared set gives an oriented manifold, most of them a s
     CHECK(sound >= 9);
 }
 
+TEST_CASE("robust: sets without an opening come out closed, and faces and sheets with one border") {
+    struct Set {
+        const char* name;
+        std::size_t loops;
+    };
+    for (const Set& set :
+         {Set{"sphere_even", 0}, Set{"kitten", 0}, Set{"torus_knot", 0}, Set{"bunny_small", 0},
+          Set{"elephant", 0}, Set{"fandisk", 0}, Set{"nefertiti", 1}, Set{"three_peaks", 1}}) {
+        const auto points = shared(set.name);
+        if (!points) return;
+        const Run run = runAll(*points, robust());
+        CHECK_MESSAGE(run.mesh.boundaryLoops == set.loops, set.name);
+        CHECK_MESSAGE(run.state.counters.holes == 0, set.name);
+    }
+}
+
 TEST_CASE("robust: the bunny keeps its five holes") {
     const auto points = sharedLarge("bunny");
     if (!points) return;
