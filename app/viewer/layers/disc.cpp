@@ -59,15 +59,6 @@ void addSectorSheet(const Disc& disc, const Arc& arc, const Color& color, DrawLi
     }
 }
 
-void addHatchedSector(const Disc& disc, const Arc& arc, const Color& color, DrawList& out) {
-    for (const float share : {0.25F, 0.4F, 0.55F, 0.7F, 0.85F, 1.0F}) {
-        addArc(disc, {arc.from, arc.to, share * arc.radius}, color, 0.05F, out);
-    }
-    for (const double degrees : {arc.from, arc.to}) {
-        out.line(disc.origin, disc.at(degrees, arc.radius), color, 0.08F, Depth::OnTop);
-    }
-}
-
 std::string degreesText(double degrees) {
     char text[32];
     std::snprintf(text, sizeof text, "%.1f\xC2\xB0", degrees);

@@ -43,8 +43,6 @@ struct Arc {
 void addArc(const Disc& disc, const Arc& arc, const Color& color, float width, DrawList& out);
 void addDashedArc(const Disc& disc, const Arc& arc, const Color& color, float width, DrawList& out);
 void addSectorSheet(const Disc& disc, const Arc& arc, const Color& color, DrawList& out);
-/// Both sides and stripes, for what must be told without color.
-void addHatchedSector(const Disc& disc, const Arc& arc, const Color& color, DrawList& out);
 
 /// "96.1 degrees", with the sign.
 std::string degreesText(double degrees);

@@ -320,7 +320,8 @@ void explain(const PanelContext& context, const DialTick& tick) {
 void drawDial(const PanelContext& context) {
     Session& session = context.session();
     if (!session.ready()) return;
-    const Dial dial = makeDial(session.model(), session.picture(), session.event());
+    const Picture& picture = session.picture();
+    const Dial dial = makeDial(session.model(), picture, picture.event ? &*picture.event : nullptr);
     heading(context, "Dial",
             dial.empty() ? "" : "tangent plane at p " + std::to_string(dial.pivot));
     if (dial.empty()) {

@@ -38,7 +38,7 @@ void drawNarration(const PanelContext& context) {
         if (!session.message().empty()) {
             sentence = session.message();
         } else if (event != nullptr) {
-            sentence = describe(*event);
+            sentence = (session.showsBefore() ? "Before this: " : "") + describe(*event);
             if (verdictOf(*event)) color = verdictColor(context, *event);
         } else if (session.ready()) {
             sentence = "Nothing has been done yet: all points are UNUSED.";
