@@ -33,13 +33,14 @@ Status Application::start(float contentScale) {
     if (!renderer) return renderer.error();
     renderer_ = std::move(renderer.value());
     filing_.begin(options_);
+    if (!ui_.settings.keyComplaints.empty()) session_.say(ui_.settings.keyComplaints.front());
     return success();
 }
 
 void Application::character(unsigned sign) {
     if (ui_.goTo.active()) {
         ui_.goTo.type(sign);
-    } else if (sign == '?') {
+    } else if (sign == '?' && !ui_.keyEditor) {
         // Where the question mark lies differs between keyboards.
         key({'?', kNoMods}, false);
     }
@@ -52,11 +53,12 @@ void Application::goToTyped() {
 }
 
 void Application::key(const KeyChord& chord, bool repeated) {
+    if (ui_.keyCapture.active()) return ui_.keyCapture.press(chord, ui_.settings.keys);
     if (ui_.goTo.active() && ui_.goTo.press(chord)) {
         if (ui_.goTo.takeSubmitted()) goToTyped();
         return;
     }
-    const Command* command = commandForKey(chord);
+    const Command* command = ui_.settings.keys.commandFor(chord);
     if (command == nullptr || (repeated && !command->repeats)) return;
     const ImGuiIO& io = ImGui::GetIO();
     // Plain keys belong to a panel while somebody walks through it by keyboard.
@@ -67,7 +69,7 @@ void Application::key(const KeyChord& chord, bool repeated) {
 }
 
 void Application::keyReleased(const KeyChord& chord) {
-    if (commandForKey({chord.key, kNoMods}) == findCommand("step.before")) {
+    if (ui_.settings.keys.commandFor({chord.key, kNoMods}) == findCommand("step.before")) {
         session_.showBefore(false);
     }
 }
@@ -199,7 +201,8 @@ void Application::drawUserInterface(const Layout& layout) {
     const bool released =
         ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !ImGui::IsAnyItemActive();
     const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-    const bool covered = popup || ui_.fileBrowser || ui_.cheatSheet || ui_.palette.open;
+    const bool covered =
+        popup || ui_.fileBrowser || ui_.cheatSheet || ui_.keyEditor || ui_.palette.open;
     if ((released && !covered) || !focused_) {
         ImGui::SetWindowFocus(session_.startPage() ? "##start" : "##view");
         focused_ = true;

@@ -29,6 +29,7 @@ void pause(C& c) { c.playback.pause(); }
 
 void escape(C& c) {
     c.ui.cheatSheet = false;
+    c.ui.keyEditor = false;
     c.ui.fileBrowser = false;
     c.ui.palette.open = false;
     c.ui.requests.closePopups = true;
@@ -49,6 +50,49 @@ void home(C& c) {
 void restart(C& c) {
     pause(c);
     c.session.open(c.session.spec());
+}
+
+/// Turns to look from the other side.
+void oppositeView(C& c) {
+    CameraPose pose = c.camera.pose();
+    pose.yawDegrees += 180.0F;
+    pose.pitchDegrees = -pose.pitchDegrees;
+    c.camera.setPose(pose);
+}
+
+constexpr std::array kScales = {0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0};
+
+/// The next size of text and panels on the scale.
+template <int direction>
+void changeScale(C& c) {
+    double chosen = c.ui.scale;
+    for (const double scale : kScales) {
+        if (direction > 0 && scale > c.ui.scale + 0.01F) {
+            chosen = scale;
+            break;
+        }
+        if (direction < 0 && scale < c.ui.scale - 0.01F) chosen = scale;
+    }
+    c.ui.settings.uiScale = chosen;
+}
+
+void toggleBookmarkHere(C& c) {
+    if (!c.session.ready()) return;
+    if (c.session.event() == nullptr)
+        return c.session.say("The start of the run needs no bookmark.");
+    const Address here = c.session.address();
+    const bool there = toggleBookmark(c.ui.bookmarks, here);
+    c.session.say((there ? "Bookmark at " : "No bookmark any more at ") + toString(here) + ".");
+}
+
+template <std::size_t place>
+void goToBookmark(C& c) {
+    if (!c.session.ready()) return;
+    if (place >= c.ui.bookmarks.size()) {
+        return c.session.say("There is no bookmark " + std::to_string(place + 1) + ".");
+    }
+    pause(c);
+    c.session.goTo(c.ui.bookmarks[place].address);
 }
 
 void openBrowser(C& c) {
@@ -169,17 +213,25 @@ constexpr auto kCommands = std::to_array<Command>({
     {"view.home", "View", "Camera home", "Enter", "Show everything from the first direction.",
      false, home},
     {"view.front", "View", "Front", "1", "Look along +y.", false, setView<ViewPreset::Front>},
-    {"view.back", "View", "Back", "Ctrl+1", "Look along -y.", false, setView<ViewPreset::Back>},
+    {"view.back", "View", "Back", "", "Look along -y.", false, setView<ViewPreset::Back>},
     {"view.right", "View", "Right", "3", "Look along -x.", false, setView<ViewPreset::Right>},
-    {"view.left", "View", "Left", "Ctrl+3", "Look along +x.", false, setView<ViewPreset::Left>},
+    {"view.left", "View", "Left", "", "Look along +x.", false, setView<ViewPreset::Left>},
     {"view.top", "View", "Top", "7", "Look down.", false, setView<ViewPreset::Top>},
-    {"view.bottom", "View", "Bottom", "Ctrl+7", "Look up.", false, setView<ViewPreset::Bottom>},
+    {"view.bottom", "View", "Bottom", "", "Look up.", false, setView<ViewPreset::Bottom>},
+    {"view.opposite", "View", "The opposite side", "9", "Look from the other side.", false,
+     oppositeView},
     {"view.orthographic", "View", "Orthographic", "5", "Without or with perspective.", false,
      [](C& c) { c.camera.toggleOrthographic(); }},
     {"view.fullscreen", "View", "Full screen", "Alt+Enter", "Fill the screen, or not.", false,
      [](C& c) { c.ui.requests.fullScreen = true; }},
     {"view.theme", "View", "Dark or light", "T", "Change between the dark and the light theme.",
      false, toggleTheme},
+    {"view.larger", "View", "Larger text", "Ctrl+=", "Enlarge text and panels, up to 3.", true,
+     changeScale<1>},
+    {"view.smaller", "View", "Smaller text", "Ctrl+-", "Shrink text and panels, down to 0.75.",
+     true, changeScale<-1>},
+    {"view.monitorscale", "View", "Text as the monitor says", "", "Forget the size chosen here.",
+     false, [](C& c) { c.ui.settings.uiScale = 0.0; }},
     {"view.layout.next", "View", "Next layout", "F2", "Debug, Learn, Present.", false,
      [](C& c) { arrange(c, following(c.ui.arrangement)); }},
     {"view.layout.debug", "View", "Layout Debug", "", "All panels.", false,
@@ -208,10 +260,35 @@ constexpr auto kCommands = std::to_array<Command>({
     {"layer.stack", "Layers", "Stacked rings", "K", "Pin the rings on the stack on or off.", false,
      toggle<LayerId::StackedRings>},
 
+    {"notes.bookmark", "Notes", "Bookmark here", "Ctrl+B",
+     "Set a bookmark at this decision, or take it away.", false, toggleBookmarkHere},
+    {"notes.go.1", "Notes", "Go to bookmark 1", "Ctrl+1", "Go to a bookmark, in their order.",
+     false, goToBookmark<0>},
+    {"notes.go.2", "Notes", "Go to bookmark 2", "Ctrl+2", "Go to a bookmark, in their order.",
+     false, goToBookmark<1>},
+    {"notes.go.3", "Notes", "Go to bookmark 3", "Ctrl+3", "Go to a bookmark, in their order.",
+     false, goToBookmark<2>},
+    {"notes.go.4", "Notes", "Go to bookmark 4", "Ctrl+4", "Go to a bookmark, in their order.",
+     false, goToBookmark<3>},
+    {"notes.go.5", "Notes", "Go to bookmark 5", "Ctrl+5", "Go to a bookmark, in their order.",
+     false, goToBookmark<4>},
+    {"notes.go.6", "Notes", "Go to bookmark 6", "Ctrl+6", "Go to a bookmark, in their order.",
+     false, goToBookmark<5>},
+    {"notes.go.7", "Notes", "Go to bookmark 7", "Ctrl+7", "Go to a bookmark, in their order.",
+     false, goToBookmark<6>},
+    {"notes.go.8", "Notes", "Go to bookmark 8", "Ctrl+8", "Go to a bookmark, in their order.",
+     false, goToBookmark<7>},
+    {"notes.go.9", "Notes", "Go to bookmark 9", "Ctrl+9", "Go to a bookmark, in their order.",
+     false, goToBookmark<8>},
+    {"notes.go.10", "Notes", "Go to bookmark 10", "Ctrl+0", "Go to a bookmark, in their order.",
+     false, goToBookmark<9>},
+
     {"help.palette", "Help", "Find an action...", "Ctrl+P Ctrl+K",
      "Type words of an action and run it.", false, [](C& c) { c.ui.palette.show(); }},
     {"help.keys", "Help", "Keys and mouse", "F1 ?", "Show this list.", false,
      [](C& c) { c.ui.cheatSheet = !c.ui.cheatSheet; }},
+    {"help.editkeys", "Help", "Change keys...", "", "Choose other keys for actions.", false,
+     [](C& c) { c.ui.keyEditor = !c.ui.keyEditor; }},
     {"help.leave", "Help", "Close popup, clear selection", "Esc", "Never quits.", false, escape},
 });
 

@@ -21,6 +21,19 @@ T numberIn(const json& object, const char* name, T low, T high, T otherwise) {
     return value >= low && value <= high ? value : otherwise;
 }
 
+/// "keys": {"step.pivot.next": "F10 ."}
+KeyMap keysIn(const json& object, std::vector<std::string>& complaints) {
+    KeyMap map;
+    KeyMap::Changes wanted;
+    const auto found = object.find("keys");
+    if (found == object.end() || !found->is_object()) return map;
+    for (const auto& [id, keys] : found->items()) {
+        if (keys.is_string()) wanted[id] = keys.get<std::string>();
+    }
+    complaints = map.load(wanted);
+    return map;
+}
+
 }  // namespace
 
 std::filesystem::path xdgFolder(const char* variable, const char* below) {
@@ -52,6 +65,7 @@ Result<ViewSettings> settingsFromJson(std::string_view text) {
     if (const auto legend = object.find("legend"); legend != object.end() && legend->is_boolean()) {
         s.legend = legend->get<bool>();
     }
+    s.keys = keysIn(object, s.keyComplaints);
     const auto switches = object.find("layers");
     if (switches == object.end() || !switches->is_object()) return s;
     for (const Layer& layer : layers()) {
@@ -80,6 +94,7 @@ std::string settingsToJson(const ViewSettings& s) {
     json object = {{"version", 1},       {"theme", themeName(s.theme)}, {"width", s.width},
                    {"height", s.height}, {"playRate", s.playRate},      {"legend", s.legend},
                    {"layers", switches}};
+    if (!s.keys.changes().empty()) object["keys"] = s.keys.changes();
     if (s.uiScale > 0.0) object["uiScale"] = s.uiScale;
     return object.dump(2) + "\n";
 }

@@ -73,6 +73,8 @@ std::string Application::stateDump() const {
              {"undo", undo_.undoDepth()},
              {"redo", undo_.redoDepth()},
              {"em", imgui_ ? imgui_->em() : 0.0F},
+             {"key_editor", ui_.keyEditor},
+             {"changed_keys", ui_.settings.keys.changes().size()},
              {"cheat_sheet", ui_.cheatSheet},
              {"file_browser", ui_.fileBrowser},
              {"palette", ui_.palette.open},

@@ -10,6 +10,7 @@
 #include "bookmarks.h"
 #include "camera.h"
 #include "go_to_box.h"
+#include "key_map.h"
 #include "layers/layer.h"
 #include "layout.h"
 #include "navigation.h"
@@ -31,6 +32,8 @@ struct ViewSettings {
     int height = 800;
     double playRate = 4.0;
     bool legend = true;
+    KeyMap keys;
+    std::vector<std::string> keyComplaints;  ///< What the settings say wrongly about keys.
 };
 
 /// Asked for by a command or panel, carried out by the application in the same frame.
@@ -66,6 +69,8 @@ struct UiState {
     UiRequests requests;
     GoToBox goTo;
     bool cheatSheet = false;
+    bool keyEditor = false;
+    KeyCapture keyCapture;
     bool fileBrowser = false;
     BrowserTask browser = BrowserTask::Open;
     CommandPalette palette;

@@ -41,12 +41,20 @@ bool beginKeys(const char* id, const PanelContext& context) {
     return true;
 }
 
+/// The ten keys of bookmarks are one row, unless somebody changed them.
+bool isLaterBookmark(const Command& command) {
+    return command.id.starts_with("notes.go.") && command.id != "notes.go.1";
+}
+
 void drawGroup(const PanelContext& context, std::string_view group) {
     heading(context, std::string(group).c_str());
     if (!beginKeys(std::string(group).c_str(), context)) return;
     for (const Command& command : commands()) {
-        if (command.group != group || command.keys.empty()) continue;
-        keyRow(context, allKeys(command), std::string(command.title));
+        const std::string keys = context.ui().settings.keys.all(command);
+        if (command.group != group || keys.empty() || isLaterBookmark(command)) continue;
+        const bool bookmarks = command.id == "notes.go.1" && keys == command.keys;
+        keyRow(context, bookmarks ? "Ctrl+1 ... Ctrl+0" : keys,
+               bookmarks ? "Go to bookmark 1 ... 10" : std::string(command.title));
     }
     ImGui::EndTable();
     ImGui::Spacing();
@@ -64,7 +72,7 @@ void drawColumns(const PanelContext& context, bool two) {
     ImGui::TableNextColumn();
     for (const char* group : {"Step", "Run", "File", "Edit", "Layers"}) drawGroup(context, group);
     ImGui::TableNextColumn();
-    for (const char* group : {"View", "Help"}) drawGroup(context, group);
+    for (const char* group : {"View", "Notes", "Help"}) drawGroup(context, group);
     drawMouseGroup(context);
     ImGui::EndTable();
 }
@@ -87,7 +95,13 @@ void drawCheatSheet(const PanelContext& context) {
         ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
             ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::PopStyleVar();
-    if (shown) drawColumns(context, width > 40.0F * em);
+    if (shown) {
+        if (ImGui::Button("Change keys...")) {
+            open = false;
+            context.ui().keyEditor = true;
+        }
+        drawColumns(context, width > 40.0F * em);
+    }
     ImGui::End();
 }
 

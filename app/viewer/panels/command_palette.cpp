@@ -22,7 +22,7 @@ bool moveChoice(CommandPalette& palette, std::size_t matches) {
 bool drawMatch(const PanelContext& context, const Command& command, bool chosen) {
     const std::string label = std::string(command.title) + "##" + std::string(command.id);
     const bool clicked = ImGui::Selectable(label.c_str(), chosen);
-    const std::string keys = firstKey(command);
+    const std::string keys = context.key(command);
     const std::string note = std::string(command.group) + (keys.empty() ? "" : "   " + keys);
     const float width = ImGui::CalcTextSize(note.c_str()).x;
     ImGui::SameLine(ImGui::GetContentRegionMax().x - width - 0.3F * context.em);

@@ -57,7 +57,7 @@ void drawSwitch(const PanelContext& context, const Layer& layer, bool shown) {
     if (rests) ImGui::PopStyleColor();
     if (const Command* command = findCommand("layer." + std::string(layer.name))) {
         ImGui::SameLine(ImGui::GetContentRegionMax().x - context.em);
-        ImGui::TextDisabled("%s", firstKey(*command).c_str());
+        ImGui::TextDisabled("%s", context.key(*command).c_str());
     }
     ImGui::PopID();
 }

@@ -31,7 +31,7 @@ bool isLayout(const Command& command) {
 }
 
 void drawItem(const PanelContext& context, const Command& command) {
-    const std::string key = firstKey(command);
+    const std::string key = context.key(command);
     if (ImGui::MenuItem(std::string(command.title).c_str(), key.c_str())) {
         command.run(context.commands);
     }

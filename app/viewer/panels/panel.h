@@ -27,6 +27,9 @@ struct PanelContext {
     Playback& playback() const { return commands.playback; }
     Camera& camera() const { return commands.camera; }
     UiState& ui() const { return commands.ui; }
+    /// First key of a command, as this person has it.
+    std::string key(const Command& command) const { return ui().settings.keys.first(command); }
+    std::string key(std::string_view command) const { return key(*findCommand(command)); }
     void run(std::string_view command) const { findCommand(command)->run(commands); }
 };
 
@@ -40,6 +43,7 @@ void drawDrawer(const PanelContext& context);
 void drawStatusBar(const PanelContext& context);
 void drawCheatSheet(const PanelContext& context);
 void drawCommandPalette(const PanelContext& context);
+void drawKeyEditor(const PanelContext& context);
 void drawFileBrowser(const PanelContext& context);
 /// Loading, failed, or a long move under way.
 void drawNotices(const PanelContext& context);
@@ -51,6 +55,8 @@ void drawInspect(const PanelContext& context);
 void drawCounters(const PanelContext& context);
 void drawDial(const PanelContext& context);
 void drawPaper(const PanelContext& context);
+/// Bookmarks, and the person's own text.
+void drawNotes(const PanelContext& context);
 void drawLayerSwitches(const PanelContext& context);
 
 // Parts of others.

@@ -99,7 +99,7 @@ void drawDropHint(const PanelContext& context) {
     ImDrawList* list = ImGui::GetWindowDrawList();
     const ImU32 color = toU32(lit ? context.palette.accent : context.palette.border);
     list->AddRect(low, high, color, 0.4F * em, 0, std::max(1.0F, 0.1F * em));
-    const std::string keys = firstKey(*findCommand("file.open"));
+    const std::string keys = context.key("file.open");
     const std::string note = "or click to choose one (" + keys + ")";
     const auto middle = [&](const std::string& text, float y, const Color& ink) {
         const float width = ImGui::CalcTextSize(text.c_str()).x;
@@ -135,7 +135,7 @@ void drawKeys(const PanelContext& context) {
     for (const char* id : {"step.event.next", "step.pivot.next", "help.keys"}) {
         const Command& command = *findCommand(id);
         ImGui::PushFont(context.fonts.mono);
-        ImGui::TextUnformatted(firstKey(command).c_str());
+        ImGui::TextUnformatted(context.key(command).c_str());
         ImGui::PopFont();
         ImGui::SameLine(5.0F * context.em);
         ImGui::TextUnformatted(std::string(command.title).c_str());

@@ -7,7 +7,7 @@ namespace se::view {
 
 namespace {
 
-constexpr std::array<SidePanel, 7> kSidePanels = {{
+constexpr std::array<SidePanel, 8> kSidePanels = {{
     {"Steps", true, 0.66F, drawSteps},
     {"Rings", true, 0.34F, drawRings},
     {"Dial", false, 0.0F, drawDial},
@@ -15,6 +15,7 @@ constexpr std::array<SidePanel, 7> kSidePanels = {{
     {"Paper", false, 0.0F, drawPaper},
     {"Counts", false, 0.0F, drawCounters},
     {"Layers", false, 0.0F, drawLayerSwitches},
+    {"Notes", false, 0.0F, drawNotes},
 }};
 
 void drawLeftColumn(const PanelContext& context) {
@@ -178,12 +179,13 @@ void drawPanels(const PanelContext& context) {
     }
     context.session().hover(context.ui().pointedAt);
     context.session().hoverRing(context.ui().navigation.pointedRing);
-    if (!startPage && !context.ui().cheatSheet && !context.ui().fileBrowser &&
-        !context.ui().palette.open)
+    if (!startPage && !context.ui().cheatSheet && !context.ui().keyEditor &&
+        !context.ui().fileBrowser && !context.ui().palette.open)
         drawBorders(context);
     drawNotices(context);
     drawFileBrowser(context);
     drawCheatSheet(context);
+    drawKeyEditor(context);
     drawCommandPalette(context);
 }
 

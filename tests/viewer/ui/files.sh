@@ -27,6 +27,19 @@ press F10; says pivot 1
 press F2; says layout debug
 press F2; says layout learn
 
+# Bookmarks: Ctrl+B sets one and takes it away, Ctrl with a digit goes there; plain digits are views.
+go_to 30.sort.1; says address "30\.sort\.1"
+press ctrl+b; says bookmarks '.*"30\.sort\.1".*'
+go_to 12.sort.2; says address "12\.sort\.2"
+press ctrl+b; says bookmarks '.*"12\.sort\.2", "30\.sort\.1".*'
+press F10; denies address "12\.sort\.2"
+press ctrl+2; says address "30\.sort\.1"
+press ctrl+1; says address "12\.sort\.2"
+press ctrl+b; denies bookmarks '.*"12\.sort\.2".*'
+press ctrl+z; says bookmarks '.*"12\.sort\.2".*'
+press ctrl+equal; says em 20\.0
+press ctrl+minus; says em 16\.0
+
 # A session is saved under a name that is asked for once.
 go_to 40.sphere.2; says address "40\.sphere\.2"
 press ctrl+s; says file_browser true

@@ -1,0 +1,106 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+
+#include "panel.h"
+#include "widgets.h"
+
+namespace se::view {
+
+namespace {
+
+constexpr std::size_t kMostNotes = 16384;
+
+/// A field of text, with what it begins with.
+struct TextField {
+    std::array<char, kMostNotes> text{};
+
+    explicit TextField(const std::string& from) {
+        std::copy_n(from.begin(), std::min(from.size(), text.size() - 1), text.begin());
+    }
+};
+
+/// The key that leads to a bookmark, empty beyond the tenth.
+std::string keyOf(const PanelContext& context, std::size_t place) {
+    if (place >= kBookmarkKeys) return {};
+    const Command* command = findCommand("notes.go." + std::to_string(place + 1));
+    return command != nullptr ? context.key(*command) : std::string{};
+}
+
+/// One bookmark: its address (a click goes there), what one wrote, a cross that takes it away.
+/// True if it is to go.
+bool drawBookmark(const PanelContext& context, Bookmark& mark, std::size_t place) {
+    Session& session = context.session();
+    const bool here =
+        session.ready() && session.event() != nullptr && session.address() == mark.address;
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    const std::string name = toString(mark.address);
+    ImGui::PushFont(context.fonts.mono);
+    if (ImGui::Selectable(name.c_str(), here)) {
+        context.playback().pause();
+        session.goTo(mark.address);
+    }
+    ImGui::PopFont();
+    const std::string key = keyOf(context, place);
+    tooltip("Go to " + name + (key.empty() ? "" : " (" + key + ")"));
+    ImGui::TableNextColumn();
+    ImGui::SetNextItemWidth(-1.0F);
+    std::array<char, 200> text{};
+    std::copy_n(mark.note.begin(), std::min(mark.note.size(), text.size() - 1), text.begin());
+    if (ImGui::InputTextWithHint("##note", "what is here", text.data(), text.size())) {
+        mark.note = text.data();
+    }
+    ImGui::TableNextColumn();
+    const bool gone = ImGui::SmallButton("x");
+    tooltip("Take this bookmark away");
+    return gone;
+}
+
+void drawBookmarks(const PanelContext& context) {
+    Bookmarks& marks = context.ui().bookmarks;
+    heading(context, "Bookmarks", marks.empty() ? "" : std::to_string(marks.size()));
+    if (marks.empty()) {
+        const std::string key = context.key("notes.bookmark");
+        ImGui::PushTextWrapPos(0.0F);
+        ImGui::TextDisabled("%s sets a bookmark at the decision shown, and takes it away again.",
+                            key.c_str());
+        ImGui::PopTextWrapPos();
+        return;
+    }
+    if (!ImGui::BeginTable("##marks", 3, ImGuiTableFlags_SizingStretchProp)) return;
+    ImGui::TableSetupColumn("address", ImGuiTableColumnFlags_WidthFixed, 7.5F * context.em);
+    ImGui::TableSetupColumn("note", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("away", ImGuiTableColumnFlags_WidthFixed, 1.4F * context.em);
+    std::optional<std::size_t> gone;
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (drawBookmark(context, marks[i], i)) gone = i;
+        ImGui::PopID();
+    }
+    ImGui::EndTable();
+    if (gone) marks.erase(marks.begin() + static_cast<std::ptrdiff_t>(*gone));
+}
+
+}  // namespace
+
+void drawNotes(const PanelContext& context) {
+    if (!context.session().ready()) {
+        ImGui::TextDisabled("Nothing is open.");
+        return;
+    }
+    drawBookmarks(context);
+    ImGui::Spacing();
+    heading(context, "Notes");
+    TextField field(context.ui().notes);
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const ImVec2 size(room.x, std::max(6.0F * context.em, room.y - 2.0F * context.em));
+    if (ImGui::InputTextMultiline("##notes", field.text.data(), field.text.size(), size)) {
+        context.ui().notes = field.text.data();
+    }
+    const std::string key = context.key("file.save");
+    ImGui::TextDisabled("%s keeps them in a session file.", key.c_str());
+}
+
+}  // namespace se::view
