@@ -13,7 +13,7 @@ stage() {
     shift 3
     "$viewer" "scene:$scene" --no-config --layout present --ui-scale 0.9 --size 900x560 \
         --goto "$address" "$@" --screenshot "images/stage-$name.png"
-    convert "images/stage-$name.png" +dither -colors 80 -strip -define png:compression-level=9 \
+    convert "images/stage-$name.png" +dither -colors 144 -strip -define png:compression-level=9 \
         "PNG8:images/stage-$name.png"
 }
 

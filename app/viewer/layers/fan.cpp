@@ -40,9 +40,11 @@ void addFan(const LayerInput& in, DrawList& out) {
         out.line(middle, middle + 0.45F * in.model.spacing * glm::normalize(across),
                  in.palette.test, 0.12F, Depth::OnTop);
         const bool newest = i + 1 == fresh.size();
-        std::string text = std::to_string(i + 1);
-        if (newest) text += ": least angle " + degreesText(leastDegrees(in, t));
-        out.label(middle, text, newest ? in.palette.text : in.palette.test, true);
+        out.label(middle, std::to_string(i + 1), newest ? in.palette.text : in.palette.test, true);
+        if (newest) {
+            out.label(0.5F * (in.at(t.b) + in.at(t.c)),
+                      "least angle " + degreesText(leastDegrees(in, t)), in.palette.test);
+        }
     }
     if (fresh.empty() || in.picture.pivot == kNone) return;
     const Triangle& t = fresh.back();
