@@ -332,7 +332,9 @@ void drawDial(const PanelContext& context) {
     }
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const float captionHeight = ImGui::GetTextLineHeightWithSpacing();
+    const std::vector<std::string> caption = wrapped(dial.caption, room.x);
+    const float captionHeight = ImGui::GetTextLineHeightWithSpacing() *
+                                static_cast<float>(std::max<std::size_t>(1, caption.size()));
     // In a low panel one scrolls.
     const float least = std::min(9.0F * context.em, room.x);
     const float height = std::max(std::min(room.y - captionHeight, room.x), least);
@@ -357,10 +359,11 @@ void drawDial(const PanelContext& context) {
         if (tick != nullptr) explain(context, *tick);
         if (tick != nullptr && ImGui::IsItemClicked()) session.select(tick->point);
     }
-    const std::string caption = fitted(dial.caption, room.x);
-    const float width = ImGui::CalcTextSize(caption.c_str()).x;
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, 0.5F * (room.x - width)));
-    ImGui::TextUnformatted(caption.c_str());
+    for (const std::string& line : caption) {
+        const float width = ImGui::CalcTextSize(line.c_str()).x;
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, 0.5F * (room.x - width)));
+        ImGui::TextUnformatted(line.c_str());
+    }
 }
 
 }  // namespace se::view
