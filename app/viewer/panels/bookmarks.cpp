@@ -38,7 +38,10 @@ bool drawBookmark(const PanelContext& context, Bookmark& mark, std::size_t place
     ImGui::TableNextColumn();
     const std::string name = toString(mark.address);
     ImGui::PushFont(context.fonts.mono);
-    if (ImGui::Selectable(name.c_str(), here)) {
+    ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.0F, 0.5F});
+    const bool chosen = ImGui::Selectable(name.c_str(), here, 0, {0.0F, ImGui::GetFrameHeight()});
+    ImGui::PopStyleVar();
+    if (chosen) {
         context.playback().pause();
         session.goTo(mark.address);
     }

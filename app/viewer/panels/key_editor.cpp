@@ -21,6 +21,7 @@ void drawRow(const PanelContext& context, const Command& command) {
     ImGui::PushFont(context.fonts.mono);
     const std::string label = (shown.empty() ? std::string("none") : shown) + "##key";
     if (ImGui::Selectable(label.c_str(), asked)) ui.keyCapture.begin(command.id);
+    ui.where["key " + std::string(command.id)] = lastItem();
     ImGui::PopFont();
     ImGui::TableNextColumn();
     if (!keys.isChanged(command)) return;
@@ -52,6 +53,23 @@ void drawRows(const PanelContext& context) {
     ImGui::EndTable();
 }
 
+/// Always as high: rows must not move away from under the pointer.
+void drawHead(const PanelContext& context) {
+    UiState& ui = context.ui();
+    const std::string& note = ui.keyCapture.note();
+    const float lines = 2.0F * ImGui::GetTextLineHeightWithSpacing();
+    if (ImGui::BeginChild("##note", {-9.0F * context.em, lines}, false)) {
+        ImGui::TextWrapped("%s", note.empty()
+                                     ? "Click the keys of an action, then press the new one."
+                                     : note.c_str());
+    }
+    ImGui::EndChild();
+    ImGui::SameLine();
+    ImGui::BeginDisabled(ui.settings.keys.changes().empty());
+    if (ImGui::Button("Reset all keys")) ui.settings.keys.resetAll();
+    ImGui::EndDisabled();
+}
+
 }  // namespace
 
 void drawKeyEditor(const PanelContext& context) {
@@ -73,14 +91,7 @@ void drawKeyEditor(const PanelContext& context) {
                          ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
     ImGui::PopStyleVar();
     if (shown) {
-        const std::string& note = ui.keyCapture.note();
-        ImGui::TextWrapped("%s", note.empty()
-                                     ? "Click the keys of an action, then press the new one."
-                                     : note.c_str());
-        if (!ui.settings.keys.changes().empty()) {
-            if (ImGui::Button("Reset all keys")) ui.settings.keys.resetAll();
-        }
-        ImGui::Spacing();
+        drawHead(context);
         drawRows(context);
     }
     ImGui::End();

@@ -40,6 +40,19 @@ press ctrl+z; says bookmarks '.*"12\.sort\.2".*'
 press ctrl+equal; says em 20\.0
 press ctrl+minus; says em 16\.0
 
+# Another key for an action; one that is taken changes hands at the second press.
+press ctrl+p; type_text "change keys"; sleep 0.2; press Return; says key_editor true
+sleep 0.3
+read -r x y w h < <(tr '\n' ' ' <"$state" | sed -E 's/ +/ /g' | sed -nE 's/.*"key run\.unit": \[([^]]*)\].*/\1/p' | tr -d ,)
+click $((x + w / 2)) $((y + h / 2)); press y; says changed_keys 1
+click $((x + w / 2)) $((y + h / 2)); press n; sleep 0.3; says changed_keys 1
+press n; says changed_keys 2
+press Escape; says key_editor false
+unit=$(field unit)
+press n; denies unit "$unit"
+press n; says unit "$unit"
+go_to p12; says selected 12
+
 # A session is saved under a name that is asked for once.
 go_to 40.sphere.2; says address "40\.sphere\.2"
 press ctrl+s; says file_browser true
@@ -53,6 +66,7 @@ press ctrl+s; sleep 0.4
 grep -q '"address": "41\.advance\.1"' "$work/one.sesession" || fail "the second save does not write"
 says recent 1
 stop
+grep -q '"run.unit": "N"' "$XDG_CONFIG_HOME/spiraling-edge/settings.json" || fail "the key is not kept"
 [ -f "$XDG_STATE_HOME/spiraling-edge/state.json" ] || fail "no state is kept"
 
 # It comes back; the command line comes before it. The layout is remembered without it, too.
