@@ -40,7 +40,7 @@ struct Columns {
 
 Columns columnsFor(Arrangement arrangement, float width, bool narrow) {
     if (arrangement == Arrangement::Present) return {};
-    if (arrangement == Arrangement::Learn) return {std::clamp(0.3F * width, 14.0F, 28.0F), 0.0F};
+    if (arrangement == Arrangement::Learn) return {std::clamp(0.32F * width, 14.0F, 28.0F), 0.0F};
     if (narrow) return {0.0F, std::clamp(0.48F * width, 12.0F, 20.0F)};
     return {std::clamp(0.225F * width, 15.0F, 22.0F), std::clamp(0.24F * width, 17.0F, 26.0F)};
 }

@@ -71,18 +71,26 @@ void drawTabs(const PanelContext& context) {
 
 /// Learn has the panels as tabs on the left, the rule first; no list of steps.
 void drawLearnColumn(const PanelContext& context) {
-    const bool tight = context.layout.left.size.x < 23.0F * context.em;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const bool tight = context.layout.left.size.x < 26.0F * context.em;
+    const ImVec2 usual = style.FramePadding;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        {tight ? 0.22F * context.em : usual.x, usual.y});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing,
-                        {tight ? 0.1F * context.em : ImGui::GetStyle().ItemInnerSpacing.x, 0.0F});
+                        {tight ? 0.1F * context.em : style.ItemInnerSpacing.x, 0.0F});
     if (beginRegion("##learn", context.layout.left) && ImGui::BeginTabBar("##learnTabs")) {
         for (const bool rule : {true, false}) {
             for (const SidePanel& panel : kSidePanels) {
                 if (panel.left || (panel.draw == drawPaper) != rule) continue;
-                if (tight) ImGui::PushFont(context.fonts.small);
+                ImGui::PushFont(tight ? context.fonts.small : context.fonts.text);
                 const bool open = ImGui::BeginTabItem(panel.title);
-                if (tight) ImGui::PopFont();
+                ImGui::PopFont();
+                context.ui().where[std::string("tab ") + panel.title] = lastItem();
                 if (!open) continue;
+                context.ui().openTab = panel.title;
+                ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, usual);
                 if (ImGui::BeginChild("##content", {0, 0}, false)) panel.draw(context);
+                ImGui::PopStyleVar();
                 ImGui::EndChild();
                 ImGui::EndTabItem();
             }
@@ -90,7 +98,7 @@ void drawLearnColumn(const PanelContext& context) {
         ImGui::EndTabBar();
     }
     ImGui::End();
-    ImGui::PopStyleVar();
+    ImGui::PopStyleVar(2);
 }
 
 void drawDialColumn(const PanelContext& context) {
