@@ -52,6 +52,13 @@ void stripName(const PanelContext& context, const char* name, const Rect& bars) 
                                         toU32(context.palette.textDim), name);
 }
 
+void keepSteps(const PanelContext& context) {
+    const Session& session = context.session();
+    if (!session.ready()) return;
+    context.ui().navigation.steps.update(session.overview(), session.generation(), session.record(),
+                                         session.cursor());
+}
+
 void drawDrawer(const PanelContext& context) {
     if (beginRegion("##drawer", context.layout.drawer,
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {

@@ -61,6 +61,9 @@ void drawLayerSwitches(const PanelContext& context);
 
 // Parts of others.
 void drawLegend(const PanelContext& context);
+/// Brings the tree of steps up to the session: at the beginning of a frame, and wherever a click
+/// may have moved the cursor to another pivot since.
+void keepSteps(const PanelContext& context);
 /// The evidence of an event as rows of values and thresholds.
 void drawEvidence(const PanelContext& context, const Event& event);
 

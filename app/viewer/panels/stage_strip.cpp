@@ -180,10 +180,11 @@ void drawPivotStrip(const PanelContext& context, const Rect& area) {
     stripName(context, "PIVOT", bars);
     context.ui().where["strip pivot"] = bars;
     if (!session.ready()) return;
-    const auto& runs = context.ui().navigation.steps.runs();
     if (const float wheel = wheelOver(area); wheel != 0.0F) {
         context.run(wheel > 0.0F ? "step.pivot.previous" : "step.pivot.next");
     }
+    keepSteps(context);
+    const auto& runs = context.ui().navigation.steps.runs();
     const float gap = 0.5F * em;
     const std::vector<float> widths = widthsOf(context, runs, bars.size.x, gap);
     float x = bars.min.x;
@@ -204,6 +205,7 @@ void drawStageStrip(const PanelContext& context, const Rect& area) {
     if (const float wheel = wheelOver(area); wheel != 0.0F) {
         context.run(wheel > 0.0F ? "step.event.previous" : "step.event.next");
     }
+    keepSteps(context);
     const StageRun* run = runAtCursor(context);
     if (run == nullptr) return;
     // Very many: those about the cursor.

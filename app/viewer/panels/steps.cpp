@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "panel.h"
 #include "widgets.h"
@@ -289,23 +290,25 @@ float arrowEnd(const PanelContext& context, const StepRow& row) {
     return (level + kArrow) * context.em;
 }
 
+/// What a person does with a row.
+enum class RowAction : std::uint8_t { None, Go, Toggle };
+
 /// A click, or Enter, Left and Right for those who walk by keyboard.
-void handleRow(const PanelContext& context, const StepRow& row, bool pressed, float left) {
-    StepTree& tree = context.ui().navigation.steps;
+RowAction actionOn(const PanelContext& context, const StepRow& row, bool pressed, float left) {
+    const StepTree& tree = context.ui().navigation.steps;
     const bool byMouse = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
     if (pressed) {
         const bool onArrow =
             byMouse && ImGui::GetMousePos().x < left + arrowEnd(context, row) && tree.canOpen(row);
-        onArrow ? toggle(context, row) : goTo(context, row);
-        return;
+        return onArrow ? RowAction::Toggle : RowAction::Go;
     }
-    if (!ImGui::IsItemFocused() || !tree.canOpen(row)) return;
+    if (!ImGui::IsItemFocused() || !tree.canOpen(row)) return RowAction::None;
     const auto hit = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
     const bool wanted = tree.isOpen(row) ? hit(ImGuiKey_LeftArrow) : hit(ImGuiKey_RightArrow);
-    if (ImGui::GetIO().NavVisible && wanted) toggle(context, row);
+    return ImGui::GetIO().NavVisible && wanted ? RowAction::Toggle : RowAction::None;
 }
 
-void drawRow(const PanelContext& context, std::size_t index, bool here) {
+RowAction drawRow(const PanelContext& context, std::size_t index, bool here) {
     const StepTree& tree = context.ui().navigation.steps;
     const StepRow row = tree.row(index);
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -333,9 +336,9 @@ void drawRow(const PanelContext& context, std::size_t index, bool here) {
             drawTest(context, pen, row);
             break;
     }
-    // Last: the rows may be others afterwards.
-    handleRow(context, row, pressed, at.x);
+    const RowAction action = actionOn(context, row, pressed, at.x);
     ImGui::PopID();
+    return action;
 }
 
 void drawFilter(const PanelContext& context) {
@@ -395,15 +398,22 @@ void drawRows(const PanelContext& context) {
     const float pitch = ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y;
     followCursor(context, pitch);
     const auto cursorRow = tree.rowOfCursor();
+    std::optional<StepRow> chosen;
+    RowAction action = RowAction::None;
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(tree.rowCount()), pitch);
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const auto row = static_cast<std::size_t>(i);
-            // A click may have folded what was below.
-            if (row < tree.rowCount()) drawRow(context, row, cursorRow == row);
+            const RowAction wanted = drawRow(context, row, cursorRow == row);
+            if (wanted == RowAction::None) continue;
+            action = wanted;
+            chosen = tree.row(row);
         }
     }
+    // After all rows: there may be others now.
+    if (action == RowAction::Go) goTo(context, *chosen);
+    if (action == RowAction::Toggle) toggle(context, *chosen);
 }
 
 void note(const char* text) {
@@ -418,6 +428,7 @@ void drawSteps(const PanelContext& context) {
     const Session& session = context.session();
     const bool ready = session.ready();
     const RunOverview& run = session.overview();
+    keepSteps(context);
     heading(context, "Steps",
             !ready ? std::string{}
                    : withS(run.pivots.size(), "pivot") + (run.complete ? "" : "\xE2\x80\xA6"));

@@ -171,10 +171,7 @@ void drawPanels(const PanelContext& context) {
         {"region view", context.layout.view},           {"region left", context.layout.left},
         {"region dial", context.layout.dial},           {"region right", context.layout.right},
         {"region narration", context.layout.narration}, {"region drawer", context.layout.drawer}};
-    if (const Session& session = context.session(); session.ready()) {
-        context.ui().navigation.steps.update(session.overview(), session.generation(),
-                                             session.record(), session.cursor());
-    }
+    keepSteps(context);
     const bool startPage = context.session().startPage();
     if (startPage) {
         drawMenuBar(context);
