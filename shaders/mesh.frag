@@ -1,6 +1,7 @@
 // Flat lit triangles with thin edges; back faces are darker, for orientation matters.
 in vec3 vPosition;
 in vec3 vBarycentric;
+in vec3 vNormal;
 in vec4 vColor;
 flat in float vHatched;
 
@@ -13,6 +14,9 @@ uniform vec4 uEdgeColor;  // alpha 0: no edges
 uniform float uEdgeWidth; // pixels
 uniform float uHatch;     // pixels between stripes
 uniform bool uLit;
+uniform bool uSmooth;      // light by the normals of the points
+uniform bool uWire;        // edges only
+uniform float uSoft;       // 1: no shade at all
 
 out vec4 fragColor;
 
@@ -21,12 +25,13 @@ void main() {
     if (uLit) {
         vec3 normal = normalize(cross(dFdx(vPosition), dFdy(vPosition)));
         vec3 toEye = uOrthographic ? uBackward : normalize(uEye - vPosition);
+        if (uSmooth && dot(vNormal, vNormal) > 0.01) normal = normalize(vNormal);
         if (dot(normal, toEye) < 0.0) normal = -normal;
         // A light over the left shoulder, and a weak one from the eye.
         vec3 light = normalize(toEye + 0.7 * uUp - 0.6 * uRight);
         float shade = 0.48 + 0.42 * max(dot(normal, light), 0.0) + 0.16 * dot(normal, toEye);
         if (!gl_FrontFacing) shade *= 0.55;
-        color.rgb *= shade;
+        color.rgb *= mix(shade, 1.0, uSoft);
         if (vHatched > 0.5) {
             float stripe = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / uHatch) - 0.5) * uHatch;
             color.rgb *= mix(1.0, 0.72, clamp(stripe - 0.22 * uHatch + 0.5, 0.0, 1.0));
@@ -38,8 +43,9 @@ void main() {
         float nearest = min(distance.x, min(distance.y, distance.z));
         // Triangles of a few pixels would be all edge.
         float height = 1.0 / max(width.x, max(width.y, width.z));
-        float strength = smoothstep(3.0, 12.0, height);
+        float strength = uWire ? 1.0 : smoothstep(3.0, 12.0, height);
         float edge = 1.0 - smoothstep(0.5 * uEdgeWidth - 0.5, 0.5 * uEdgeWidth + 0.5, nearest);
+        if (uWire && edge < 0.3) discard;
         color.rgb = mix(color.rgb, uEdgeColor.rgb, edge * strength * uEdgeColor.a);
     }
     fragColor = color;

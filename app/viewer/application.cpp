@@ -110,11 +110,13 @@ void Application::rememberSize(glm::ivec2 size) {
 }
 
 void Application::play(double seconds) {
-    if (playback_.playing() && session_.atEnd()) playback_.pause();
-    if (session_.busy()) return;
+    const PlayLoop& loop = playback_.loop;
+    if (!playback_.playing() || session_.busy()) return;
+    const bool turn = loop.complete() && session_.reached(*loop.to);
+    if (!turn && session_.atEnd()) playback_.pause();
     const int due = playback_.due(seconds);
     if (due == 0) return;
-    playback_.unit() == PlayUnit::Pivot ? session_.stepPivot(due) : session_.stepEvent(due);
+    turn ? session_.playTo(*loop.from) : playSteps(commands_, due);
 }
 
 namespace {
@@ -168,24 +170,36 @@ void Application::fillScene() {
     renderer_->setTriangles(session_.model(), session_.triangles());
     renderer_->setMended(session_.model(), session_.picture().mended);
     shownLayers_ = shownLayers(settings.layers, session_.stage());
+    MeshColoring mesh =
+        meshColoring(settings.meshStyle, session_.overview(), session_.triangles().size());
     if (filledRevision_ == session_.revision() && filledLayers_ == shownLayers_ &&
-        filledTheme_ == settings.theme) {
+        filledTheme_ == settings.theme && filledMesh_ == mesh) {
         return;
     }
-    const LayerInput input{session_.model(),     session_.picture(),      palette(),
-                           session_.selected(),  session_.litRing(),      session_.hovered(),
-                           session_.triangles(), componentBegin(session_)};
+    const LayerInput input{session_.model(),
+                           session_.picture(),
+                           palette(),
+                           session_.selected(),
+                           session_.litRing(),
+                           session_.hovered(),
+                           session_.triangles(),
+                           componentBegin(session_),
+                           session_.selection(),
+                           ui_.facts.of(session_).present,
+                           mesh};
     fillDrawList(input, shownLayers_, drawList_);
     filledRevision_ = session_.revision();
     filledLayers_ = shownLayers_;
     filledTheme_ = settings.theme;
+    filledMesh_ = std::move(mesh);
+    ++fills_;
 }
 
 void Application::drawScene(const Layout& layout) {
     const glm::ivec2 size(layout.view.size);
     if (size.x < 1 || size.y < 1) return;
     const SceneKey key{session_.revision(), session_.generation(), camera_.revision(), size,
-                       shownLayers_,        ui_.settings.theme,    imgui_->em()};
+                       shownLayers_,        ui_.settings.theme,    imgui_->em(),       fills_};
     if (key == drawn_) return;
     drawn_ = key;
     const float aspect = layout.view.size.x / layout.view.size.y;

@@ -67,6 +67,7 @@ class Application {
         LayerSwitches layers;
         Theme theme = Theme::Dark;
         float em = 0.0F;
+        unsigned fills = 0;
         friend bool operator==(const SceneKey&, const SceneKey&) = default;
     };
 
@@ -97,6 +98,8 @@ class Application {
     LayerSwitches shownLayers_;  ///< At the event that the picture shows.
     LayerSwitches filledLayers_;
     Theme filledTheme_ = Theme::Dark;
+    MeshColoring filledMesh_;
+    unsigned fills_ = 0;  ///< How often the draw list was made.
     std::uint32_t uploadedGeneration_ = 0;
     float contentScale_ = 1.0F;
     Filing filing_;

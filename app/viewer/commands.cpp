@@ -33,7 +33,18 @@ void escape(C& c) {
     c.ui.fileBrowser = false;
     c.ui.palette.open = false;
     c.ui.requests.closePopups = true;
-    c.session.select(kNone);
+    c.session.select(Selection{});
+}
+
+template <MeshStyle style>
+void setMeshStyle(C& c) {
+    c.ui.settings.meshStyle = style;
+}
+
+void nextMeshStyle(C& c) {
+    MeshStyle& style = c.ui.settings.meshStyle;
+    style = following(style);
+    c.session.say("Finished triangles: " + std::string(rowOf(style).title) + ".");
 }
 
 void toggleTheme(C& c) {
@@ -124,9 +135,29 @@ void toMark(C& c, int direction) {
     }
 }
 
-void toggleUnit(C& c) {
-    const bool pivots = c.playback.unit() == PlayUnit::Pivot;
-    c.playback.setUnit(pivots ? PlayUnit::SubStep : PlayUnit::Pivot);
+void toggleUnit(C& c) { c.playback.setUnit(following(c.playback.unit())); }
+
+void playOrPause(C& c) {
+    // A long way to the next event must not go on after the pause.
+    if (c.playback.playing() && c.playback.unit() == PlayUnit::Event) c.session.cancelMove();
+    c.playback.toggle();
+}
+
+void stepByUnit(C& c, int direction) {
+    pause(c);
+    playSteps(c, direction);
+}
+
+void setLoopStart(C& c) {
+    if (!c.session.ready()) return;
+    c.playback.loop.setFrom(c.session.address());
+    c.session.say("Playing begins again at " + toString(c.session.address()) + ".");
+}
+
+void setLoopEnd(C& c) {
+    if (!c.session.ready()) return;
+    c.playback.loop.setTo(c.session.address());
+    c.session.say("Playing turns back at " + toString(c.session.address()) + ".");
 }
 
 void arrange(C& c, Arrangement arrangement) {
@@ -138,6 +169,18 @@ void arrange(C& c, Arrangement arrangement) {
 template <Arrangement arrangement>
 void setArrangement(C& c) {
     arrange(c, arrangement);
+}
+
+void goToBirth(C& c) {
+    if (!c.session.ready()) return;
+    const std::optional<std::uint32_t> number = factsOf(c.session, c.session.selection()).number;
+    const auto pivot = number ? pivotOfTriangle(c.session.overview(), *number) : std::nullopt;
+    pause(c);
+    if (pivot) {
+        c.session.goToPivot(*pivot);
+    } else {
+        c.session.say("Select an edge or a triangle first: the pivot that made it is not known.");
+    }
 }
 
 // Groups in the order of the menu bar.
@@ -163,12 +206,21 @@ constexpr auto kCommands = std::to_array<Command>({
      [](C& c) { c.ui.requests.redo = true; }},
 
     {"run.play", "Run", "Play or pause", "Space P", "Play by the chosen unit, or pause.", false,
-     [](C& c) { c.playback.toggle(); }},
+     playOrPause},
+    {"run.step", "Run", "One step on", "O", "Go on by one of the unit of playing.", true,
+     [](C& c) { stepByUnit(c, 1); }},
+    {"run.step.back", "Run", "One step back", "Shift+O", "Go back by one of the unit of playing.",
+     true, [](C& c) { stepByUnit(c, -1); }},
     {"run.slower", "Run", "Slower", "-", "Play more slowly.", true,
      [](C& c) { c.playback.slower(); }},
     {"run.faster", "Run", "Faster", "=", "Play faster.", true, [](C& c) { c.playback.faster(); }},
-    {"run.unit", "Run", "Change the unit of playing", "U", "Play by sub-steps or by pivots.", false,
-     toggleUnit},
+    {"run.unit", "Run", "Change the unit of playing", "U",
+     "Play by sub-steps, by pivots or from event to event.", false, toggleUnit},
+    {"run.loop.start", "Run", "Loop from here", "A", "Playing begins again here.", false,
+     setLoopStart},
+    {"run.loop.end", "Run", "Loop to here", "B", "Playing turns back here.", false, setLoopEnd},
+    {"run.loop.clear", "Run", "No loop", "Shift+A", "Take the marks of the loop away.", false,
+     [](C& c) { c.playback.loop = {}; }},
     {"run.end", "Run", "Run to the end", "F5 End", "Run to the end; the window stays awake.", false,
      toEnd},
     {"run.start", "Run", "Back to the start", "Shift+F5 Home", "Go to where nothing has been done.",
@@ -197,6 +249,8 @@ constexpr auto kCommands = std::to_array<Command>({
     {"step.before", "Step", "Before this decision (hold)", "`",
      "Show the state before this decision, as long as the key is held.", false,
      [](C& c) { c.session.showBefore(!c.session.showsBefore()); }},
+    {"step.birth", "Step", "Where the selection was made", "",
+     "Go to the pivot that made the selected edge or triangle.", false, goToBirth},
     {"step.goto", "Step", "Go to...", "Ctrl+G", "Type 137, 137.sphere.3, +10, 50% or p812.", false,
      [](C& c) { c.ui.goTo.open(); }},
 
@@ -241,6 +295,19 @@ constexpr auto kCommands = std::to_array<Command>({
      setArrangement<Arrangement::Learn>},
     {"view.layout.present", "View", "Layout Present", "", "View, caption and the run alone.", false,
      setArrangement<Arrangement::Present>},
+    {"view.mesh.flat", "View", "Mesh: flat", "", "Finished triangles flat gray.", false,
+     setMeshStyle<MeshStyle::Flat>},
+    {"view.mesh.shaded", "View", "Mesh: smooth", "",
+     "Finished triangles shaded as one smooth surface.", false, setMeshStyle<MeshStyle::Shaded>},
+    {"view.mesh.wire", "View", "Mesh: edges only", "", "See through the finished triangles.", false,
+     setMeshStyle<MeshStyle::Wire>},
+    {"view.mesh.birth", "View", "Mesh: by order of birth", "",
+     "Color finished triangles from the first to the last one made.", false,
+     setMeshStyle<MeshStyle::BirthOrder>},
+    {"view.mesh.component", "View", "Mesh: by component", "",
+     "Color finished triangles by component.", false, setMeshStyle<MeshStyle::Component>},
+    {"view.mesh.next", "View", "Mesh: next style", "M", "Change how finished triangles look.",
+     false, nextMeshStyle},
     {"view.legend", "View", "Legend", "", "Show or hide the legend.", false,
      [](C& c) { c.ui.settings.legend = !c.ui.settings.legend; }},
     {"view.drawer", "View", "Fold the drawer", "Ctrl+J",
@@ -380,11 +447,63 @@ std::string listActions() {
     return text;
 }
 
+void playSteps(CommandContext& context, int count) {
+    Session& session = context.session;
+    const PlayLoop& loop = context.playback.loop;
+    switch (context.playback.unit()) {
+        case PlayUnit::SubStep:
+            session.stepEvent(count);
+            break;
+        case PlayUnit::Pivot:
+            if (count > 0 && loop.complete() && session.ready()) {
+                const auto here = static_cast<long>(session.record().pivot);
+                const long rest = static_cast<long>(loop.to->pivot) - here;
+                if (rest > 0) count = static_cast<int>(std::min<long>(count, rest));
+            }
+            session.stepPivot(count);
+            break;
+        case PlayUnit::Event: {
+            const std::optional<Address> mark = session.nextMark(count);
+            if (mark) {
+                session.playTo(*mark);
+            } else if (session.ready() && session.overview().complete) {
+                context.playback.pause();
+                session.say(count > 0 ? "There is no event after this one."
+                                      : "There is no event before this one.");
+            }
+            break;
+        }
+    }
+}
+
+namespace {
+
+/// Of an edge or a triangle: what is around it, too.
+void frameSelection(CommandContext& context) {
+    const Model& model = context.session.model();
+    const std::span<const Index> corners = context.session.selection().corners();
+    glm::vec3 middle(0.0F);
+    glm::vec3 normal(0.0F);
+    for (const Index p : corners) {
+        middle += model.place[p] / static_cast<float>(corners.size());
+        normal += model.normal[p];
+    }
+    float radius = model.spacing;
+    for (const Index p : corners) {
+        radius = std::max(radius, glm::distance(middle, model.place[p]));
+    }
+    if (glm::length(normal) > 0.0F) context.camera.face(glm::normalize(normal));
+    context.camera.frame(middle, 2.5F * radius);
+}
+
+}  // namespace
+
 void frameFocus(CommandContext& context) {
     const Session& session = context.session;
     if (!session.ready()) return;
     const Model& model = session.model();
     const Picture& picture = session.picture();
+    if (session.selection().corners().size() > 1) return frameSelection(context);
     Index focus = session.selected();
     if (focus == kNone) focus = picture.pivot;
     if (focus == kNone) focus = picture.underTest;

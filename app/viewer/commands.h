@@ -35,6 +35,9 @@ std::string allKeys(const Command& command);
 /// One line per action: id, keys, help.
 std::string listActions();
 
+/// Goes on by `count` of the unit that is played by, at most to the end of the loop; back if it is
+/// negative.
+void playSteps(CommandContext& context, int count);
 /// Puts the pivot and its neighbors, or the selection, into the middle of the view.
 void frameFocus(CommandContext& context);
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "block_list.h"
+#include "mesh_style.h"
 #include "palette.h"
 #include "spiraling_edge/point_set.h"
 
@@ -89,6 +90,12 @@ struct CloudStyles {
     std::array<PointStyle, kCount> styles{};
 };
 
+/// Finished triangles from `first` up to the next stretch.
+struct MeshStretch {
+    std::size_t first = 0;
+    Color color;
+};
+
 struct DrawList {
     // The input: positions are uploaded once, only the bytes change.
     bool cloudVisible = true;
@@ -102,6 +109,11 @@ struct DrawList {
     std::size_t finishedTriangles = 0;
     Color meshColor;
     Color meshEdgeColor;
+    MeshStyle meshStyle = MeshStyle::Flat;
+    std::size_t birthEnd = 1;  ///< The triangle at the light end of the scale.
+    /// Stretches of the finished triangles with a color of their own, in order; the rest has
+    /// meshColor.
+    std::vector<MeshStretch> meshStretches;
     bool meshVisible = true;
     bool meshEdges = true;
 

@@ -8,6 +8,7 @@
 #include "application.h"
 #include "offscreen.h"
 #include "options.h"
+#include "picking.h"
 #include "recent.h"
 #include "settings.h"
 #include "spiraling_edge/io.h"
@@ -33,6 +34,7 @@ ViewSettings settingsFor(const Options& options) {
         settings.height = options.size->y;
     }
     if (options.theme) settings.theme = *options.theme;
+    if (options.meshStyle) settings.meshStyle = *options.meshStyle;
     if (options.uiScale > 0.0) settings.uiScale = options.uiScale;
     return settings;
 }
@@ -43,6 +45,7 @@ ViewSettings settingsToKeep(const Options& options, const Application& applicati
     const se::Result<ViewSettings> read = readSettings(settingsPath());
     const ViewSettings before = read ? read.value() : ViewSettings{};
     if (options.theme) keep.theme = before.theme;
+    if (options.meshStyle) keep.meshStyle = before.meshStyle;
     if (options.uiScale > 0.0) keep.uiScale = before.uiScale;
     if (options.session && options.session->layers) keep.layers = before.layers;
     if (options.size) keep.width = before.width;
@@ -147,6 +150,14 @@ int runBench(const Options& options) {
                [](Session& session) { session.stepPivot(1); });
     benchMoves(options, target, application, "one pivot back each",
                [](Session& session) { session.stepPivot(-1); });
+    benchMoves(options, target, application, "a click on the middle each", [](Session& session) {
+        Camera camera;
+        camera.home(session.model().beginning, session.model().sample);
+        const PickScene scene{session.model(), true, session.shownTriangles(),
+                              session.picture().mended ? nullptr : &session.meshIndex(),
+                              session.picture().rings};
+        session.select(pick(scene, {camera.matrices(1.6F), {1280, 800}, {640, 400}, 9.6F}).what);
+    });
     benchMoves(options, target, application, "nothing moves", [](Session&) {});
     return dumpState(application);
 }

@@ -44,6 +44,7 @@ std::string sceneList() {
 struct RawOptions {
     std::string size;
     std::string theme;
+    std::string meshStyle;
     std::string layout;
     std::string place;
     std::vector<std::string> choices;
@@ -89,6 +90,9 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_option("--layout", raw.layout, "How the window is arranged: debug, learn or present")
         ->check(CLI::IsMember({"debug", "learn", "present"}));
     app.add_flag("--reset-layout", o.resetLayout, "Forget the layout that was chosen last");
+    app.add_option("--mesh-style", raw.meshStyle,
+                   "How finished triangles look: flat, shaded, wire, birth or component")
+        ->check(CLI::IsMember({"flat", "shaded", "wire", "birth", "component"}));
     app.add_flag("--narrate", o.narrate, "Print one sentence per step to stdout");
     app.add_option("--state-dump", raw.stateDump,
                    "Write what is shown as JSON, whenever it changes")
@@ -176,6 +180,7 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
     o.rulesGiven = app.count("--rules") > 0;
     o.reachGiven = raw.neighbors > 0 || raw.radius > 0.0;
     o.theme = themeFromName(raw.theme);
+    o.meshStyle = meshStyleFromName(raw.meshStyle);
     o.layout = arrangementFromName(raw.layout);
     o.screenshot = raw.screenshot;
     o.shaders = raw.shaders;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "arrangement.h"
+#include "mesh_style.h"
 #include "model.h"
 #include "palette.h"
 #include "place.h"
@@ -40,6 +41,7 @@ struct Options {
     int frames = 0;                    ///< Leave after so many frames; 0: when told to.
     double uiScale = 0.0;              ///< 0: not given.
     std::optional<Theme> theme;
+    std::optional<MeshStyle> meshStyle;
     std::optional<Arrangement> layout;
     std::filesystem::path shaders;  ///< Folder to read shaders from; empty: those embedded.
     bool focus = false;             ///< Begin with the pivot framed.

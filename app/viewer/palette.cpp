@@ -1,5 +1,7 @@
 #include "palette.h"
 
+#include <array>
+
 #include <algorithm>
 #include <cmath>
 
@@ -74,6 +76,17 @@ double contrast(const Color& a, const Color& b) {
     const double la = luminance(a);
     const double lb = luminance(b);
     return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
+}
+
+Color viridis(float share) {
+    // matplotlib's map at nine places.
+    constexpr std::array<Color, 9> kPlaces = {
+        fromHex(0x440154), fromHex(0x472D7B), fromHex(0x3B528B),
+        fromHex(0x2C728E), fromHex(0x21918C), fromHex(0x28AE80),
+        fromHex(0x5EC962), fromHex(0xADDC30), fromHex(0xFDE725)};
+    const float at = std::clamp(share, 0.0F, 1.0F) * static_cast<float>(kPlaces.size() - 1);
+    const auto low = std::min(static_cast<std::size_t>(at), kPlaces.size() - 2);
+    return mix(kPlaces[low], kPlaces[low + 1], at - static_cast<float>(low));
 }
 
 }  // namespace se::view

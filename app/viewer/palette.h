@@ -59,6 +59,10 @@ struct Palette {
 
 const Palette& paletteOf(Theme theme);
 
+/// The scale of numbers: from dark violet (0) over green to yellow (1), ever lighter, so that it
+/// can be read without colors.
+Color viridis(float share);
+
 /// Contrast ratio by WCAG 2, from 1 to 21.
 double contrast(const Color& a, const Color& b);
 

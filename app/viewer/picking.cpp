@@ -1,30 +1,59 @@
 #include "picking.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <limits>
+#include <vector>
 
 namespace se::view {
 
 namespace {
+
+/// Points are drawn so much nearer to the eye, in spacings; see the renderer.
+constexpr float kPointBias = 0.12F;
+/// How many points are asked whether something hides them.
+constexpr std::size_t kPointsAsked = 8;
+
+/// From places to pixels, with everything that does not change worked out once.
+class Projector {
+  public:
+    Projector(const CameraMatrices& camera, glm::vec2 size)
+        : camera_(camera), size_(size), toClip_(camera.viewProjection()) {}
+
+    /// Pixel and depth; depth <= 0 means behind the camera.
+    glm::vec3 operator()(const glm::vec3& place) const {
+        const glm::vec4 clip = toClip_ * glm::vec4(place, 1.0F);
+        if (clip.w <= 0.0F) return {0.0F, 0.0F, -1.0F};
+        const float depth = camera_.orthographic ? 100.0F - glm::dot(toEye(place), place) : clip.w;
+        return {(0.5F * clip.x / clip.w + 0.5F) * size_.x,
+                (0.5F - 0.5F * clip.y / clip.w) * size_.y, depth};
+    }
+    /// From the place toward the eye, of no particular length.
+    glm::vec3 toEye(const glm::vec3& place) const {
+        if (!camera_.orthographic) return camera_.eye - place;
+        return {camera_.view[0][2], camera_.view[1][2], camera_.view[2][2]};
+    }
+
+  private:
+    const CameraMatrices& camera_;
+    glm::vec2 size_;
+    glm::mat4 toClip_;
+};
 
 /// Looks at one point after the other and keeps the best.
 class Picker {
   public:
     Picker(const Model& model, const CameraMatrices& camera, glm::vec2 size, glm::vec2 pixel,
            float radius)
-        : model_(model),
-          camera_(camera),
-          size_(size),
-          pixel_(pixel),
-          radius_(radius),
-          back_(glm::vec4(0.0F, 0.0F, 1.0F, 0.0F) * camera.view) {}
+        : model_(model), projector_(camera, size), pixel_(pixel), radius_(radius) {}
 
     void look(Index p) {
         if (!model_.drawable[p]) return;
-        const glm::vec3 at = project(camera_, model_.place[p], size_);
+        const glm::vec3 at = projector_(model_.place[p]);
         if (at.z <= 0.0F || glm::distance(glm::vec2(at), pixel_) > radius_) return;
-        const glm::vec3 toEye = camera_.orthographic ? back_ : camera_.eye - model_.place[p];
-        const bool faces = glm::dot(toEye, model_.normal[p]) >= 0.0F;
+        const bool faces = glm::dot(projector_.toEye(model_.place[p]), model_.normal[p]) >= 0.0F;
         if (bestFaces_ && !faces) return;
         if (faces == bestFaces_ && at.z >= bestDepth_) return;
         best_ = p;
@@ -35,14 +64,270 @@ class Picker {
 
   private:
     const Model& model_;
-    const CameraMatrices& camera_;
-    glm::vec2 size_;
+    Projector projector_;
     glm::vec2 pixel_;
     float radius_;
-    glm::vec3 back_;
     Index best_ = kNone;
     float bestDepth_ = std::numeric_limits<float>::max();
     bool bestFaces_ = false;
+};
+
+/// A line of sight; the direction has unit length.
+struct Ray {
+    glm::vec3 from{0.0F};
+    glm::vec3 way{0.0F};
+
+    glm::vec3 at(float distance) const { return from + distance * way; }
+};
+
+struct Hit {
+    Triangle triangle;
+    float distance = std::numeric_limits<float>::max();
+};
+
+/// Where the ray meets a triangle, from whichever side (Moeller and Trumbore).
+std::optional<float> meet(const Ray& ray, const Model& model, const Triangle& t) {
+    const glm::vec3& a = model.place[t.a];
+    const glm::vec3 u = model.place[t.b] - a;
+    const glm::vec3 v = model.place[t.c] - a;
+    const glm::vec3 p = glm::cross(ray.way, v);
+    const float det = glm::dot(u, p);
+    if (det == 0.0F) return std::nullopt;
+    const glm::vec3 s = ray.from - a;
+    const float x = glm::dot(s, p) / det;
+    const glm::vec3 q = glm::cross(s, u);
+    const float y = glm::dot(ray.way, q) / det;
+    // A little beyond the sides, lest the ray slips through between two triangles.
+    constexpr float kSlack = 1e-3F;
+    if (x < -kSlack || y < -kSlack || x + y > 1.0F + 2.0F * kSlack) return std::nullopt;
+    const float distance = glm::dot(v, q) / det;
+    if (distance <= 0.0F) return std::nullopt;
+    return distance;
+}
+
+float distanceToSegment(glm::vec2 p, glm::vec2 a, glm::vec2 b, float& share) {
+    const glm::vec2 ab = b - a;
+    const float length = glm::dot(ab, ab);
+    share = length > 0.0F ? std::clamp(glm::dot(p - a, ab) / length, 0.0F, 1.0F) : 0.0F;
+    return glm::distance(p, a + share * ab);
+}
+
+/// A point that is drawn near the pointer.
+struct NearPoint {
+    Index point;
+    float pixels;
+    float depth;
+    bool faces;
+};
+
+/// An edge that is drawn near the pointer.
+struct NearEdge {
+    Selection edge;
+    glm::vec3 place{0.0F};
+    float pixels = std::numeric_limits<float>::max();
+    float distance = std::numeric_limits<float>::max();  ///< From the eye.
+};
+
+class ScenePicker {
+  public:
+    ScenePicker(const PickScene& scene, const PickPlace& at)
+        : scene_(scene),
+          model_(scene.model),
+          at_(at),
+          project_(at.camera, at.size),
+          ray_(rayThrough(at.pixel)) {}
+
+    Pick pick() const {
+        const Hit front = firstHit(ray_, kNone);
+        const bool any = front.distance < std::numeric_limits<float>::max();
+        if (const Index point = nearPoint(any ? extentOf(front.triangle) : Extent{});
+            point != kNone) {
+            return {Selection::ofPoint(point), model_.place[point]};
+        }
+        const NearEdge edge = any ? edgeBefore(front) : edgeBesideAll();
+        if (edge.edge.kind == SelectionKind::Edge) return {edge.edge, edge.place};
+        if (any) return {Selection::ofTriangle(front.triangle), ray_.at(front.distance)};
+        return {};
+    }
+
+  private:
+    Ray rayThrough(glm::vec2 pixel) const {
+        const glm::mat4 back = glm::inverse(at_.camera.viewProjection());
+        const glm::vec2 ndc(2.0F * pixel.x / at_.size.x - 1.0F, 1.0F - 2.0F * pixel.y / at_.size.y);
+        const glm::vec4 low = back * glm::vec4(ndc, -1.0F, 1.0F);
+        const glm::vec4 high = back * glm::vec4(ndc, 1.0F, 1.0F);
+        const glm::vec3 from = glm::vec3(low) / low.w;
+        return {from, glm::normalize(glm::vec3(high) / high.w - from)};
+    }
+    Ray rayTo(Index point) const {
+        if (!at_.camera.orthographic) {
+            return {at_.camera.eye, glm::normalize(model_.place[point] - at_.camera.eye)};
+        }
+        const glm::vec3 at = project_(model_.place[point]);
+        return rayThrough(glm::vec2(at));
+    }
+
+    /// Calls with each triangle that the ray may pass within `margin` of.
+    template <typename Function>
+    void forEachNear(const Ray& ray, float margin, Function&& function) const {
+        if (scene_.index == nullptr) {
+            for (const Triangle& t : scene_.triangles) function(t);
+            return;
+        }
+        if (scene_.index->empty()) return;
+        const auto count = static_cast<Index>(model_.place.size());
+        for (Index p = 0; p < count; ++p) {
+            const float reach = scene_.index->reach(p);
+            if (reach == 0.0F) continue;
+            const glm::vec3 across = glm::cross(model_.place[p] - ray.from, ray.way);
+            const float far = reach + margin;
+            if (glm::dot(across, across) > far * far) continue;
+            scene_.index->forEachAt(p, [&](std::uint32_t t) {
+                if (t < scene_.triangles.size() && scene_.triangles[t].a == p) {
+                    function(scene_.triangles[t]);
+                }
+            });
+        }
+    }
+
+    /// The first triangle on the way, leaving out those with the corner `without`.
+    Hit firstHit(const Ray& ray, Index without) const {
+        Hit first;
+        forEachNear(ray, 0.0F, [&](const Triangle& t) {
+            if (t.a == without || t.b == without || t.c == without) return;
+            const std::optional<float> distance = meet(ray, model_, t);
+            if (distance && *distance < first.distance) first = {t, *distance};
+        });
+        return first;
+    }
+
+    bool hidden(Index point) const {
+        const Ray ray = rayTo(point);
+        const float distance = glm::dot(model_.place[point] - ray.from, ray.way);
+        return firstHit(ray, point).distance < distance - kPointBias * model_.spacing;
+    }
+
+    /// How large a triangle is on the screen, in pixels.
+    struct Extent {
+        float side = 0.0F;    ///< The shortest one.
+        float height = 0.0F;  ///< The least one: small in slim triangles.
+    };
+    Extent extentOf(const Triangle& t) const {
+        const glm::vec2 a(project_(model_.place[t.a]));
+        const glm::vec2 b(project_(model_.place[t.b]));
+        const glm::vec2 c(project_(model_.place[t.c]));
+        const glm::vec2 u = b - a;
+        const glm::vec2 v = c - a;
+        const float doubleArea = std::abs(u.x * v.y - u.y * v.x);
+        const auto [least, most] =
+            std::minmax({glm::length(u), glm::length(v), glm::distance(b, c)});
+        return {least, most > 0.0F ? doubleArea / most : 0.0F};
+    }
+
+    std::vector<NearPoint> pointsNear(float radius) const {
+        std::vector<NearPoint> found;
+        const auto count = static_cast<Index>(model_.place.size());
+        for (Index p = 0; p < count; ++p) {
+            const glm::vec3 at = project_(model_.place[p]);
+            const glm::vec2 away = glm::vec2(at) - at_.pixel;
+            const float square = glm::dot(away, away);
+            if (square > radius * radius || at.z <= 0.0F || !model_.drawable[p]) continue;
+            const bool faces = glm::dot(project_.toEye(model_.place[p]), model_.normal[p]) >= 0.0F;
+            found.push_back({p, std::sqrt(square), at.z, faces});
+        }
+        return found;
+    }
+
+    /// Where triangles are large, one must come nearer to a point than where they are small: else
+    /// there would be no room for edges and triangles.
+    Index nearPoint(const Extent& front) const {
+        if (!scene_.points) return kNone;
+        const float radius = front.side < 1.5F * at_.radius
+                                 ? at_.radius
+                                 : std::clamp(0.3F * front.height, 1.0F, at_.radius);
+        std::vector<NearPoint> found = pointsNear(radius);
+        const std::size_t asked = std::min(found.size(), kPointsAsked);
+        std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(asked),
+                          found.end(), [](const NearPoint& a, const NearPoint& b) {
+                              return a.faces != b.faces ? a.faces : a.depth < b.depth;
+                          });
+        for (std::size_t i = 0; i < asked; ++i) {
+            if (!hidden(found[i].point)) return nearestAsFarAs(found[i], found);
+        }
+        return kNone;
+    }
+
+    /// Among points about as far away as `front`, the one nearest to the pointer.
+    Index nearestAsFarAs(const NearPoint& front, const std::vector<NearPoint>& found) const {
+        const NearPoint* best = &front;
+        for (const NearPoint& each : found) {
+            if (each.faces == front.faces && each.pixels < best->pixels &&
+                each.depth < front.depth + model_.spacing) {
+                best = &each;
+            }
+        }
+        return best == &front || hidden(best->point) ? front.point : best->point;
+    }
+
+    NearEdge lookAt(Index a, Index b) const {
+        const glm::vec3 from = project_(model_.place[a]);
+        const glm::vec3 to = project_(model_.place[b]);
+        if (from.z <= 0.0F || to.z <= 0.0F) return {};
+        float share = 0.0F;
+        NearEdge near;
+        near.edge = Selection::ofEdge(a, b);
+        near.pixels = distanceToSegment(at_.pixel, glm::vec2(from), glm::vec2(to), share);
+        near.place = glm::mix(model_.place[a], model_.place[b], share);
+        near.distance = glm::dot(near.place - ray_.from, ray_.way);
+        return near;
+    }
+
+    /// The ring edge nearest to the pointer, if it is not farther away than `distance`.
+    NearEdge ringEdge(float radius, float distance) const {
+        NearEdge best;
+        for (const RingPath& ring : scene_.rings) {
+            for (std::size_t i = 0; i < ring.points.size(); ++i) {
+                const NearEdge near =
+                    lookAt(ring.points[i], ring.points[(i + 1) % ring.points.size()]);
+                if (near.pixels < std::min(best.pixels, radius) && near.distance < distance) {
+                    best = near;
+                }
+            }
+        }
+        return best;
+    }
+
+    NearEdge edgeBefore(const Hit& front) const {
+        const float radius = std::min(0.5F * at_.radius, 0.2F * extentOf(front.triangle).height);
+        NearEdge best = ringEdge(radius, front.distance + 0.5F * model_.spacing);
+        const Triangle& t = front.triangle;
+        for (const NearEdge& near : {lookAt(t.a, t.b), lookAt(t.b, t.c), lookAt(t.c, t.a)}) {
+            if (near.pixels < std::min(best.pixels, radius)) best = near;
+        }
+        return best;
+    }
+
+    /// Beside the mesh: its rim, or a ring.
+    NearEdge edgeBesideAll() const {
+        constexpr float kAnywhere = std::numeric_limits<float>::max();
+        const float radius = 0.5F * at_.radius;
+        NearEdge best = ringEdge(radius, kAnywhere);
+        const float farthest = at_.camera.orthographic ? 1.0F : glm::length(ray_.from) + 1.0F;
+        const float unitsPerPixel = 2.0F * farthest / (at_.camera.projection[1][1] * at_.size.y);
+        const float margin = radius * unitsPerPixel;
+        forEachNear(ray_, margin, [&](const Triangle& t) {
+            for (const NearEdge& near : {lookAt(t.a, t.b), lookAt(t.b, t.c), lookAt(t.c, t.a)}) {
+                if (near.pixels < radius && near.distance < best.distance) best = near;
+            }
+        });
+        return best;
+    }
+
+    const PickScene& scene_;
+    const Model& model_;
+    const PickPlace& at_;
+    Projector project_;
+    Ray ray_;
 };
 
 }  // namespace
@@ -60,5 +345,7 @@ Index pickAmong(const Model& model, std::span<const Index> points, const CameraM
     for (const Index p : points) picker.look(p);
     return picker.best();
 }
+
+Pick pick(const PickScene& scene, const PickPlace& at) { return ScenePicker(scene, at).pick(); }
 
 }  // namespace se::view

@@ -13,6 +13,25 @@ constexpr int kMostAtOnce = 8;
 
 }  // namespace
 
+std::string_view unitName(PlayUnit unit) {
+    constexpr std::array<std::string_view, 3> kNames = {"sub-step", "pivot", "event"};
+    return kNames[static_cast<std::size_t>(unit)];
+}
+
+PlayUnit following(PlayUnit unit) {
+    return static_cast<PlayUnit>((static_cast<int>(unit) + 1) % 3);
+}
+
+void PlayLoop::setFrom(const Address& address) {
+    from = address;
+    if (to && to->pivot < address.pivot) to.reset();
+}
+
+void PlayLoop::setTo(const Address& address) {
+    to = address;
+    if (from && from->pivot > address.pivot) from.reset();
+}
+
 void Playback::setRate(double rate) {
     rate_ = std::clamp(rate, kSlowest, kFastest);
     unlimited_ = false;

@@ -2,10 +2,35 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "spiraling_edge/event.h"
 
 namespace se::view {
 
-enum class PlayUnit : std::uint8_t { SubStep, Pivot };
+enum class PlayUnit : std::uint8_t {
+    SubStep,
+    Pivot,
+    Event,  ///< To the next split, join, seed or alert.
+};
+
+/// "sub-step", "pivot", "event".
+std::string_view unitName(PlayUnit unit);
+/// The unit after it; after the last, the first.
+PlayUnit following(PlayUnit unit);
+
+/// The stretch of the run that is played again and again, once both marks are set.
+struct PlayLoop {
+    std::optional<Address> from;
+    std::optional<Address> to;
+
+    bool complete() const { return from && to; }
+    bool empty() const { return !from && !to; }
+    /// Sets one mark. The other goes if it would be on the wrong side.
+    void setFrom(const Address& address);
+    void setTo(const Address& address);
+};
 
 class Playback {
   public:
@@ -35,6 +60,8 @@ class Playback {
     /// Steps due after `seconds` more have passed; 0 while paused. Never more than 8, so that a
     /// long frame does not lead to a longer one.
     int due(double seconds);
+
+    PlayLoop loop;
 
   private:
     bool playing_ = false;

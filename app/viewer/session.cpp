@@ -58,11 +58,13 @@ void Session::adopt(std::shared_ptr<const Model> model) {
     model_ = std::move(model);
     record_.reset();
     triangles_.clear();
+    meshIndex_ = {};
     overview_ = {};
     picture_ = {};
     moves_.clear();
     waiting_ = false;
-    selected_ = highlightedRing_ = hoveredRing_ = kNone;
+    selection_ = {};
+    highlightedRing_ = hoveredRing_ = kNone;
     ++generation_;
     ++revision_;
     phase_ = SessionPhase::Ready;
@@ -109,6 +111,7 @@ bool Session::takeAnswer() {
     std::optional<RunnerAnswer> answer = runner_->take();
     if (!answer) return false;
     triangles_.insert(triangles_.end(), answer->newTriangles.begin(), answer->newTriangles.end());
+    meshIndex_.append(*model_, triangles_);
     record_ = answer->record;
     if (answer->final) {
         waiting_ = false;
@@ -200,8 +203,8 @@ void Session::goForward() {
     if (place) jump(addressFromString(*place).value_or(Address{}));
 }
 
-bool Session::goToMark(int direction) {
-    if (!ready()) return false;
+std::optional<Address> Session::nextMark(int direction) const {
+    if (!ready()) return std::nullopt;
     const std::vector<RunMark>& marks = overview_.marks;  // by pivot, in the order of the run
     const Address here = address();
     const auto rank = [](std::uint32_t pivot, Stage stage) {
@@ -218,9 +221,22 @@ bool Session::goToMark(int direction) {
                                               : place > rank(best->pivot, stageOf(best->kind)));
         if (nearer) best = &mark;
     }
-    if (best == nullptr) return false;
-    goTo({best->pivot, stageOf(best->kind), 0});
-    return true;
+    if (best == nullptr) return std::nullopt;
+    return Address{best->pivot, stageOf(best->kind), 0};
+}
+
+bool Session::goToMark(int direction) {
+    const std::optional<Address> mark = nextMark(direction);
+    if (mark) goTo(*mark);
+    return mark.has_value();
+}
+
+bool Session::reached(const Address& address) const {
+    if (!ready() || record_->pivot != address.pivot)
+        return ready() && record_->pivot > address.pivot;
+    const bool whole = address.stage == Stage::Pivot && address.n == 0;
+    const auto place = whole ? std::nullopt : record_->find(address);
+    return cursor_ >= place.value_or(record_->events.empty() ? 0 : record_->events.size() - 1);
 }
 
 void Session::goToEvent(std::size_t index) {
@@ -350,10 +366,16 @@ Status Session::goToText(const std::string& given) {
     return success();
 }
 
-void Session::select(Index point) {
-    if (selected_ == point) return;
-    selected_ = point;
+void Session::select(const Selection& selection) {
+    if (selection_ == selection) return;
+    selection_ = selection;
     ++revision_;
+}
+
+std::span<const Triangle> Session::shownTriangles() const {
+    if (picture_.mended) return *picture_.mended;
+    const std::size_t shown = picture_.finishedTriangles + picture_.newTriangles.size();
+    return std::span(triangles_).first(std::min(shown, triangles_.size()));
 }
 
 void Session::hover(Index point) {

@@ -9,15 +9,18 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <thread>
 
 #include "history.h"
+#include "mesh_index.h"
 #include "model.h"
 #include "overview.h"
 #include "picture.h"
 #include "pivot_record.h"
 #include "runner.h"
+#include "selection.h"
 
 namespace se::view {
 
@@ -55,6 +58,10 @@ class Session {
     const RunOverview& overview() const { return overview_; }
     /// Triangles seen so far in this run; the first finishedTriangles of the picture are drawn.
     const std::vector<Triangle>& triangles() const { return triangles_; }
+    /// Those that are there at the cursor: the first of triangles(), or the mended mesh.
+    std::span<const Triangle> shownTriangles() const;
+    /// Of triangles().
+    const MeshIndex& meshIndex() const { return meshIndex_; }
     /// Grows when another input is opened or the run restarted: everything uploaded is void.
     std::uint32_t generation() const { return generation_; }
     /// Grows whenever the picture or the selection changes.
@@ -86,6 +93,12 @@ class Session {
     void goTo(const Address& address);
     /// To the next (+1) or previous (-1) split, join, seed or alert. False if none is known.
     bool goToMark(int direction);
+    /// Where that would go; nothing if none is known.
+    std::optional<Address> nextMark(int direction) const;
+    /// Goes to an address and leaves no trace in the history: for playing.
+    void playTo(const Address& address) { jump(address); }
+    /// The cursor stands at an event or behind it. An address without stage means the whole pivot.
+    bool reached(const Address& address) const;
     /// Back and forward through the places that one jumped away from.
     void goBack();
     void goForward();
@@ -104,8 +117,13 @@ class Session {
     void cancelMove();
 
     // Selection, by index: it survives every move.
-    Index selected() const { return selected_; }
-    void select(Index point);
+    const Selection& selection() const { return selection_; }
+    void select(const Selection& selection);
+    /// The point that is selected, kNone if none is or something else.
+    Index selected() const {
+        return selection_.kind == SelectionKind::Point ? selection_.points[0] : kNone;
+    }
+    void select(Index point) { select(Selection::ofPoint(point)); }
     /// The point under the pointer, in the view or on the dial; lit up in both.
     Index hovered() const { return hovered_; }
     void hover(Index point);
@@ -151,8 +169,9 @@ class Session {
     Picture picture_;
     bool before_ = false;
     std::vector<Triangle> triangles_;
+    MeshIndex meshIndex_;
     RunOverview overview_;
-    Index selected_ = kNone;
+    Selection selection_;
     Index hovered_ = kNone;
     Index highlightedRing_ = kNone;
     Index hoveredRing_ = kNone;

@@ -66,6 +66,9 @@ Result<ViewSettings> settingsFromJson(std::string_view text) {
         s.legend = legend->get<bool>();
     }
     s.keys = keysIn(object, s.keyComplaints);
+    if (const auto style = object.find("meshStyle"); style != object.end() && style->is_string()) {
+        s.meshStyle = meshStyleFromName(style->get<std::string>()).value_or(s.meshStyle);
+    }
     const auto switches = object.find("layers");
     if (switches == object.end() || !switches->is_object()) return s;
     for (const Layer& layer : layers()) {
@@ -95,6 +98,7 @@ std::string settingsToJson(const ViewSettings& s) {
                    {"height", s.height}, {"playRate", s.playRate},      {"legend", s.legend},
                    {"layers", switches}};
     if (!s.keys.changes().empty()) object["keys"] = s.keys.changes();
+    object["meshStyle"] = rowOf(s.meshStyle).name;
     if (s.uiScale > 0.0) object["uiScale"] = s.uiScale;
     return object.dump(2) + "\n";
 }

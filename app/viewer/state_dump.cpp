@@ -3,6 +3,7 @@
 
 #include "application.h"
 #include "place.h"
+#include "selection_facts.h"
 #include "spiraling_edge/io.h"
 
 namespace se::view {
@@ -12,6 +13,10 @@ namespace {
 using nlohmann::json;
 
 json indexOrNull(Index index) { return index == kNone ? json(nullptr) : json(index); }
+
+json addressOrNull(const std::optional<Address>& address) {
+    return address ? json(toString(*address)) : json(nullptr);
+}
 
 const char* phaseName(SessionPhase phase) {
     switch (phase) {
@@ -60,7 +65,7 @@ std::string Application::stateDump() const {
     json out{{"phase", phaseName(session_.phase())},
              {"message", session_.message()},
              {"playing", playback_.playing()},
-             {"unit", playback_.unit() == PlayUnit::Pivot ? "pivot" : "sub-step"},
+             {"unit", std::string(unitName(playback_.unit()))},
              {"rate", playback_.rate()},
              {"theme", std::string(themeName(ui_.settings.theme))},
              {"layout", std::string(rowOf(ui_.arrangement).name)},
@@ -83,6 +88,10 @@ std::string Application::stateDump() const {
              {"pins", json::object()},
              {"before", session_.showsBefore()}};
     const LayerSwitches shown = shownLayers(ui_.settings.layers, session_.stage());
+    out["mesh_style"] = std::string(rowOf(ui_.settings.meshStyle).name);
+    out["unlimited"] = playback_.unlimited();
+    out["loop"] = {{"from", addressOrNull(playback_.loop.from)},
+                   {"to", addressOrNull(playback_.loop.to)}};
     for (const Layer& layer : layers()) {
         const auto place = static_cast<std::size_t>(layer.id);
         const LayerMode mode = ui_.settings.layers[place];
@@ -109,6 +118,12 @@ std::string Application::stateDump() const {
         session_.picture().finishedTriangles + session_.picture().newTriangles.size();
     out["rings"] = session_.picture().rings.size();
     out["selected"] = indexOrNull(session_.selected());
+    out["selection"] = std::string(kindName(session_.selection().kind));
+    const auto corners = session_.selection().corners();
+    out["selection_points"] = std::vector<Index>(corners.begin(), corners.end());
+    if (!corners.empty()) {
+        out["selection_present"] = factsOf(session_, session_.selection()).present;
+    }
     out["hovered"] = indexOrNull(session_.hovered());
     out["busy"] = session_.busy();
     dumpNavigation(out, ui_.navigation, session_);

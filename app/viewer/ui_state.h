@@ -13,9 +13,11 @@
 #include "key_map.h"
 #include "layers/layer.h"
 #include "layout.h"
+#include "mesh_style.h"
 #include "navigation.h"
 #include "palette.h"
 #include "playback.h"
+#include "selection_facts.h"
 #include "spiraling_edge/point_set.h"
 #include "start_page.h"
 
@@ -34,6 +36,7 @@ struct ViewSettings {
     bool legend = true;
     KeyMap keys;
     std::vector<std::string> keyComplaints;  ///< What the settings say wrongly about keys.
+    MeshStyle meshStyle = MeshStyle::Flat;
 };
 
 /// Asked for by a command or panel, carried out by the application in the same frame.
@@ -88,6 +91,8 @@ struct UiState {
     /// ... For --state-dump, so that whoever drives the window finds it.
     std::map<std::string, Rect> where;
     std::string openTab;
+    FactsCache facts;         ///< Of the selection.
+    Selection beforeClick;    ///< What a double click gives back.
     Index pointedAt = kNone;  ///< The point under the pointer, found anew in every frame.
 };
 

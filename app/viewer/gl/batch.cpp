@@ -33,6 +33,8 @@ void Batch::describe(int buffer, std::size_t stride, const std::vector<VertexAtt
         glEnableVertexAttribArray(each.location);
         if (each.bytes) {
             glVertexAttribIPointer(each.location, each.components, GL_UNSIGNED_BYTE, step, offset);
+        } else if (each.signs) {
+            glVertexAttribPointer(each.location, each.components, GL_BYTE, GL_TRUE, step, offset);
         } else {
             glVertexAttribPointer(each.location, each.components, GL_FLOAT, GL_FALSE, step, offset);
         }

@@ -12,6 +12,7 @@ struct VertexAttribute {
     int components = 3;
     std::size_t offset = 0;
     bool bytes = false;  ///< Unsigned bytes read as integers; else floats.
+    bool signs = false;  ///< Signed bytes read as numbers from -1 to 1.
 };
 
 /// A vertex array with up to two buffers: one that seldom changes, one that often does.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <glm/gtc/matrix_access.hpp>
 #include <numbers>
 
@@ -15,6 +16,10 @@ namespace {
 struct CloudVertex {
     glm::vec3 position;
     glm::vec3 normal;
+};
+struct MeshVertex {
+    glm::vec3 position;
+    std::array<std::int8_t, 4> normal;
 };
 struct SpriteVertex {
     glm::vec3 position;
@@ -37,6 +42,8 @@ struct FaceVertex {
 constexpr float kBiasShare = 0.12F;
 /// With more points than these all are dots, and must be seen.
 constexpr std::size_t kPlainDotsFrom = 100'000;
+/// Colors of a scale, as in shaders/mesh.vert.
+constexpr std::size_t kScaleSteps = 9;
 /// How much of a hidden line shines through.
 constexpr float kXRayAlpha = 0.28F;
 
@@ -63,18 +70,29 @@ std::vector<glm::vec3> unitSphere() {
     return vertices;
 }
 
+std::array<std::int8_t, 4> packed(const glm::vec3& normal) {
+    const auto byte = [](float x) {
+        return static_cast<std::int8_t>(std::lround(127.0F * std::clamp(x, -1.0F, 1.0F)));
+    };
+    return {byte(normal.x), byte(normal.y), byte(normal.z), 0};
+}
+
 /// Puts the corners of the triangles from `first` up to `last` where they belong in `batch`.
 void uploadCorners(Batch& batch, const Model& model, std::span<const Triangle> triangles,
                    std::size_t first, std::size_t last) {
-    std::vector<glm::vec3> corners;
+    std::vector<MeshVertex> corners;
     corners.reserve(3 * (last - first));
     for (const Triangle& t : triangles.subspan(first, last - first)) {
-        for (const Index p : {t.a, t.b, t.c}) corners.push_back(model.place[p]);
+        for (const Index p : {t.a, t.b, t.c}) {
+            corners.push_back({model.place[p], packed(model.normal[p])});
+        }
     }
-    batch.append(0, 3 * first * sizeof(glm::vec3), corners.data(),
-                 corners.size() * sizeof(glm::vec3));
+    batch.append(0, 3 * first * sizeof(MeshVertex), corners.data(),
+                 corners.size() * sizeof(MeshVertex));
     // The buffer may be another one now.
-    batch.describe(0, sizeof(glm::vec3), {{0, 3, 0}});
+    batch.describe(0, sizeof(MeshVertex),
+                   {{0, 3, offsetof(MeshVertex, position)},
+                    {3, 4, offsetof(MeshVertex, normal), false, true}});
 }
 
 Status loadInto(Shader& shader, const char* vertex, const char* fragment,
@@ -236,12 +254,47 @@ void Renderer::drawMesh(const DrawList& list, const CameraMatrices& camera) {
         mended ? list.mended->size() : std::min(list.finishedTriangles, meshTriangles_);
     if (list.meshVisible && count > 0) {
         mended ? mended_.bind() : mesh_.bind();
-        const Color& c = list.meshColor;
-        glVertexAttrib4f(1, c.r, c.g, c.b, c.a);
-        glVertexAttrib1f(2, 0.0F);
-        glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * count));
+        drawStretches(list, count);
     }
+    meshShader_.set("uSmooth", false);
+    meshShader_.set("uWire", false);
+    meshShader_.set("uByBirth", false);
+    meshShader_.set("uSoft", 0.0F);
     drawFaces(list.faces);
+}
+
+/// Draws the finished triangles, each stretch in its color.
+void Renderer::drawStretches(const DrawList& list, std::size_t count) {
+    const bool data = list.meshStyle >= MeshStyle::BirthOrder;
+    meshShader_.set("uSmooth", list.meshStyle == MeshStyle::Shaded);
+    meshShader_.set("uWire", list.meshStyle == MeshStyle::Wire);
+    meshShader_.set("uByBirth", list.meshStyle == MeshStyle::BirthOrder);
+    meshShader_.set("uBirthEnd", static_cast<float>(list.birthEnd));
+    // Colors that are data must be told apart in the shade as well.
+    meshShader_.set("uSoft", data ? 0.6F : 0.0F);
+    if (list.meshStyle == MeshStyle::Wire) {
+        meshShader_.set("uEdgeColor", vec(list.meshEdgeColor));
+    }
+    if (list.meshStyle == MeshStyle::BirthOrder) {
+        std::array<glm::vec4, kScaleSteps> scale{};
+        for (std::size_t i = 0; i < kScaleSteps; ++i) {
+            scale[i] = vec(viridis(static_cast<float>(i) / static_cast<float>(kScaleSteps - 1)));
+        }
+        meshShader_.set("uScale", std::span<const glm::vec4>(scale));
+    }
+    glVertexAttrib1f(2, 0.0F);
+    const auto draw = [](std::size_t first, std::size_t last, const Color& c) {
+        if (last <= first) return;
+        glVertexAttrib4f(1, c.r, c.g, c.b, c.a);
+        glDrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * first),
+                     static_cast<GLsizei>(3 * (last - first)));
+    };
+    const auto& stretches = list.meshStretches;
+    draw(0, stretches.empty() ? count : std::min(count, stretches.front().first), list.meshColor);
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+        const std::size_t end = i + 1 < stretches.size() ? stretches[i + 1].first : count;
+        draw(stretches[i].first, std::min(count, end), stretches[i].color);
+    }
 }
 
 void Renderer::drawFaces(std::span<const Face> faces) {

@@ -48,6 +48,7 @@ class Renderer {
     void drawSheets(const DrawList& list, const CameraMatrices& camera);
     void drawSpheres(const DrawList& list, const CameraMatrices& camera);
     void drawSprites(const DrawList& list, const CameraMatrices& camera, const Color& background);
+    void drawStretches(const DrawList& list, std::size_t count);
     void drawFaces(std::span<const Face> faces);
 
     Shader cloudShader_;

@@ -12,6 +12,7 @@
 #include "../model.h"
 #include "../palette.h"
 #include "../picture.h"
+#include "../selection.h"
 
 namespace se::view {
 
@@ -25,6 +26,9 @@ struct LayerInput {
     /// Of the run so far; for what marks more than the pivot's surroundings.
     std::span<const Triangle> triangles = {};
     std::size_t componentBegin = 0;  ///< The first triangle of the present component.
+    Selection selection{};           ///< An edge or triangle too.
+    bool selectionPresent = true;
+    MeshColoring mesh{};
 
     const glm::vec3& at(Index point) const { return model.place[point]; }
 };
@@ -54,6 +58,7 @@ void addRingChange(const LayerInput& in, DrawList& out);
 void addExchange(const LayerInput& in, DrawList& out);
 void addAdvance(const LayerInput& in, DrawList& out);
 void addComponent(const LayerInput& in, DrawList& out);
+void addSelection(const LayerInput& in, DrawList& out);
 
 enum class LayerId : std::uint8_t {
     Points,
@@ -80,8 +85,9 @@ enum class LayerId : std::uint8_t {
     Exchange,
     Advance,
     Component,
+    Selection,
 };
-inline constexpr std::size_t kLayerCount = 24;
+inline constexpr std::size_t kLayerCount = 25;
 
 /// The stages that show a layer by themselves, one bit each.
 using StageMask = std::uint32_t;

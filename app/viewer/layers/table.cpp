@@ -35,6 +35,7 @@ constexpr std::array<Layer, kLayerCount> kLayers = {{
     {LayerId::Normals, "normals", "Normals near the pivot", kNoStage, addNormals},
     {LayerId::Links, "links", "Neighbor links", kNoStage, addLinks},
     {LayerId::Labels, "labels", "Labels", kEveryStage, addLabels},
+    {LayerId::Selection, "selection", "Selected edge or triangle", kEveryStage, addSelection},
 }};
 
 constexpr std::array<std::string_view, 3> kModeNames = {"auto", "on", "off"};

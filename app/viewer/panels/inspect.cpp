@@ -49,6 +49,90 @@ void drawPoint(const PanelContext& context, const char* title, Index point) {
     ImGui::PopID();
 }
 
+std::string number(double value, const char* format) {
+    char text[48];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+/// Leads to the pivot that made the thing, or says that nobody knows of it yet.
+void drawBirth(const PanelContext& context, const SelectionFacts& facts, const char* thing) {
+    const Session& session = context.session();
+    const auto pivot = facts.number ? pivotOfTriangle(session.overview(), *facts.number)
+                                    : std::optional<std::uint32_t>{};
+    ImGui::PushTextWrapPos(0.0F);
+    if (!facts.present && pivot) {
+        ImGui::Text("This %s is not there yet: made at pivot %u.", thing, *pivot);
+    } else if (!facts.present) {
+        ImGui::Text("This %s is not there at the cursor.", thing);
+    }
+    ImGui::PopTextWrapPos();
+    if (!pivot) return;
+    const std::string text = "Go to pivot " + std::to_string(*pivot) + ", which made it";
+    if (ImGui::Button(text.c_str())) context.run("step.birth");
+    tooltip("Goes to the end of the pivot that made it; Alt+Left comes back");
+}
+
+void drawEdge(const PanelContext& context, const SelectionFacts& facts) {
+    if (beginValues("##edge", context)) {
+        const auto corners = context.session().selection().corners();
+        valueRow(context, "points", std::to_string(corners[0]) + ", " + std::to_string(corners[1]));
+        valueRow(context, "length", number(facts.length, "%.5g"));
+        std::string list;
+        for (std::size_t i = 0; i < facts.triangles.size(); ++i) {
+            list += (i == 0 ? "" : ", ") + std::to_string(facts.triangles[i]);
+            if (i >= facts.trianglesPresent) list += " (later)";
+        }
+        valueRow(context, "triangles",
+                 std::to_string(facts.trianglesPresent) + (list.empty() ? "" : ": " + list));
+        valueRow(context, "ring", facts.ring.empty() ? "on none" : facts.ring);
+        endValues();
+    }
+    drawBirth(context, facts, "edge");
+}
+
+void drawTriangle(const PanelContext& context, const SelectionFacts& facts) {
+    if (beginValues("##triangle", context)) {
+        const auto corners = context.session().selection().corners();
+        std::string points;
+        std::string angles;
+        for (std::size_t i = 0; i < 3; ++i) {
+            points += (i == 0 ? "" : ", ") + std::to_string(corners[i]);
+            angles += (i == 0 ? "" : ", ") + number(facts.degrees[i], "%.1f\xC2\xB0");
+        }
+        valueRow(context, "number", facts.number ? std::to_string(*facts.number) : "mended");
+        valueRow(context, "corners", points);
+        valueRow(context, "angles", angles);
+        valueRow(context, "area", number(facts.area, "%.5g"));
+        endValues();
+    }
+    drawBirth(context, facts, "triangle");
+}
+
+void drawSelection(const PanelContext& context) {
+    const Selection& selection = context.session().selection();
+    const SelectionFacts& facts = context.ui().facts.of(context.session());
+    switch (selection.kind) {
+        case SelectionKind::None:
+            ImGui::Spacing();
+            ImGui::PushTextWrapPos(0.0F);
+            ImGui::TextDisabled("Click a point, an edge or a triangle to see its values here.");
+            ImGui::PopTextWrapPos();
+            return;
+        case SelectionKind::Point:
+            drawPoint(context, "Selected", selection.points[0]);
+            return;
+        case SelectionKind::Edge:
+        case SelectionKind::Triangle:
+            ImGui::Spacing();
+            ImGui::Separator();
+            ImGui::Spacing();
+            heading(context, "Selected", std::string(kindName(selection.kind)));
+            selection.kind == SelectionKind::Edge ? drawEdge(context, facts)
+                                                  : drawTriangle(context, facts);
+    }
+}
+
 void drawStep(const PanelContext& context, const Event& event) {
     const std::string stage(stageName(event.address.stage));
     heading(context, stage.c_str(), "paper " + std::string(stageSection(event.address.stage)));
@@ -75,14 +159,7 @@ void drawInspect(const PanelContext& context) {
         ImGui::PopTextWrapPos();
     }
     if (session.picture().pivot != kNone) drawPoint(context, "Pivot", session.picture().pivot);
-    if (session.selected() != kNone) {
-        drawPoint(context, "Selected", session.selected());
-    } else {
-        ImGui::Spacing();
-        ImGui::PushTextWrapPos(0.0F);
-        ImGui::TextDisabled("Click a point to see its values here.");
-        ImGui::PopTextWrapPos();
-    }
+    drawSelection(context);
 }
 
 }  // namespace se::view

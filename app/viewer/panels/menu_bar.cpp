@@ -26,8 +26,21 @@ void drawLayouts(const PanelContext& context) {
     ImGui::EndMenu();
 }
 
-bool isLayout(const Command& command) {
-    return command.id.starts_with("view.layout.") && command.id != "view.layout.next";
+/// The styles of the mesh likewise.
+void drawMeshStyles(const PanelContext& context) {
+    if (!ImGui::BeginMenu("Mesh")) return;
+    for (const MeshStyleRow& row : meshStyles()) {
+        const bool on = context.ui().settings.meshStyle == row.id;
+        const std::string command = "view.mesh." + std::string(row.name);
+        if (ImGui::MenuItem(std::string(row.title).c_str(), nullptr, on)) context.run(command);
+    }
+    ImGui::EndMenu();
+}
+
+/// Stands in a menu within the menu.
+bool isChoice(const Command& command) {
+    return (command.id.starts_with("view.layout.") || command.id.starts_with("view.mesh.")) &&
+           !command.id.ends_with(".next");
 }
 
 void drawItem(const PanelContext& context, const Command& command) {
@@ -41,10 +54,11 @@ void drawItem(const PanelContext& context, const Command& command) {
 void drawGroup(const PanelContext& context, std::string_view group) {
     if (!ImGui::BeginMenu(std::string(group).c_str())) return;
     for (const Command& command : commands()) {
-        if (command.group != group || isLayout(command)) continue;
+        if (command.group != group || isChoice(command)) continue;
         drawItem(context, command);
         if (command.id == "file.open") drawRecent(context);
         if (command.id == "view.layout.next") drawLayouts(context);
+        if (command.id == "view.mesh.next") drawMeshStyles(context);
     }
     ImGui::EndMenu();
 }

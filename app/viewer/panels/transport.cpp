@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <optional>
 
 #include "panel.h"
 #include "widgets.h"
@@ -34,19 +35,14 @@ void drawButtons(const PanelContext& context, const std::array<Button, N>& butto
 }
 
 void drawUnit(const PanelContext& context) {
-    struct Choice {
-        const char* title;
-        PlayUnit unit;
-    };
-    for (const Choice& choice :
-         {Choice{"sub-step", PlayUnit::SubStep}, Choice{"pivot", PlayUnit::Pivot}}) {
-        const bool on = context.playback().unit() == choice.unit;
+    for (const PlayUnit unit : {PlayUnit::SubStep, PlayUnit::Pivot, PlayUnit::Event}) {
+        const bool on = context.playback().unit() == unit;
         if (on) {
             ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent.withAlpha(0.45F)));
         }
-        if (ImGui::Button(choice.title)) context.playback().setUnit(choice.unit);
+        if (ImGui::Button(std::string(unitName(unit)).c_str())) context.playback().setUnit(unit);
         if (on) ImGui::PopStyleColor();
-        tooltip("What playing goes on by (U)");
+        tooltip("What playing and O go on by (U)");
         ImGui::SameLine(0.0F, 0.15F * context.em);
     }
 }
@@ -68,6 +64,30 @@ void drawSpeed(const PanelContext& context) {
     ImGui::SameLine(x + width);
     if (ImGui::Button("+##faster", {1.6F * context.em, 0})) context.run("run.faster");
     tooltip("Faster (=); above 60 a second, as fast as drawn");
+}
+
+/// The two marks of the loop: filled where they are set.
+void drawLoop(const PanelContext& context) {
+    struct Mark {
+        const char* title;
+        const char* command;
+        const char* help;
+        const std::optional<Address>& at;
+    };
+    const PlayLoop& loop = context.playback().loop;
+    for (const Mark& mark : {Mark{"A", "run.loop.start", "Play again from here on (A)", loop.from},
+                             Mark{"B", "run.loop.end", "Turn back to A here (B)", loop.to}}) {
+        if (mark.at) {
+            ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent.withAlpha(0.45F)));
+        }
+        const bool set = mark.at.has_value();
+        if (ImGui::Button(mark.title, {1.8F * context.em, 0})) context.run(mark.command);
+        if (set) ImGui::PopStyleColor();
+        tooltip(mark.help + (mark.at
+                                 ? "\nNow at " + toString(*mark.at) + "; Shift+A takes both away"
+                                 : std::string()));
+        ImGui::SameLine(0.0F, 0.15F * context.em);
+    }
 }
 
 void drawGoTo(const PanelContext& context) {
@@ -123,6 +143,10 @@ void drawTransport(const PanelContext& context) {
         ImGui::SameLine(0.0F, gap);
         drawSpeed(context);
         ImGui::SameLine(0.0F, gap);
+        if (wide > 60.0F) {
+            drawLoop(context);
+            ImGui::SameLine(0.0F, gap);
+        }
         if (wide > 36.0F) drawGoTo(context);
     }
     ImGui::End();

@@ -12,7 +12,7 @@ namespace se::view {
 
 namespace {
 
-/// A press that moves by more than this share of the view's height is a drag.
+/// A press that moves by more than this share of the window's height is a drag.
 constexpr float kClickShare = 0.01F;
 
 glm::vec2 localMouse(const Rect& view) {
@@ -20,11 +20,44 @@ glm::vec2 localMouse(const Rect& view) {
     return glm::vec2(mouse.x, mouse.y) - view.min;
 }
 
-Index pointUnderMouse(const PanelContext& context) {
+bool isOn(const PanelContext& context, LayerId layer) {
+    return shownLayers(context.ui().settings.layers, context.session().stage())
+        .test(static_cast<std::size_t>(layer));
+}
+
+/// Only what is drawn can be picked.
+Pick underMouse(const PanelContext& context) {
+    const Session& session = context.session();
     const Rect& view = context.layout.view;
-    const CameraMatrices camera = context.camera().matrices(view.size.x / view.size.y);
-    return pickPoint(context.session().model(), camera, view.size, localMouse(view),
-                     0.6F * context.em);
+    const bool mesh = isOn(context, LayerId::Triangles);
+    const bool rings = isOn(context, LayerId::EdgeRing);
+    const PickScene scene{
+        session.model(), isOn(context, LayerId::Points),
+        mesh ? session.shownTriangles() : std::span<const Triangle>{},
+        session.picture().mended ? nullptr : &session.meshIndex(),
+        rings ? std::span<const RingPath>(session.picture().rings) : std::span<const RingPath>{}};
+    return pick(scene, {context.camera().matrices(view.size.x / view.size.y), view.size,
+                        localMouse(view), 0.6F * context.em});
+}
+
+/// A click picks, a double click turns the view about what is there and picks nothing.
+void handleClicks(const PanelContext& context) {
+    Session& session = context.session();
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        session.select(context.ui().beforeClick);
+        const Pick found = underMouse(context);
+        if (found.what.kind != SelectionKind::None) context.camera().lookAt(found.place);
+        return;
+    }
+    const float limit = kClickShare * io.DisplaySize.y;
+    const bool still = io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < limit * limit;
+    const bool single = io.MouseClickedLastCount[ImGuiMouseButton_Left] == 1;
+    if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) && still &&
+        single) {
+        context.ui().beforeClick = session.selection();
+        session.select(underMouse(context).what);
+    }
 }
 
 /// Lights up the neighbor of the pivot that the pointer is on, here and on the dial. Only those: to
@@ -63,16 +96,7 @@ void handleMouse(const PanelContext& context) {
     }
     if (!context.session().ready()) return;
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) hoverNeighbor(context);
-    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-        const Index point = pointUnderMouse(context);
-        if (point != kNone) context.camera().lookAt(context.session().model().place[point]);
-    }
-    const ImVec2 dragged = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0F);
-    const float limit = kClickShare * view.size.y;
-    const bool still = std::abs(dragged.x) < limit && std::abs(dragged.y) < limit;
-    if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) && still) {
-        context.session().select(pointUnderMouse(context));
-    }
+    handleClicks(context);
 }
 
 /// Puts labels beside their points so that none covers another.
@@ -190,6 +214,7 @@ void drawView(const PanelContext& context) {
         drawLabels(context, list);
         drawAxes(context, list);
         if (context.ui().settings.legend) drawLegend(context);
+        drawColorBar(context);
     }
     ImGui::End();
 }

@@ -1,0 +1,38 @@
+#include "layer.h"
+
+namespace se::view {
+
+namespace {
+
+/// So much of a selected triangle is covered by its tint.
+constexpr float kTint = 0.42F;
+
+}  // namespace
+
+/// The edge or triangle that is selected: outlined over everything else; dashed if it is not there
+/// at the cursor. Points have their circle with the labels.
+void addSelection(const LayerInput& in, DrawList& out) {
+    const std::span<const Index> corners = in.selection.corners();
+    if (corners.size() < 2) return;
+    const bool triangle = in.selection.kind == SelectionKind::Triangle;
+    const std::size_t sides = triangle ? 3 : 1;
+    for (std::size_t i = 0; i < sides; ++i) {
+        Line line;
+        line.from = in.at(corners[i]);
+        line.to = in.at(corners[(i + 1) % corners.size()]);
+        line.color = in.palette.text;
+        line.width = triangle ? 0.2F : 0.3F;
+        line.dash = in.selectionPresent ? 0.0F : 0.35F;
+        line.depth = Depth::OnTop;
+        out.lines.push_back(line);
+    }
+    for (const Index p : corners) {
+        out.sprites.push_back({in.at(p), {in.palette.text, 0.55F, Shape::Square}});
+    }
+    if (!triangle) return;
+    out.sheets.push_back({{in.at(corners[0]), in.at(corners[1]), in.at(corners[2])},
+                          in.palette.accent.withAlpha(in.selectionPresent ? kTint : 0.5F * kTint),
+                          false});
+}
+
+}  // namespace se::view

@@ -1,0 +1,48 @@
+/// The ways finished triangles can look.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "overview.h"
+#include "palette.h"
+
+namespace se::view {
+
+enum class MeshStyle : std::uint8_t {
+    Flat,
+    Shaded,      ///< Smooth, by the normals of the points.
+    Wire,        ///< Only edges.
+    BirthOrder,  ///< The earlier a triangle was made, the darker.
+    Component,   ///< A color for each component.
+};
+
+/// One row of the table of styles.
+struct MeshStyleRow {
+    MeshStyle id;
+    std::string_view name;   ///< In settings, actions and --mesh-style.
+    std::string_view title;  ///< For people.
+};
+std::span<const MeshStyleRow> meshStyles();
+const MeshStyleRow& rowOf(MeshStyle style);
+std::optional<MeshStyle> meshStyleFromName(std::string_view name);
+/// The one after it; after the last, the first.
+MeshStyle following(MeshStyle style);
+
+/// What the colors of the mesh depend on.
+struct MeshColoring {
+    MeshStyle style = MeshStyle::Flat;
+    std::size_t birthEnd = 1;         ///< Triangles of the whole run, as far as it is known.
+    std::vector<std::size_t> starts;  ///< The first triangle of each component.
+    friend bool operator==(const MeshColoring&, const MeshColoring&) = default;
+};
+/// `known`: triangles seen so far, in case the overview lags behind.
+MeshColoring meshColoring(MeshStyle style, const RunOverview& run, std::size_t known);
+
+/// Color of the component with that number, counted from 0: neighbors differ.
+Color componentColor(std::size_t component);
+
+}  // namespace se::view

@@ -1,0 +1,102 @@
+#include <algorithm>
+
+#include "panel.h"
+#include "widgets.h"
+
+namespace se::view {
+
+namespace {
+
+constexpr int kParts = 48;
+/// More components than these are not named one by one.
+constexpr std::size_t kNamed = 8;
+
+/// Text on a plate in the lower right corner of the view; returns where it begins.
+struct Plate {
+    Plate(const PanelContext& context, glm::vec2 size) : em(context.em) {
+        const Rect& view = context.layout.view;
+        at = view.max() - size - glm::vec2(0.7F * em, 0.7F * em);
+        fits = size.x < 0.6F * view.size.x && size.y < 0.3F * view.size.y;
+        list = ImGui::GetWindowDrawList();
+        if (!fits) return;
+        list->AddRectFilled(toVec2(at), toVec2(at + size),
+                            toU32(context.palette.panel.withAlpha(0.94F)), 0.3F * em);
+    }
+    float em;
+    glm::vec2 at{0.0F};
+    bool fits = false;
+    ImDrawList* list = nullptr;
+};
+
+void drawBirth(const PanelContext& context) {
+    const float em = context.em;
+    const std::string last = grouped(context.drawList.birthEnd);
+    const std::string title = "triangle, in order of birth";
+    const float width = std::max(12.0F * em, ImGui::CalcTextSize(title.c_str()).x);
+    const float line = ImGui::GetTextLineHeight();
+    const Plate plate(context, {width + 1.2F * em, 2.0F * line + 1.7F * em});
+    if (!plate.fits) return;
+    const glm::vec2 at = plate.at + glm::vec2(0.6F * em, 0.4F * em);
+    plate.list->AddText(toVec2(at), toU32(context.palette.text), title.c_str());
+    const float top = at.y + line + 0.2F * em;
+    for (int i = 0; i < kParts; ++i) {
+        const float from = static_cast<float>(i) / kParts;
+        const float to = static_cast<float>(i + 1) / kParts;
+        plate.list->AddRectFilledMultiColor(
+            {at.x + from * width, top}, {at.x + to * width, top + 0.6F * em}, toU32(viridis(from)),
+            toU32(viridis(to)), toU32(viridis(to)), toU32(viridis(from)));
+    }
+    // Where the cursor stands on the scale.
+    const float share = std::min(1.0F, static_cast<float>(context.drawList.finishedTriangles) /
+                                           static_cast<float>(context.drawList.birthEnd));
+    const float x = at.x + share * width;
+    plate.list->AddTriangleFilled({x - 0.3F * em, top + 1.0F * em}, {x, top + 0.55F * em},
+                                  {x + 0.3F * em, top + 1.0F * em}, toU32(context.palette.text));
+    const float below = top + 0.9F * em;
+    plate.list->AddText({at.x, below}, toU32(context.palette.textDim), "1");
+    plate.list->AddText({at.x + width - ImGui::CalcTextSize(last.c_str()).x, below},
+                        toU32(context.palette.textDim), last.c_str());
+}
+
+void drawComponents(const PanelContext& context) {
+    const float em = context.em;
+    const DrawList& drawn = context.drawList;
+    std::size_t count = 0;
+    while (count < drawn.meshStretches.size() &&
+           (count == 0 || drawn.meshStretches[count].first < drawn.finishedTriangles)) {
+        ++count;
+    }
+    const std::string title = count == 1 ? "1 component" : grouped(count) + " components";
+    const std::size_t named = std::min(count, kNamed);
+    const float line = ImGui::GetTextLineHeight();
+    const float width = std::max(ImGui::CalcTextSize(title.c_str()).x,
+                                 static_cast<float>(named + (count > named ? 1 : 0)) * 2.0F * em);
+    const Plate plate(context, {width + 1.2F * em, 2.0F * line + 1.2F * em});
+    if (!plate.fits) return;
+    const glm::vec2 at = plate.at + glm::vec2(0.6F * em, 0.4F * em);
+    plate.list->AddText(toVec2(at), toU32(context.palette.text), title.c_str());
+    for (std::size_t i = 0; i < named; ++i) {
+        const float x = at.x + 2.0F * em * static_cast<float>(i);
+        const float y = at.y + line + 0.3F * em;
+        plate.list->AddRectFilled({x, y + 0.2F * em}, {x + 0.7F * em, y + 0.9F * em},
+                                  toU32(componentColor(i)), 0.1F * em);
+        plate.list->AddText({x + 0.85F * em, y}, toU32(context.palette.textDim),
+                            std::to_string(i + 1).c_str());
+    }
+    if (count > named) {
+        plate.list->AddText({at.x + 2.0F * em * static_cast<float>(named), at.y + line + 0.3F * em},
+                            toU32(context.palette.textDim), "\xE2\x80\xA6");
+    }
+}
+
+}  // namespace
+
+void drawColorBar(const PanelContext& context) {
+    if (!context.session().ready() || !context.drawList.meshVisible) return;
+    ImGui::PushFont(context.fonts.small);
+    if (context.drawList.meshStyle == MeshStyle::BirthOrder) drawBirth(context);
+    if (context.drawList.meshStyle == MeshStyle::Component) drawComponents(context);
+    ImGui::PopFont();
+}
+
+}  // namespace se::view

@@ -1,0 +1,36 @@
+/// What a person has picked, by point indices: so it survives every move.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "spiraling_edge/point_set.h"
+
+namespace se::view {
+
+enum class SelectionKind : std::uint8_t { None, Point, Edge, Triangle };
+
+struct Selection {
+    SelectionKind kind = SelectionKind::None;
+    std::array<Index, 3> points{kNone, kNone, kNone};
+
+    static Selection ofPoint(Index point);
+    /// The direction does not matter.
+    static Selection ofEdge(Index a, Index b);
+    /// Which corner comes first does not matter, the sense of turning does.
+    static Selection ofTriangle(const Triangle& triangle);
+
+    /// As many as the kind has.
+    std::span<const Index> corners() const;
+    Triangle triangle() const { return {points[0], points[1], points[2]}; }
+    friend bool operator==(const Selection&, const Selection&) = default;
+};
+
+/// "none", "point", "edge", "triangle".
+std::string_view kindName(SelectionKind kind);
+/// "point 7", "edge 3, 7".
+std::string selectionText(const Selection& selection);
+
+}  // namespace se::view

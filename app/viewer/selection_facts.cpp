@@ -1,0 +1,94 @@
+#include "selection_facts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "session.h"
+
+namespace se::view {
+
+namespace {
+
+double degreesBetween(const Vec3& u, const Vec3& v) {
+    const double product = glm::length(u) * glm::length(v);
+    if (!(product > 0.0)) return 0.0;
+    return std::acos(std::clamp(glm::dot(u, v) / product, -1.0, 1.0)) * 180.0 / std::numbers::pi;
+}
+
+std::string ringWith(const std::vector<RingPath>& rings, const Selection& edge) {
+    for (const RingPath& ring : rings) {
+        for (std::size_t i = 0; i < ring.points.size(); ++i) {
+            const Index to = ring.points[(i + 1) % ring.points.size()];
+            if (!(Selection::ofEdge(ring.points[i], to) == edge)) continue;
+            return ring.active ? "active ring" : "stacked ring #" + std::to_string(ring.depth + 1);
+        }
+    }
+    return {};
+}
+
+bool hasCorner(const Triangle& t, Index p) { return t.a == p || t.b == p || t.c == p; }
+
+bool hasTriangle(const std::vector<Triangle>& mesh, const Selection& triangle) {
+    return std::any_of(mesh.begin(), mesh.end(), [&](const Triangle& each) {
+        return Selection::ofTriangle(each) == triangle;
+    });
+}
+
+void addEdge(const Session& session, const Selection& edge, SelectionFacts& facts) {
+    const PointSet& points = session.model().points;
+    const Index a = edge.points[0];
+    const Index b = edge.points[1];
+    facts.length = glm::length(points.position[b] - points.position[a]);
+    facts.ring = ringWith(session.picture().rings, edge);
+    facts.triangles = session.meshIndex().atEdge(session.triangles(), a, b);
+    const std::span<const Triangle> shown = session.shownTriangles();
+    facts.trianglesPresent = static_cast<std::size_t>(
+        session.picture().mended
+            ? std::count_if(shown.begin(), shown.end(),
+                            [&](const Triangle& t) { return hasCorner(t, a) && hasCorner(t, b); })
+            : std::count_if(facts.triangles.begin(), facts.triangles.end(),
+                            [&](std::uint32_t t) { return t < shown.size(); }));
+    if (!facts.triangles.empty()) facts.number = facts.triangles.front();
+    facts.present = facts.trianglesPresent > 0 || !facts.ring.empty();
+}
+
+void addTriangle(const Session& session, const Selection& triangle, SelectionFacts& facts) {
+    const PointSet& points = session.model().points;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3& at = points.position[triangle.points[i]];
+        facts.degrees[i] = degreesBetween(points.position[triangle.points[(i + 1) % 3]] - at,
+                                          points.position[triangle.points[(i + 2) % 3]] - at);
+    }
+    const Vec3& a = points.position[triangle.points[0]];
+    facts.area = 0.5 * glm::length(glm::cross(points.position[triangle.points[1]] - a,
+                                              points.position[triangle.points[2]] - a));
+    facts.number = session.meshIndex().find(session.triangles(), triangle.triangle());
+    const auto& mended = session.picture().mended;
+    facts.present = mended ? hasTriangle(*mended, triangle)
+                           : facts.number && *facts.number < session.shownTriangles().size();
+}
+
+}  // namespace
+
+SelectionFacts factsOf(const Session& session, const Selection& selection) {
+    SelectionFacts facts;
+    facts.present = selection.kind == SelectionKind::Point;
+    if (selection.kind == SelectionKind::Edge) addEdge(session, selection, facts);
+    if (selection.kind == SelectionKind::Triangle) addTriangle(session, selection, facts);
+    return facts;
+}
+
+const SelectionFacts& FactsCache::of(const Session& session) {
+    if (revision_ != session.revision()) facts_ = factsOf(session, session.selection());
+    revision_ = session.revision();
+    return facts_;
+}
+
+std::optional<std::uint32_t> pivotOfTriangle(const RunOverview& run, std::size_t number) {
+    const auto found = std::upper_bound(run.triangles.begin(), run.triangles.end(), number);
+    if (found == run.triangles.end()) return std::nullopt;
+    return static_cast<std::uint32_t>(found - run.triangles.begin()) + 1;
+}
+
+}  // namespace se::view

@@ -1,0 +1,48 @@
+/// What there is to say about the thing picked, as numbers: for Inspect and the picture.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "overview.h"
+#include "picture.h"
+#include "selection.h"
+
+namespace se::view {
+
+class Session;
+
+struct SelectionFacts {
+    bool present = false;  ///< There at the cursor.
+    // Of an edge.
+    double length = 0.0;  ///< Scene units.
+    std::string ring;     ///< "active ring", "stacked ring #2"; empty: on none at the cursor.
+    /// Numbers of the triangles at the edge, as far as the run is known; those at the cursor first.
+    std::vector<std::uint32_t> triangles;
+    std::size_t trianglesPresent = 0;
+    // Of a triangle.
+    std::array<double, 3> degrees{};  ///< At its corners.
+    double area = 0.0;
+    /// Of the triangle, or the first one at the edge; none if no triangle is known.
+    std::optional<std::uint32_t> number;
+};
+
+/// Requires session.ready(). Costs a walk along the rings for an edge.
+SelectionFacts factsOf(const Session& session, const Selection& selection);
+
+/// The facts of the session's selection, worked out anew only when something changed.
+class FactsCache {
+  public:
+    const SelectionFacts& of(const Session& session);
+
+  private:
+    SelectionFacts facts_;
+    std::uint32_t revision_ = 0;
+};
+
+/// The pivot that made triangle `number`, if the run is known so far.
+std::optional<std::uint32_t> pivotOfTriangle(const RunOverview& run, std::size_t number);
+
+}  // namespace se::view
