@@ -1,0 +1,243 @@
+#include "spiraling_edge/normals.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <queue>
+
+namespace se {
+
+// ---- planes -------------------------------------------------------------------------------------
+
+namespace {
+
+using Matrix = std::array<std::array<double, 3>, 3>;
+
+/// Turns axes a and b so that m[a][b] becomes zero (Jacobi); the columns of `axes` turn along.
+void rotate(Matrix& m, Matrix& axes, std::size_t a, std::size_t b) {
+    if (m[a][b] == 0.0) return;
+    const double half = (m[b][b] - m[a][a]) / (2.0 * m[a][b]);
+    const double tangent =
+        (half >= 0.0 ? 1.0 : -1.0) / (std::abs(half) + std::sqrt(half * half + 1.0));
+    const double cosine = 1.0 / std::sqrt(tangent * tangent + 1.0);
+    const double sine = tangent * cosine;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double x = m[i][a];
+        const double y = m[i][b];
+        m[i][a] = cosine * x - sine * y;
+        m[i][b] = sine * x + cosine * y;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double x = m[a][i];
+        const double y = m[b][i];
+        m[a][i] = cosine * x - sine * y;
+        m[b][i] = sine * x + cosine * y;
+        const double u = axes[i][a];
+        const double v = axes[i][b];
+        axes[i][a] = cosine * u - sine * v;
+        axes[i][b] = sine * u + cosine * v;
+    }
+    m[a][b] = m[b][a] = 0.0;
+}
+
+/// Sums of products of the offsets from their mean; p itself counts as one at zero.
+Matrix scatter(std::span<const Vec3> position, Index p, std::span<const Index> list) {
+    Vec3 mean(0.0);
+    for (const Index q : list) mean += position[q] - position[p];
+    mean /= static_cast<double>(list.size() + 1);
+    Matrix m{};
+    const auto add = [&](const Vec3& d) {
+        for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j < 3; ++j) {
+                m[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] += d[i] * d[j];
+            }
+        }
+    };
+    add(-mean);
+    for (const Index q : list) add(position[q] - position[p] - mean);
+    return m;
+}
+
+/// Direction of least scatter; zero if the next one scatters no more than rounding does.
+Vec3 planeNormal(Matrix m) {
+    Matrix axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    constexpr int kSweeps = 8;  // Converges quadratically: five suffice for doubles.
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+        rotate(m, axes, 0, 1);
+        rotate(m, axes, 0, 2);
+        rotate(m, axes, 1, 2);
+    }
+    std::array<std::size_t, 3> order{0, 1, 2};
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return m[a][a] < m[b][b] || (m[a][a] == m[b][b] && a < b);
+    });
+    const double middle = m[order[1]][order[1]];
+    const double largest = m[order[2]][order[2]];
+    constexpr double kInLine = 1e-12;  // Squares of lengths.
+    if (!(middle > kInLine * largest)) return Vec3(0.0);
+    const std::size_t least = order[0];
+    const Vec3 n(axes[0][least], axes[1][least], axes[2][least]);
+    return n / std::sqrt(glm::dot(n, n));
+}
+
+}  // namespace
+
+std::vector<Vec3> estimateNormals(std::span<const Vec3> position, const NeighborLists& neighbors) {
+    std::vector<Vec3> normal(position.size(), Vec3(0.0));
+    for (Index p = 0; p < position.size(); ++p) {
+        const auto list = neighbors[p];
+        if (list.size() >= 2) normal[p] = planeNormal(scatter(position, p, list));
+    }
+    return normal;
+}
+
+// ---- sides --------------------------------------------------------------------------------------
+
+namespace {
+
+/// A step of the tree, cheapest first; ties by index.
+struct TreeStep {
+    double weight;
+    Index from, to;
+    friend bool operator>(const TreeStep& a, const TreeStep& b) {
+        if (a.weight != b.weight) return a.weight > b.weight;
+        return a.from != b.from ? a.from > b.from : a.to > b.to;
+    }
+};
+
+/// The lists with each entry in both directions, between points that have a normal.
+NeighborLists bothWays(const NeighborLists& lists, const std::vector<Vec3>& normal) {
+    const auto usable = [&](Index p) { return normal[p] != Vec3(0.0); };
+    const auto n = static_cast<Index>(lists.size());
+    NeighborLists both;
+    both.offset.assign(std::size_t{n} + 1, 0);
+    const auto forEachPair = [&](auto&& visit) {
+        for (Index p = 0; p < n; ++p) {
+            if (!usable(p)) continue;
+            for (const Index q : lists[p]) {
+                if (!usable(q)) continue;
+                visit(p, q);
+                visit(q, p);
+            }
+        }
+    };
+    forEachPair([&](Index p, Index) { ++both.offset[p + 1]; });
+    for (Index p = 0; p < n; ++p) both.offset[p + 1] += both.offset[p];
+    both.ids.resize(both.offset[n]);
+    std::vector<std::uint32_t> next(both.offset.begin(), both.offset.end() - 1);
+    forEachPair([&](Index p, Index q) { both.ids[next[p]++] = q; });
+    return both;
+}
+
+class Orientation {
+  public:
+    Orientation(std::span<const Vec3> position, const NeighborLists& neighbors,
+                std::vector<Vec3>& normal)
+        : position_(position),
+          normal_(normal),
+          graph_(bothWays(neighbors, normal)),
+          reached_(normal.size(), false) {}
+
+    OrientationReport run() {
+        std::vector<bool> seen(normal_.size(), false);
+        for (Index p = 0; p < normal_.size(); ++p) {
+            if (seen[p] || normal_[p] == Vec3(0.0)) continue;
+            ++report_.components;
+            grow(firstOf(collect(p, seen)));
+        }
+        return report_;
+    }
+
+  private:
+    /// The component of p.
+    std::vector<Index> collect(Index p, std::vector<bool>& seen) const {
+        std::vector<Index> component{p};
+        seen[p] = true;
+        for (std::size_t i = 0; i < component.size(); ++i) {
+            for (const Index q : graph_[component[i]]) {
+                if (seen[q]) continue;
+                seen[q] = true;
+                component.push_back(q);
+            }
+        }
+        return component;
+    }
+
+    /// The point to begin with, made to look out.
+    Index firstOf(const std::vector<Index>& component) {
+        Index best = component.front();
+        double bestShare = -1.0;
+        Vec3 out(0.0);
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const double sign : {1.0, -1.0}) {
+                Index extreme = component.front();
+                for (const Index p : component) {
+                    const double ahead = sign * (position_[p][axis] - position_[extreme][axis]);
+                    if (ahead > 0.0 || (ahead == 0.0 && p < extreme)) extreme = p;
+                }
+                const double share = std::abs(normal_[extreme][axis]);
+                if (share <= bestShare) continue;
+                bestShare = share;
+                best = extreme;
+                out = Vec3(0.0);
+                out[axis] = sign;
+            }
+        }
+        if (glm::dot(normal_[best], out) < 0.0) turn(best);
+        return best;
+    }
+
+    /// Prim's algorithm.
+    void grow(Index first) {
+        std::priority_queue<TreeStep, std::vector<TreeStep>, std::greater<>> steps;
+        const auto reach = [&](Index p) {
+            reached_[p] = true;
+            for (const Index q : graph_[p]) {
+                if (reached_[q]) continue;
+                steps.push({1.0 - std::abs(agreement(p, q)), p, q});
+            }
+        };
+        reach(first);
+        while (!steps.empty()) {
+            const TreeStep step = steps.top();
+            steps.pop();
+            if (reached_[step.to]) continue;
+            const double cosine = agreement(step.from, step.to);
+            constexpr double kDoubtful = 0.1;
+            if (std::abs(cosine) < kDoubtful) ++report_.doubtful;
+            if (cosine < 0.0) turn(step.to);
+            reach(step.to);
+        }
+    }
+
+    /// Cosine between the normal of q and that of p mirrored at the plane halfway between them: 1
+    /// if a circle runs through both, across a thin part too.
+    double agreement(Index p, Index q) const {
+        const Vec3 d = position_[q] - position_[p];
+        const double lengthSq = glm::dot(d, d);
+        if (!(lengthSq > 0.0)) return glm::dot(normal_[p], normal_[q]);
+        const Vec3 mirrored = normal_[p] - (2.0 * glm::dot(normal_[p], d) / lengthSq) * d;
+        return glm::dot(mirrored, normal_[q]);
+    }
+
+    void turn(Index p) {
+        normal_[p] = -normal_[p];
+        ++report_.turned;
+    }
+
+    std::span<const Vec3> position_;
+    std::vector<Vec3>& normal_;
+    NeighborLists graph_;
+    std::vector<bool> reached_;
+    OrientationReport report_;
+};
+
+}  // namespace
+
+OrientationReport orientNormals(std::span<const Vec3> position, const NeighborLists& neighbors,
+                                std::vector<Vec3>& normal) {
+    return Orientation(position, neighbors, normal).run();
+}
+
+}  // namespace se

@@ -1,0 +1,171 @@
+/// Normals for points that come without, and a common side for normals that disagree.
+#include "spiraling_edge/normals.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "../support/clouds.h"
+#include "../support/oracles.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+/// The k nearest of each point, whatever the normals.
+NeighborLists nearest(const std::vector<Vec3>& position, std::size_t k = 12) {
+    const std::vector<bool> usable(position.size(), true);
+    return findNeighbors(position, {}, usable, reach(k, false)).value();
+}
+
+/// Scale of closedFamilies() at which no point has its neighbors on another tube.
+constexpr double kDense = 3.0;
+
+/// Turns about half of the normals.
+std::vector<Vec3> shuffledSides(std::vector<Vec3> normal, std::uint64_t seed) {
+    Random random(seed);
+    for (Vec3& n : normal) {
+        if (random.below(2) == 1) n = -n;
+    }
+    return normal;
+}
+
+std::size_t against(const std::vector<Vec3>& normal, const std::vector<Vec3>& truth) {
+    std::size_t count = 0;
+    for (std::size_t p = 0; p < normal.size(); ++p) {
+        count += glm::dot(normal[p], truth[p]) <= 0.0 ? 1 : 0;
+    }
+    return count;
+}
+
+}  // namespace
+
+TEST_CASE("normals: a plane has one normal, however it lies") {
+    Random random(1);
+    for (int turn = 0; turn < 50; ++turn) {
+        const Vec3 n = random.direction();
+        const Vec3 u = glm::normalize(glm::cross(n, random.direction()));
+        const Vec3 v = glm::cross(n, u);
+        std::vector<Vec3> position;
+        for (int i = 0; i < 40; ++i) {
+            position.push_back(1e3 * n + random.between(-1, 1) * u + random.between(-1, 1) * v);
+        }
+        for (const Vec3& found : estimateNormals(position, nearest(position))) {
+            CHECK(std::abs(glm::dot(found, n)) > 1 - 1e-9);
+            CHECK(glm::dot(found, found) == doctest::Approx(1.0));
+        }
+    }
+}
+
+TEST_CASE("normals: those of even samples lie within a few degrees of the gradient") {
+    for (const Family& family : closedFamilies(kDense)) {
+        const PointFile file = family.sample(1);
+        const auto found = estimateNormals(file.position, nearest(file.position));
+        double sum = 0.0;
+        for (std::size_t p = 0; p < found.size(); ++p) {
+            sum += std::acos(std::min(1.0, std::abs(glm::dot(found[p], file.normal[p]))));
+        }
+        CHECK_MESSAGE(sum / static_cast<double>(found.size()) * 180 / kPi < 6.0, family.name);
+    }
+}
+
+TEST_CASE("normals: points without neighbors, or all in line, have none") {
+    std::vector<Vec3> line;
+    for (int i = 0; i < 10; ++i) line.push_back({1.0 * i, 2.0 * i, -0.5 * i});
+    for (const Vec3& n : estimateNormals(line, nearest(line))) CHECK(n == Vec3(0.0));
+    NeighborLists none;
+    none.append({});
+    none.append(std::vector<Index>{0});
+    for (const Vec3& n : estimateNormals(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}}, none)) {
+        CHECK(n == Vec3(0.0));
+    }
+    CHECK(estimateNormals({}, NeighborLists{}).empty());
+}
+
+TEST_CASE("orientation: closed surfaces look out, each component by itself") {
+    for (const Family& family : closedFamilies(1.0)) {
+        for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+            const PointFile file = family.sample(seed);
+            std::vector<Vec3> normal = shuffledSides(file.normal, seed);
+            const std::size_t wrong = against(normal, file.normal);
+            const auto report = orientNormals(file.position, nearest(file.position), normal);
+            CHECK_MESSAGE(against(normal, file.normal) == 0, family.name, ", seed ", seed);
+            CHECK(report.turned >= wrong);  // The first one may have been turned and turned back.
+            CHECK(report.turned <= wrong + static_cast<std::size_t>(family.components));
+            CHECK(report.doubtful == 0);
+        }
+    }
+}
+
+TEST_CASE("orientation: derived normals of closed surfaces look out as well") {
+    for (const Family& family : closedFamilies(kDense)) {
+        const PointFile file = family.sample(2);
+        const NeighborLists lists = nearest(file.position);
+        std::vector<Vec3> normal = estimateNormals(file.position, lists);
+        orientNormals(file.position, lists, normal);
+        CHECK_MESSAGE(against(normal, file.normal) == 0, family.name);
+    }
+}
+
+TEST_CASE("orientation: it holds round the edges of a cube, where the plain cosine says nothing") {
+    PointFile cube;
+    constexpr int kSide = 9;
+    for (int face = 0; face < 6; ++face) {
+        const int axis = face / 2;
+        const double sign = face % 2 == 0 ? 1.0 : -1.0;
+        for (int i = 0; i < kSide; ++i) {
+            for (int j = 0; j < kSide; ++j) {
+                Vec3 x(0.0);
+                x[axis] = sign;
+                x[(axis + 1) % 3] = (i + 0.5) / kSide * 2 - 1;
+                x[(axis + 2) % 3] = (j + 0.5) / kSide * 2 - 1;
+                Vec3 n(0.0);
+                n[axis] = sign;
+                cube.position.push_back(x);
+                cube.normal.push_back(n);
+            }
+        }
+    }
+    std::vector<Vec3> normal = shuffledSides(cube.normal, 5);
+    orientNormals(cube.position, nearest(cube.position), normal);
+    CHECK(against(normal, cube.normal) == 0);
+}
+
+TEST_CASE("orientation: the two sides of a thin sheet look apart") {
+    // Each point has its twin below nearer than its neighbors beside.
+    std::vector<Vec3> position;
+    std::vector<Vec3> truth;
+    for (int i = 0; i < 12; ++i) {
+        for (int j = 0; j < 12; ++j) {
+            for (const double z : {0.2, -0.2}) {
+                position.push_back({i + 0.01 * j, j, z});
+                truth.push_back({0, 0, z > 0 ? 1.0 : -1.0});
+            }
+        }
+    }
+    std::vector<Vec3> normal = shuffledSides(truth, 3);
+    orientNormals(position, nearest(position, 8), normal);
+    CHECK(against(normal, truth) == 0);
+}
+
+TEST_CASE("orientation: components are counted, and zero normals stay zero") {
+    std::vector<Vec3> position;
+    std::vector<Vec3> normal;
+    for (const double x : {0.0, 100.0}) {
+        const PointFile ball = closedFamilies(0.3)[0].sample(1);
+        for (std::size_t p = 0; p < ball.position.size(); ++p) {
+            position.push_back(ball.position[p] + Vec3(x, 0, 0));
+            normal.push_back(ball.normal[p]);
+        }
+    }
+    const std::vector<Vec3> truth = normal;
+    for (Vec3& n : normal) n = -n;
+    normal[7] = Vec3(0.0);
+    const auto report = orientNormals(position, nearest(position), normal);
+    CHECK(report.components == 2);
+    CHECK(normal[7] == Vec3(0.0));
+    normal[7] = truth[7];
+    CHECK(against(normal, truth) == 0);
+}
