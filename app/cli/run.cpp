@@ -14,6 +14,7 @@
 #include "output.h"
 #include "progress.h"
 #include "report.h"
+#include "spiraling_edge/mesh_io.h"
 #include "spiraling_edge/reconstruct.h"
 #include "trace.h"
 #include "verbs.h"
@@ -36,8 +37,10 @@ struct RunArguments {
 
     void addTo(CLI::App& app) {
         app.add_option("IN", input, "File with points, - or scene:ID")->required();
-        app.add_option("-o,--output", output, "Write the mesh as PLY to this file, or - ")
-            ->type_name("OUT.ply");
+        app.add_option("-o,--output", output,
+                       "Write the mesh to this file, as PLY, OBJ, OFF, STL or GLB by its "
+                       "extension; - : as PLY to standard output")
+            ->type_name("OUT");
         rules.addTo(app);
         neighbors.addTo(app);
         app.add_option("--max-pivots", maxPivots, "Stop after N pivots and write what there is")
@@ -61,9 +64,10 @@ struct RunArguments {
             throw Failure(ExitCode::Usage, "only one of -o, --report and --trace can be -");
         if (output == "-" && ::isatty(STDOUT_FILENO) == 1)
             throw Failure(ExitCode::Usage, "-o -: will not write a binary file to a terminal");
-        const std::string extension = std::filesystem::path(output).extension().string();
-        if (!extension.empty() && extension != ".ply" && extension != ".PLY")
-            throw Failure(ExitCode::Usage, fmt::format("-o {}: only .ply is written", output));
+        if (output != "-" && meshFormatOf(output) == nullptr)
+            throw Failure(
+                ExitCode::Usage,
+                fmt::format("-o {}: .ply, .obj, .off, .stl and .glb can be written", output));
         requireWritable(output, "-o");
         requireWritable(report, "--report");
         requireWritable(trace, "--trace");
@@ -151,7 +155,7 @@ Ending triangulate(Stepper& stepper, std::optional<std::uint32_t> maxPivots, Tra
 
 void writeMesh(const std::string& path, const PointFile& file, const std::vector<Triangle>& mesh) {
     if (path == "-") return writeOutput(path, meshPlyBytes(file, mesh));
-    const Status status = writeMeshPly(path, file, mesh);
+    const Status status = se::writeMesh(path, file, mesh);
     if (!status) throw Failure(ExitCode::Internal, status.error().message);
 }
 

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "io_ply.h"
+#include "mesh_io_formats.h"
 
 namespace se {
 namespace {
@@ -140,8 +141,9 @@ void appendNeighbors(const NeighborLists& lists, std::string& bytes) {
     }
 }
 
-/// What would make a file that cannot be read back.
-Status checkWritable(const PointFile& points, std::span<const Triangle> triangles) {
+}  // namespace
+
+Status io::checkWritable(const PointFile& points, std::span<const Triangle> triangles) {
     const std::size_t count = points.position.size();
     const auto fits = [&](std::size_t size) { return size == 0 || size == count; };
     bool same =
@@ -157,8 +159,6 @@ Status checkWritable(const PointFile& points, std::span<const Triangle> triangle
     }
     return success();
 }
-
-}  // namespace
 
 std::string meshPlyBytes(const PointFile& points, std::span<const Triangle> triangles) {
     assert(checkWritable(points, triangles).ok());

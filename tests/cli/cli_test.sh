@@ -95,8 +95,8 @@ wrong_values_are_wrong_usage() {
     expect 2 run scene:sphere --radius nan
     expect 2 run scene:sphere --radius 1 --neighbors 5
     expect 2 run scene:sphere --max-pivots -1
-    expect 2 run scene:sphere -o mesh.obj
-    says err "only .ply"
+    expect 2 run scene:sphere -o mesh.fbx
+    says err ".stl and .glb can be written"
     expect 2 run scene:sphere -o - --trace -
     expect 2 run scene:sphere --report - --trace -
 }

@@ -1,0 +1,191 @@
+/// STL and GLB.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "finite.h"
+#include "mesh_io_formats.h"
+
+namespace se::io {
+namespace {
+
+void append(std::string& bytes, std::uint32_t value) {
+    for (unsigned shift = 0; shift < 32; shift += 8) {
+        bytes += static_cast<char>(static_cast<unsigned char>(value >> shift));
+    }
+}
+void append(std::string& bytes, float value) { append(bytes, std::bit_cast<std::uint32_t>(value)); }
+void append(std::string& bytes, const Vec3& v) {
+    for (int i = 0; i < 3; ++i) append(bytes, static_cast<float>(v[i]));
+}
+
+}  // namespace
+
+std::string stlBytes(const PointFile& points, std::span<const Triangle> triangles) {
+    constexpr std::size_t kHeader = 80;
+    constexpr std::size_t kRow = 50;
+    std::string bytes = "written by spiraling-edge";  // Must not begin with "solid", as text does.
+    bytes.resize(kHeader, ' ');
+    bytes.reserve(kHeader + 4 + kRow * triangles.size());
+    append(bytes, static_cast<std::uint32_t>(triangles.size()));
+    for (const Triangle& t : triangles) {
+        const Vec3& a = points.position[t.a];
+        const Vec3& b = points.position[t.b];
+        const Vec3& c = points.position[t.c];
+        const Vec3 area = glm::cross(b - a, c - a);
+        const double size = std::sqrt(glm::dot(area, area));
+        append(bytes, size > 0.0 ? area / size : Vec3(0.0));
+        append(bytes, a);
+        append(bytes, b);
+        append(bytes, c);
+        bytes.append(2, '\0');
+    }
+    return bytes;
+}
+
+// ---- GLB ----------------------------------------------------------------------------------------
+
+namespace {
+
+struct Bounds {
+    Vec3 low{std::numeric_limits<double>::infinity()};
+    Vec3 high{-std::numeric_limits<double>::infinity()};
+    void add(const Vec3& x) {
+        low = glm::min(low, x);
+        high = glm::max(high, x);
+    }
+};
+
+/// "[x,y,z]" with digits that read back as the same floats.
+std::string jsonOf(const Vec3& v) {
+    std::array<char, 120> out;
+    const int length = std::snprintf(out.data(), out.size(), "[%.9g,%.9g,%.9g]", v.x, v.y, v.z);
+    return {out.data(), static_cast<std::size_t>(length)};
+}
+
+Vec3 asFloats(const Vec3& v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+/// Unit normals are demanded; +z stands for those that have no direction.
+Vec3 unitNormal(const Vec3& n) {
+    const double length = std::sqrt(glm::dot(n, n));
+    return isFinite(n) && length > 0.0 ? n / length : Vec3(0, 0, 1);
+}
+
+/// The JSON and the binary chunk of a GLB file, while they grow.
+class GlbParts {
+  public:
+    GlbParts(const PointFile& points, std::span<const Triangle> triangles)
+        : points_(points), triangles_(triangles) {}
+
+    std::string file() {
+        addPositions();
+        if (points_.hasNormals()) addNormals();
+        addIndices();
+        const auto pad = [](std::string& chunk, char sign) {
+            while (chunk.size() % 4 != 0) chunk += sign;
+        };
+        std::string json = document();
+        pad(json, ' ');
+        pad(binary_, '\0');
+        constexpr std::uint32_t kMagic = 0x46546C67;
+        constexpr std::uint32_t kJson = 0x4E4F534A;
+        constexpr std::uint32_t kBinary = 0x004E4942;
+        constexpr std::uint32_t kHeads = 12 + 8 + 8;
+        std::string bytes;
+        append(bytes, kMagic);
+        append(bytes, std::uint32_t{2});
+        append(bytes, kHeads + static_cast<std::uint32_t>(json.size() + binary_.size()));
+        append(bytes, static_cast<std::uint32_t>(json.size()));
+        append(bytes, kJson);
+        bytes += json;
+        append(bytes, static_cast<std::uint32_t>(binary_.size()));
+        append(bytes, kBinary);
+        return bytes + binary_;
+    }
+
+  private:
+    /// A view of what was added since `begin`, and an accessor to it.
+    void describe(std::size_t begin, int target, int type, std::size_t count, const char* shape,
+                  const std::string& more = {}) {
+        const auto comma = [](const std::string& list) { return list.empty() ? "" : ","; };
+        accessors_ +=
+            std::string(comma(accessors_)) + "{\"bufferView\":" + std::to_string(views_++) +
+            ",\"componentType\":" + std::to_string(type) + ",\"count\":" + std::to_string(count) +
+            ",\"type\":\"" + shape + "\"" + more + "}";
+        bufferViews_ += std::string(comma(bufferViews_)) +
+                        "{\"buffer\":0,\"byteOffset\":" + std::to_string(begin) +
+                        ",\"byteLength\":" + std::to_string(binary_.size() - begin) +
+                        ",\"target\":" + std::to_string(target) + "}";
+    }
+
+    void addPositions() {
+        Bounds whole;
+        for (const Vec3& x : points_.position) {
+            if (isFinite(x)) whole.add(x);
+        }
+        middle_ =
+            whole.low.x <= whole.high.x ? asFloats(0.5 * (whole.low + whole.high)) : Vec3(0.0);
+        Bounds moved;
+        for (const Vec3& x : points_.position) {
+            const Vec3 place = isFinite(x) ? asFloats(x - middle_) : Vec3(0.0);
+            moved.add(place);
+            append(binary_, place);
+        }
+        describe(0, kVertices, kFloat, points_.position.size(), "VEC3",
+                 ",\"min\":" + jsonOf(moved.low) + ",\"max\":" + jsonOf(moved.high));
+    }
+    void addNormals() {
+        const std::size_t begin = binary_.size();
+        for (const Vec3& n : points_.normal) append(binary_, unitNormal(n));
+        describe(begin, kVertices, kFloat, points_.normal.size(), "VEC3");
+    }
+    void addIndices() {
+        if (triangles_.empty()) return;
+        const std::size_t begin = binary_.size();
+        for (const Triangle& t : triangles_) {
+            for (const Index corner : {t.a, t.b, t.c}) append(binary_, corner);
+        }
+        describe(begin, kIndices, kUnsigned, 3 * triangles_.size(), "SCALAR");
+    }
+
+    std::string document() const {
+        std::string primitive = "{\"attributes\":{\"POSITION\":0";
+        if (points_.hasNormals()) primitive += ",\"NORMAL\":1";
+        primitive += "},\"mode\":";
+        primitive += triangles_.empty()
+                         ? "0"
+                         : "4,\"indices\":" + std::to_string(points_.hasNormals() ? 2 : 1);
+        primitive += "}";
+        return "{\"asset\":{\"version\":\"2.0\",\"generator\":\"spiraling-edge\"},\"scene\":0,"
+               "\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,\"translation\":" +
+               jsonOf(middle_) + "}],\"meshes\":[{\"primitives\":[" + primitive +
+               "]}],\"accessors\":[" + accessors_ + "],\"bufferViews\":[" + bufferViews_ +
+               "],\"buffers\":[{\"byteLength\":" + std::to_string(binary_.size()) + "}]}";
+    }
+
+    static constexpr int kVertices = 34962;
+    static constexpr int kIndices = 34963;
+    static constexpr int kFloat = 5126;
+    static constexpr int kUnsigned = 5125;
+
+    const PointFile& points_;
+    std::span<const Triangle> triangles_;
+    std::string binary_, accessors_, bufferViews_;
+    Vec3 middle_{0.0};
+    int views_ = 0;
+};
+
+}  // namespace
+
+std::string glbBytes(const PointFile& points, std::span<const Triangle> triangles) {
+    return GlbParts(points, triangles).file();
+}
+
+}  // namespace se::io

@@ -1,0 +1,93 @@
+/// OBJ and OFF.
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+
+#include "mesh_io_formats.h"
+
+namespace se::io {
+namespace {
+
+/// Appends the shortest decimal number that reads back as `value`.
+void append(std::string& text, double value) {
+    std::array<char, 40> out;
+#if defined(__cpp_lib_to_chars)
+    const auto end = std::to_chars(out.data(), out.data() + out.size(), value).ptr;
+    text.append(out.data(), end);
+#else
+    constexpr int kDigits = 17;  // Enough for any double.
+    int length = 0;
+    for (int digits = kDigits - 2; digits <= kDigits; ++digits) {
+        length = std::snprintf(out.data(), out.size(), "%.*g", digits, value);
+        if (std::strtod(out.data(), nullptr) == value) break;
+    }
+    text.append(out.data(), static_cast<std::size_t>(length));
+#endif
+}
+
+void append(std::string& text, Index value) {
+    std::array<char, 12> out;
+    const auto end = std::to_chars(out.data(), out.data() + out.size(), value).ptr;
+    text.append(out.data(), end);
+}
+
+void appendRow(std::string& text, const Vec3& v) {
+    for (int i = 0; i < 3; ++i) {
+        if (i > 0) text += ' ';
+        append(text, v[i]);
+    }
+}
+
+}  // namespace
+
+std::string objBytes(const PointFile& points, std::span<const Triangle> triangles) {
+    std::string text = "# written by spiraling-edge\n";
+    for (const Vec3& x : points.position) {
+        text += "v ";
+        appendRow(text, x);
+        text += '\n';
+    }
+    for (const Vec3& n : points.normal) {
+        text += "vn ";
+        appendRow(text, n);
+        text += '\n';
+    }
+    for (const Triangle& t : triangles) {
+        text += 'f';
+        for (const Index corner : {t.a, t.b, t.c}) {
+            text += ' ';
+            append(text, corner + 1);
+            if (!points.hasNormals()) continue;
+            text += "//";
+            append(text, corner + 1);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+std::string offBytes(const PointFile& points, std::span<const Triangle> triangles) {
+    std::string text = points.hasNormals() ? "NOFF\n" : "OFF\n";
+    text +=
+        std::to_string(points.position.size()) + ' ' + std::to_string(triangles.size()) + " 0\n";
+    for (std::size_t p = 0; p < points.position.size(); ++p) {
+        appendRow(text, points.position[p]);
+        if (points.hasNormals()) {
+            text += ' ';
+            appendRow(text, points.normal[p]);
+        }
+        text += '\n';
+    }
+    for (const Triangle& t : triangles) {
+        text += '3';
+        for (const Index corner : {t.a, t.b, t.c}) {
+            text += ' ';
+            append(text, corner);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+}  // namespace se::io
