@@ -42,7 +42,7 @@ void printHelp(std::FILE* stream) {
     for (const Verb& verb : kVerbs) fmt::print(stream, "  {:<8} {}\n", verb.name, verb.summary);
     fmt::print(stream,
                "\n`spiraling-edge VERB --help` tells the options of a verb.\n"
-               "An input is a PLY, XYZ, OBJ or OFF file, `-` for standard input, or scene:ID.\n"
+               "An input is a PLY, XYZ, OBJ, OFF or PCD file, `-` for standard input, or scene:ID.\n"
                "\n"
                "  -h, --help     print this and exit\n"
                "  --version      print the version and exit\n"

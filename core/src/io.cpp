@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kReadable =
-    "PLY (ascii or binary), XYZ (x y z or x y z nx ny nz per line), OBJ and OFF can be read; "
+    "PLY (ascii or binary), XYZ (x y z or x y z nx ny nz per line), OBJ, OFF and PCD can be read; "
     "convert it to one of these, e.g. with MeshLab or CloudCompare";
 
 /// The reason that the operating system gave for the last failure.
@@ -45,6 +45,7 @@ Reader findReader(std::string_view bytes, const std::string& name) {
     io::LineReader lines(bytes);
     lines.nextContent('#');
     const std::string_view word = io::Fields(lines.line(), ',').next();
+    if (word == "VERSION" || word == "FIELDS") return io::readPcd;
     if (io::isOffKeyword(word)) return io::readOff;
     if (isObjKeyword(word)) return io::readObj;
     double number = 0.0;

@@ -15,6 +15,9 @@ Result<PointFile> readObj(std::string_view text, const std::string& name);
 /// The keyword of the first line may be missing, as the format allows.
 Result<PointFile> readOff(std::string_view text, const std::string& name);
 
+/// Version 0.7 and earlier, ascii and binary; packed colors become red, green and blue.
+Result<PointFile> readPcd(std::string_view bytes, const std::string& name);
+
 /// True if `word` is a keyword that opens an OFF file: OFF with any of the prefixes C, N, ST.
 bool isOffKeyword(std::string_view word);
 
