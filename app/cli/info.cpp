@@ -95,7 +95,7 @@ Facts gather(const std::string& input) {
     if (facts.file.hasNormals()) {
         NeighborOptions options;
         options.reach = KNearest{1};
-        Result<Prepared> prepared = prepare(facts.file, options);
+        Result<Prepared> prepared = prepare(facts.file, {options});
         if (!prepared) throw Failure(ExitCode::Input, input + ": " + prepared.error().message);
         facts.prepared = prepared.value().report;
         points = std::move(prepared.value().points);

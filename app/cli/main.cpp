@@ -40,15 +40,16 @@ void printHelp(std::FILE* stream) {
                "       spiraling-edge FILE          the same as spiraling-edge view FILE\n\n"
                "Verbs:\n");
     for (const Verb& verb : kVerbs) fmt::print(stream, "  {:<8} {}\n", verb.name, verb.summary);
-    fmt::print(stream,
-               "\n`spiraling-edge VERB --help` tells the options of a verb.\n"
-               "An input is a PLY, XYZ, OBJ, OFF or PCD file, `-` for standard input, or scene:ID.\n"
-               "\n"
-               "  -h, --help     print this and exit\n"
-               "  --version      print the version and exit\n"
-               "\n"
-               "Exit codes: 0 good, 1 ran but a check failed, 2 wrong usage, 3 input missing or\n"
-               "malformed, 4 no display, 5 internal error, 130 interrupted.\n");
+    fmt::print(
+        stream,
+        "\n`spiraling-edge VERB --help` tells the options of a verb.\n"
+        "An input is a PLY, XYZ, OBJ, OFF or PCD file, `-` for standard input, or scene:ID.\n"
+        "\n"
+        "  -h, --help     print this and exit\n"
+        "  --version      print the version and exit\n"
+        "\n"
+        "Exit codes: 0 good, 1 ran but a check failed, 2 wrong usage, 3 input missing or\n"
+        "malformed, 4 no display, 5 internal error, 130 interrupted.\n");
 }
 
 /// A word that is no verb: an input for the viewer, or a mistake.

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <locale>
+#include <sstream>
 
 namespace se::cli {
 namespace {
@@ -70,6 +72,61 @@ NeighborOptions NeighborArguments::options() const {
     }
     options.dropOpposingNormals = !keepOpposing_;
     options.recompute = count_.has_value() || radius_.has_value();
+    return options;
+}
+
+void DerivedArguments::addTo(CLI::App& app) {
+    auto* orient = app.add_flag("--orient", orient_,
+                                "Turn the normals of the file so that they agree with each other");
+    app.add_flag("--derive-normals", deriveNormals_,
+                 "Derive normals from the positions even if the file has some")
+        ->excludes(orient);
+    app.add_option("--box", box_,
+                   "Points on the walls of this box are boundary points: auto (the box around all "
+                   "points), or X0,Y0,Z0,X1,Y1,Z1")
+        ->type_name("BOX");
+}
+
+namespace {
+
+/// Six numbers, apart by commas.
+WallBox boxFromText(const std::string& text) {
+    WallBox box;
+    std::istringstream stream(text);
+    stream.imbue(std::locale::classic());
+    for (int i = 0; i < 6; ++i) {
+        double& value = i < 3 ? box.low[i] : box.high[i - 3];
+        char comma = ',';
+        if (i > 0) stream >> comma;
+        if (!(stream >> value) || comma != ',' || !std::isfinite(value)) {
+            throw Failure(ExitCode::Usage,
+                          fmt::format("--box {}: write auto, or six numbers with commas between: "
+                                      "X0,Y0,Z0,X1,Y1,Z1",
+                                      text));
+        }
+    }
+    stream >> std::ws;
+    const bool ordered = box.low.x < box.high.x && box.low.y < box.high.y && box.low.z < box.high.z;
+    if (!stream.eof() || !ordered) {
+        throw Failure(ExitCode::Usage,
+                      fmt::format("--box {}: expected six numbers, the lower corner first", text));
+    }
+    return box;
+}
+
+}  // namespace
+
+PrepareOptions DerivedArguments::options(const NeighborOptions& neighbors,
+                                         const PointFile& file) const {
+    PrepareOptions options;
+    options.neighbors = neighbors;
+    if (orient_) options.normals = NormalSource::Oriented;
+    if (deriveNormals_) options.normals = NormalSource::Derived;
+    if (box_ == "auto") {
+        options.walls = boxAround(file.position);
+    } else if (!box_.empty()) {
+        options.walls = boxFromText(box_);
+    }
     return options;
 }
 

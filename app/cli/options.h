@@ -31,6 +31,19 @@ class NeighborArguments {
     bool keepOpposing_ = false;
 };
 
+/// What is derived from the points: --orient, --derive-normals, --box.
+class DerivedArguments {
+  public:
+    void addTo(CLI::App& app);
+    /// `neighbors` go along. Throws Failure if the box is none.
+    PrepareOptions options(const NeighborOptions& neighbors, const PointFile& file) const;
+
+  private:
+    bool orient_ = false;
+    bool deriveNormals_ = false;
+    std::string box_;
+};
+
 /// Which reading of the paper: --rules, --rule NAME=on|off.
 class RuleArguments {
   public:

@@ -97,6 +97,19 @@ void addPreparation(const PrepareReport& report, Json& json) {
     json["unscaled_normals"] = report.unscaledNormals;
     json["dropped_list_entries"] = report.droppedListEntries;
     json["neighbors_computed"] = report.neighborsComputed;
+    const DerivedPieces& derived = report.derived;
+    json["derived"] = {{"normals", derived.normals},
+                       {"orientation", derived.orientation},
+                       {"types", derived.types},
+                       {"neighbors", derived.neighbors},
+                       {"turned_normals", derived.turnedNormals},
+                       {"normal_components", derived.normalComponents},
+                       {"planeless_points", derived.planelessPoints},
+                       {"seconds",
+                        {{"normals", derived.normalSeconds},
+                         {"orientation", derived.orientationSeconds},
+                         {"types", derived.typeSeconds},
+                         {"neighbors", derived.neighborSeconds}}}};
 }
 
 void addRules(const RunOutcome& outcome, Json& json) {
@@ -127,6 +140,23 @@ std::string leftOverSentence(const RunOutcome& outcome) {
     add(outcome.state.counters.isolated, "isolated");
     add(outcome.state.counters.stranded, "stranded");
     add(outcome.mesh.unusedPoints, "in no triangle");
+    return text;
+}
+
+/// "normals (in 2 parts), wall types"; empty if the file had all. Lists are nothing to speak of.
+std::string derivedSentence(const DerivedPieces& derived) {
+    std::string text;
+    if (derived.normals) {
+        appendPart(text, fmt::format("normals, oriented in {}",
+                                     counted(derived.normalComponents, "part")));
+    } else if (derived.orientation) {
+        appendPart(text, fmt::format("sides of the normals, {} turned", derived.turnedNormals));
+    }
+    if (derived.types) appendPart(text, "wall types");
+    if (derived.planelessPoints > 0) {
+        appendPart(text, fmt::format("{} without a plane left out",
+                                     counted(derived.planelessPoints, "point")));
+    }
     return text;
 }
 
@@ -194,6 +224,7 @@ std::string summaryText(const RunOutcome& outcome) {
         if (!sentence.empty()) text += fmt::format("  {:<10} {}\n", label, sentence);
     };
     addLine("set aside", setAsideSentence(outcome.prepared));
+    addLine("derived", derivedSentence(outcome.prepared.derived));
     addLine("left over", leftOverSentence(outcome));
     addLine("defects", defectSentence(outcome.mesh));
     const std::size_t alerts = outcome.state.alerts.size();

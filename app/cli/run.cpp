@@ -34,6 +34,7 @@ struct RunArguments {
     bool quiet = false;
     RuleArguments rules;
     NeighborArguments neighbors;
+    DerivedArguments derived;
 
     void addTo(CLI::App& app) {
         app.add_option("IN", input, "File with points, - or scene:ID")->required();
@@ -43,6 +44,7 @@ struct RunArguments {
             ->type_name("OUT");
         rules.addTo(app);
         neighbors.addTo(app);
+        derived.addTo(app);
         app.add_option("--max-pivots", maxPivots, "Stop after N pivots and write what there is")
             ->type_name("N")
             ->check(CLI::Range(0LL, kMostPivots));
@@ -95,16 +97,24 @@ double shareDone(const State& state) {
                : static_cast<double>(done) / static_cast<double>(state.status.size());
 }
 
-Prepared prepareInput(const PointFile& file, const NeighborOptions& options,
-                      const std::string& name, ProgressLine& line) {
+Prepared prepareInput(const PointFile& file, const PrepareOptions& options, const std::string& name,
+                      ProgressLine& line) {
     Result<Prepared> prepared = prepare(file, options, [&](double share) {
-        if (line.due()) line.write("neighbors", share);
+        if (line.due()) line.write("preparing", share);
         return !interrupted();
     });
     line.clear();
     if (interrupted()) throw Failure(ExitCode::Interrupted, "interrupted; nothing was written");
     if (!prepared) throw Failure(ExitCode::Input, name + ": " + prepared.error().message);
     return std::move(prepared.value());
+}
+
+/// What was derived is written with the mesh.
+void takeOverDerived(const Prepared& prepared, PointFile& file) {
+    const DerivedPieces& derived = prepared.report.derived;
+    if (derived.normals || derived.orientation) file.normal = prepared.points.normal;
+    if (derived.normals) file.normalType = file.positionType;
+    if (derived.types) file.type = prepared.points.type;
 }
 
 /// Called between pivots, now and then: shows how far the run is; true if it should end.
@@ -208,10 +218,12 @@ ExitCode runVerb(const Arguments& words) {
     ProgressLine line(!arguments.quiet);
     TraceWriter trace(arguments.trace);
     StopWatch watch;
-    const PointFile file = readInput(arguments.input);
+    PointFile file = readInput(arguments.input);
     outcome.seconds.read = watch.lap();
-    const Prepared prepared = prepareInput(file, options, arguments.input, line);
+    const Prepared prepared =
+        prepareInput(file, arguments.derived.options(options, file), arguments.input, line);
     outcome.prepared = prepared.report;
+    takeOverDerived(prepared, file);
     outcome.seconds.prepare = watch.lap();
     if (trace.active() || arguments.maxPivots) {
         Stepper stepper(prepared.points, outcome.params);

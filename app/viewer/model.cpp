@@ -108,7 +108,7 @@ Result<std::shared_ptr<const Model>> loadModel(const InputSpec& spec, LoadProgre
     if (!file) return file.error();
     NeighborOptions neighbors = spec.neighbors;
     neighbors.dropOpposingNormals = params->dropOpposingNormals;
-    Result<Prepared> prepared = prepare(file.value(), neighbors, [&](double share) {
+    Result<Prepared> prepared = prepare(file.value(), {neighbors}, [&](double share) {
         progress.share = share;
         return !progress.cancelled.load();
     });

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cassert>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "finite.h"
 #include "prepare_neighbors.h"
+#include "spiraling_edge/normals.h"
 
 namespace se {
 namespace {
@@ -55,18 +58,30 @@ class PositionTable {
     std::vector<Index> slots_;
 };
 
+/// Seconds since the last lap.
+class Laps {
+  public:
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
 /// Turns one PointFile into one PointSet.
 class Preparation {
   public:
-    Preparation(const PointFile& file, const NeighborOptions& options, const Progress& progress)
+    Preparation(const PointFile& file, const PrepareOptions& options, const Progress& progress)
         : file_(file), options_(options), progress_(progress) {}
 
     Result<Prepared> run() {
         if (Status status = checkInput(); !status) return status.error();
         set_.position = file_.position;
-        set_.normal = file_.normal;
         takeTypes();
-        setAsideUnusable();
+        setAsideCopies();
+        if (Status status = makeNormals(); !status) return status.error();
         Result<NeighborLists> lists = makeLists();
         if (!lists) return lists.error();
         set_.neighbors = std::move(lists.value());
@@ -80,12 +95,6 @@ class Preparation {
         if (n >= kNone)
             return Error{"there are " + std::to_string(n) +
                          " points; at most 4294967294 are possible"};
-        if (n > 0 && !file_.hasNormals()) {
-            return Error{
-                "the points have no normals; the algorithm needs one per point. Compute them "
-                "first, e.g. in CloudCompare (Edit > Normals > Compute) or MeshLab (Filters > "
-                "Normals > Compute normals for point sets), and save as PLY"};
-        }
         const auto fits = [n](std::size_t size) { return size == 0 || size == n; };
         if (!fits(file_.normal.size()) || !fits(file_.type.size()) ||
             !fits(file_.neighbors.size())) {
@@ -95,26 +104,85 @@ class Preparation {
     }
 
     void takeTypes() {
+        Laps watch;
+        if (options_.walls) {
+            set_.type = wallTypes(file_.position, *options_.walls);
+            report_.derived.types = true;
+            report_.derived.typeSeconds = watch.lap();
+            return;
+        }
         set_.type.assign(file_.position.size(), kInterior);
         std::transform(file_.type.begin(), file_.type.end(), set_.type.begin(), withCornerBit);
     }
 
-    void setAsideUnusable() {
+    /// Points that nothing can be derived from.
+    void setAsideCopies() {
         const auto n = static_cast<Index>(set_.size());
         usable_.assign(n, false);
         PositionTable seen(set_.position);
         for (Index p = 0; p < n; ++p) {
             if (!isFinite(set_.position[p])) {
                 ++report_.nonFinitePoints;
-            } else if (!normalize(set_.normal[p])) {
-                ++report_.zeroNormals;
-            } else if (!seen.add(p)) {
-                ++report_.duplicatePoints;
+            } else if (derivesNormals() || hasDirection(file_.normal[p])) {
+                usable_[p] = seen.add(p);
+                if (!usable_[p]) ++report_.duplicatePoints;
             } else {
-                usable_[p] = true;
+                ++report_.zeroNormals;
             }
         }
     }
+
+    bool derivesNormals() const {
+        return !file_.hasNormals() || options_.normals == NormalSource::Derived;
+    }
+
+    Status makeNormals() {
+        if (!derivesNormals()) {
+            set_.normal = file_.normal;
+            for (Vec3& n : set_.normal) normalize(n);
+            if (options_.normals == NormalSource::AsGiven) return success();
+        }
+        Laps watch;
+        Result<NeighborLists> lists = listsForNormals();
+        if (!lists) return lists.error();
+        DerivedPieces& derived = report_.derived;
+        if (derivesNormals()) {
+            set_.normal = estimateNormals(set_.position, lists.value());
+            setAsidePlaneless();
+            derived.normals = true;
+            derived.normalSeconds = watch.lap();
+        }
+        const OrientationReport turned = orientNormals(set_.position, lists.value(), set_.normal);
+        derived.orientation = true;
+        derived.turnedNormals = derivesNormals() ? 0 : turned.turned;
+        derived.normalComponents = turned.components;
+        derived.orientationSeconds = watch.lap();
+        return success();
+    }
+
+    /// The nearest, whatever their normals.
+    Result<NeighborLists> listsForNormals() {
+        NeighborOptions nearest = options_.neighbors;
+        nearest.reach = KNearest{options_.planeNeighbors};
+        nearest.dropOpposingNormals = false;
+        return findNeighbors(set_.position, {}, usable_, nearest, part(0.0, kNormalShare));
+    }
+
+    void setAsidePlaneless() {
+        for (Index p = 0; p < set_.size(); ++p) {
+            if (!usable_[p] || set_.normal[p] != Vec3(0.0)) continue;
+            usable_[p] = false;
+            ++report_.derived.planelessPoints;
+        }
+    }
+
+    /// Of the progress, from `from` to `to`.
+    Progress part(double from, double to) const {
+        if (!progress_) return {};
+        return [this, from, to](double share) { return progress_(from + (to - from) * share); };
+    }
+
+    static bool hasDirection(const Vec3& normal) { return isFinite(normal) && normal != Vec3(0.0); }
 
     /// Scales `normal` to unit length. False if it has no direction.
     bool normalize(Vec3& normal) {
@@ -132,9 +200,15 @@ class Preparation {
     }
 
     Result<NeighborLists> makeLists() {
-        if (file_.hasNeighbors() && !options_.recompute) return cleanLists();
-        report_.neighborsComputed = true;
-        return findNeighbors(set_.position, set_.normal, usable_, options_, progress_);
+        const NeighborOptions& neighbors = options_.neighbors;
+        if (file_.hasNeighbors() && !neighbors.recompute) return cleanLists();
+        report_.neighborsComputed = report_.derived.neighbors = true;
+        Laps watch;
+        const double from = report_.derived.orientation ? kNormalShare : 0.0;
+        Result<NeighborLists> lists =
+            findNeighbors(set_.position, set_.normal, usable_, neighbors, part(from, 1.0));
+        report_.derived.neighborSeconds = watch.lap();
+        return lists;
     }
 
     Result<NeighborLists> cleanLists() {
@@ -169,11 +243,15 @@ class Preparation {
     /// Points at distance zero are not usable, so they need no test of their own.
     bool mayNeighbor(Index p, Index q) const {
         if (q == p || !usable_[p] || !usable_[q]) return false;
-        return !options_.dropOpposingNormals || !normalsOppose(set_.normal[p], set_.normal[q]);
+        return !options_.neighbors.dropOpposingNormals ||
+               !normalsOppose(set_.normal[p], set_.normal[q]);
     }
 
+    /// Of the whole work, when normals are derived.
+    static constexpr double kNormalShare = 0.5;
+
     const PointFile& file_;
-    const NeighborOptions& options_;
+    const PrepareOptions& options_;
     const Progress& progress_;
     Prepared prepared_;
     PointSet& set_ = prepared_.points;
@@ -183,9 +261,9 @@ class Preparation {
 
 }  // namespace
 
-Result<Prepared> prepare(const PointFile& file, const NeighborOptions& options,
+Result<Prepared> prepare(const PointFile& file, const PrepareOptions& options,
                          const Progress& progress) {
-    if (const Status status = checkReach(options); !status) return status.error();
+    if (const Status status = checkReach(options.neighbors); !status) return status.error();
     return Preparation(file, options, progress).run();
 }
 

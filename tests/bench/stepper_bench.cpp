@@ -51,7 +51,7 @@ const PointSet& pointsOf(const std::string& name) {
     static std::map<std::string, PointSet> sets;
     const auto [place, isNew] = sets.try_emplace(name);
     if (isNew && !fileOf(name).position.empty()) {
-        auto prepared = prepare(fileOf(name), NeighborOptions{});
+        auto prepared = prepare(fileOf(name), {});
         if (prepared) place->second = std::move(prepared.value().points);
     }
     return place->second;

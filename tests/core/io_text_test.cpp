@@ -194,7 +194,7 @@ TEST_CASE("Files: what is none of the known kinds is refused with a list of thos
         const std::string error = errorOf(bytes, "x.bin");
         CHECK(contains(error, "x.bin: is of no known kind. PLY"));
         CHECK(contains(error, "XYZ"));
-        CHECK(contains(error, "OBJ and OFF"));
+        CHECK(contains(error, "OBJ, OFF and PCD"));
     }
     CHECK(contains(errorOf(std::string(100, '\0')), "no known kind"));
 }

@@ -56,7 +56,7 @@ inline NeighborOptions reach(std::size_t k, bool dropOpposing = true) {
 
 /// The points as the stepper wants them; empty if they cannot be prepared.
 inline PointSet prepared(const PointFile& file, const NeighborOptions& options = {}) {
-    auto result = prepare(file, options);
+    auto result = prepare(file, {options});
     return result.ok() ? std::move(result.value().points) : PointSet{};
 }
 

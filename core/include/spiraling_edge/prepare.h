@@ -1,14 +1,17 @@
-/// From what a file held to what the stepper accepts: neighbor lists computed where absent,
-/// unusable points set aside, lists cleaned (section 2 of the reading in docs/choices.md).
+/// From what a file held to what the stepper accepts: normals, types and neighbor lists derived
+/// where absent or asked for, unusable points set aside, lists cleaned (section 2 of the reading in
+/// docs/choices.md).
 #pragma once
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <variant>
 
 #include "spiraling_edge/io.h"
 #include "spiraling_edge/point_set.h"
 #include "spiraling_edge/result.h"
+#include "spiraling_edge/walls.h"
 
 namespace se {
 
@@ -35,6 +38,39 @@ struct NeighborOptions {
     bool recompute = false;
 };
 
+/// Where normals come from.
+enum class NormalSource : std::uint8_t {
+    AsGiven,   ///< From the file; derived if it has none.
+    Oriented,  ///< From the file, turned to agree with each other; derived if it has none.
+    Derived,   ///< From the positions, whatever the file has.
+};
+
+/// What is derived, and how.
+struct PrepareOptions {
+    NeighborOptions neighbors;
+    NormalSource normals = NormalSource::AsGiven;
+    /// Derived normals are those of the planes nearest to this many neighbors.
+    std::size_t planeNeighbors = 12;
+    /// Types are those of the walls of this box, whatever the file has.
+    std::optional<WallBox> walls{};
+};
+
+/// What was derived, and what it cost: the answer to "quantify the costs" of the paper's last
+/// paragraph. Seconds are 0 for pieces that were not derived.
+struct DerivedPieces {
+    bool normals = false;
+    bool orientation = false;
+    bool types = false;
+    bool neighbors = false;
+    std::size_t turnedNormals = 0;     ///< Sides changed by the orientation.
+    std::size_t normalComponents = 0;  ///< Parts that were oriented each by itself.
+    std::size_t planelessPoints = 0;   ///< Set aside: no plane fits their neighbors best.
+    double normalSeconds = 0.0;        ///< With the search for the neighbors that they need.
+    double orientationSeconds = 0.0;
+    double typeSeconds = 0.0;
+    double neighborSeconds = 0.0;
+};
+
 /// How many points and list entries were set aside, and why. The points stay in the set, with their
 /// index, but have an empty list and stand in no list.
 struct PrepareReport {
@@ -47,6 +83,7 @@ struct PrepareReport {
     std::size_t droppedListEntries =
         0;  ///< In lists from the file: self, repeated, unusable, opposing.
     bool neighborsComputed = false;
+    DerivedPieces derived;
 };
 
 struct Prepared {
@@ -58,12 +95,11 @@ struct Prepared {
 using Progress = std::function<bool(double)>;
 
 /// Makes a PointSet: it passes validate(), positions are those of the file, and lists from the file
-/// are put in order and cleaned. Fails if normals are absent, if k is 0 or the radius not positive,
-/// if a list names a point that does not exist, or if cancelled. Neighbor lists are ordered by
-/// distance, ties by index: the result does not depend on how the search works.
-Result<Prepared> prepare(const PointFile& file, const NeighborOptions& options,
+/// are put in order and cleaned. Fails if k is 0 or the radius not positive, if a list names a
+/// point that does not exist, or if cancelled. Neighbor lists are ordered by distance, ties by
+/// index: the result does not depend on how the search works.
+Result<Prepared> prepare(const PointFile& file, const PrepareOptions& options,
                          const Progress& progress = {});
-
 /// The ordered lists alone, for points with usable[p] true; all others get an empty list and stand
 /// in none. Requires finite usable positions. Points at the same place are no neighbors of each
 /// other, nor are points so far apart (1e154) that the square of their distance is no number.

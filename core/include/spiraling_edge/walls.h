@@ -1,0 +1,26 @@
+/// Wall types from a box that cuts the surface (§7).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "spiraling_edge/point_set.h"
+
+namespace se {
+
+/// The box of a domain; walls are its faces.
+struct WallBox {
+    Vec3 low{0.0}, high{0.0};
+    /// Points not farther from a face than this lie on it. In units of the largest side.
+    double tolerance = 1e-6;
+};
+
+/// The least box around all points with finite positions; {0, 0} if there are none.
+WallBox boxAround(std::span<const Vec3> position);
+
+/// TypeBits of each point: the bit of every face that it lies on, the corner bit with two or more.
+/// Points outside of the box, or not finite, are interior. A side of the box without length has no
+/// faces, nor has a face with fewer than three points, which a surface only touches.
+std::vector<std::uint8_t> wallTypes(std::span<const Vec3> position, const WallBox& box);
+
+}  // namespace se

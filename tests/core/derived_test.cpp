@@ -1,0 +1,112 @@
+/// What prepare() derives: normals, their sides, wall types.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "../support/clouds.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+Prepared prepareOrFail(const PointFile& file) {
+    auto result = prepare(file, PrepareOptions{});
+    REQUIRE(result.ok());
+    return std::move(result.value());
+}
+
+}  // namespace
+
+TEST_CASE("prepare: points without normals get derived ones, and the report says so") {
+    for (const Family& family : closedFamilies(6.0)) {
+        PointFile file = family.sample(1);
+        const std::vector<Vec3> truth = file.normal;
+        file.normal.clear();
+        const Prepared prepared = prepareOrFail(file);
+        CHECK(prepared.report.derived.normals);
+        CHECK(prepared.report.derived.orientation);
+        CHECK(prepared.report.derived.neighbors);
+        CHECK(prepared.report.derived.normalComponents ==
+              static_cast<std::size_t>(family.components));
+        CHECK(prepared.report.derived.planelessPoints == 0);
+        for (std::size_t p = 0; p < truth.size(); ++p) {
+            CHECK(glm::dot(prepared.points.normal[p], truth[p]) > 0.7);
+        }
+        // They are as good as given ones for the algorithm.
+        const Run run = runAll(prepared.points, *paramsByName("robust"));
+        CHECK(run.mesh.closedManifold());
+        CHECK(run.mesh.eulerCharacteristic == family.euler);
+    }
+}
+
+TEST_CASE("prepare: given normals are turned, or replaced, only on request") {
+    PointFile file = closedFamilies(1.0)[1].sample(1);
+    const std::vector<Vec3> truth = file.normal;
+    for (std::size_t p = 0; p < file.normal.size(); p += 3) file.normal[p] = -file.normal[p];
+    const std::size_t wrong = (file.normal.size() + 2) / 3;
+    PrepareOptions options;
+    const Prepared given = prepare(file, options).value();
+    CHECK(given.points.normal[0] == file.normal[0]);
+    CHECK_FALSE(given.report.derived.orientation);
+    options.normals = NormalSource::Oriented;
+    const Prepared oriented = prepare(file, options).value();
+    CHECK(oriented.points.normal == truth);
+    CHECK(oriented.report.derived.turnedNormals >= wrong);
+    CHECK_FALSE(oriented.report.derived.normals);
+    options.normals = NormalSource::Derived;
+    const Prepared derived = prepare(file, options).value();
+    CHECK(derived.report.derived.normals);
+    CHECK(derived.points.normal != truth);
+    for (std::size_t p = 0; p < truth.size(); ++p) {
+        CHECK(glm::dot(derived.points.normal[p], truth[p]) > 0.7);
+    }
+}
+
+TEST_CASE("prepare: nothing can be derived from points in line; they are set aside and counted") {
+    PointFile line;
+    for (int i = 0; i < 20; ++i) line.position.push_back({1.0 * i, 0, 0});
+    const Prepared prepared = prepareOrFail(line);
+    CHECK(prepared.report.derived.planelessPoints == 20);
+    CHECK(prepared.points.neighbors.ids.empty());
+    for (const std::size_t count : {1U, 2U}) {
+        PointFile few;
+        few.position.assign(line.position.begin(),
+                            line.position.begin() + static_cast<std::ptrdiff_t>(count));
+        CHECK(prepareOrFail(few).report.derived.planelessPoints == count);
+    }
+}
+
+TEST_CASE("prepare: wall types from a box replace those of the file") {
+    PointFile sheet = sampleSheet(wavySheet(), 12, 100, 1);
+    const std::vector<std::uint8_t> truth = sheet.type;
+    sheet.type.clear();
+    CHECK(prepareOrFail(sheet).points.type == std::vector<std::uint8_t>(truth.size(), kInterior));
+    PrepareOptions options;
+    options.walls = WallBox{Vec3(-1, -1, -9), Vec3(1, 1, 9)};
+    const Prepared prepared = prepare(sheet, options).value();
+    CHECK(prepared.points.type == truth);
+    CHECK(prepared.report.derived.types);
+    // The box around the points finds the same walls: what it only touches above and below is none.
+    options.walls = boxAround(sheet.position);
+    CHECK(prepare(sheet, options).value().points.type == truth);
+}
+
+TEST_CASE("walls: the tolerance is in units of the largest side; outside is interior") {
+    const WallBox box{Vec3(0.0), Vec3(10, 10, 1), 0.01};
+    const std::vector<Vec3> position{{0.09, 5, 0.5},  {0.11, 5, 0.5}, {-0.09, 5, 0.5},
+                                     {-0.11, 5, 0.5}, {0, 10, 0.5},   {0, 0, 0.5}};
+    const auto type = wallTypes(position, box);
+    CHECK(type[0] == kNegativeX);
+    CHECK(type[1] == kInterior);
+    CHECK(type[2] == kNegativeX);
+    CHECK(type[3] == kInterior);
+    // +y and -y hold one point each: touched, no walls.
+    CHECK(type[4] == kNegativeX);
+    CHECK(wallTypes(std::vector<Vec3>{{std::nan(""), 0, 0}, {0, 0, 0}}, box)[0] == kInterior);
+    CHECK(wallTypes({}, box).empty());
+    const WallBox flat = boxAround(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+    for (const std::uint8_t t : wallTypes(std::vector<Vec3>(5, Vec3(0.5, 0.5, 0)), flat)) {
+        CHECK(t == kInterior);
+    }
+}
