@@ -68,9 +68,12 @@ std::string jsonOf(const Vec3& v) {
     return {out.data(), static_cast<std::size_t>(length)};
 }
 
-Vec3 asFloats(const Vec3& v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+/// volatile: GCC 12 takes "to float and back" of several numbers at once for nothing at all.
+double asFloat(double value) {
+    volatile float rounded = static_cast<float>(value);
+    return static_cast<double>(rounded);
 }
+Vec3 asFloats(const Vec3& v) { return {asFloat(v.x), asFloat(v.y), asFloat(v.z)}; }
 
 /// Unit normals are demanded; +z stands for those that have no direction.
 Vec3 unitNormal(const Vec3& n) {
