@@ -1,19 +1,21 @@
 #include "bookmarks.h"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 
 namespace se::view {
 
-namespace {
-
-bool before(const Bookmark& bookmark, const Address& address) {
-    const Address& a = bookmark.address;
-    return std::tie(a.pivot, a.stage, a.n) < std::tie(address.pivot, address.stage, address.n);
+bool isBefore(const Address& a, const Address& b) {
+    return std::tie(a.pivot, a.stage, a.n) < std::tie(b.pivot, b.stage, b.n);
 }
 
+namespace {
+
 Bookmarks::const_iterator placeOf(const Bookmarks& bookmarks, const Address& address) {
-    return std::lower_bound(bookmarks.begin(), bookmarks.end(), address, before);
+    return std::lower_bound(
+        bookmarks.begin(), bookmarks.end(), address,
+        [](const Bookmark& mark, const Address& to) { return isBefore(mark.address, to); });
 }
 
 }  // namespace
@@ -32,6 +34,14 @@ bool toggleBookmark(Bookmarks& bookmarks, const Address& address) {
     }
     bookmarks.insert(place, {address, {}});
     return true;
+}
+
+const Bookmark* nextBookmark(const Bookmarks& bookmarks, const Address& address, int direction) {
+    const auto place = placeOf(bookmarks, address);  // The first not before the address.
+    if (direction < 0) return place == bookmarks.begin() ? nullptr : &*std::prev(place);
+    const bool here = place != bookmarks.end() && place->address == address;
+    const auto next = here ? std::next(place) : place;
+    return next == bookmarks.end() ? nullptr : &*next;
 }
 
 void insertBookmark(Bookmarks& bookmarks, Bookmark bookmark) {

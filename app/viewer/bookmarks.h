@@ -16,6 +16,9 @@ struct Bookmark {
     friend bool operator==(const Bookmark&, const Bookmark&) = default;
 };
 
+/// Does `a` come first in the run?
+bool isBefore(const Address& a, const Address& b);
+
 /// In the order of the run, one per address at most.
 using Bookmarks = std::vector<Bookmark>;
 
@@ -26,6 +29,8 @@ inline constexpr std::size_t kBookmarkKeys = 10;
 bool toggleBookmark(Bookmarks& bookmarks, const Address& address);
 /// The position of the bookmark at an address, if there is one.
 std::optional<std::size_t> bookmarkAt(const Bookmarks& bookmarks, const Address& address);
+/// The nearest one behind an address (direction 1) or before it (-1); null if there is none.
+const Bookmark* nextBookmark(const Bookmarks& bookmarks, const Address& address, int direction);
 /// Adds one in its place; an older one at the same address gives way.
 void insertBookmark(Bookmarks& bookmarks, Bookmark bookmark);
 

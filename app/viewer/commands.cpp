@@ -129,10 +129,18 @@ void toStart(C& c) {
 
 void toMark(C& c, int direction) {
     pause(c);
-    if (!c.session.goToMark(direction)) {
-        c.session.say(direction > 0 ? "There is no split, join, seed or alert after this one."
-                                    : "There is no split, join, seed or alert before this one.");
-    }
+    if (!c.session.ready()) return;
+    const std::optional<Address> mark = c.session.nextMark(direction);
+    const Bookmark* own = nextBookmark(c.ui.bookmarks, c.session.address(), direction);
+    // A mark of the run has no number within its stage: it stands at the first.
+    const bool ownIsNearer =
+        own != nullptr &&
+        (!mark || (direction > 0 ? isBefore(own->address, *mark) : isBefore(*mark, own->address)));
+    if (ownIsNearer) return c.session.goTo(own->address);
+    if (mark) return c.session.goTo(*mark);
+    c.session.say(direction > 0
+                      ? "There is no split, join, seed, alert or bookmark after this one."
+                      : "There is no split, join, seed, alert or bookmark before this one.");
 }
 
 void toggleUnit(C& c) { c.playback.setUnit(following(c.playback.unit())); }
@@ -237,10 +245,10 @@ constexpr auto kCommands = std::to_array<Command>({
     {"step.pivot.finish", "Step", "Finish this pivot", "Shift+F11",
      "Go to the last decision of this pivot.", true,
      [](C& c) { pause(c), c.session.finishPivot(); }},
-    {"step.mark.next", "Step", "Next split, join, seed or alert", "Ctrl+Right",
-     "Go to the next thing that changes the rings, or to an alert.", true,
+    {"step.mark.next", "Step", "Next split, join, seed, alert or bookmark", "Ctrl+Right",
+     "Go to the next thing that changes the rings, to an alert or a bookmark.", true,
      [](C& c) { toMark(c, 1); }},
-    {"step.mark.previous", "Step", "Previous split, join, seed or alert", "Ctrl+Left",
+    {"step.mark.previous", "Step", "Previous split, join, seed, alert or bookmark", "Ctrl+Left",
      "Go to the one before.", true, [](C& c) { toMark(c, -1); }},
     {"step.back", "Step", "Back", "Alt+Left", "Go back to where the last jump began.", true,
      [](C& c) { pause(c), c.session.goBack(); }},

@@ -162,8 +162,7 @@ class Maker {
     void show(const ReciprocalEvidence& e) {
         name(e.point, "e");
         dial_.reciprocal = {e.point, e.degrees, e.limitDegrees, e.verdict == Verdict::Kept};
-        dial_.caption =
-            text("at e: %.1f\xC2\xB0 of %.1f\xC2\xB0", e.degrees, e.limitDegrees);
+        dial_.caption = text("at e: %.1f\xC2\xB0 of %.1f\xC2\xB0", e.degrees, e.limitDegrees);
     }
     void show(const HoleEvidence& e) {
         dial_.chord = {picture_.startDegrees, picture_.endDegrees};

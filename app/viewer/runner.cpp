@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "picture.h"
+#include "spiraling_edge/stepper.h"
+
 namespace se::view {
 
 namespace {
@@ -18,11 +21,15 @@ Runner::Runner(std::shared_ptr<const Model> model)
 
 Runner::~Runner() { cancelled_ = true; }
 
-void Runner::request(std::uint32_t pivot) {
+void Runner::request(std::uint32_t pivot) { ask({pivot, kNone}); }
+
+void Runner::requestPoint(Index point, std::uint32_t pivot) { ask({pivot, point}); }
+
+void Runner::ask(const Request& request) {
     {
         const std::lock_guard lock(mutex_);
         cancelled_ = false;
-        wanted_ = pivot;
+        wanted_ = request;
     }
     changed_.notify_all();
 }
@@ -39,30 +46,59 @@ std::optional<RunnerAnswer> Runner::take() {
 
 void Runner::work(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
-        std::uint32_t pivot = 0;
+        Request request;
         {
             std::unique_lock lock(mutex_);
             if (!changed_.wait(lock, stop, [&] { return wanted_.has_value(); })) return;
-            pivot = *std::exchange(wanted_, std::nullopt);
+            request = *std::exchange(wanted_, std::nullopt);
         }
-        serve(pivot, stop);
+        request.point == kNone ? serve(request.pivot, stop) : servePoint(request, stop);
     }
 }
 
-void Runner::serve(std::uint32_t pivot, const std::stop_token& stop) {
-    const std::uint32_t before = pivot == 0 ? 0 : pivot - 1;
+/// Moves the timeline, with a look at it now and then. False if cancelled.
+bool Runner::goTo(std::uint32_t position, const std::stop_token& stop) {
     bool arrived = false;
     while (!arrived && !cancelled_ && !stop.stop_requested()) {
         const auto deadline = std::chrono::steady_clock::now() + kSlice;
         arrived = true;
-        timeline_.seek(before, [&] {
+        timeline_.seek(position, [&] {
             position_ = timeline_.position();
             arrived = std::chrono::steady_clock::now() < deadline && !cancelled_;
             return arrived;
         });
         if (!arrived && !cancelled_) publish(timeline_.position(), false);
     }
+    return arrived;
+}
+
+void Runner::serve(std::uint32_t pivot, const std::stop_token& stop) {
+    const bool arrived = goTo(pivot == 0 ? 0 : pivot - 1, stop);
     publish(arrived ? pivot : timeline_.position(), true);
+}
+
+void Runner::servePoint(const Request& request, const std::stop_token& stop) {
+    if (!goTo(request.pivot, stop)) return publish(timeline_.position(), true);
+    // With a stepper of its own: the timeline would make each pivot twice.
+    EventLog log;
+    Stepper stepper(model_->points, model_->params, &log);
+    stepper.setState(timeline_.state());
+    bool found = false;
+    std::uint32_t pivot = request.pivot;
+    for (bool more = true; more && !found && !cancelled_ && !stop.stop_requested();) {
+        log.clear();
+        more = stepper.stepPivot();
+        found = std::any_of(log.events().begin(), log.events().end(), [&](const Event& event) {
+            if (subjectOf(event) != request.point) return false;
+            pivot = event.address.pivot;
+            return true;
+        });
+        position_ = stepper.state().counters.pivots;
+    }
+    if (found) return serve(pivot, stop);
+    found_ = false;
+    serve(request.pivot, stop);
+    found_ = true;
 }
 
 void Runner::publish(std::uint32_t pivot, bool final) {
@@ -74,6 +110,7 @@ void Runner::publish(std::uint32_t pivot, bool final) {
         if (!answer_) answer_.emplace();
         answer_->record = std::move(record);
         answer_->final = final;
+        answer_->found = found_;
         if (all.size() > publishedTriangles_) {
             const auto from = all.begin() + static_cast<std::ptrdiff_t>(publishedTriangles_);
             answer_->newTriangles.insert(answer_->newTriangles.end(), from, all.end());

@@ -19,6 +19,7 @@ struct RunnerAnswer {
     std::shared_ptr<const PivotRecord> record;
     std::vector<Triangle> newTriangles;  ///< Behind those of all earlier answers.
     bool final = false;                  ///< False: a look at a place on the way.
+    bool found = true;                   ///< False: no event about the point; nothing moved.
 };
 
 class Runner {
@@ -31,6 +32,9 @@ class Runner {
     /// Goes to `pivot`, or the end if the run is shorter. Requires that no request is open, that
     /// is, that take() has returned the final answer to the one before.
     void request(std::uint32_t pivot);
+    /// Goes to the first pivot behind `pivot` that has an event about `point` (subjectOf()); if
+    /// there is none the answer is not `found`. Requires what request() does.
+    void requestPoint(Index point, std::uint32_t pivot);
     /// Makes the open request end where it is; its final answer still comes.
     void cancel() { cancelled_ = true; }
     /// Waits up to `patience` for the final answer.
@@ -42,17 +46,25 @@ class Runner {
 
   private:
     void work(const std::stop_token& stop);
+    struct Request {
+        std::uint32_t pivot = 0;
+        Index point = kNone;  ///< If not kNone: the first event about it behind `pivot`.
+    };
+    void ask(const Request& request);
     void serve(std::uint32_t pivot, const std::stop_token& stop);
+    void servePoint(const Request& request, const std::stop_token& stop);
+    bool goTo(std::uint32_t position, const std::stop_token& stop);
     void publish(std::uint32_t pivot, bool final);
 
     std::shared_ptr<const Model> model_;
     Timeline timeline_;
     StatusList status_;  ///< Of the last record.
     std::size_t publishedTriangles_ = 0;
+    bool found_ = true;
 
     std::mutex mutex_;
     std::condition_variable_any changed_;
-    std::optional<std::uint32_t> wanted_;
+    std::optional<Request> wanted_;
     std::optional<RunnerAnswer> answer_;
     std::atomic<bool> cancelled_ = false;
     std::atomic<std::uint32_t> position_ = 0;

@@ -1,7 +1,6 @@
 #include "session.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -14,19 +13,6 @@ constexpr std::uint32_t kEnd = std::numeric_limits<std::uint32_t>::max();
 constexpr std::chrono::milliseconds kPatience{8};
 /// Key repeat must not pile up moves without end.
 constexpr std::size_t kMaxMoves = 64;
-
-std::optional<long> readNumber(std::string_view text) {
-    long value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
-
-std::string trimmed(const std::string& text) {
-    const auto first = text.find_first_not_of(" \t");
-    if (first == std::string::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 }  // namespace
 
@@ -115,6 +101,11 @@ bool Session::takeAnswer() {
     record_ = answer->record;
     if (answer->final) {
         waiting_ = false;
+        if (landing_ == Landing::AtPoint && !answer->found) {
+            landing_ = Landing::AtAddress;
+            say("Nothing more happens to point " + std::to_string(pointWanted_) +
+                " behind this place.");
+        }
         land();
     } else {
         setCursor(record_->events.empty() ? 0 : record_->events.size() - 1);
@@ -125,6 +116,14 @@ bool Session::takeAnswer() {
 void Session::land() {
     std::size_t cursor = record_->events.empty() ? 0 : record_->events.size() - 1;
     if (landing_ == Landing::First) cursor = 0;
+    if (landing_ == Landing::AtPoint) {
+        const auto found =
+            std::find_if(record_->events.begin(), record_->events.end(),
+                         [this](const Event& event) { return subjectOf(event) == pointWanted_; });
+        if (found != record_->events.end()) {
+            cursor = static_cast<std::size_t>(found - record_->events.begin());
+        }
+    }
     if (landing_ == Landing::AtAddress) {
         if (const auto found = record_->find(target_)) {
             cursor = *found;
@@ -239,6 +238,13 @@ bool Session::reached(const Address& address) const {
     return cursor_ >= place.value_or(record_->events.empty() ? 0 : record_->events.size() - 1);
 }
 
+void Session::goToPoint(Index point) {
+    if (!ready()) return;
+    if (!busy()) history_.leave(hereText());
+    cancelMove();
+    push({Move::Kind::Point, 0, {}, point});
+}
+
 void Session::goToEvent(std::size_t index) {
     if (busy() || !ready() || index >= record_->events.size()) return;
     setCursor(index);
@@ -292,6 +298,9 @@ void Session::perform(Move move) {
                 request(here + 1, Landing::Last);
             }
             break;
+        case Move::Kind::Point:
+            performPoint(move.point);
+            break;
         case Move::Kind::Go: {
             const bool whole = move.target.stage == Stage::Pivot && move.target.n == 0;
             request(move.target.pivot, whole ? Landing::Last : Landing::AtAddress, move.target);
@@ -323,47 +332,34 @@ void Session::request(std::uint32_t pivot, Landing landing, const Address& targe
         land();
         return;
     }
+    runner_->request(pivot);
+    await(pivot);
+}
+
+/// Waits a little for what was asked of the runner.
+void Session::await(std::uint32_t pivot) {
     requested_ = pivot;
     waiting_ = true;
     waitingSince_ = std::chrono::steady_clock::now();
-    runner_->request(pivot);
     runner_->wait(kPatience);
     takeAnswer();
 }
 
-Status Session::goToText(const std::string& given) {
-    const std::string text = trimmed(given);
-    const Error unknown{"\"" + text +
-                        "\" is no address. Examples: 137, 137.sphere.3, +10, 50%, p812."};
-    if (!ready() || text.empty()) return unknown;
-    if (text.front() == '+' || text.front() == '-') {
-        const auto number = readNumber(std::string_view(text).substr(text.front() == '+' ? 1 : 0));
-        if (!number || std::abs(*number) > 1'000'000'000L) return unknown;
-        stepPivot(static_cast<int>(*number));
-        return success();
+void Session::performPoint(Index point) {
+    const auto isAbout = [point](const Event& event) { return subjectOf(event) == point; };
+    const std::vector<Event>& events = record_->events;
+    const auto from =
+        events.begin() + static_cast<std::ptrdiff_t>(std::min(cursor_ + 1, events.size()));
+    const auto found = std::find_if(from, events.end(), isAbout);
+    if (found != events.end()) {
+        setCursor(static_cast<std::size_t>(found - events.begin()));
+        return;
     }
-    if (text.back() == '%') {
-        const auto share = readNumber(std::string_view(text).substr(0, text.size() - 1));
-        if (!share || *share < 0 || *share > 100) return unknown;
-        if (!overview_.complete) return Error{"The length of the run is not known yet."};
-        goToPivot(static_cast<std::uint32_t>(std::llround(static_cast<double>(overview_.lastPivot) *
-                                                          static_cast<double>(*share) / 100.0)));
-        return success();
-    }
-    if (text.front() == 'p') {
-        const auto point = readNumber(std::string_view(text).substr(1));
-        if (!point || *point < 0) return unknown;
-        if (static_cast<std::size_t>(*point) >= model_->points.size()) {
-            return Error{"There is no point " + std::to_string(*point) + "; the last one is " +
-                         std::to_string(model_->points.size() - 1) + "."};
-        }
-        select(static_cast<Index>(*point));
-        return success();
-    }
-    const std::optional<Address> address = addressFromString(text);
-    if (!address) return unknown;
-    goTo(*address);
-    return success();
+    landing_ = Landing::AtPoint;
+    target_ = address();
+    pointWanted_ = point;
+    runner_->requestPoint(point, record_->pivot);
+    await(overview_.lastPivot);
 }
 
 void Session::select(const Selection& selection) {

@@ -103,9 +103,12 @@ class Session {
     void goBack();
     void goForward();
     const History& history() const { return history_; }
+    /// To the next event about a point, behind the cursor; says so if there is none.
+    void goToPoint(Index point);
     /// To an event of the present pivot.
     void goToEvent(std::size_t index);
-    /// Reads `137`, `137.sphere.3`, `+10`, `-10`, `50%` or `p812` (selects). Fails with a sentence.
+    /// Reads `137`, `137.sphere.3`, `+10`, `-10`, `50%` or `p812` (selects the point and
+    /// goes to its next event). Fails with a sentence.
     Status goToText(const std::string& text);
 
     /// A move waits for the runner thread.
@@ -139,11 +142,12 @@ class Session {
     void say(std::string message);
 
   private:
-    enum class Landing : std::uint8_t { First, Last, AtAddress };
+    enum class Landing : std::uint8_t { First, Last, AtAddress, AtPoint };
     struct Move {
-        enum class Kind : std::uint8_t { Events, Pivots, Finish, Go } kind = Kind::Go;
+        enum class Kind : std::uint8_t { Events, Pivots, Finish, Go, Point } kind = Kind::Go;
         int delta = 0;
         Address target;
+        Index point = kNone;
     };
 
     /// The pivot at the cursor is the last one, as far as is known.
@@ -152,6 +156,8 @@ class Session {
     void processMoves();
     void perform(Move move);
     void performEvents(int delta);
+    void performPoint(Index point);
+    void await(std::uint32_t pivot);
     void request(std::uint32_t pivot, Landing landing, const Address& target = {});
     bool takeAnswer();
     void land();
@@ -189,6 +195,7 @@ class Session {
     std::uint32_t requested_ = 0;
     Landing landing_ = Landing::Last;
     Address target_;
+    Index pointWanted_ = kNone;
 
     LoadProgress progress_;
     std::atomic<bool> loaded_ = false;

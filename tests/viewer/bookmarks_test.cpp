@@ -34,3 +34,22 @@ TEST_CASE("A second toggle takes a bookmark away; an inserted one replaces that 
     CHECK_FALSE(toggleBookmark(marks, at("5.sort.1")));
     CHECK(marks.empty());
 }
+
+TEST_CASE("The next bookmark is the nearest one strictly behind or before a place") {
+    Bookmarks marks;
+    CHECK(nextBookmark(marks, {5, Stage::Sphere, 1}, 1) == nullptr);
+    CHECK(nextBookmark(marks, {5, Stage::Sphere, 1}, -1) == nullptr);
+    for (const std::uint32_t pivot : {9U, 3U, 5U}) {
+        toggleBookmark(marks, {pivot, Stage::Sphere, 1});
+    }
+    const auto pivotOf = [&](const Address& from, int direction) {
+        const Bookmark* next = nextBookmark(marks, from, direction);
+        return next == nullptr ? 0U : next->address.pivot;
+    };
+    CHECK(pivotOf({5, Stage::Sphere, 1}, 1) == 9);
+    CHECK(pivotOf({5, Stage::Sphere, 1}, -1) == 3);
+    CHECK(pivotOf({5, Stage::Sort, 1}, 1) == 5);
+    CHECK(pivotOf({5, Stage::Sphere, 2}, -1) == 5);
+    CHECK(pivotOf({9, Stage::Sphere, 1}, 1) == 0);
+    CHECK(pivotOf({3, Stage::Sphere, 1}, -1) == 0);
+}

@@ -195,3 +195,40 @@ TEST_CASE("A run that was cancelled stands at some place on the way and goes on 
     open.session.toStart();
     CHECK(open.place() == "start");
 }
+
+TEST_CASE(
+    "p and a number goes to every event about that point in turn, and says when none is left") {
+    OpenSession open;
+    // What there is: all addresses about point 12, by going through the run.
+    std::vector<std::string> expected;
+    open.session.toEnd();
+    open.session.settle();
+    const std::uint32_t last = open.session.record().pivot;
+    for (std::uint32_t pivot = 1; pivot <= last; ++pivot) {
+        open.session.goToPivot(pivot);
+        open.session.settle();
+        for (const Event& event : open.session.record().events) {
+            if (subjectOf(event) == 12) expected.push_back(toString(event.address));
+        }
+    }
+    REQUIRE(expected.size() > 3);
+    open.session.toStart();
+    open.session.settle();
+    for (const std::string& address : expected) {
+        CHECK(open.session.goToText("p12").ok());
+        open.session.settle();
+        CHECK(open.place() == address);
+        CHECK(open.session.message().empty());
+    }
+    CHECK(open.session.selected() == 12);
+    CHECK(open.session.goToText("p12").ok());
+    open.session.settle();
+    CHECK(open.place() == expected.back());
+    CHECK(open.session.message().find("Nothing more happens to point 12") != std::string::npos);
+    // Back leads through them, for each was a jump.
+    open.session.goBack();
+    open.session.settle();
+    open.session.goBack();
+    open.session.settle();
+    CHECK(open.place() != expected.back());
+}

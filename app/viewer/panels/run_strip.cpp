@@ -161,6 +161,57 @@ void drawAlerts(const RunStrip& strip) {
     }
 }
 
+/// A flag with the number of the bookmark, as long as there is a key for it.
+void drawBookmarks(const RunStrip& strip) {
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float em = strip.context.em;
+    const ImU32 color = toU32(strip.context.palette.text);
+    const Bookmarks& marks = strip.context.ui().bookmarks;
+    const float bottom = strip.lanes.max().y;
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        const float x = std::round(strip.xOf(marks[i].address.pivot));
+        if (x < strip.bars.min.x || x > strip.bars.max().x) continue;
+        list->AddRectFilled({x, strip.lanes.min.y}, {x + 1.0F, bottom},
+                            toU32(strip.context.palette.text.withAlpha(0.45F)));
+        list->AddTriangleFilled({x, bottom - 0.8F * em}, {x + 0.6F * em, bottom - 0.55F * em},
+                                {x, bottom - 0.3F * em}, color);
+        if (i >= kBookmarkKeys) continue;
+        const std::string number = std::to_string((i + 1) % kBookmarkKeys);
+        list->AddText(strip.context.fonts.text, 0.75F * em, {x + 0.65F * em, bottom - 0.95F * em},
+                      color, number.c_str());
+    }
+}
+
+/// The stretch that is played again and again; a mark alone is a bracket.
+void drawLoop(const RunStrip& strip) {
+    const PlayLoop& loop = strip.context.playback().loop;
+    if (loop.empty()) return;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float em = strip.context.em;
+    const Color& tint = strip.context.palette.pivot;
+    const float top = strip.lanes.min.y;
+    const float bottom = strip.lanes.max().y;
+    if (loop.complete()) {
+        list->AddRectFilled({strip.xOf(loop.from->pivot), top}, {strip.xOf(loop.to->pivot), bottom},
+                            toU32(tint.withAlpha(0.10F)));
+    }
+    const auto bracket = [&](const Address& at, float side, const char* letter) {
+        const float x = strip.xOf(at.pivot);
+        const float width = 0.14F * em;
+        list->AddRectFilled({x - 0.5F * width, top}, {x + 0.5F * width, bottom}, toU32(tint));
+        for (const float y : {top, bottom - width}) {
+            list->AddRectFilled({std::min(x, x + side * 0.4F * em), y},
+                                {std::max(x, x + side * 0.4F * em), y + width}, toU32(tint));
+        }
+        list->AddText(
+            strip.context.fonts.text, 0.8F * em,
+            {x + side * 0.55F * em - (side < 0.0F ? 0.45F * em : 0.0F), bottom - 1.2F * em},
+            toU32(tint), letter);
+    };
+    if (loop.from) bracket(*loop.from, 1.0F, "A");
+    if (loop.to) bracket(*loop.to, -1.0F, "B");
+}
+
 void drawPlayhead(const RunStrip& strip) {
     const Session& session = strip.context.session();
     const float at = strip.xOf(std::min<double>(session.record().pivot, strip.window().last()));
@@ -282,6 +333,8 @@ void drawRunStrip(const PanelContext& context, const Rect& area) {
     drawBars(strip);
     for (const LaneSign& sign : strip.picture().signs) drawSign(strip, sign);
     drawAlerts(strip);
+    drawLoop(strip);
+    drawBookmarks(strip);
     drawPlayhead(strip);
     ImGui::PopClipRect();
     drawTotal(strip);

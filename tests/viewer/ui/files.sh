@@ -21,6 +21,7 @@ press ctrl+z; says undo 0
 case "$(field layers)" in *normals*) fail "undo leaves the layer on" ;; esac
 press ctrl+y; says layers '.*"normals".*'
 press ctrl+shift+z ctrl+y; says selected 12; says redo 0
+press Home; says pivot 0
 press F2; says layout learn
 press F2; says layout present
 press F10; says pivot 1
@@ -50,7 +51,8 @@ press n; says changed_keys 2
 press Escape; says key_editor false
 unit=$(field unit)
 press n; denies unit "$unit"
-press n; says unit "$unit"
+# Three units, then the first again.
+press n n; says unit "$unit"
 go_to p12; says selected 12
 
 # A session is saved under a name that is asked for once.

@@ -40,6 +40,22 @@ go_to -10; says pivot "$((here - 10))"
 go_to p12; says selected 12
 press Escape; says selected null
 
+# Bookmarks are stopped at; a loop keeps playing in its stretch.
+press Home; go_to 30; says address "30\.advance\.1"
+press ctrl+b
+press Home; says pivot 0
+press ctrl+Right; says address "1\.seed\.1"
+press ctrl+Right; says address "30\.advance\.1"
+press ctrl+Left; says address "1\.seed\.1"
+press ctrl+1; says address "30\.advance\.1"
+press ctrl+b
+go_to 12.sort.2; says address "12\.sort\.2"
+press a; go_to 14; says address "14\.advance\.1"
+press b
+press space; sleep 1.5; press space; says playing false
+[[ $(field pivot) =~ ^1[234]$ ]] || fail "the loop is left: pivot $(field pivot)"
+press shift+a
+
 # Playing.
 go_to 20; says address "20\.advance\.1"
 press space; says playing true

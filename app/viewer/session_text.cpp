@@ -1,0 +1,62 @@
+/// Places as a person types them.
+#include <charconv>
+#include <cmath>
+
+#include "session.h"
+
+namespace se::view {
+
+namespace {
+
+std::optional<long> readNumber(std::string_view text) {
+    long value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+std::string trimmed(const std::string& text) {
+    const auto first = text.find_first_not_of(" \t");
+    if (first == std::string::npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+}  // namespace
+
+Status Session::goToText(const std::string& given) {
+    const std::string text = trimmed(given);
+    const Error unknown{"\"" + text +
+                        "\" is no address. Examples: 137, 137.sphere.3, +10, 50%, p812."};
+    if (!ready() || text.empty()) return unknown;
+    if (text.front() == '+' || text.front() == '-') {
+        const auto number = readNumber(std::string_view(text).substr(text.front() == '+' ? 1 : 0));
+        if (!number || std::abs(*number) > 1'000'000'000L) return unknown;
+        stepPivot(static_cast<int>(*number));
+        return success();
+    }
+    if (text.back() == '%') {
+        const auto share = readNumber(std::string_view(text).substr(0, text.size() - 1));
+        if (!share || *share < 0 || *share > 100) return unknown;
+        if (!overview_.complete) return Error{"The length of the run is not known yet."};
+        goToPivot(static_cast<std::uint32_t>(std::llround(static_cast<double>(overview_.lastPivot) *
+                                                          static_cast<double>(*share) / 100.0)));
+        return success();
+    }
+    if (text.front() == 'p') {
+        const auto point = readNumber(std::string_view(text).substr(1));
+        if (!point || *point < 0) return unknown;
+        if (static_cast<std::size_t>(*point) >= model_->points.size()) {
+            return Error{"There is no point " + std::to_string(*point) + "; the last one is " +
+                         std::to_string(model_->points.size() - 1) + "."};
+        }
+        select(static_cast<Index>(*point));
+        goToPoint(static_cast<Index>(*point));
+        return success();
+    }
+    const std::optional<Address> address = addressFromString(text);
+    if (!address) return unknown;
+    goTo(*address);
+    return success();
+}
+
+}  // namespace se::view
