@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t kEnd = std::numeric_limits<std::uint32_t>::max();
 /// A move that takes less than this is done at once; longer ones leave the window awake.
-constexpr std::chrono::milliseconds kPatience{8};
+constexpr std::chrono::milliseconds kPatience{2};
 /// Key repeat must not pile up moves without end.
 constexpr std::size_t kMaxMoves = 64;
 
