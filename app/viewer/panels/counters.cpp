@@ -22,6 +22,11 @@ void drawInput(const PanelContext& context) {
     if (!beginValues("##input", context)) return;
     count(context, "points", context.session().model().points.size());
     valueRow(context, "neighbors", report.neighborsComputed ? "computed" : "from the file");
+    const DerivedPieces& derived = report.derived;
+    if (derived.normals) valueRow(context, "normals", "derived");
+    if (derived.types) valueRow(context, "wall types", "derived");
+    if (derived.neighbors) valueRow(context, "neighbors", "derived");
+    if (derived.planelessPoints > 0) warn(context, "no plane", derived.planelessPoints);
     if (report.nonFinitePoints > 0) warn(context, "not finite", report.nonFinitePoints);
     if (report.zeroNormals > 0) warn(context, "zero normals", report.zeroNormals);
     if (report.duplicatePoints > 0) warn(context, "duplicates", report.duplicatePoints);
