@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and opens the viewer.
 #   ./run.sh [FILE] [VIEWER OPTIONS]
-# FILE: points as PLY, XYZ, OBJ or OFF, or scene:ID. Without one: a scan of a kitten that Debian
+# FILE: points as PLY, XYZ, OBJ, OFF or PCD, or scene:ID. Without one: a scan of a kitten that Debian
 # ships, or a built-in scene if it cannot be fetched. Without a display, the same is run headless:
 # report to the terminal, mesh and picture to out/.
 set -euo pipefail

@@ -1,6 +1,7 @@
 #include "application.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <chrono>
@@ -11,6 +12,7 @@
 
 #include "gl/context.h"
 #include "gl/screenshot.h"
+#include "key_routing.h"
 #include "place.h"
 
 namespace se::view {
@@ -52,20 +54,28 @@ void Application::goToTyped() {
     if (!status) session_.say(status.error().message);
 }
 
-void Application::key(const KeyChord& chord, bool repeated) {
-    if (ui_.keyCapture.active()) return ui_.keyCapture.press(chord, ui_.settings.keys);
+bool Application::key(const KeyChord& chord, bool repeated) {
+    if (ui_.keyCapture.active()) {
+        ui_.keyCapture.press(chord, ui_.settings.keys);
+        return false;
+    }
     if (ui_.goTo.active() && ui_.goTo.press(chord)) {
         if (ui_.goTo.takeSubmitted()) goToTyped();
-        return;
+        return false;
+    }
+    const ImGuiIO& io = ImGui::GetIO();
+    if (chord.key == key::kEscape && io.WantTextInput && !ui_.dialogOpen()) {
+        // Dear ImGui would take back what was typed.
+        ImGui::ClearActiveID();
+        return true;
     }
     const Command* command = ui_.settings.keys.commandFor(chord);
-    if (command == nullptr || (repeated && !command->repeats)) return;
-    const ImGuiIO& io = ImGui::GetIO();
-    // Plain keys belong to a panel while somebody walks through it by keyboard.
-    const bool plain = !chord.isFunctionKey() && (chord.mods & (kCtrl | kAlt)) == 0;
-    if (io.WantTextInput && chord.key != key::kEscape && !chord.isFunctionKey()) return;
-    if (plain && io.NavVisible && io.WantCaptureKeyboard && chord.key != key::kEscape) return;
-    command->run(commands_);
+    if (command == nullptr || (repeated && !command->repeats)) return false;
+    const bool closes = ui_.cheatSheet && command == findCommand("help.keys");
+    const Keyboard keyboard{io.WantTextInput, ui_.dialogOpen() && !closes,
+                            io.NavVisible && io.WantCaptureKeyboard};
+    if (reachesActions(chord, keyboard)) command->run(commands_);
+    return false;
 }
 
 void Application::keyReleased(const KeyChord& chord) {
@@ -88,7 +98,7 @@ Status Application::settle() {
     filing_.poll();
     session_.settle();
     if (!filing_.placeStatus()) return filing_.placeStatus();
-    if (!options_.goTo.empty() && !session_.message().empty()) return Error{session_.message()};
+    if (!options_.goTo.empty() && session_.missed()) return Error{session_.message()};
     filing_.warn();
     return success();
 }
@@ -100,7 +110,12 @@ bool Application::animating() const {
 std::string Application::title() const {
     if (!session_.ready()) return "Spiraling Edge";
     const std::string place = session_.event() != nullptr ? toString(session_.address()) : "start";
-    return place + " \xE2\x80\x93 " + session_.model().name + " \xE2\x80\x93 Spiraling Edge";
+    const std::string dash = " \xE2\x80\x93 ";
+    std::string what = session_.model().name;
+    if (!ui_.sessionPath.empty()) {
+        what = std::filesystem::path(ui_.sessionPath).filename().string() + dash + what;
+    }
+    return place + dash + what + (ui_.unsaved ? " (unsaved notes)" : "") + dash + "Spiraling Edge";
 }
 
 void Application::rememberSize(glm::ivec2 size) {
@@ -254,6 +269,7 @@ void Application::frame(glm::ivec2 size, double seconds) {
     observeEdits();
     undoOrRedo();
     filing_.carryOut(ui_.requests);
+    ui_.unsaved = filing_.unsaved();
     if (std::exchange(ui_.requests.copyPlace, false)) copyPlace();
     if (std::exchange(ui_.requests.pastePlace, false)) pastePlace();
     if (std::exchange(ui_.requests.screenshot, false)) saveWindowPicture(size);

@@ -25,7 +25,8 @@ class Application {
     Status start(float contentScale);
 
     // From the window.
-    void key(const KeyChord& chord, bool repeated);
+    /// True if the key is used up: the user interface must not see it.
+    bool key(const KeyChord& chord, bool repeated);
     void keyReleased(const KeyChord& chord);
     void character(unsigned sign);
     void open(const std::string& path);

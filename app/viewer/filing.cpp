@@ -1,5 +1,6 @@
 #include "filing.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -14,7 +15,7 @@ SessionFile captureSession(const CommandContext& context) {
     file.place.camera = context.camera.pose();
     file.layers = context.ui.settings.layers;
     file.layout = context.ui.arrangement;
-    file.selected = session.selected();
+    file.selected = session.selection();
     file.bookmarks = context.ui.bookmarks;
     file.notes = context.ui.notes;
     return file;
@@ -22,9 +23,9 @@ SessionFile captureSession(const CommandContext& context) {
 
 Edits captureEdits(const CommandContext& context) {
     const UiState& ui = context.ui;
-    return {ui.settings.theme,          ui.settings.uiScale, ui.settings.legend,
-            ui.settings.layers,         ui.arrangement,      context.camera.pose(),
-            context.session.selected(), ui.bookmarks,        ui.notes};
+    return {ui.settings.theme,           ui.settings.uiScale, ui.settings.legend,
+            ui.settings.layers,          ui.arrangement,      context.camera.pose(),
+            context.session.selection(), ui.bookmarks,        ui.notes};
 }
 
 void applyEdits(const Edits& edits, CommandContext& context) {
@@ -66,14 +67,16 @@ void Filing::changeNotebook(const std::string& source) {
     UiState& ui = c_.ui;
     const std::string& before = c_.session.spec().source;
     if (source == before) return;
-    Notebook mine{std::move(ui.bookmarks), std::move(ui.notes), std::move(ui.sessionPath),
-                  std::move(original_)};
+    Notebook mine{std::move(ui.bookmarks), std::move(ui.notes),        std::move(ui.sessionPath),
+                  std::move(original_),    std::move(savedBookmarks_), std::move(savedNotes_)};
     notebooks_[before] = std::move(mine);
     Notebook& other = notebooks_[source];
     ui.bookmarks = other.bookmarks;
     ui.notes = other.notes;
     ui.sessionPath = other.sessionPath;
     original_ = other.original;
+    savedBookmarks_ = other.savedBookmarks;
+    savedNotes_ = other.savedNotes;
 }
 
 void Filing::open(const std::string& path) {
@@ -107,6 +110,7 @@ void Filing::takeLooks(const SessionFile& file, const std::string& path) {
     ui.notes = file.notes;
     ui.sessionPath = path;
     original_ = file.original;
+    noteSaved();
     arrival_.goTo = file.place.address;
     arrival_.camera = file.place.camera;
     arrival_.selected = file.selected;
@@ -133,7 +137,11 @@ void Filing::arrive() {
             "may mean other decisions.";
         std::fprintf(stderr, "spiraling-edge-viewer: warning: %s\n", warning_.c_str());
     }
-    if (arrival_.selected < c_.session.model().points.size()) c_.session.select(arrival_.selected);
+    const auto corners = arrival_.selected.corners();
+    const std::size_t count = c_.session.model().points.size();
+    if (std::all_of(corners.begin(), corners.end(), [&](Index p) { return p < count; })) {
+        c_.session.select(arrival_.selected);
+    }
     const bool atStart = arrival_.goTo.empty() || arrival_.goTo == "0";
     if (atStart) return;
     focus_ = arrival_.focus;
@@ -169,8 +177,18 @@ void Filing::saveAs(const std::string& path) {
     if (!written) return c_.session.say(written.error().message);
     c_.ui.sessionPath = path;
     original_ = sessionToJson(file, std::filesystem::path(path).parent_path());
+    noteSaved();
     note(path);
     c_.session.say("Saved " + path + ".");
+}
+
+void Filing::noteSaved() {
+    savedBookmarks_ = c_.ui.bookmarks;
+    savedNotes_ = c_.ui.notes;
+}
+
+bool Filing::unsaved() const {
+    return c_.ui.bookmarks != savedBookmarks_ || c_.ui.notes != savedNotes_;
 }
 
 void Filing::note(const std::string& file) {

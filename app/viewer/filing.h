@@ -43,6 +43,8 @@ class Filing {
     bool takeFocus() { return std::exchange(focus_, false); }
     /// Why the place of the command line does not exist, if so.
     const Status& placeStatus() const { return placeStatus_; }
+    /// There are bookmarks or notes that no session file holds yet.
+    bool unsaved() const;
     /// Says what is odd about the input: it is not the one that the session was saved with.
     void warn();
 
@@ -52,7 +54,7 @@ class Filing {
         bool pending = false;
         std::string goTo;
         std::optional<CameraPose> camera;
-        Index selected = kNone;
+        Selection selected;
         std::string expectedHash;
         std::string file;  ///< For the list of recent files.
         bool focus = false;
@@ -63,6 +65,8 @@ class Filing {
         std::string notes;
         std::string sessionPath;
         std::string original;
+        Bookmarks savedBookmarks;
+        std::string savedNotes;
     };
 
     void openSession(const std::string& path);
@@ -71,6 +75,7 @@ class Filing {
     void changeNotebook(const std::string& source);
     void arrive();
     void save();
+    void noteSaved();
     void saveAs(const std::string& path);
     void note(const std::string& file);
     void keepLayout();
@@ -78,7 +83,9 @@ class Filing {
     CommandContext& c_;
     Arrival arrival_;
     std::map<std::string, Notebook> notebooks_;
-    std::string original_;  ///< The session file that is open, as it was read.
+    std::string original_;      ///< The session file that is open, as it was read.
+    Bookmarks savedBookmarks_;  ///< As the session file has them.
+    std::string savedNotes_;
     std::string warning_;
     bool focus_ = false;
     Status placeStatus_ = success();

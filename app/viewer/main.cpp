@@ -70,7 +70,7 @@ int prepareOffscreen(Application& application) {
 
 int dumpState(Application& application) {
     const auto status = application.writeState();
-    return status ? kExitGood : fail(kExitInput, status.error().message);
+    return status ? kExitGood : fail(kExitInternal, status.error().message);
 }
 
 int runPicture(const Options& options) {
@@ -86,7 +86,7 @@ int runPicture(const Options& options) {
         application.frame({settings.width, settings.height}, 1.0 / 60.0);
     }
     const auto status = offscreen.value()->save(options.screenshot);
-    if (!status) return fail(kExitInput, status.error().message);
+    if (!status) return fail(kExitInternal, status.error().message);
     return dumpState(application);
 }
 

@@ -1,7 +1,10 @@
 #include "options.h"
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 
 #include "commands.h"
 #include "spiraling_edge/scenes.h"
@@ -59,8 +62,8 @@ struct RawOptions {
 void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_option(
         "FILE", o.input.source,
-        "Points: PLY, XYZ, OBJ or OFF; scene:ID; or a session file. Without it, the start "
-        "page");
+        "Points: PLY, XYZ, OBJ, OFF or PCD; scene:ID; or a session file. Without it, the "
+        "start page");
     app.add_option("--rules", o.input.rules,
                    "How the paper is read: " + ruleSets() + " (default paper)")
         ->check(CLI::IsMember(ruleSetNames()));
@@ -74,7 +77,8 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
                   ->check(CLI::PositiveNumber);
     k->excludes(r);
     app.add_option("--goto", o.goTo,
-                   "Begin at PIVOT[.STAGE[.N]], for example 137.sphere.3, or 50%");
+                   "Begin at PIVOT[.STAGE[.N]], for example 137.sphere.3, at 50%, or at p812: the "
+                   "first event about point 812");
     app.add_option("--place", raw.place,
                    "Begin at an address with a camera: the text that Ctrl+C copies")
         ->type_name("TEXT");
@@ -133,6 +137,23 @@ void takeOver(const RawOptions& raw, Options& o) {
     }
 }
 
+/// What cannot be written is told before any work.
+void requireWritable(const std::string& path, const char* option) {
+    namespace fs = std::filesystem;
+    if (path.empty()) return;
+    std::error_code ignored;
+    const fs::path folder = fs::absolute(path, ignored).parent_path();
+    std::string why;
+    if (fs::is_directory(path, ignored)) {
+        why = "is a folder; name a file";
+    } else if (!fs::is_directory(folder, ignored)) {
+        why = "there is no folder " + folder.string() + "; make it first";
+    } else if (::access(folder.c_str(), W_OK) != 0) {
+        why = "may not be written";
+    }
+    if (!why.empty()) throw CLI::ValidationError(std::string(option) + " " + path, why);
+}
+
 /// Measuring needs something to step through.
 void chooseBenchScene(Options& o) {
     if (o.benchFrames == 0 || !o.input.source.empty() || scenes().empty()) return;
@@ -168,6 +189,8 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
         app.parse(argc, argv);
         chooseBenchScene(o);
         takeOver(raw, o);
+        requireWritable(raw.screenshot, "--screenshot");
+        requireWritable(raw.stateDump, "--state-dump");
     } catch (const CLI::ParseError& e) {
         return {std::nullopt, app.exit(e) == 0 ? kExitGood : kExitUsage};
     }

@@ -57,6 +57,7 @@ void Session::adopt(std::shared_ptr<const Model> model) {
     runner_ = std::make_unique<Runner>(model_);
     overviewThread_ = std::make_unique<OverviewThread>(model_);
     say(model_->watch);
+    missed_ = false;
     request(0, Landing::Last);
     if (!waiting_) return;
     // The first picture costs little: no window should open empty.
@@ -128,11 +129,20 @@ void Session::land() {
         if (const auto found = record_->find(target_)) {
             cursor = *found;
         } else {
-            say("There is no event " + toString(target_) + ". Shown: the end of pivot " +
-                std::to_string(record_->pivot) + ".");
+            miss("There is no event " + toString(target_) + ". Shown: the end of pivot " +
+                 std::to_string(record_->pivot) + ".");
         }
     }
+    if (landing_ == Landing::Last && target_.pivot > record_->pivot && target_.pivot != kEnd) {
+        miss("There is no pivot " + std::to_string(target_.pivot) + ": the run ends with pivot " +
+             std::to_string(record_->pivot) + ".");
+    }
     setCursor(cursor);
+}
+
+void Session::miss(std::string message) {
+    missed_ = true;
+    say(std::move(message));
 }
 
 void Session::setCursor(std::size_t cursor) {
@@ -264,6 +274,7 @@ void Session::cancelMove() {
 void Session::push(Move move) {
     if (!runner_ || moves_.size() >= kMaxMoves) return;
     message_.clear();
+    missed_ = false;
     moves_.push_back(move);
     processMoves();
 }

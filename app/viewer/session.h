@@ -140,6 +140,9 @@ class Session {
     /// The last thing worth saying that is no event, e.g. that an address does not exist.
     const std::string& message() const { return message_; }
     void say(std::string message);
+    /// The last move did not find what it looked for; message() says what. False again with the
+    /// next move.
+    bool missed() const { return missed_; }
 
   private:
     enum class Landing : std::uint8_t { First, Last, AtAddress, AtPoint };
@@ -161,6 +164,7 @@ class Session {
     void request(std::uint32_t pivot, Landing landing, const Address& target = {});
     bool takeAnswer();
     void land();
+    void miss(std::string message);
     void setCursor(std::size_t cursor);
     void adopt(std::shared_ptr<const Model> model);
     void startLoading();
@@ -169,6 +173,7 @@ class Session {
     SessionPhase phase_ = SessionPhase::Empty;
     std::string error_;
     std::string message_;
+    bool missed_ = false;
     std::shared_ptr<const Model> model_;
     std::shared_ptr<const PivotRecord> record_;
     std::size_t cursor_ = 0;

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "spiraling_edge/io.h"
@@ -122,6 +123,23 @@ Complaint readPlace(const json& object, SessionFile& out) {
     return expected("camera", "target, distance, yaw and pitch as Ctrl+C copies them");
 }
 
+/// A point is its index, an edge or triangle the list of its points.
+Complaint readSelection(const json& object, SessionFile& out) {
+    const json* selected = find(object, "selected");
+    if (selected == nullptr) return std::nullopt;
+    const json list = selected->is_array() ? *selected : json::array({*selected});
+    const auto isPoint = [](const json& p) { return p.is_number_unsigned() && p < kNone; };
+    const bool good = list.size() >= 1 && list.size() <= 3 &&
+                      std::all_of(list.begin(), list.end(), isPoint) &&
+                      std::set<json>(list.begin(), list.end()).size() == list.size();
+    if (!good) return expected("selected", "the index of a point, or a list of two or three");
+    const auto at = [&list](std::size_t i) { return list[i].get<Index>(); };
+    if (list.size() == 1) out.selected = Selection::ofPoint(at(0));
+    if (list.size() == 2) out.selected = Selection::ofEdge(at(0), at(1));
+    if (list.size() == 3) out.selected = Selection::ofTriangle({at(0), at(1), at(2)});
+    return std::nullopt;
+}
+
 Complaint readLooks(const json& object, SessionFile& out) {
     if (const json* on = find(object, "layers"); on != nullptr) {
         if (!on->is_object()) return expected("layers", "an object");
@@ -140,13 +158,7 @@ Complaint readLooks(const json& object, SessionFile& out) {
         if (layout->is_string()) out.layout = arrangementFromName(layout->get<std::string>());
         if (!out.layout) return expected("layout", "\"debug\", \"learn\" or \"present\"");
     }
-    if (const json* selected = find(object, "selected"); selected != nullptr) {
-        if (!selected->is_number_unsigned() || *selected >= kNone) {
-            return expected("selected", "the index of a point");
-        }
-        out.selected = selected->get<Index>();
-    }
-    return std::nullopt;
+    return readSelection(object, out);
 }
 
 Complaint readNotes(const json& object, SessionFile& out) {
@@ -266,7 +278,9 @@ std::string sessionToJson(const SessionFile& session, const fs::path& folder) {
     }
     if (session.layout) object["layout"] = rowOf(*session.layout).name;
     object.erase("selected");
-    if (session.selected != kNone) object["selected"] = session.selected;
+    const auto corners = session.selected.corners();
+    if (corners.size() == 1) object["selected"] = corners[0];
+    if (corners.size() > 1) object["selected"] = std::vector<Index>(corners.begin(), corners.end());
     object["bookmarks"] = json::array();
     for (const Bookmark& each : session.bookmarks) {
         object["bookmarks"].push_back({{"address", toString(each.address)}, {"note", each.note}});

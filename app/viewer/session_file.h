@@ -12,6 +12,7 @@
 #include "layers/layer.h"
 #include "model.h"
 #include "place.h"
+#include "selection.h"
 #include "spiraling_edge/result.h"
 
 namespace se::view {
@@ -24,7 +25,7 @@ struct SessionFile {
     Place place;
     std::optional<LayerModes> layers;
     std::optional<Arrangement> layout;
-    Index selected = kNone;
+    Selection selected;
     Bookmarks bookmarks;
     std::string notes;
     /// What it was read from: fields that we do not know are written back. Empty for a new one.

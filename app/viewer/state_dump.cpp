@@ -75,6 +75,8 @@ std::string Application::stateDump() const {
              {"session_file", ui_.sessionPath},
              {"bookmarks", json::array()},
              {"notes", ui_.notes},
+             {"unsaved", ui_.unsaved},
+             {"title", title()},
              {"undo", undo_.undoDepth()},
              {"redo", undo_.redoDepth()},
              {"em", imgui_ ? imgui_->em() : 0.0F},

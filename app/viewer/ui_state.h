@@ -8,6 +8,7 @@
 
 #include "arrangement.h"
 #include "bookmarks.h"
+#include "browsing.h"
 #include "camera.h"
 #include "go_to_box.h"
 #include "key_map.h"
@@ -60,7 +61,7 @@ enum class BrowserTask : std::uint8_t { Open, SaveSession };
 /// The list of actions that one types into.
 struct CommandPalette {
     bool open = false;
-    bool justOpened = false;
+    bool justOpened = false;  ///< The line to type into gets the keyboard.
     std::array<char, 64> filter{};
     int chosen = 0;
 
@@ -68,6 +69,11 @@ struct CommandPalette {
 };
 
 struct UiState {
+    /// Something lies over the view that the keys are meant for.
+    bool dialogOpen() const {
+        return fileBrowser || cheatSheet || keyEditor || palette.open || goTo.active();
+    }
+
     ViewSettings settings;
     UiRequests requests;
     GoToBox goTo;
@@ -76,12 +82,14 @@ struct UiState {
     KeyCapture keyCapture;
     bool fileBrowser = false;
     BrowserTask browser = BrowserTask::Open;
+    FileBrowsing browsing;
     CommandPalette palette;
     Arrangement arrangement = Arrangement::Debug;
     Bookmarks bookmarks;
     Navigation navigation;
     std::string notes;                ///< Free text of the person, kept in the session file.
     std::string sessionPath;          ///< What Ctrl+S writes to; empty: not known yet.
+    bool unsaved = false;             ///< Bookmarks or notes are in no session file yet.
     std::vector<std::string> recent;  ///< Files opened lately, the latest first.
     StartPage startPage;
     float scale = 1.0F;       ///< Of text and panels, as drawn.

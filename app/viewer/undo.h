@@ -10,7 +10,7 @@
 #include "camera.h"
 #include "layers/layer.h"
 #include "palette.h"
-#include "spiraling_edge/point_set.h"
+#include "selection.h"
 
 namespace se::view {
 
@@ -22,7 +22,7 @@ struct Edits {
     LayerModes layers{};
     Arrangement layout = Arrangement::Debug;
     CameraPose camera;
-    Index selected = kNone;
+    Selection selected;
     Bookmarks bookmarks;
     std::string notes;
     friend bool operator==(const Edits&, const Edits&) = default;

@@ -83,17 +83,17 @@ Window& Window::of(GLFWwindow* window) {
 void Window::onKey(GLFWwindow* window, int key, int scancode, int action, int mods) {
     of(window).wake_ = kSettleFrames;
     const int known = mods & (kShift | kCtrl | kAlt);
-    of(window).keys_.push_back(
-        {{layoutKey(key, scancode), known}, action == GLFW_REPEAT, 0, action == GLFW_RELEASE});
+    of(window).keys_.push_back({{layoutKey(key, scancode), known},
+                                action == GLFW_REPEAT,
+                                0,
+                                action == GLFW_RELEASE,
+                                key,
+                                scancode,
+                                mods});
 }
 
 void Window::listen() {
     glfwSetWindowUserPointer(window_, this);
-    glfwSetKeyCallback(window_, onKey);
-    glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned sign) {
-        of(window).keys_.push_back({{}, false, sign, false});
-        of(window).wake_ = kSettleFrames;
-    });
     glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
         of(window).drops_.assign(paths, paths + count);
         of(window).wake_ = kSettleFrames;
@@ -112,17 +112,37 @@ void Window::listen() {
                                [](GLFWwindow* window, int) { of(window).wake_ = kSettleFrames; });
 }
 
+void Window::listenToKeys() {
+    glfwSetKeyCallback(window_, onKey);
+    glfwSetCharCallback(window_, [](GLFWwindow* window, unsigned sign) {
+        KeyPress typed;
+        typed.sign = sign;
+        of(window).keys_.push_back(typed);
+        of(window).wake_ = kSettleFrames;
+    });
+}
+
 void Window::deliver(Application& application) {
-    for (const KeyPress& press : keys_) {
+    const std::size_t now = pressesOfNextFrame(keys_);
+    for (std::size_t i = 0; i < now; ++i) {
+        const KeyPress& press = keys_[i];
+        const int action = press.released   ? GLFW_RELEASE
+                           : press.repeated ? GLFW_REPEAT
+                                            : GLFW_PRESS;
+        bool usedUp = false;
         if (press.sign != 0) {
             application.character(press.sign);
+            ImGui_ImplGlfw_CharCallback(window_, press.sign);
         } else if (press.released) {
             application.keyReleased(press.chord);
         } else {
-            application.key(press.chord, press.repeated);
+            usedUp = application.key(press.chord, press.repeated);
         }
+        if (press.sign != 0 || usedUp) continue;
+        ImGui_ImplGlfw_KeyCallback(window_, press.rawKey, press.scancode, action, press.rawMods);
     }
-    keys_.clear();
+    keys_.erase(keys_.begin(), keys_.begin() + static_cast<std::ptrdiff_t>(now));
+    if (!keys_.empty()) wake_ = kSettleFrames;
     if (!drops_.empty()) application.open(drops_.front());
     drops_.clear();
 }
@@ -145,6 +165,8 @@ void Window::drawFrame(Application& application) {
 
 void Window::run(Application& application, int frames) {
     ImGui_ImplGlfw_InitForOpenGL(window_, true);
+    // In place of Dear ImGui's own: it gets its keys from deliver(), frame by frame.
+    listenToKeys();
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     lastFrame_ = glfwGetTime();
     for (int drawn = 0; frames == 0 || drawn < frames;) {

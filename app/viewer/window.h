@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "keys.h"
+#include "key_routing.h"
 #include "spiraling_edge/result.h"
 
 struct GLFWwindow;
@@ -29,16 +29,9 @@ class Window {
     float contentScale() const;
 
   private:
-    /// A key, or a sign typed, in the order they came.
-    struct KeyPress {
-        KeyChord chord;
-        bool repeated = false;
-        unsigned sign = 0;
-        bool released = false;
-    };
-
     Window() = default;
     void listen();
+    void listenToKeys();
     void deliver(Application& application);
     void drawFrame(Application& application);
     void toggleFullScreen();
@@ -46,7 +39,7 @@ class Window {
     static void onKey(GLFWwindow* window, int key, int scancode, int action, int mods);
 
     GLFWwindow* window_ = nullptr;
-    std::vector<KeyPress> keys_;
+    std::vector<KeyPress> keys_;  ///< In the order they came.
     std::vector<std::string> drops_;
     std::string title_;
     int wake_ = 3;  ///< Frames still to draw: the user interface settles over a few of them.

@@ -158,3 +158,40 @@ TEST_CASE("Edits are taken and given back as they were") {
     applyEdits(before, desk.context);
     CHECK(captureEdits(desk.context) == before);
 }
+
+TEST_CASE("An edge or a triangle that is selected is kept, and comes back by undo") {
+    Desk desk;
+    desk.open("scene:sphere");
+    const std::vector<Selection> picked = {Selection::ofEdge(9, 4),
+                                           Selection::ofTriangle({7, 5, 6})};
+    for (const Selection& each : picked) {
+        desk.session.select(each);
+        const fs::path path = desk.folder / "picked.sesession";
+        Desk other;  // empties the folder
+        desk.save(path);
+        other.open(path.string());
+        CHECK(other.session.selection() == each);
+        const Edits edits = captureEdits(desk.context);
+        desk.session.select(Selection{});
+        applyEdits(edits, desk.context);
+        CHECK(desk.session.selection() == each);
+    }
+}
+
+TEST_CASE("Bookmarks and notes are unsaved until a session file holds them") {
+    Desk desk;
+    desk.open("scene:sphere");
+    CHECK_FALSE(desk.filing.unsaved());
+    desk.ui.notes = "odd";
+    CHECK(desk.filing.unsaved());
+    desk.save(desk.folder / "noted.sesession");
+    CHECK_FALSE(desk.filing.unsaved());
+    toggleBookmark(desk.ui.bookmarks, desk.session.address());
+    CHECK(desk.filing.unsaved());
+    desk.open("scene:torus");
+    CHECK_FALSE(desk.filing.unsaved());
+    desk.open("scene:sphere");
+    CHECK(desk.filing.unsaved());
+    desk.open((desk.folder / "noted.sesession").string());
+    CHECK_FALSE(desk.filing.unsaved());
+}

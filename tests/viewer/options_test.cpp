@@ -97,3 +97,12 @@ TEST_CASE("A session that cannot be read is an error; other files are left alone
     CHECK(points.input.source == "/nowhere/a.ply");
     CHECK_FALSE(points.session.has_value());
 }
+
+TEST_CASE("A picture or state that could not be written is refused before any work") {
+    for (const char* option : {"--screenshot", "--state-dump"}) {
+        CAPTURE(option);
+        CHECK(parse({"scene:sphere", option, "no-such-folder/x.png"}).exitCode == kExitUsage);
+        CHECK(parse({"scene:sphere", option, "/"}).exitCode == kExitUsage);
+        CHECK(parse({"scene:sphere", option, "x.png"}).options.has_value());
+    }
+}

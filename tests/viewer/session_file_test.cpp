@@ -41,7 +41,7 @@ SessionFile fullSession() {
     modeOf(*s.layers, LayerId::Labels) = LayerMode::PinnedOff;
     modeOf(*s.layers, LayerId::Normals) = LayerMode::PinnedOn;
     s.layout = Arrangement::Learn;
-    s.selected = 812;
+    s.selected = Selection::ofPoint(812);
     insertBookmark(s.bookmarks, {*addressFromString("12.sort.2"), "the first \"odd\" one"});
     insertBookmark(s.bookmarks, {*addressFromString("40.sphere.1"), ""});
     s.notes = "Two lines,\nwith \xC3\xA4 sign.";
@@ -113,7 +113,7 @@ TEST_CASE("What is not said is left open: three fields are enough") {
     CHECK_FALSE(read.value().input.neighbors.recompute);
     CHECK_FALSE(read.value().layers.has_value());
     CHECK_FALSE(read.value().layout.has_value());
-    CHECK(read.value().selected == kNone);
+    CHECK(read.value().selected == Selection{});
     CHECK(read.value().bookmarks.empty());
 }
 
@@ -143,6 +143,9 @@ TEST_CASE("A bad session file is refused with its name and what was expected") {
         {minimal(R"(, "layers": {"points": 1})"), "layers.points"},
         {minimal(R"(, "layout": "compare")"), "\"layout\""},
         {minimal(R"(, "selected": -4)"), "\"selected\""},
+        {minimal(R"(, "selected": [])"), "\"selected\""},
+        {minimal(R"(, "selected": [3, 3])"), "\"selected\""},
+        {minimal(R"(, "selected": [1, 2, 3, 4])"), "\"selected\""},
         {minimal(R"(, "bookmarks": {})"), "\"bookmarks\""},
         {minimal(R"(, "bookmarks": [{"note": "x"}])"), "\"bookmarks\""},
         {minimal(R"(, "notes": 1)"), "\"notes\""},

@@ -232,3 +232,22 @@ TEST_CASE(
     open.session.settle();
     CHECK(open.place() != expected.back());
 }
+
+TEST_CASE("A place beyond the end of the run is missed, and a sentence says so") {
+    OpenSession open;
+    CHECK_FALSE(open.session.missed());
+    REQUIRE(open.session.goToText("999999").ok());
+    open.session.settle();
+    CHECK(open.session.missed());
+    CHECK(open.session.message().find("There is no pivot 999999") == 0);
+    CHECK(open.session.atEnd());
+    open.session.toEnd();
+    open.session.settle();
+    CHECK_FALSE(open.session.missed());
+    REQUIRE(open.session.goToText("p12").ok());
+    open.session.settle();
+    CHECK_FALSE(open.session.missed());
+    REQUIRE(open.session.goToText("12.sort.9999").ok());
+    open.session.settle();
+    CHECK(open.session.missed());
+}

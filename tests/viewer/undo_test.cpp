@@ -40,7 +40,7 @@ TEST_CASE("Changes are undone in reverse and made again in order") {
     b.look();
     modeOf(b.now.layers, LayerId::Normals) = LayerMode::PinnedOn;
     b.look();
-    b.now.selected = 7;
+    b.now.selected = Selection::ofEdge(7, 9);
     b.look();
     const Edits last = b.now;
     CHECK(b.stack.undoDepth() == 3);
@@ -105,7 +105,7 @@ TEST_CASE("Undo notes what is under way, so that nothing is lost") {
 TEST_CASE("The stack is bounded, and another input begins a new one") {
     Bench b;
     for (std::size_t i = 0; i < 3 * UndoStack::kDepth; ++i) {
-        b.now.selected = static_cast<Index>(i);
+        b.now.selected = Selection::ofPoint(static_cast<Index>(i));
         b.look();
     }
     CHECK(b.stack.undoDepth() == UndoStack::kDepth);

@@ -1,25 +1,14 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 
 #include "panel.h"
+#include "text_field.h"
 #include "widgets.h"
 
 namespace se::view {
 
 namespace {
-
-constexpr std::size_t kMostNotes = 16384;
-
-/// A field of text, with what it begins with.
-struct TextField {
-    std::array<char, kMostNotes> text{};
-
-    explicit TextField(const std::string& from) {
-        std::copy_n(from.begin(), std::min(from.size(), text.size() - 1), text.begin());
-    }
-};
 
 /// The key that leads to a bookmark, empty beyond the tenth.
 std::string keyOf(const PanelContext& context, std::size_t place) {
@@ -50,11 +39,7 @@ bool drawBookmark(const PanelContext& context, Bookmark& mark, std::size_t place
     tooltip("Go to " + name + (key.empty() ? "" : " (" + key + ")"));
     ImGui::TableNextColumn();
     ImGui::SetNextItemWidth(-1.0F);
-    std::array<char, 200> text{};
-    std::copy_n(mark.note.begin(), std::min(mark.note.size(), text.size() - 1), text.begin());
-    if (ImGui::InputTextWithHint("##note", "what is here", text.data(), text.size())) {
-        mark.note = text.data();
-    }
+    textField("##note", "what is here", mark.note);
     ImGui::TableNextColumn();
     const bool gone = ImGui::SmallButton("x");
     tooltip("Take this bookmark away");
@@ -96,12 +81,10 @@ void drawNotes(const PanelContext& context) {
     drawBookmarks(context);
     ImGui::Spacing();
     heading(context, "Notes");
-    TextField field(context.ui().notes);
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const ImVec2 size(room.x, std::max(6.0F * context.em, room.y - 2.0F * context.em));
-    if (ImGui::InputTextMultiline("##notes", field.text.data(), field.text.size(), size)) {
-        context.ui().notes = field.text.data();
-    }
+    textArea("##notes", context.ui().notes, size);
+    context.ui().where["field notes"] = lastItem();
     const std::string key = context.key("file.save");
     ImGui::TextDisabled("%s keeps them in a session file.", key.c_str());
 }

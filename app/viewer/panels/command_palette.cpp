@@ -51,7 +51,8 @@ void drawCommandPalette(const PanelContext& context) {
     ImGui::PopStyleVar();
     if (shown) {
         if (palette.justOpened) ImGui::SetKeyboardFocusHere();
-        palette.justOpened = false;
+        // After a click beside the line it gets the keyboard back.
+        palette.justOpened = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
         ImGui::SetNextItemWidth(-1.0F);
         if (ImGui::InputTextWithHint("##filter", "Type an action", palette.filter.data(),
                                      palette.filter.size())) {

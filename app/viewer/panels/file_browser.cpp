@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <vector>
 
 #include "../session_file.h"
 #include "panel.h"
 #include "spiraling_edge/scenes.h"
+#include "text_field.h"
 #include "widgets.h"
 
 namespace se::view {
@@ -14,65 +14,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Entry {
-    std::string name;
-    bool folder = false;
-};
-
-/// What the browser shows, read once per folder.
-struct BrowserState {
-    fs::path folder;
-    std::vector<Entry> entries;
-    std::array<char, 1024> path{};
-    std::string error;
-    bool shown = false;
-    std::string overwrite;  ///< The file that was asked about: once more, and it is replaced.
-};
-
-void setPath(BrowserState& state, const std::string& text) {
-    const std::size_t length = std::min(text.size(), state.path.size() - 1);
-    std::copy_n(text.begin(), length, state.path.begin());
-    state.path[length] = '\0';
-}
-
-bool isPointFile(const fs::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    constexpr std::array kKnown = {".ply", ".xyz", ".obj", ".off", ".noff", ".txt", ".sesession"};
-    return std::find(kKnown.begin(), kKnown.end(), extension) != kKnown.end();
-}
-
-void readFolder(BrowserState& state, const fs::path& folder) {
-    std::error_code error;
-    fs::directory_iterator items(folder, fs::directory_options::skip_permission_denied, error);
-    if (error) {
-        state.error = "Cannot read " + folder.string() + ".";
-        return;
-    }
-    state.error.clear();
-    state.folder = folder;
-    state.entries.clear();
-    for (const fs::directory_entry& item : items) {
-        const std::string name = item.path().filename().string();
-        if (name.starts_with('.')) continue;
-        const bool isFolder = item.is_directory(error);
-        if (isFolder || isPointFile(item.path())) state.entries.push_back({name, isFolder});
-    }
-    std::sort(state.entries.begin(), state.entries.end(), [](const Entry& a, const Entry& b) {
-        return a.folder != b.folder ? a.folder : a.name < b.name;
-    });
-}
-
 void openSource(const PanelContext& context, const std::string& source) {
     context.ui().requests.open = source;
     context.ui().fileBrowser = false;
 }
 
-/// A name without an extension gets ours; what is there is replaced only at the second time.
-void saveTo(const PanelContext& context, BrowserState& state, fs::path path) {
-    if (path.is_relative()) path = state.folder / path;
-    if (!path.has_extension()) path += kSessionExtension;
+/// What is there is replaced only at the second time.
+void saveTo(const PanelContext& context, FileBrowsing& state, const fs::path& typed) {
+    const fs::path path = withSessionExtension(typed);
     std::error_code error;
     const bool own = path == context.ui().sessionPath;
     if (!own && fs::exists(path, error) && state.overwrite != path) {
@@ -80,7 +29,7 @@ void saveTo(const PanelContext& context, BrowserState& state, fs::path path) {
         state.error = path.filename().string() + " exists already. Save once more to replace it.";
         return;
     }
-    context.ui().requests.saveSessionAs = path;
+    context.ui().requests.saveSessionAs = path.string();
     context.ui().fileBrowser = false;
 }
 
@@ -125,25 +74,26 @@ bool saving(const PanelContext& context) {
 }
 
 /// The line to type into, with its button.
-void drawPathLine(const PanelContext& context, BrowserState& state) {
+void drawPathLine(const PanelContext& context, FileBrowsing& state) {
     const bool save = saving(context);
     ImGui::SetNextItemWidth(-5.0F * context.em);
-    if (!state.shown) ImGui::SetKeyboardFocusHere();
-    const bool entered = ImGui::InputTextWithHint(
-        "##path", save ? "name of the session file" : "path of a file or folder", state.path.data(),
-        state.path.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+    // A click beside the line must not leave the keys to nobody.
+    if (!state.shown || state.refocus) ImGui::SetKeyboardFocusHere();
+    const bool entered =
+        textField("##path", save ? "name of the session file" : "path of a file or folder",
+                  state.path, ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::SameLine();
     if (ImGui::Button(save ? "Save" : "Open", {-1.0F, 0.0F}) || entered) {
-        const fs::path path(state.path.data());
+        const std::string source = typedSource(state.folder, state.path);
         std::error_code error;
-        if (fs::is_directory(path, error)) {
-            readFolder(state, path);
-        } else if (path.empty()) {
+        if (source.empty()) {
             state.error = "A name is needed.";
+        } else if (fs::is_directory(source, error)) {
+            state.readFolder(source);
         } else if (save) {
-            saveTo(context, state, path);
+            saveTo(context, state, source);
         } else {
-            openSource(context, path.string());
+            openSource(context, source);
         }
     }
     if (!state.error.empty()) {
@@ -153,23 +103,23 @@ void drawPathLine(const PanelContext& context, BrowserState& state) {
     }
 }
 
-void drawFiles(const PanelContext& context, BrowserState& state) {
+void drawFiles(const PanelContext& context, FileBrowsing& state) {
     const float room = std::max(6.0F * context.em, ImGui::GetContentRegionAvail().x * 0.75F);
     heading(context, "Files", fitted(state.folder.string(), room));
     drawPathLine(context, state);
     if (ImGui::BeginChild("##files", {0, 0}, false)) {
-        if (ImGui::Selectable("..")) readFolder(state, fs::path(state.folder).parent_path());
-        const std::vector<Entry> entries = state.entries;
-        for (const Entry& entry : entries) {
+        if (ImGui::Selectable("..")) state.readFolder(fs::path(state.folder).parent_path());
+        const std::vector<BrowserEntry> entries = state.entries;
+        for (const BrowserEntry& entry : entries) {
             const bool session = fs::path(entry.name).extension() == kSessionExtension;
             if (saving(context) && !entry.folder && !session) continue;
             const std::string shown = entry.folder ? entry.name + "/" : entry.name;
             if (!ImGui::Selectable(shown.c_str())) continue;
             const fs::path path = state.folder / entry.name;
             if (entry.folder) {
-                readFolder(state, path);
+                state.readFolder(path);
             } else if (saving(context)) {
-                setPath(state, entry.name);
+                state.path = entry.name;
             } else {
                 openSource(context, path.string());
             }
@@ -179,7 +129,7 @@ void drawFiles(const PanelContext& context, BrowserState& state) {
     ImGui::EndChild();
 }
 
-void drawOpen(const PanelContext& context, BrowserState& state) {
+void drawOpen(const PanelContext& context, FileBrowsing& state) {
     if (!ImGui::BeginTable("##open", 2, ImGuiTableFlags_BordersInnerV)) return;
     ImGui::TableSetupColumn("scenes", ImGuiTableColumnFlags_WidthStretch, 0.42F);
     ImGui::TableSetupColumn("files", ImGuiTableColumnFlags_WidthStretch, 0.58F);
@@ -191,10 +141,10 @@ void drawOpen(const PanelContext& context, BrowserState& state) {
 }
 
 /// Once for every time that the browser opens: files may have come and gone.
-void prepare(const PanelContext& context, BrowserState& state) {
+void prepare(const PanelContext& context, FileBrowsing& state) {
     if (state.folder.empty() || saving(context)) state.folder = firstFolder(context);
-    readFolder(state, state.folder);
-    setPath(state, saving(context) ? proposedName(context) : std::string{});
+    state.readFolder(fs::path(state.folder));
+    state.path = saving(context) ? proposedName(context) : std::string{};
     state.overwrite.clear();
 }
 
@@ -202,7 +152,7 @@ void prepare(const PanelContext& context, BrowserState& state) {
 
 void drawFileBrowser(const PanelContext& context) {
     bool& open = context.ui().fileBrowser;
-    static BrowserState state;
+    FileBrowsing& state = context.ui().browsing;
     if (!open) {
         state.shown = false;
         return;
@@ -222,6 +172,7 @@ void drawFileBrowser(const PanelContext& context) {
     ImGui::PopStyleVar();
     if (shown) saving(context) ? drawFiles(context, state) : drawOpen(context, state);
     state.shown = true;
+    state.refocus = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
     ImGui::End();
 }
 

@@ -110,7 +110,7 @@ void drawDropHint(const PanelContext& context) {
     ImGui::PopFont();
     middle(note, 2.1F * em, context.palette.textDim);
     ImGui::PushFont(context.fonts.small);
-    middle("PLY, XYZ, OBJ, OFF with normals; .sesession", 3.6F * em, context.palette.textDim);
+    middle("PLY, XYZ, OBJ, OFF, PCD with normals; .sesession", 3.6F * em, context.palette.textDim);
     ImGui::PopFont();
 }
 

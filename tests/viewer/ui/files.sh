@@ -67,6 +67,40 @@ press F10; says pivot 41
 press ctrl+s; sleep 0.4
 grep -q '"address": "41\.advance\.1"' "$work/one.sesession" || fail "the second save does not write"
 says recent 1
+
+# Typing keeps the keys that edit; Ctrl+S and function keys work, Esc leaves the text as it is.
+says unsaved false; says title '.*one\.sesession.*'
+press F2 F2; says layout debug
+click_on "tab Notes"; says open_tab Notes; sleep 0.3
+click_on "field notes"; type_text "look here n"
+says notes "look here n"; says unsaved true; says title '.*unsaved.*'
+pivot=$(field pivot)
+press F10; says pivot $((pivot + 1))
+press shift+F10; says pivot "$pivot"
+press ctrl+s; says unsaved false
+grep -q '"notes": "look here n"' "$work/one.sesession" || fail "Ctrl+S while typing does not save"
+type_text "x"; says notes "look here nx"
+press Escape; sleep 0.3; says notes "look here nx"
+press F10; says pivot $((pivot + 1)); press comma; says pivot "$pivot"
+press ctrl+s; says unsaved false
+go_to 41; says address "41\.advance\.1"; press ctrl+s; sleep 0.4
+
+# Behind a dialog plain keys do nothing; a click beside the line gives it the keyboard back.
+press ctrl+o; says file_browser true; sleep 0.3
+before=$(field unit)$(field layers)
+click 640 640; type_text "nlk"; sleep 0.3
+[ "$(field unit)$(field layers)" = "$before" ] || fail "keys go through the file browser"
+press Escape; says file_browser false
+press F1; says cheat_sheet true; press n period; sleep 0.2; says pivot 41
+[ "$(field unit)$(field layers)" = "$before" ] || fail "keys go through the cheat sheet"
+press F1; says cheat_sheet false
+for _ in 1 2 3 4 5; do
+    press ctrl+p; says palette true; sleep 0.2
+    xdotool type --delay 5 -- "next pivot"; xdotool key --delay 1 Return; says palette false
+done
+says pivot 46
+press F2; says layout learn
+go_to 41; says pivot 41; go_to p12; says selected 12; go_to 41; press ctrl+s; sleep 0.4
 stop
 grep -q '"run.unit": "N"' "$XDG_CONFIG_HOME/spiraling-edge/settings.json" || fail "the key is not kept"
 [ -f "$XDG_STATE_HOME/spiraling-edge/state.json" ] || fail "no state is kept"

@@ -13,6 +13,13 @@ env -u DISPLAY "$viewer" --no-config "$work/missing.ply" --screenshot "$work/x.p
 [ $? -eq 3 ] || fail "a missing file does not lead to exit code 3"
 "$viewer" --size nonsense 2>/dev/null
 [ $? -eq 2 ] || fail "wrong usage does not lead to exit code 2"
+"$viewer" scene:sphere --goto 999999 --screenshot "$work/x.png" 2>"$work/err.txt"
+[ $? -eq 2 ] || fail "a place beyond the end does not lead to exit code 2"
+grep -q "999999" "$work/err.txt" || fail "the message does not name the place"
+"$viewer" scene:sphere --goto p12 --screenshot "$work/x.png" || fail "--goto p12 fails"
+"$viewer" scene:sphere --screenshot "$work/none/x.png" 2>"$work/err.txt"
+[ $? -eq 2 ] || fail "a missing folder does not lead to exit code 2"
+grep -q "there is no folder" "$work/err.txt" || fail "the message does not say that the folder is missing"
 
 size=1000x700 start scene:sphere --no-config --narrate
 says phase ready

@@ -1,0 +1,67 @@
+#include "browsing.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdlib>
+
+#include "session_file.h"
+
+namespace se::view {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string lowerExtension(const fs::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+}  // namespace
+
+void FileBrowsing::readFolder(const fs::path& next) {
+    std::error_code failed;
+    fs::directory_iterator items(next, fs::directory_options::skip_permission_denied, failed);
+    if (failed) {
+        error = "Cannot read " + next.string() + ".";
+        return;
+    }
+    error.clear();
+    folder = next;
+    entries.clear();
+    for (const fs::directory_entry& item : items) {
+        const std::string name = item.path().filename().string();
+        if (name.starts_with('.')) continue;
+        const bool isFolder = item.is_directory(failed);
+        if (isFolder || canBeOpened(item.path())) entries.push_back({name, isFolder});
+    }
+    std::sort(entries.begin(), entries.end(), [](const BrowserEntry& a, const BrowserEntry& b) {
+        return a.folder != b.folder ? a.folder : a.name < b.name;
+    });
+}
+
+bool canBeOpened(const fs::path& path) {
+    constexpr std::array<std::string_view, 7> kPoints = {".ply",  ".xyz", ".obj", ".off",
+                                                         ".noff", ".pcd", ".txt"};
+    const std::string extension = lowerExtension(path);
+    return extension == kSessionExtension ||
+           std::find(kPoints.begin(), kPoints.end(), extension) != kPoints.end();
+}
+
+std::string typedSource(const fs::path& folder, const std::string& text) {
+    if (text.empty() || text.starts_with("scene:")) return text;
+    const char* home = std::getenv("HOME");
+    if (home != nullptr && (text == "~" || text.starts_with("~/"))) return home + text.substr(1);
+    const fs::path path(text);
+    return path.is_relative() ? (folder / path).lexically_normal().string() : text;
+}
+
+fs::path withSessionExtension(fs::path path) {
+    if (lowerExtension(path) != kSessionExtension) path += kSessionExtension;
+    return path;
+}
+
+}  // namespace se::view

@@ -1,0 +1,38 @@
+/// What a key goes to: a text field, a dialog, a panel or an action; and how keys are handed to a
+/// user interface that looks only once per frame. Plain values.
+#pragma once
+
+#include <span>
+
+#include "keys.h"
+
+namespace se::view {
+
+/// A key, or a sign typed, as the window hears of it.
+struct KeyPress {
+    KeyChord chord;
+    bool repeated = false;
+    unsigned sign = 0;  ///< 0: a key.
+    bool released = false;
+    int rawKey = 0;  ///< By its place on the keyboard, not by what is printed on it.
+    int scancode = 0;
+    int rawMods = 0;
+};
+
+/// How many of those that wait go into the next frame. A key that comes down and goes up within one
+/// frame would not be seen at all, so its release waits for the frame after; the order stays.
+std::size_t pressesOfNextFrame(std::span<const KeyPress> waiting);
+
+/// Who has the keyboard.
+struct Keyboard {
+    bool textField = false;  ///< Somebody types.
+    bool dialog = false;     ///< A window lies over the view.
+    bool panel = false;      ///< Somebody walks through a panel by keyboard.
+};
+
+/// True for what changes a text or moves in it: plain keys, Ctrl+C and the like.
+bool editsText(const KeyChord& chord);
+/// True if a key may run an action. Esc always may.
+bool reachesActions(const KeyChord& chord, const Keyboard& keyboard);
+
+}  // namespace se::view

@@ -1,0 +1,17 @@
+/// Fields to type into that are as long as what is typed.
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+
+namespace se::view {
+
+/// One line, with a hint while it is empty. True if the text changed, or with
+/// ImGuiInputTextFlags_EnterReturnsTrue on Enter.
+bool textField(const char* label, const char* hint, std::string& text,
+               ImGuiInputTextFlags flags = 0);
+/// Many lines. True if the text changed.
+bool textArea(const char* label, std::string& text, const ImVec2& size);
+
+}  // namespace se::view
