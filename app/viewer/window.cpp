@@ -22,7 +22,8 @@ namespace {
 
 /// How long to sleep when nothing happens; loading threads are asked this often.
 constexpr double kIdleSeconds = 0.25;
-constexpr int kSettleFrames = 3;
+/// A text field has the keyboard only in the fourth frame after it was asked for.
+constexpr int kSettleFrames = 5;
 constexpr double kFrameSeconds = 1.0 / 60.0;
 
 /// Keys by what is printed on them, so that Ctrl+Q is where the keyboard layout has Q.

@@ -42,7 +42,7 @@ class Window {
     std::vector<KeyPress> keys_;  ///< In the order they came.
     std::vector<std::string> drops_;
     std::string title_;
-    int wake_ = 3;  ///< Frames still to draw: the user interface settles over a few of them.
+    int wake_ = 5;  ///< Frames still to draw: the user interface settles over a few of them.
     double lastFrame_ = 0.0;
     glm::ivec2 windowedPlace_{0};
     glm::ivec2 windowedSize_{1280, 800};

@@ -111,5 +111,9 @@ press Escape; says file_browser false
 press ctrl+r; says phase ready
 press F12; sleep 0.5
 ls "$HOME"/spiraling-edge-*.png >/dev/null 2>&1 || fail "F12 saves no picture"
+
+# A click beside the line of a dialog gives the keyboard back to it.
+press ctrl+o; says file_browser true; sleep 0.3
+click 900 620; sleep 0.2; type_text "scene:torus"; sleep 0.2; press Return; says input scene:torus
 stop
 well
