@@ -10,7 +10,7 @@ int main(int argc, char** argv) {
     const auto file = argc > 1 ? se::readPoints(std::filesystem::path(argv[1]))
                                : se::Result<se::PointFile>(se::scenes().front().build());
     if (!file) return std::fprintf(stderr, "%s\n", file.error().message.c_str()), 3;
-    // Neighbor lists, unless the file has some.
+    // Normals and neighbor lists, unless the file has some.
     const auto prepared = se::prepare(file.value(), {});
     if (!prepared) return std::fprintf(stderr, "%s\n", prepared.error().message.c_str()), 3;
     const se::PointSet& points = prepared.value().points;
