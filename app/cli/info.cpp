@@ -161,7 +161,7 @@ std::string factsText(const std::string& input, const Facts& facts) {
                 fmt::format("nearest point at {:g} on average, {:g} to {:g}", facts.spacing.mean,
                             facts.spacing.least, facts.spacing.most));
     }
-    addLine("normals", file.hasNormals() ? "yes" : "none: the file cannot be triangulated");
+    addLine("normals", file.hasNormals() ? "yes" : "none: they will be derived");
     if (facts.prepared.unscaledNormals > 0)
         addLine("", fmt::format("{} not of unit length", facts.prepared.unscaledNormals));
     addLine("set aside", setAsideSentence(facts.prepared));

@@ -122,12 +122,28 @@ malformed_file_is_malformed_input() {
     expect 3 info zero.bin
 }
 
-no_normals_is_malformed_input() {
-    printf '0 0 0\n1 0 0\n0 1 0\n' >bare.xyz
-    expect 3 run bare.xyz
-    says err "normals"
+missing_pieces_are_derived() {
+    printf '0 0 0\n1 0 0\n0 1 0\n1 1 0.1\n' >bare.xyz
+    expect 0 run bare.xyz -o bare.ply --report bare.json
+    grep -q '"normals": true' bare.json || fail "the report does not say that normals were derived"
+    expect 0 run bare.xyz
+    says err "derived    normals"
     expect 0 info bare.xyz
-    says out "none: the file cannot be triangulated"
+    says out "none: they will be derived"
+    # What was derived is written: the second run takes it as given.
+    expect 0 run bare.ply --report again.json
+    grep -q '"normals": false' again.json || fail "the derived normals were not written"
+    expect 0 run bare.ply --orient --box auto
+    says err "wall types"
+    expect 2 run bare.xyz --box 1,2,3
+    says err "six numbers"
+    expect 2 run bare.xyz --box 0,0,0,1,1,0
+    says err "lower corner first"
+    expect 2 run bare.ply --orient --derive-normals
+    for kind in obj off stl glb; do
+        expect 0 run bare.xyz -o "bare.$kind"
+        [ -s "bare.$kind" ] || fail "no bare.$kind"
+    done
 }
 
 unknown_scene_is_missing_input() {
