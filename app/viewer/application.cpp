@@ -89,7 +89,8 @@ void Application::open(const std::string& path) { filing_.open(path); }
 bool Application::poll() {
     const bool changed = session_.poll();
     filing_.poll();
-    return changed;
+    const bool notice = !session_.notice().empty();
+    return std::exchange(noticed_, notice) != notice || changed;
 }
 
 Status Application::settle() {

@@ -125,14 +125,18 @@ constexpr PaperRule kReciprocal{Stage::Reciprocal, "Reciprocity",
 constexpr PaperRule kHole{Stage::Hole, "Holes of three",
                           "The last triangle of a hole must not reach for points behind it.",
                           kHoleCode};
-constexpr PaperRule kSphere{Stage::Sphere, "The circumsphere",
-                            "A candidate stays if it is nearer to the pivot than its neighbors "
-                            "allow, or if the gap without it would be too wide.",
-                            kSphereCode};
-constexpr PaperRule kTwoPoint{Stage::TwoPoint, "Two points left",
-                              "With no candidate left, the pivot and its two ring neighbors are "
-                              "either the last triangle of a hole, or a notch from outside.",
-                              kTwoPointCode};
+constexpr PaperRule kSphere{
+    Stage::Sphere, "The circumsphere",
+    "A candidate stays if it lies inside the sphere through the pivot and "
+    "the two beside it, centered in their plane, or if more than 120\xC2\xB0 "
+    "would lie between those two without it.",
+    kSphereCode};
+constexpr PaperRule kTwoPoint{
+    Stage::TwoPoint, "Two points left",
+    "With no candidate left, the pivot and its two ring neighbors are "
+    "either the last triangle of a hole or, beyond 180\xC2\xB0, a triangle "
+    "over finished ones.",
+    kTwoPointCode};
 constexpr PaperRule kEmit{Stage::Emit, "Triangles",
                           "Neighboring spokes of the pivot make triangles, all turning the same "
                           "way about the normal.",

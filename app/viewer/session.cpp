@@ -13,6 +13,10 @@ constexpr std::uint32_t kEnd = std::numeric_limits<std::uint32_t>::max();
 constexpr std::chrono::milliseconds kPatience{2};
 /// Key repeat must not pile up moves without end.
 constexpr std::size_t kMaxMoves = 64;
+/// A notice of at most kShortNotice bytes stays this long, each byte more adds kSignTime.
+constexpr std::chrono::milliseconds kNoticeTime{3000};
+constexpr std::chrono::milliseconds kSignTime{40};
+constexpr std::size_t kShortNotice = 80;
 
 }  // namespace
 
@@ -402,6 +406,15 @@ void Session::hoverRing(Index ring) {
     ++revision_;
 }
 
-void Session::say(std::string message) { message_ = std::move(message); }
+void Session::say(std::string message) {
+    message_ = std::move(message);
+    saidAt_ = Clock::now();
+}
+
+std::string Session::notice(Clock::time_point now) const {
+    // A long one takes longer to read.
+    const std::size_t more = message_.size() > kShortNotice ? message_.size() - kShortNotice : 0;
+    return now - saidAt_ < kNoticeTime + more * kSignTime ? message_ : std::string{};
+}
 
 }  // namespace se::view

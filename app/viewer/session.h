@@ -143,6 +143,9 @@ class Session {
     /// The last move did not find what it looked for; message() says what. False again with the
     /// next move.
     bool missed() const { return missed_; }
+    using Clock = std::chrono::steady_clock;
+    /// The message as long as it is news, then nothing: it must not cover the decision.
+    std::string notice(Clock::time_point now = Clock::now()) const;
 
   private:
     enum class Landing : std::uint8_t { First, Last, AtAddress, AtPoint };
@@ -174,6 +177,7 @@ class Session {
     std::string error_;
     std::string message_;
     bool missed_ = false;
+    Clock::time_point saidAt_;
     std::shared_ptr<const Model> model_;
     std::shared_ptr<const PivotRecord> record_;
     std::size_t cursor_ = 0;

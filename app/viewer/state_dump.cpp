@@ -50,6 +50,38 @@ void dumpNavigation(json& out, const Navigation& nav, const Session& session) {
     out["drawer"] = nav.drawerFolded ? "folded" : "open";
 }
 
+/// What is open and where the cursor stands. Requires session.ready().
+void dumpRun(json& out, const Session& session) {
+    out["input"] = session.model().name;
+    out["points"] = session.model().points.size();
+    out["pivot"] = session.record().pivot;
+    out["event"] = session.cursor();
+    out["events"] = session.record().events.size();
+    out["triangles"] = session.picture().finishedTriangles + session.picture().newTriangles.size();
+    out["rings"] = session.picture().rings.size();
+    out["selected"] = indexOrNull(session.selected());
+    out["selection"] = std::string(kindName(session.selection().kind));
+    const auto corners = session.selection().corners();
+    out["selection_points"] = std::vector<Index>(corners.begin(), corners.end());
+    if (!corners.empty()) {
+        out["selection_present"] = factsOf(session, session.selection()).present;
+    }
+    out["hovered"] = indexOrNull(session.hovered());
+    out["busy"] = session.busy();
+}
+
+void dumpLayers(json& out, const LayerModes& modes, std::optional<Stage> stage) {
+    const LayerSwitches shown = shownLayers(modes, stage);
+    for (const Layer& layer : layers()) {
+        const auto place = static_cast<std::size_t>(layer.id);
+        const LayerMode mode = modes[place];
+        if (shown.test(place)) out["layers"].push_back(std::string(layer.name));
+        if (mode != LayerMode::Automatic) {
+            out["pins"][std::string(layer.name)] = layerModeName(mode);
+        }
+    }
+}
+
 }  // namespace
 
 Status Application::writeState() {
@@ -64,6 +96,7 @@ Status Application::writeState() {
 std::string Application::stateDump() const {
     json out{{"phase", phaseName(session_.phase())},
              {"message", session_.message()},
+             {"notice", session_.notice()},
              {"playing", playback_.playing()},
              {"unit", std::string(unitName(playback_.unit()))},
              {"rate", playback_.rate()},
@@ -89,19 +122,11 @@ std::string Application::stateDump() const {
              {"layers", json::array()},
              {"pins", json::object()},
              {"before", session_.showsBefore()}};
-    const LayerSwitches shown = shownLayers(ui_.settings.layers, session_.stage());
+    dumpLayers(out, ui_.settings.layers, session_.stage());
     out["mesh_style"] = std::string(rowOf(ui_.settings.meshStyle).name);
     out["unlimited"] = playback_.unlimited();
     out["loop"] = {{"from", addressOrNull(playback_.loop.from)},
                    {"to", addressOrNull(playback_.loop.to)}};
-    for (const Layer& layer : layers()) {
-        const auto place = static_cast<std::size_t>(layer.id);
-        const LayerMode mode = ui_.settings.layers[place];
-        if (shown.test(place)) out["layers"].push_back(std::string(layer.name));
-        if (mode != LayerMode::Automatic) {
-            out["pins"][std::string(layer.name)] = layerModeName(mode);
-        }
-    }
     for (const auto& [name, rect] : ui_.where) {
         out["where"][name] = {std::lround(rect.min.x), std::lround(rect.min.y),
                               std::lround(rect.size.x), std::lround(rect.size.y)};
@@ -110,25 +135,10 @@ std::string Application::stateDump() const {
     const Place place{session_.event() != nullptr ? toString(session_.address()) : "",
                       camera_.pose()};
     out.update(json::parse(toText(place)));
-    if (!session_.ready()) return out.dump(2) + "\n";
-    out["input"] = session_.model().name;
-    out["points"] = session_.model().points.size();
-    out["pivot"] = session_.record().pivot;
-    out["event"] = session_.cursor();
-    out["events"] = session_.record().events.size();
-    out["triangles"] =
-        session_.picture().finishedTriangles + session_.picture().newTriangles.size();
-    out["rings"] = session_.picture().rings.size();
-    out["selected"] = indexOrNull(session_.selected());
-    out["selection"] = std::string(kindName(session_.selection().kind));
-    const auto corners = session_.selection().corners();
-    out["selection_points"] = std::vector<Index>(corners.begin(), corners.end());
-    if (!corners.empty()) {
-        out["selection_present"] = factsOf(session_, session_.selection()).present;
+    if (session_.ready()) {
+        dumpRun(out, session_);
+        dumpNavigation(out, ui_.navigation, session_);
     }
-    out["hovered"] = indexOrNull(session_.hovered());
-    out["busy"] = session_.busy();
-    dumpNavigation(out, ui_.navigation, session_);
     return out.dump(2) + "\n";
 }
 

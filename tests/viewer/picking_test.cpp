@@ -7,6 +7,7 @@
 
 using namespace se;
 using namespace se::view;
+using test::OpenSession;
 
 namespace {
 
@@ -248,4 +249,22 @@ TEST_CASE("An edge of the ring says so; one that nobody has is not there") {
     CHECK_FALSE(none.present);
     CHECK(none.triangles.empty());
     CHECK_FALSE(none.number.has_value());
+}
+
+TEST_CASE("Birth: every triangle was made by its decision emit") {
+    for (const char* scene : {"scene:sphere", "scene:torus", "scene:figure-7"}) {
+        OpenSession open(scene);
+        const RunOverview& run = open.session.overview();
+        for (std::uint32_t pivot = 1; pivot <= std::min(60U, run.lastPivot); ++pivot) {
+            open.session.goToPivot(pivot);
+            open.session.settle();
+            for (const Event& event : open.session.record().events) {
+                const auto* emit = std::get_if<EmitEvidence>(&event.evidence);
+                if (emit == nullptr) continue;
+                const auto birth = birthOfTriangle(run, emit->triangle);
+                REQUIRE(birth.has_value());
+                CHECK(toString(*birth) == toString(event.address));
+            }
+        }
+    }
 }

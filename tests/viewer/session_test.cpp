@@ -251,3 +251,17 @@ TEST_CASE("A place beyond the end of the run is missed, and a sentence says so")
     open.session.settle();
     CHECK(open.session.missed());
 }
+
+TEST_CASE("A notice goes away after a while; what was said is kept until the next move") {
+    using namespace std::chrono_literals;
+    OpenSession open;
+    open.session.say("Saved.");
+    const auto now = Session::Clock::now();
+    CHECK(open.session.notice(now) == "Saved.");
+    CHECK(open.session.notice(now + 4s).empty());
+    CHECK(open.session.message() == "Saved.");
+    open.session.say(std::string(200, 'x'));
+    CHECK_FALSE(open.session.notice(Session::Clock::now() + 4s).empty());
+    open.session.stepEvent(1);
+    CHECK(open.session.notice().empty());
+}

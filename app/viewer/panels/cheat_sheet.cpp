@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 
 #include "panel.h"
 #include "widgets.h"
@@ -17,7 +18,7 @@ constexpr std::array kMouse = {
     MouseLine{"left drag", "Orbit"},
     MouseLine{"right, middle or Shift+left drag", "Pan"},
     MouseLine{"wheel", "Zoom to the pointer"},
-    MouseLine{"click", "Select a point; on nothing, none"},
+    MouseLine{"click", "Select a point, edge or triangle; on nothing, none"},
     MouseLine{"double click", "Center the orbit on a point"},
     MouseLine{"drop a file", "Open points or a session"},
 };
@@ -67,12 +68,22 @@ void drawMouseGroup(const PanelContext& context) {
     ImGui::EndTable();
 }
 
-void drawColumns(const PanelContext& context, bool two) {
-    if (!ImGui::BeginTable("##columns", two ? 2 : 1, ImGuiTableFlags_SizingStretchSame)) return;
+void drawColumn(const PanelContext& context, std::initializer_list<const char*> groups) {
     ImGui::TableNextColumn();
-    for (const char* group : {"Step", "Run", "File", "Edit", "Layers"}) drawGroup(context, group);
-    ImGui::TableNextColumn();
-    for (const char* group : {"View", "Notes", "Help"}) drawGroup(context, group);
+    for (const char* group : groups) drawGroup(context, group);
+}
+
+/// As many columns as there is room for, so that few have to scroll.
+void drawColumns(const PanelContext& context, int columns) {
+    if (!ImGui::BeginTable("##columns", columns, ImGuiTableFlags_SizingStretchSame)) return;
+    if (columns == 3) {
+        drawColumn(context, {"Step", "Run"});
+        drawColumn(context, {"File", "Edit", "Layers", "Notes", "Help"});
+        drawColumn(context, {"View"});
+    } else {
+        drawColumn(context, {"Step", "Run", "File", "Edit", "Layers"});
+        drawColumn(context, {"View", "Notes", "Help"});
+    }
     drawMouseGroup(context);
     ImGui::EndTable();
 }
@@ -85,8 +96,8 @@ void drawCheatSheet(const PanelContext& context) {
     const float em = context.em;
     const Layout& l = context.layout;
     const glm::vec2 screen(l.status.size.x, l.status.max().y);
-    const float width = std::min(52.0F * em, screen.x - 2.0F * em);
-    const float height = std::min(46.0F * em, screen.y - 2.0F * em);
+    const float width = std::min(84.0F * em, screen.x - 2.0F * em);
+    const float height = std::min(50.0F * em, screen.y - 2.0F * em);
     ImGui::SetNextWindowPos({0.5F * screen.x, 0.5F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSize({width, height});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
@@ -100,7 +111,7 @@ void drawCheatSheet(const PanelContext& context) {
             open = false;
             context.ui().keyEditor = true;
         }
-        drawColumns(context, width > 40.0F * em);
+        drawColumns(context, width > 66.0F * em ? 3 : width > 40.0F * em ? 2 : 1);
     }
     ImGui::End();
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "../dial_fit.h"
 #include "panel.h"
 #include "widgets.h"
 
@@ -12,6 +13,8 @@ namespace se::view {
 namespace {
 
 constexpr float kDegree = 3.14159265F / 180.0F;
+/// Between the rim and a name, in em.
+constexpr float kNameGap = 0.35F;
 
 /// The disc on the screen: angle 0 to the right, counterclockwise.
 struct Disc {
@@ -229,8 +232,7 @@ class DialDrawer {
         }
         if (tick.rank > 0) {
             const std::string rank = std::to_string(tick.rank) + ".";
-            const ImVec2 middle = disc_.at(tick.degrees, 0.5F * std::max(0.12F, tick.reach));
-            list_->AddText(c_.fonts.text, 0.75F * c_.em, middle, toU32(c_.palette.text),
+            list_->AddText(c_.fonts.text, 0.75F * c_.em, rankPlace(tick), toU32(c_.palette.text),
                            rank.c_str());
         }
         const bool lit = tick.point == c_.session().hovered();
@@ -256,20 +258,41 @@ class DialDrawer {
                float scale) {
         const float size = scale * c_.em;
         const ImVec2 extent = c_.fonts.text->CalcTextSizeA(size, 1e9F, 0.0F, text.c_str());
-        const float a = static_cast<float>(degrees) * kDegree;
-        const float gap = 0.35F * c_.em;
-        glm::vec2 low(rim.x + gap * std::cos(a) + 0.5F * extent.x * (std::cos(a) - 1.0F),
-                      rim.y - gap * std::sin(a) - 0.5F * extent.y * (std::sin(a) + 1.0F));
-        low.x = std::clamp(low.x, room_.min.x, std::max(room_.min.x, room_.max().x - extent.x));
-        const Rect rect{low, {extent.x, extent.y}};
-        for (const Rect& other : taken_) {
-            if (low.x < other.max().x && other.min.x < rect.max().x && low.y < other.max().y &&
-                other.min.y < rect.max().y) {
-                return;
-            }
+        const glm::vec2 plate(extent.x, extent.y);
+        const glm::vec2 wished = nameCorner({rim.x, rim.y}, {degrees, plate}, kNameGap * c_.em);
+        // Of two that coincide the second goes below or above the first.
+        for (const float line : {0.0F, 1.0F, -1.0F}) {
+            glm::vec2 low = wished + glm::vec2(0.0F, line * plate.y);
+            low = glm::clamp(low, room_.min, glm::max(room_.min, room_.max() - plate));
+            const Rect rect{low, plate};
+            if (isTaken(rect)) continue;
+            taken_.push_back(rect);
+            list_->AddText(c_.fonts.text, size, toVec2(low), toU32(color), text.c_str());
+            return;
         }
-        taken_.push_back(rect);
-        list_->AddText(c_.fonts.text, size, toVec2(low), toU32(color), text.c_str());
+    }
+
+    bool isTaken(const Rect& rect) const {
+        return std::any_of(taken_.begin(), taken_.end(), [&](const Rect& other) {
+            return rect.min.x < other.max().x && other.min.x < rect.max().x &&
+                   rect.min.y < other.max().y && other.min.y < rect.max().y;
+        });
+    }
+
+    /// Along the spoke, where it is clear of the marks of other points.
+    ImVec2 rankPlace(const DialTick& tick) const {
+        const float reach = std::max(0.12F, tick.reach);
+        for (const float part : {0.5F, 0.65F, 0.38F, 0.78F}) {
+            const ImVec2 at = disc_.at(tick.degrees, part * reach);
+            const bool clear =
+                std::none_of(dial_.ticks.begin(), dial_.ticks.end(), [&](const DialTick& other) {
+                    const ImVec2 mark = tip(other);
+                    return std::hypot(mark.x - at.x - 0.3F * c_.em, mark.y - at.y - 0.4F * c_.em) <
+                           0.9F * c_.em;
+                });
+            if (clear) return at;
+        }
+        return disc_.at(tick.degrees, 0.5F * reach);
     }
 
     const PanelContext& c_;
@@ -299,6 +322,25 @@ void drawReciprocal(const PanelContext& context, const DialReciprocal& r, const 
     list->AddText(context.fonts.text, size,
                   {disc.center.x - 0.5F * extent.x, disc.center.y - disc.radius - 1.1F * extent.y},
                   toU32(colors.textDim), name.c_str());
+}
+
+/// Room is left for the names of all points that matter, tested or not: the disc stays where it is
+/// while the decisions of a pivot go by.
+Disc discIn(const Rect& room, const PanelContext& context, const Dial& dial) {
+    const float size = 0.8F * context.em;
+    std::vector<DialName> names;
+    const auto add = [&](double degrees, const std::string& text) {
+        const ImVec2 extent = context.fonts.text->CalcTextSizeA(size, 1e9F, 0.0F, text.c_str());
+        names.push_back({degrees, {extent.x, extent.y}});
+    };
+    for (const DialTick& tick : dial.ticks) {
+        if (tick.role == DialRole::Done) continue;
+        add(tick.degrees,
+            (tick.letter.empty() ? "" : tick.letter + " ") + std::to_string(tick.point));
+    }
+    for (const DialMark& mark : dial.marks) add(mark.degrees, mark.text);
+    const DialPlace place = fitDial(room, names, kNameGap * context.em, 0.35F * context.em);
+    return {toVec2(place.center), place.radius};
 }
 
 void explain(const PanelContext& context, const DialTick& tick) {
@@ -338,10 +380,7 @@ void drawDial(const PanelContext& context) {
     // In a low panel one scrolls.
     const float least = std::min(9.0F * context.em, room.x);
     const float height = std::max(std::min(room.y - captionHeight, room.x), least);
-    // Names stand at either side, above and below.
-    const float beside = room.x > 14.0F * context.em ? 3.0F * context.em : 1.6F * context.em;
-    Disc disc{{corner.x + 0.5F * room.x, corner.y + 0.5F * height},
-              std::min(0.5F * height - 1.5F * context.em, 0.5F * room.x - beside)};
+    const Disc disc = discIn({{corner.x, corner.y}, {room.x, height}}, context, dial);
     if (disc.radius < 2.0F * context.em) return;
     ImGui::InvisibleButton("##dial", {room.x, height});
     DialDrawer drawer(context, dial, disc);

@@ -68,9 +68,9 @@ void drawBirth(const PanelContext& context, const SelectionFacts& facts, const c
     }
     ImGui::PopTextWrapPos();
     if (!pivot) return;
-    const std::string text = "Go to pivot " + std::to_string(*pivot) + ", which made it";
-    if (ImGui::Button(text.c_str())) context.run("step.birth");
-    tooltip("Goes to the end of the pivot that made it; Alt+Left comes back");
+    const std::string birth = toString(*birthOfTriangle(session.overview(), *facts.number));
+    if (ImGui::Button(("Go to " + birth + ", which made it").c_str())) context.run("step.birth");
+    tooltip("Goes to the decision that made it; Alt+Left comes back");
 }
 
 void drawEdge(const PanelContext& context, const SelectionFacts& facts) {
@@ -158,8 +158,11 @@ void drawInspect(const PanelContext& context) {
                                       : session.model().watch.c_str());
         ImGui::PopTextWrapPos();
     }
+    // What somebody picked is what that person wants to read.
+    const bool picked = session.selection().kind != SelectionKind::None;
+    if (picked) drawSelection(context);
     if (session.picture().pivot != kNone) drawPoint(context, "Pivot", session.picture().pivot);
-    drawSelection(context);
+    if (!picked) drawSelection(context);
 }
 
 }  // namespace se::view

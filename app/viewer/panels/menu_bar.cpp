@@ -63,11 +63,17 @@ void drawGroup(const PanelContext& context, std::string_view group) {
     ImGui::EndMenu();
 }
 
-std::string fileNote(const PanelContext& context) {
+/// What is open, as much of it as there is room for in whole words: or nothing.
+std::string fittingNote(const PanelContext& context, float room) {
     const Session& session = context.session();
     if (!session.ready()) return {};
-    return session.model().name + "   " + grouped(session.model().points.size()) + " points   " +
-           session.spec().rules + " rules";
+    const std::string& name = session.model().name;
+    const std::string points = name + "   " + grouped(session.model().points.size()) + " points";
+    for (const std::string& note :
+         {points + "   " + session.spec().rules + " rules", points, name}) {
+        if (ImGui::CalcTextSize(note.c_str()).x <= room) return note;
+    }
+    return room > 6.0F * context.em ? fitted(name, room) : std::string{};
 }
 
 }  // namespace
@@ -81,7 +87,7 @@ void drawMenuBar(const PanelContext& context) {
         drawGroup(context, last);
     }
     const float room = ImGui::GetContentRegionAvail().x - context.em;
-    const std::string note = fitted(fileNote(context), room);
+    const std::string note = fittingNote(context, room);
     const float width = ImGui::CalcTextSize(note.c_str()).x;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width);
     ImGui::TextDisabled("%s", note.c_str());

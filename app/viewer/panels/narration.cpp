@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "panel.h"
 #include "widgets.h"
 
@@ -8,7 +10,23 @@ namespace {
 struct Caption {
     ImFont* font = nullptr;
     std::vector<std::string> lines;
+    bool cut = false;  ///< The tooltip has all of it.
 };
+
+/// Too long even in the smallest print: whole lines only, and the last one says so.
+void shorten(Caption& caption, const ImVec2& room) {
+    ImGui::PushFont(caption.font);
+    const float lines =
+        (room.y + ImGui::GetStyle().ItemSpacing.y) / ImGui::GetTextLineHeightWithSpacing();
+    const auto fit = static_cast<std::size_t>(std::max(1.0F, lines));
+    if (caption.lines.size() > fit) {
+        const std::string next = caption.lines[fit];
+        caption.cut = true;
+        caption.lines.resize(fit);
+        caption.lines.back() = fitted(caption.lines.back() + " " + next, room.x);
+    }
+    ImGui::PopFont();
+}
 
 /// In the largest print of the layout that leaves no line out.
 Caption fittingCaption(const PanelContext& context, const std::string& sentence) {
@@ -18,12 +36,13 @@ Caption fittingCaption(const PanelContext& context, const std::string& sentence)
     for (ImFont* font : {fonts.caption, fonts.large, fonts.text, fonts.small}) {
         if (font == fonts.caption && context.layout.caption <= 1.0F) continue;
         ImGui::PushFont(font);
-        caption = {font, wrapped(sentence, room.x)};
+        caption = {font, wrapped(sentence, room.x), false};
         const float height =
             ImGui::GetTextLineHeightWithSpacing() * static_cast<float>(caption.lines.size());
         ImGui::PopFont();
-        if (height <= room.y + ImGui::GetStyle().ItemSpacing.y) break;
+        if (height <= room.y + ImGui::GetStyle().ItemSpacing.y) return caption;
     }
+    shorten(caption, room);
     return caption;
 }
 
@@ -35,11 +54,12 @@ void drawNarration(const PanelContext& context) {
         const Event* event = session.event();
         std::string sentence;
         Color color = context.palette.accent;
-        if (!session.message().empty()) {
-            sentence = session.message();
-        } else if (event != nullptr) {
+        // What else there is to say stands in the view for a while: see drawNotices().
+        if (event != nullptr) {
             sentence = (session.showsBefore() ? "Before this: " : "") + describe(*event);
             if (verdictOf(*event)) color = verdictColor(context, *event);
+        } else if (!session.message().empty()) {
+            sentence = session.message();
         } else if (session.ready()) {
             sentence = "Nothing has been done yet: all points are UNUSED.";
         }
@@ -58,6 +78,7 @@ void drawNarration(const PanelContext& context) {
             ImGui::TextUnformatted(line.c_str());
         }
         ImGui::PopFont();
+        if (caption.cut && ImGui::IsWindowHovered()) showTooltip(sentence);
     }
     ImGui::End();
 }

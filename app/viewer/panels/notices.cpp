@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "panel.h"
 #include "widgets.h"
@@ -78,6 +79,32 @@ void drawMove(const PanelContext& context) {
     ImGui::End();
 }
 
+/// What was said lately, above the sentence of the decision and never instead of it.
+void drawSaid(const PanelContext& context) {
+    const std::string text = context.session().notice();
+    const Rect& view = context.layout.view;
+    const float em = context.em;
+    const float room = view.size.x - 4.0F * em;
+    if (text.empty() || room < 6.0F * em) return;
+    const ImVec2 pad(0.7F * em, 0.35F * em);
+    const ImVec2 extent = ImGui::CalcTextSize(text.c_str(), nullptr, false, room);
+    const ImVec2 low(std::round(view.min.x + 0.5F * (view.size.x - extent.x) - pad.x),
+                     std::round(view.max().y - extent.y - 2.0F * pad.y - 0.4F * em));
+    const ImVec2 high(low.x + extent.x + 2.0F * pad.x, low.y + extent.y + 2.0F * pad.y);
+    ImDrawList* list = ImGui::GetForegroundDrawList();
+    list->AddRectFilled(low, high, toU32(context.palette.panelRaised), 0.3F * em);
+    list->AddRect(low, high, toU32(context.palette.accent), 0.3F * em, 0,
+                  std::max(1.0F, 0.08F * em));
+    list->AddText(context.fonts.text, em, {low.x + pad.x, low.y + pad.y},
+                  toU32(context.palette.text), text.c_str(), nullptr, room);
+}
+
+/// A popup covers the view, and the start page has a place of its own for what was said.
+bool viewIsFree(const PanelContext& context) {
+    const UiState& ui = context.ui();
+    return !ui.cheatSheet && !ui.keyEditor && !ui.fileBrowser && !ui.palette.open;
+}
+
 }  // namespace
 
 void drawNotices(const PanelContext& context) {
@@ -85,6 +112,8 @@ void drawNotices(const PanelContext& context) {
     if (session.phase() == SessionPhase::Loading) drawLoading(context);
     if (session.phase() == SessionPhase::Failed) drawError(context);
     if (session.phase() == SessionPhase::Ready && session.busySeconds() > 0.15) drawMove(context);
+    // At the start the caption says it, and keeps it: no decision waits there.
+    if (session.ready() && session.event() != nullptr && viewIsFree(context)) drawSaid(context);
 }
 
 }  // namespace se::view

@@ -125,6 +125,9 @@ std::string cellText(const Event& event) {
     if (const auto* ring = std::get_if<RingEvidence>(&event.evidence)) {
         text += ring->inserted ? " in" : " out";
     }
+    if (const auto* emit = std::get_if<EmitEvidence>(&event.evidence)) {
+        text = "tri " + grouped(emit->triangle);
+    }
     return text.empty() ? std::string(stageName(event.address.stage)) : text;
 }
 

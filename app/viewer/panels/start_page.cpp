@@ -11,7 +11,8 @@ namespace {
 
 constexpr float kLeastTile = 14.5F;  ///< Width in em.
 constexpr float kPicture = 7.4F;     ///< Height of the picture in a tile, in em.
-constexpr float kSide = 19.0F;       ///< Width of the column beside the tiles, in em.
+constexpr const char* kDropFormats = "PLY, XYZ, PCD, OBJ, OFF; .sesession";
+constexpr float kSide = 19.0F;  ///< Width of the column beside the tiles, in em.
 
 void drawPicture(const PanelContext& context, ImDrawList* list, const SceneTile& tile, ImVec2 low,
                  ImVec2 high) {
@@ -28,17 +29,26 @@ void drawPicture(const PanelContext& context, ImDrawList* list, const SceneTile&
     }
 }
 
-/// The sentence of a scene on two lines; the tooltip has all of it.
 void drawSentence(const PanelContext& context, ImDrawList* list, const SceneTile& tile, ImVec2 at,
                   float width) {
     ImGui::PushFont(context.fonts.small);
-    std::vector<std::string> lines = wrapped(std::string(tile.watch), width);
-    if (lines.size() > 2) lines[1] = fitted(lines[1] + " " + lines[2] + " ...", width);
-    for (std::size_t i = 0; i < std::min<std::size_t>(2, lines.size()); ++i) {
-        list->AddText(at, toU32(context.palette.textDim), lines[i].c_str());
+    for (const std::string& line : wrapped(std::string(tile.watch), width)) {
+        list->AddText(at, toU32(context.palette.textDim), line.c_str());
         at.y += ImGui::GetTextLineHeight();
     }
     ImGui::PopFont();
+}
+
+/// All tiles are as high as the longest sentence needs.
+float sentenceHeight(const PanelContext& context, const StartPage& page, float width) {
+    ImGui::PushFont(context.fonts.small);
+    std::size_t lines = 1;
+    for (const SceneTile& tile : page.tiles) {
+        lines = std::max(lines, wrapped(std::string(tile.watch), width).size());
+    }
+    const float height = static_cast<float>(lines) * ImGui::GetTextLineHeight();
+    ImGui::PopFont();
+    return height;
 }
 
 void drawTile(const PanelContext& context, const SceneTile& tile, ImVec2 size) {
@@ -77,7 +87,8 @@ void drawTiles(const PanelContext& context) {
         const float width = ImGui::GetContentRegionAvail().x;
         const int columns = std::max(1, static_cast<int>((width + gap) / (kLeastTile * em + gap)));
         const float share = (width + gap) / static_cast<float>(columns) - gap;
-        const ImVec2 size(std::floor(share), std::round((kPicture + 4.1F) * em));
+        const float sentence = sentenceHeight(context, page, std::floor(share) - 1.0F * em);
+        const ImVec2 size(std::floor(share), std::round((kPicture + 2.1F) * em + sentence));
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
         int column = 0;
         for (const SceneTile& tile : page.tiles) {
@@ -90,34 +101,48 @@ void drawTiles(const PanelContext& context) {
 }
 
 void drawDropHint(const PanelContext& context) {
+    struct Part {
+        ImFont* font;
+        std::string text;
+        Color ink;
+    };
     const float em = context.em;
-    const ImVec2 size(ImGui::GetContentRegionAvail().x, 5.4F * em);
+    const Palette& palette = context.palette;
+    const Part parts[] = {
+        {context.fonts.strong, "Drop a file here", palette.text},
+        {context.fonts.text, "or click to choose one (" + context.key("file.open") + ")",
+         palette.textDim},
+        {context.fonts.small, kDropFormats, palette.textDim}};
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float margin = 0.8F * em;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    float y = low.y + margin;
+    for (const Part& part : parts) {
+        ImGui::PushFont(part.font);
+        for (const std::string& line : wrapped(part.text, width - margin)) {
+            const float extent = ImGui::CalcTextSize(line.c_str()).x;
+            list->AddText({low.x + 0.5F * (width - extent), y}, toU32(part.ink), line.c_str());
+            y += ImGui::GetTextLineHeight();
+        }
+        ImGui::PopFont();
+        y += 0.2F * em;
+    }
+    const ImVec2 size(width, y - low.y + margin - 0.2F * em);
     if (ImGui::InvisibleButton("##drop", size)) context.run("file.open");
     const bool lit = ImGui::IsItemHovered() || ImGui::IsItemFocused();
-    const ImVec2 low = ImGui::GetItemRectMin();
-    const ImVec2 high = ImGui::GetItemRectMax();
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    const ImU32 color = toU32(lit ? context.palette.accent : context.palette.border);
-    list->AddRect(low, high, color, 0.4F * em, 0, std::max(1.0F, 0.1F * em));
-    const std::string keys = context.key("file.open");
-    const std::string note = "or click to choose one (" + keys + ")";
-    const auto middle = [&](const std::string& text, float y, const Color& ink) {
-        const float width = ImGui::CalcTextSize(text.c_str()).x;
-        list->AddText({0.5F * (low.x + high.x - width), low.y + y}, toU32(ink), text.c_str());
-    };
-    ImGui::PushFont(context.fonts.strong);
-    middle("Drop a file here", 0.8F * em, context.palette.text);
-    ImGui::PopFont();
-    middle(note, 2.1F * em, context.palette.textDim);
-    ImGui::PushFont(context.fonts.small);
-    middle("PLY, XYZ, OBJ, OFF, PCD with normals; .sesession", 3.6F * em, context.palette.textDim);
-    ImGui::PopFont();
+    list->AddRect(low, ImGui::GetItemRectMax(), toU32(lit ? palette.accent : palette.border),
+                  0.4F * em, 0, std::max(1.0F, 0.1F * em));
 }
 
 void drawRecent(const PanelContext& context) {
     heading(context, "Recent files");
     const std::vector<std::string>& recent = context.ui().recent;
-    if (recent.empty()) ImGui::TextDisabled("Files that you open are listed here.");
+    if (recent.empty()) {
+        ImGui::PushTextWrapPos(0.0F);
+        ImGui::TextDisabled("Files that you open are listed here.");
+        ImGui::PopTextWrapPos();
+    }
     const float width = ImGui::GetContentRegionAvail().x;
     std::string chosen;
     for (const std::string& path : recent) {

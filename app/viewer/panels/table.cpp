@@ -42,7 +42,7 @@ bool isTab(const PanelContext& context, const SidePanel& panel) {
     return panel.draw != drawDial || !context.layout.dialApart;
 }
 
-/// Do the names of the tabs of the right column fit beside each other in the usual print?
+/// Do the names of the tabs of the right column fit beside each other in the present print?
 bool tabNamesFit(const PanelContext& context) {
     const ImGuiStyle& style = ImGui::GetStyle();
     float width = 0.0F;
@@ -54,11 +54,26 @@ bool tabNamesFit(const PanelContext& context) {
     return width <= ImGui::GetContentRegionAvail().x;
 }
 
+/// Tabs whose names do not fit are scrolled, and listed behind a button.
+ImGuiTabBarFlags tabFlags(bool fit) {
+    return fit ? ImGuiTabBarFlags_None
+               : ImGuiTabBarFlags_FittingPolicyScroll | ImGuiTabBarFlags_TabListPopupButton;
+}
+
+/// Those that are scrolled out of sight, or lie below the buttons that scroll, are not there.
+void noteTab(const PanelContext& context, const SidePanel& panel, const Rect& column) {
+    const Rect tab = lastItem();
+    const float end = column.max().x - 2.5F * context.em;
+    const bool last = &panel == &kSidePanels.back() && tab.max().x <= column.max().x;
+    if (tab.min.x < column.min.x + 0.5F * context.em || (tab.max().x > end && !last)) return;
+    context.ui().where[std::string("tab ") + panel.title] = tab;
+}
+
 void drawTabs(const PanelContext& context) {
     for (const SidePanel& panel : kSidePanels) {
         if (!isTab(context, panel)) continue;
         const bool open = ImGui::BeginTabItem(panel.title);
-        context.ui().where[std::string("tab ") + panel.title] = lastItem();
+        noteTab(context, panel, context.layout.right);
         if (!open) continue;
         context.ui().openTab = panel.title;
         ImGui::PushFont(context.fonts.text);
@@ -78,14 +93,16 @@ void drawLearnColumn(const PanelContext& context) {
                         {tight ? 0.22F * context.em : usual.x, usual.y});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing,
                         {tight ? 0.1F * context.em : style.ItemInnerSpacing.x, 0.0F});
-    if (beginRegion("##learn", context.layout.left) && ImGui::BeginTabBar("##learnTabs")) {
+    if (beginRegion("##learn", context.layout.left) &&
+        ImGui::BeginTabBar("##learnTabs",
+                           tabFlags(!tight || context.layout.left.size.x >= 17.0F * context.em))) {
         for (const bool rule : {true, false}) {
             for (const SidePanel& panel : kSidePanels) {
                 if (panel.left || (panel.draw == drawPaper) != rule) continue;
                 ImGui::PushFont(tight ? context.fonts.small : context.fonts.text);
                 const bool open = ImGui::BeginTabItem(panel.title);
                 ImGui::PopFont();
-                context.ui().where[std::string("tab ") + panel.title] = lastItem();
+                noteTab(context, panel, context.layout.left);
                 if (!open) continue;
                 context.ui().openTab = panel.title;
                 ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, usual);
@@ -115,7 +132,7 @@ void drawRightColumn(const PanelContext& context) {
         const float pad = tight ? 0.22F * context.em : ImGui::GetStyle().FramePadding.x;
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {pad, ImGui::GetStyle().FramePadding.y});
         if (tight) ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {0.1F * context.em, 0.0F});
-        if (ImGui::BeginTabBar("##tabs")) {
+        if (ImGui::BeginTabBar("##tabs", tabFlags(tabNamesFit(context)))) {
             drawTabs(context);
             ImGui::EndTabBar();
         }

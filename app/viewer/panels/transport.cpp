@@ -3,12 +3,16 @@
 #include <cstdio>
 #include <optional>
 
+#include "../transport_fit.h"
 #include "panel.h"
 #include "widgets.h"
 
 namespace se::view {
 
 namespace {
+
+/// Width of the box with the address, in em.
+constexpr float kGoTo = 9.5F;
 
 struct Button {
     const char* id;
@@ -96,7 +100,7 @@ void drawGoTo(const PanelContext& context) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("at");
     ImGui::SameLine();
-    const ImVec2 size(std::min(9.5F * em, ImGui::GetContentRegionAvail().x),
+    const ImVec2 size(std::min(kGoTo * em, ImGui::GetContentRegionAvail().x),
                       ImGui::GetFrameHeight());
     if (ImGui::InvisibleButton("##goto", size)) box.open();
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsItemHovered()) box.close();
@@ -122,12 +126,42 @@ void drawGoTo(const PanelContext& context) {
     tooltip("Go to (Ctrl+G): 137, 137.sphere.3, +10, -10, 50%, or p812 to select a point");
 }
 
+/// Where there is no room for all units: the present one, a click goes on to the next.
+void drawUnitAlone(const PanelContext& context) {
+    const std::string name(unitName(context.playback().unit()));
+    if (ImGui::Button((name + "##unit").c_str())) context.run("run.unit");
+    tooltip("What playing and O go on by; click for the next (U)");
+    ImGui::SameLine(0.0F, 0.15F * context.em);
+}
+
+TransportWidths widthsOf(const PanelContext& context, float gap) {
+    const float em = context.em;
+    const float pad = 2.0F * ImGui::GetStyle().FramePadding.x + 0.15F * em;
+    const auto button = [&](PlayUnit unit) {
+        return ImGui::CalcTextSize(std::string(unitName(unit)).c_str()).x + pad;
+    };
+    TransportWidths w;
+    w.gap = gap;
+    w.buttons = (6.0F * 1.9F + 2.6F + 7.0F * 0.2F) * em;
+    w.goTo = kGoTo * em + ImGui::CalcTextSize("at").x + ImGui::GetStyle().ItemSpacing.x;
+    for (const PlayUnit unit : {PlayUnit::SubStep, PlayUnit::Pivot, PlayUnit::Event}) {
+        w.units += button(unit);
+        w.unit = std::max(w.unit, button(unit));
+    }
+    w.speed = (2.0F * 1.6F + 3.4F) * em;
+    w.loop = 2.0F * 1.95F * em;
+    return w;
+}
+
 }  // namespace
 
 void drawTransport(const PanelContext& context) {
     if (beginRegion("##transport", context.layout.transport)) {
         const Session& session = context.session();
         const float wide = context.layout.transport.size.x / context.em;
+        const float gap = wide > 50.0F ? 1.4F * context.em : 0.4F * context.em;
+        const TransportParts parts =
+            fitTransport(ImGui::GetContentRegionAvail().x, widthsOf(context, gap));
         drawButtons(context, kBefore, !session.atStart());
         const bool playing = context.playback().playing();
         if (iconButton("##play", playing ? Icon::Pause : Icon::Play,
@@ -137,17 +171,12 @@ void drawTransport(const PanelContext& context) {
         }
         ImGui::SameLine(0.0F, 0.2F * context.em);
         drawButtons(context, kAfter, session.ready() && !session.atEnd());
-        const float gap = wide > 50.0F ? 1.4F * context.em : 0.4F * context.em;
-        ImGui::SameLine(0.0F, gap);
-        drawUnit(context);
-        ImGui::SameLine(0.0F, gap);
-        drawSpeed(context);
-        ImGui::SameLine(0.0F, gap);
-        if (wide > 60.0F) {
-            drawLoop(context);
-            ImGui::SameLine(0.0F, gap);
-        }
-        if (wide > 36.0F) drawGoTo(context);
+        const auto space = [gap] { ImGui::SameLine(0.0F, gap); };
+        space();
+        if (parts.unit) parts.units ? drawUnit(context) : drawUnitAlone(context), space();
+        if (parts.speed) drawSpeed(context), space();
+        if (parts.loop) drawLoop(context), space();
+        drawGoTo(context);
     }
     ImGui::End();
 }

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+
+#include "../text_cut.h"
 
 namespace se::view {
 
@@ -73,11 +76,13 @@ bool beginRegion(const char* name, const Rect& rect, int extraFlags) {
 void heading(const PanelContext& context, const char* title, const std::string& note) {
     ImGui::PushFont(context.fonts.strong);
     ImGui::TextUnformatted(title);
+    const float titleEnd = ImGui::GetCursorPosX() + ImGui::GetItemRectSize().x;
     ImGui::PopFont();
     if (!note.empty()) {
         const float width = ImGui::CalcTextSize(note.c_str()).x;
         const float left = ImGui::GetContentRegionMax().x - width;
-        ImGui::SameLine(std::max(left, ImGui::CalcTextSize(title).x + context.em));
+        // What does not fit beside the title goes below it.
+        if (left >= titleEnd + context.em) ImGui::SameLine(left);
         ImGui::TextDisabled("%s", note.c_str());
     }
 }
@@ -104,7 +109,10 @@ bool iconButton(const char* id, Icon icon, const char* text, bool enabled, bool 
 }
 
 void tooltip(const std::string& text) {
-    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) showTooltip(text);
+}
+
+void showTooltip(const std::string& text) {
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(22.0F * ImGui::GetFontSize());
     ImGui::TextUnformatted(text.c_str());
@@ -214,9 +222,7 @@ std::string fitted(const std::string& text, float width) {
     if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
     std::string cut = text;
     while (!cut.empty() && ImGui::CalcTextSize((cut + kDots).c_str()).x > width) {
-        // Never between the bytes of one sign.
-        do cut.pop_back();
-        while (!cut.empty() && (static_cast<unsigned char>(cut.back()) & 0xC0U) == 0x80U);
+        cut = withoutLastSign(std::move(cut));
     }
     return cut + kDots;
 }

@@ -31,7 +31,9 @@ void heading(const PanelContext& context, const char* title, const std::string& 
 /// A square button with a drawn icon. `large` ones are wider.
 bool iconButton(const char* id, Icon icon, const char* tooltip, bool enabled, bool active,
                 const PanelContext& context);
+/// If the item drawn last is pointed at.
 void tooltip(const std::string& text);
+void showTooltip(const std::string& text);
 /// Draws the shape of a point, as the view does.
 void drawShape(ImDrawList* list, ImVec2 center, float size, Shape shape, ImU32 color);
 /// Two columns: a dim name and a value.

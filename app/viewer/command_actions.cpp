@@ -1,0 +1,246 @@
+#include "command_actions.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <string>
+
+namespace se::view {
+
+namespace actions {
+
+using C = CommandContext;
+
+namespace {
+
+constexpr std::array kScales = {0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0};
+
+}  // namespace
+
+void pause(C& c) { c.playback.pause(); }
+
+void escape(C& c) {
+    c.ui.cheatSheet = false;
+    c.ui.keyEditor = false;
+    c.ui.fileBrowser = false;
+    c.ui.palette.open = false;
+    c.ui.requests.closePopups = true;
+    c.session.select(Selection{});
+}
+
+void nextMeshStyle(C& c) {
+    MeshStyle& style = c.ui.settings.meshStyle;
+    style = following(style);
+    c.session.say("Finished triangles: " + std::string(rowOf(style).title) + ".");
+}
+
+void toggleTheme(C& c) {
+    Theme& theme = c.ui.settings.theme;
+    theme = theme == Theme::Dark ? Theme::Light : Theme::Dark;
+}
+
+void home(C& c) {
+    if (!c.session.ready()) return;
+    const Model& model = c.session.model();
+    c.camera.home(model.beginning, model.sample, c.ui.viewAspect);
+}
+
+void restart(C& c) {
+    pause(c);
+    c.session.open(c.session.spec());
+}
+
+void oppositeView(C& c) {
+    CameraPose pose = c.camera.pose();
+    pose.yawDegrees += 180.0F;
+    pose.pitchDegrees = -pose.pitchDegrees;
+    c.camera.setPose(pose);
+}
+
+void toggleBookmarkHere(C& c) {
+    if (!c.session.ready()) return;
+    if (c.session.event() == nullptr)
+        return c.session.say("The start of the run needs no bookmark.");
+    const Address here = c.session.address();
+    const bool there = toggleBookmark(c.ui.bookmarks, here);
+    c.session.say((there ? "Bookmark at " : "No bookmark any more at ") + toString(here) + ".");
+}
+
+void openBrowser(C& c) {
+    c.ui.browser = BrowserTask::Open;
+    c.ui.fileBrowser = true;
+}
+
+void saveAs(C& c) {
+    if (!c.session.ready()) return c.session.say("There is nothing open to save.");
+    c.ui.browser = BrowserTask::SaveSession;
+    c.ui.fileBrowser = true;
+}
+
+void toEnd(C& c) {
+    pause(c);
+    c.session.toEnd();
+}
+
+void toStart(C& c) {
+    pause(c);
+    c.session.toStart();
+}
+
+void toMark(C& c, int direction) {
+    pause(c);
+    if (!c.session.ready()) return;
+    const std::optional<Address> mark = c.session.nextMark(direction);
+    const Bookmark* own = nextBookmark(c.ui.bookmarks, c.session.address(), direction);
+    // A mark of the run has no number within its stage: it stands at the first.
+    const bool ownIsNearer =
+        own != nullptr &&
+        (!mark || (direction > 0 ? isBefore(own->address, *mark) : isBefore(*mark, own->address)));
+    if (ownIsNearer) return c.session.goTo(own->address);
+    if (mark) return c.session.goTo(*mark);
+    c.session.say(direction > 0
+                      ? "There is no split, join, seed, alert or bookmark after this one."
+                      : "There is no split, join, seed, alert or bookmark before this one.");
+}
+
+void toggleUnit(C& c) { c.playback.setUnit(following(c.playback.unit())); }
+
+void playOrPause(C& c) {
+    // A long way to the next event must not go on after the pause.
+    if (c.playback.playing() && c.playback.unit() == PlayUnit::Event) c.session.cancelMove();
+    c.playback.toggle();
+}
+
+void stepByUnit(C& c, int direction) {
+    pause(c);
+    playSteps(c, direction);
+}
+
+void setLoopStart(C& c) {
+    if (!c.session.ready()) return;
+    c.playback.loop.setFrom(c.session.address());
+    c.session.say("Playing begins again at " + toString(c.session.address()) + ".");
+}
+
+void setLoopEnd(C& c) {
+    if (!c.session.ready()) return;
+    c.playback.loop.setTo(c.session.address());
+    c.session.say("Playing turns back at " + toString(c.session.address()) + ".");
+}
+
+void arrange(C& c, Arrangement arrangement) {
+    c.ui.arrangement = arrangement;
+    const ArrangementRow& row = rowOf(arrangement);
+    c.session.say("Layout " + std::string(row.title) + ". " + std::string(row.help));
+}
+
+void goToBirth(C& c) {
+    if (!c.session.ready()) return;
+    if (c.session.selection().corners().size() < 2) {
+        return c.session.say("Select an edge or a triangle first.");
+    }
+    const std::optional<std::uint32_t> number = factsOf(c.session, c.session.selection()).number;
+    const auto birth = number ? birthOfTriangle(c.session.overview(), *number) : std::nullopt;
+    if (!birth) return c.session.say("The decision that made this is not known.");
+    pause(c);
+    c.session.goTo(*birth);
+}
+
+void scaleBy(C& c, int direction) {
+    double chosen = c.ui.scale;
+    for (const double scale : kScales) {
+        if (direction > 0 && scale > c.ui.scale + 0.01F) {
+            chosen = scale;
+            break;
+        }
+        if (direction < 0 && scale < c.ui.scale - 0.01F) chosen = scale;
+    }
+    c.ui.settings.uiScale = chosen;
+}
+
+void toBookmark(C& c, std::size_t place) {
+    if (!c.session.ready()) return;
+    if (place >= c.ui.bookmarks.size()) {
+        return c.session.say("There is no bookmark " + std::to_string(place + 1) + ".");
+    }
+    pause(c);
+    c.session.goTo(c.ui.bookmarks[place].address);
+}
+
+}  // namespace actions
+
+void playSteps(CommandContext& context, int count) {
+    Session& session = context.session;
+    const PlayLoop& loop = context.playback.loop;
+    switch (context.playback.unit()) {
+        case PlayUnit::SubStep:
+            session.stepEvent(count);
+            break;
+        case PlayUnit::Pivot:
+            if (count > 0 && loop.complete() && session.ready()) {
+                const auto here = static_cast<long>(session.record().pivot);
+                const long rest = static_cast<long>(loop.to->pivot) - here;
+                if (rest > 0) count = static_cast<int>(std::min<long>(count, rest));
+            }
+            session.stepPivot(count);
+            break;
+        case PlayUnit::Event: {
+            const std::optional<Address> mark = session.nextMark(count);
+            if (mark) {
+                session.playTo(*mark);
+            } else if (session.ready() && session.overview().complete) {
+                context.playback.pause();
+                session.say(count > 0 ? "There is no event after this one."
+                                      : "There is no event before this one.");
+            }
+            break;
+        }
+    }
+}
+
+namespace {
+
+/// Of an edge or a triangle: what is around it, too.
+void frameSelection(CommandContext& context) {
+    const Model& model = context.session.model();
+    const std::span<const Index> corners = context.session.selection().corners();
+    glm::vec3 middle(0.0F);
+    glm::vec3 normal(0.0F);
+    for (const Index p : corners) {
+        middle += model.place[p] / static_cast<float>(corners.size());
+        normal += model.normal[p];
+    }
+    float radius = model.spacing;
+    for (const Index p : corners) {
+        radius = std::max(radius, glm::distance(middle, model.place[p]));
+    }
+    if (glm::length(normal) > 0.0F) context.camera.face(glm::normalize(normal));
+    context.camera.frame(middle, 2.5F * radius);
+}
+
+}  // namespace
+
+void frameFocus(CommandContext& context) {
+    const Session& session = context.session;
+    if (!session.ready()) return;
+    const Model& model = session.model();
+    const Picture& picture = session.picture();
+    if (session.selection().corners().size() > 1) return frameSelection(context);
+    Index focus = session.selected();
+    if (focus == kNone) focus = picture.pivot;
+    if (focus == kNone) focus = picture.underTest;
+    if (focus == kNone) {
+        context.camera.frame(glm::vec3(0.0F), 1.0F);
+        return;
+    }
+    float radius = 2.0F * model.spacing;
+    for (const Index q : model.points.neighbors[focus]) {
+        radius = std::max(radius, glm::distance(model.place[focus], model.place[q]));
+    }
+    // Else one would look at it from within, through the other side of the surface.
+    context.camera.face(model.normal[focus]);
+    context.camera.frame(model.place[focus], 1.25F * radius);
+}
+
+}  // namespace se::view

@@ -1,0 +1,72 @@
+/// What the rows of the table of commands do.
+#pragma once
+
+#include <cstddef>
+
+#include "commands.h"
+#include "session.h"
+
+namespace se::view::actions {
+
+void pause(CommandContext& c);
+/// Closes what lies over the panels and clears the selection.
+void escape(CommandContext& c);
+void nextMeshStyle(CommandContext& c);
+void toggleTheme(CommandContext& c);
+void home(CommandContext& c);
+void restart(CommandContext& c);
+/// Turns to look from the other side.
+void oppositeView(CommandContext& c);
+/// The next size of text and panels on the scale, up (+1) or down (-1).
+void scaleBy(CommandContext& c, int direction);
+void toggleBookmarkHere(CommandContext& c);
+/// To the bookmark at a place of their list, from 0.
+void toBookmark(CommandContext& c, std::size_t place);
+void openBrowser(CommandContext& c);
+void saveAs(CommandContext& c);
+void toEnd(CommandContext& c);
+void toStart(CommandContext& c);
+/// To the next (+1) or previous (-1) mark of the run or bookmark.
+void toMark(CommandContext& c, int direction);
+void toggleUnit(CommandContext& c);
+void playOrPause(CommandContext& c);
+void stepByUnit(CommandContext& c, int direction);
+void setLoopStart(CommandContext& c);
+void setLoopEnd(CommandContext& c);
+void arrange(CommandContext& c, Arrangement arrangement);
+/// To the decision that made the selected edge or triangle.
+void goToBirth(CommandContext& c);
+
+// Rows of the table take functions without arguments of their own.
+
+template <LayerId layer>
+void toggle(CommandContext& c) {
+    toggleLayer(c.ui.settings.layers, layer, c.session.stage());
+}
+
+template <ViewPreset preset>
+void setView(CommandContext& c) {
+    c.camera.set(preset);
+}
+
+template <MeshStyle style>
+void setMeshStyle(CommandContext& c) {
+    c.ui.settings.meshStyle = style;
+}
+
+template <int direction>
+void changeScale(CommandContext& c) {
+    scaleBy(c, direction);
+}
+
+template <std::size_t place>
+void goToBookmark(CommandContext& c) {
+    toBookmark(c, place);
+}
+
+template <Arrangement arrangement>
+void setArrangement(CommandContext& c) {
+    arrange(c, arrangement);
+}
+
+}  // namespace se::view::actions
