@@ -5,6 +5,8 @@
 # each_tab LEAST: opens every tab in sight; each changes what can be seen.
 each_tab() {
     local name seen=0
+    # In the first frames they have no place yet.
+    for _ in $(seq 100); do grep -q '"tab ' "$state" && break; sleep 0.05; done
     while IFS= read -r name; do
         # Where tabs are scrolled, another one may have pushed it out of sight.
         [ -n "$(field "$name")" ] || continue
