@@ -145,10 +145,12 @@ void drawRecent(const PanelContext& context) {
     }
     const float width = ImGui::GetContentRegionAvail().x;
     std::string chosen;
+    int place = 0;
     for (const std::string& path : recent) {
         const std::string name = std::filesystem::path(path).filename().string();
         const std::string label = fitted(name, width) + "##" + path;
         if (ImGui::Selectable(label.c_str())) chosen = path;
+        context.ui().where["recent " + std::to_string(++place)] = lastItem();
         tooltip(path);
     }
     if (!chosen.empty()) context.ui().requests.open = chosen;

@@ -118,7 +118,7 @@ start scene:grid; says layout debug; stop
 
 # A click on a recent file; without settings nothing is known and nothing is kept.
 start; says start_page true
-click 60 285; says input scene:sphere; says pivot 41
+click_on "recent 1"; says input scene:sphere; says pivot 41
 stop
 before=$(cat "$XDG_STATE_HOME/spiraling-edge/state.json")
 start --no-config; says recent 0; press F2; says start_page true; stop
