@@ -106,7 +106,7 @@ class Application {
     Filing filing_;
     UndoStack undo_;
     std::uint32_t undoGeneration_ = 0xffffffffU;  ///< Of the input that the stack is about.
-    bool noticed_ = false;  ///< A notice is in sight.
+    bool noticed_ = false;                        ///< A notice is in sight.
     bool focused_ = false;
     std::string homeOf_;  ///< Name of the input that the camera went home for.
     std::string writtenState_;
