@@ -51,6 +51,10 @@ press ctrl+Right; says address "30\.advance\.1"
 press ctrl+Left; says address "1\.seed\.1"
 press ctrl+1; says address "30\.advance\.1"
 press ctrl+b
+# Ten of them have a key.
+for pivot in 41 42 43 44 45 46 47 48 49 50; do go_to $pivot; says pivot $pivot; press ctrl+b; done
+for number in 1 2 3 4 5 6 7 8 9; do press ctrl+$number; says pivot $((40 + number)); done
+press ctrl+0; says pivot 50
 go_to 12.sort.2; says address "12\.sort\.2"
 press a; go_to 14; says address "14\.advance\.1"
 press b
@@ -71,7 +75,7 @@ press u; denies unit "$unit"
 
 # Camera: every key changes it, and Enter brings it home.
 home=$(field camera)
-for chord in 1 3 7 5; do
+for chord in 1 3 7 9 5 shift+f; do
     before=$(field camera)
     press "$chord"
     denies camera "$(printf '%s' "$before" | sed 's/[][{}.*+?()|^$\\]/\\&/g')"
@@ -101,6 +105,8 @@ press t; says theme light
 press t; says theme dark
 press F1; says cheat_sheet true
 press Escape; says cheat_sheet false
+press question; says cheat_sheet true
+press Escape; says cheat_sheet false
 press ctrl+p; says palette true
 type_text "next pivot"; sleep 0.2
 before=$(field pivot)
@@ -111,6 +117,11 @@ press Escape; says palette false
 press ctrl+o; says file_browser true
 press Escape; says file_browser false
 press ctrl+r; says phase ready
+width() { xdotool getwindowgeometry --shell "$window" | sed -n 's/^WIDTH=//p'; }
+press alt+Return; sleep 0.6
+[ "$(width)" -gt 1280 ] || fail "Alt+Enter does not fill the screen: $(width)"
+press alt+Return; sleep 0.6
+[ "$(width)" -eq 1280 ] || fail "Alt+Enter does not go back: $(width)"
 press F12; sleep 0.5
 ls "$HOME"/spiraling-edge-*.png >/dev/null 2>&1 || fail "F12 saves no picture"
 
