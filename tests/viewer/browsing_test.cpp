@@ -1,4 +1,5 @@
 #include "browsing.h"
+#include "rig.h"
 
 #include <doctest/doctest.h>
 
@@ -33,7 +34,7 @@ TEST_CASE("Every format that can be read is offered") {
 }
 
 TEST_CASE("A folder is listed, folders first; one that cannot be read leaves what was there") {
-    const fs::path folder = fs::temp_directory_path() / "spiraling-edge-browsing-test";
+    const fs::path folder = test::ownPlace("browsing-test");
     fs::create_directories(folder / "z");
     for (const char* name : {"b.pcd", "a.ply", "c.png", ".hidden.ply"})
         std::ofstream(folder / name);

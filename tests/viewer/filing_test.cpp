@@ -1,4 +1,5 @@
 #include "filing.h"
+#include "rig.h"
 
 #include <doctest/doctest.h>
 
@@ -19,7 +20,7 @@ struct Desk {
     UiState ui;
     CommandContext context{session, playback, camera, ui};
     Filing filing{context};
-    fs::path folder = fs::temp_directory_path() / "spiraling-edge-filing-test";
+    fs::path folder = test::ownPlace("filing-test");
 
     Desk() {
         fs::remove_all(folder);

@@ -1,4 +1,5 @@
 #include "options.h"
+#include "rig.h"
 
 #include <doctest/doctest.h>
 
@@ -17,8 +18,7 @@ ParsedOptions parse(std::vector<const char*> arguments) {
 
 /// A session file about a scene, gone after the test.
 struct KeptSession {
-    std::filesystem::path path =
-        std::filesystem::temp_directory_path() / "spiraling-edge-options-test.sesession";
+    std::filesystem::path path = test::ownPlace("options-test.sesession");
     KeptSession() {
         SessionFile s;
         s.input = {"scene:torus", {KNearest{16}, true, 0, true}, "printed", {{"fill", true}}};

@@ -1,4 +1,5 @@
 #include "recent.h"
+#include "rig.h"
 
 #include <doctest/doctest.h>
 
@@ -37,8 +38,7 @@ TEST_CASE("Layout and recent files are read as they were written") {
 }
 
 TEST_CASE("The state lies where XDG says, and is made with its folder") {
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / "spiraling-edge-state-test";
+    const std::filesystem::path folder = test::ownPlace("state-test");
     std::filesystem::remove_all(folder);
     setenv("XDG_STATE_HOME", folder.c_str(), 1);
     CHECK(statePath() == folder / "spiraling-edge" / "state.json");

@@ -1,12 +1,22 @@
 /// Small models for tests of the viewer.
 #pragma once
 
+#include <unistd.h>
+
+#include <filesystem>
 #include <memory>
+#include <string>
 
 #include "model.h"
 #include "session.h"
 
 namespace se::view::test {
+
+/// A place for the files of this process alone: tests run side by side. It does not exist yet.
+inline std::filesystem::path ownPlace(const std::string& name) {
+    return std::filesystem::temp_directory_path() /
+           ("spiraling-edge-" + std::to_string(::getpid()) + "-" + name);
+}
 
 inline std::shared_ptr<const Model> sphereModel() {
     LoadProgress progress;

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "input_hash.h"
+#include "rig.h"
 
 using namespace se;
 using namespace se::view;
@@ -15,7 +16,7 @@ namespace {
 
 /// A folder that is gone after the test.
 struct Folder {
-    fs::path path = fs::temp_directory_path() / "spiraling-edge-session-test";
+    fs::path path = test::ownPlace("session-test");
     Folder() {
         fs::remove_all(path);
         fs::create_directories(path);

@@ -1,4 +1,5 @@
 #include "settings.h"
+#include "rig.h"
 
 #include <doctest/doctest.h>
 
@@ -58,8 +59,7 @@ TEST_CASE("What is no JSON object is an error, not a crash") {
 }
 
 TEST_CASE("Files go where XDG says; without a file there are defaults") {
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / "spiraling-edge-settings-test";
+    const std::filesystem::path folder = test::ownPlace("settings-test");
     std::filesystem::remove_all(folder);
     setenv("XDG_CONFIG_HOME", folder.c_str(), 1);
     CHECK(settingsPath() == folder / "spiraling-edge" / "settings.json");
