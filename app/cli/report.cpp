@@ -101,7 +101,7 @@ void addPreparation(const PrepareReport& report, Json& json) {
     json["derived"] = {{"normals", derived.normals},
                        {"orientation", derived.orientation},
                        {"types", derived.types},
-                       {"neighbors", derived.neighbors},
+                       {"neighbors", report.neighborsComputed},
                        {"turned_normals", derived.turnedNormals},
                        {"normal_components", derived.normalComponents},
                        {"planeless_points", derived.planelessPoints},

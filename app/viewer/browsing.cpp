@@ -2,23 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdlib>
 
 #include "session_file.h"
+#include "text.h"
 
 namespace se::view {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string lowerExtension(const fs::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
 
 }  // namespace
 
@@ -52,7 +45,7 @@ bool canBeOpened(const fs::path& path) {
 }
 
 std::string typedSource(const fs::path& folder, const std::string& text) {
-    if (text.empty() || text.starts_with("scene:")) return text;
+    if (text.empty() || isScene(text)) return text;
     const char* home = std::getenv("HOME");
     if (home != nullptr && (text == "~" || text.starts_with("~/"))) return home + text.substr(1);
     const fs::path path(text);

@@ -7,6 +7,7 @@
 
 #include "command_actions.h"
 #include "session.h"
+#include "text.h"
 
 namespace se::view {
 
@@ -222,12 +223,6 @@ const Command* commandForKey(const KeyChord& chord) {
 
 namespace {
 
-std::string lowered(std::string_view text) {
-    std::string out(text);
-    for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return out;
-}
-
 bool hasAll(const std::string& text, const std::vector<std::string_view>& words) {
     return std::all_of(words.begin(), words.end(),
                        [&](std::string_view word) { return text.find(word) != std::string::npos; });
@@ -236,14 +231,14 @@ bool hasAll(const std::string& text, const std::vector<std::string_view>& words)
 }  // namespace
 
 std::vector<const Command*> matchingCommands(std::string_view filter) {
-    const std::string low = lowered(filter);
+    const std::string low = lowerCase(filter);
     const std::vector<std::string_view> words = wordsOf(low);
     std::vector<const Command*> inTitle;
     std::vector<const Command*> elsewhere;
     for (const Command& command : kCommands) {
-        const std::string title = lowered(command.title);
-        const std::string all = title + " " + lowered(command.group) + " " + lowered(command.id) +
-                                " " + lowered(command.help);
+        const std::string title = lowerCase(command.title);
+        const std::string all = title + " " + lowerCase(command.group) + " " +
+                                lowerCase(command.id) + " " + lowerCase(command.help);
         if (hasAll(title, words)) {
             inTitle.push_back(&command);
         } else if (hasAll(all, words)) {

@@ -81,7 +81,7 @@ void Filing::changeNotebook(const std::string& source) {
 
 void Filing::open(const std::string& path) {
     c_.playback.pause();
-    if (!path.starts_with("scene:") && looksLikeSession(path)) return openSession(path);
+    if (!isScene(path) && looksLikeSession(path)) return openSession(path);
     InputSpec spec = c_.session.spec();
     changeNotebook(path);
     spec.source = path;

@@ -14,14 +14,13 @@ namespace se::view {
 namespace {
 
 constexpr std::size_t kSampleSize = 4000;
-constexpr std::string_view kScenePrefix = "scene:";
 
 bool isFinite(const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 Result<PointFile> readSource(const std::string& source, Model& model) {
-    if (source.empty() || source.starts_with(kScenePrefix)) {
+    if (source.empty() || isScene(source)) {
         const std::string id = source.empty() ? "" : source.substr(kScenePrefix.size());
         if (source.empty() && scenes().empty()) return Error{"No file was named."};
         const Scene* scene = source.empty() ? &scenes().front() : findScene(id);
@@ -31,7 +30,7 @@ Result<PointFile> readSource(const std::string& source, Model& model) {
                 known += (known.empty() ? "" : ", ") + std::string(each.id);
             return Error{"There is no scene \"" + id + "\". Scenes are: " + known + "."};
         }
-        model.name = std::string(kScenePrefix) + std::string(scene->id);
+        model.name = sceneSource(scene->id);
         model.watch = std::string(scene->watch);
         PointFile points = scene->build();
         model.hash = hashOfPoints(points);

@@ -14,6 +14,13 @@
 
 namespace se::view {
 
+/// Sources that are no files: "scene:ID".
+inline constexpr std::string_view kScenePrefix = "scene:";
+inline bool isScene(std::string_view source) { return source.starts_with(kScenePrefix); }
+inline std::string sceneSource(std::string_view id) {
+    return std::string(kScenePrefix) + std::string(id);
+}
+
 /// What to open and how.
 struct InputSpec {
     std::string source;  ///< A path, or `scene:ID`. Empty: the first scene.

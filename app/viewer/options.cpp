@@ -157,14 +157,14 @@ void requireWritable(const std::string& path, const char* option) {
 /// Measuring needs something to step through.
 void chooseBenchScene(Options& o) {
     if (o.benchFrames == 0 || !o.input.source.empty() || scenes().empty()) return;
-    o.input.source = "scene:" + std::string(scenes().front().id);
+    o.input.source = sceneSource(scenes().front().id);
 }
 
 }  // namespace
 
 Status adoptSession(Options& o) {
     const std::string path = o.input.source;
-    if (path.empty() || path.starts_with("scene:") || !looksLikeSession(path)) return success();
+    if (path.empty() || isScene(path) || !looksLikeSession(path)) return success();
     Result<SessionFile> read = readSessionFile(path);
     if (!read) return read.error();
     o.sessionPath = path;

@@ -1,12 +1,12 @@
 #include "recent.h"
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "model.h"
 #include "settings.h"
 #include "spiraling_edge/io.h"
+#include "text.h"
 
 namespace se::view {
 
@@ -18,7 +18,7 @@ using nlohmann::json;
 }  // namespace
 
 void remember(KeptState& state, const std::string& path) {
-    if (path.empty() || path.starts_with("scene:")) return;
+    if (path.empty() || isScene(path)) return;
     std::error_code error;
     const fs::path whole = fs::absolute(path, error).lexically_normal();
     std::vector<std::string>& list = state.recent;
@@ -57,11 +57,8 @@ std::string keptStateToJson(const KeptState& state) {
 }
 
 KeptState readKeptState(const fs::path& path) {
-    std::ifstream file(path);
-    if (path.empty() || !file) return {};
-    std::ostringstream text;
-    text << file.rdbuf();
-    return keptStateFromJson(text.str());
+    const std::optional<std::string> text = readText(path);
+    return text ? keptStateFromJson(*text) : KeptState{};
 }
 
 Status writeKeptState(const fs::path& path, const KeptState& state) {

@@ -238,12 +238,6 @@ std::optional<Address> Session::nextMark(int direction) const {
     return Address{best->pivot, stageOf(best->kind), 0};
 }
 
-bool Session::goToMark(int direction) {
-    const std::optional<Address> mark = nextMark(direction);
-    if (mark) goTo(*mark);
-    return mark.has_value();
-}
-
 bool Session::reached(const Address& address) const {
     if (!ready() || record_->pivot != address.pivot)
         return ready() && record_->pivot > address.pivot;

@@ -91,9 +91,7 @@ class Session {
     void goToPivot(std::uint32_t pivot);
     /// To an event; without stage and n to the last event of the pivot.
     void goTo(const Address& address);
-    /// To the next (+1) or previous (-1) split, join, seed or alert. False if none is known.
-    bool goToMark(int direction);
-    /// Where that would go; nothing if none is known.
+    /// The next (+1) or previous (-1) split, join, seed or alert; nothing if none is known.
     std::optional<Address> nextMark(int direction) const;
     /// Goes to an address and leaves no trace in the history: for playing.
     void playTo(const Address& address) { jump(address); }

@@ -1,13 +1,12 @@
 #include "session_file.h"
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 
 #include "spiraling_edge/io.h"
+#include "text.h"
 
 namespace se::view {
 
@@ -18,7 +17,6 @@ using nlohmann::json;
 
 constexpr int kVersion = 1;
 constexpr std::string_view kFormat = "spiraling-edge session";
-constexpr std::string_view kScene = "scene:";
 constexpr const char* kLayerModes = "\"auto\", \"on\" or \"off\"";
 
 /// What is wrong with a part of the file; nothing if all is well.
@@ -58,7 +56,7 @@ Complaint readInput(const json& object, const fs::path& folder, SessionFile& out
                         "or scene:ID");
     }
     out.input.source = source->get<std::string>();
-    if (!out.input.source.starts_with(kScene)) {
+    if (!isScene(out.input.source)) {
         out.input.source = (folder / out.input.source).lexically_normal().string();
     }
     if (const json* hash = find(*input, "hash"); hash != nullptr) {
@@ -202,7 +200,7 @@ json& objectAt(json& object, const char* name) {
 }
 
 std::string relativeSource(const std::string& source, const fs::path& folder) {
-    if (source.starts_with(kScene)) return source;
+    if (isScene(source)) return source;
     std::error_code error;
     const fs::path file = fs::absolute(source, error);
     const fs::path from = fs::absolute(folder.empty() ? fs::path(".") : folder, error);
@@ -228,10 +226,7 @@ json optionsToJson(const InputSpec& input, json options) {
 }  // namespace
 
 bool looksLikeSession(const fs::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (extension == kSessionExtension) return true;
+    if (lowerExtension(path) == kSessionExtension) return true;
     std::error_code error;
     if (!fs::is_regular_file(path, error)) return false;
     std::ifstream file(path, std::ios::binary);
@@ -290,11 +285,9 @@ std::string sessionToJson(const SessionFile& session, const fs::path& folder) {
 }
 
 Result<SessionFile> readSessionFile(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    if (file) text << file.rdbuf();
-    if (!file || file.bad()) return Error{path.string() + ": cannot be read."};
-    return sessionFromJson(text.str(), path.string(), path.parent_path());
+    const std::optional<std::string> text = readText(path);
+    if (!text) return Error{path.string() + ": cannot be read."};
+    return sessionFromJson(*text, path.string(), path.parent_path());
 }
 
 Status writeSessionFile(const fs::path& path, const SessionFile& session) {

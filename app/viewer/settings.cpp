@@ -1,11 +1,10 @@
 #include "settings.h"
 
 #include <cstdlib>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "spiraling_edge/io.h"
+#include "text.h"
 
 namespace se::view {
 
@@ -104,11 +103,8 @@ std::string settingsToJson(const ViewSettings& s) {
 }
 
 Result<ViewSettings> readSettings(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    if (path.empty() || !file) return ViewSettings{};
-    std::ostringstream text;
-    text << file.rdbuf();
-    return settingsFromJson(text.str());
+    const std::optional<std::string> text = readText(path);
+    return text ? settingsFromJson(*text) : ViewSettings{};
 }
 
 Status writeSettings(const std::filesystem::path& path, const ViewSettings& settings) {

@@ -6,17 +6,11 @@
 #include <sstream>
 
 #include "picture.h"
+#include "text.h"
 
 namespace se::view {
 
 namespace {
-
-std::string lowered(std::string_view text) {
-    std::string lower(text);
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return lower;
-}
 
 /// Everything that the word could stand for.
 Findings findingsOf(std::string_view word) {
@@ -27,7 +21,7 @@ Findings findingsOf(std::string_view word) {
     }
     for (unsigned i = 0; i <= static_cast<unsigned>(Verdict::NoThirdPoint); ++i) {
         const auto verdict = static_cast<Verdict>(i);
-        if (lowered(verdictText(verdict)).find(word) != std::string::npos) {
+        if (lowerCase(verdictText(verdict)).find(word) != std::string::npos) {
             found |= findingOf(verdict);
         }
     }
@@ -49,7 +43,7 @@ bool hasNumber(std::string_view text, std::string_view number) {
 }  // namespace
 
 StepFilter::StepFilter(std::string_view text) {
-    std::istringstream words{lowered(text)};
+    std::istringstream words{lowerCase(text)};
     for (std::string word; words >> word;) words_.push_back(read(word));
 }
 
@@ -80,7 +74,7 @@ bool StepFilter::matches(const Event& event) const {
     return std::all_of(words_.begin(), words_.end(), [&](const Word& word) {
         if (word.refused) return rejects(event);
         if ((found & word.found) != 0) return true;
-        if (sentence.empty()) sentence = lowered(describe(event));
+        if (sentence.empty()) sentence = lowerCase(describe(event));
         return word.number != kNone ? hasNumber(sentence, word.text)
                                     : sentence.find(word.text) != std::string::npos;
     });

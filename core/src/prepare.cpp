@@ -139,7 +139,9 @@ class Preparation {
     Status makeNormals() {
         if (!derivesNormals()) {
             set_.normal = file_.normal;
-            for (Vec3& n : set_.normal) normalize(n);
+            for (Index p = 0; p < set_.size(); ++p) {
+                if (isFinite(set_.position[p])) normalize(set_.normal[p]);
+            }
             if (options_.normals == NormalSource::AsGiven) return success();
         }
         Laps watch;
@@ -184,25 +186,23 @@ class Preparation {
 
     static bool hasDirection(const Vec3& normal) { return isFinite(normal) && normal != Vec3(0.0); }
 
-    /// Scales `normal` to unit length. False if it has no direction.
-    bool normalize(Vec3& normal) {
-        if (!isFinite(normal)) return false;
+    /// Scales `normal` to unit length; one without direction is left as it is.
+    void normalize(Vec3& normal) {
+        if (!hasDirection(normal)) return;
         const double length = glm::length(normal);
-        if (std::abs(length - 1.0) <= kUnitTolerance) return true;
+        if (std::abs(length - 1.0) <= kUnitTolerance) return;
         // By the largest component first: squares of very long or short normals leave the range.
         const double largest =
             std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
-        if (largest == 0.0) return false;
         normal /= largest;
         normal /= glm::length(normal);
         if (!(std::abs(length - 1.0) <= kReportedTolerance)) ++report_.unscaledNormals;
-        return true;
     }
 
     Result<NeighborLists> makeLists() {
         const NeighborOptions& neighbors = options_.neighbors;
         if (file_.hasNeighbors() && !neighbors.recompute) return cleanLists();
-        report_.neighborsComputed = report_.derived.neighbors = true;
+        report_.neighborsComputed = true;
         Laps watch;
         const double from = report_.derived.orientation ? kNormalShare : 0.0;
         Result<NeighborLists> lists =

@@ -26,7 +26,7 @@ TEST_CASE("prepare: points without normals get derived ones, and the report says
         const Prepared prepared = prepareOrFail(file);
         CHECK(prepared.report.derived.normals);
         CHECK(prepared.report.derived.orientation);
-        CHECK(prepared.report.derived.neighbors);
+        CHECK(prepared.report.neighborsComputed);
         CHECK(prepared.report.derived.normalComponents ==
               static_cast<std::size_t>(family.components));
         CHECK(prepared.report.derived.planelessPoints == 0);

@@ -74,8 +74,13 @@ TEST_CASE("A session goes back to where a jump began, and forward again") {
 TEST_CASE("A session goes from mark to mark, there and back the same ones") {
     test::OpenSession open("scene:linked-tori");
     open.place();
+    const auto goToMark = [&](int direction) {
+        const std::optional<Address> mark = open.session.nextMark(direction);
+        if (mark) open.session.goTo(*mark);
+        return mark.has_value();
+    };
     std::vector<std::string> there;
-    while (open.session.goToMark(1)) {
+    while (goToMark(1)) {
         there.push_back(open.place());
         REQUIRE(there.size() < 1000);
         const Stage stage = open.session.address().stage;
@@ -85,8 +90,8 @@ TEST_CASE("A session goes from mark to mark, there and back the same ones") {
     }
     REQUIRE(there.size() > 3);
     for (std::size_t i = there.size() - 1; i > 0; --i) {
-        REQUIRE(open.session.goToMark(-1));
+        REQUIRE(goToMark(-1));
         CHECK(open.place() == there[i - 1]);
     }
-    CHECK_FALSE(open.session.goToMark(-1));
+    CHECK_FALSE(goToMark(-1));
 }

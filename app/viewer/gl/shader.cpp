@@ -3,11 +3,10 @@
 #include <glad/gl.h>
 
 #include <algorithm>
-#include <fstream>
 #include <glm/gtc/type_ptr.hpp>
-#include <sstream>
 #include <utility>
 
+#include "../text.h"
 #include "shader_sources.h"
 
 namespace se::view {
@@ -18,11 +17,9 @@ constexpr std::string_view kVersion = "#version 330 core\n";
 
 Result<std::string> sourceOf(const std::string& name, const std::filesystem::path& folder) {
     if (!folder.empty()) {
-        std::ifstream file(folder / name);
-        if (!file) return Error{"Cannot read the shader " + (folder / name).string() + "."};
-        std::ostringstream text;
-        text << file.rdbuf();
-        return text.str();
+        std::optional<std::string> text = readText(folder / name);
+        if (!text) return Error{"Cannot read the shader " + (folder / name).string() + "."};
+        return std::move(*text);
     }
     const auto all = embeddedShaders();
     const auto found = std::find_if(all.begin(), all.end(),

@@ -39,7 +39,7 @@ std::string proposedName(const PanelContext& context) {
     if (!session.empty()) return fs::path(session).filename().string();
     if (!context.session().ready()) return {};
     std::string name = context.session().model().name;
-    if (name.starts_with("scene:")) name = name.substr(6);
+    if (isScene(name)) name = name.substr(kScenePrefix.size());
     return fs::path(name).stem().string() + std::string(kSessionExtension);
 }
 
@@ -48,7 +48,7 @@ fs::path firstFolder(const PanelContext& context) {
     std::error_code error;
     const UiState& ui = context.ui();
     const std::string& source = context.session().spec().source;
-    const bool file = !source.empty() && !source.starts_with("scene:");
+    const bool file = !source.empty() && !isScene(source);
     const fs::path near = !ui.sessionPath.empty() ? fs::path(ui.sessionPath)
                           : file                  ? fs::path(source)
                                                   : fs::path();
@@ -61,9 +61,9 @@ void drawScenes(const PanelContext& context) {
     if (ImGui::BeginChild("##scenes", {0, 0}, false)) {
         for (const Scene& scene : scenes()) {
             if (ImGui::Selectable(std::string(scene.title).c_str())) {
-                openSource(context, "scene:" + std::string(scene.id));
+                openSource(context, sceneSource(scene.id));
             }
-            tooltip("scene:" + std::string(scene.id) + "\n" + std::string(scene.watch));
+            tooltip(sceneSource(scene.id) + "\n" + std::string(scene.watch));
         }
     }
     ImGui::EndChild();

@@ -54,7 +54,7 @@ float sentenceHeight(const PanelContext& context, const StartPage& page, float w
 void drawTile(const PanelContext& context, const SceneTile& tile, ImVec2 size) {
     const float em = context.em;
     const Palette& palette = context.palette;
-    const std::string id = "scene:" + std::string(tile.id);
+    const std::string id = sceneSource(tile.id);
     if (ImGui::InvisibleButton(id.c_str(), size)) context.ui().requests.open = id;
     tooltip(std::string(tile.title) + " (" + id + ")\n" + std::string(tile.watch));
     if (!ImGui::IsItemVisible()) return;

@@ -61,14 +61,13 @@ struct DerivedPieces {
     bool normals = false;
     bool orientation = false;
     bool types = false;
-    bool neighbors = false;
     std::size_t turnedNormals = 0;     ///< Sides changed by the orientation.
     std::size_t normalComponents = 0;  ///< Parts that were oriented each by itself.
     std::size_t planelessPoints = 0;   ///< Set aside: no plane fits their neighbors best.
     double normalSeconds = 0.0;        ///< With the search for the neighbors that they need.
     double orientationSeconds = 0.0;
     double typeSeconds = 0.0;
-    double neighborSeconds = 0.0;
+    double neighborSeconds = 0.0;  ///< PrepareReport::neighborsComputed.
 };
 
 /// How many points and list entries were set aside, and why. The points stay in the set, with their
@@ -83,7 +82,7 @@ struct PrepareReport {
     std::size_t droppedListEntries =
         0;  ///< In lists from the file: self, repeated, unusable, opposing.
     bool neighborsComputed = false;
-    DerivedPieces derived;
+    DerivedPieces derived;  ///< ... besides the lists.
 };
 
 struct Prepared {

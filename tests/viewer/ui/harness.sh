@@ -127,24 +127,8 @@ denies() {
     [[ $(field "$1") =~ ^($2)$ ]] && fail "$1 is $2"
     return 0
 }
-# center NAME: "X Y", the middle of something that the program says it has drawn, e.g. "tab Dial".
-center() {
-    local x y w h
-    # In the first frames tabs have no size yet.
-    for _ in $(seq 100); do
-        read -r x y w h < <(field "$1" | tr -d '[],' )
-        [ "${w:-0}" -gt 0 ] && break
-        sleep 0.05
-    done
-    [ -n "${h:-}" ] || fail "nothing is drawn that is called '$1'"
-    echo "$((x + w / 2)) $((y + h / 2))"
-}
-# click_on NAME [BUTTON]; inside NAME PERCENT_X PERCENT_Y: "X Y" at that place of it.
-click_on() {
-    local x y
-    read -r x y < <(center "$1") || exit 1
-    click "$x" "$y" "${2:-1}"
-}
+# inside NAME PERCENT_X PERCENT_Y: "X Y", that place of something that the program says it has drawn,
+# e.g. "tab Dial"; center NAME: its middle.
 inside() {
     local x y w h
     # In the first frames tabs have no size yet.
@@ -155,6 +139,13 @@ inside() {
     done
     [ -n "${h:-}" ] || fail "nothing is drawn that is called '$1'"
     echo "$((x + w * $2 / 100)) $((y + h * $3 / 100))"
+}
+center() { inside "$1" 50 50; }
+# click_on NAME [BUTTON]
+click_on() {
+    local x y
+    read -r x y < <(center "$1") || exit 1
+    click "$x" "$y" "${2:-1}"
 }
 title() { xdotool getwindowname "$window" 2>/dev/null; }
 

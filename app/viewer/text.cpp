@@ -1,0 +1,28 @@
+#include "text.h"
+
+#include <fstream>
+#include <sstream>
+
+namespace se::view {
+
+std::string lowerCase(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return lower;
+}
+
+std::string lowerExtension(const std::filesystem::path& path) {
+    return lowerCase(path.extension().string());
+}
+
+std::optional<std::string> readText(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    if (file) text << file.rdbuf();
+    if (!file || file.bad()) return std::nullopt;
+    return text.str();
+}
+
+}  // namespace se::view

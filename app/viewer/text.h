@@ -1,0 +1,18 @@
+/// Small things about texts and files that several rooms need. ASCII, whatever the locale.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace se::view {
+
+/// With a to z for A to Z; all other bytes as they are.
+std::string lowerCase(std::string_view text);
+/// ".ply" of "A.PLY"; empty if there is none.
+std::string lowerExtension(const std::filesystem::path& path);
+/// All bytes of a file; nothing if it cannot be read.
+std::optional<std::string> readText(const std::filesystem::path& path);
+
+}  // namespace se::view
