@@ -3,60 +3,15 @@
 #include <algorithm>
 #include <cassert>
 #include <chrono>
-#include <cmath>
-#include <cstring>
 #include <string>
 #include <utility>
 
-#include "finite.h"
 #include "prepare_neighbors.h"
 #include "spiraling_edge/normals.h"
+#include "usable_points.h"
 
 namespace se {
 namespace {
-
-/// Normals off by less than this from unit length are left bit for bit as they are.
-constexpr double kUnitTolerance = 1e-12;
-/// Normals off by more than this are reported: less is what few digits in a file bring about.
-constexpr double kReportedTolerance = 1e-3;
-
-/// Positions already seen, for finding exact copies: open addressing, each slot a point or kNone.
-class PositionTable {
-  public:
-    explicit PositionTable(const std::vector<Vec3>& position) : position_(position) {
-        std::size_t slots = 16;
-        while (slots < 2 * position.size()) slots *= 2;
-        slots_.assign(slots, kNone);
-    }
-
-    /// Adds point p. False if another point at the same place was added before.
-    bool add(Index p) {
-        const std::size_t mask = slots_.size() - 1;
-        for (std::size_t slot = hash(position_[p]) & mask;; slot = (slot + 1) & mask) {
-            if (slots_[slot] == kNone) {
-                slots_[slot] = p;
-                return true;
-            }
-            if (position_[slots_[slot]] == position_[p]) return false;
-        }
-    }
-
-  private:
-    static std::size_t hash(const Vec3& v) {
-        std::uint64_t h = 0;
-        for (const double coordinate : {v.x, v.y, v.z}) {
-            const double unsignedZero = coordinate + 0.0;  // -0 equals 0, so it must hash like it
-            std::uint64_t bits = 0;
-            std::memcpy(&bits, &unsignedZero, sizeof bits);
-            h = (h ^ bits) * 0x9e3779b97f4a7c15U;  // 2^64 / golden ratio: spreads low bits upwards
-            h ^= h >> 32U;
-        }
-        return static_cast<std::size_t>(h);
-    }
-
-    const std::vector<Vec3>& position_;
-    std::vector<Index> slots_;
-};
 
 /// Seconds since the last lap.
 class Laps {
@@ -77,7 +32,7 @@ class Preparation {
         : file_(file), options_(options), progress_(progress) {}
 
     Result<Prepared> run() {
-        if (Status status = checkInput(); !status) return status.error();
+        if (Status status = checkColumns(file_); !status) return status.error();
         set_.position = file_.position;
         takeTypes();
         setAsideCopies();
@@ -90,19 +45,6 @@ class Preparation {
     }
 
   private:
-    Status checkInput() const {
-        const std::size_t n = file_.position.size();
-        if (n >= kNone)
-            return Error{"there are " + std::to_string(n) +
-                         " points; at most 4294967294 are possible"};
-        const auto fits = [n](std::size_t size) { return size == 0 || size == n; };
-        if (!fits(file_.normal.size()) || !fits(file_.type.size()) ||
-            !fits(file_.neighbors.size())) {
-            return Error{"normals, types or neighbor lists are not as many as the points"};
-        }
-        return success();
-    }
-
     void takeTypes() {
         Laps watch;
         if (options_.walls) {
@@ -117,18 +59,14 @@ class Preparation {
 
     /// Points that nothing can be derived from.
     void setAsideCopies() {
-        const auto n = static_cast<Index>(set_.size());
-        usable_.assign(n, false);
-        PositionTable seen(set_.position);
-        for (Index p = 0; p < n; ++p) {
-            if (!isFinite(set_.position[p])) {
-                ++report_.nonFinitePoints;
-            } else if (derivesNormals() || hasDirection(file_.normal[p])) {
-                usable_[p] = seen.add(p);
-                if (!usable_[p]) ++report_.duplicatePoints;
-            } else {
-                ++report_.zeroNormals;
-            }
+        const std::vector<Fitness> fitness =
+            fitnessOf(set_.position, derivesNormals() ? std::span<const Vec3>{} : file_.normal);
+        usable_.resize(fitness.size());
+        for (std::size_t p = 0; p < fitness.size(); ++p) {
+            usable_[p] = fitness[p] == Fitness::Usable;
+            if (fitness[p] == Fitness::NonFinite) ++report_.nonFinitePoints;
+            if (fitness[p] == Fitness::NoDirection) ++report_.zeroNormals;
+            if (fitness[p] == Fitness::Copy) ++report_.duplicatePoints;
         }
     }
 
@@ -140,7 +78,8 @@ class Preparation {
         if (!derivesNormals()) {
             set_.normal = file_.normal;
             for (Index p = 0; p < set_.size(); ++p) {
-                if (isFinite(set_.position[p])) normalize(set_.normal[p]);
+                if (isFinite(set_.position[p]) && scaleToUnit(set_.normal[p]))
+                    ++report_.unscaledNormals;
             }
             if (options_.normals == NormalSource::AsGiven) return success();
         }
@@ -184,21 +123,6 @@ class Preparation {
         return [this, from, to](double share) { return progress_(from + (to - from) * share); };
     }
 
-    static bool hasDirection(const Vec3& normal) { return isFinite(normal) && normal != Vec3(0.0); }
-
-    /// Scales `normal` to unit length; one without direction is left as it is.
-    void normalize(Vec3& normal) {
-        if (!hasDirection(normal)) return;
-        const double length = glm::length(normal);
-        if (std::abs(length - 1.0) <= kUnitTolerance) return;
-        // By the largest component first: squares of very long or short normals leave the range.
-        const double largest =
-            std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
-        normal /= largest;
-        normal /= glm::length(normal);
-        if (!(std::abs(length - 1.0) <= kReportedTolerance)) ++report_.unscaledNormals;
-    }
-
     Result<NeighborLists> makeLists() {
         const NeighborOptions& neighbors = options_.neighbors;
         if (file_.hasNeighbors() && !neighbors.recompute) return cleanLists();
@@ -215,8 +139,7 @@ class Preparation {
         const auto n = static_cast<Index>(set_.size());
         NeighborLists lists;
         lists.offset.reserve(std::size_t{n} + 1);
-        std::vector<Neighbor> kept;
-        std::vector<Index> ids;
+        std::vector<Index> kept;
         for (Index p = 0; p < n; ++p) {
             kept.clear();
             for (const Index q : file_.neighbors[p]) {
@@ -225,17 +148,11 @@ class Preparation {
                                  " names point " + std::to_string(q) + ", but there are " +
                                  std::to_string(n) + " points; correct the list or leave it out"};
                 }
-                if (mayNeighbor(p, q)) {
-                    kept.push_back({distanceSquared(set_.position[p], set_.position[q]), q});
-                }
+                if (mayNeighbor(p, q)) kept.push_back(q);
             }
-            std::sort(kept.begin(), kept.end());
-            // Equal points have equal distances, so copies stand side by side now.
-            kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
-            ids.clear();
-            for (const Neighbor& neighbor : kept) ids.push_back(neighbor.id);
-            lists.append(ids);
-            report_.droppedListEntries += file_.neighbors[p].size() - ids.size();
+            sortNearestFirst(set_.position, p, kept);
+            lists.append(kept);
+            report_.droppedListEntries += file_.neighbors[p].size() - kept.size();
         }
         return lists;
     }

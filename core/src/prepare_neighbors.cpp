@@ -327,6 +327,17 @@ class NeighborSearch {
 
 }  // namespace
 
+void sortNearestFirst(std::span<const Vec3> position, Index p, std::vector<Index>& list) {
+    std::vector<Neighbor> neighbors;
+    neighbors.reserve(list.size());
+    for (const Index q : list) neighbors.push_back({distanceSquared(position[p], position[q]), q});
+    std::sort(neighbors.begin(), neighbors.end());
+    // The same point has the same distance, so that its entries stand side by side now.
+    neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+    list.clear();
+    for (const Neighbor& neighbor : neighbors) list.push_back(neighbor.id);
+}
+
 Status checkReach(const NeighborOptions& options) {
     if (const auto* reach = std::get_if<WithinRadius>(&options.reach)) {
         if (reach->radius > 0.0) return success();

@@ -28,6 +28,10 @@ inline double distanceSquared(const Vec3& p, const Vec3& q) {
 /// Whether the surface at p and at q faces away from each other: then lists leave the pair out.
 inline bool normalsOppose(const Vec3& p, const Vec3& q) { return glm::dot(p, q) <= 0.0; }
 
+/// Puts the list of point p in order, and drops entries that stand in it twice. Requires finite
+/// positions.
+void sortNearestFirst(std::span<const Vec3> position, Index p, std::vector<Index>& list);
+
 /// Fails if k is 0 or the radius is not positive.
 Status checkReach(const NeighborOptions& options);
 

@@ -1,0 +1,92 @@
+#include "usable_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+
+namespace se {
+namespace {
+
+/// Normals off by less than this from unit length are left bit for bit as they are.
+constexpr double kUnitTolerance = 1e-12;
+/// Normals off by more than this are reported.
+constexpr double kReportedTolerance = 1e-3;
+
+/// Positions already seen, for finding exact copies: open addressing, each slot a point or kNone.
+class PositionTable {
+  public:
+    explicit PositionTable(std::span<const Vec3> position) : position_(position) {
+        std::size_t slots = 16;
+        while (slots < 2 * position.size()) slots *= 2;
+        slots_.assign(slots, kNone);
+    }
+
+    /// Adds point p. False if another point at the same place was added before.
+    bool add(Index p) {
+        const std::size_t mask = slots_.size() - 1;
+        for (std::size_t slot = hash(position_[p]) & mask;; slot = (slot + 1) & mask) {
+            if (slots_[slot] == kNone) {
+                slots_[slot] = p;
+                return true;
+            }
+            if (position_[slots_[slot]] == position_[p]) return false;
+        }
+    }
+
+  private:
+    static std::size_t hash(const Vec3& v) {
+        std::uint64_t h = 0;
+        for (const double coordinate : {v.x, v.y, v.z}) {
+            const double unsignedZero = coordinate + 0.0;  // -0 equals 0, so it must hash like it
+            std::uint64_t bits = 0;
+            std::memcpy(&bits, &unsignedZero, sizeof bits);
+            h = (h ^ bits) * 0x9e3779b97f4a7c15U;  // 2^64 / golden ratio: spreads low bits upwards
+            h ^= h >> 32U;
+        }
+        return static_cast<std::size_t>(h);
+    }
+
+    std::span<const Vec3> position_;
+    std::vector<Index> slots_;
+};
+
+}  // namespace
+
+std::vector<Fitness> fitnessOf(std::span<const Vec3> position, std::span<const Vec3> normal) {
+    std::vector<Fitness> fitness(position.size(), Fitness::Usable);
+    PositionTable seen(position);
+    for (Index p = 0; p < position.size(); ++p) {
+        if (!isFinite(position[p])) {
+            fitness[p] = Fitness::NonFinite;
+        } else if (!normal.empty() && !hasDirection(normal[p])) {
+            fitness[p] = Fitness::NoDirection;
+        } else if (!seen.add(p)) {
+            fitness[p] = Fitness::Copy;
+        }
+    }
+    return fitness;
+}
+
+bool scaleToUnit(Vec3& normal) {
+    if (!hasDirection(normal)) return false;
+    const double length = glm::length(normal);
+    if (std::abs(length - 1.0) <= kUnitTolerance) return false;
+    // By the largest component first: squares of very long or short normals leave the range.
+    const double largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
+    normal /= largest;
+    normal /= glm::length(normal);
+    return !(std::abs(length - 1.0) <= kReportedTolerance);
+}
+
+Status checkColumns(const PointFile& file) {
+    const std::size_t n = file.position.size();
+    if (n >= kNone)
+        return Error{"there are " + std::to_string(n) + " points; at most 4294967294 are possible"};
+    const auto fits = [n](std::size_t size) { return size == 0 || size == n; };
+    if (!fits(file.normal.size()) || !fits(file.type.size()) || !fits(file.neighbors.size()))
+        return Error{"normals, types or neighbor lists are not as many as the points"};
+    return success();
+}
+
+}  // namespace se
