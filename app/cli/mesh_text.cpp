@@ -46,6 +46,7 @@ std::string setAsideSentence(const PrepareReport& report) {
     add(report.nonFinitePoints, "not finite");
     add(report.zeroNormals, "without a direction of the normal");
     add(report.duplicatePoints, "copies of another point");
+    add(report.noisyPoints, "over or under others, where noise is as wide as the spacing");
     return text;
 }
 

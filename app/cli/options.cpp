@@ -60,6 +60,9 @@ void NeighborArguments::addTo(CLI::App& app) {
         ->excludes(count);
     app.add_flag("--keep-opposing", keepOpposing_,
                  "Also take neighbors whose normal opposes that of the point");
+    app.add_flag("--keep-noise", keepNoise_,
+                 "Keep all points where noise is as wide as their spacing (--rules robust sets "
+                 "those aside that lie over or under others)");
 }
 
 NeighborOptions NeighborArguments::options() const {

@@ -17,18 +17,20 @@ namespace se::cli {
 /// with, after the help was printed. Throws Failure on wrong usage.
 std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments);
 
-/// How missing neighbor lists are made: --neighbors, --radius, --keep-opposing.
+/// How missing neighbor lists are made: --neighbors, --radius, --keep-opposing, --keep-noise.
 class NeighborArguments {
   public:
     void addTo(CLI::App& app);
     /// Lists in the file are used unless the user asks for others.
     NeighborOptions options() const;
     bool keepOpposing() const { return keepOpposing_; }
+    bool keepNoise() const { return keepNoise_; }
 
   private:
     std::optional<std::size_t> count_;
     std::optional<double> radius_;
     bool keepOpposing_ = false;
+    bool keepNoise_ = false;
 };
 
 /// What is derived from the points: --orient, --derive-normals, --box.

@@ -93,7 +93,9 @@ void addFaults(const RunOutcome& outcome, Json& json) {
 void addPreparation(const PrepareReport& report, Json& json) {
     json["set_aside"] = {{"non_finite", report.nonFinitePoints},
                          {"zero_normals", report.zeroNormals},
-                         {"duplicates", report.duplicatePoints}};
+                         {"duplicates", report.duplicatePoints},
+                         {"noise", report.noisyPoints}};
+    json["noise"] = report.noise;
     json["unscaled_normals"] = report.unscaledNormals;
     json["dropped_list_entries"] = report.droppedListEntries;
     json["neighbors_computed"] = report.neighborsComputed;
@@ -117,6 +119,7 @@ void addRules(const RunOutcome& outcome, Json& json) {
     for (const RuleSwitch& rule : ruleSwitches())
         rules[std::string(rule.name)] = outcome.params.rules.*rule.member;
     rules["drop_opposing_normals"] = outcome.params.dropOpposingNormals;
+    rules["set_noise_aside"] = outcome.params.setNoiseAside;
     json["rules"] = rules;
 }
 

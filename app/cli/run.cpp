@@ -112,7 +112,8 @@ Prepared prepareInput(const PointFile& file, const PrepareOptions& options, cons
 /// What was derived is written with the mesh.
 void takeOverDerived(const Prepared& prepared, PointFile& file) {
     const DerivedPieces& derived = prepared.report.derived;
-    if (derived.normals || derived.orientation) file.normal = prepared.points.normal;
+    if (derived.normals || derived.orientation || prepared.report.noisyPoints > 0)
+        file.normal = prepared.points.normal;
     if (derived.normals) file.normalType = file.positionType;
     if (derived.types) file.type = prepared.points.type;
 }
@@ -213,6 +214,7 @@ ExitCode runVerb(const Arguments& words) {
     NeighborOptions options = arguments.neighbors.options();
     if (arguments.neighbors.keepOpposing()) outcome.params.dropOpposingNormals = false;
     options.dropOpposingNormals = outcome.params.dropOpposingNormals;
+    if (arguments.neighbors.keepNoise()) outcome.params.setNoiseAside = false;
 
     catchInterrupts();
     ProgressLine line(!arguments.quiet);
@@ -220,8 +222,9 @@ ExitCode runVerb(const Arguments& words) {
     StopWatch watch;
     PointFile file = readInput(arguments.input);
     outcome.seconds.read = watch.lap();
-    const Prepared prepared =
-        prepareInput(file, arguments.derived.options(options, file), arguments.input, line);
+    PrepareOptions prepareOptions = arguments.derived.options(options, file);
+    prepareOptions.setNoiseAside = outcome.params.setNoiseAside;
+    const Prepared prepared = prepareInput(file, prepareOptions, arguments.input, line);
     outcome.prepared = prepared.report;
     takeOverDerived(prepared, file);
     outcome.seconds.prepare = watch.lap();

@@ -107,7 +107,9 @@ Result<std::shared_ptr<const Model>> loadModel(const InputSpec& spec, LoadProgre
     if (!file) return file.error();
     NeighborOptions neighbors = spec.neighbors;
     neighbors.dropOpposingNormals = params->dropOpposingNormals;
-    Result<Prepared> prepared = prepare(file.value(), {neighbors}, [&](double share) {
+    PrepareOptions options{neighbors};
+    options.setNoiseAside = params->setNoiseAside;
+    Result<Prepared> prepared = prepare(file.value(), options, [&](double share) {
         progress.share = share;
         return !progress.cancelled.load();
     });

@@ -70,6 +70,7 @@ Params robust() {
     Rules& r = params.rules;
     r.bothWalls = r.guard = r.gap = r.noPillow = r.noCross = r.noFold = r.noMeet = r.rim = true;
     r.delay = r.fill = r.reinsert = r.flip = r.reseat = true;
+    params.setNoiseAside = true;
     return params;
 }
 

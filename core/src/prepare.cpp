@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "prepare_neighbors.h"
+#include "spiraling_edge/noise.h"
 #include "spiraling_edge/normals.h"
 #include "usable_points.h"
 
@@ -131,8 +132,42 @@ class Preparation {
         const double from = report_.derived.orientation ? kNormalShare : 0.0;
         Result<NeighborLists> lists =
             findNeighbors(set_.position, set_.normal, usable_, neighbors, part(from, 1.0));
+        if (lists && options_.setNoiseAside) lists = withoutNoise(std::move(lists));
         report_.derived.neighborSeconds = watch.lap();
         return lists;
+    }
+
+    /// The lists again, without the points that noise scatters over and under the others. If it is
+    /// still there then, the points are no surface, or one that bends as fast as it is noisy: all
+    /// stay.
+    Result<NeighborLists> withoutNoise(Result<NeighborLists> all) {
+        const auto noiseOf = [&](const Result<NeighborLists>& lists) {
+            return noiseAlongNormals(set_.position, set_.normal, lists.value());
+        };
+        report_.noise = noiseOf(all);
+        if (report_.noise <= kNoisy) return all;
+        const std::vector<bool> usable = usable_;
+        NeighborOptions wide = options_.neighbors;
+        wide.reach = KNearest{kNoisePatch};
+        Result<NeighborLists> lists =
+            findNeighbors(set_.position, set_.normal, usable_, wide, part(kNormalShare, 1.0));
+        if (!lists) return lists;
+        const auto patches = noisePatches(set_.position, set_.normal, lists.value(), usable_);
+        for (std::size_t aside = kNone; aside > 0; report_.noisyPoints += aside) {
+            aside = setNoiseAside(set_.position, patches, lists.value(), usable_);
+            lists = findNeighbors(set_.position, set_.normal, usable_, wide);
+            if (!lists) return lists;
+        }
+        const std::vector<Vec3> normal = set_.normal;
+        for (Index p = 0; p < set_.size(); ++p) {
+            if (usable_[p]) set_.normal[p] = patches[p].normal;
+        }
+        lists = findNeighbors(set_.position, set_.normal, usable_, options_.neighbors);
+        if (!lists || noiseOf(lists) <= kNoisy) return lists;
+        usable_ = usable;
+        set_.normal = normal;
+        report_.noisyPoints = 0;
+        return all;
     }
 
     Result<NeighborLists> cleanLists() {

@@ -114,6 +114,8 @@ struct Params {
     double maxFillWidth = 48.0;
     /// Opposing normals are left out of neighbor lists that are computed (see prepare.h).
     bool dropOpposingNormals = true;
+    /// Points are set aside where noise is as wide as their spacing (see noise.h). On in `robust`.
+    bool setNoiseAside = false;
 
     friend bool operator==(const Params&, const Params&) = default;
 };

@@ -53,6 +53,9 @@ struct PrepareOptions {
     std::size_t planeNeighbors = 12;
     /// Types are those of the walls of this box, whatever the file has.
     std::optional<WallBox> walls{};
+    /// Where lists are computed and noise along the normals exceeds kNoisy, points are set aside
+    /// and normals averaged (thinNoise, noise.h) until it does not.
+    bool setNoiseAside = false;
 };
 
 /// What was derived, and what it cost: the answer to "quantify the costs" of the paper's last
@@ -82,7 +85,9 @@ struct PrepareReport {
     std::size_t droppedListEntries =
         0;  ///< In lists from the file: self, repeated, unusable, opposing.
     bool neighborsComputed = false;
-    DerivedPieces derived;  ///< ... besides the lists.
+    double noise = 0.0;  ///< noiseAlongNormals() before any was set aside; 0: not measured.
+    std::size_t noisyPoints = 0;  ///< Set aside: the others lie nearer to the middle of the noise.
+    DerivedPieces derived;        ///< ... besides the lists.
 };
 
 struct Prepared {

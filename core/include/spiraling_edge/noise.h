@@ -1,0 +1,45 @@
+/// Noise along the normal: how much of it there is, and which points to leave out so that the rest
+/// is a surface that can be followed from point to point.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "spiraling_edge/point_set.h"
+
+namespace se {
+
+/// How far neighbors lie above or below a point's tangent plane, in units of its spacing (the
+/// distance to its sixth neighbor, or its last): the root mean square over its list, and of those
+/// the median over all points with a list. Smooth surfaces have less than 0.35 even where they
+/// bend between one point and the next; at 0.45 triangles slope by 30 degrees and more, and no
+/// order of the points tells where the surface runs. 0 if no point has a list.
+double noiseAlongNormals(std::span<const Vec3> position, std::span<const Vec3> normal,
+                         const NeighborLists& neighbors);
+
+/// Above this the points are taken for noisy.
+inline constexpr double kNoisy = 0.45;
+/// Points of the patch over which noise is averaged.
+inline constexpr std::size_t kNoisePatch = 60;
+
+/// The middle of the noise about a point: its patch is the point and its list, of kNoisePatch
+/// points whose normals agree.
+struct NoisePatch {
+    Vec3 normal{0.0};     ///< The mean of the patch, of unit length.
+    double width = 0.0;   ///< Root mean square of the heights over the mean place, along it.
+    double height = 0.0;  ///< Of the point itself, without sign.
+};
+/// One per position; those of points with usable[p] false stay empty.
+std::vector<NoisePatch> noisePatches(std::span<const Vec3> position, std::span<const Vec3> normal,
+                                     const NeighborLists& lists, const std::vector<bool>& usable);
+
+/// Chooses points near the middle of the noise, as far apart as it is wide: those nearest to the
+/// middle choose first, and each that is chosen sets aside those of its list that lie over or under
+/// it, nearer along the surface than twice the width. `usable` tells who takes part, and becomes
+/// false for those set aside; the return value counts them. As lists do not reach all that lie over
+/// and under a point, call it again with lists of what is left. Deterministic: ties by index.
+std::size_t setNoiseAside(std::span<const Vec3> position, std::span<const NoisePatch> patches,
+                          const NeighborLists& lists, std::vector<bool>& usable);
+
+}  // namespace se

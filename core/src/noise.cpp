@@ -1,0 +1,98 @@
+#include "spiraling_edge/noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace se {
+namespace {
+
+/// The distance of points that are kept, in widths of the noise.
+constexpr double kApart = 2.0;
+/// How far over or under a point another counts as the same place of the surface, in widths.
+constexpr double kReach = 6.0;
+
+NoisePatch patchOf(std::span<const Vec3> position, std::span<const Vec3> normal,
+                   std::span<const Index> list, Index p) {
+    NoisePatch patch;
+    Vec3 middle = position[p];
+    Vec3 sum = normal[p];
+    for (const Index x : list) {
+        middle += position[x];
+        sum += normal[x];
+    }
+    const double count = 1.0 + static_cast<double>(list.size());
+    middle /= count;
+    const double length = glm::length(sum);
+    patch.normal = length > 0.0 ? sum / length : normal[p];
+    double squares = 0.0;
+    const auto heightOf = [&](Index x) { return glm::dot(position[x] - middle, patch.normal); };
+    for (const Index x : list) squares += heightOf(x) * heightOf(x);
+    patch.height = std::abs(heightOf(p));
+    patch.width = std::sqrt((squares + patch.height * patch.height) / count);
+    return patch;
+}
+
+}  // namespace
+
+double noiseAlongNormals(std::span<const Vec3> position, std::span<const Vec3> normal,
+                         const NeighborLists& neighbors) {
+    std::vector<double> ratios;
+    ratios.reserve(position.size());
+    for (Index p = 0; p < position.size(); ++p) {
+        const auto list = neighbors[p];
+        if (list.empty()) continue;
+        double squares = 0.0;
+        for (const Index x : list) {
+            const double height = glm::dot(position[x] - position[p], normal[p]);
+            squares += height * height;
+        }
+        const Index sixth = list[std::min<std::size_t>(5, list.size() - 1)];
+        const Vec3 spacing = position[sixth] - position[p];
+        ratios.push_back(std::sqrt(squares / static_cast<double>(list.size())) /
+                         glm::length(spacing));
+    }
+    if (ratios.empty()) return 0.0;
+    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+    std::nth_element(ratios.begin(), middle, ratios.end());
+    return *middle;
+}
+
+std::vector<NoisePatch> noisePatches(std::span<const Vec3> position, std::span<const Vec3> normal,
+                                     const NeighborLists& lists, const std::vector<bool>& usable) {
+    std::vector<NoisePatch> patches(position.size());
+    for (Index p = 0; p < position.size(); ++p) {
+        if (usable[p]) patches[p] = patchOf(position, normal, lists[p], p);
+    }
+    return patches;
+}
+
+std::size_t setNoiseAside(std::span<const Vec3> position, std::span<const NoisePatch> patches,
+                          const NeighborLists& lists, std::vector<bool>& usable) {
+    std::vector<Index> order;
+    for (Index p = 0; p < position.size(); ++p) {
+        if (usable[p]) order.push_back(p);
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](Index a, Index b) { return patches[a].height < patches[b].height; });
+    std::size_t aside = 0;
+    std::vector<bool> chosen(position.size(), false);
+    for (const Index p : order) {
+        if (!usable[p]) continue;
+        chosen[p] = true;
+        const NoisePatch& here = patches[p];
+        const double apart = kApart * here.width;
+        for (const Index x : lists[p]) {
+            if (!usable[x] || chosen[x]) continue;
+            const Vec3 offset = position[x] - position[p];
+            const double height = glm::dot(offset, here.normal);
+            const double alongSq = glm::dot(offset, offset) - height * height;
+            if (alongSq >= apart * apart || std::abs(height) > kReach * here.width) continue;
+            usable[x] = false;
+            ++aside;
+        }
+    }
+    return aside;
+}
+
+}  // namespace se

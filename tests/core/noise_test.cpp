@@ -1,0 +1,129 @@
+/// Noise along the normal (docs/robust.md, "Before the run"): where it is as wide as the spacing,
+/// points over and under others are set aside, and what is left is a surface; elsewhere nothing is.
+#include "spiraling_edge/noise.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "../support/clouds.h"
+#include "../support/oracles.h"
+#include "../support/shared_data.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+/// As `spiraling-edge run` with these rules prepares them.
+Prepared prepareFor(const char* rules, const PointFile& file) {
+    PrepareOptions options;
+    options.setNoiseAside = paramsByName(rules)->setNoiseAside;
+    Result<Prepared> result = prepare(file, options);
+    REQUIRE_MESSAGE(result.ok(), result.error().message);
+    return std::move(result.value());
+}
+
+/// Points at random on the unit sphere, moved along the normal by about `width` spacings, with
+/// normals that are off by up to 17 degrees.
+PointFile noisySphere(std::size_t count, double width, std::uint64_t seed) {
+    Random random(seed);
+    const double spacing = std::sqrt(4 * kPi / static_cast<double>(count));
+    PointFile file;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 out = random.direction();
+        // The sum of three uniform numbers in [-1, 1] has variance 1.
+        const Vec3 a = random.inCube(), b = random.inCube();
+        const double height = a.x + a.y + a.z;
+        file.position.push_back(out * (1.0 + height * width * spacing));
+        file.normal.push_back(glm::normalize(out + 0.3 * b));
+    }
+    return file;
+}
+
+}  // namespace
+
+TEST_CASE("noise: smooth surfaces have little, however they bend, and lose no point") {
+    for (const Family& family : closedFamilies()) {
+        const PointFile file = family.sample(1);
+        const Prepared prepared = prepareFor("robust", file);
+        CHECK_MESSAGE(prepared.report.noise < 0.35, family.name);
+        CHECK_MESSAGE(prepared.report.noisyPoints == 0, family.name);
+        CHECK(prepared.points.normal == prepareFor("paper", file).points.normal);
+    }
+}
+
+TEST_CASE("noise: is the height of the neighbors in spacings") {
+    // Every second point of a lattice one spacing higher: of a point's twelve nearest about as many
+    // are on its level as on the other.
+    PointFile file;
+    for (int i = 0; i < 30; ++i) {
+        for (int j = 0; j < 30; ++j) file.position.emplace_back(i, j, (i + j) % 2 == 0 ? 0 : 0.5);
+    }
+    file.normal.assign(file.position.size(), Vec3(0, 0, 1));
+    const double noise = prepareFor("robust", file).report.noise;
+    CHECK(noise > 0.2);
+    CHECK(noise < 0.4);
+    for (Vec3& x : file.position) x *= 1e6;
+    CHECK(prepareFor("robust", file).report.noise == doctest::Approx(noise).epsilon(1e-9));
+}
+
+TEST_CASE("noise: a sphere in noise wider than its spacing comes out whole and sound") {
+    for (const double width : {1.0, 1.5, 2.0}) {
+        for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+            const PointFile file = noisySphere(6000, width, seed);
+            const Prepared prepared = prepareFor("robust", file);
+            const PointSet& points = prepared.points;
+            CAPTURE(width);
+            CAPTURE(seed);
+            CHECK(prepared.report.noise > kNoisy);
+            CHECK(prepared.report.noisyPoints > 0);
+            CHECK(prepared.report.noisyPoints < file.position.size());
+            CHECK(points.position == file.position);
+            const Run run = runAll(points, *paramsByName("robust"));
+            CHECK(run.mesh.closedManifold());
+            CHECK(run.mesh.eulerCharacteristic == 2);
+            CHECK(describeFaults(points, run.state.mesh()) == "");
+            const Run all = runAll(prepareFor("paper", file).points, *paramsByName("robust"));
+            CHECK_FALSE(all.mesh.closedManifold());
+        }
+    }
+}
+
+TEST_CASE("noise: points that fill space are no surface, and all stay") {
+    Random random(5);
+    PointFile file;
+    for (int i = 0; i < 2000; ++i) {
+        file.position.push_back(random.inCube());
+        file.normal.push_back(random.direction());
+    }
+    const Prepared prepared = prepareFor("robust", file);
+    CHECK(prepared.report.noisyPoints == 0);
+    CHECK(prepared.points.normal == prepareFor("paper", file).points.normal);
+    CHECK(prepared.points.neighbors.ids == prepareFor("paper", file).points.neighbors.ids);
+}
+
+TEST_CASE("noise: lists from the file are taken as they are") {
+    PointFile file = noisySphere(2000, 1.5, 1);
+    file.neighbors = prepareFor("paper", file).points.neighbors;
+    const Prepared prepared = prepareFor("robust", file);
+    CHECK(prepared.report.noisyPoints == 0);
+    CHECK(prepared.points.neighbors.ids == file.neighbors.ids);
+}
+
+TEST_CASE(
+    "noise: the noisy sphere of the shared data comes out whole and sound, all others whole") {
+    for (const char* name : {"sphere_noisy", "fin90", "oni", "elephant", "hippo"}) {
+        const auto file = sharedPoints(std::string("points/") + name + ".ply");
+        if (!file) return;
+        const Prepared prepared = prepareFor("robust", *file);
+        if (std::string(name) != "sphere_noisy") {
+            CHECK_MESSAGE(prepared.report.noisyPoints == 0, name);
+            continue;
+        }
+        const Run run = runAll(prepared.points, *paramsByName("robust"));
+        CHECK(run.mesh.closedManifold());
+        CHECK(run.mesh.eulerCharacteristic == 2);
+        CHECK(describeFaults(prepared.points, run.state.mesh()) == "");
+    }
+}
