@@ -16,7 +16,7 @@ run=(
 test=(
     doctest-dev libbenchmark-dev
     clang-format-14 clang-tidy-16
-    xvfb xauth xdotool x11-utils x11-xserver-utils imagemagick  # the viewer under a virtual display
+    xvfb xauth xdotool x11-utils x11-xserver-utils imagemagick python3-xlib  # the viewer under a virtual display
 )
 
 case "${1:-}" in

@@ -35,7 +35,11 @@ Status Application::start(float contentScale) {
     if (!renderer) return renderer.error();
     renderer_ = std::move(renderer.value());
     filing_.begin(options_);
-    if (!ui_.settings.keyComplaints.empty()) session_.say(ui_.settings.keyComplaints.front());
+    std::string complaints;
+    for (const std::string& each : std::exchange(ui_.settings.complaints, {})) {
+        complaints += (complaints.empty() ? "" : " ") + each;
+    }
+    if (!complaints.empty()) session_.say(std::move(complaints));
     return success();
 }
 
@@ -70,6 +74,8 @@ bool Application::key(const KeyChord& chord, bool repeated) {
         return true;
     }
     const Command* command = ui_.settings.keys.commandFor(chord);
+    // A question comes first.
+    if (ui_.leaving.asked && command != findCommand("help.leave")) return false;
     if (command == nullptr || (repeated && !command->repeats)) return false;
     const bool closes = ui_.cheatSheet && command == findCommand("help.keys");
     const Keyboard keyboard{io.WantTextInput, ui_.dialogOpen() && !closes,
@@ -84,7 +90,11 @@ void Application::keyReleased(const KeyChord& chord) {
     }
 }
 
-void Application::open(const std::string& path) { filing_.open(path); }
+void Application::drop(const std::vector<std::string>& paths) {
+    if (ui_.leaving.asked || paths.empty()) return;
+    ui_.fileBrowser = false;
+    filing_.drop(paths);
+}
 
 bool Application::poll() {
     const bool changed = session_.poll();
@@ -105,7 +115,8 @@ Status Application::settle() {
 }
 
 bool Application::animating() const {
-    return session_.busy() || playback_.playing() || session_.phase() == SessionPhase::Loading;
+    return session_.busy() || playback_.playing() || session_.phase() == SessionPhase::Loading ||
+           ui_.click.waiting();
 }
 
 std::string Application::title() const {
@@ -231,8 +242,8 @@ void Application::drawUserInterface(const Layout& layout) {
     const bool released =
         ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !ImGui::IsAnyItemActive();
     const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-    const bool covered =
-        popup || ui_.fileBrowser || ui_.cheatSheet || ui_.keyEditor || ui_.palette.open;
+    const bool covered = popup || ui_.fileBrowser || ui_.cheatSheet || ui_.keyEditor ||
+                         ui_.palette.open || ui_.leaving.asked;
     if ((released && !covered) || !focused_) {
         ImGui::SetWindowFocus(session_.startPage() ? "##start" : "##view");
         focused_ = true;

@@ -29,7 +29,10 @@ class Application {
     bool key(const KeyChord& chord, bool repeated);
     void keyReleased(const KeyChord& chord);
     void character(unsigned sign);
-    void open(const std::string& path);
+    /// Files from the desktop: the first is opened, what becomes of the others is said.
+    void drop(const std::vector<std::string>& paths);
+    /// The window is to be closed: at once, or after a question.
+    void requestQuit() { ui_.requests.quit = true; }
     /// Takes over what threads have finished. True if there is something new to draw.
     bool poll();
     /// Draws one frame into the bound framebuffer. The platform side of ImGui must be up to date.
@@ -49,7 +52,7 @@ class Application {
 
     /// The next frame differs from this one even if nothing comes in.
     bool animating() const;
-    bool wantsToQuit() const { return ui_.requests.quit; }
+    bool wantsToQuit() const { return ui_.quitting; }
     bool takeFullScreenRequest() { return std::exchange(ui_.requests.fullScreen, false); }
     bool inputFailed() const { return session_.phase() == SessionPhase::Failed; }
     std::string title() const;

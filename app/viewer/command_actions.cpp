@@ -21,6 +21,10 @@ constexpr std::array kScales = {0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0};
 void pause(C& c) { c.playback.pause(); }
 
 void escape(C& c) {
+    if (c.ui.leaving.asked) {
+        c.ui.leaving.answer = LeaveAnswer::Cancel;
+        return;
+    }
     c.ui.cheatSheet = false;
     c.ui.keyEditor = false;
     c.ui.fileBrowser = false;
@@ -48,7 +52,7 @@ void home(C& c) {
 
 void restart(C& c) {
     pause(c);
-    c.session.open(c.session.spec());
+    c.ui.requests.reload = true;
 }
 
 void oppositeView(C& c) {

@@ -47,6 +47,8 @@ void Filing::begin(const Options& options) {
     keptLayout_ = c_.ui.arrangement;
     if (options.input.source.empty()) return;
     arrival_.pending = true;
+    arrival_.generation = c_.session.generation();
+    notebookOf_ = options.input.source;
     arrival_.focus = options.focus;
     arrival_.file = options.session ? options.sessionPath : options.input.source;
     if (!options.goTo.empty()) arrival_.goTo = options.goTo;
@@ -65,11 +67,10 @@ void Filing::keepIn(const std::filesystem::path& path, bool resetLayout) {
 
 void Filing::changeNotebook(const std::string& source) {
     UiState& ui = c_.ui;
-    const std::string& before = c_.session.spec().source;
-    if (source == before) return;
+    if (source == notebookOf_) return;
     Notebook mine{std::move(ui.bookmarks), std::move(ui.notes),        std::move(ui.sessionPath),
                   std::move(original_),    std::move(savedBookmarks_), std::move(savedNotes_)};
-    notebooks_[before] = std::move(mine);
+    notebooks_[std::exchange(notebookOf_, source)] = std::move(mine);
     Notebook& other = notebooks_[source];
     ui.bookmarks = other.bookmarks;
     ui.notes = other.notes;
@@ -82,11 +83,12 @@ void Filing::changeNotebook(const std::string& source) {
 void Filing::open(const std::string& path) {
     c_.playback.pause();
     if (!isScene(path) && looksLikeSession(path)) return openSession(path);
-    InputSpec spec = c_.session.spec();
-    changeNotebook(path);
+    const Session& session = c_.session;
+    InputSpec spec = session.ready() ? session.spec() : session.opening();
     spec.source = path;
     arrival_ = {};
     arrival_.pending = true;
+    arrival_.generation = session.generation();
     arrival_.file = path;
     c_.session.open(std::move(spec));
 }
@@ -94,10 +96,11 @@ void Filing::open(const std::string& path) {
 void Filing::openSession(const std::string& path) {
     const Result<SessionFile> read = readSessionFile(path);
     if (!read) return c_.session.say(read.error().message);
-    changeNotebook(read.value().input.source);
     arrival_ = {};
-    takeLooks(read.value(), path);
     arrival_.pending = true;
+    arrival_.generation = c_.session.generation();
+    arrival_.sessionPath = path;
+    arrival_.session = read.value();
     arrival_.file = path;
     c_.session.open(read.value().input);
 }
@@ -111,6 +114,7 @@ void Filing::takeLooks(const SessionFile& file, const std::string& path) {
     ui.sessionPath = path;
     original_ = file.original;
     noteSaved();
+    if (!file.leftOut.empty()) warnLater(file.leftOut);
     arrival_.goTo = file.place.address;
     arrival_.camera = file.place.camera;
     arrival_.selected = file.selected;
@@ -119,23 +123,35 @@ void Filing::takeLooks(const SessionFile& file, const std::string& path) {
 
 void Filing::poll() {
     const SessionPhase phase = c_.session.phase();
-    if (phase == SessionPhase::Failed) arrival_ = {};
-    if (arrival_.pending && phase == SessionPhase::Ready && c_.session.ready()) arrive();
+    if (arrival_.pending && phase != SessionPhase::Loading) {
+        const bool opened = c_.session.generation() != arrival_.generation;
+        // It failed, or was cancelled: what was open stays as it is.
+        if (!opened) arrival_ = {};
+        if (opened && phase == SessionPhase::Ready) arrive();
+    }
     if (c_.ui.arrangement != keptLayout_) keepLayout();
     if (!arrival_.pending && !c_.session.busy()) warn();
 }
 
+/// Changes over to the notes and looks that belong to what is open now.
+void Filing::takeUp() {
+    const std::optional<SessionFile> session = std::exchange(arrival_.session, std::nullopt);
+    changeNotebook(c_.session.spec().source);
+    if (session) takeLooks(*session, arrival_.sessionPath);
+    if (!arrival_.notice.empty()) sayLater(std::exchange(arrival_.notice, {}));
+}
+
 void Filing::arrive() {
+    takeUp();
     const bool needsLength = arrival_.goTo.ends_with('%');
     if (needsLength && !c_.session.overview().complete) return;
     arrival_.pending = false;
     note(arrival_.file);
     const std::string& hash = c_.session.model().hash;
     if (!arrival_.expectedHash.empty() && arrival_.expectedHash != hash) {
-        warning_ =
+        warnLater(
             "The input has changed since this session was saved: addresses and bookmarks "
-            "may mean other decisions.";
-        std::fprintf(stderr, "spiraling-edge-viewer: warning: %s\n", warning_.c_str());
+            "may mean other decisions.");
     }
     const auto corners = arrival_.selected.corners();
     const std::size_t count = c_.session.model().points.size();
@@ -149,14 +165,87 @@ void Filing::arrive() {
     if (!placeStatus_) c_.session.say(placeStatus_.error().message);
 }
 
+void Filing::warnLater(const std::string& warning) {
+    std::fprintf(stderr, "spiraling-edge-viewer: warning: %s\n", warning.c_str());
+    sayLater(warning);
+}
+
+void Filing::sayLater(const std::string& sentence) {
+    said_ += (said_.empty() ? "" : " ") + sentence;
+}
+
 void Filing::warn() {
-    if (!warning_.empty()) c_.session.say(std::exchange(warning_, {}));
+    if (!said_.empty()) c_.session.say(std::exchange(said_, {}));
 }
 
 void Filing::carryOut(UiRequests& requests) {
-    if (!requests.open.empty()) open(std::exchange(requests.open, {}));
+    answer();
     if (std::exchange(requests.saveSession, false)) save();
     if (!requests.saveSessionAs.empty()) saveAs(std::exchange(requests.saveSessionAs, {}));
+    // Nobody named a file, or it could not be written: one stays.
+    if (afterSaving_ && !c_.ui.fileBrowser) {
+        const Leave to = *std::exchange(afterSaving_, std::nullopt);
+        if (!unsaved()) go(to);
+    }
+    if (!requests.open.empty()) {
+        leave({LeaveFor::Open, std::exchange(requests.open, {}), {}});
+    }
+    if (std::exchange(requests.reload, false)) leave({LeaveFor::Reload, {}, {}});
+    if (std::exchange(requests.quit, false)) leave({LeaveFor::Quit, {}, {}});
+}
+
+void Filing::leave(Leave to) {
+    if (c_.ui.leaving.asked) return;
+    if (!unsaved()) return go(to);
+    c_.playback.pause();
+    c_.ui.leaving.ask(std::move(to));
+}
+
+void Filing::go(const Leave& to) {
+    switch (to.what) {
+        case LeaveFor::Quit:
+            c_.ui.quitting = true;
+            break;
+        case LeaveFor::Open:
+            open(to.path);
+            arrival_.notice = to.notice;
+            break;
+        case LeaveFor::Reload:
+            reload();
+            break;
+    }
+}
+
+void Filing::reload() {
+    const Session& session = c_.session;
+    const bool failed = session.phase() == SessionPhase::Failed || !session.ready();
+    const InputSpec spec = failed ? session.opening() : session.spec();
+    if (!spec.source.empty()) c_.session.open(spec);
+}
+
+void Filing::answer() {
+    LeaveQuestion& question = c_.ui.leaving;
+    const LeaveAnswer answer = std::exchange(question.answer, LeaveAnswer::None);
+    if (!question.asked || answer == LeaveAnswer::None) return;
+    question.asked = false;
+    if (answer == LeaveAnswer::Save) {
+        afterSaving_ = question.leave;
+        save();
+    }
+    if (answer == LeaveAnswer::Discard) {
+        c_.ui.bookmarks = savedBookmarks_;
+        c_.ui.notes = savedNotes_;
+        go(question.leave);
+    }
+}
+
+void Filing::drop(const std::vector<std::string>& paths) {
+    Leave to{LeaveFor::Open, paths.front(), {}};
+    if (paths.size() > 1) {
+        to.notice = std::to_string(paths.size()) + " files were dropped; only the first is open: " +
+                    std::filesystem::path(paths.front()).filename().string() + ".";
+    }
+    leave(std::move(to));
 }
 
 void Filing::save() {

@@ -32,6 +32,8 @@ class Filing {
     void keepIn(const std::filesystem::path& path, bool resetLayout);
     /// Opens a point file, `scene:ID` or a session file.
     void open(const std::string& path);
+    /// The same for files that were dropped on the window: the first of them.
+    void drop(const std::vector<std::string>& paths);
     /// Carries out what panels and commands asked for.
     void carryOut(UiRequests& requests);
     /// Goes to the place that was asked for as soon as what was asked for is open.
@@ -52,6 +54,10 @@ class Filing {
     /// What is to be done once what was asked for is open.
     struct Arrival {
         bool pending = false;
+        std::uint32_t generation = 0;        ///< Of the session, when it was asked for.
+        std::string sessionPath;             ///< Empty: no session file.
+        std::optional<SessionFile> session;  ///< Taken up once its input is open.
+        std::string notice;                  ///< To be said when it is open.
         std::string goTo;
         std::optional<CameraPose> camera;
         Selection selected;
@@ -69,24 +75,36 @@ class Filing {
         std::string savedNotes;
     };
 
+    /// Goes on at once, or asks first if something would be lost.
+    void leave(Leave to);
+    void go(const Leave& to);
+    void reload();
+    void answer();
     void openSession(const std::string& path);
     void takeLooks(const SessionFile& file, const std::string& path);
     /// Puts the notes about what is open aside, and takes those about `source` up again.
     void changeNotebook(const std::string& source);
+    void takeUp();
     void arrive();
     void save();
     void noteSaved();
     void saveAs(const std::string& path);
     void note(const std::string& file);
     void keepLayout();
+    /// To be said when what is being opened is open.
+    void sayLater(const std::string& sentence);
+    /// The same, and on standard error at once.
+    void warnLater(const std::string& warning);
 
     CommandContext& c_;
     Arrival arrival_;
     std::map<std::string, Notebook> notebooks_;
+    std::string notebookOf_;    ///< The source that the notes on the table are about.
     std::string original_;      ///< The session file that is open, as it was read.
     Bookmarks savedBookmarks_;  ///< As the session file has them.
     std::string savedNotes_;
-    std::string warning_;
+    std::string said_;                  ///< Waits until one has arrived.
+    std::optional<Leave> afterSaving_;  ///< Where to go once the session is saved.
     bool focus_ = false;
     Status placeStatus_ = success();
     std::filesystem::path kept_;  ///< Empty: nothing is kept.

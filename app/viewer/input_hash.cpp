@@ -3,7 +3,6 @@
 #include <array>
 #include <bit>
 #include <cstdio>
-#include <fstream>
 #include <vector>
 
 namespace se::view {
@@ -39,18 +38,6 @@ std::string InputHash::text() const {
     std::snprintf(text.data(), text.size(), "fnv1a64:%016llx",
                   static_cast<unsigned long long>(state_));
     return text.data();
-}
-
-std::string hashOfFile(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return {};
-    InputHash hash;
-    std::vector<char> piece(1U << 20U);
-    while (file) {
-        file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-        hash.add({piece.data(), static_cast<std::size_t>(file.gcount())});
-    }
-    return file.bad() ? std::string{} : hash.text();
 }
 
 std::string hashOfPoints(const PointFile& points) {

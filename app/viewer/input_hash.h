@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -22,8 +21,6 @@ class InputHash {
     std::uint64_t state_ = 0xcbf29ce484222325U;
 };
 
-/// Of all bytes of a file; empty if it cannot be read.
-std::string hashOfFile(const std::filesystem::path& path);
 /// Of positions, then normals, as little endian doubles: for what has no file.
 std::string hashOfPoints(const PointFile& points);
 

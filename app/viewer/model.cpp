@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 
 #include "input_hash.h"
@@ -13,13 +14,49 @@ namespace se::view {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr std::size_t kSampleSize = 4000;
+/// How far the bar is when the bytes are there, when the points are, and when the lists are.
+constexpr double kReadShare = 0.1;
+constexpr double kParsedShare = 0.25;
+constexpr double kPreparedShare = 0.9;
+
+Error cancelled() { return Error{"Opening was cancelled."}; }
 
 bool isFinite(const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-Result<PointFile> readSource(const std::string& source, Model& model) {
+/// The bytes of a file, hashed on the way. Nothing if it was cancelled, or cannot be read.
+std::optional<std::string> readBytes(const fs::path& path, std::string& hash,
+                                     LoadProgress& progress) {
+    constexpr std::size_t kPiece = std::size_t{1} << 20U;
+    std::error_code error;
+    if (fs::is_directory(path, error)) return std::nullopt;
+    std::ifstream file(path, std::ios::binary);
+    const auto size = fs::file_size(path, error);
+    const double whole = error || size == 0 ? 0.0 : static_cast<double>(size);
+    std::string bytes;
+    if (whole > 0.0) bytes.reserve(static_cast<std::size_t>(size));
+    InputHash sum;
+    std::vector<char> piece(kPiece);
+    while (file) {
+        if (progress.cancelled) return std::nullopt;
+        file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+        const std::string_view fresh(piece.data(), static_cast<std::size_t>(file.gcount()));
+        bytes += fresh;
+        sum.add(fresh);
+        if (whole > 0.0) {
+            progress.share = kReadShare * std::min(1.0, static_cast<double>(bytes.size()) / whole);
+        }
+    }
+    if (file.bad() || bytes.empty()) return std::nullopt;
+    hash = sum.text();
+    return bytes;
+}
+
+Result<PointFile> readSource(const std::string& source, Model& model, LoadProgress& progress) {
     if (source.empty() || isScene(source)) {
         const std::string id = source.empty() ? "" : source.substr(kScenePrefix.size());
         if (source.empty() && scenes().empty()) return Error{"No file was named."};
@@ -36,9 +73,11 @@ Result<PointFile> readSource(const std::string& source, Model& model) {
         model.hash = hashOfPoints(points);
         return points;
     }
-    model.name = std::filesystem::path(source).filename().string();
-    model.hash = hashOfFile(source);
-    return readPoints(std::filesystem::path(source));
+    model.name = fs::path(source).filename().string();
+    const std::optional<std::string> bytes = readBytes(source, model.hash, progress);
+    if (progress.cancelled) return cancelled();
+    // What cannot be read is told in the words of the library.
+    return bytes ? readPoints(*bytes, source) : readPoints(fs::path(source));
 }
 
 float medianSpacing(const Model& model) {
@@ -103,23 +142,29 @@ Result<std::shared_ptr<const Model>> loadModel(const InputSpec& spec, LoadProgre
     if (const Status known = applyChoices(spec.choices, model->params.rules); !known) {
         return known.error();
     }
-    const Result<PointFile> file = readSource(spec.source, *model);
+    Result<PointFile> file = readSource(spec.source, *model, progress);
     if (!file) return file.error();
+    progress.part = LoadPart::Preparing;
+    progress.share = kParsedShare;
     NeighborOptions neighbors = spec.neighbors;
     neighbors.dropOpposingNormals = params->dropOpposingNormals;
     PrepareOptions options{neighbors};
     options.setNoiseAside = params->setNoiseAside;
     Result<Prepared> prepared = prepare(file.value(), options, [&](double share) {
-        progress.share = share;
+        progress.share = kParsedShare + (kPreparedShare - kParsedShare) * share;
         return !progress.cancelled.load();
     });
-    if (progress.cancelled) return Error{"Opening was cancelled."};
+    if (progress.cancelled) return cancelled();
     if (!prepared) return prepared.error();
+    progress.part = LoadPart::Placing;
+    progress.share = kPreparedShare;
     if (const Status status = validate(prepared.value().points); !status) return status.error();
     model->points = std::move(prepared.value().points);
     model->report = prepared.value().report;
     if (model->points.empty()) return Error{model->name + " holds no points."};
     placeModel(*model);
+    if (progress.cancelled) return cancelled();
+    progress.share = 1.0;
     return std::shared_ptr<const Model>(std::move(model));
 }
 

@@ -50,9 +50,13 @@ struct Model {
     glm::vec3 toView(const Vec3& position) const { return glm::vec3((position - center) * scale); }
 };
 
+/// What opening an input is made of.
+enum class LoadPart : std::uint8_t { Reading, Preparing, Placing, Beginning };
+
 /// How far loading is, written by the loading thread and read by the window.
 struct LoadProgress {
-    std::atomic<double> share = 0.0;
+    std::atomic<LoadPart> part = LoadPart::Reading;
+    std::atomic<double> share = 0.0;  ///< Of all parts together.
     std::atomic<bool> cancelled = false;
 };
 

@@ -34,9 +34,9 @@ void Runner::ask(const Request& request) {
     changed_.notify_all();
 }
 
-void Runner::wait(std::chrono::milliseconds patience) {
+bool Runner::wait(std::chrono::milliseconds patience) {
     std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, patience, [&] { return answer_ && answer_->final; });
+    return changed_.wait_for(lock, patience, [&] { return answer_ && answer_->final; });
 }
 
 std::optional<RunnerAnswer> Runner::take() {

@@ -37,8 +37,8 @@ class Runner {
     void requestPoint(Index point, std::uint32_t pivot);
     /// Makes the open request end where it is; its final answer still comes.
     void cancel() { cancelled_ = true; }
-    /// Waits up to `patience` for the final answer.
-    void wait(std::chrono::milliseconds patience);
+    /// Waits up to `patience` for the final answer. True if it is there.
+    bool wait(std::chrono::milliseconds patience);
     /// What was found since the last call.
     std::optional<RunnerAnswer> take();
     /// Where the thread is; for a progress bar.

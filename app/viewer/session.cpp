@@ -20,32 +20,24 @@ constexpr std::size_t kShortNotice = 80;
 
 }  // namespace
 
-Session::~Session() { progress_.cancelled = true; }
-
 void Session::open(InputSpec spec) {
-    progress_.cancelled = true;
-    if (loader_.joinable()) loader_.join();
-    spec_ = std::move(spec);
-    startLoading();
-}
-
-void Session::startLoading() {
-    progress_.cancelled = false;
-    progress_.share = 0.0;
-    loaded_ = false;
-    loadResult_.reset();
+    opening_ = std::move(spec);
     error_.clear();
     phase_ = SessionPhase::Loading;
-    loader_ = std::jthread([this] {
-        loadResult_ = loadModel(spec_, progress_);
-        loaded_ = true;
-    });
+    loader_.begin(opening_);
 }
 
-void Session::adopt(std::shared_ptr<const Model> model) {
-    runner_.reset();
+void Session::cancelOpening() {
+    loader_.cancel();
+    dismissError();
+    say("Opening was cancelled.");
+}
+
+void Session::adopt(Opened opened) {
     overviewThread_.reset();
-    model_ = std::move(model);
+    runner_ = std::move(opened.runner);
+    model_ = std::move(opened.model);
+    spec_ = opening_;
     record_.reset();
     triangles_.clear();
     meshIndex_ = {};
@@ -58,25 +50,22 @@ void Session::adopt(std::shared_ptr<const Model> model) {
     ++generation_;
     ++revision_;
     phase_ = SessionPhase::Ready;
-    runner_ = std::make_unique<Runner>(model_);
     overviewThread_ = std::make_unique<OverviewThread>(model_);
     say(model_->watch);
     missed_ = false;
-    request(0, Landing::Last);
-    if (!waiting_) return;
-    // The first picture costs little: no window should open empty.
-    runner_->wait(std::chrono::seconds(2));
+    // The loader has asked for the start of the run, and has waited for the answer.
+    landing_ = Landing::Last;
+    target_ = {};
     takeAnswer();
 }
 
 bool Session::poll() {
     bool changed = false;
-    if (phase_ == SessionPhase::Loading && loaded_) {
-        if (loader_.joinable()) loader_.join();
-        if (loadResult_->ok()) {
-            adopt(loadResult_->value());
+    if (auto opened = loader_.take()) {
+        if (opened->ok()) {
+            adopt(std::move(opened->value()));
         } else {
-            error_ = loadResult_->error().message;
+            error_ = opened->error().message;
             phase_ = SessionPhase::Failed;
         }
         changed = true;
@@ -88,7 +77,7 @@ bool Session::poll() {
 }
 
 void Session::settle() {
-    if (loader_.joinable()) loader_.join();
+    loader_.finish();
     poll();
     while (busy()) {
         if (waiting_) runner_->wait(std::chrono::milliseconds(200));

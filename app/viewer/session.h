@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "history.h"
+#include "loader.h"
 #include "mesh_index.h"
 #include "model.h"
 #include "overview.h"
@@ -29,13 +30,14 @@ enum class SessionPhase : std::uint8_t { Empty, Loading, Ready, Failed };
 class Session {
   public:
     Session() = default;
-    ~Session();
+    ~Session() = default;
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
     // Opening. What was open before stays until the new input is ready, or failed.
     void open(InputSpec spec);
-    void cancelOpening() { progress_.cancelled = true; }
+    /// Goes on at once with what was open before, or with nothing.
+    void cancelOpening();
     /// After a failure: goes on with what was open before, or with nothing.
     void dismissError() { phase_ = ready() ? SessionPhase::Ready : SessionPhase::Empty; }
     /// Takes over what threads have finished. True if there is something new to draw.
@@ -44,9 +46,13 @@ class Session {
     void settle();
 
     SessionPhase phase() const { return phase_; }
-    double loadShare() const { return progress_.share; }
+    double loadShare() const { return loader_.share(); }
+    LoadPart loadPart() const { return loader_.part(); }
     const std::string& error() const { return error_; }
+    /// Of what is open.
     const InputSpec& spec() const { return spec_; }
+    /// Of what is being opened, or was last: it may have failed.
+    const InputSpec& opening() const { return opening_; }
 
     // What is open. Everything below requires phase() == Ready, or an earlier input still shown.
     bool ready() const { return model_ != nullptr && record_ != nullptr; }
@@ -167,10 +173,10 @@ class Session {
     void land();
     void miss(std::string message);
     void setCursor(std::size_t cursor);
-    void adopt(std::shared_ptr<const Model> model);
-    void startLoading();
+    void adopt(Opened opened);
 
     InputSpec spec_;
+    InputSpec opening_;
     SessionPhase phase_ = SessionPhase::Empty;
     std::string error_;
     std::string message_;
@@ -204,12 +210,9 @@ class Session {
     Address target_;
     Index pointWanted_ = kNone;
 
-    LoadProgress progress_;
-    std::atomic<bool> loaded_ = false;
-    std::optional<Result<std::shared_ptr<const Model>>> loadResult_;
     std::unique_ptr<Runner> runner_;
     std::unique_ptr<OverviewThread> overviewThread_;
-    std::jthread loader_;
+    Loader loader_;
 };
 
 }  // namespace se::view

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "layer_text.h"
 #include "spiraling_edge/io.h"
 #include "text.h"
 
@@ -17,7 +18,6 @@ using nlohmann::json;
 
 constexpr int kVersion = 1;
 constexpr std::string_view kFormat = "spiraling-edge session";
-constexpr const char* kLayerModes = "\"auto\", \"on\" or \"off\"";
 
 /// What is wrong with a part of the file; nothing if all is well.
 using Complaint = std::optional<std::string>;
@@ -140,17 +140,9 @@ Complaint readSelection(const json& object, SessionFile& out) {
 
 Complaint readLooks(const json& object, SessionFile& out) {
     if (const json* on = find(object, "layers"); on != nullptr) {
-        if (!on->is_object()) return expected("layers", "an object");
-        LayerModes modes{};
-        for (const Layer& layer : layers()) {
-            const json* value = find(*on, std::string(layer.name).c_str());
-            if (value == nullptr) continue;
-            const auto mode = value->is_string() ? layerModeFromName(value->get<std::string>())
-                                                 : std::optional<LayerMode>();
-            if (!mode) return expected("layers." + std::string(layer.name), kLayerModes);
-            modeOf(modes, layer.id) = *mode;
-        }
-        out.layers = modes;
+        const ReadLayers read = layersFromJson(*on);
+        out.layers = read.modes;
+        out.leftOut = read.complaint();
     }
     if (const json* layout = find(object, "layout"); layout != nullptr) {
         if (layout->is_string()) out.layout = arrangementFromName(layout->get<std::string>());
@@ -248,6 +240,9 @@ Result<SessionFile> sessionFromJson(std::string_view text, const std::string& na
     if (const Complaint complaint = readAll(object, folder, session)) {
         return Error{name + ": " + *complaint + "."};
     }
+    if (!session.leftOut.empty()) {
+        session.leftOut = fs::path(name).filename().string() + ": " + session.leftOut;
+    }
     return session;
 }
 
@@ -265,11 +260,7 @@ std::string sessionToJson(const SessionFile& session, const fs::path& folder) {
     object.update(json::parse(toText(session.place)));
     if (session.place.address.empty()) object["address"] = "0";
     if (session.layers) {
-        json& on = objectAt(object, "layers");
-        for (const Layer& layer : layers()) {
-            on[std::string(layer.name)] =
-                layerModeName((*session.layers)[static_cast<std::size_t>(layer.id)]);
-        }
+        objectAt(object, "layers").update(layersToJson(*session.layers));
     }
     if (session.layout) object["layout"] = rowOf(*session.layout).name;
     object.erase("selected");

@@ -28,6 +28,7 @@ struct SessionFile {
     Selection selected;
     Bookmarks bookmarks;
     std::string notes;
+    std::string leftOut;  ///< A sentence about layers that are not known here; empty: none.
     /// What it was read from: fields that we do not know are written back. Empty for a new one.
     std::string original;
 };

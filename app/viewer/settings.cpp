@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "layer_text.h"
 #include "spiraling_edge/io.h"
 #include "text.h"
 
@@ -64,38 +65,26 @@ Result<ViewSettings> settingsFromJson(std::string_view text) {
     if (const auto legend = object.find("legend"); legend != object.end() && legend->is_boolean()) {
         s.legend = legend->get<bool>();
     }
-    s.keys = keysIn(object, s.keyComplaints);
+    s.keys = keysIn(object, s.complaints);
     if (const auto style = object.find("meshStyle"); style != object.end() && style->is_string()) {
         s.meshStyle = meshStyleFromName(style->get<std::string>()).value_or(s.meshStyle);
     }
-    const auto switches = object.find("layers");
-    if (switches == object.end() || !switches->is_object()) return s;
-    for (const Layer& layer : layers()) {
-        const auto found = switches->find(std::string(layer.name));
-        if (found == switches->end()) continue;
-        if (found->is_boolean()) {
-            // Earlier versions had no automatic layers: what was as at first is so now.
-            const bool shown = layer.stages != kNoStage;
-            if (found->get<bool>() != shown) {
-                modeOf(s.layers, layer.id) = shown ? LayerMode::PinnedOff : LayerMode::PinnedOn;
-            }
-        } else if (found->is_string()) {
-            modeOf(s.layers, layer.id) =
-                layerModeFromName(found->get<std::string>()).value_or(LayerMode::Automatic);
-        }
+    if (const auto modes = object.find("layers"); modes != object.end()) {
+        const ReadLayers read = layersFromJson(*modes);
+        s.layers = read.modes;
+        if (!read.unknown.empty()) s.complaints.push_back("settings.json: " + read.complaint());
     }
     return s;
 }
 
 std::string settingsToJson(const ViewSettings& s) {
-    json switches = json::object();
-    for (const Layer& layer : layers()) {
-        switches[std::string(layer.name)] =
-            layerModeName(s.layers[static_cast<std::size_t>(layer.id)]);
-    }
-    json object = {{"version", 1},       {"theme", themeName(s.theme)}, {"width", s.width},
-                   {"height", s.height}, {"playRate", s.playRate},      {"legend", s.legend},
-                   {"layers", switches}};
+    json object = {{"version", 1},
+                   {"theme", themeName(s.theme)},
+                   {"width", s.width},
+                   {"height", s.height},
+                   {"playRate", s.playRate},
+                   {"legend", s.legend},
+                   {"layers", layersToJson(s.layers)}};
     if (!s.keys.changes().empty()) object["keys"] = s.keys.changes();
     object["meshStyle"] = rowOf(s.meshStyle).name;
     if (s.uiScale > 0.0) object["uiScale"] = s.uiScale;

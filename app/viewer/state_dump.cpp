@@ -118,6 +118,8 @@ std::string Application::stateDump() const {
              {"cheat_sheet", ui_.cheatSheet},
              {"file_browser", ui_.fileBrowser},
              {"palette", ui_.palette.open},
+             {"asks", ui_.leaving.asked},
+             {"click_waits", ui_.click.waiting()},
              {"open_tab", ui_.openTab},
              {"layers", json::array()},
              {"pins", json::object()},

@@ -10,10 +10,12 @@
 #include "bookmarks.h"
 #include "browsing.h"
 #include "camera.h"
+#include "click_wait.h"
 #include "go_to_box.h"
 #include "key_map.h"
 #include "layers/layer.h"
 #include "layout.h"
+#include "leaving.h"
 #include "mesh_style.h"
 #include "navigation.h"
 #include "palette.h"
@@ -36,13 +38,14 @@ struct ViewSettings {
     double playRate = 4.0;
     bool legend = true;
     KeyMap keys;
-    std::vector<std::string> keyComplaints;  ///< What the settings say wrongly about keys.
+    std::vector<std::string> complaints;  ///< What the settings say wrongly, one sentence each.
     MeshStyle meshStyle = MeshStyle::Flat;
 };
 
 /// Asked for by a command or panel, carried out by the application in the same frame.
 struct UiRequests {
-    bool quit = false;
+    bool quit = false;    ///< May be asked about.
+    bool reload = false;  ///< Likewise.
     bool screenshot = false;
     bool fullScreen = false;
     bool closePopups = false;
@@ -71,7 +74,8 @@ struct CommandPalette {
 struct UiState {
     /// Something lies over the view that the keys are meant for.
     bool dialogOpen() const {
-        return fileBrowser || cheatSheet || keyEditor || palette.open || goTo.active();
+        return fileBrowser || cheatSheet || keyEditor || palette.open || goTo.active() ||
+               leaving.asked;
     }
 
     ViewSettings settings;
@@ -84,6 +88,8 @@ struct UiState {
     BrowserTask browser = BrowserTask::Open;
     FileBrowsing browsing;
     CommandPalette palette;
+    LeaveQuestion leaving;
+    bool quitting = false;  ///< Nothing is in the way: the window closes.
     Arrangement arrangement = Arrangement::Debug;
     Bookmarks bookmarks;
     Navigation navigation;
@@ -100,7 +106,7 @@ struct UiState {
     std::map<std::string, Rect> where;
     std::string openTab;
     FactsCache facts;         ///< Of the selection.
-    Selection beforeClick;    ///< What a double click gives back.
+    ClickWait click;          ///< In the view; it may be the first half of a double click.
     Index pointedAt = kNone;  ///< The point under the pointer, found anew in every frame.
 };
 

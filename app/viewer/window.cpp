@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 #include "application.h"
 #include "gl/context.h"
@@ -144,8 +145,7 @@ void Window::deliver(Application& application) {
     }
     keys_.erase(keys_.begin(), keys_.begin() + static_cast<std::ptrdiff_t>(now));
     if (!keys_.empty()) wake_ = kSettleFrames;
-    if (!drops_.empty()) application.open(drops_.front());
-    drops_.clear();
+    if (!drops_.empty()) application.drop(std::exchange(drops_, {}));
 }
 
 void Window::drawFrame(Application& application) {
@@ -171,7 +171,12 @@ void Window::run(Application& application, int frames) {
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     lastFrame_ = glfwGetTime();
     for (int drawn = 0; frames == 0 || drawn < frames;) {
-        if (glfwWindowShouldClose(window_) == GLFW_TRUE || application.wantsToQuit()) break;
+        if (application.wantsToQuit()) break;
+        if (glfwWindowShouldClose(window_) == GLFW_TRUE) {
+            glfwSetWindowShouldClose(window_, GLFW_FALSE);
+            application.requestQuit();
+            wake_ = kSettleFrames;
+        }
         if (wake_ > 0 || application.animating()) {
             // Without a monitor to wait for, swapping returns at once: keep to a sane rate.
             const double rest = kFrameSeconds - (glfwGetTime() - lastFrame_);

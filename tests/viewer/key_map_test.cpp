@@ -67,7 +67,7 @@ TEST_CASE("Changes go through the settings and back") {
     const auto read = settingsFromJson(settingsToJson(settings));
     REQUIRE(read.ok());
     CHECK(read.value().keys == settings.keys);
-    CHECK(read.value().keyComplaints.empty());
+    CHECK(read.value().complaints.empty());
 }
 
 TEST_CASE("What settings say wrongly about keys is named, and all else holds") {

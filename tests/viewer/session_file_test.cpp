@@ -106,6 +106,24 @@ TEST_CASE("Unknown fields are kept, wherever they stand") {
     }
 }
 
+TEST_CASE("Layers and modes that are not known are left out and named; the others hold") {
+    const auto read = sessionFromJson(
+        minimal(R"(, "layers": {"points": 1, "hologram": "on", "normals": "on", "links": "no"})"),
+        "folder/a.sesession", "");
+    REQUIRE(read.ok());
+    LayerModes expected{};
+    modeOf(expected, LayerId::Normals) = LayerMode::PinnedOn;
+    CHECK(read.value().layers == expected);
+    const std::string& said = read.value().leftOut;
+    CHECK(said.starts_with("a.sesession: "));
+    for (const char* named : {"\"hologram\"", "mode 1 of layer \"points\"", "mode \"no\""}) {
+        CAPTURE(named);
+        CHECK(said.find(named) != std::string::npos);
+    }
+    CHECK(sessionFromJson(minimal(R"(, "layers": {"points": "on"})"), "a", "").value().leftOut ==
+          "");
+}
+
 TEST_CASE("What is not said is left open: three fields are enough") {
     const auto read = sessionFromJson(minimal(""), "a.sesession", "");
     REQUIRE(read.ok());
@@ -141,7 +159,6 @@ TEST_CASE("A bad session file is refused with its name and what was expected") {
         {minimal(R"(, "address": "137.nowhere.3")"), "\"address\""},
         {minimal(R"(, "address": 137)"), "\"address\""},
         {minimal(R"(, "camera": {"distance": 1})"), "\"camera\""},
-        {minimal(R"(, "layers": {"points": 1})"), "layers.points"},
         {minimal(R"(, "layout": "compare")"), "\"layout\""},
         {minimal(R"(, "selected": -4)"), "\"selected\""},
         {minimal(R"(, "selected": [])"), "\"selected\""},
@@ -186,14 +203,13 @@ TEST_CASE("Session files are written whole, and an unreadable one is an error wi
 }
 
 TEST_CASE("The hash of an input is FNV-1a of its bytes") {
-    const Folder folder;
-    put(folder.path / "empty", "");
-    put(folder.path / "a", "a");
-    put(folder.path / "foobar", "foobar");
-    CHECK(hashOfFile(folder.path / "empty") == "fnv1a64:cbf29ce484222325");
-    CHECK(hashOfFile(folder.path / "a") == "fnv1a64:af63dc4c8601ec8c");
-    CHECK(hashOfFile(folder.path / "foobar") == "fnv1a64:85944171f73967e8");
-    CHECK(hashOfFile(folder.path / "missing").empty());
+    InputHash hash;
+    CHECK(hash.text() == "fnv1a64:cbf29ce484222325");
+    hash.add("a");
+    CHECK(hash.text() == "fnv1a64:af63dc4c8601ec8c");
+    InputHash inPieces;
+    for (const char* piece : {"foo", "", "bar"}) inPieces.add(piece);
+    CHECK(inPieces.text() == "fnv1a64:85944171f73967e8");
 }
 
 TEST_CASE("Rule choices are read from NAME=on and NAME=off, and nothing else") {

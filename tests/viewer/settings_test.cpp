@@ -51,6 +51,19 @@ TEST_CASE("Layers that an earlier version kept as true and false become pins whe
     CHECK(read.value().layers == expected);
 }
 
+TEST_CASE("Layers of the settings are read as those of a session: the unknown is named") {
+    const auto read =
+        settingsFromJson(R"({"layers": {"points": "dim", "x": "on", "links": "off"}})");
+    REQUIRE(read.ok());
+    LayerModes expected{};
+    modeOf(expected, LayerId::Links) = LayerMode::PinnedOff;
+    CHECK(read.value().layers == expected);
+    REQUIRE(read.value().complaints.size() == 1);
+    CHECK(read.value().complaints.front() ==
+          "settings.json: Left out, since it is not known here: mode \"dim\" of layer \"points\", "
+          "layer \"x\".");
+}
+
 TEST_CASE("What is no JSON object is an error, not a crash") {
     for (const char* text : {"", "[]", "{", "null", "\xFF\xFE"}) {
         CAPTURE(text);

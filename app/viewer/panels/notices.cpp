@@ -23,12 +23,27 @@ bool beginNotice(const PanelContext& context, const char* name) {
     return open;
 }
 
+const char* partName(LoadPart part) {
+    switch (part) {
+        case LoadPart::Reading:
+            return "reading the points";
+        case LoadPart::Preparing:
+            return "finding neighbors";
+        case LoadPart::Placing:
+            return "making the picture";
+        case LoadPart::Beginning:
+            return "beginning the run";
+    }
+    return "";
+}
+
 void drawLoading(const PanelContext& context) {
     Session& session = context.session();
     if (beginNotice(context, "##loading")) {
-        const std::string& source = session.spec().source;
+        const std::string& source = session.opening().source;
         heading(context, "Opening", fitted(source, 16.0F * context.em));
-        ImGui::ProgressBar(static_cast<float>(session.loadShare()), {-1.0F, 0.0F});
+        ImGui::ProgressBar(static_cast<float>(session.loadShare()), {-1.0F, 0.0F},
+                           partName(session.loadPart()));
         if (ImGui::Button("Cancel")) session.cancelOpening();
     }
     ImGui::End();
@@ -47,6 +62,7 @@ void drawError(const PanelContext& context) {
         if (ImGui::Button("Open another...")) context.ui().fileBrowser = true;
         ImGui::SameLine();
         if (ImGui::Button(session.ready() ? "Go on" : "Start page")) session.dismissError();
+        context.ui().where["go on"] = lastItem();
     }
     ImGui::End();
 }
@@ -102,7 +118,8 @@ void drawSaid(const PanelContext& context) {
 /// A popup covers the view, and the start page has a place of its own for what was said.
 bool viewIsFree(const PanelContext& context) {
     const UiState& ui = context.ui();
-    return !ui.cheatSheet && !ui.keyEditor && !ui.fileBrowser && !ui.palette.open;
+    return !ui.cheatSheet && !ui.keyEditor && !ui.fileBrowser && !ui.palette.open &&
+           !ui.leaving.asked;
 }
 
 }  // namespace

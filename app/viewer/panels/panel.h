@@ -45,6 +45,8 @@ void drawCheatSheet(const PanelContext& context);
 void drawCommandPalette(const PanelContext& context);
 void drawKeyEditor(const PanelContext& context);
 void drawFileBrowser(const PanelContext& context);
+/// Whether to save what no session file holds, before it is left.
+void drawLeaveQuestion(const PanelContext& context);
 /// Loading, failed, or a long move under way.
 void drawNotices(const PanelContext& context);
 

@@ -202,13 +202,14 @@ void drawPanels(const PanelContext& context) {
     context.session().hover(context.ui().pointedAt);
     context.session().hoverRing(context.ui().navigation.pointedRing);
     if (!startPage && !context.ui().cheatSheet && !context.ui().keyEditor &&
-        !context.ui().fileBrowser && !context.ui().palette.open)
+        !context.ui().fileBrowser && !context.ui().palette.open && !context.ui().leaving.asked)
         drawBorders(context);
     drawNotices(context);
     drawFileBrowser(context);
     drawCheatSheet(context);
     drawKeyEditor(context);
     drawCommandPalette(context);
+    drawLeaveQuestion(context);
 }
 
 }  // namespace se::view

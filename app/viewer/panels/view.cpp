@@ -40,12 +40,13 @@ Pick underMouse(const PanelContext& context) {
                         localMouse(view), 0.6F * context.em});
 }
 
-/// A click picks, a double click turns the view about what is there and picks nothing.
+/// A click picks, a double click turns the view about what is there and picks nothing. So a click
+/// counts only when no second one can follow.
 void handleClicks(const PanelContext& context) {
-    Session& session = context.session();
+    ClickWait& click = context.ui().click;
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-        session.select(context.ui().beforeClick);
+        click.takeBack();
         const Pick found = underMouse(context);
         if (found.what.kind != SelectionKind::None) context.camera().lookAt(found.place);
         return;
@@ -55,9 +56,12 @@ void handleClicks(const PanelContext& context) {
     const bool single = io.MouseClickedLastCount[ImGuiMouseButton_Left] == 1;
     if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) && still &&
         single) {
-        context.ui().beforeClick = session.selection();
-        session.select(underMouse(context).what);
+        // Counted from the press, as that of a double click is.
+        const double until =
+            io.MouseClickedTime[ImGuiMouseButton_Left] + double{io.MouseDoubleClickTime};
+        click.begin(underMouse(context).what, until);
     }
+    if (const auto picked = click.due(ImGui::GetTime())) context.session().select(*picked);
 }
 
 /// Lights up the neighbor of the pivot that the pointer is on, here and on the dial. Only those: to

@@ -149,6 +149,12 @@ click_on() {
 }
 title() { xdotool getwindowname "$window" 2>/dev/null; }
 
+# The Python that can talk to the display server (Debian: python3-xlib); empty if there is none.
+xlib_python=
+for python in python3 /usr/bin/python3; do
+    "$python" -c 'import Xlib' 2>/dev/null && { xlib_python=$python; break; }
+done
+
 # picture NAME; differing A B: pixels that are not the same.
 picture() { import -window "$window" "$work/$1.png" || fail "cannot read the window"; }
 differing() {

@@ -116,7 +116,10 @@ press ctrl+k; says palette true
 press Escape; says palette false
 press ctrl+o; says file_browser true
 press Escape; says file_browser false
-press ctrl+r; says phase ready
+# The bookmarks are in no file.
+press ctrl+r; says asks true; sleep 0.3; click_on "leave discard"; says asks false
+says bookmarks '\[\]'; says phase ready; says pivot 0
+press ctrl+r; denies asks true; says phase ready
 width() { xdotool getwindowgeometry --shell "$window" | sed -n 's/^WIDTH=//p'; }
 press alt+Return; sleep 0.6
 [ "$(width)" -gt 1280 ] || fail "Alt+Enter does not fill the screen: $(width)"

@@ -37,9 +37,16 @@ go_to p12; says selection point
 press Return; sleep 0.3
 read -r x y < <(center "region view")
 camera=$(field camera)
+undo=$(field undo)
 move_to $((x + 40)) $((y + 30)); xdotool click --repeat 2 --delay 60 1; sleep 0.4
 [ "$(field camera)" != "$camera" ] || fail "a double click does not move the center"
 says selected 12
+# It was never another, not even between the two clicks: undo knows of the camera alone.
+says undo "$((undo + 1))"
+press ctrl+z; says message "Undone: camera\."; says selected 12
+# A single click waits until no second one can come.
+move_to $((x + 40)) $((y + 30)); xdotool click 1; says click_waits true; says click_waits false
+denies selected 12
 press Escape
 
 # One step of the unit on and back.

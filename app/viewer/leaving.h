@@ -1,0 +1,29 @@
+/// What a person is asked before notes and bookmarks that no file holds are left. Plain values.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace se::view {
+
+enum class LeaveFor : std::uint8_t { Quit, Open, Reload };
+enum class LeaveAnswer : std::uint8_t { None, Save, Discard, Cancel };
+
+/// Where one is about to go.
+struct Leave {
+    LeaveFor what = LeaveFor::Quit;
+    std::string path;    ///< Of LeaveFor::Open: a path or `scene:ID`.
+    std::string notice;  ///< To be said on arriving.
+};
+
+/// The question, as long as it stands there.
+struct LeaveQuestion {
+    bool asked = false;
+    bool justAsked = false;  ///< The first button gets the keyboard.
+    Leave leave;
+    LeaveAnswer answer = LeaveAnswer::None;  ///< Carried out in the same frame.
+
+    void ask(Leave to) { *this = {true, true, std::move(to), LeaveAnswer::None}; }
+};
+
+}  // namespace se::view

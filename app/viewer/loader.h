@@ -1,0 +1,56 @@
+/// Opens an input in a thread of its own, up to the first picture of its run: whatever that costs,
+/// the window stays awake. What is cancelled is left to itself; nobody waits for it.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "model.h"
+#include "runner.h"
+
+namespace se::view {
+
+/// An input, and its run at the start: the runner's first answer is there to be taken.
+struct Opened {
+    std::shared_ptr<const Model> model;
+    std::unique_ptr<Runner> runner;
+};
+
+class Loader {
+  public:
+    Loader() = default;
+    /// Cancels, and waits until all threads have noticed.
+    ~Loader();
+    Loader(const Loader&) = delete;
+    Loader& operator=(const Loader&) = delete;
+
+    /// Opens another input; what was being opened is cancelled.
+    void begin(const InputSpec& spec);
+    void cancel();
+    /// Something is being opened, or waits to be taken.
+    bool busy() const { return job_ != nullptr; }
+    double share() const { return job_ ? job_->progress.share.load() : 0.0; }
+    LoadPart part() const { return job_ ? job_->progress.part.load() : LoadPart::Reading; }
+    /// What was opened, or why not; once.
+    std::optional<Result<Opened>> take();
+    /// Blocks until there is something to take.
+    void finish();
+
+  private:
+    struct Job {
+        InputSpec spec;
+        LoadProgress progress;
+        std::atomic<bool> done = false;
+        std::optional<Result<Opened>> result;
+        std::jthread thread;  // last: it uses all of the above
+    };
+    static Result<Opened> work(Job& job);
+
+    std::unique_ptr<Job> job_;
+    std::vector<std::unique_ptr<Job>> cancelled_;  ///< Until they have noticed.
+};
+
+}  // namespace se::view

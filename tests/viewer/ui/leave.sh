@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# Notes and bookmarks that no file holds are asked about before they are left.
+. "$(dirname "$0")/harness.sh"
+# What the close button of a window does: a message, not an end by force.
+ask_to_close() {
+    "$xlib_python" - "$window" <<'END' || fail "the window cannot be asked to close"
+import sys
+from Xlib import X, display
+from Xlib.protocol import event
+d = display.Display()
+w = d.create_resource_object("window", int(sys.argv[1]))
+w.send_event(event.ClientMessage(window=w, client_type=d.intern_atom("WM_PROTOCOLS"),
+                                 data=(32, [d.intern_atom("WM_DELETE_WINDOW"), X.CurrentTime, 0, 0, 0])))
+d.flush()
+END
+}
+gone() {
+    for _ in $(seq 100); do kill -0 "$program" 2>/dev/null || break; sleep 0.05; done
+    kill -0 "$program" 2>/dev/null && fail "the program does not leave"
+    wait "$program" || fail "the exit code is $?"
+    program=
+}
+
+# Nothing was noted: nothing is asked.
+start scene:sphere; says phase ready
+press F10 F10; click_on "region view"; press n t
+press ctrl+b ctrl+b; says unsaved false
+stop
+
+# Quitting asks; Esc stays, keys do nothing behind the question.
+start scene:sphere; says phase ready
+press F10; says pivot 1
+press ctrl+b; says unsaved true
+press ctrl+q; says asks true
+press F10 n; denies pivot 2
+press Escape; says asks false; says pivot 1; says unsaved true
+# So does reloading, and opening another file.
+press ctrl+r; says asks true; press Escape; says asks false; says unsaved true
+press ctrl+o; says file_browser true; sleep 0.3
+type_text "scene:torus"; sleep 0.2; press Return; says asks true; says input scene:sphere
+press Escape; says asks false; says input scene:sphere; says bookmarks '.*"1\.advance\.1".*'
+
+# Saving asks for a name; without one all stays.
+press ctrl+q; says asks true; sleep 0.3
+press Return; says asks false; says file_browser true
+press Escape; says file_browser false; says unsaved true
+kill -0 "$program" 2>/dev/null || fail "it quits without saving"
+press ctrl+q; says asks true; sleep 0.3; click_on "leave save"; says file_browser true; sleep 0.3
+type_text "$work/kept"; sleep 0.2; press Return
+gone
+grep -q '"1\.advance\.1"' "$work/kept.sesession" || fail "the bookmark is not saved"
+
+# The session has a name: saving goes on at once.
+start "$work/kept.sesession"; says bookmarks '.*"1\.advance\.1".*'; says unsaved false
+go_to 7; says pivot 7; press ctrl+b; says unsaved true
+press ctrl+r; says asks true; sleep 0.3; press Return; says asks false; says unsaved false; says pivot 0
+grep -q '"7\.advance\.1"' "$work/kept.sesession" || fail "reloading does not save first"
+
+# The close button asks, too; discarding leaves the file alone.
+go_to 9; says pivot 9; press ctrl+b; says unsaved true
+if [ -n "$xlib_python" ]; then
+    ask_to_close; says asks true; press Escape; says asks false
+    ask_to_close
+else
+    press ctrl+q
+fi
+says asks true; sleep 0.3; click_on "leave discard"
+gone
+grep -q '"9\.advance\.1"' "$work/kept.sesession" && fail "what was discarded is saved"
+well
