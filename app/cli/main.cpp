@@ -21,6 +21,7 @@ struct Verb {
 constexpr std::array kVerbs{
     Verb{"run", "triangulate points; write the mesh, a report, a trace", runVerb},
     Verb{"info", "say what a file holds", infoVerb},
+    Verb{"doctor", "say what in a file will upset the algorithm, and mend it", doctorVerb},
     Verb{"scenes", "list the built-in scenes", scenesVerb},
     Verb{"view", "open the viewer on a file", viewVerb},
     Verb{"render", "write a picture without opening a window", renderVerb},

@@ -15,6 +15,8 @@ using Arguments = std::vector<std::string>;
 ExitCode runVerb(const Arguments& arguments);
 /// Says what a file holds.
 ExitCode infoVerb(const Arguments& arguments);
+/// Says what in a file will upset the algorithm, and mends it.
+ExitCode doctorVerb(const Arguments& arguments);
 /// Lists the built-in scenes.
 ExitCode scenesVerb(const Arguments& arguments);
 /// Hands over to the viewer. Returns only by throwing.

@@ -22,15 +22,16 @@ class PositionTable {
         slots_.assign(slots, kNone);
     }
 
-    /// Adds point p. False if another point at the same place was added before.
-    bool add(Index p) {
+    /// Adds point p, unless another point at the same place was added before. Which one stands
+    /// there.
+    Index add(Index p) {
         const std::size_t mask = slots_.size() - 1;
         for (std::size_t slot = hash(position_[p]) & mask;; slot = (slot + 1) & mask) {
             if (slots_[slot] == kNone) {
                 slots_[slot] = p;
-                return true;
+                return p;
             }
-            if (position_[slots_[slot]] == position_[p]) return false;
+            if (position_[slots_[slot]] == position_[p]) return slots_[slot];
         }
     }
 
@@ -61,11 +62,20 @@ std::vector<Fitness> fitnessOf(std::span<const Vec3> position, std::span<const V
             fitness[p] = Fitness::NonFinite;
         } else if (!normal.empty() && !hasDirection(normal[p])) {
             fitness[p] = Fitness::NoDirection;
-        } else if (!seen.add(p)) {
+        } else if (seen.add(p) != p) {
             fitness[p] = Fitness::Copy;
         }
     }
     return fitness;
+}
+
+std::vector<Index> originalsOf(std::span<const Vec3> position, std::span<const Fitness> fitness) {
+    std::vector<Index> original(position.size(), kNone);
+    PositionTable seen(position);
+    for (Index p = 0; p < position.size(); ++p) {
+        if (fitness[p] == Fitness::Usable || fitness[p] == Fitness::Copy) original[p] = seen.add(p);
+    }
+    return original;
 }
 
 bool scaleToUnit(Vec3& normal) {

@@ -22,6 +22,9 @@ enum class Fitness : std::uint8_t {
 /// The fitness of each point. `normal` may be empty: then none lacks a direction. O(points).
 std::vector<Fitness> fitnessOf(std::span<const Vec3> position, std::span<const Vec3> normal);
 
+/// Of each copy the usable point at its place, of each usable point itself, else kNone.
+std::vector<Index> originalsOf(std::span<const Vec3> position, std::span<const Fitness> fitness);
+
 inline bool hasDirection(const Vec3& normal) { return isFinite(normal) && normal != Vec3(0.0); }
 
 /// Scales `normal` to unit length; one without direction is left as it is. True if its length was

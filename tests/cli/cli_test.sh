@@ -40,21 +40,29 @@ icosahedron() {
     done
 }
 
+# Even points of a sphere, as XYZ with normals; written to `file`.
+sphere_points() {
+    expect 0 run scene:sphere -q -o sphere.obj
+    awk '$1 == "v" { v[++n] = $2 " " $3 " " $4 } $1 == "vn" { print v[++m], $2, $3, $4 }' \
+        sphere.obj >"$1"
+    rm sphere.obj
+}
+
 cases_are_listed() {
     grep -oE '^[a-z_]+\(\) \{$' "$here/cli_test.sh" | tr -d '(){ ' | sort >defined
     sed -n '/^set(cases/,/^)/p' "$here/CMakeLists.txt" | grep -oE '^    [a-z_]+' | tr -d ' ' |
         sort >listed
-    printf '%s\n' expect fail icosahedron | sort >helpers
+    printf '%s\n' expect fail icosahedron sphere_points | sort >helpers
     comm -23 defined helpers | diff - listed || fail "cases and list differ"
 }
 
 help_and_version() {
     expect 0 --help
-    for verb in run info scenes view render; do says out "  $verb "; done
+    for verb in run info doctor scenes view render; do says out "  $verb "; done
     empty err
     expect 0 --version
     grep -qE '^spiraling-edge [0-9]+\.[0-9]+\.[0-9]+$' out || fail "version: $(cat out)"
-    for verb in run info scenes render; do
+    for verb in run info doctor scenes render; do
         expect 0 $verb --help
         says out "Usage: spiraling-edge $verb"
     done
@@ -364,6 +372,83 @@ info_counts_what_is_wrong() {
     is "$(number zero_normals out)" 1 "zero normals"
     is "$(number non_finite out)" 1 "not finite"
     is "$(number unscaled_normals out)" 1 "not of unit length"
+}
+
+doctor_says_what_is_wrong() {
+    sphere_points good.xyz
+    expect 0 doctor good.xyz
+    is "$(cat out)" "good.xyz: 600 points, nothing found" "a clean set"
+    expect 0 doctor good.xyz --json
+    says out '"accused": false'
+    says out '"findings": []'
+    awk 'NR == 8 { $4 = $5 = $6 = 0 } NR == 30 { $1 = "nan" } { print } NR == 50' good.xyz >odd.xyz
+    expect 1 doctor odd.xyz
+    empty err
+    says out "odd.xyz: 601 points, 3 findings"
+    says out "error    zero_normals: 1 point with a zero normal"
+    says out "at point 7"
+    says out "try: spiraling-edge doctor odd.xyz --fix OUT.ply"
+    expect 1 doctor odd.xyz --json
+    for name in non_finite duplicates zero_normals; do says out "\"name\": \"$name\""; done
+    is "$(number count out)" 1 "count of the first"
+    "$program" doctor - -q <odd.xyz >out 2>err
+    is $? 1 "code of standard input"
+    empty out
+    # A note is no fault.
+    expect 0 doctor scene:figure-4
+    says out "note     unsymmetric_lists"
+    expect 1 doctor scene:grid
+}
+
+doctor_mends_what_needs_no_guessing() {
+    sphere_points good.xyz
+    awk 'NR == 8 { $4 = $5 = $6 = 0 } NR == 30 { $1 = "nan" } NR == 9 { $4 *= 3; $5 *= 3; $6 *= 3 }
+         { print } NR == 50' good.xyz >odd.xyz
+    expect 0 doctor odd.xyz --fix fixed.ply
+    says out "fixed.ply: written, 598 points"
+    says out "mended   1 exact copy dropped"
+    is "$(header_count vertex fixed.ply)" 598 points
+    expect 0 doctor fixed.ply
+    says out "nothing found"
+    expect 0 doctor odd.xyz --fix fixed.ply --json
+    is "$(grep -A 100 '"fixed"' out | grep -c '"count"')" 4 repairs
+    # What would be guessing is left, and said.
+    { cat good.xyz; echo 40 0 0 1 0 0; } >stray.xyz
+    expect 1 doctor stray.xyz --fix left.ply
+    says out "left     isolated_points"
+    expect 0 doctor stray.xyz --fix dropped.ply --drop isolated_points
+    is "$(header_count vertex dropped.ply)" 600 points
+}
+
+doctor_remedies_help() {
+    sphere_points good.xyz
+    awk '$3 > 0.7 { $4 = -$4; $5 = -$5; $6 = -$6 } { print }' good.xyz >patch.xyz
+    awk '{ $4 = -$4; $5 = -$5; $6 = -$6; print }' good.xyz >inside.xyz
+    awk '{ print $1, $2, $3 }' good.xyz >bare.xyz
+    { cat good.xyz; awk 'NR == 40 { $1 += 1e-9; print }' good.xyz; } >twin.xyz
+    local file command
+    for file in patch inside bare twin; do
+        expect 1 doctor $file.xyz
+        command=$(sed -n 's/^ *try: spiraling-edge \(.*\) OUT.ply\(.*\)$/\1 OUT.ply\2/p' out)
+        # shellcheck disable=SC2086
+        expect 0 $command
+        expect 0 doctor OUT.ply
+        rm OUT.ply
+    done
+}
+
+doctor_checks_its_arguments() {
+    expect 2 doctor
+    expect 2 doctor scene:grid --drop ties
+    expect 2 doctor scene:grid --fix out.obj
+    says err "only .ply"
+    expect 2 doctor scene:grid --fix nowhere/out.ply
+    expect 2 doctor scene:grid --fix out.ply --drop warts
+    says err "no such check"
+    expect 3 doctor missing.ply
+    printf 'ply\nformat ascii 1.0\nelement vertex 5\n' >cut.ply
+    expect 3 doctor cut.ply --fix out.ply
+    absent out.ply
 }
 
 scenes_are_listed() {

@@ -1,0 +1,124 @@
+#include "spiraling_edge/doctor.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "doctor_checks.h"
+
+namespace se {
+namespace {
+
+constexpr std::string_view kFix = "spiraling-edge doctor IN --fix OUT.ply";
+constexpr std::string_view kOrient = "spiraling-edge run IN --orient -o OUT.ply";
+constexpr std::string_view kNewLists = "spiraling-edge run IN --neighbors 12 -o OUT.ply";
+
+constexpr std::array kChecks{
+    DoctorCheck{"non_finite", "3", "A point needs a place: these are set aside.", kFix, true,
+                findNonFinite},
+    DoctorCheck{"duplicates", "3",
+                "\"There is only one point at any particular location\": copies are set aside.",
+                kFix, true, findDuplicates},
+    DoctorCheck{"too_few_points", "4",
+                "An edge ring begins with two points, and a triangle needs a third.", "", false,
+                findTooFewPoints},
+    DoctorCheck{
+        "near_duplicates", "6.1",
+        "The direction to so near a point is chance, and so is its place in the angle sort.",
+        "spiraling-edge doctor IN --fix OUT.ply --drop near_duplicates", false, findNearDuplicates},
+    DoctorCheck{"isolated_points", "4",
+                "No point has them in its list, so no fan takes them: noise, as the paper says.",
+                "spiraling-edge doctor IN --fix OUT.ply --drop isolated_points", false,
+                findIsolatedPoints},
+    DoctorCheck{"in_line", "6.3", "Three points in line have no circle, and no plane to sort in.",
+                "spiraling-edge doctor IN --fix OUT.ply --drop in_line", false, findInLine},
+    DoctorCheck{"uneven_spacing", "3",
+                "Lists of a fixed radius are too long here and empty there: take the nearest.",
+                "spiraling-edge run IN --neighbors 12 --rules robust -o OUT.ply", false,
+                findUnevenSpacing},
+    DoctorCheck{"ties", "6.3",
+                "Points exactly on the circle of three others: which diagonal is taken depends on "
+                "the order alone.",
+                "spiraling-edge run IN --check -o OUT.ply", false, findTies},
+    DoctorCheck{"no_normals", "3", "The normals are derived from the positions.",
+                "spiraling-edge run IN -o OUT.ply", false, findNoNormals},
+    DoctorCheck{"zero_normals", "6.1",
+                "Angles are measured about the normal: points without are set aside.", kFix, true,
+                findZeroNormals},
+    DoctorCheck{"unscaled_normals", "6.2",
+                "The plane of a hole adds up normals: long ones would outweigh the others.", kFix,
+                true, findUnscaledNormals},
+    DoctorCheck{"flipped_normals", "6.1",
+                "Seen from the other side the ring runs clockwise: holes and overlaps follow.",
+                kOrient, false, findFlippedNormals},
+    DoctorCheck{"inside_out", "3", "The triangles will face inwards.", kOrient, false,
+                findInsideOut},
+    DoctorCheck{"close_sheets", "3",
+                "Lists reach through to the other sheet: what opposes must be left out, and short "
+                "lists are better.",
+                "spiraling-edge run IN --neighbors 8 --check -o OUT.ply", false, findCloseSheets},
+    DoctorCheck{"entries_outside", "3", "A list names points that do not exist.", kFix, true,
+                findEntriesOutside},
+    DoctorCheck{"repeated_entries", "3",
+                "A list names its own point, or another one twice: these entries are dropped.",
+                kFix, true, findRepeatedEntries},
+    DoctorCheck{"unsorted_lists", "4",
+                "The nearest neighbor begins the ring, so lists must begin with it.", kFix, true,
+                findUnsortedLists},
+    DoctorCheck{"short_lists", "6.4", "A closed fan needs three neighbors; at a wall two.",
+                kNewLists, false, findShortLists},
+    DoctorCheck{"unsymmetric_lists", "6.1",
+                "A point may be a candidate where the pivot is none in turn; the k nearest always "
+                "are so.",
+                "", false, findUnsymmetricLists},
+    DoctorCheck{"corner_bits", "4",
+                "\"Two or more of these subtypes also sets the corner bit\": it is corrected.",
+                kFix, true, findCornerBits},
+    DoctorCheck{"types_off_box", "7.1",
+                "Wall points are passed over, and corners turned, by their types.",
+                "spiraling-edge run IN --box auto -o OUT.ply", false, findTypesOffBox},
+};
+
+/// Of the work, the search for the nearest points.
+constexpr double kSearchShare = 0.5;
+
+}  // namespace
+
+std::string_view severityName(Severity severity) {
+    constexpr std::array<std::string_view, 3> kNames{"note", "warning", "error"};
+    return kNames[static_cast<std::size_t>(severity)];
+}
+
+std::span<const DoctorCheck> doctorChecks() { return kChecks; }
+
+const DoctorCheck* findDoctorCheck(std::string_view name) {
+    const auto found = std::find_if(kChecks.begin(), kChecks.end(),
+                                    [&](const DoctorCheck& check) { return check.name == name; });
+    return found == kChecks.end() ? nullptr : &*found;
+}
+
+bool accuses(const Diagnosis& diagnosis) {
+    return std::any_of(diagnosis.begin(), diagnosis.end(),
+                       [](const Finding& finding) { return finding.accuses(); });
+}
+
+Result<Diagnosis> examine(const PointFile& file, const Progress& progress) {
+    Progress search;
+    if (progress) search = [&](double share) { return progress(kSearchShare * share); };
+    const Result<Patient> patient = admit(file, search);
+    if (!patient) return patient.error();
+    Diagnosis diagnosis;
+    for (std::size_t i = 0; i < kChecks.size(); ++i) {
+        const double done = static_cast<double>(i) / static_cast<double>(kChecks.size());
+        if (progress && !progress(kSearchShare + (1.0 - kSearchShare) * done))
+            return Error{"the examination was cancelled"};
+        std::optional<Finding> finding = kChecks[i].find(patient.value());
+        if (!finding) continue;
+        finding->check = &kChecks[i];
+        diagnosis.push_back(std::move(*finding));
+    }
+    if (progress) progress(1.0);
+    return diagnosis;
+}
+
+}  // namespace se

@@ -1,0 +1,44 @@
+/// The checks of the doctor, in the order of the table in doctor.cpp.
+#pragma once
+
+#include "doctor_patient.h"
+
+namespace se {
+
+// doctor_points.cpp: single points
+std::optional<Finding> findNonFinite(const Patient& patient);
+std::optional<Finding> findDuplicates(const Patient& patient);
+std::optional<Finding> findTooFewPoints(const Patient& patient);
+
+// doctor_spacing.cpp: how points lie to each other
+std::optional<Finding> findNearDuplicates(const Patient& patient);
+std::optional<Finding> findIsolatedPoints(const Patient& patient);
+std::optional<Finding> findInLine(const Patient& patient);
+std::optional<Finding> findUnevenSpacing(const Patient& patient);
+std::optional<Finding> findTies(const Patient& patient);
+
+// doctor_normals.cpp
+std::optional<Finding> findNoNormals(const Patient& patient);
+std::optional<Finding> findZeroNormals(const Patient& patient);
+std::optional<Finding> findUnscaledNormals(const Patient& patient);
+std::optional<Finding> findCloseSheets(const Patient& patient);
+
+// doctor_sides.cpp: normals against each other
+std::optional<Finding> findFlippedNormals(const Patient& patient);
+std::optional<Finding> findInsideOut(const Patient& patient);
+
+// doctor_lists.cpp: neighbor lists in the file
+std::optional<Finding> findEntriesOutside(const Patient& patient);
+std::optional<Finding> findRepeatedEntries(const Patient& patient);
+std::optional<Finding> findUnsortedLists(const Patient& patient);
+std::optional<Finding> findShortLists(const Patient& patient);
+std::optional<Finding> findUnsymmetricLists(const Patient& patient);
+/// Is the list of p ordered by distance, up to the rounding of floats? Points that do not exist, or
+/// have no finite position, are passed over.
+bool isNearestFirst(std::span<const Vec3> position, Index p, std::span<const Index> list);
+
+// doctor_types.cpp
+std::optional<Finding> findCornerBits(const Patient& patient);
+std::optional<Finding> findTypesOffBox(const Patient& patient);
+
+}  // namespace se

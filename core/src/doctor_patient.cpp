@@ -1,0 +1,87 @@
+#include "doctor_patient.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace se {
+namespace {
+
+/// As many as the lists that prepare() makes have by default.
+constexpr std::size_t kListed = KNearest{}.k;
+constexpr std::size_t kAround = 6;
+
+std::vector<Vec3> scaledNormals(const PointFile& file) {
+    std::vector<Vec3> normal = file.normal;
+    for (Vec3& n : normal) {
+        if (hasDirection(n)) {
+            scaleToUnit(n);
+        } else {
+            n = Vec3(0.0);
+        }
+    }
+    return normal;
+}
+
+/// Of the values above zero.
+double median(std::vector<double> values) {
+    values.erase(std::remove(values.begin(), values.end(), 0.0), values.end());
+    if (values.empty()) return 0.0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+}  // namespace
+
+double Patient::distance(Index p, Index q) const {
+    return std::sqrt(distanceSquared(file.position[p], file.position[q]));
+}
+
+Result<Patient> admit(const PointFile& file, const Progress& progress) {
+    if (const Status status = checkColumns(file); !status) return status.error();
+    Patient patient{file};
+    patient.fitness = fitnessOf(file.position, file.normal);
+    patient.normal = scaledNormals(file);
+    for (const Fitness fitness : patient.fitness) {
+        const bool present = fitness == Fitness::Usable || fitness == Fitness::NoDirection;
+        patient.present.push_back(present);
+        patient.presentCount += present ? 1U : 0U;
+    }
+    NeighborOptions options;
+    options.reach = KNearest{kListed};
+    options.dropOpposingNormals = false;
+    Result<NeighborLists> lists =
+        findNeighbors(file.position, {}, patient.present, options, progress);
+    if (!lists) return lists.error();
+    patient.nearest = std::move(lists.value());
+    patient.spacing.resize(file.position.size(), 0.0);
+    for (Index p = 0; p < patient.size(); ++p) {
+        const auto list = patient.nearest[p];
+        if (list.empty()) continue;
+        patient.spacing[p] = patient.distance(p, list[std::min(kAround, list.size()) - 1]);
+    }
+    patient.middleSpacing = median(patient.spacing);
+    patient.sides = sidesOf(patient);
+    return patient;
+}
+
+std::string countText(std::size_t count, const std::string& noun) {
+    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+std::string shortNumber(double value) {
+    std::string text(32, '\0');
+    text.resize(static_cast<std::size_t>(std::snprintf(text.data(), text.size(), "%.3g", value)));
+    return text;
+}
+
+std::optional<Finding> findingAt(std::vector<Index> points, Severity severity,
+                                 const std::string& text) {
+    if (points.empty()) return std::nullopt;
+    const std::size_t count = points.size();
+    return Finding{nullptr, severity, count, std::move(points), text};
+}
+
+}  // namespace se

@@ -1,0 +1,58 @@
+/// What several checks of the doctor need, computed once.
+#pragma once
+
+#include <string>
+
+#include "prepare_neighbors.h"
+#include "spiraling_edge/doctor.h"
+#include "usable_points.h"
+
+namespace se {
+
+/// Which points belong together, and which of them look the wrong way (doctor_sheets.cpp).
+struct Sides {
+    std::vector<Index> component;  ///< The name of each point's component; kNone without a normal.
+    std::vector<bool> flipped;     ///< Against the rest of the component.
+};
+
+/// A file on the examination table. Everything beside `file` is derived from it.
+struct Patient {
+    explicit Patient(const PointFile& points) : file(points) {}
+
+    const PointFile& file;
+    std::vector<Fitness> fitness;
+    /// Points with a place of their own: finite and no copy, whatever their normals.
+    std::vector<bool> present;
+    std::size_t presentCount = 0;
+    std::vector<Vec3> normal;  ///< Scaled; zero where there is no direction. Empty if none at all.
+    NeighborLists nearest;     ///< The 12 nearest present points, whatever their normals.
+    /// Distance to the sixth nearest point, or to the last if there are fewer: on an even surface
+    /// a point has six others about it. 0 without others.
+    std::vector<double> spacing;
+    double middleSpacing = 0.0;  ///< Median over the present points.
+    Sides sides;
+
+    Index size() const { return static_cast<Index>(file.position.size()); }
+    /// Present, with a normal of its own. Requires that the file has some.
+    bool hasSide(Index p) const { return present[p] && normal[p] != Vec3(0.0); }
+    /// Its normal, turned to the side of the rest of its component if it is flipped.
+    Vec3 side(Index p) const { return sides.flipped[p] ? -normal[p] : normal[p]; }
+    double distance(Index p, Index q) const;
+};
+
+/// Sides from everything else that is known of the patient.
+Sides sidesOf(const Patient& patient);
+
+/// Fails as examine() does.
+Result<Patient> admit(const PointFile& file, const Progress& progress);
+
+/// "1 point", "2 points".
+std::string countText(std::size_t count, const std::string& noun);
+/// A number with three digits, the same on every machine.
+std::string shortNumber(double value);
+
+/// A finding at these points (ascending), or nothing if there are none.
+std::optional<Finding> findingAt(std::vector<Index> points, Severity severity,
+                                 const std::string& text);
+
+}  // namespace se

@@ -1,0 +1,189 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "doctor_patient.h"
+
+namespace se {
+namespace {
+
+// ---- sheets -------------------------------------------------------------------------------------
+
+/// Groups of points, joined pair by pair; each is named by its least point.
+class Groups {
+  public:
+    explicit Groups(Index count) : parent_(count) {
+        std::iota(parent_.begin(), parent_.end(), Index{0});
+    }
+    Index of(Index p) {
+        while (parent_[p] != p) p = parent_[p] = parent_[parent_[p]];
+        return p;
+    }
+    void join(Index p, Index q) {
+        p = of(p);
+        q = of(q);
+        parent_[std::max(p, q)] = std::min(p, q);
+    }
+
+  private:
+    std::vector<Index> parent_;
+};
+
+/// Do p and q lie in one smooth sheet, whichever way their normals point? Each lies within 30
+/// degrees of the other's tangent plane, and the planes within 45 degrees of each other.
+bool inOneSheet(const Patient& patient, Index p, Index q) {
+    if (!patient.hasSide(p) || !patient.hasSide(q)) return false;
+    const Vec3& a = patient.normal[p];
+    const Vec3& b = patient.normal[q];
+    const Vec3 offset = patient.file.position[q] - patient.file.position[p];
+    constexpr double kFlat = 0.5;
+    constexpr double kParallel = 0.70710678118654752;
+    const double reach = kFlat * glm::length(offset);
+    return std::abs(glm::dot(offset, a)) <= reach && std::abs(glm::dot(offset, b)) <= reach &&
+           std::abs(glm::dot(a, b)) >= kParallel;
+}
+
+/// Points in one sheet whose normals agree.
+Groups sheetsOf(const Patient& patient) {
+    Groups sheets(patient.size());
+    for (Index p = 0; p < patient.size(); ++p) {
+        for (const Index q : patient.nearest[p]) {
+            if (inOneSheet(patient, p, q) && !normalsOppose(patient.normal[p], patient.normal[q]))
+                sheets.join(p, q);
+        }
+    }
+    return sheets;
+}
+
+// ---- contradictions -----------------------------------------------------------------------------
+
+/// Unit direction from p to q as seen along the normal of p; zero right above and below.
+Vec3 directionInPlane(const Patient& patient, Index p, Index q) {
+    Vec3 d = patient.file.position[q] - patient.file.position[p];
+    d -= glm::dot(d, patient.normal[p]) * patient.normal[p];
+    const double length = glm::length(d);
+    return length > 0.0 ? d / length : Vec3(0.0);
+}
+
+/// Does q lie less than 45 degrees above or below p? Else it is no part of the own sheet, though
+/// its normal may agree by chance.
+bool isBeside(const Patient& patient, Index p, Index q) {
+    const Vec3 offset = patient.file.position[q] - patient.file.position[p];
+    constexpr double kSteep = 0.70710678118654752;
+    return std::abs(glm::dot(offset, patient.normal[p])) < kSteep * glm::length(offset);
+}
+
+/// Neighbors in the sheet of p with an opposing normal, where p has no agreeing neighbor within 60
+/// degrees of their direction. Were they on a second sheet, the own one would go on beside them.
+void contradictions(const Patient& patient, Index p, std::vector<Index>& opposing) {
+    opposing.clear();
+    std::vector<Vec3> agreeing;
+    for (const Index q : patient.nearest[p]) {
+        if (!patient.hasSide(q)) continue;
+        if (!normalsOppose(patient.normal[p], patient.normal[q])) {
+            if (isBeside(patient, p, q)) agreeing.push_back(directionInPlane(patient, p, q));
+        } else if (inOneSheet(patient, p, q)) {
+            opposing.push_back(q);
+        }
+    }
+    constexpr double kBeside = 0.5;
+    const auto goesOn = [&](Index q) {
+        const Vec3 direction = directionInPlane(patient, p, q);
+        return std::any_of(agreeing.begin(), agreeing.end(),
+                           [&](const Vec3& a) { return glm::dot(a, direction) > kBeside; });
+    };
+    opposing.erase(std::remove_if(opposing.begin(), opposing.end(), goesOn), opposing.end());
+}
+
+/// How often two sheets contradict each other, by their least points.
+using Quarrels = std::map<std::pair<Index, Index>, std::size_t>;
+
+Quarrels quarrelsBetween(const Patient& patient, Groups& sheets) {
+    Quarrels quarrels;
+    std::vector<Index> opposing;
+    for (Index p = 0; p < patient.size(); ++p) {
+        if (!patient.hasSide(p)) continue;
+        contradictions(patient, p, opposing);
+        for (const Index q : opposing) {
+            const std::pair<Index, Index> pair = std::minmax({sheets.of(p), sheets.of(q)});
+            if (pair.first != pair.second) ++quarrels[pair];
+        }
+    }
+    return quarrels;
+}
+
+/// Must a patch of so many points be flipped that contradicts the rest so often? Straight along a
+/// rim each step contradicts in six pairs, and a patch of m points has a rim of 2.3 root m steps
+/// at least, even if half of it is the rim of the surface: 14 root m. A single flipped point
+/// contradicts in 12. Noise and thin parts contradict here and there. Long strips have short rims,
+/// hence the bound above.
+bool isEvidence(std::size_t pairs, std::size_t patch) {
+    const double wanted = std::clamp(4.0 * std::sqrt(static_cast<double>(patch)), 8.0, 40.0);
+    return static_cast<double>(pairs) >= wanted;
+}
+
+/// The sheets that contradict each other with evidence, both ways.
+using Opponents = std::map<Index, std::vector<Index>>;
+
+Opponents opponentsAmong(const Patient& patient, Groups& sheets,
+                         const std::vector<std::size_t>& size) {
+    Opponents opponents;
+    for (const auto& [pair, count] : quarrelsBetween(patient, sheets)) {
+        if (!isEvidence(count, std::min(size[pair.first], size[pair.second]))) continue;
+        opponents[pair.first].push_back(pair.second);
+        opponents[pair.second].push_back(pair.first);
+    }
+    return opponents;
+}
+
+/// Of sheets that contradict each other, the largest is taken to be right, what contradicts it
+/// flipped, what contradicts that right again, and so on.
+std::map<Index, bool> flippedAmong(const Opponents& opponents,
+                                   const std::vector<std::size_t>& size) {
+    std::vector<Index> bySize;
+    for (const auto& entry : opponents) bySize.push_back(entry.first);
+    std::sort(bySize.begin(), bySize.end(),
+              [&](Index a, Index b) { return size[a] != size[b] ? size[a] > size[b] : a < b; });
+    std::map<Index, bool> flipped;
+    for (const Index first : bySize) {
+        if (!flipped.emplace(first, false).second) continue;
+        std::vector<Index> reached{first};
+        for (std::size_t i = 0; i < reached.size(); ++i) {
+            const bool here = flipped.at(reached[i]);
+            for (const Index next : opponents.at(reached[i])) {
+                if (flipped.emplace(next, !here).second) reached.push_back(next);
+            }
+        }
+    }
+    return flipped;
+}
+
+}  // namespace
+
+Sides sidesOf(const Patient& patient) {
+    const Index n = patient.size();
+    Sides sides{std::vector<Index>(n, kNone), std::vector<bool>(n, false)};
+    if (!patient.file.hasNormals()) return sides;
+    Groups sheets = sheetsOf(patient);
+    std::vector<std::size_t> size(n, 0);  // by the least point
+    for (Index p = 0; p < n; ++p) {
+        if (patient.hasSide(p)) ++size[sheets.of(p)];
+    }
+    const Opponents opponents = opponentsAmong(patient, sheets, size);
+    const std::map<Index, bool> flipped = flippedAmong(opponents, size);
+    for (Index p = 0; p < n; ++p) {
+        const auto sheet = flipped.find(sheets.of(p));
+        sides.flipped[p] = sheet != flipped.end() && sheet->second;
+    }
+    for (const auto& [sheet, others] : opponents) {
+        for (const Index other : others) sheets.join(sheet, other);
+    }
+    for (Index p = 0; p < n; ++p) {
+        if (patient.hasSide(p)) sides.component[p] = sheets.of(p);
+    }
+    return sides;
+}
+
+}  // namespace se

@@ -1,0 +1,101 @@
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+
+#include "doctor_checks.h"
+
+namespace se {
+
+std::optional<Finding> findFlippedNormals(const Patient& patient) {
+    std::vector<Index> points;
+    for (Index p = 0; p < patient.size(); ++p) {
+        if (patient.sides.flipped[p]) points.push_back(p);
+    }
+    const std::string text =
+        countText(points.size(), "point") + " whose normal points against those around it";
+    return findingAt(std::move(points), Severity::Warning, text);
+}
+
+// ---- inside out ---------------------------------------------------------------------------------
+
+namespace {
+
+/// What is known of a component from a look along each axis, up and down.
+struct Extent {
+    struct Extreme {
+        double reach = -std::numeric_limits<double>::infinity();
+        double out = 0.0;  ///< The normal there along that direction; the largest if some tie.
+    };
+    std::array<Extreme, 6> extreme;  ///< +x, -x, +y, ...
+    std::size_t points = 0;
+    bool cut = false;  ///< It ends at walls.
+
+    void add(const Vec3& x, const Vec3& normal) {
+        ++points;
+        for (std::size_t i = 0; i < extreme.size(); ++i) {
+            const auto axis = static_cast<Vec3::length_type>(i / 2);
+            const double sign = i % 2 == 0 ? 1.0 : -1.0;
+            const double reach = sign * x[axis];
+            const double out = sign * normal[axis];
+            Extreme& e = extreme[i];
+            if (reach < e.reach) continue;
+            e.out = reach > e.reach ? out : std::max(e.out, out);
+            e.reach = reach;
+        }
+    }
+    /// A closed surface looks out where it reaches farthest. This one does so nowhere.
+    bool looksIn() const {
+        constexpr double kIn = -0.5;
+        return std::all_of(extreme.begin(), extreme.end(),
+                           [](const Extreme& e) { return e.out < kIn; });
+    }
+    bool isWithin(const Extent& o) const {
+        for (std::size_t i = 0; i < extreme.size(); ++i) {
+            if (!(extreme[i].reach < o.extreme[i].reach)) return false;
+        }
+        return true;
+    }
+};
+
+std::map<Index, Extent> extentsOf(const Patient& patient) {
+    std::map<Index, Extent> extents;
+    const Sides& sides = patient.sides;
+    for (Index p = 0; p < patient.size(); ++p) {
+        if (sides.component[p] == kNone) continue;
+        Extent& extent = extents[sides.component[p]];
+        extent.add(patient.file.position[p], patient.side(p));
+        if (patient.file.hasTypes() && isBoundary(patient.file.type[p])) extent.cut = true;
+    }
+    return extents;
+}
+
+}  // namespace
+
+std::optional<Finding> findInsideOut(const Patient& patient) {
+    const std::map<Index, Extent> extents = extentsOf(patient);
+    // Fewer points than an icosahedron has enclose nothing for certain.
+    constexpr std::size_t kLeast = 12;
+    std::vector<bool> insideOut(patient.size(), false);
+    std::size_t count = 0;
+    for (const auto& [name, extent] : extents) {
+        if (extent.points < kLeast || extent.cut || !extent.looksIn()) continue;
+        // Within another component it is a cavity, and right.
+        const bool cavity =
+            std::any_of(extents.begin(), extents.end(),
+                        [&e = extent](const auto& other) { return e.isWithin(other.second); });
+        if (cavity) continue;
+        insideOut[name] = true;
+        ++count;
+    }
+    std::vector<Index> points;
+    for (Index p = 0; p < patient.size(); ++p) {
+        const Index component = patient.sides.component[p];
+        if (component != kNone && insideOut[component]) points.push_back(p);
+    }
+    const std::string text = countText(points.size(), "point") + " in " +
+                             countText(count, "component") + " whose normals all point inwards";
+    return findingAt(std::move(points), Severity::Warning, text);
+}
+
+}  // namespace se

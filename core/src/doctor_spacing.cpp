@@ -1,0 +1,172 @@
+#include <algorithm>
+
+#include "doctor_checks.h"
+#include "spiraling_edge/normals.h"
+#include "spiraling_edge/rules.h"
+
+namespace se {
+
+// ---- near duplicates ----------------------------------------------------------------------------
+
+std::optional<Finding> findNearDuplicates(const Patient& patient) {
+    // A thousandth of the spacing: a triangle on such a pair has an angle of 0.06 degrees, and no
+    // surface sampled at that spacing has a detail of that size. Strong noise stays above 0.01.
+    constexpr double kSamePlace = 1e-3;
+    std::vector<Index> points;
+    for (Index p = 0; p < patient.size(); ++p) {
+        for (const Index q : patient.nearest[p]) {
+            if (!(patient.distance(p, q) < kSamePlace * patient.spacing[p])) break;
+            points.push_back(std::max(p, q));
+        }
+    }
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    const std::string text = countText(points.size(), "point") +
+                             " nearer to one with a lower index than a thousandth of the spacing";
+    return findingAt(std::move(points), Severity::Warning, text);
+}
+
+// ---- isolated points ----------------------------------------------------------------------------
+
+namespace {
+
+/// Lists of twelve reach about two spacings; four times as far no list of any use does.
+constexpr double kFar = 8.0;
+
+/// The middle one of the spacings of the points that p lists.
+double spacingAround(const Patient& patient, Index p, std::vector<double>& room) {
+    room.clear();
+    for (const Index q : patient.nearest[p]) room.push_back(patient.spacing[q]);
+    const auto middle = room.begin() + static_cast<std::ptrdiff_t>(room.size() / 2);
+    std::nth_element(room.begin(), middle, room.end());
+    return *middle;
+}
+
+/// By the second nearest point, so that a stray pair is found, too: two make no triangle.
+std::vector<bool> farPoints(const Patient& patient) {
+    std::vector<bool> far(patient.size(), false);
+    std::vector<double> room;
+    for (Index p = 0; p < patient.size(); ++p) {
+        const auto list = patient.nearest[p];
+        if (list.size() < 6) continue;  // Too small a set for a spacing.
+        far[p] = patient.distance(p, list[1]) > kFar * spacingAround(patient, p, room);
+    }
+    return far;
+}
+
+}  // namespace
+
+std::optional<Finding> findIsolatedPoints(const Patient& patient) {
+    const std::vector<bool> far = farPoints(patient);
+    std::vector<bool> wanted(patient.size(), false);
+    for (Index p = 0; p < patient.size(); ++p) {
+        if (far[p]) continue;
+        for (const Index q : patient.nearest[p]) wanted[q] = true;
+    }
+    std::vector<Index> points;
+    for (Index p = 0; p < patient.size(); ++p) {
+        if (far[p] && !wanted[p]) points.push_back(p);
+    }
+    const std::string text = countText(points.size(), "point") +
+                             " more than eight spacings from the others, and in no list of the "
+                             "12 nearest but each other's";
+    return findingAt(std::move(points), Severity::Warning, text);
+}
+
+// ---- points in line -----------------------------------------------------------------------------
+
+std::optional<Finding> findInLine(const Patient& patient) {
+    if (patient.presentCount < 3) return std::nullopt;
+    const std::vector<Vec3> plane = estimateNormals(patient.file.position, patient.nearest);
+    std::vector<Index> points;
+    for (Index p = 0; p < patient.size(); ++p) {
+        if (patient.present[p] && plane[p] == Vec3(0.0)) points.push_back(p);
+    }
+    const bool all = points.size() == patient.presentCount;
+    const std::string text =
+        countText(points.size(), "point") + " in line with all of the nearest others";
+    return findingAt(std::move(points), all ? Severity::Error : Severity::Warning, text);
+}
+
+// ---- spacing ------------------------------------------------------------------------------------
+
+std::optional<Finding> findUnevenSpacing(const Patient& patient) {
+    // A list with a reach of two spacings finds nobody where points are this much sparser, and
+    // sixteen times as many as needed where they are this much denser.
+    constexpr double kUneven = 4.0;
+    const double middle = patient.middleSpacing;
+    double least = middle;
+    double most = middle;
+    std::vector<Index> points;
+    for (Index p = 0; p < patient.size(); ++p) {
+        const double spacing = patient.spacing[p];
+        if (spacing == 0.0) continue;
+        least = std::min(least, spacing);
+        most = std::max(most, spacing);
+        if (spacing > kUneven * middle || spacing * kUneven < middle) points.push_back(p);
+    }
+    const std::string text = countText(points.size(), "point") +
+                             " with a spacing off the middle of " + shortNumber(middle) +
+                             " by more than four times; it runs from " + shortNumber(least) +
+                             " to " + shortNumber(most);
+    return findingAt(std::move(points), Severity::Note, text);
+}
+
+// ---- ties ---------------------------------------------------------------------------------------
+
+namespace {
+
+/// The four sides and the four diagonals of a square lattice.
+constexpr std::size_t kSquare = 8;
+
+struct Offset {
+    Vec3 offset;
+    double lengthSq;
+};
+
+/// Does another point lie exactly on the sphere of 6.3 through p, a and b, and none in it?
+bool tieAbout(const std::vector<Offset>& near, std::size_t a, std::size_t b) {
+    bool tie = false;
+    for (std::size_t i = 0; i < near.size(); ++i) {
+        if (i == a || i == b) continue;
+        const SphereTest test = testSphere(near[a].offset, near[a].lengthSq, near[b].offset,
+                                           near[b].lengthSq, near[i].offset, near[i].lengthSq);
+        if (test.noCircle || test.inside()) return false;
+        tie = tie || test.power <= 1e-12 * test.scale;  // As in SphereTest::inside().
+    }
+    return tie;
+}
+
+bool hasTie(const Patient& patient, Index p, std::vector<Offset>& near) {
+    near.clear();
+    const auto list = patient.nearest[p];
+    for (const Index q : list.first(std::min(kSquare, list.size()))) {
+        const Vec3 offset = patient.file.position[q] - patient.file.position[p];
+        near.push_back({offset, glm::dot(offset, offset)});
+    }
+    for (std::size_t a = 0; a < near.size(); ++a) {
+        for (std::size_t b = a + 1; b < near.size(); ++b) {
+            if (tieAbout(near, a, b)) return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+std::optional<Finding> findTies(const Patient& patient) {
+    std::vector<Index> points;
+    std::vector<Offset> near;
+    for (Index p = 0; p < patient.size(); ++p) {
+        if (patient.present[p] && hasTie(patient, p, near)) points.push_back(p);
+    }
+    // A lattice has ties everywhere. Parts with ties have many a scan and many a machine part
+    // whose coordinates have few digits: that is no fault of the set.
+    const bool lattice = 10 * points.size() >= 9 * patient.presentCount;
+    const std::string text =
+        countText(points.size(), "point") + " of " + std::to_string(patient.presentCount) +
+        " exactly on a circle through three others" + (lattice ? ": an exact lattice" : "");
+    return findingAt(std::move(points), lattice ? Severity::Warning : Severity::Note, text);
+}
+
+}  // namespace se

@@ -1,0 +1,197 @@
+#include <algorithm>
+#include <utility>
+
+#include "doctor_checks.h"
+
+namespace se {
+namespace {
+
+/// Keeps the rows of a column that are marked.
+template <typename T>
+void keepRows(std::vector<T>& column, const std::vector<bool>& keep) {
+    if (column.empty()) return;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < keep.size(); ++i) {
+        if (keep[i]) column[kept++] = column[i];
+    }
+    column.resize(kept);
+}
+
+/// Works on a copy of the file.
+class Surgeon {
+  public:
+    explicit Surgeon(const PointFile& file) : file_(file), keep_(file.position.size(), true) {}
+
+    Treatment operate(std::span<const Index> alsoDrop) && {
+        dropEmptyNormals();
+        markUnfit();
+        markAsked(alsoDrop);
+        scaleNormals();
+        correctCorners();
+        const bool all = std::find(keep_.begin(), keep_.end(), false) == keep_.end();
+        if (!all) number();
+        cleanLists();
+        if (!all) dropPoints();
+        return {std::move(file_), std::move(repairs_)};
+    }
+
+  private:
+    /// `what` begins with a noun for one, `many` for several.
+    void note(std::string_view name, std::size_t count, const std::string& what,
+              const std::string& many) {
+        if (count == 0) return;
+        repairs_.push_back(
+            {name, count, count == 1 ? "1 " + what : std::to_string(count) + " " + many});
+    }
+
+    /// All of them zero tell nothing; without them they are derived.
+    void dropEmptyNormals() {
+        const std::size_t count = file_.normal.size();
+        if (std::any_of(file_.normal.begin(), file_.normal.end(),
+                        [](const Vec3& normal) { return normal != Vec3(0.0); }))
+            return;
+        file_.normal.clear();
+        note("zero_normals", count, "zero normal taken out, to be derived",
+             "zero normals taken out, to be derived");
+    }
+
+    void markUnfit() {
+        fitness_ = fitnessOf(file_.position, file_.normal);
+        std::size_t notFinite = 0;
+        std::size_t zero = 0;
+        std::size_t copies = 0;
+        for (std::size_t p = 0; p < fitness_.size(); ++p) {
+            keep_[p] = fitness_[p] == Fitness::Usable;
+            const bool directed = fitness_[p] != Fitness::NoDirection;
+            if (fitness_[p] == Fitness::NonFinite || (!directed && !isFinite(file_.normal[p])))
+                ++notFinite;
+            else if (!directed)
+                ++zero;
+            else if (fitness_[p] == Fitness::Copy)
+                ++copies;
+        }
+        note("non_finite", notFinite, "point with a value that is not finite dropped",
+             "points with values that are not finite dropped");
+        note("duplicates", copies, "exact copy dropped", "exact copies dropped");
+        note("zero_normals", zero, "point with a zero normal dropped",
+             "points with a zero normal dropped");
+    }
+
+    void markAsked(std::span<const Index> alsoDrop) {
+        std::size_t asked = 0;
+        for (const Index p : alsoDrop) {
+            if (!keep_[p]) continue;
+            keep_[p] = false;
+            ++asked;
+        }
+        note("dropped", asked, "more point dropped, as asked", "more points dropped, as asked");
+    }
+
+    void scaleNormals() {
+        std::size_t scaled = 0;
+        for (std::size_t p = 0; p < file_.normal.size(); ++p) {
+            Vec3 normal = file_.normal[p];
+            if (!keep_[p] || !scaleToUnit(normal)) continue;
+            file_.normal[p] = normal;
+            ++scaled;
+        }
+        note("unscaled_normals", scaled, "normal scaled to unit length",
+             "normals scaled to unit length");
+    }
+
+    void correctCorners() {
+        std::size_t corrected = 0;
+        for (std::size_t p = 0; p < file_.type.size(); ++p) {
+            const std::uint8_t type = withCornerBit(file_.type[p]);
+            if (keep_[p] && type != file_.type[p]) ++corrected;
+            file_.type[p] = type;
+        }
+        note("corner_bits", corrected, "corner bit corrected", "corner bits corrected");
+    }
+
+    /// Every point's index in the result, kNone if it is dropped.
+    void number() {
+        number_.assign(keep_.size(), kNone);
+        Index next = 0;
+        for (std::size_t p = 0; p < keep_.size(); ++p) {
+            if (keep_[p]) number_[p] = next++;
+        }
+    }
+    Index numberOf(Index p) const { return number_.empty() ? p : number_[p]; }
+
+    void cleanLists() {
+        if (!file_.hasNeighbors()) return;
+        NeighborLists lists;
+        std::vector<Index> kept;
+        std::vector<Index> lastList(keep_.size(), kNone);
+        std::size_t outside = 0;
+        std::size_t repeated = 0;
+        std::size_t unsorted = 0;
+        for (Index p = 0; p < keep_.size(); ++p) {
+            if (!keep_[p]) continue;
+            kept.clear();
+            lastList[p] = p;
+            for (const Index q : file_.neighbors[p]) {
+                if (q >= keep_.size()) {
+                    ++outside;
+                } else if (lastList[q] == p) {
+                    ++repeated;
+                } else {
+                    lastList[q] = p;
+                    if (keep_[q]) kept.push_back(q);
+                }
+            }
+            if (!isNearestFirst(file_.position, p, kept)) {
+                sortNearestFirst(file_.position, p, kept);
+                ++unsorted;
+            }
+            for (Index& q : kept) q = numberOf(q);
+            lists.append(kept);
+        }
+        file_.neighbors = std::move(lists);
+        note("entries_outside", outside, "list entry for a point that does not exist dropped",
+             "list entries for points that do not exist dropped");
+        note("repeated_entries", repeated, "repeated list entry dropped",
+             "repeated list entries dropped");
+        note("unsorted_lists", unsorted, "list put in order", "lists put in order");
+    }
+
+    void dropPoints() {
+        moveFaces();
+        keepRows(file_.position, keep_);
+        keepRows(file_.normal, keep_);
+        keepRows(file_.type, keep_);
+        for (Attribute& attribute : file_.attributes) keepRows(attribute.values, keep_);
+    }
+
+    void moveFaces() {
+        if (file_.faces.empty()) return;
+        const std::vector<Index> original = originalsOf(file_.position, fitness_);
+        const auto moved = [&](Index p) {
+            return original[p] == kNone ? kNone : number_[original[p]];
+        };
+        std::vector<Triangle> faces;
+        for (const Triangle& face : file_.faces) {
+            const Triangle t{moved(face.a), moved(face.b), moved(face.c)};
+            const bool whole = t.a != kNone && t.b != kNone && t.c != kNone;
+            if (whole && t.a != t.b && t.b != t.c && t.c != t.a) faces.push_back(t);
+        }
+        note("faces", file_.faces.size() - faces.size(), "face on dropped points dropped",
+             "faces on dropped points dropped");
+        file_.faces = std::move(faces);
+    }
+
+    PointFile file_;
+    std::vector<Repair> repairs_;
+    std::vector<bool> keep_;
+    std::vector<Fitness> fitness_;
+    std::vector<Index> number_;  // empty if no point is dropped
+};
+
+}  // namespace
+
+Treatment treat(const PointFile& file, std::span<const Index> alsoDrop) {
+    return Surgeon(file).operate(alsoDrop);
+}
+
+}  // namespace se

@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "doctor_checks.h"
+
+namespace se {
+
+std::optional<Finding> findCornerBits(const Patient& patient) {
+    std::vector<Index> points;
+    for (Index p = 0; p < patient.file.type.size(); ++p) {
+        if (withCornerBit(patient.file.type[p]) != patient.file.type[p]) points.push_back(p);
+    }
+    const std::string text = countText(points.size(), "point") +
+                             " whose corner bit disagrees with the walls, or with a bit that "
+                             "means nothing";
+    return findingAt(std::move(points), Severity::Warning, text);
+}
+
+namespace {
+
+struct Face {
+    std::uint8_t bit;
+    Vec3::length_type axis;
+    double sign;  ///< +1: the upper face of that axis.
+};
+constexpr std::array kFaces{Face{kPositiveX, 0, 1.0},  Face{kPositiveY, 1, 1.0},
+                            Face{kPositiveZ, 2, 1.0},  Face{kNegativeX, 0, -1.0},
+                            Face{kNegativeY, 1, -1.0}, Face{kNegativeZ, 2, -1.0}};
+
+/// Where a face lies: the middle one of its points, the outer one of two. -infinity without any.
+double levelOf(const Patient& patient, const Face& face) {
+    std::vector<double> levels;
+    for (Index p = 0; p < patient.size(); ++p) {
+        if ((patient.file.type[p] & face.bit) != 0 && isFinite(patient.file.position[p]))
+            levels.push_back(face.sign * patient.file.position[p][face.axis]);
+    }
+    if (levels.empty()) return -std::numeric_limits<double>::infinity();
+    const auto middle = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2);
+    std::nth_element(levels.begin(), middle, levels.end());
+    return *middle;
+}
+
+/// Does the surface run along the wall at p? Then it only touches it, and is not cut there.
+bool touches(const Patient& patient, const Face& face, Index p) {
+    constexpr double kAlong = 0.96592582628906829;  // within 15 degrees
+    return patient.file.hasNormals() && std::abs(patient.normal[p][face.axis]) > kAlong;
+}
+
+}  // namespace
+
+std::optional<Finding> findTypesOffBox(const Patient& patient) {
+    const PointFile& file = patient.file;
+    if (!file.hasTypes()) return std::nullopt;
+    const WallBox box = boxAround(file.position);
+    const Vec3 sides = box.high - box.low;
+    const double reach = box.tolerance * std::max({sides.x, sides.y, sides.z});
+    std::vector<bool> off(patient.size(), false);
+    for (const Face& face : kFaces) {
+        const double level = levelOf(patient, face);
+        if (std::isinf(level)) continue;
+        for (Index p = 0; p < patient.size(); ++p) {
+            if (!isFinite(file.position[p])) continue;
+            const double beyond = face.sign * file.position[p][face.axis] - level;
+            const bool on = beyond >= -reach;
+            const bool marked = (file.type[p] & face.bit) != 0;
+            if (beyond > reach || (marked && !on) || (!marked && on && !touches(patient, face, p)))
+                off[p] = true;
+        }
+    }
+    std::vector<Index> points;
+    for (Index p = 0; p < patient.size(); ++p) {
+        if (off[p]) points.push_back(p);
+    }
+    const std::string text = countText(points.size(), "point") +
+                             " marked as on a wall but off it, or on or beyond a wall but not "
+                             "marked";
+    return findingAt(std::move(points), Severity::Warning, text);
+}
+
+}  // namespace se

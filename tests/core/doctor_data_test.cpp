@@ -1,0 +1,74 @@
+/// The doctor on the data sets: every planted fault is found, and no clean set is accused.
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "../support/shared_data.h"
+#include "doctor_support.h"
+
+using namespace se;
+using namespace se::test;
+
+TEST_CASE("doctor: no clean set is accused") {
+    const std::filesystem::path folder = sharedFile("points");
+    if (folder.empty()) return;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        const auto file = readPoints(entry.path());
+        REQUIRE_MESSAGE(file.ok(), name);
+        // This one has copies and no normals, as its README says.
+        const bool flawed = name == "cactus_no_normals.ply";
+        CHECK_MESSAGE(accusations(file.value()) == (flawed ? "duplicates no_normals " : ""), name);
+    }
+}
+
+TEST_CASE("doctor: every planted fault is found, and no other") {
+    const std::map<std::string, std::string> planted{
+        {"collinear", "in_line "},
+        {"duplicates", "duplicates near_duplicates "},
+        {"empty", "too_few_points "},
+        {"flipped_normals", "flipped_normals "},
+        {"no_normals", "no_normals "},
+        {"not_finite", "non_finite "},
+        {"one_point", "too_few_points "},
+        {"plane_grid", "ties "},
+        {"same_point", "duplicates too_few_points "},
+        {"stray_points", "isolated_points "},
+        {"three_points", "too_few_points "},
+        {"two_close_sheets", "ties close_sheets "},
+        {"two_points", "too_few_points "},
+        {"unscaled_normals", "unscaled_normals "},
+        {"zero_normals", "zero_normals "},
+    };
+    for (const auto& [name, names] : planted) {
+        const auto file = sharedPoints("hazards/" + name + ".ply");
+        if (!file) return;
+        CHECK_MESSAGE(accusations(*file) == names, name);
+    }
+}
+
+TEST_CASE("doctor: planted faults are found in full") {
+    const auto good = sharedPoints("points/sphere_even.ply");
+    if (!good) return;
+    const std::map<std::string, std::size_t> counts{
+        {"duplicates", 50},   {"near_duplicates", 20},  {"non_finite", 15},
+        {"zero_normals", 30}, {"flipped_normals", 100}, {"isolated_points", 10}};
+    for (const auto& [check, count] : counts) {
+        std::string name = check == "near_duplicates"   ? "duplicates"
+                           : check == "non_finite"      ? "not_finite"
+                           : check == "isolated_points" ? "stray_points"
+                                                        : check;
+        const auto file = sharedPoints("hazards/" + name + ".ply");
+        REQUIRE(file);
+        const Diagnosis diagnosis = examined(*file);
+        REQUIRE(findingOf(diagnosis, check) != nullptr);
+        CHECK_MESSAGE(findingOf(diagnosis, check)->count == count, check);
+    }
+    const auto flipped = sharedPoints("hazards/flipped_normals.ply");
+    std::vector<Index> wrong;
+    for (Index p = 0; p < good->position.size(); ++p) {
+        if (glm::dot(flipped->normal[p], good->normal[p]) < 0.0) wrong.push_back(p);
+    }
+    const Diagnosis diagnosis = examined(*flipped);
+    CHECK(findingOf(diagnosis, "flipped_normals")->points == wrong);
+}

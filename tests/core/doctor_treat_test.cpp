@@ -1,0 +1,156 @@
+/// What the doctor mends without guessing.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "doctor_support.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+std::map<std::string, std::size_t> repairsOf(const Treatment& treatment) {
+    std::map<std::string, std::size_t> counts;
+    for (const Repair& repair : treatment.repairs) counts[std::string(repair.name)] = repair.count;
+    return counts;
+}
+
+/// Everything that can be mended, at once.
+PointFile patient() {
+    PointFile file = withLists(ball());
+    file.type.assign(file.position.size(), kInterior);
+    Attribute number{"number", ScalarType::Int32, {}};
+    for (std::size_t p = 0; p < file.position.size(); ++p)
+        number.values.push_back(static_cast<double>(p));
+    file.attributes.push_back(number);
+    file.position[10].x = std::numeric_limits<double>::quiet_NaN();
+    file.normal[20] = Vec3(0.0);
+    file.position[30] = file.position[31];  // The copy is the later one: 31.
+    file.normal[40] *= 17.0;
+    file.type[50] = kCorner;
+    std::vector<Index> list = listOf(file, 60);
+    std::reverse(list.begin(), list.end());
+    list.push_back(60);
+    list.push_back(9999);
+    setList(file, 60, list);
+    return file;
+}
+
+}  // namespace
+
+TEST_CASE("doctor: a healthy file is left as it is") {
+    for (const PointFile& file : {ball(), withLists(ball()), sampleSheet(wavySheet(), 9, 90, 1)}) {
+        const Treatment treatment = treat(file);
+        CHECK(treatment.repairs.empty());
+        CHECK(meshPlyBytes(treatment.file, treatment.file.faces) == meshPlyBytes(file, file.faces));
+    }
+}
+
+TEST_CASE("doctor: what was mended is listed, and gone") {
+    const Treatment treatment = treat(patient());
+    const auto counts = repairsOf(treatment);
+    CHECK(counts.at("non_finite") == 1);
+    CHECK(counts.at("zero_normals") == 1);
+    CHECK(counts.at("duplicates") == 1);
+    CHECK(counts.at("unscaled_normals") == 1);
+    CHECK(counts.at("corner_bits") == 1);
+    CHECK(counts.at("entries_outside") == 1);
+    CHECK(counts.at("repeated_entries") == 1);
+    CHECK(counts.at("unsorted_lists") >= 1);
+    for (const Finding& finding : examined(treatment.file)) CHECK_FALSE(finding.check->mended);
+    CHECK(treat(treatment.file).repairs.empty());
+}
+
+TEST_CASE("doctor: points keep their order and everything that belongs to them") {
+    const PointFile before = patient();
+    const PointFile after = treat(before).file;
+    std::vector<double> kept;
+    for (Index p = 0; p < before.position.size(); ++p) {
+        if (p != 10 && p != 20 && p != 31) kept.push_back(p);
+    }
+    REQUIRE(after.attributes.size() == 1);
+    CHECK(after.attributes[0].values == kept);
+    REQUIRE(after.position.size() == kept.size());
+    REQUIRE(after.neighbors.size() == kept.size());
+    for (Index p = 0; p < kept.size(); ++p) {
+        const auto old = static_cast<Index>(kept[p]);
+        CHECK(after.position[p] == before.position[old]);
+        // Every list names the same points as before, but for those that are gone.
+        std::vector<Index> names;
+        for (const Index q : listOf(after, p)) names.push_back(static_cast<Index>(kept[q]));
+        std::vector<Index> wanted;
+        for (const Index q : listOf(before, old)) {
+            if (q != old && q < before.position.size() && q != 10 && q != 20 && q != 31)
+                wanted.push_back(q);
+        }
+        std::sort(names.begin(), names.end());
+        std::sort(wanted.begin(), wanted.end());
+        CHECK(names == wanted);
+    }
+}
+
+TEST_CASE("doctor: mending changes nothing for the algorithm, which does so for itself") {
+    PointFile file = patient();
+    setList(file, 60,
+            listOf(withLists(ball()), 60));  // prepare() refuses entries that point outside
+    const PointFile mended = treat(file).file;
+    const std::vector<double>& number = mended.attributes[0].values;
+    const Run before = runAll(prepared(file), *paramsByName("paper"));
+    const Run after = runAll(prepared(mended), *paramsByName("paper"));
+    REQUIRE(before.state.mesh().size() == after.state.mesh().size());
+    for (std::size_t t = 0; t < after.state.mesh().size(); ++t) {
+        const Triangle& a = before.state.mesh()[t];
+        const Triangle& b = after.state.mesh()[t];
+        CHECK(a == Triangle{static_cast<Index>(number[b.a]), static_cast<Index>(number[b.b]),
+                            static_cast<Index>(number[b.c])});
+    }
+}
+
+TEST_CASE("doctor: faces move from copies to their originals, and go with dropped points") {
+    PointFile soup;  // Two triangles with corners of their own, as from STL, and a third one.
+    soup.position = {{0, 0, 0},
+                     {1, 0, 0},
+                     {0, 1, 0},
+                     {1, 0, 0},
+                     {1, 1, 0},
+                     {0, 1, 0},
+                     {5, 5, std::numeric_limits<double>::infinity()}};
+    soup.normal.assign(soup.position.size(), Vec3(0, 0, 1));
+    soup.faces = {{0, 1, 2}, {3, 4, 5}, {4, 5, 6}};
+    const Treatment treatment = treat(soup);
+    CHECK(treatment.file.position.size() == 4);
+    CHECK(treatment.file.faces == std::vector<Triangle>{{0, 1, 2}, {1, 3, 2}});
+    CHECK(repairsOf(treatment).at("faces") == 1);
+}
+
+TEST_CASE("doctor: normals that are all zero are taken out, not the points") {
+    PointFile file = ball();
+    file.normal.assign(file.position.size(), Vec3(0.0));
+    const Treatment treatment = treat(file);
+    CHECK_FALSE(treatment.file.hasNormals());
+    CHECK(treatment.file.position == file.position);
+    CHECK(repairsOf(treatment).at("zero_normals") == file.position.size());
+}
+
+TEST_CASE("doctor: what is guessing is left to the user, who may name points to drop") {
+    PointFile file = ball();
+    file.position.push_back(Vec3(40, 0, 0));
+    file.normal.push_back(Vec3(1, 0, 0));
+    file.normal[5] = -file.normal[5];
+    CHECK(treat(file).repairs.empty());
+    const Diagnosis diagnosis = examined(file);
+    const Finding* stray = findingOf(diagnosis, "isolated_points");
+    REQUIRE(stray != nullptr);
+    const Treatment treatment = treat(file, stray->points);
+    CHECK(repairsOf(treatment) == std::map<std::string, std::size_t>{{"dropped", 1}});
+    CHECK(accusations(treatment.file) == "flipped_normals ");
+}
+
+TEST_CASE("doctor: nothing is left of what holds nothing") {
+    CHECK(treat({}).file.position.empty());
+    PointFile file;
+    file.position.assign(4, Vec3(std::numeric_limits<double>::quiet_NaN()));
+    CHECK(treat(file).file.position.empty());
+}
