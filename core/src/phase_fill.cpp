@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "phases.h"
+#include "ring_shape.h"
 #include "shape.h"
 
 namespace se {
@@ -17,7 +18,7 @@ void setEar(StepContext& context, Index entry) {
 }
 
 /// A ring as short as this is a hole even where neighbors leave wide gaps.
-constexpr Index kNeverAnOpening = 4;
+constexpr Index kNeverAnOpening = 5;
 
 struct Ear {
     Index entry = kNone;
@@ -28,12 +29,44 @@ struct Ear {
     }
 };
 
+/// Narrower, on average, than this many of its edges, a ring is no opening but a seam that did not
+/// close: where the spacing changes, neighbors leave wide gaps too.
+constexpr double kNarrow = 2.5;
+/// Narrower than this, which way it turns says nothing.
+constexpr double kClosed = 1.0;
+
+/// Does the ring run round the whole component, of so many triangles, instead of round a hole in
+/// it? A round patch has 0.18 per square of its border's length; one of more than 1 would lie in
+/// folds.
+bool runsRoundPatch(const RingShape& shape, std::size_t triangles) {
+    return shape.turnsRoundPatch && triangles <= std::size_t{shape.length} * shape.length;
+}
+
+/// Does the active ring hold a boundary point?
+bool touchesWall(const StepContext& context) {
+    const EdgeRings& rings = context.state.rings;
+    const Index ring = rings.active();
+    Index entry = rings.head(ring);
+    for (Index i = 0; i < rings.length(ring); ++i, entry = rings.next(entry)) {
+        if (isBoundary(context.points.type[rings.point(entry)])) return true;
+    }
+    return false;
+}
+
+/// May an ear have a fault? Not where the surface may end, nor where a wide ring turns as if it ran
+/// round a patch: there sheets touch, and one fault leads to more.
+bool mayForce(const StepContext& context) {
+    if (touchesWall(context) || isOpening(context)) return false;
+    const RingShape shape = shapeOfRing(context);
+    return !shape.turnsRoundPatch || shape.length <= kNeverAnOpening ||
+           shape.widthInEdges() < kClosed;
+}
+
 /// The best ear of the active ring, no entry if the guard refuses all.
 Ear bestEar(StepContext& context) {
     State& s = context.state;
     const Index ring = s.rings.active();
-    // Where the surface may end anyway, an ear with a fault is no gain.
-    const bool force = !isOpening(context);
+    const bool force = mayForce(context);
     Ear best;
     Index entry = s.rings.head(ring);
     for (Index i = 0; i < s.rings.length(ring); ++i, entry = s.rings.next(entry)) {
@@ -55,39 +88,25 @@ Ear bestEar(StepContext& context) {
 
 }  // namespace
 
-namespace {
-
-/// Does the active ring run round a patch of the surface, instead of round a hole in it? Seen along
-/// the normals it turns clockwise about a hole, which lies in the free sectors of its points.
-bool runsRoundPatch(const StepContext& context) {
-    const EdgeRings& rings = context.state.rings;
-    const Index head = rings.head(rings.active());
-    const Vec3 origin = context.positionAt(head);
-    Vec3 area(0.0);
-    Vec3 normal(0.0);
-    Index entry = head;
-    do {
-        const Index next = rings.next(entry);
-        area += glm::cross(context.positionAt(entry) - origin, context.positionAt(next) - origin);
-        normal += context.normalAt(entry);
-        entry = next;
-    } while (entry != head);
-    return glm::dot(area, normal) > 0.0;
-}
-
-}  // namespace
-
 bool isOpening(const StepContext& context) {
     if (!context.params.rules.rim) return false;
     const EdgeRings& rings = context.state.rings;
     const Index ring = rings.active();
     const Index length = rings.length(ring);
+    Index walls = 0;
     Index rim = 0;
     Index entry = rings.head(ring);
     for (Index i = 0; i < length; ++i, entry = rings.next(entry)) {
-        rim += isRim(context.points, rings.point(entry)) ? 1U : 0U;
+        const Index point = rings.point(entry);
+        walls += isBoundary(context.points.type[point]) ? 1U : 0U;
+        rim += isRim(context.points, point) ? 1U : 0U;
     }
-    return 3 * rim > 2 * length || (length > kNeverAnOpening && runsRoundPatch(context));
+    const auto most = [length](Index count) { return 3 * count > 2 * length; };
+    if (most(walls)) return true;
+    const RingShape shape = shapeOfRing(context);
+    const std::size_t triangles = context.state.triangles.size() - context.state.componentBegin;
+    return (length > kNeverAnOpening && runsRoundPatch(shape, triangles)) ||
+           (most(rim) && shape.widthInEdges() >= kNarrow);
 }
 
 namespace {
@@ -97,27 +116,15 @@ bool isTooWide(const StepContext& context) {
     const EdgeRings& rings = context.state.rings;
     const Index ring = rings.active();
     const Index length = rings.length(ring);
-    const Vec3 origin = context.positionAt(rings.head(ring));
-    Vec3 sum(0.0);
     double spacing = 0.0;
     Index entry = rings.head(ring);
     for (Index i = 0; i < length; ++i, entry = rings.next(entry)) {
-        const Vec3 offset = context.positionAt(entry) - origin;
-        sum += offset;
         const auto list = context.points.neighbors[rings.point(entry)];
         if (list.empty()) continue;
         const Vec3 nearest = context.points.position[list.front()] - context.positionAt(entry);
-        spacing += std::sqrt(glm::dot(nearest, nearest));
+        spacing += std::sqrt(glm::dot(nearest, nearest)) / static_cast<double>(length);
     }
-    if (!(spacing > 0.0)) return false;
-    const Vec3 middle = sum / static_cast<double>(length);
-    double farthestSq = 0.0;
-    for (Index i = 0; i < length; ++i, entry = rings.next(entry)) {
-        const Vec3 offset = context.positionAt(entry) - origin - middle;
-        farthestSq = std::max(farthestSq, glm::dot(offset, offset));
-    }
-    const double limit = 0.5 * context.params.maxFillWidth * spacing / static_cast<double>(length);
-    return farthestSq > limit * limit;
+    return spacing > 0.0 && shapeOfRing(context).width() > context.params.maxFillWidth * spacing;
 }
 
 }  // namespace

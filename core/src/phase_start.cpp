@@ -22,6 +22,7 @@ void beginRing(AnyContext auto& context, Index p, Index q) {
     s.pivot.pivot = s.rings.start(p, q);
     s.circuit = 0;
     ++s.counters.seeds;
+    s.componentBegin = static_cast<Index>(s.triangles.size());
     s.counters.maxRingLength = std::max(s.counters.maxRingLength, 2U);
     s.phase = Phase::Pivot;
     noteAt(context, s.counters.pivots + 1, Stage::Seed, [&] {

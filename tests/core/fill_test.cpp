@@ -121,13 +121,13 @@ TEST_CASE("fill: a ring longer than maxFillLength is freed") {
 }
 
 TEST_CASE("fill: a ring wider than maxFillWidth spacings of its points is freed") {
-    // The square is 2 wide from corner to corner, and each corner's nearest neighbor 0.1 away.
-    for (const double widest : {19.9, 20.1}) {
+    // The square is sqrt(2) wide, and each corner's nearest neighbor 0.1 away.
+    for (const double widest : {14.1, 14.2}) {
         Params params = fillWith({&Rules::rim});
         params.maxFillWidth = widest;
         Rig rig(rimSquarePoints(), params);
         rimSquare(rig).run();
-        CHECK(rig.triangles().empty() == (widest < 20.0));
+        CHECK(rig.triangles().empty() == (widest < 14.142));
         CHECK(rig.state().finished());
     }
 }
@@ -177,8 +177,9 @@ TEST_CASE("fill: an ear with a fault is made only where nothing else closes a ho
     };
     CHECK(closed(4, {&Rules::noFold}) == 2);
     CHECK(closed(8, {&Rules::noFold}) == 6);
+    CHECK(closed(12, {&Rules::noFold}) == 10);
     // No neighbors on any side: the surface ends there.
-    CHECK(closed(8, {&Rules::noFold, &Rules::rim}) == 0);
+    CHECK(closed(12, {&Rules::noFold, &Rules::rim}) == 0);
 }
 
 TEST_CASE("fill: an ear that the guard refuses is not made even to close a ring of four") {
@@ -259,6 +260,41 @@ TEST_CASE("rim: a ring that runs round a patch of the surface is an opening") {
         rig.run();
         CHECK(rig.triangles().empty() == patch);
         CHECK(rig.state().counters.openings == (patch ? 1 : 0));
+    }
+}
+
+TEST_CASE("rim: a ring as narrow as a seam is no opening, wherever its points lie") {
+    for (const double width : {0.5, 3.0}) {
+        // Two rows of twelve, one apart in their row, with no neighbors between.
+        std::vector<Vec3> position;
+        for (int i = 0; i < 12; ++i) position.emplace_back(i, width, 0);
+        for (int i = 11; i >= 0; --i) position.emplace_back(i, 0, 0);
+        const std::size_t count = position.size();
+        for (std::size_t p = 0; p < count; ++p) {
+            const double out = p < count / 2 ? 1.0 : -1.0;
+            position.push_back(position[p] + Vec3(0, out, 0));
+            position.push_back(position[p] + Vec3(0.1, out, 0));
+            position.push_back(position[p] + Vec3(-0.1, out, 0));
+        }
+        Rig rig(position, fillWith({&Rules::rim}));
+        for (Index p = 0; p < count; ++p) {
+            const auto first = static_cast<Index>(count + 3 * p);
+            rig.done({first, first + 1, first + 2}).list(p, {first, first + 1, first + 2});
+        }
+        rig.ring(upTo(count)).startAt(Phase::Advance).patience(kDelayedAllowed, 23).run();
+        const bool seam = width < 1.0;
+        CHECK(rig.triangles().empty() == !seam);
+        CHECK(rig.state().counters.openings == (seam ? 0 : 1));
+    }
+}
+
+TEST_CASE("fill: a ring that touches a wall gets no ear with a fault") {
+    for (const bool wall : {false, true}) {
+        Rig rig(hole(regular(4)), fillWith({&Rules::noFold}));
+        for (Index p = 0; p < 4; p += 2) rig.normal(p, Vec3(0, 0, -0.2) + polar(10.0 * p));
+        if (wall) rig.type(1, kPositiveX);
+        rig.ring(upTo(4)).startAt(Phase::Fill).run();
+        CHECK(rig.triangles().empty() == wall);
     }
 }
 

@@ -153,6 +153,18 @@ TEST_CASE("robust: the bunny keeps its five holes") {
     CHECK(run.mesh.eulerCharacteristic == -3);
 }
 
+TEST_CASE("robust: the mannequin is open at its neck, and no hole is left elsewhere") {
+    const auto points = sharedLarge("mannequin_devil");
+    if (!points) return;
+    const Run run = runAll(*points, robust());
+    CHECK(isOrientedManifold(run.mesh));
+    CHECK(run.state.counters.holes == 0);
+    // Besides the neck there is one border: that of a patch of eleven triangles by a tooth.
+    CHECK(run.mesh.components == 2);
+    CHECK(run.mesh.boundaryLoops == 2);
+    CHECK(run.mesh.boundaryEdges == 82 + 7);
+}
+
 // ---- the run as a run ---------------------------------------------------------------------------
 
 namespace {
