@@ -95,13 +95,6 @@ std::vector<Index> pointsToDrop(const Diagnosis& findings, const std::vector<std
     return points;
 }
 
-std::string remedyFor(const Finding& finding, const std::string& input) {
-    std::string command(finding.check->remedy);
-    const std::size_t place = command.find("IN");
-    if (place != std::string::npos) command.replace(place, 2, input);
-    return command;
-}
-
 // ---- for people ---------------------------------------------------------------------------------
 
 std::string placesText(const std::vector<Index>& points) {
@@ -121,7 +114,7 @@ std::string findingText(const Finding& finding, const std::string& input) {
     };
     addLine("at point", placesText(finding.points));
     addLine(fmt::format("section {}:", finding.check->section), std::string(finding.check->upsets));
-    addLine("try:", remedyFor(finding, input));
+    addLine("try:", remedyFor(*finding.check, input));
     return text;
 }
 
@@ -144,7 +137,7 @@ std::string visitText(const Visit& visit) {
 // ---- for programs -------------------------------------------------------------------------------
 
 Json findingJson(const Finding& finding, const std::string& input) {
-    const std::string remedy = remedyFor(finding, input);
+    const std::string remedy = remedyFor(*finding.check, input);
     Json json;
     json["name"] = finding.check->name;
     json["severity"] = severityName(finding.severity);

@@ -99,6 +99,7 @@ void Application::drop(const std::vector<std::string>& paths) {
 bool Application::poll() {
     const bool changed = session_.poll();
     filing_.poll();
+    if (session_.takeAccusation()) ui_.wantedTab = kDoctorTab;
     const bool notice = !session_.notice().empty();
     return std::exchange(noticed_, notice) != notice || changed;
 }
@@ -213,7 +214,8 @@ void Application::fillScene() {
                            componentBegin(session_),
                            session_.selection(),
                            ui_.facts.of(session_).present,
-                           mesh};
+                           mesh,
+                           session_.marked()};
     fillDrawList(input, shownLayers_, drawList_);
     filledRevision_ = session_.revision();
     filledLayers_ = shownLayers_;

@@ -31,6 +31,7 @@ void escape(C& c) {
     c.ui.palette.open = false;
     c.ui.requests.closePopups = true;
     c.session.select(Selection{});
+    c.session.mark({});
 }
 
 void nextMeshStyle(C& c) {

@@ -39,10 +39,10 @@ void Loader::finish() {
 }
 
 Result<Opened> Loader::work(Job& job) {
-    Result<std::shared_ptr<const Model>> model = loadModel(job.spec, job.progress);
-    if (!model) return model.error();
+    Result<Loaded> loaded = loadInput(job.spec, job.progress);
+    if (!loaded) return loaded.error();
     job.progress.part = LoadPart::Beginning;
-    Opened opened{std::move(model.value()), nullptr};
+    Opened opened{std::move(loaded.value().model), nullptr, std::move(loaded.value().file)};
     opened.runner = std::make_unique<Runner>(opened.model);
     opened.runner->request(0);
     while (!opened.runner->wait(std::chrono::milliseconds(50))) {

@@ -17,6 +17,7 @@ namespace se::view {
 struct Opened {
     std::shared_ptr<const Model> model;
     std::unique_ptr<Runner> runner;
+    std::shared_ptr<const PointFile> file;  ///< As it was read.
 };
 
 class Loader {

@@ -134,7 +134,7 @@ void placeModel(Model& model) {
     }
 }
 
-Result<std::shared_ptr<const Model>> loadModel(const InputSpec& spec, LoadProgress& progress) {
+Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress) {
     auto model = std::make_shared<Model>();
     const std::optional<Params> params = paramsByName(spec.rules);
     if (!params) return Error{"There is no rule set \"" + spec.rules + "\"."};
@@ -165,7 +165,13 @@ Result<std::shared_ptr<const Model>> loadModel(const InputSpec& spec, LoadProgre
     placeModel(*model);
     if (progress.cancelled) return cancelled();
     progress.share = 1.0;
-    return std::shared_ptr<const Model>(std::move(model));
+    return Loaded{std::move(model), std::make_shared<const PointFile>(std::move(file.value()))};
+}
+
+Result<std::shared_ptr<const Model>> loadModel(const InputSpec& spec, LoadProgress& progress) {
+    const Result<Loaded> loaded = loadInput(spec, progress);
+    if (!loaded) return loaded.error();
+    return loaded.value().model;
 }
 
 }  // namespace se::view

@@ -60,7 +60,14 @@ struct LoadProgress {
     std::atomic<bool> cancelled = false;
 };
 
+/// An input, ready to be drawn and run, and what was read.
+struct Loaded {
+    std::shared_ptr<const Model> model;
+    std::shared_ptr<const PointFile> file;
+};
 /// Reads or builds the points, prepares and validates them. Fails with a sentence for a person.
+Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress);
+/// The same for whom the model is enough.
 Result<std::shared_ptr<const Model>> loadModel(const InputSpec& spec, LoadProgress& progress);
 
 /// Fills everything that is for drawing from `points`.

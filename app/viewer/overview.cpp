@@ -179,6 +179,7 @@ void OverviewThread::work(const std::stop_token& stop) {
     }
     fresh.complete = observer.state().finished();
     hand(fresh);
+    done_ = true;
 }
 
 }  // namespace se::view

@@ -78,6 +78,8 @@ class OverviewThread {
 
     /// Appends what is new to `overview`. True if anything was.
     bool update(RunOverview& overview);
+    /// The run has come to its end, or was stopped.
+    bool done() const { return done_; }
     /// Blocks until the run is complete.
     void finish() {
         if (thread_.joinable()) thread_.join();
@@ -91,6 +93,7 @@ class OverviewThread {
     std::mutex mutex_;
     RunOverview fresh_;  ///< What update() has not yet taken.
     bool changed_ = false;
+    std::atomic<bool> done_ = false;
     std::jthread thread_;  // last: it uses all of the above
 };
 

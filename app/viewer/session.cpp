@@ -46,6 +46,9 @@ void Session::adopt(Opened opened) {
     moves_.clear();
     waiting_ = false;
     selection_ = {};
+    marked_.clear();
+    accused_ = false;
+    checkup_.wait(std::move(opened.file));
     highlightedRing_ = hoveredRing_ = kNone;
     ++generation_;
     ++revision_;
@@ -73,7 +76,18 @@ bool Session::poll() {
     if (waiting_) changed = takeAnswer() || changed;
     processMoves();
     if (overviewThread_) changed = overviewThread_->update(overview_) || changed;
-    return changed;
+    return pollCheckup() || changed;
+}
+
+/// The doctor comes last: neither the first picture nor the run waits for it.
+bool Session::pollCheckup() {
+    if (!ready() || !overviewThread_ || !overviewThread_->done()) return false;
+    checkup_.begin();
+    if (!checkup_.poll()) return false;
+    const auto found = checkup_.findings();
+    accused_ =
+        std::any_of(found.begin(), found.end(), [](const Finding& f) { return f.accuses(); });
+    return true;
 }
 
 void Session::settle() {
@@ -84,6 +98,8 @@ void Session::settle() {
         poll();
     }
     if (overviewThread_) overviewThread_->finish();
+    poll();
+    checkup_.finish();
     poll();
 }
 
@@ -363,6 +379,12 @@ void Session::performPoint(Index point) {
 void Session::select(const Selection& selection) {
     if (selection_ == selection) return;
     selection_ = selection;
+    ++revision_;
+}
+
+void Session::mark(std::vector<Index> points) {
+    if (marked_ == points) return;
+    marked_ = std::move(points);
     ++revision_;
 }
 

@@ -12,7 +12,9 @@
 #include <span>
 #include <string>
 #include <thread>
+#include <utility>
 
+#include "checkup.h"
 #include "history.h"
 #include "loader.h"
 #include "mesh_index.h"
@@ -62,6 +64,10 @@ class Session {
     const PivotRecord& record() const { return *record_; }
     const Picture& picture() const { return picture_; }
     const RunOverview& overview() const { return overview_; }
+    /// What the doctor says of the input; it looks once the run was gone through.
+    const Checkup& checkup() const { return checkup_; }
+    /// True once, when the doctor has found something to accuse.
+    bool takeAccusation() { return std::exchange(accused_, false); }
     /// Triangles seen so far in this run; the first finishedTriangles of the picture are drawn.
     const std::vector<Triangle>& triangles() const { return triangles_; }
     /// Those that are there at the cursor: the first of triangles(), or the mended mesh.
@@ -134,6 +140,9 @@ class Session {
     /// The point under the pointer, in the view or on the dial; lit up in both.
     Index hovered() const { return hovered_; }
     void hover(Index point);
+    /// Points that are lit up, as those of a finding; none by default.
+    std::span<const Index> marked() const { return marked_; }
+    void mark(std::vector<Index> points);
     Index highlightedRing() const { return highlightedRing_; }
     void highlightRing(Index ring);
     /// The ring under the pointer; it is lit up for so long.
@@ -174,6 +183,7 @@ class Session {
     void miss(std::string message);
     void setCursor(std::size_t cursor);
     void adopt(Opened opened);
+    bool pollCheckup();
 
     InputSpec spec_;
     InputSpec opening_;
@@ -209,6 +219,10 @@ class Session {
     Landing landing_ = Landing::Last;
     Address target_;
     Index pointWanted_ = kNone;
+
+    Checkup checkup_;
+    bool accused_ = false;
+    std::vector<Index> marked_;
 
     std::unique_ptr<Runner> runner_;
     std::unique_ptr<OverviewThread> overviewThread_;

@@ -66,6 +66,12 @@ void dumpRun(json& out, const Session& session) {
     if (!corners.empty()) {
         out["selection_present"] = factsOf(session, session.selection()).present;
     }
+    const Checkup& checkup = session.checkup();
+    out["doctor"] = checkup.done() ? "done" : checkup.busy() ? "busy" : "waiting";
+    out["findings"] = json::array();
+    for (const Finding& finding : checkup.findings())
+        out["findings"].push_back(finding.check->name);
+    out["marked"] = session.marked().size();
     out["hovered"] = indexOrNull(session.hovered());
     out["busy"] = session.busy();
 }

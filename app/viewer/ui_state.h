@@ -58,6 +58,9 @@ struct UiRequests {
     std::string saveSessionAs;  ///< A path; empty: nothing.
 };
 
+/// The tab that opens by itself when the doctor has found something.
+inline constexpr const char* kDoctorTab = "Doctor";
+
 /// What the file browser is for.
 enum class BrowserTask : std::uint8_t { Open, SaveSession };
 
@@ -105,6 +108,8 @@ struct UiState {
     /// ... For --state-dump, so that whoever drives the window finds it.
     std::map<std::string, Rect> where;
     std::string openTab;
+    std::string shownCheck;   ///< Of the doctor: the finding whose points are marked.
+    std::string wantedTab;    ///< To be opened in the next frame; empty: as it is.
     FactsCache facts;         ///< Of the selection.
     ClickWait click;          ///< In the view; it may be the first half of a double click.
     Index pointedAt = kNone;  ///< The point under the pointer, found anew in every frame.

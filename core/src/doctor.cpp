@@ -97,6 +97,13 @@ const DoctorCheck* findDoctorCheck(std::string_view name) {
     return found == kChecks.end() ? nullptr : &*found;
 }
 
+std::string remedyFor(const DoctorCheck& check, std::string_view input) {
+    std::string command(check.remedy);
+    const std::size_t place = command.find("IN");
+    if (place != std::string::npos) command.replace(place, 2, input);
+    return command;
+}
+
 bool accuses(const Diagnosis& diagnosis) {
     return std::any_of(diagnosis.begin(), diagnosis.end(),
                        [](const Finding& finding) { return finding.accuses(); });

@@ -29,6 +29,7 @@ struct LayerInput {
     Selection selection{};           ///< An edge or triangle too.
     bool selectionPresent = true;
     MeshColoring mesh{};
+    std::span<const Index> marked{};  ///< Points that are lit up.
 
     const glm::vec3& at(Index point) const { return model.place[point]; }
 };
@@ -59,6 +60,7 @@ void addExchange(const LayerInput& in, DrawList& out);
 void addAdvance(const LayerInput& in, DrawList& out);
 void addComponent(const LayerInput& in, DrawList& out);
 void addSelection(const LayerInput& in, DrawList& out);
+void addMarked(const LayerInput& in, DrawList& out);
 
 enum class LayerId : std::uint8_t {
     Points,
@@ -86,8 +88,9 @@ enum class LayerId : std::uint8_t {
     Advance,
     Component,
     Selection,
+    Marked,
 };
-inline constexpr std::size_t kLayerCount = 25;
+inline constexpr std::size_t kLayerCount = 26;
 
 /// The stages that show a layer by themselves, one bit each.
 using StageMask = std::uint32_t;

@@ -36,6 +36,7 @@ constexpr std::array<Layer, kLayerCount> kLayers = {{
     {LayerId::Links, "links", "Neighbor links", kNoStage, addLinks},
     {LayerId::Labels, "labels", "Labels", kEveryStage, addLabels},
     {LayerId::Selection, "selection", "Selected edge or triangle", kEveryStage, addSelection},
+    {LayerId::Marked, "marked", "Points that the doctor found", kEveryStage, addMarked},
 }};
 
 constexpr std::array<std::string_view, 3> kModeNames = {"auto", "on", "off"};

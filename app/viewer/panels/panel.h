@@ -59,6 +59,8 @@ void drawDial(const PanelContext& context);
 void drawPaper(const PanelContext& context);
 /// Bookmarks, and the person's own text.
 void drawNotes(const PanelContext& context);
+/// What the doctor says of the input.
+void drawDoctor(const PanelContext& context);
 void drawLayerSwitches(const PanelContext& context);
 
 // Parts of others.

@@ -7,7 +7,7 @@ namespace se::view {
 
 namespace {
 
-constexpr std::array<SidePanel, 8> kSidePanels = {{
+constexpr std::array<SidePanel, 9> kSidePanels = {{
     {"Steps", true, 0.66F, drawSteps},
     {"Rings", true, 0.34F, drawRings},
     {"Dial", false, 0.0F, drawDial},
@@ -16,6 +16,7 @@ constexpr std::array<SidePanel, 8> kSidePanels = {{
     {"Counts", false, 0.0F, drawCounters},
     {"Layers", false, 0.0F, drawLayerSwitches},
     {"Notes", false, 0.0F, drawNotes},
+    {kDoctorTab, false, 0.0F, drawDoctor},
 }};
 
 void drawLeftColumn(const PanelContext& context) {
@@ -60,6 +61,13 @@ ImGuiTabBarFlags tabFlags(bool fit) {
                : ImGuiTabBarFlags_FittingPolicyScroll | ImGuiTabBarFlags_TabListPopupButton;
 }
 
+/// Opens the tab that was asked for, once.
+ImGuiTabItemFlags wantedFlag(const PanelContext& context, const SidePanel& panel) {
+    if (context.ui().wantedTab != panel.title) return ImGuiTabItemFlags_None;
+    context.ui().wantedTab.clear();
+    return ImGuiTabItemFlags_SetSelected;
+}
+
 /// Those that are scrolled out of sight, or lie below the buttons that scroll, are not there.
 void noteTab(const PanelContext& context, const SidePanel& panel, const Rect& column) {
     const Rect tab = lastItem();
@@ -72,7 +80,7 @@ void noteTab(const PanelContext& context, const SidePanel& panel, const Rect& co
 void drawTabs(const PanelContext& context) {
     for (const SidePanel& panel : kSidePanels) {
         if (!isTab(context, panel)) continue;
-        const bool open = ImGui::BeginTabItem(panel.title);
+        const bool open = ImGui::BeginTabItem(panel.title, nullptr, wantedFlag(context, panel));
         noteTab(context, panel, context.layout.right);
         if (!open) continue;
         context.ui().openTab = panel.title;
@@ -100,7 +108,8 @@ void drawLearnColumn(const PanelContext& context) {
             for (const SidePanel& panel : kSidePanels) {
                 if (panel.left || (panel.draw == drawPaper) != rule) continue;
                 ImGui::PushFont(tight ? context.fonts.small : context.fonts.text);
-                const bool open = ImGui::BeginTabItem(panel.title);
+                const bool open =
+                    ImGui::BeginTabItem(panel.title, nullptr, wantedFlag(context, panel));
                 ImGui::PopFont();
                 noteTab(context, panel, context.layout.left);
                 if (!open) continue;

@@ -56,6 +56,9 @@ struct Finding {
     bool accuses() const { return severity != Severity::Note; }
 };
 
+/// The command that helps, with the input in place of IN; empty if there is none.
+std::string remedyFor(const DoctorCheck& check, std::string_view input);
+
 /// The findings, in the order of doctorChecks().
 using Diagnosis = std::vector<Finding>;
 /// True if some finding accuses.

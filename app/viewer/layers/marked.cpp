@@ -1,0 +1,13 @@
+#include "layer.h"
+
+namespace se::view {
+
+/// Points that are lit up, as those of a finding: a ring about each, over everything else.
+void addMarked(const LayerInput& in, DrawList& out) {
+    for (const Index p : in.marked) {
+        if (!in.model.drawable[p]) continue;
+        out.mark(in.at(p), Shape::OpenDiamond, in.palette.rejected, 0.95F);
+    }
+}
+
+}  // namespace se::view

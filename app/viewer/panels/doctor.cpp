@@ -1,0 +1,133 @@
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "panel.h"
+#include "widgets.h"
+
+namespace se::view {
+
+namespace {
+
+Color severityColor(const PanelContext& context, Severity severity) {
+    switch (severity) {
+        case Severity::Error:
+            return context.palette.rejected;
+        case Severity::Warning:
+            return context.palette.test;
+        case Severity::Note:
+            return context.palette.textDim;
+    }
+    return context.palette.text;
+}
+
+/// Lights up the points of a finding and frames them; a second click puts the light out.
+void show(const PanelContext& context, const Finding& finding, bool shown) {
+    Session& session = context.session();
+    if (shown) return session.mark({});
+    std::vector<Index> points = pointsToMark(session.model(), finding);
+    if (points.empty()) {
+        session.mark({});
+        return session.say(finding.points.empty() ? "This is about the file as a whole."
+                                                  : "These points have no place to be shown at.");
+    }
+    const MarkedPlace place = placeOf(session.model(), points);
+    if (place.normal != glm::vec3(0.0F)) context.camera().face(place.normal);
+    context.camera().frame(place.center, place.radius);
+    session.mark(std::move(points));
+}
+
+void dimText(const std::string& text) {
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextDisabled("%s", text.c_str());
+    ImGui::PopTextWrapPos();
+}
+
+/// How many are lit up, if not all are.
+std::string markedText(const Session& session, const Finding& finding) {
+    const std::size_t marked = session.marked().size();
+    if (marked == finding.points.size()) return {};
+    return "Marked: " + grouped(marked) + " of " + grouped(finding.points.size()) + " points.";
+}
+
+void drawRemedy(const PanelContext& context, const Finding& finding) {
+    const std::string remedy = remedyFor(*finding.check, context.session().model().name);
+    if (remedy.empty()) return;
+    ImGui::PushFont(context.fonts.mono);
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(remedy.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+    if (ImGui::SmallButton("Copy")) {
+        // With the whole path: who pastes it may stand in another folder.
+        ImGui::SetClipboardText(remedyFor(*finding.check, context.session().spec().source).c_str());
+        context.session().say("Copied the command.");
+    }
+    tooltip("Copy the command that helps");
+}
+
+void drawFinding(const PanelContext& context, const Finding& finding) {
+    Session& session = context.session();
+    const Index first = session.marked().empty() ? kNone : session.marked().front();
+    const bool shown = context.ui().shownCheck == finding.check->name && first != kNone;
+    const std::string name(finding.check->name);
+    ImGui::PushID(name.c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(severityColor(context, finding.severity)));
+    ImGui::PushFont(context.fonts.strong);
+    const std::string title = std::string(severityName(finding.severity)) + "  " + name;
+    if (ImGui::Selectable(title.c_str(), shown)) {
+        context.ui().shownCheck = name;
+        show(context, finding, shown);
+    }
+    ImGui::PopFont();
+    ImGui::PopStyleColor();
+    context.ui().where["finding " + name] = lastItem();
+    tooltip(finding.points.empty() ? "About the file as a whole"
+            : shown                ? "Put the marks out"
+                                   : "Mark these points in the view, and frame them");
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted((finding.text + ".").c_str());
+    ImGui::PopTextWrapPos();
+    if (shown) {
+        const std::string marked = markedText(session, finding);
+        if (!marked.empty()) dimText(marked);
+    }
+    dimText("Section " + std::string(finding.check->section) + ": " +
+            std::string(finding.check->upsets));
+    drawRemedy(context, finding);
+    ImGui::PopID();
+    ImGui::Spacing();
+    ImGui::Separator();
+}
+
+std::string headingNote(std::size_t findings) {
+    if (findings == 0) return {};
+    return findings == 1 ? "1 finding" : grouped(findings) + " findings";
+}
+
+}  // namespace
+
+void drawDoctor(const PanelContext& context) {
+    const Session& session = context.session();
+    if (!session.ready()) {
+        ImGui::TextDisabled("Nothing is open.");
+        return;
+    }
+    const Checkup& checkup = session.checkup();
+    heading(context, "Doctor", headingNote(checkup.findings().size()));
+    if (!checkup.done()) {
+        dimText(checkup.busy() ? "Looking for what could upset the algorithm ..."
+                               : "The doctor looks at the points once the run was gone through.");
+        if (checkup.busy()) ImGui::ProgressBar(static_cast<float>(checkup.share()), {-1.0F, 0.0F});
+        return;
+    }
+    if (checkup.findings().empty()) {
+        dimText("Nothing found: " + std::to_string(doctorChecks().size()) +
+                " checks say that these points will not upset the algorithm.");
+        return;
+    }
+    dimText("A click on a finding marks its points and frames them.");
+    for (const Finding& finding : checkup.findings()) drawFinding(context, finding);
+}
+
+}  // namespace se::view
