@@ -58,6 +58,7 @@ void NeighborArguments::addTo(CLI::App& app) {
     app.add_option("-r,--radius", radius_, "Neighbors of a point: all within R, in scene units")
         ->type_name("R")
         ->excludes(count);
+    app.add_flag("--symmetric", symmetric_, "Whoever lists a point is listed by it as well");
     app.add_flag("--keep-opposing", keepOpposing_,
                  "Also take neighbors whose normal opposes that of the point");
     app.add_flag("--keep-noise", keepNoise_,
@@ -74,6 +75,7 @@ NeighborOptions NeighborArguments::options() const {
         options.reach = WithinRadius{*radius_};
     }
     options.dropOpposingNormals = !keepOpposing_;
+    options.symmetric = symmetric_;
     options.recompute = count_.has_value() || radius_.has_value();
     return options;
 }

@@ -17,7 +17,8 @@ namespace se::cli {
 /// with, after the help was printed. Throws Failure on wrong usage.
 std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments);
 
-/// How missing neighbor lists are made: --neighbors, --radius, --keep-opposing, --keep-noise.
+/// How missing neighbor lists are made: --neighbors, --radius, --symmetric, --keep-opposing,
+/// --keep-noise.
 class NeighborArguments {
   public:
     void addTo(CLI::App& app);
@@ -29,6 +30,7 @@ class NeighborArguments {
   private:
     std::optional<std::size_t> count_;
     std::optional<double> radius_;
+    bool symmetric_ = false;
     bool keepOpposing_ = false;
     bool keepNoise_ = false;
 };

@@ -1,10 +1,12 @@
 /// PCD, the format of the Point Cloud Library: a header in text, then rows in text or binary.
+#include <algorithm>
 #include <bit>
 #include <optional>
 #include <vector>
 
 #include "io_formats.h"
 #include "io_ply.h"
+#include "io_ply_rows.h"
 #include "text_scan.h"
 
 namespace se::io {
@@ -154,7 +156,9 @@ class PcdReader {
 
     const Field* find(std::string_view name) const {
         for (const Field& field : fields_) {
-            if (field.name == name && field.count == 1 && field.kind == 'F') return &field;
+            if (field.name == name && field.count == 1 && field.kind == 'F' && field.type()) {
+                return &field;
+            }
         }
         return nullptr;
     }
@@ -169,7 +173,7 @@ class PcdReader {
         for (const char* axis : {"x", "y", "z"}) {
             if (find(axis) == nullptr) {
                 return fail(std::string("there is no field ") + axis +
-                            " of type F; the algorithm needs x, y and z");
+                            " of type F and size 4 or 8; the algorithm needs x, y and z");
             }
         }
         rowSize_ = 0;
@@ -264,13 +268,23 @@ class PcdReader {
             return fail("expected a number for field " + inQuotes(fields_[i].name) + ", found " +
                         inQuotes(word) + "; correct the line");
         }
+        const Field& field = fields_[i];
         if (targets_[i].first == nullptr) return true;
-        // In text a color of type F is the float that has its bits.
-        const bool bits = fields_[i].isColor() && fields_[i].kind == 'F';
+        if (!roundTo(*field.type(), value)) {
+            return fail(std::string(word) + " is no number of the type and size of field " +
+                        inQuotes(field.name) + "; correct the line or the header");
+        }
         targets_[i].first[p * targets_[i].stride] =
-            bits ? static_cast<double>(std::bit_cast<std::uint32_t>(static_cast<float>(value)))
-                 : value;
+            field.isColor() ? colorBits(field, value) : value;
         return true;
+    }
+
+    /// In text a color of type F is the float that has its bits, one of type I their number with a
+    /// sign.
+    static double colorBits(const Field& field, double value) {
+        if (field.kind == 'F') return std::bit_cast<std::uint32_t>(static_cast<float>(value));
+        if (field.kind == 'I') return static_cast<std::uint32_t>(static_cast<std::int32_t>(value));
+        return value;
     }
 
     bool readBinary() {
@@ -307,14 +321,19 @@ class PcdReader {
     /// Packed colors become columns that every program knows.
     void splitColors() {
         for (std::size_t i = 0; i < file_.attributes.size(); ++i) {
-            if (file_.attributes[i].name != "rgb" && file_.attributes[i].name != "rgba") continue;
-            const std::vector<double> packed = std::move(file_.attributes[i].values);
+            const Attribute& packed = file_.attributes[i];
+            const auto isIt = [&](const Field& f) { return f.isColor() && f.name == packed.name; };
+            if (packed.type != ScalarType::UInt32 ||
+                std::none_of(fields_.begin(), fields_.end(), isIt)) {
+                continue;
+            }
+            const std::vector<double> colors = std::move(file_.attributes[i].values);
             file_.attributes.erase(file_.attributes.begin() + static_cast<std::ptrdiff_t>(i));
             unsigned shift = 16;
             for (const char* name : {"red", "green", "blue"}) {
                 Attribute channel{name, ScalarType::UInt8, {}};
-                channel.values.reserve(packed.size());
-                for (const double value : packed) {
+                channel.values.reserve(colors.size());
+                for (const double value : colors) {
                     const auto bits = static_cast<std::uint32_t>(value);
                     channel.values.push_back(static_cast<double>((bits >> shift) & 0xFFU));
                 }

@@ -40,6 +40,8 @@ class Preparation {
         if (Status status = makeNormals(); !status) return status.error();
         Result<NeighborLists> lists = makeLists();
         if (!lists) return lists.error();
+        if (options_.neighbors.symmetric) lists = symmetricLists(set_.position, lists.value());
+        if (!lists) return lists.error();
         set_.neighbors = std::move(lists.value());
         assert(validate(set_).ok());
         return std::move(prepared_);

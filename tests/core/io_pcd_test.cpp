@@ -78,6 +78,18 @@ TEST_CASE("PCD: a color in text is the number that has its bits") {
     CHECK(result.value().attributes[0].values[0] == static_cast<double>((bits >> 16U) & 0xFFU));
 }
 
+TEST_CASE("PCD: a color with a sign has the same bits as one without") {
+    const std::string head =
+        "VERSION 0.7\nFIELDS x y z rgba\nSIZE 4 4 4 4\nTYPE F F F I\nPOINTS 1\nDATA ascii\n";
+    // -1 is four bytes of 255: alpha, red, green, blue.
+    const auto file = readPoints(head + "1 2 3 -1\n", "input.pcd");
+    REQUIRE(file.ok());
+    REQUIRE(file.value().attributes.size() == 3);
+    for (const Attribute& channel : file.value().attributes) {
+        CHECK(channel.values == std::vector<double>{255});
+    }
+}
+
 TEST_CASE("PCD: the kind is found by the content, whatever the name") {
     CHECK(readPoints(kHead + "DATA ascii\n" + kRows, "a.txt").ok());
 }
@@ -104,6 +116,13 @@ TEST_CASE("PCD: what is wrong is told with line or byte, and what to do") {
               .find("WIDTH times HEIGHT") != std::string::npos);
     CHECK(errorOf("VERSION 0.7\nFIELDS x y z\nPOINTS 4000000000\nDATA binary\n")
               .find("0 of 4000000000") != std::string::npos);
+    // No such size of a floating point number.
+    CHECK(
+        errorOf("VERSION 0.7\nFIELDS x y z\nSIZE 2 4 4\nTYPE F F F\nPOINTS 1\nDATA ascii\n1 2 3\n")
+            .find("no field x of type F and size 4 or 8") != std::string::npos);
+    CHECK(errorOf("VERSION 0.7\nFIELDS x y z n\nSIZE 4 4 4 1\nTYPE F F F U\nPOINTS 1\n"
+                  "DATA ascii\n1 2 3 300\n")
+              .find("300 is no number of the type and size of field \"n\"") != std::string::npos);
     CHECK(errorOf("VERSION 0.7\nNONSENSE 1\n").find("line of a PCD header") != std::string::npos);
 }
 

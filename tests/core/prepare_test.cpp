@@ -72,6 +72,53 @@ TEST_CASE("findNeighbors: ties on a lattice fall to the lower index") {
     CHECK(find(points, nearest(3, false))[0] == std::vector<Index>{1, 8, 64});
 }
 
+TEST_CASE("symmetricLists: who lists a point is listed by it, nearest first, and nobody is lost") {
+    // Dense on one side, sparse on the other: sparse points list dense ones that do not list them.
+    Points points = makeRandom(400);
+    for (Vec3& x : points.position) x.x = x.x * x.x * x.x;
+    const auto lists = findNeighbors(points.position, {}, points.usable, nearest(6, false));
+    REQUIRE(lists.ok());
+    const auto both = symmetricLists(points.position, lists.value());
+    REQUIRE(both.ok());
+    const Lists before = toVectors(lists.value());
+    const Lists after = toVectors(both.value());
+    const auto has = [](const std::vector<Index>& list, Index p) {
+        return std::find(list.begin(), list.end(), p) != list.end();
+    };
+    std::size_t added = 0;
+    for (Index p = 0; p < after.size(); ++p) {
+        for (const Index q : before[p]) CHECK(has(after[p], q));
+        for (const Index q : after[p]) {
+            CHECK(has(after[q], p));
+            CHECK((has(before[p], q) || has(before[q], p)));
+        }
+        const auto farther = [&](Index a, Index b) {
+            const double da = glm::length(points.position[a] - points.position[p]);
+            const double db = glm::length(points.position[b] - points.position[p]);
+            return da < db || (da == db && a < b);
+        };
+        CHECK(std::is_sorted(after[p].begin(), after[p].end(), farther));
+        added += after[p].size() - before[p].size();
+    }
+    CHECK(added > 100);
+    const auto again = symmetricLists(points.position, both.value());
+    REQUIRE(again.ok());
+    CHECK(again.value().ids == both.value().ids);
+}
+
+TEST_CASE("prepare: symmetric lists on request, computed or from the file") {
+    PointFile file = makeCircle();
+    file.neighbors = {};
+    for (Index p = 0; p < 12; ++p) file.neighbors.append(std::vector<Index>{(p + 1) % 12});
+    NeighborOptions options;
+    CHECK(mustPrepare(file, options).points.neighbors[3].size() == 1);
+    options.symmetric = true;
+    const PointSet points = mustPrepare(file, options).points;
+    std::vector<Index> list(points.neighbors[3].begin(), points.neighbors[3].end());
+    std::sort(list.begin(), list.end());  // Both are as far up to rounding.
+    CHECK(list == std::vector<Index>{2, 4});
+}
+
 TEST_CASE("findNeighbors: a radius takes all points up to and at its length") {
     const Points lattice = makeLattice(6);
     const Points cloud = makeRandom(500);

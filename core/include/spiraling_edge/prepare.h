@@ -36,6 +36,8 @@ struct NeighborOptions {
     unsigned threads = 0;
     /// Compute lists even if the file has some.
     bool recompute = false;
+    /// Whoever lists a point is listed by it as well (symmetricLists).
+    bool symmetric = false;
 };
 
 /// Where normals come from.
@@ -112,5 +114,10 @@ Result<Prepared> prepare(const PointFile& file, const PrepareOptions& options,
 Result<NeighborLists> findNeighbors(std::span<const Vec3> position, std::span<const Vec3> normal,
                                     const std::vector<bool>& usable, const NeighborOptions& options,
                                     const Progress& progress = {});
+
+/// The lists, and with each entry q of p's an entry p of q's: where the spacing changes, points of
+/// the sparse side list some that do not list them. Ordered by distance, ties by index. Fails if
+/// there would be more entries than an Index counts.
+Result<NeighborLists> symmetricLists(std::span<const Vec3> position, const NeighborLists& lists);
 
 }  // namespace se
