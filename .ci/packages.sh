@@ -7,7 +7,7 @@ set -euo pipefail
 
 run=(
     g++ cmake ninja-build pkg-config ccache
-    libglm-dev libnanoflann-dev                        # core
+    libglm-dev libnanoflann-dev zlib1g-dev             # core
     libcli11-dev nlohmann-json3-dev libfmt-dev         # programs
     libglfw3-dev libimgui-dev libstb-dev python3-glad  # viewer
     libegl-dev libegl1 libgl1 libgl1-mesa-dri          # OpenGL, in software if need be

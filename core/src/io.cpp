@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "io_formats.h"
+#include "read_bytes.h"
 #include "text_scan.h"
 
 namespace se {
@@ -52,34 +53,6 @@ Reader findReader(std::string_view bytes, const std::string& name) {
     if (!io::parseDouble(word, number)) return nullptr;
     // OFF may begin with its counts, which only the extension tells from a point.
     return lowerExtension(name) == ".off" ? io::readOff : io::readXyz;
-}
-
-/// All bytes of a file or pipe.
-Result<std::string> readBytes(const fs::path& path) {
-    const std::string name = path.string();
-    std::error_code ignored;
-    const fs::file_status status = fs::status(path, ignored);
-    if (!fs::exists(status)) return Error{name + ": there is no such file"};
-    if (fs::is_directory(status)) return Error{name + ": is a folder; name a file in it"};
-    errno = 0;
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) return Error{name + ": cannot be opened: " + systemReason()};
-    std::string bytes;
-    if (fs::is_regular_file(status)) {
-        const std::uintmax_t size = fs::file_size(path, ignored);
-        // One byte more than there should be, so that the end is seen without another round.
-        if (!ignored) bytes.resize(static_cast<std::size_t>(size) + 1);
-    }
-    std::size_t filled = 0;
-    while (stream) {
-        constexpr std::size_t kLeastRoom = 1U << 16U;
-        if (filled == bytes.size()) bytes.resize(std::max(kLeastRoom, 2 * bytes.size()));
-        stream.read(bytes.data() + filled, static_cast<std::streamsize>(bytes.size() - filled));
-        filled += static_cast<std::size_t>(stream.gcount());
-    }
-    if (stream.bad()) return Error{name + ": cannot be read: " + systemReason()};
-    bytes.resize(filled);
-    return bytes;
 }
 
 /// Writes to an open file and closes it. False with errno set if that fails, as on a full disk.
@@ -143,6 +116,33 @@ Status replaceFile(const fs::path& target, bool exists, std::string_view bytes) 
 }
 
 }  // namespace
+
+Result<std::string> readBytes(const fs::path& path) {
+    const std::string name = path.string();
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    if (!fs::exists(status)) return Error{name + ": there is no such file"};
+    if (fs::is_directory(status)) return Error{name + ": is a folder; name a file in it"};
+    errno = 0;
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) return Error{name + ": cannot be opened: " + systemReason()};
+    std::string bytes;
+    if (fs::is_regular_file(status)) {
+        const std::uintmax_t size = fs::file_size(path, ignored);
+        // One byte more than there should be, so that the end is seen without another round.
+        if (!ignored) bytes.resize(static_cast<std::size_t>(size) + 1);
+    }
+    std::size_t filled = 0;
+    while (stream) {
+        constexpr std::size_t kLeastRoom = 1U << 16U;
+        if (filled == bytes.size()) bytes.resize(std::max(kLeastRoom, 2 * bytes.size()));
+        stream.read(bytes.data() + filled, static_cast<std::streamsize>(bytes.size() - filled));
+        filled += static_cast<std::size_t>(stream.gcount());
+    }
+    if (stream.bad()) return Error{name + ": cannot be read: " + systemReason()};
+    bytes.resize(filled);
+    return bytes;
+}
 
 Result<PointFile> readPoints(const fs::path& path) {
     const Result<std::string> bytes = readBytes(path);

@@ -16,6 +16,7 @@
 
 #include "spiraling_edge/io.h"
 #include "spiraling_edge/prepare.h"
+#include "spiraling_edge/volume.h"
 
 namespace {
 
@@ -48,6 +49,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         require(file.ok() || !file.error().message.empty(), "an error without a message");
         if (file.ok()) checkContent(file.value());
     }
+    const auto volume = se::readVolume(bytes, "input.nrrd");
+    require(volume.ok() || !volume.error().message.empty(), "an error without a message");
+    if (volume.ok()) volume.value().gradientAt(volume.value().high());
     return 0;
 }
 

@@ -7,24 +7,12 @@
 #include <cmath>
 #include <vector>
 
-#include "../../core/src/scenes_sampling.h"
+#include "../../core/src/cell_grid.h"
+#include "../../core/src/implicit_surfaces.h"
 #include "oracles.h"
+#include "spiraling_edge/io.h"
 
 namespace se::test {
-
-/// One of the triply periodic minimal surfaces: bent the same way everywhere, and branching.
-inline ImplicitSurface gyroid() {
-    return {[](const Vec3& x) {
-                return std::sin(x.x) * std::cos(x.y) + std::sin(x.y) * std::cos(x.z) +
-                       std::sin(x.z) * std::cos(x.x);
-            },
-            [](const Vec3& x) {
-                return Vec3(std::cos(x.x) * std::cos(x.y) - std::sin(x.z) * std::sin(x.x),
-                            std::cos(x.y) * std::cos(x.z) - std::sin(x.x) * std::sin(x.y),
-                            std::cos(x.z) * std::cos(x.x) - std::sin(x.y) * std::sin(x.z));
-            },
-            Vec3(-4.0), Vec3(4.0)};
-}
 
 /// Two linked tori, their gap 0.44 wide: as few as 215 points tell them apart.
 inline ImplicitSurface linkedRings() {
@@ -47,47 +35,6 @@ inline ImplicitSurface linkedRings() {
 }
 
 inline double lengthOf(const Vec3& v) { return std::sqrt(glm::dot(v, v)); }
-
-/// Points in the cells of a grid, to find those near a place.
-class CellGrid {
-  public:
-    CellGrid(const Vec3& low, const Vec3& high, double cell) : low_(low), cell_(cell) {
-        for (int i = 0; i < 3; ++i) count_[i] = static_cast<int>((high[i] - low[i]) / cell) + 1;
-        first_.assign(slot(count_ - 1) + 1, kNone);
-    }
-    /// Adds the next point; they are numbered in this order.
-    void add(const Vec3& x) {
-        Index& first = first_[slot(cellOf(x))];
-        next_.push_back(first);
-        first = static_cast<Index>(next_.size() - 1);
-    }
-    /// Calls `see` with all points within the width of a cell, and with some farther ones.
-    template <typename See>
-    void near(const Vec3& x, See&& see) const {
-        const glm::ivec3 from = glm::max(cellOf(x) - 1, glm::ivec3(0));
-        const glm::ivec3 to = glm::min(cellOf(x) + 1, count_ - 1);
-        for (int k = from.z; k <= to.z; ++k) {
-            for (int j = from.y; j <= to.y; ++j) {
-                for (int i = from.x; i <= to.x; ++i) {
-                    for (Index p = first_[slot({i, j, k})]; p != kNone; p = next_[p]) see(p);
-                }
-            }
-        }
-    }
-
-  private:
-    glm::ivec3 cellOf(const Vec3& x) const {
-        return glm::clamp(glm::ivec3((x - low_) / cell_), glm::ivec3(0), count_ - 1);
-    }
-    std::size_t slot(const glm::ivec3& cell) const {
-        return static_cast<std::size_t>((cell.z * count_.y + cell.y) * count_.x + cell.x);
-    }
-
-    Vec3 low_;
-    double cell_;
-    glm::ivec3 count_{};
-    std::vector<Index> first_, next_;  ///< Of each cell; after each point, in the same cell.
-};
 
 /// Places points first where edges of the box meet the surface, then at equal steps along its
 /// curves on the walls, then inside, where they push themselves apart.

@@ -4,24 +4,17 @@
 #include <cmath>
 #include <cstdint>
 
+#include "../../core/src/random.h"
 #include "spiraling_edge/point_set.h"
 
 namespace se::test {
 
 inline constexpr double kPi = 3.14159265358979323846;
 
-/// SplitMix64: the same numbers on every machine.
-class Random {
+/// The numbers of core, in the forms that tests want.
+class Random : public SplitMix {
   public:
-    explicit Random(std::uint64_t seed) : state_(seed) {}
-    std::uint64_t bits() {
-        state_ += 0x9E3779B97F4A7C15ULL;
-        std::uint64_t z = state_;
-        z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-        z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
-        return z ^ (z >> 31U);
-    }
-    double unit() { return static_cast<double>(bits() >> 11U) * 0x1p-53; }
+    using SplitMix::SplitMix;
     double between(double low, double high) { return low + (high - low) * unit(); }
     std::size_t below(std::size_t count) { return static_cast<std::size_t>(bits() % count); }
     Vec3 inCube() {
@@ -36,9 +29,6 @@ class Random {
             if (lengthSq > 0.01 && lengthSq < 1.0) return v / std::sqrt(lengthSq);
         }
     }
-
-  private:
-    std::uint64_t state_;
 };
 
 /// Point of the plane z = 0 at an angle from the x axis.

@@ -1,0 +1,57 @@
+/// Scalar fields over a box, whose isosurfaces can be sampled (sampler.h): shapes given by a
+/// formula here, measured volumes in volume.h.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <span>
+#include <string_view>
+
+#include "spiraling_edge/point_set.h"
+
+namespace se {
+
+/// On which side of an isosurface the outside is, where normals point to.
+enum class Outside : std::uint8_t {
+    LowerValues,   ///< As of a density: normals are minus the gradient.
+    HigherValues,  ///< As of a distance: normals follow the gradient.
+};
+
+/// A continuous function in a box and the isovalue of the surface that is meant.
+struct Field {
+    /// Defined everywhere in the box.
+    std::function<double(const Vec3&)> value;
+    /// Of that value, or of a smoothed one: normals follow it. Never asked outside of the box.
+    std::function<Vec3(const Vec3&)> gradient;
+    /// The domain. Its faces are the walls that cut the surface (§7).
+    Vec3 low{0.0}, high{0.0};
+    double isovalue = 0.0;
+    Outside outside = Outside::LowerValues;
+    /// Cells along each axis among which the surface is looked for: one that hides in a single
+    /// cell, with all corners on one side, may be missed.
+    glm::ivec3 cells{96};
+
+    /// Unit normal on the outer side; zero where the gradient has no direction.
+    Vec3 normal(const Vec3& x) const;
+};
+
+/// A named implicit surface.
+struct Shape {
+    std::string_view id;     ///< As on the command line: `two-tori`.
+    std::string_view title;  ///< For people.
+    double (*value)(const Vec3&);
+    Vec3 (*gradient)(const Vec3&);
+    Vec3 low, high;
+    double isovalue;
+    Outside outside;
+};
+
+/// All shapes. A new one is a value, a gradient and a row.
+std::span<const Shape> shapes();
+/// Null if there is none of that id.
+const Shape* findShape(std::string_view id);
+/// The field of a shape, in its own box.
+Field fieldOf(const Shape& shape);
+
+}  // namespace se

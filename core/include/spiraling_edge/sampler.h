@@ -1,0 +1,78 @@
+/// Even points on an isosurface: the particles that the paper's inputs come from (§3, §8; Crossno
+/// and Angel, "Isosurface Extraction Using Particle Systems", Visualization 1997, in the spirit of
+/// Witkin and Heckbert 1994). They repel each other, are pulled back onto the surface along the
+/// gradient, split and die until they are as many as wanted and evenly spread. Those that start
+/// where the walls of the domain cut the surface stay there and carry the bits of their walls.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "spiraling_edge/field.h"
+#include "spiraling_edge/io.h"
+#include "spiraling_edge/prepare.h"
+#include "spiraling_edge/result.h"
+
+namespace se {
+
+/// How many particles, and where they crowd.
+struct SamplerOptions {
+    /// Exactly this many; 0: as many as `spacing` gives.
+    std::size_t count = 0;
+    /// Distance between neighbors, in units of the field; used if `count` is 0. With `curvature`
+    /// it holds where the surface is flat.
+    double spacing = 0.0;
+    /// Equal seeds give equal particles, whatever the number of threads.
+    std::uint64_t seed = 1;
+    /// 0: evenly. Else the spacing is divided by 1 + curvature * c, where c is the curvature of the
+    /// surface in units of its mean, but at most by 5. In [0, 100].
+    double curvature = 0.0;
+    /// Threads that work at once; 0: as many as the machine has.
+    unsigned threads = 0;
+};
+
+/// The particles while they spread. Steps are of bounded work, so that a window can draw between
+/// them:
+///
+///     auto sampler = Sampler::begin(field, options);
+///     while (!sampler.value().done()) sampler.value().step();
+///     PointFile points = sampler.value().points();
+class Sampler {
+  public:
+    /// Finds the surface and scatters particles over it. Fails if there is none in the box, if
+    /// numbers are out of range or too small for the walls, or if cancelled.
+    static Result<Sampler> begin(Field field, const SamplerOptions& options,
+                                 const Progress& progress = {});
+    ~Sampler();
+    Sampler(Sampler&& other) noexcept;
+    Sampler& operator=(Sampler&& other) noexcept;
+
+    /// True after the last step: all particles are on the surface and as even as they will be.
+    bool done() const;
+    /// One step of relaxation; now and then particles split and die in it. No effect when done.
+    void step();
+    /// Share of the steps that is over, in [0, 1].
+    double share() const;
+
+    /// All of them, anew after every step. Their number may change until done.
+    std::span<const Vec3> positions() const;
+    /// TypeBits of each.
+    std::span<const std::uint8_t> types() const;
+    /// The spacing that they are heading for (where the surface is flat).
+    double spacing() const;
+    /// The particles as they are now, with unit normals to the outer side and types.
+    PointFile points() const;
+
+  private:
+    struct Content;
+    explicit Sampler(std::unique_ptr<Content> content);
+    std::unique_ptr<Content> content_;
+};
+
+/// All steps at once.
+Result<PointFile> sample(const Field& field, const SamplerOptions& options,
+                         const Progress& progress = {});
+
+}  // namespace se

@@ -1,0 +1,51 @@
+/// Measured volumes: scalars on a grid, read from NRRD files, and the field between them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "spiraling_edge/field.h"
+#include "spiraling_edge/result.h"
+
+namespace se {
+
+/// Samples at the corners of equal cells.
+struct Volume {
+    std::array<std::size_t, 3> size{};  ///< Along x, y and z; at least 2 each.
+    Vec3 spacing{1.0};                  ///< Between samples; above 0.
+    Vec3 origin{0.0};                   ///< Place of the first sample.
+    std::vector<float> value;           ///< Finite; x fastest. Doubles of a file are rounded.
+    /// The key `isovalue` of the file.
+    std::optional<double> isovalue;
+
+    Vec3 high() const;  ///< Place of the last sample.
+    float at(std::size_t i, std::size_t j, std::size_t k) const {
+        return value[(k * size[1] + j) * size[0] + i];
+    }
+    /// Trilinear; outside of the grid as at the nearest place of it.
+    double valueAt(const Vec3& x) const;
+    /// Differences of these values over half a spacing to either side: the slope, averaged over the
+    /// width of a cell. Continuous; central differences of the samples would be smoother, but on
+    /// parts as thin as a spacing they point anywhere.
+    Vec3 gradientAt(const Vec3& x) const;
+};
+
+/// Reads NRRD (http://teem.sourceforge.net/nrrd/format.html), attached (.nrrd) or with its data in
+/// a file beside it (.nhdr): three dimensions, integers of 8 to 32 bits, float or double in either
+/// byte order, raw or gzip, axis-aligned spacings or space directions. Errors name the file and
+/// the line, what was expected and what to do. Nothing is allocated that the file cannot fill.
+Result<Volume> readVolume(const std::filesystem::path& path);
+/// The same from memory, attached data only; `name` is what errors call it.
+Result<Volume> readVolume(std::string_view bytes, const std::string& name);
+
+/// The field of a volume in the box of its samples: higher values are inside. Requires 2 samples
+/// along each axis.
+Field fieldOf(std::shared_ptr<const Volume> volume, double isovalue);
+
+}  // namespace se

@@ -1,0 +1,29 @@
+/// Surfaces given by a formula, shared by the built-in scenes, the shapes of field.h and the tests.
+/// All but the gyroid use only + - * / and sqrt: equal on every machine.
+#pragma once
+
+#include "spiraling_edge/point_set.h"
+
+namespace se {
+
+/// The points where value(x) = 0; the gradient points outwards.
+struct ImplicitSurface {
+    double (*value)(const Vec3&);
+    Vec3 (*gradient)(const Vec3&);
+    Vec3 low, high;  ///< A box around it; with walls, the box that it is cut by.
+};
+
+/// Tori have a tube of radius 0.4 around a circle of radius 1.
+ImplicitSurface unitSphere();
+ImplicitSurface torus();
+ImplicitSurface linkedTori();
+ImplicitSurface doubleTorus();
+/// The square |x|, |y| <= 1 of the plane z = 0.
+ImplicitSurface flatSheet();
+/// Waves over the square |x|, |y| <= 1.
+ImplicitSurface wavySheet();
+/// The minimal surface of Schoen (1970), to the level set that is near it: bent the same way
+/// everywhere, and branching.
+ImplicitSurface gyroid();
+
+}  // namespace se

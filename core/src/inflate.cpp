@@ -1,0 +1,91 @@
+#include "inflate.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+
+namespace se {
+namespace {
+
+/// No byte of a stream unpacks to more than this many (zlib's own documentation).
+constexpr std::size_t kMostPerByte = 1032;
+/// What one call of zlib takes or gives at most; its counters have 32 bits.
+constexpr std::size_t kPiece = 1U << 30U;
+
+/// Owns the state of zlib.
+class Inflater {
+  public:
+    explicit Inflater(std::string_view packed) : packed_(packed) {
+        constexpr int kGzipOrZlib = 15 + 32;
+        good_ = inflateInit2(&stream_, kGzipOrZlib) == Z_OK;
+    }
+    ~Inflater() {
+        if (good_) inflateEnd(&stream_);
+    }
+    Inflater(const Inflater&) = delete;
+    Inflater& operator=(const Inflater&) = delete;
+
+    /// Fills `out`; returns how much of it. Ends before only at the end of the stream, or with
+    /// damaged() true.
+    std::size_t fill(char* out, std::size_t size) {
+        std::size_t filled = 0;
+        while (good_ && !damaged_ && filled < size) {
+            const std::size_t in = std::min(packed_.size(), kPiece);
+            const std::size_t room = std::min(size - filled, kPiece);
+            // zlib does not write to its input, though it does not say so.
+            stream_.next_in =
+                reinterpret_cast<Bytef*>(const_cast<char*>(packed_.data()));  // NOLINT
+            stream_.avail_in = static_cast<uInt>(in);
+            stream_.next_out = reinterpret_cast<Bytef*>(out + filled);  // NOLINT
+            stream_.avail_out = static_cast<uInt>(room);
+            const int code = inflate(&stream_, Z_NO_FLUSH);
+            packed_.remove_prefix(in - stream_.avail_in);
+            const std::size_t made = room - stream_.avail_out;
+            filled += made;
+            if (code == Z_STREAM_END) {
+                // A file may hold several streams, one behind the other.
+                if (packed_.empty() || inflateReset(&stream_) != Z_OK) break;
+            } else if (code != Z_OK || (made == 0 && packed_.empty())) {
+                damaged_ = code != Z_BUF_ERROR && code != Z_OK;
+                break;
+            }
+        }
+        return filled;
+    }
+    bool damaged() const { return damaged_ || !good_; }
+    const char* reason() const { return stream_.msg != nullptr ? stream_.msg : "not gzip"; }
+
+  private:
+    z_stream stream_{};
+    std::string_view packed_;
+    bool good_ = false;
+    bool damaged_ = false;
+};
+
+}  // namespace
+
+Result<std::string> inflateExactly(std::string_view packed, std::size_t expected) {
+    const auto tooShort = [&](std::size_t found) {
+        return Error{"the gzip data end too early: expected " + std::to_string(expected) +
+                     " bytes, found " + std::to_string(found)};
+    };
+    if (expected / kMostPerByte > packed.size()) {
+        return Error{"the gzip data are too short to hold " + std::to_string(expected) + " bytes"};
+    }
+    std::string bytes(expected, '\0');
+    Inflater inflater(packed);
+    const std::size_t filled = inflater.fill(bytes.data(), expected);
+    if (inflater.damaged())
+        return Error{std::string("the gzip data are damaged: ") + inflater.reason()};
+    if (filled < expected) return tooShort(filled);
+    char more = 0;
+    const bool tooLong = inflater.fill(&more, 1) > 0;
+    if (inflater.damaged())
+        return Error{std::string("the gzip data are damaged: ") + inflater.reason()};
+    if (tooLong)
+        return Error{"the gzip data hold more than the expected " + std::to_string(expected) +
+                     " bytes; check sizes and type"};
+    return bytes;
+}
+
+}  // namespace se

@@ -1,0 +1,346 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "nrrd.h"
+#include "text_scan.h"
+
+namespace se::io {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, NrrdType>, 32> kTypes{{
+    {"signed char", NrrdType::Int8},
+    {"int8", NrrdType::Int8},
+    {"int8_t", NrrdType::Int8},
+    {"uchar", NrrdType::UInt8},
+    {"unsigned char", NrrdType::UInt8},
+    {"uint8", NrrdType::UInt8},
+    {"uint8_t", NrrdType::UInt8},
+    {"short", NrrdType::Int16},
+    {"short int", NrrdType::Int16},
+    {"signed short", NrrdType::Int16},
+    {"signed short int", NrrdType::Int16},
+    {"int16", NrrdType::Int16},
+    {"int16_t", NrrdType::Int16},
+    {"ushort", NrrdType::UInt16},
+    {"unsigned short", NrrdType::UInt16},
+    {"unsigned short int", NrrdType::UInt16},
+    {"uint16", NrrdType::UInt16},
+    {"uint16_t", NrrdType::UInt16},
+    {"int", NrrdType::Int32},
+    {"signed int", NrrdType::Int32},
+    {"int32", NrrdType::Int32},
+    {"int32_t", NrrdType::Int32},
+    {"uint", NrrdType::UInt32},
+    {"unsigned int", NrrdType::UInt32},
+    {"uint32", NrrdType::UInt32},
+    {"uint32_t", NrrdType::UInt32},
+    {"float", NrrdType::Float},
+    {"float32", NrrdType::Float},
+    {"float32_t", NrrdType::Float},
+    {"double", NrrdType::Double},
+    {"float64", NrrdType::Double},
+    {"float64_t", NrrdType::Double},
+}};
+
+/// Fields of the format that say nothing about where a sample lies or what it is worth.
+constexpr std::array<std::string_view, 23> kIgnored{"content",
+                                                    "number",
+                                                    "min",
+                                                    "max",
+                                                    "old min",
+                                                    "oldmin",
+                                                    "old max",
+                                                    "oldmax",
+                                                    "block size",
+                                                    "blocksize",
+                                                    "sample units",
+                                                    "sampleunits",
+                                                    "labels",
+                                                    "units",
+                                                    "kinds",
+                                                    "thicknesses",
+                                                    "axis maxs",
+                                                    "axismaxs",
+                                                    "space",
+                                                    "space units",
+                                                    "space dimension",
+                                                    "measurement frame",
+                                                    "comment"};
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && isSpace(text.front())) text.remove_prefix(1);
+    while (!text.empty() && isSpace(text.back())) text.remove_suffix(1);
+    return text;
+}
+
+std::string lowerCase(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return lower;
+}
+
+class HeaderParser {
+  public:
+    HeaderParser(std::string_view bytes, const std::string& name)
+        : bytes_(bytes), name_(name), lines_(bytes) {}
+
+    Result<NrrdHeader> parse() {
+        lines_.next();
+        constexpr std::string_view kMagic = "NRRD000";
+        const std::string_view magic = trimmed(lines_.line());
+        const bool known = magic.size() == kMagic.size() + 1 && magic.starts_with(kMagic) &&
+                           magic.back() >= '1' && magic.back() <= '5';
+        if (!known) return wrong("expected NRRD0001 to NRRD0005, found " + inQuotes(magic));
+        while (lines_.next()) {
+            const std::string_view line = lines_.line();
+            if (trimmed(line).empty()) break;
+            if (line.front() == '#') continue;
+            const Status read = takeLine(line);
+            if (!read) return read.error();
+        }
+        header_.dataOffset = bytes_.size() - lines_.rest().size();
+        return complete();
+    }
+
+  private:
+    Error wrong(const std::string& what) const {
+        return errorAt(name_, lineText(lines_.number()), what);
+    }
+
+    Status takeLine(std::string_view line) {
+        const std::size_t colon = line.find(':');
+        if (colon == std::string_view::npos || colon + 1 >= line.size())
+            return wrong("expected a field such as `sizes: 64 64 64`, found " + inQuotes(line));
+        const std::string key = lowerCase(trimmed(line.substr(0, colon)));
+        if (line[colon + 1] == '=') return takeKey(key, trimmed(line.substr(colon + 2)));
+        if (std::find(seen_.begin(), seen_.end(), key) != seen_.end())
+            return wrong("the field " + inQuotes(key) + " stands there twice");
+        seen_.push_back(key);
+        return takeField(key, trimmed(line.substr(colon + 1)));
+    }
+
+    Status takeKey(const std::string& key, std::string_view text) {
+        if (key != "isovalue") return success();
+        double value = 0.0;
+        if (!parseDouble(text, value) || !std::isfinite(value))
+            return wrong("isovalue: expected a number, found " + inQuotes(text));
+        header_.volume.isovalue = value;
+        return success();
+    }
+
+    Status takeField(const std::string& key, std::string_view text) {
+        if (key == "type") return takeType(text);
+        if (key == "dimension") return takeDimension(text);
+        if (key == "sizes") return takeSizes(text);
+        if (key == "spacings") return takeSpacings(text);
+        if (key == "axis mins" || key == "axismins") return takePlace(text, key);
+        if (key == "centers" || key == "centerings") return takeCenters(text);
+        if (key == "space directions") return takeDirections(text);
+        if (key == "space origin") return takePlace(text, key);
+        if (key == "endian") return takeEndian(text);
+        if (key == "encoding") return takeEncoding(text);
+        if (key == "data file" || key == "datafile") return takeDataFile(text);
+        if (key == "line skip" || key == "lineskip") return takeLineSkip(text);
+        if (key == "byte skip" || key == "byteskip") return takeByteSkip(text);
+        if (std::find(kIgnored.begin(), kIgnored.end(), key) != kIgnored.end()) return success();
+        return wrong("NRRD has no field " + inQuotes(key) +
+                     "; own fields are written with := behind the name");
+    }
+
+    Status takeType(std::string_view text) {
+        const std::string word = lowerCase(text);
+        for (const auto& [known, type] : kTypes) {
+            if (known == word) {
+                header_.type = type;
+                hasType_ = true;
+                return success();
+            }
+        }
+        return wrong(
+            "type: expected int8, uint8, int16, uint16, int32, uint32, float or double, "
+            "found " +
+            inQuotes(text));
+    }
+    Status takeDimension(std::string_view text) {
+        if (text != "3") return wrong("dimension: only 3 can be read, found " + inQuotes(text));
+        hasDimension_ = true;
+        return success();
+    }
+    Status takeSizes(std::string_view text) {
+        if (!hasDimension_) return wrong("sizes: must come after dimension");
+        Fields fields(text);
+        for (std::size_t& size : header_.volume.size) {
+            const std::string_view field = fields.next();
+            std::int64_t count = 0;
+            constexpr std::int64_t kMost = 1 << 20;
+            if (!parseInteger(field, count) || count < 2 || count > kMost)
+                return wrong("sizes: expected three numbers from 2 to 1048576, found " +
+                             inQuotes(text));
+            size = static_cast<std::size_t>(count);
+        }
+        if (!fields.next().empty())
+            return wrong("sizes: expected three numbers, found " + inQuotes(text));
+        const double bytes = 8.0 * static_cast<double>(header_.volume.size[0]) *
+                             static_cast<double>(header_.volume.size[1]) *
+                             static_cast<double>(header_.volume.size[2]);
+        if (bytes > static_cast<double>(std::numeric_limits<std::size_t>::max()) / 4.0)
+            return wrong("sizes: more samples than this machine can count, " + inQuotes(text));
+        hasSizes_ = true;
+        return success();
+    }
+
+    /// Three numbers that are no infinities; brackets and commas count as blanks.
+    bool takeNumbers(std::string_view text, double* numbers, std::size_t count) const {
+        std::string plain(text);
+        for (char& c : plain) {
+            if (c == '(' || c == ')' || c == ',') c = ' ';
+        }
+        Fields fields(plain);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (!parseDouble(fields.next(), numbers[i]) || !std::isfinite(numbers[i])) return false;
+        }
+        return fields.next().empty();
+    }
+    Status takeSpacings(std::string_view text) {
+        std::array<double, 3> s{};
+        if (!takeNumbers(text, s.data(), 3) || !(s[0] > 0.0) || !(s[1] > 0.0) || !(s[2] > 0.0))
+            return wrong("spacings: expected three numbers above 0, found " + inQuotes(text));
+        return setSpacing({s[0], s[1], s[2]});
+    }
+    Status takeDirections(std::string_view text) {
+        std::array<double, 9> d{};
+        const bool numbers = takeNumbers(text, d.data(), 9);
+        const bool diagonal =
+            d[1] == 0.0 && d[2] == 0.0 && d[3] == 0.0 && d[5] == 0.0 && d[6] == 0.0 && d[7] == 0.0;
+        if (!numbers || !diagonal || !(d[0] > 0.0) || !(d[4] > 0.0) || !(d[8] > 0.0))
+            return wrong(
+                "space directions: only axes along x, y and z, with lengths above 0, can "
+                "be read, such as (1,0,0) (0,1,0) (0,0,2); found " +
+                inQuotes(text));
+        return setSpacing({d[0], d[4], d[8]});
+    }
+    Status setSpacing(const Vec3& spacing) {
+        if (hasSpacing_) return wrong("spacings and space directions must not stand together");
+        hasSpacing_ = true;
+        header_.volume.spacing = spacing;
+        return success();
+    }
+    Status takePlace(std::string_view text, const std::string& key) {
+        std::array<double, 3> at{};
+        if (!takeNumbers(text, at.data(), 3))
+            return wrong(key + ": expected three numbers, found " + inQuotes(text));
+        if (hasOrigin_) return wrong("axis mins and space origin must not stand together");
+        hasOrigin_ = true;
+        originIsOfAxis_ = key != "space origin";
+        header_.volume.origin = {at[0], at[1], at[2]};
+        return success();
+    }
+    Status takeCenters(std::string_view text) {
+        Fields fields(text);
+        for (bool& cell : cellCentered_) {
+            const std::string word = lowerCase(fields.next());
+            if (word != "cell" && word != "node" && word != "none" && word != "???")
+                return wrong("centers: expected cell or node three times, found " + inQuotes(text));
+            cell = word == "cell";
+        }
+        return success();
+    }
+
+    Status takeEndian(std::string_view text) {
+        const std::string word = lowerCase(text);
+        if (word != "little" && word != "big")
+            return wrong("endian: expected little or big, found " + inQuotes(text));
+        header_.bigEndian = word == "big";
+        hasEndian_ = true;
+        return success();
+    }
+    Status takeEncoding(std::string_view text) {
+        const std::string word = lowerCase(text);
+        header_.gzip = word == "gzip" || word == "gz";
+        if (!header_.gzip && word != "raw")
+            return wrong("encoding: only raw and gzip can be read, found " + inQuotes(text) +
+                         "; `unu save -e gzip` converts");
+        hasEncoding_ = true;
+        return success();
+    }
+    Status takeDataFile(std::string_view text) {
+        if (text == "LIST" || text.starts_with("LIST ") || text.find('%') != std::string_view::npos)
+            return wrong("data file: only a single file can be read, found " + inQuotes(text));
+        header_.dataFile = std::string(text);
+        header_.dataFileLine = lines_.number();
+        if (text.empty()) return wrong("data file: expected the name of a file");
+        return success();
+    }
+    Status takeLineSkip(std::string_view text) {
+        std::int64_t count = 0;
+        if (!parseInteger(text, count) || count < 0)
+            return wrong("line skip: expected a number from 0 on, found " + inQuotes(text));
+        header_.lineSkip = static_cast<std::size_t>(count);
+        return success();
+    }
+    Status takeByteSkip(std::string_view text) {
+        if (!parseInteger(text, header_.byteSkip) || header_.byteSkip < -1)
+            return wrong("byte skip: expected a number from -1 on, found " + inQuotes(text));
+        return success();
+    }
+
+    Result<NrrdHeader> complete() {
+        const auto lacks = [&](const char* what) {
+            return wrong(std::string("the header ends without the field ") + what);
+        };
+        if (!hasType_) return lacks("type");
+        if (!hasSizes_) return lacks(hasDimension_ ? "sizes" : "dimension");
+        if (!hasEncoding_) return lacks("encoding");
+        if (!hasEndian_ && bytesOf(header_.type) > 1) return lacks("endian");
+        if (header_.gzip && header_.byteSkip < 0)
+            return wrong("byte skip -1 does not go with gzip");
+        if (originIsOfAxis_) {
+            for (int axis = 0; axis < 3; ++axis) {
+                if (cellCentered_[static_cast<std::size_t>(axis)])
+                    header_.volume.origin[axis] += 0.5 * header_.volume.spacing[axis];
+            }
+        }
+        return std::move(header_);
+    }
+
+    std::string_view bytes_;
+    const std::string& name_;
+    LineReader lines_;
+    NrrdHeader header_;
+    std::vector<std::string> seen_;
+    std::array<bool, 3> cellCentered_{};
+    bool hasType_ = false, hasDimension_ = false, hasSizes_ = false, hasEncoding_ = false;
+    bool hasEndian_ = false, hasSpacing_ = false, hasOrigin_ = false, originIsOfAxis_ = false;
+};
+
+}  // namespace
+
+std::size_t bytesOf(NrrdType type) {
+    switch (type) {
+        case NrrdType::Int8:
+        case NrrdType::UInt8:
+            return 1;
+        case NrrdType::Int16:
+        case NrrdType::UInt16:
+            return 2;
+        case NrrdType::Int32:
+        case NrrdType::UInt32:
+        case NrrdType::Float:
+            return 4;
+        case NrrdType::Double:
+            return 8;
+    }
+    return 0;
+}
+
+Result<NrrdHeader> parseNrrdHeader(std::string_view bytes, const std::string& name) {
+    return HeaderParser(bytes, name).parse();
+}
+
+}  // namespace se::io

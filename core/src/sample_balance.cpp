@@ -1,0 +1,181 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "cell_grid.h"
+#include "sample_particles.h"
+
+namespace se::sampling {
+namespace {
+
+/// A place for a birth, or a particle that may die, with how crowded it is there.
+struct Candidate {
+    double crowd;
+    std::size_t particle;
+    Vec3 place;
+};
+
+/// The crowd where the surface has no place at all.
+constexpr double kNowhere = 1e9;
+/// The crowd on another sheet, where nothing of this one is near.
+constexpr double kElsewhere = 0.3;
+/// In the hole that one particle left in even triangles it is 1, in the middle of a triangle 1.6.
+constexpr double kRoom = 1.2;
+constexpr double kCrowded = 1.35;
+/// On parts too small for so many.
+constexpr double kSqueezed = 2.0;
+
+/// Looks at the particles as they are. The crowd at a place is the sum of push() of all around, 1
+/// among equilateral triangles of the wanted size.
+class Census {
+  public:
+    Census(const Surface& surface, double flatSpacing, const Particles& particles)
+        : surface_(surface),
+          particles_(particles),
+          flat_(flatSpacing),
+          grid_(surface.field().low, surface.field().high,
+                kReach * *std::max_element(particles.spacing.begin(), particles.spacing.end())) {
+        for (const Vec3& x : particles.position) grid_.add(x);
+    }
+
+    /// Of a place with this normal, not counting particle `self`.
+    double crowdAt(const Vec3& x, const Vec3& n, double spacing, std::size_t self) const {
+        double sum = 0.0;
+        grid_.near(x, [&](Index j) {
+            if (j == self || glm::dot(n, particles_.normal[j]) <= 0.0) return;
+            const double reach = 0.5 * kReach * (spacing + particles_.spacing[j]);
+            sum += push(lengthOf(x - particles_.position[j]) / reach);
+        });
+        return sum / kCrowdOfTriangles;
+    }
+    double crowdOf(std::size_t i) const {
+        return crowdAt(particles_.position[i], particles_.normal[i], particles_.spacing[i], i);
+    }
+
+    /// Has fewer than three others around it that face its way: on a speck too small for triangles.
+    bool isAlone(std::size_t i) const {
+        const Vec3 x = particles_.position[i];
+        const double reach = kReach * particles_.spacing[i];
+        int others = 0;
+        grid_.near(x, [&](Index j) {
+            const bool near = j != i && lengthOf(x - particles_.position[j]) < reach;
+            if (near && glm::dot(particles_.normal[i], particles_.normal[j]) > 0.0) ++others;
+        });
+        return others < 3;
+    }
+
+    /// The emptiest place at the distance of a neighbor from particle i.
+    Candidate gapAt(std::size_t i) const {
+        constexpr int kDirections = 12;
+        const Vec3 x = particles_.position[i];
+        const Vec3 n = particles_.normal[i];
+        const Vec3 aside = std::abs(n.x) < 0.6 ? Vec3(1.0, 0.0, 0.0) : Vec3(0.0, 1.0, 0.0);
+        const Vec3 u = glm::normalize(glm::cross(n, aside));
+        const Vec3 v = glm::cross(n, u);
+        Candidate best{kNowhere, i, x};
+        for (int k = 0; k < kDirections; ++k) {
+            const double angle = 2.0 * kPi * k / kDirections;
+            const Vec3 way = std::cos(angle) * u + std::sin(angle) * v;
+            const auto y = surface_.settle(x + 0.9 * particles_.spacing[i] * way, 0,
+                                           0.5 * particles_.spacing[i]);
+            if (!y) continue;
+            const Vec3 m = surface_.field().normal(*y);
+            if (glm::dot(m, n) <= 0.0) continue;
+            const double spacing = flat_ * surface_.relativeSpacing(*y);
+            const double crowd = crowdAt(*y, m, spacing, kNone);
+            if (crowd > kElsewhere && crowd < best.crowd) best = {crowd, i, *y};
+        }
+        return best;
+    }
+
+  private:
+    static constexpr double kPi = 3.14159265358979323846;
+    /// Six neighbors at one spacing.
+    static constexpr double kCrowdOfTriangles = 6.0 * (1.0 - 1.0 / kReach) * (1.0 - 1.0 / kReach);
+
+    const Surface& surface_;
+    const Particles& particles_;
+    double flat_;
+    CellGrid grid_;
+};
+
+bool emptier(const Candidate& a, const Candidate& b) {
+    return a.crowd < b.crowd || (a.crowd == b.crowd && a.particle < b.particle);
+}
+
+/// The first of `candidates` that are not near one another, at most `most`.
+std::vector<Candidate> apart(const std::vector<Candidate>& candidates, std::size_t most,
+                             const Particles& particles) {
+    std::vector<Candidate> taken;
+    for (const Candidate& c : candidates) {
+        if (taken.size() >= most) break;
+        const double reach = kReach * particles.spacing[c.particle];
+        const bool free = std::none_of(taken.begin(), taken.end(), [&](const Candidate& t) {
+            return lengthOf(t.place - c.place) < reach;
+        });
+        if (free) taken.push_back(c);
+    }
+    return taken;
+}
+
+/// The emptiest places beside the particles with the most room around them.
+std::vector<Candidate> roomiest(const Census& census, std::vector<Candidate> all,
+                                std::size_t wanted) {
+    std::sort(all.begin(), all.end(), emptier);
+    std::vector<Candidate> gaps;
+    for (const Candidate& c : all) {
+        if (gaps.size() >= wanted) break;
+        const Candidate gap = census.gapAt(c.particle);
+        if (gap.crowd < kNowhere) gaps.push_back(gap);
+    }
+    std::sort(gaps.begin(), gaps.end(), emptier);
+    return gaps;
+}
+
+/// Takes particles off specks, unless that is most of the surface.
+void leaveSpecks(const Surface& surface, double flatSpacing, Particles& particles) {
+    const Census census(surface, flatSpacing, particles);
+    std::vector<bool> stays(particles.size(), true);
+    for (std::size_t i = particles.onWalls; i < particles.size(); ++i)
+        stays[i] = !census.isAlone(i);
+    const auto alone = std::count(stays.begin(), stays.end(), false);
+    if (2 * static_cast<std::size_t>(alone) < particles.size()) particles.keep(stays);
+}
+
+}  // namespace
+
+void balance(const Surface& surface, std::size_t count, double flatSpacing, std::size_t most,
+             Particles& particles) {
+    leaveSpecks(surface, flatSpacing, particles);
+    const Census census(surface, flatSpacing, particles);
+    std::vector<Candidate> all;
+    for (std::size_t i = 0; i < particles.size(); ++i)
+        all.push_back({census.crowdOf(i), i, particles.position[i]});
+    std::vector<Candidate> dying(all.begin() + static_cast<std::ptrdiff_t>(particles.onWalls),
+                                 all.end());
+    std::sort(dying.begin(), dying.end(),
+              [](const Candidate& a, const Candidate& b) { return emptier(b, a); });
+    const auto moreCrowdedThan = [&](double crowd) {
+        const auto end = std::find_if(dying.begin(), dying.end(),
+                                      [&](const Candidate& c) { return c.crowd <= crowd; });
+        return std::min(most, static_cast<std::size_t>(end - dying.begin()));
+    };
+
+    // Some must be born, others are if there is room.
+    const std::size_t missing = count - std::min(count, particles.size());
+    const std::size_t needed = missing + moreCrowdedThan(kSqueezed);
+    const std::size_t wanted = missing + moreCrowdedThan(kCrowded);
+    std::vector<Candidate> born =
+        apart(roomiest(census, std::move(all), 4 * wanted + 16), wanted, particles);
+    while (born.size() > needed && born.back().crowd >= kRoom) born.pop_back();
+    const std::size_t then = particles.size() + born.size();
+    dying = apart(dying, then - std::min(count, then), particles);
+
+    std::vector<bool> stays(particles.size(), true);
+    for (const Candidate& c : dying) stays[c.particle] = false;
+    for (const Candidate& c : born) particles.add(surface, c.place, kInterior, flatSpacing);
+    stays.resize(particles.size(), true);
+    particles.keep(stays);
+}
+
+}  // namespace se::sampling

@@ -1,0 +1,35 @@
+/// Where a surface is: its crossings with the edges of a lattice over the box, and its curves on
+/// the walls. Every part of the surface that separates two corners of a cell is met.
+#pragma once
+
+#include <vector>
+
+#include "sample_surface.h"
+#include "spiraling_edge/prepare.h"
+#include "spiraling_edge/result.h"
+
+namespace se::sampling {
+
+/// A place on the surface, and the area that it stands for: the sum of the areas is an unbiased
+/// estimate of the whole. Along an axis, lines `a` apart in both directions meet a patch of area A
+/// whose unit normal has the component n A |n| / a^2 times; weighted with |n| a^2 and summed over
+/// the three axes, that gives A (n_x^2 + n_y^2 + n_z^2) = A.
+struct Crossing {
+    Vec3 position;
+    double area;
+};
+
+/// Fails if `progress` cancels.
+Result<std::vector<Crossing>> findCrossings(const Surface& surface, unsigned threads,
+                                            const Progress& progress);
+
+/// A curve of the surface on one wall: places in order, the first repeated at the end if it is
+/// closed. An open one begins and ends at corners, on two walls.
+struct WallCurve {
+    std::uint8_t face = kInterior;  ///< TypeBits of the wall.
+    std::vector<Vec3> line;
+    bool closed() const { return line.front() == line.back(); }
+};
+std::vector<WallCurve> findWallCurves(const Surface& surface);
+
+}  // namespace se::sampling

@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "cell_grid.h"
+#include "parallel.h"
+#include "sample_particles.h"
+
+namespace se::sampling {
+namespace {
+
+/// Fewer particles are not worth a thread.
+constexpr std::size_t kPerThread = 2048;
+
+/// One step for all, from their common places: the order of the particles does not matter.
+class Relaxation {
+  public:
+    Relaxation(const Surface& surface, const Particles& particles, double flatSpacing,
+               double widest)
+        : surface_(surface),
+          old_(particles),
+          flat_(flatSpacing),
+          grid_(surface.field().low, surface.field().high, kReach * widest) {
+        for (const Vec3& x : particles.position) grid_.add(x);
+    }
+
+    /// Moves particle i of `next`; returns how far, in units of its spacing.
+    double move(std::size_t i, Particles& next) const {
+        const double spacing = old_.spacing[i];
+        Vec3 step = kInertia * old_.drift[i] + shove(i);
+        const double length = lengthOf(step);
+        if (length > kLongest * spacing) step *= kLongest * spacing / length;
+        const Vec3 from = old_.position[i];
+        const Vec3 to = place(from, step, spacing).value_or(from);
+        const Vec3 n = surface_.field().normal(to);
+        // Around a sharp bend or onto another sheet: too far for one step.
+        if (to == from || glm::dot(n, old_.normal[i]) < kLeastCosine) {
+            next.drift[i] = Vec3(0.0);
+            return 0.0;
+        }
+        next.position[i] = to;
+        next.normal[i] = n;
+        const Vec3 drift = to - from;
+        next.drift[i] = drift - glm::dot(drift, n) * n;
+        if (surface_.followsCurvature()) next.spacing[i] = relaxedSpacing(i, to);
+        return lengthOf(drift) / spacing;
+    }
+
+  private:
+    static constexpr double kInertia = 0.7;
+    static constexpr double kLongest = 0.25;
+    static constexpr double kLeastCosine = 0.3;
+    /// Damping of the Newton step, each particle for itself (Jacobi).
+    static constexpr double kDamping = 0.6;
+    /// Of the distance to the surface, in units of the reach, until the last step.
+    static constexpr double kTolerance = 1e-6;
+    /// Particles inside keep this many spacings from the walls, where the surface allows.
+    static constexpr double kMargin = 0.3;
+
+    double relaxedSpacing(std::size_t i, const Vec3& x) const {
+        return 0.5 * (old_.spacing[i] + flat_ * surface_.relativeSpacing(x));
+    }
+
+    /// Where the push of the neighbors and their stiffness would move it.
+    Vec3 shove(std::size_t i) const {
+        const Vec3 x = old_.position[i];
+        const Vec3 n = old_.normal[i];
+        Vec3 force(0.0);
+        double stiffness = 0.0;
+        grid_.near(x, [&](Index j) {
+            const Vec3 d = x - old_.position[j];
+            const double reach = 0.5 * kReach * (old_.spacing[i] + old_.spacing[j]);
+            const double square = glm::dot(d, d);
+            if (square >= reach * reach || square == 0.0) return;
+            if (glm::dot(n, old_.normal[j]) <= 0.0) return;  // the other side of a thin part
+            const double distance = std::sqrt(square);
+            const double q = distance / reach;
+            force += push(q) / distance * d;
+            // Half the trace of the second derivative in the plane, where it is positive.
+            stiffness += std::max((1.0 - q) / reach - 0.5 * push(q) / distance, 0.0);
+        });
+        force -= glm::dot(force, n) * n;
+        return kDamping / std::max(stiffness, 0.4 / old_.spacing[i]) * force;
+    }
+
+    bool inMargin(const Vec3& x, int axis, double margin) const {
+        const Field& field = surface_.field();
+        return x[axis] < field.low[axis] + margin || x[axis] > field.high[axis] - margin;
+    }
+    /// On the surface again, off the walls if that can be; nothing if there is no way.
+    std::optional<Vec3> place(const Vec3& from, const Vec3& step, double spacing) const {
+        const Field& field = surface_.field();
+        const double reach = kLongest * spacing;
+        const auto to =
+            surface_.settle(glm::clamp(from + step, field.low, field.high), 0, reach, kTolerance);
+        if (!to) return to;
+        const double margin = kMargin * spacing;
+        Vec3 held = *to;
+        HeldAxes axes = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!inMargin(*to, axis, margin)) continue;
+            axes |= 1U << static_cast<unsigned>(axis);
+            // One that is in the margin already comes no nearer.
+            held[axis] = std::clamp(held[axis], std::min(field.low[axis] + margin, from[axis]),
+                                    std::max(field.high[axis] - margin, from[axis]));
+        }
+        return axes == 0 ? to : surface_.settle(held, axes, reach, kTolerance);
+    }
+
+    const Surface& surface_;
+    const Particles& old_;
+    double flat_;
+    CellGrid grid_;
+};
+
+}  // namespace
+
+void Particles::keep(const std::vector<bool>& stays) {
+    std::size_t kept = 0;
+    std::size_t walls = 0;
+    for (std::size_t i = 0; i < size(); ++i) {
+        if (!stays[i]) continue;
+        position[kept] = position[i];
+        normal[kept] = normal[i];
+        type[kept] = type[i];
+        spacing[kept] = spacing[i];
+        drift[kept] = drift[i];
+        if (i < onWalls) ++walls;
+        ++kept;
+    }
+    position.resize(kept);
+    normal.resize(kept);
+    type.resize(kept);
+    spacing.resize(kept);
+    drift.resize(kept);
+    onWalls = walls;
+}
+
+double relax(const Surface& surface, double flatSpacing, unsigned threads, Particles& particles) {
+    Particles next = particles;
+    const double widest = *std::max_element(particles.spacing.begin(), particles.spacing.end());
+    const Relaxation relaxation(surface, particles, flatSpacing, widest);
+    const std::size_t first = particles.onWalls;
+    std::vector<double> moved(particles.size() - first);
+    forRanges(moved.size(), threads, kPerThread, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) moved[i] = relaxation.move(first + i, next);
+    });
+    particles = std::move(next);
+    return moved.empty() ? 0.0 : *std::max_element(moved.begin(), moved.end());
+}
+
+void settleAll(const Surface& surface, unsigned threads, Particles& particles) {
+    forRanges(particles.size(), threads, kPerThread, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            const Vec3 x = particles.position[i];
+            const auto place =
+                surface.settle(x, heldBy(particles.type[i]), 0.1 * particles.spacing[i]);
+            particles.position[i] = place.value_or(x);
+            particles.normal[i] = surface.field().normal(particles.position[i]);
+        }
+    });
+}
+
+}  // namespace se::sampling

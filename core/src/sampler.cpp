@@ -1,0 +1,88 @@
+#include "spiraling_edge/sampler.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "sample_particles.h"
+
+namespace se {
+
+namespace {
+
+constexpr int kSteps = 160;
+/// Particles split and die every so many steps, in the first part of them.
+constexpr int kBalanceEvery = 10;
+constexpr int kLastExchange = 110;
+/// Share of the particles that may be exchanged at a time.
+constexpr double kMostExchanged = 0.02;
+constexpr std::size_t kMostExchangedAtOnce = 2000;
+
+}  // namespace
+
+struct Sampler::Content {
+    sampling::Surface surface;
+    SamplerOptions options;
+    sampling::Start start;
+    int steps = 0;
+};
+
+Sampler::Sampler(std::unique_ptr<Content> content) : content_(std::move(content)) {}
+Sampler::~Sampler() = default;
+Sampler::Sampler(Sampler&& other) noexcept = default;
+Sampler& Sampler::operator=(Sampler&& other) noexcept = default;
+
+Result<Sampler> Sampler::begin(Field field, const SamplerOptions& options,
+                               const Progress& progress) {
+    sampling::Surface surface(std::move(field), options.curvature);
+    Result<sampling::Start> start = sampling::scatter(surface, options, progress);
+    if (!start) return start.error();
+    return Sampler(
+        std::make_unique<Content>(Content{std::move(surface), options, std::move(start.value())}));
+}
+
+bool Sampler::done() const { return content_->steps >= kSteps; }
+
+double Sampler::share() const { return static_cast<double>(content_->steps) / kSteps; }
+
+void Sampler::step() {
+    if (done()) return;
+    Content& c = *content_;
+    sampling::Particles& particles = c.start.particles;
+    sampling::relax(c.surface, c.start.spacing, c.options.threads, particles);
+    ++c.steps;
+    if (c.steps % kBalanceEvery == 0 && c.steps <= kLastExchange) {
+        const auto most =
+            static_cast<std::size_t>(kMostExchanged * static_cast<double>(particles.size()));
+        sampling::balance(c.surface, c.start.count, c.start.spacing,
+                          std::min(most, kMostExchangedAtOnce), particles);
+    }
+    if (done()) sampling::settleAll(c.surface, c.options.threads, particles);
+}
+
+std::span<const Vec3> Sampler::positions() const { return content_->start.particles.position; }
+std::span<const std::uint8_t> Sampler::types() const { return content_->start.particles.type; }
+double Sampler::spacing() const { return content_->start.spacing; }
+
+PointFile Sampler::points() const {
+    const sampling::Particles& particles = content_->start.particles;
+    PointFile file;
+    file.positionType = file.normalType = ScalarType::Double;
+    file.position = particles.position;
+    file.normal = particles.normal;
+    file.type = particles.type;
+    return file;
+}
+
+Result<PointFile> sample(const Field& field, const SamplerOptions& options,
+                         const Progress& progress) {
+    Result<Sampler> begun = Sampler::begin(field, options);
+    if (!begun) return begun.error();
+    Sampler& sampler = begun.value();
+    while (!sampler.done()) {
+        if (progress && !progress(sampler.share())) return Error{"sampling was cancelled"};
+        sampler.step();
+    }
+    return sampler.points();
+}
+
+}  // namespace se
