@@ -22,7 +22,9 @@ constexpr std::array kVerbs{
     Verb{"run", "triangulate points; write the mesh, a report, a trace", runVerb},
     Verb{"info", "say what a file holds", infoVerb},
     Verb{"doctor", "say what in a file will upset the algorithm, and mend it", doctorVerb},
+    Verb{"sample", "spread points evenly over a shape or an isosurface of a volume", sampleVerb},
     Verb{"scenes", "list the built-in scenes", scenesVerb},
+    Verb{"table1", "make the paper's table of times anew", table1Verb},
     Verb{"view", "open the viewer on a file", viewVerb},
     Verb{"render", "write a picture without opening a window", renderVerb},
 };

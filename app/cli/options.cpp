@@ -92,9 +92,6 @@ void DerivedArguments::addTo(CLI::App& app) {
         ->type_name("BOX");
 }
 
-namespace {
-
-/// Six numbers, apart by commas.
 WallBox boxFromText(const std::string& text) {
     WallBox box;
     std::istringstream stream(text);
@@ -118,8 +115,6 @@ WallBox boxFromText(const std::string& text) {
     }
     return box;
 }
-
-}  // namespace
 
 PrepareOptions DerivedArguments::options(const NeighborOptions& neighbors,
                                          const PointFile& file) const {

@@ -17,6 +17,9 @@ namespace se::cli {
 /// with, after the help was printed. Throws Failure on wrong usage.
 std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments);
 
+/// A box from six numbers with commas between, X0,Y0,Z0,X1,Y1,Z1. Throws Failure if it is none.
+WallBox boxFromText(const std::string& text);
+
 /// How missing neighbor lists are made: --neighbors, --radius, --symmetric, --keep-opposing,
 /// --keep-noise.
 class NeighborArguments {

@@ -17,6 +17,10 @@ ExitCode runVerb(const Arguments& arguments);
 ExitCode infoVerb(const Arguments& arguments);
 /// Says what in a file will upset the algorithm, and mends it.
 ExitCode doctorVerb(const Arguments& arguments);
+/// Samples an isosurface.
+ExitCode sampleVerb(const Arguments& arguments);
+/// The paper's Table 1 beside ours.
+ExitCode table1Verb(const Arguments& arguments);
 /// Lists the built-in scenes.
 ExitCode scenesVerb(const Arguments& arguments);
 /// Hands over to the viewer. Returns only by throwing.

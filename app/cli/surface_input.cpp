@@ -1,0 +1,81 @@
+#include "surface_input.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "exit_code.h"
+#include "interrupt.h"
+#include "spiraling_edge/volume.h"
+
+namespace se::cli {
+namespace {
+
+bool isVolume(const std::string& input) {
+    return input.ends_with(".nrrd") || input.ends_with(".nhdr");
+}
+
+Field readVolumeField(const std::string& input, const std::optional<double>& isovalue) {
+    Result<Volume> read = readVolume(std::filesystem::path(input));
+    if (!read) throw Failure(ExitCode::Input, read.error().message);
+    const auto volume = std::make_shared<const Volume>(std::move(read.value()));
+    const std::optional<double> iso = isovalue ? isovalue : volume->isovalue;
+    if (!iso) {
+        const auto [least, most] = std::minmax_element(volume->value.begin(), volume->value.end());
+        throw Failure(ExitCode::Usage,
+                      fmt::format("{}: names no isovalue; give --iso V, from {} to {}", input,
+                                  *least, *most));
+    }
+    return fieldOf(volume, *iso);
+}
+
+}  // namespace
+
+Field readSurface(const std::string& input, const std::optional<double>& isovalue) {
+    if (isovalue && !std::isfinite(*isovalue))
+        throw Failure(ExitCode::Usage, "--iso: must be a finite number");
+    if (isVolume(input)) return readVolumeField(input, isovalue);
+    const Shape* shape = findShape(input);
+    if (shape == nullptr) {
+        throw Failure(ExitCode::Input,
+                      input +
+                          ": is neither a shape nor a volume (.nrrd, .nhdr); `spiraling-edge "
+                          "sample --list` lists the shapes");
+    }
+    Field field = fieldOf(*shape);
+    if (isovalue) field.isovalue = *isovalue;
+    return field;
+}
+
+void cutBy(const WallBox& box, const std::string& input, Field& field) {
+    const bool within = glm::clamp(box.low, field.low, field.high) == box.low &&
+                        glm::clamp(box.high, field.low, field.high) == box.high;
+    if (isVolume(input) && !within) {
+        throw Failure(ExitCode::Usage, fmt::format("--box: {} ends at {},{},{} and {},{},{}", input,
+                                                   field.low.x, field.low.y, field.low.z,
+                                                   field.high.x, field.high.y, field.high.z));
+    }
+    // Cells as small as before, even in a part of a volume.
+    const Vec3 cell = (field.high - field.low) / Vec3(field.cells);
+    constexpr double kMostCells = 1024.0;
+    field.cells = glm::ivec3(
+        glm::clamp(glm::ceil((box.high - box.low) / cell - 1e-9), Vec3(16.0), Vec3(kMostCells)));
+    field.low = box.low;
+    field.high = box.high;
+}
+
+PointFile samplePoints(const Field& field, const SamplerOptions& options, const std::string& input,
+                       ProgressLine& line) {
+    Result<PointFile> file = sample(field, options, [&](double share) {
+        if (line.due()) line.write("sampling", share);
+        return !interrupted();
+    });
+    line.clear();
+    if (interrupted()) throw Failure(ExitCode::Interrupted, "interrupted; nothing was written");
+    if (!file) throw Failure(ExitCode::Input, input + ": " + file.error().message);
+    return std::move(file.value());
+}
+
+}  // namespace se::cli
