@@ -44,7 +44,8 @@ class Inflater {
             filled += made;
             if (code == Z_STREAM_END) {
                 // A file may hold several streams, one behind the other.
-                if (packed_.empty() || inflateReset(&stream_) != Z_OK) break;
+                ended_ = packed_.empty();
+                if (ended_ || inflateReset(&stream_) != Z_OK) break;
             } else if (code != Z_OK || (made == 0 && packed_.empty())) {
                 damaged_ = code != Z_BUF_ERROR && code != Z_OK;
                 break;
@@ -52,6 +53,8 @@ class Inflater {
         }
         return filled;
     }
+    /// The last stream came to its end, with the right check sum.
+    bool ended() const { return ended_; }
     bool damaged() const { return damaged_ || !good_; }
     const char* reason() const { return stream_.msg != nullptr ? stream_.msg : "not gzip"; }
 
@@ -60,6 +63,7 @@ class Inflater {
     std::string_view packed_;
     bool good_ = false;
     bool damaged_ = false;
+    bool ended_ = false;
 };
 
 }  // namespace
@@ -85,6 +89,7 @@ Result<std::string> inflateExactly(std::string_view packed, std::size_t expected
     if (tooLong)
         return Error{"the gzip data hold more than the expected " + std::to_string(expected) +
                      " bytes; check sizes and type"};
+    if (!inflater.ended()) return Error{"the gzip data end too early: their check sum is missing"};
     return bytes;
 }
 
