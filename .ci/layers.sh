@@ -39,9 +39,11 @@ mapfile -t layers < <(in_viewer 'layers/')
 mapfile -t panels < <(in_viewer 'panels/')
 mapfile -t plain < <(in_viewer '(session|playback|camera|picking|palette|draw_list|model|overview|pivot_record|runner|settings)\.')
 
-# core -> GLM, the standard library, nanoflann in prepare*.cpp; it prints nothing.
+# core -> GLM, the standard library, nanoflann in prepare*.cpp, zlib in inflate.cpp; it prints nothing.
 no "$(include "$window|$programs|app/|viewer|cli/|benchmark|doctest")" "core must not know" "${core[@]}"
 mapfile -t not_prepare < <(printf '%s\n' "${core[@]}" | grep -v '/prepare')
+mapfile -t not_inflate < <(printf '%s\n' "${core[@]}" | grep -v '/inflate.cpp')
+no "$(include 'zlib')" "only inflate.cpp may use zlib" "${not_inflate[@]}"
 no "$(include nanoflann)" "only prepare*.cpp may use nanoflann" "${not_prepare[@]}"
 no '\b(f?printf|f?puts)\(|std::(cout|cerr|clog)\b' "core prints nothing" "${core[@]}"
 mapfile -t public < <(sources core/include)

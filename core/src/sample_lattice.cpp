@@ -1,6 +1,7 @@
 #include "sample_lattice.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "parallel.h"
@@ -189,21 +190,17 @@ class Wall {
         const Index top = flat_[slot(i, j + 1)];
         const Index left = upright_[slot(i, j)];
         const Index right = upright_[slot(i + 1, j)];
+        // Two curves pass if all four edges are crossed: the corners on the side of the middle hang
+        // together.
+        const double middle = value(i, j) + value(i + 1, j) + value(i, j + 1) + value(i + 1, j + 1);
+        const bool aroundFirst = differ(middle, value(i, j));
+        const std::array<Index, 4> around = aroundFirst ? std::array{bottom, left, top, right}
+                                                        : std::array{bottom, right, top, left};
         std::vector<Index> ends;
-        for (const Index node : {bottom, right, top, left}) {
+        for (const Index node : around) {
             if (node != kNone) ends.push_back(node);
         }
-        if (ends.size() == 2) join(ends[0], ends[1]);
-        if (ends.size() < 4) return;
-        // Two curves: the corners on the side of the middle hang together.
-        const double middle = value(i, j) + value(i + 1, j) + value(i, j + 1) + value(i + 1, j + 1);
-        if (differ(middle, value(i, j))) {
-            join(bottom, left);
-            join(top, right);
-        } else {
-            join(bottom, right);
-            join(top, left);
-        }
+        for (std::size_t end = 0; end + 1 < ends.size(); end += 2) join(ends[end], ends[end + 1]);
     }
     void join(Index a, Index b) {
         link_[a][link_[a][0] == kNone ? 0 : 1] = b;

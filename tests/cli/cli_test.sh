@@ -52,17 +52,17 @@ cases_are_listed() {
     grep -oE '^[a-z_]+\(\) \{$' "$here/cli_test.sh" | tr -d '(){ ' | sort >defined
     sed -n '/^set(cases/,/^)/p' "$here/CMakeLists.txt" | grep -oE '^    [a-z_]+' | tr -d ' ' |
         sort >listed
-    printf '%s\n' expect fail icosahedron sphere_points | sort >helpers
+    printf '%s\n' ball expect fail icosahedron sphere_points | sort >helpers
     comm -23 defined helpers | diff - listed || fail "cases and list differ"
 }
 
 help_and_version() {
     expect 0 --help
-    for verb in run info doctor scenes view render; do says out "  $verb "; done
+    for verb in run info doctor sample table1 scenes view render; do says out "  $verb "; done
     empty err
     expect 0 --version
     grep -qE '^spiraling-edge [0-9]+\.[0-9]+\.[0-9]+$' out || fail "version: $(cat out)"
-    for verb in run info doctor scenes render; do
+    for verb in run info doctor sample table1 scenes render; do
         expect 0 $verb --help
         says out "Usage: spiraling-edge $verb"
     done
@@ -449,6 +449,106 @@ doctor_checks_its_arguments() {
     printf 'ply\nformat ascii 1.0\nelement vertex 5\n' >cut.ply
     expect 3 doctor cut.ply --fix out.ply
     absent out.ply
+}
+
+# A ball of radius 2 in 5 x 5 x 5 samples, 4 - r^2, with its header in ball.nhdr.
+ball() {
+    printf '%s\n' NRRD0004 'type: int8' 'dimension: 3' 'sizes: 5 5 5' 'spacings: 1 1 1' \
+        'axis mins: -2 -2 -2' 'encoding: raw' 'data file: ball.raw' "$@" >ball.nhdr
+    local x y z
+    for z in 4 1 0 1 4; do
+        for y in 4 1 0 1 4; do
+            for x in 4 1 0 1 4; do printf "\\$(printf %o $(((260 - x - y - z) % 256)))"; done
+        done
+    done >ball.raw
+}
+
+sample_lists_shapes() {
+    expect 0 sample --list
+    for shape in sphere torus two-tori genus-2 gyroid plane monkey-saddle hyperboloid-one-sheet \
+        hyperboloid-two-sheets hydrogen blast-wave metaballs; do
+        says out "$shape "
+    done
+    local lines
+    lines=$(wc -l <out)
+    expect 0 sample --list --json
+    is "$(grep -c '"id"' out)" "$lines" "shapes in JSON"
+}
+
+sample_writes_points() {
+    expect 0 sample plane -n 400 -o plane.ply
+    says err "400 points"
+    says err "4 corners"
+    expect 0 run plane.ply --rules robust --report report.json
+    is "$(number points report.json)" 400 points
+    is "$(number unused_points report.json)" 0 "unused points"
+    is "$(number boundary_loops report.json)" 1 "loops"
+    # Deterministic; another seed, other points.
+    expect 0 sample plane -n 400 -o again.ply -q
+    empty err
+    cmp plane.ply again.ply || fail "same input, other bytes"
+    expect 0 sample plane -n 400 --seed 2 -o other.ply
+    cmp -s plane.ply other.ply && fail "--seed changes nothing"
+    "$program" sample plane -n 400 -o - -q 2>err | cmp - plane.ply || fail "standard output differs"
+    # By spacing, denser where it bends, in another box, with lists.
+    expect 0 sample torus --spacing 0.2 --curvature 1 -k 8 -o torus.ply
+    grep -qa '^element se_neighbors' torus.ply || fail "no lists"
+    expect 0 sample sphere -n 300 --box=0,-2,-2,2,2,2 -o half.ply
+    expect 0 run half.ply --rules robust --report report.json
+    is "$(number boundary_loops report.json)" 1 "loops of half a sphere"
+    expect 0 sample sphere -n 100 -o points.obj
+    is "$(grep -c '^v ' points.obj)" 100 "points in OBJ"
+}
+
+sample_reads_volumes() {
+    ball 'isovalue:=1'
+    expect 0 sample ball.nhdr -n 200 -o ball.ply
+    expect 0 run ball.ply --rules robust --report report.json
+    is "$(number euler_characteristic report.json)" 2 "Euler number of a ball"
+    expect 0 sample ball.nhdr --iso 2.5 -n 100 -o small.ply
+    expect 2 sample ball.nhdr -n 100 --box -3,-2,-2,2,2,2 -o out.ply
+    says err "ends at -2,-2,-2 and 2,2,2"
+    ball
+    expect 2 sample ball.nhdr -n 100 -o out.ply
+    says err "from -8 to 4"
+    truncate -s 100 ball.raw
+    expect 3 sample ball.nhdr -n 100 --iso 1 -o out.ply
+    says err "ball.raw: expected 125 bytes"
+    sed -i 's/sizes: 5 5 5/sizes: 5 5/' ball.nhdr
+    expect 3 sample ball.nhdr -n 100 --iso 1 -o out.ply
+    says err "ball.nhdr: line 4: sizes"
+    absent out.ply
+}
+
+sample_checks_its_arguments() {
+    expect 2 sample
+    expect 2 sample sphere -o out.ply
+    says err "how many"
+    expect 2 sample sphere -n 0 -o out.ply
+    expect 2 sample sphere -n 10 --spacing 0.1 -o out.ply
+    expect 2 sample sphere -n 10
+    expect 2 sample sphere -n 10 -o out.stl
+    expect 2 sample sphere -n 10 -o none/out.ply
+    expect 2 sample sphere -n 10 --box 1,2,3 -o out.ply
+    expect 3 sample cube -n 10 -o out.ply
+    says err "--list"
+    expect 3 sample none.nrrd -n 10 -o out.ply
+    expect 3 sample sphere --iso 100 -n 10 -o out.ply
+    says err "no surface"
+    absent out.ply
+}
+
+paper_table_is_made_anew() {
+    # Stand-ins are small enough here only because their number is that of the paper: one run.
+    expect 0 table1 --rules robust --json --save .
+    is "$(grep -c '"set"' out)" 5 sets
+    is "$(grep -c '"stand_in": true' out)" 2 "stand-ins"
+    for points in 42906 3755 1393 1516 215; do says out "\"points\": $points,"; done
+    is "$(grep -c '"unused_points": 0,' out)" 5 "sets with every point in use"
+    is "$(grep -c '"non_manifold_edges": 0,' out)" 5 "sets without non-manifold edges"
+    is "$(header_count vertex hyperboloid.ply)" 215 "saved points"
+    expect 2 table1 --volumes none
+    says err "no such folder"
 }
 
 scenes_are_listed() {
