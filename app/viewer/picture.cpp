@@ -45,17 +45,6 @@ bool isRejection(Verdict verdict) {
     }
 }
 
-RingPath pathFrom(const EdgeRings& rings, Index entry) {
-    RingPath path;
-    Index at = entry;
-    do {
-        path.points.push_back(rings.point(at));
-        path.open.push_back(rings.open(at));
-        at = rings.next(at);
-    } while (at != entry);
-    return path;
-}
-
 /// Applies events to a picture, one after the other.
 class Painter {
   public:
@@ -63,9 +52,6 @@ class Painter {
 
     void apply(const Event& event) {
         stage_ = event.address.stage;
-        const bool changesRings = stage_ == Stage::Ring || stage_ == Stage::Split ||
-                                  stage_ == Stage::Join || stage_ == Stage::Done;
-        if (changesRings && picture_.oldRings.empty()) picture_.oldRings = picture_.rings;
         remember(event);
         std::visit([this](const auto& evidence) { on(evidence); }, event.evidence);
     }
@@ -73,14 +59,11 @@ class Painter {
   private:
     void remember(const Event& event) {
         auto& latest = picture_.latest;
-        const auto same = std::find_if(latest.begin(), latest.end(), [&](const Event& each) {
-            return each.address.stage == event.address.stage;
-        });
-        same == latest.end() ? latest.push_back(event) : void(*same = event);
+        std::erase_if(latest,
+                      [&](const Event& each) { return each.address.stage == event.address.stage; });
+        latest.push_back(event);
     }
     void on(const SeedEvidence& e) {
-        RingPath path{{e.first, e.second}, {true, true}, true, 0, kNone};
-        picture_.rings.insert(picture_.rings.begin(), std::move(path));
         setStatus(e.first, 1);
         setStatus(e.second, 1);
     }
@@ -90,22 +73,14 @@ class Painter {
         picture_.first = picture_.start = e.first;
         picture_.last = picture_.end = e.last;
         picture_.sectorDegrees = picture_.endDegrees = e.sectorDegrees;
-        RingPath* ring = activeRing();
-        if (ring == nullptr) return;
-        for (std::size_t i = 0; i < ring->points.size(); ++i) {
-            const std::size_t previous = i == 0 ? ring->points.size() - 1 : i - 1;
-            if (ring->points[i] == e.pivot && ring->points[previous] == e.first) place_ = i;
-        }
     }
     void on(const InsertEvidence& e) {
         if (e.verdict == Verdict::Before) {
             picture_.first = picture_.start = e.third;
-            insertAt(place_, e.third);
-            ++place_;
         } else if (e.verdict == Verdict::After) {
             picture_.last = picture_.end = e.third;
-            insertAt(place_ + 1, e.third);
         }
+        if (e.third != kNone) setStatus(e.third, 1);
     }
     void on(const SortEvidence& e) { mark(e.point, e.degrees, e.verdict); }
     void on(const LimitEvidence& e) {
@@ -133,48 +108,13 @@ class Painter {
     void on(const RingEvidence& e) {
         picture_.ringChanges.push_back(e);
         setStatus(e.point, e.status);
-        e.inserted ? insertAt(place_++, e.point) : removeNearPlace(e.point);
     }
     void on(const AdvanceEvidence& e) { picture_.nextPivot = e.to; }
     template <typename Other>
     void on(const Other&) {}
 
-    RingPath* activeRing() {
-        const bool any = !picture_.rings.empty() && picture_.rings.front().active;
-        return any ? &picture_.rings.front() : nullptr;
-    }
     void setStatus(Index point, PointStatus status) {
         if (point < picture_.status.size()) picture_.status.set(point, status);
-    }
-    void insertAt(std::size_t place, Index point) {
-        RingPath* ring = activeRing();
-        if (ring == nullptr) return;
-        place = std::min(place, ring->points.size());
-        ring->points.insert(ring->points.begin() + static_cast<std::ptrdiff_t>(place), point);
-        ring->open.insert(ring->open.begin() + static_cast<std::ptrdiff_t>(place), false);
-        setStatus(point, std::max(1, picture_.status[point]));
-    }
-    /// A point may stand on the ring twice: the entry meant is the one nearest to the pivot's
-    /// place.
-    void removeNearPlace(Index point) {
-        RingPath* ring = activeRing();
-        if (ring == nullptr) return;
-        const std::size_t count = ring->points.size();
-        std::size_t best = count;
-        std::size_t bestDistance = count + 1;
-        for (std::size_t i = 0; i < count; ++i) {
-            if (ring->points[i] != point) continue;
-            const std::size_t gap = i > place_ ? i - place_ : place_ - i;
-            const std::size_t distance = std::min(gap, count - gap);
-            if (distance < bestDistance) {
-                best = i;
-                bestDistance = distance;
-            }
-        }
-        if (best == count) return;
-        ring->points.erase(ring->points.begin() + static_cast<std::ptrdiff_t>(best));
-        ring->open.erase(ring->open.begin() + static_cast<std::ptrdiff_t>(best));
-        if (best < place_) --place_;
     }
     void mark(Index point, std::optional<double> degrees, Verdict verdict) {
         // Passed over before any test: never candidates.
@@ -191,18 +131,49 @@ class Painter {
 
     Picture& picture_;
     Stage stage_ = Stage::Pivot;
-    std::size_t place_ = 0;  ///< Of the pivot on the active ring.
 };
 
 /// The first event from which on the rings are those after the pivot.
 std::size_t firstEventAfterRings(const std::vector<Event>& events) {
-    std::size_t after = events.size() - 1;
-    for (std::size_t i = 0; i < events.size(); ++i) {
-        const Stage stage = events[i].address.stage;
-        if (stage == Stage::Split || stage == Stage::Join) after = i;
-        if (stage == Stage::Advance) return std::min(after, i);
+    const auto advance = std::find_if(events.begin(), events.end(), [](const Event& event) {
+        return event.address.stage == Stage::Advance;
+    });
+    if (advance == events.end()) return events.size() - 1;
+    return static_cast<std::size_t>(advance - events.begin());
+}
+
+/// §6.5 or §7: the ring loses or gets points.
+bool updatesRings(const Event& event) {
+    const Stage stage = event.address.stage;
+    return stage == Stage::Ring || stage == Stage::Split || stage == Stage::Join ||
+           stage == Stage::Done;
+}
+
+bool changesRings(const Event& event) {
+    const Stage stage = event.address.stage;
+    return updatesRings(event) || stage == Stage::Seed || stage == Stage::Insert;
+}
+
+/// The rings at events[cursor], entry by entry.
+void addRings(Picture& picture, const PivotRecord& record, std::size_t cursor) {
+    const std::vector<Event>& events = record.events;
+    const auto end = events.begin() + static_cast<std::ptrdiff_t>(cursor) + 1;
+    // Most decisions leave the rings alone.
+    if (std::any_of(events.begin(), end, changesRings)) {
+        RingReplay replay(record.before.rings, record.before.status.size());
+        for (auto event = events.begin(); event != end; ++event) {
+            if (updatesRings(*event) && picture.oldRings.empty()) {
+                picture.oldRings = ringPaths(replay.rings());
+            }
+            replay.apply(*event);
+        }
+        picture.rings = ringPaths(replay.rings());
+        picture.exchange = replay.exchange();
     }
-    return after;
+    if (cursor >= firstEventAfterRings(events)) {
+        picture.status = record.after.status;
+        picture.rings = ringPaths(record.after.rings);
+    }
 }
 
 /// Triangles of `after` that `before` has not got, whichever corner comes first. The steps change a
@@ -237,31 +208,10 @@ void addMended(Picture& picture, const PivotRecord& record) {
     picture.finishedTriangles = picture.mended->size() - picture.newTriangles.size();
 }
 
-}  // namespace
-
-std::vector<RingPath> ringPaths(const RunState& state) {
-    std::vector<RingPath> paths;
-    const EdgeRings& rings = state.rings;
-    if (rings.active() != kNone) {
-        paths.push_back(pathFrom(rings, rings.head(rings.active())));
-        paths.back().active = true;
-        paths.back().id = rings.active();
-    }
-    for (std::size_t i = rings.stack().size(); i > 0; --i) {
-        const Index ring = rings.stack()[i - 1];
-        paths.push_back(pathFrom(rings, rings.head(ring)));
-        paths.back().depth = static_cast<Index>(rings.stack().size() - i);
-        paths.back().id = ring;
-    }
-    return paths;
-}
-
-namespace {
-
 Picture pictureBefore(const PivotRecord& record) {
     Picture picture;
     picture.status = record.before.status;
-    picture.rings = ringPaths(record.before);
+    picture.rings = ringPaths(record.before.rings);
     picture.finishedTriangles = record.before.triangleCount;
     picture.mended = record.before.mended;
     return picture;
@@ -286,10 +236,7 @@ Picture makePicture(const PivotRecord& record, std::size_t cursor) {
     if (event.address.stage != Stage::Hole) picture.hole.reset();
     picture.complete = cursor + 1 == record.events.size();
     addMended(picture, record);
-    if (cursor >= firstEventAfterRings(record.events)) {
-        picture.status = record.after.status;
-        picture.rings = ringPaths(record.after);
-    }
+    addRings(picture, record, cursor);
     return picture;
 }
 

@@ -6,6 +6,7 @@
 
 #include "model.h"
 #include "pivot_record.h"
+#include "ring_replay.h"
 
 namespace se::view {
 
@@ -20,18 +21,10 @@ struct CandidateMark {
     Stage stage = Stage::Sort;        ///< Of the last test.
 };
 
-/// One ring as a list of points, in the direction of the ring.
-struct RingPath {
-    std::vector<Index> points;
-    std::vector<bool> open;  ///< The step from points[i] to the next is no mesh edge.
-    bool active = false;
-    Index depth = 0;  ///< On the stack, 0 = top.
-    Index id = kNone;
-};
-
 struct Picture {
     std::optional<Event> event;  ///< What this is the state just after; nothing at the beginning.
-    /// The last event of every stage of this pivot so far: a pinned layer goes on showing it.
+    /// The last event of every stage of this pivot so far, in order: a pinned layer goes on showing
+    /// it.
     std::vector<Event> latest;
     Index pivot = kNone;  ///< Point; kNone at the beginning and where no pivot is.
     Index first = kNone;
@@ -55,6 +48,8 @@ struct Picture {
     /// The rings before §6.5 changed them; empty before that.
     std::vector<RingPath> oldRings;
     std::vector<RingEvidence> ringChanges;  ///< So far, in order.
+    /// The loops of the last split or join so far, as they were at that moment.
+    std::optional<RingExchange> exchange;
     StatusList status;
 
     /// The evidence of the last event of a stage if it is of that kind, else null.
@@ -71,9 +66,6 @@ struct Picture {
 Picture makePicture(const PivotRecord& record, std::size_t cursor);
 /// Makes the picture of the state before events[cursor].
 Picture makePictureBefore(const PivotRecord& record, std::size_t cursor);
-
-/// The rings of a state: the active one first, then the stack from the top.
-std::vector<RingPath> ringPaths(const RunState& state);
 
 /// The point an event is about, kNone if it is about none.
 Index subjectOf(const Event& event);

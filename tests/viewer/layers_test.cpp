@@ -383,6 +383,30 @@ TEST_CASE("Drawn for split and join: both loops and a mark where they meet") {
     CHECK(says(join, "b was #1"));
 }
 
+TEST_CASE(
+    "Several splits in one pivot: each shows the loops that it cut, not what is left at the end") {
+    test::OpenSession open("scene:figure-12");
+    const DrawList first = drawn(open, {35, Stage::Split, 1}, {LayerId::Exchange});
+    CHECK(says(first, "a: 19 entries"));
+    CHECK(says(first, "b: 13 entries"));
+    CHECK(open.session.picture().rings.size() == 2);
+    CHECK(open.session.picture().rings[0].points.size() == 19);
+    const DrawList second = drawn(open, {35, Stage::Split, 2}, {LayerId::Exchange});
+    CHECK(says(second, "a: 17 entries"));
+    CHECK(says(second, "b: 2 entries"));
+    CHECK(open.session.picture().rings.size() == 3);
+    const DrawList last = drawn(open, {35, Stage::Split, 3}, {LayerId::Exchange});
+    CHECK(says(last, "a: 15 entries"));
+    // A pinned layer goes on showing the last one.
+    CHECK(says(drawn(open, {35, Stage::Advance, 1}, {LayerId::Exchange}), "a: 15 entries"));
+}
+
+TEST_CASE("A join and a split in one pivot show the point of the later one") {
+    test::OpenSession open("scene:torus");
+    CHECK(says(drawn(open, {560, Stage::Join, 1}, {LayerId::Exchange}), "b was #2"));
+    CHECK(says(drawn(open, {560, Stage::Split, 1}, {LayerId::Exchange}), "a: 60 entries"));
+}
+
 TEST_CASE("Drawn for seed, advance and done") {
     test::OpenSession open("scene:linked-tori");
     const auto& place = open.session.model().place;

@@ -127,7 +127,7 @@ TEST_CASE("The stack shows its top first, as the state has it") {
         const RunState& state = record->after;
         if (state.rings.stack().empty() || state.rings.active() == kNone) continue;
         seen = true;
-        const std::vector<RingPath> paths = ringPaths(state);
+        const std::vector<RingPath> paths = ringPaths(state.rings);
         REQUIRE(paths.size() == state.rings.stack().size() + 1);
         CHECK(paths[0].active);
         CHECK(paths[1].id == state.rings.stack().back());

@@ -7,10 +7,6 @@ namespace se::view {
 
 namespace {
 
-bool holds(const RingPath& ring, Index point) {
-    return std::find(ring.points.begin(), ring.points.end(), point) != ring.points.end();
-}
-
 /// A broad band along a loop: what it is drawn over stays visible.
 void addBand(const LayerInput& in, const RingPath& ring, const Color& color, float dash,
              DrawList& out) {
@@ -40,56 +36,48 @@ std::string entries(std::size_t count) {
     return std::to_string(count) + (count == 1 ? " entry" : " entries");
 }
 
-void addSplit(const LayerInput& in, const SplitEvidence& e, DrawList& out) {
+void addSplit(const LayerInput& in, Index point, const RingExchange& loops, DrawList& out) {
     const Palette& c = in.palette;
-    const std::vector<RingPath>& rings = in.picture.rings;
-    if (!rings.empty() && rings.front().active) {
-        addBand(in, rings.front(), c.used, 0.0F, out);
-        addName(in, rings.front(), e.point,
-                "a: " + entries(rings.front().points.size()) + ", goes on", c.used, out);
-    }
-    const auto stacked = std::find_if(rings.begin(), rings.end(), [&](const RingPath& ring) {
-        return !ring.active && holds(ring, e.point);
-    });
-    if (stacked != rings.end()) {
-        addBand(in, *stacked, c.last, 0.6F, out);
-        addName(in, *stacked, e.point,
-                "b: " + entries(stacked->points.size()) + ", waits as #" +
-                    std::to_string(stacked->depth + 1),
-                c.last, out);
-    }
-    out.mark(in.at(e.point), Shape::OpenDiamond, c.pivot, 1.5F);
-    out.label(in.at(e.point), "a | b: cut here", c.pivot, true);
+    addBand(in, loops.a, c.used, 0.0F, out);
+    addName(in, loops.a, point,
+            "a: " + entries(loops.a.points.size()) +
+                (loops.a.active ? ", goes on" : ", stays #" + std::to_string(loops.a.depth + 1)),
+            c.used, out);
+    addBand(in, loops.b, c.last, 0.6F, out);
+    addName(
+        in, loops.b, point,
+        "b: " + entries(loops.b.points.size()) + ", waits as #" + std::to_string(loops.b.depth + 1),
+        c.last, out);
+    out.mark(in.at(point), Shape::OpenDiamond, c.pivot, 1.5F);
+    out.label(in.at(point), "a | b: cut here", c.pivot, true);
 }
 
-void addJoin(const LayerInput& in, const JoinEvidence& e, DrawList& out) {
+void addJoin(const LayerInput& in, Index point, const RingExchange& loops, DrawList& out) {
     const Palette& c = in.palette;
-    const std::vector<RingPath>& old = in.picture.oldRings;
-    const auto other = std::find_if(old.begin(), old.end(), [&](const RingPath& ring) {
-        return !ring.active && ring.depth == e.depthFromTop;
-    });
-    const std::vector<RingPath>& now = in.picture.rings;
-    if (!now.empty() && now.front().active) {
-        addBand(in, now.front(), c.used, 0.0F, out);
-        addName(in, now.front(), e.point, "a", c.used, out);
-    }
-    if (other != old.end()) {
-        addBand(in, *other, c.last, 0.0F, out);
-        addName(in, *other, e.point, "b was #" + std::to_string(e.depthFromTop + 1), c.last, out);
-    }
-    out.mark(in.at(e.point), Shape::OpenSquare, c.pivot, 1.5F);
-    out.label(in.at(e.point), "a + b: bridge here", c.pivot, true);
+    addBand(in, loops.a, c.used, 0.0F, out);
+    addName(in, loops.a, point, "a", c.used, out);
+    addBand(in, loops.b, c.last, 0.0F, out);
+    addName(
+        in, loops.b, point,
+        loops.b.active ? "b was the active ring" : "b was #" + std::to_string(loops.b.depth + 1),
+        c.last, out);
+    out.mark(in.at(point), Shape::OpenSquare, c.pivot, 1.5F);
+    out.label(in.at(point), "a + b: bridge here", c.pivot, true);
 }
 
 }  // namespace
 
+/// Loops as they were at that moment: the next split of the same pivot may cut them again.
 void addExchange(const LayerInput& in, DrawList& out) {
-    if (const auto* split = in.picture.evidence<SplitEvidence>(Stage::Split)) {
-        addSplit(in, *split, out);
-    }
-    if (const auto* join = in.picture.evidence<JoinEvidence>(Stage::Join)) {
-        addJoin(in, *join, out);
-    }
+    if (!in.picture.exchange) return;
+    const auto latest =
+        std::find_if(in.picture.latest.rbegin(), in.picture.latest.rend(), [](const Event& event) {
+            return event.address.stage == Stage::Split || event.address.stage == Stage::Join;
+        });
+    if (latest == in.picture.latest.rend()) return;
+    const Index point = subjectOf(*latest);
+    latest->address.stage == Stage::Split ? addSplit(in, point, *in.picture.exchange, out)
+                                          : addJoin(in, point, *in.picture.exchange, out);
 }
 
 }  // namespace se::view

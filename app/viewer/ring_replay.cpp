@@ -1,0 +1,216 @@
+#include "ring_replay.h"
+
+#include <algorithm>
+
+namespace se::view {
+
+namespace {
+
+RingPath pathFrom(const EdgeRings& rings, Index entry) {
+    RingPath path;
+    Index at = entry;
+    do {
+        path.points.push_back(rings.point(at));
+        path.open.push_back(rings.open(at));
+        at = rings.next(at);
+    } while (at != entry);
+    return path;
+}
+
+}  // namespace
+
+std::vector<RingPath> ringPaths(const EdgeRings& rings) {
+    std::vector<RingPath> paths;
+    if (rings.active() != kNone) {
+        paths.push_back(pathFrom(rings, rings.head(rings.active())));
+        paths.back().active = true;
+        paths.back().id = rings.active();
+    }
+    for (std::size_t i = rings.stack().size(); i > 0; --i) {
+        const Index ring = rings.stack()[i - 1];
+        paths.push_back(pathFrom(rings, rings.head(ring)));
+        paths.back().depth = static_cast<Index>(rings.stack().size() - i);
+        paths.back().id = ring;
+    }
+    return paths;
+}
+
+RingReplay::RingReplay(const EdgeRings& before, std::size_t pointCount) : rings_(pointCount) {
+    rings_.restore(before);
+}
+
+void RingReplay::apply(const Event& event) {
+    if (lost_) return;
+    stage_ = event.address.stage;
+    std::visit([this](const auto& evidence) { on(evidence); }, event.evidence);
+}
+
+std::vector<Index> RingReplay::entriesOf(Index ring) const {
+    std::vector<Index> entries;
+    if (ring == kNone) return entries;
+    for (Index e = rings_.head(ring); entries.size() < rings_.length(ring); e = rings_.next(e)) {
+        entries.push_back(e);
+    }
+    return entries;
+}
+
+RingPath RingReplay::pathOf(Index ring) const {
+    RingPath path = pathFrom(rings_, rings_.head(ring));
+    path.active = ring == rings_.active();
+    const Index depth = rings_.depthFromTop(ring);
+    path.depth = depth == kNone ? 0 : depth;
+    path.id = ring;
+    return path;
+}
+
+void RingReplay::on(const SeedEvidence& e) { rings_.start(e.first, e.second); }
+
+void RingReplay::takePivot(Index pivot, Index first, Index last) {
+    const std::vector<Index> entries = entriesOf(rings_.active());
+    const auto found = std::find_if(entries.begin(), entries.end(), [&](Index e) {
+        return rings_.point(e) == pivot && rings_.point(rings_.prev(e)) == first &&
+               rings_.point(rings_.next(e)) == last;
+    });
+    lost_ = found == entries.end();
+    if (lost_) return;
+    pivot_ = *found;
+    start_ = rings_.prev(pivot_);
+    end_ = rings_.next(pivot_);
+}
+
+void RingReplay::on(const InsertEvidence& e) {
+    const bool before = e.verdict == Verdict::Before;
+    if (!before && e.verdict != Verdict::After) return;
+    // Neither of its steps is an edge of the mesh.
+    const Index behind = before ? rings_.prev(pivot_) : pivot_;
+    const Index third = rings_.insertAfter(behind, e.third);
+    rings_.setOpen(behind, true);
+    rings_.setOpen(third, true);
+    start_ = rings_.prev(pivot_);
+    end_ = rings_.next(pivot_);
+}
+
+void RingReplay::on(const LimitEvidence& e) {
+    if (e.verdict != Verdict::Moved) return;
+    const bool start = e.side == Side::Start;
+    Index& limit = start ? start_ : end_;
+    limit = start ? rings_.prev(limit) : rings_.next(limit);
+}
+
+bool RingReplay::foundBefore(Index a, Index b) const {
+    const auto rank = [&](Index entry) {
+        const Index ring = rings_.ringOf(entry);
+        return ring == rings_.active() ? 0 : rings_.depthFromTop(ring) + 1;
+    };
+    return rank(a) < rank(b);
+}
+
+void RingReplay::on(const ReciprocalEvidence& e) {
+    // There is one test for each entry of the candidate.
+    const bool another = tested_ != kNone && rings_.point(tested_) == e.point;
+    tested_ = another ? rings_[tested_].nextOfPoint : rings_.firstEntryOf(e.point);
+    lost_ = tested_ == kNone;
+    if (lost_ || e.verdict != Verdict::Kept) return;
+    const auto known = instances_.find(e.point);
+    if (known == instances_.end() || foundBefore(tested_, known->second)) {
+        instances_[e.point] = tested_;
+    }
+}
+
+void RingReplay::beginUpdate() {
+    updating_ = true;
+    leaving_.push_back(pivot_);
+    for (Index e = rings_.prev(pivot_); e != start_; e = rings_.prev(e)) leaving_.push_back(e);
+    for (Index e = rings_.next(pivot_); e != end_; e = rings_.next(e)) leaving_.push_back(e);
+    std::reverse(leaving_.begin(), leaving_.end());
+}
+
+void RingReplay::on(const RingEvidence& e) {
+    // A ring that is freed loses one after the other, from its head on.
+    if (stage_ == Stage::Done && rings_.active() != kNone) {
+        leaving_ = {rings_.head(rings_.active())};
+    } else if (!updating_ && pivot_ != kNone) {
+        beginUpdate();
+    }
+    if (e.inserted) {
+        const Index behind = inserted_.empty() ? start_ : inserted_.back();
+        inserted_.push_back(rings_.insertAfter(behind, e.point));
+        return;
+    }
+    lost_ = leaving_.empty() || rings_.point(leaving_.back()) != e.point;
+    if (lost_) return;
+    rings_.erase(leaving_.back());
+    leaving_.pop_back();
+    // From start to end there now runs the rim of the new fan.
+    if (leaving_.empty() && rings_.alive(start_) && linked_ == 0) rings_.setOpen(start_, false);
+}
+
+bool RingReplay::nextLink(Index point) {
+    for (; linked_ < inserted_.size(); ++linked_) {
+        x_ = inserted_[linked_];
+        if (!rings_.alive(x_)) continue;
+        const auto other = instances_.find(rings_.point(x_));
+        if (other == instances_.end() || !rings_.alive(other->second)) continue;
+        y_ = other->second;
+        ++linked_;
+        return rings_.point(x_) == point;
+    }
+    return false;
+}
+
+Index RingReplay::goOnFrom() const {
+    if (rings_.alive(end_)) return end_;
+    const auto left = std::find_if(inserted_.rbegin(), inserted_.rend(),
+                                   [&](Index e) { return rings_.alive(e); });
+    if (left != inserted_.rend()) return *left;
+    return rings_.alive(start_) ? start_ : kNone;
+}
+
+/// The part that holds end stays active, the other goes on the stack.
+void RingReplay::place(const Exchange& made) {
+    const bool wasActive = made.ringOfX == rings_.active() || made.ringOfY == rings_.active();
+    bool pushX = rings_.depthFromTop(made.ringOfX) == kNone;
+    if (wasActive) {
+        const Index on = goOnFrom();
+        pushX = on == kNone || rings_.ringOf(on) != made.ringOfX;
+        rings_.activate(pushX ? made.ringOfY : made.ringOfX);
+    }
+    rings_.push(pushX ? made.ringOfX : made.ringOfY, pushX ? x_ : y_);
+    exchange_ = {pathOf(pushX ? made.ringOfY : made.ringOfX),
+                 pathOf(pushX ? made.ringOfX : made.ringOfY)};
+}
+
+void RingReplay::on(const SplitEvidence& e) {
+    lost_ = !nextLink(e.point) || rings_.ringOf(x_) != rings_.ringOf(y_);
+    if (lost_) return;
+    place(rings_.exchangeSuccessors(x_, y_));
+}
+
+void RingReplay::on(const JoinEvidence& e) {
+    lost_ = !nextLink(e.point) || rings_.ringOf(x_) == rings_.ringOf(y_);
+    if (lost_) return;
+    exchange_ = {pathOf(rings_.ringOf(x_)), pathOf(rings_.ringOf(y_))};
+    rings_.exchangeSuccessors(x_, y_);
+}
+
+void RingReplay::on(const CloseEvidence& e) {
+    const auto isMeant = [&](Index ring) {
+        if (ring == kNone || rings_.length(ring) != (e.b == kNone ? 1U : 2U)) return false;
+        const Index head = rings_.head(ring);
+        return rings_.point(head) == e.a &&
+               (e.b == kNone || rings_.point(rings_.next(head)) == e.b);
+    };
+    const auto ringOf = [&](Index entry) {
+        return rings_.alive(entry) ? rings_.ringOf(entry) : kNone;
+    };
+    for (const Index ring : {ringOf(x_), ringOf(y_), rings_.active()}) {
+        if (!isMeant(ring)) continue;
+        const Index head = rings_.head(ring);
+        leaving_ = {head};
+        if (e.b != kNone) leaving_ = {rings_.next(head), head};
+        return;
+    }
+    lost_ = true;
+}
+
+}  // namespace se::view

@@ -1,0 +1,87 @@
+/// The edge rings within a pivot: what its events did to them, entry by entry (§6.5). A record
+/// holds the rings before and after a pivot only.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "spiraling_edge/edge_ring.h"
+#include "spiraling_edge/event.h"
+
+namespace se::view {
+
+/// One ring as a list of points, in the direction of the ring.
+struct RingPath {
+    std::vector<Index> points;
+    std::vector<bool> open;  ///< The step from points[i] to the next is no mesh edge.
+    bool active = false;
+    Index depth = 0;  ///< On the stack, 0 = top.
+    Index id = kNone;
+};
+
+/// The rings: the active one first, then the stack from the top.
+std::vector<RingPath> ringPaths(const EdgeRings& rings);
+
+/// What a split parted, just after it, or a join united, just before it.
+struct RingExchange {
+    RingPath a;  ///< The loop that goes on; of a join, that of the pivot.
+    RingPath b;  ///< The loop that waits on the stack; of a join, the one that was found.
+};
+
+class RingReplay {
+  public:
+    /// `before`: the rings before the pivot, as EdgeRings::withoutPoints() gives them.
+    RingReplay(const EdgeRings& before, std::size_t pointCount);
+
+    /// Takes the events of the pivot, in order.
+    void apply(const Event& event);
+    /// As they are just after the events taken so far.
+    const EdgeRings& rings() const { return rings_; }
+    /// Of the last split or join so far.
+    const std::optional<RingExchange>& exchange() const { return exchange_; }
+    /// An event named something that is not on the rings: from there on they stay as they were.
+    bool lost() const { return lost_; }
+
+  private:
+    void on(const SeedEvidence& e);
+    void on(const PivotEvidence& e) { takePivot(e.pivot, e.first, e.last); }
+    void on(const FillEvidence& e) { takePivot(e.pivot, e.first, e.last); }
+    void on(const InsertEvidence& e);
+    void on(const LimitEvidence& e);
+    void on(const ReciprocalEvidence& e);
+    void on(const RingEvidence& e);
+    void on(const SplitEvidence& e);
+    void on(const JoinEvidence& e);
+    void on(const CloseEvidence& e);
+    template <typename Other>
+    void on(const Other&) {}
+
+    void takePivot(Index pivot, Index first, Index last);
+    void beginUpdate();
+    bool foundBefore(Index a, Index b) const;
+    bool nextLink(Index point);
+    void place(const Exchange& made);
+    Index goOnFrom() const;
+    std::vector<Index> entriesOf(Index ring) const;
+    RingPath pathOf(Index ring) const;
+
+    EdgeRings rings_;
+    std::optional<RingExchange> exchange_;
+    bool lost_ = false;
+    Stage stage_ = Stage::Pivot;
+    // Entries.
+    Index pivot_ = kNone;
+    Index start_ = kNone;
+    Index end_ = kNone;
+    Index tested_ = kNone;              ///< The one that the reciprocal test looks at.
+    std::map<Index, Index> instances_;  ///< Of a candidate that is on a ring already.
+    bool updating_ = false;             ///< §6.5 has begun.
+    std::vector<Index> leaving_;        ///< The next one last.
+    std::vector<Index> inserted_;
+    std::size_t linked_ = 0;  ///< How many of the inserted ones were looked at for other instances.
+    Index x_ = kNone;
+    Index y_ = kNone;
+};
+
+}  // namespace se::view
