@@ -17,6 +17,13 @@
 
 namespace se::view {
 
+namespace {
+
+/// Steps played faster than this, per second, do not leave the time to see them move.
+constexpr double kFollowedRate = 1.5;
+
+}  // namespace
+
 Application::Application(const Options& options, const ViewSettings& settings)
     : options_(options), commands_{session_, playback_, camera_, ui_}, filing_(commands_) {
     ui_.settings = settings;
@@ -73,6 +80,7 @@ bool Application::key(const KeyChord& chord, bool repeated) {
         ImGui::ClearActiveID();
         return true;
     }
+    if (isShiftKey(chord.key) && !repeated) ui_.look.shift(true, ui_.clock);
     const Command* command = ui_.settings.keys.commandFor(chord);
     // A question comes first.
     if (ui_.leaving.asked && command != findCommand("help.leave")) return false;
@@ -80,14 +88,21 @@ bool Application::key(const KeyChord& chord, bool repeated) {
     const bool closes = ui_.cheatSheet && command == findCommand("help.keys");
     const Keyboard keyboard{io.WantTextInput, ui_.dialogOpen() && !closes,
                             io.NavVisible && io.WantCaptureKeyboard};
-    if (reachesActions(chord, keyboard)) command->run(commands_);
+    if (reachesActions(chord, keyboard) && !holdsLook(*command, chord.key)) command->run(commands_);
     return false;
 }
 
+/// The two actions that last as long as their key is held.
+bool Application::holdsLook(const Command& command, int key) {
+    const bool blinks = &command == findCommand("step.blink");
+    if (!blinks && &command != findCommand("step.before")) return false;
+    ui_.look.begin(blinks ? LookBack::Mode::Blink : LookBack::Mode::Before, key, ui_.clock);
+    return true;
+}
+
 void Application::keyReleased(const KeyChord& chord) {
-    if (ui_.settings.keys.commandFor({chord.key, kNoMods}) == findCommand("step.before")) {
-        session_.showBefore(false);
-    }
+    ui_.look.released(chord.key);
+    if (isShiftKey(chord.key)) ui_.look.shift(false, ui_.clock);
 }
 
 void Application::drop(const std::vector<std::string>& paths) {
@@ -116,8 +131,8 @@ Status Application::settle() {
 }
 
 bool Application::animating() const {
-    return session_.busy() || playback_.playing() || session_.phase() == SessionPhase::Loading ||
-           ui_.click.waiting();
+    return session_.busy() || playback_.playing() || motion_.moving() || ui_.look.blinking() ||
+           ui_.click.waiting() || session_.phase() == SessionPhase::Loading;
 }
 
 std::string Application::title() const {
@@ -162,6 +177,18 @@ std::size_t componentBegin(const Session& session) {
     return begin;
 }
 
+/// The point that the last ring before that at the cursor began with.
+Index seedBefore(const Session& session) {
+    const RunOverview& run = session.overview();
+    const std::uint32_t pivot = session.record().pivot;
+    Index seed = kNone;
+    for (const ComponentSummary& each : run.components) {
+        if (each.firstPivot >= pivot) break;
+        if (each.firstPivot <= run.pivots.size()) seed = run.pivots[each.firstPivot - 1].point;
+    }
+    return seed;
+}
+
 /// For pictures of one decision: from obliquely above the disc of the pivot, near by.
 void comeCloser(const Session& session, Camera& camera) {
     const Index pivot = session.picture().pivot;
@@ -177,6 +204,18 @@ void comeCloser(const Session& session, Camera& camera) {
 }
 
 }  // namespace
+
+/// At which point of its short movements the scene is to be drawn.
+const Moment& Application::lookAtMoment() {
+    static constexpr Moment kPaper{Moment::Kind::Paper, 0.0, false};
+    if (ui_.requests.screenshot || !options_.screenshot.empty()) return kPaper;
+    const bool tooFast =
+        playback_.playing() && (playback_.unlimited() || playback_.rate() > kFollowedRate);
+    const bool still = !session_.ready() || session_.busy() || tooFast || ui_.look.on();
+    return motion_.look(
+        {session_.generation(), session_.ready() ? session_.record().pivot : 0, session_.cursor()},
+        still ? 0.0 : motionSeconds(session_.picture()), ui_.clock);
+}
 
 void Application::fillScene() {
     if (!session_.ready()) return;
@@ -200,8 +239,9 @@ void Application::fillScene() {
     shownLayers_ = shownLayers(settings.layers, session_.stage());
     MeshColoring mesh =
         meshColoring(settings.meshStyle, session_.overview(), session_.triangles().size());
+    const Moment& moment = lookAtMoment();
     if (filledRevision_ == session_.revision() && filledLayers_ == shownLayers_ &&
-        filledTheme_ == settings.theme && filledMesh_ == mesh) {
+        filledTheme_ == settings.theme && filledMesh_ == mesh && filledMoment_ == moment) {
         return;
     }
     const LayerInput input{session_.model(),
@@ -215,12 +255,15 @@ void Application::fillScene() {
                            session_.selection(),
                            ui_.facts.of(session_).present,
                            mesh,
-                           session_.marked()};
+                           session_.marked(),
+                           moment,
+                           seedBefore(session_)};
     fillDrawList(input, shownLayers_, drawList_);
     filledRevision_ = session_.revision();
     filledLayers_ = shownLayers_;
     filledTheme_ = settings.theme;
     filledMesh_ = std::move(mesh);
+    filledMoment_ = moment;
     ++fills_;
 }
 
@@ -254,8 +297,10 @@ void Application::drawUserInterface(const Layout& layout) {
 
 void Application::frame(glm::ivec2 size, double seconds) {
     const auto began = std::chrono::steady_clock::now();
+    ui_.clock += seconds;
     poll();
     play(seconds);
+    session_.showBefore(ui_.look.showsBefore(ui_.clock));
     const double chosen = ui_.settings.uiScale > 0.0 ? ui_.settings.uiScale : contentScale_;
     ui_.scale = static_cast<float>(chosen);
     imgui_->setLooks(static_cast<float>(chosen), ui_.settings.theme);
@@ -286,7 +331,12 @@ void Application::frame(glm::ivec2 size, double seconds) {
     ui_.unsaved = filing_.unsaved();
     if (std::exchange(ui_.requests.copyPlace, false)) copyPlace();
     if (std::exchange(ui_.requests.pastePlace, false)) pastePlace();
-    if (std::exchange(ui_.requests.screenshot, false)) saveWindowPicture(size);
+    // One that was asked for while this frame was drawn is taken from the next one.
+    if (ui_.requests.screenshot &&
+        (filledMoment_.kind == Moment::Kind::Paper || !session_.ready())) {
+        ui_.requests.screenshot = false;
+        saveWindowPicture(size);
+    }
     if (std::exchange(ui_.requests.closePopups, false)) ImGui::SetWindowFocus("##view");
 }
 

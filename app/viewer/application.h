@@ -78,7 +78,9 @@ class Application {
     void goToTyped();
     void undoOrRedo();
     void observeEdits();
+    bool holdsLook(const Command& command, int key);
     void play(double seconds);
+    const Moment& lookAtMoment();
     void fillScene();
     void drawScene(const Layout& layout);
     void drawUserInterface(const Layout& layout);
@@ -103,6 +105,8 @@ class Application {
     LayerSwitches filledLayers_;
     Theme filledTheme_ = Theme::Dark;
     MeshColoring filledMesh_;
+    Motion motion_;
+    Moment filledMoment_;
     unsigned fills_ = 0;  ///< How often the draw list was made.
     std::uint32_t uploadedGeneration_ = 0;
     float contentScale_ = 1.0F;

@@ -9,6 +9,8 @@ namespace {
 
 constexpr int kFirstNamedKey = key::kEscape;
 constexpr int kFirstModifierKey = 340;
+constexpr int kLeftShift = 340;
+constexpr int kRightShift = 344;
 constexpr std::string_view kEditLetters = "ACVXYZ";
 
 bool isPlain(const KeyChord& chord) { return (chord.mods & (kCtrl | kAlt)) == 0; }
@@ -21,6 +23,8 @@ bool isLookedAt(const KeyPress& press) {
 }
 
 }  // namespace
+
+bool isShiftKey(int key) { return key == kLeftShift || key == kRightShift; }
 
 std::size_t pressesOfNextFrame(std::span<const KeyPress> waiting) {
     std::set<int> down;

@@ -30,6 +30,8 @@ struct Keyboard {
     bool panel = false;      ///< Somebody walks through a panel by keyboard.
 };
 
+/// True for either Shift key by itself.
+bool isShiftKey(int key);
 /// True for what changes a text or moves in it: plain keys, Ctrl+C and the like.
 bool editsText(const KeyChord& chord);
 /// True if a key may run an action. Esc always may.

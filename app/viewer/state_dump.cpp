@@ -129,7 +129,10 @@ std::string Application::stateDump() const {
              {"open_tab", ui_.openTab},
              {"layers", json::array()},
              {"pins", json::object()},
-             {"before", session_.showsBefore()}};
+             {"before", session_.showsBefore()},
+             {"shown_state", session_.showsBefore() ? "before" : "after"},
+             {"blinking", ui_.look.blinking()},
+             {"moving", motion_.moving()}};
     dumpLayers(out, ui_.settings.layers, session_.stage());
     out["mesh_style"] = std::string(rowOf(ui_.settings.meshStyle).name);
     out["unlimited"] = playback_.unlimited();

@@ -17,6 +17,7 @@
 #include "layout.h"
 #include "leaving.h"
 #include "mesh_style.h"
+#include "motion.h"
 #include "navigation.h"
 #include "palette.h"
 #include "playback.h"
@@ -110,6 +111,8 @@ struct UiState {
     std::string openTab;
     std::string shownCheck;   ///< Of the doctor: the finding whose points are marked.
     std::string wantedTab;    ///< To be opened in the next frame; empty: as it is.
+    LookBack look;            ///< At the state before the decision.
+    double clock = 0.0;       ///< Seconds, as the frames count them.
     FactsCache facts;         ///< Of the selection.
     ClickWait click;          ///< In the view; it may be the first half of a double click.
     Index pointedAt = kNone;  ///< The point under the pointer, found anew in every frame.

@@ -10,6 +10,7 @@
 
 #include "../draw_list.h"
 #include "../model.h"
+#include "../motion.h"
 #include "../palette.h"
 #include "../picture.h"
 #include "../selection.h"
@@ -30,6 +31,8 @@ struct LayerInput {
     bool selectionPresent = true;
     MeshColoring mesh{};
     std::span<const Index> marked{};  ///< Points that are lit up.
+    Moment moment{};
+    Index seedBefore = kNone;  ///< The point that the ring before this one began with.
 
     const glm::vec3& at(Index point) const { return model.place[point]; }
 };

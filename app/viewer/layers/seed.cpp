@@ -1,7 +1,56 @@
 /// §4: a ring of two begins, or a point is stranded.
+#include <algorithm>
+
 #include "layer.h"
 
 namespace se::view {
+
+namespace {
+
+/// More would hide the scene.
+constexpr std::size_t kDotsUpTo = 20'000;
+
+/// The place of a point in the order in which the pointer to the start takes them.
+std::size_t placeOf(const PointSet& points, Index point) {
+    if (points.order.empty()) return point;
+    const auto found = std::find(points.order.begin(), points.order.end(), point);
+    return static_cast<std::size_t>(found - points.order.begin());
+}
+
+/// A DONE point that was passed over, lit up.
+void addPassed(const LayerInput& in, Index point, float strength, DrawList& out) {
+    if (!in.model.drawable[point]) return;
+    const Color color = mix(in.palette.done, in.palette.text, strength);
+    out.mark(in.at(point), Shape::Dot, color, 0.3F + 0.2F * strength);
+}
+
+/// The points that the pointer to the start has passed since the last ring began, all DONE; and the
+/// nearer neighbors of the start point, which are DONE as well.
+void addPassedPoints(const LayerInput& in, const SeedEvidence& e, DrawList& out) {
+    const float strength = blinkStrength(in.moment);
+    if (!(strength > 0.0F)) return;
+    const PointSet& points = in.model.points;
+    const std::size_t end = std::min(placeOf(points, e.first), points.size());
+    std::size_t begin = in.seedBefore == kNone ? 0 : placeOf(points, in.seedBefore);
+    if (end > kDotsUpTo) begin = std::max(begin, end - kDotsUpTo);
+    std::size_t passed = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+        const Index point = points.inOrder(i);
+        if (in.picture.status[point] != kDone) continue;
+        addPassed(in, point, strength, out);
+        ++passed;
+    }
+    for (const Index q : points.neighbors[e.first]) {
+        if (q == e.second) break;
+        addPassed(in, q, strength, out);
+        out.label(in.at(q), "DONE", in.palette.textDim);
+    }
+    if (passed == 0) return;
+    out.label(in.at(points.inOrder(begin)), std::to_string(passed) + " DONE, passed over",
+              in.palette.text);
+}
+
+}  // namespace
 
 void addSeed(const LayerInput& in, DrawList& out) {
     const Palette& c = in.palette;
@@ -12,12 +61,7 @@ void addSeed(const LayerInput& in, DrawList& out) {
     }
     const auto* e = in.picture.evidence<SeedEvidence>(Stage::Seed);
     if (e == nullptr) return;
-    // Nearer neighbors are passed over: they are DONE.
-    for (const Index q : in.model.points.neighbors[e->first]) {
-        if (q == e->second) break;
-        out.mark(in.at(q), Shape::Circle, c.done, 0.9F);
-        out.label(in.at(q), "DONE", c.done);
-    }
+    addPassedPoints(in, *e, out);
     out.line(in.at(e->first), in.at(e->second), c.used, 0.3F, Depth::OnTop);
     out.mark(in.at(e->second), Shape::RingedDisc, c.used, 1.1F);
     out.mark(in.at(e->first), Shape::RingedDisc, c.pivot, 1.3F);

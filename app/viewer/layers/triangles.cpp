@@ -1,6 +1,34 @@
+#include <algorithm>
+
 #include "layer.h"
 
 namespace se::view {
+
+namespace {
+
+/// The triangles of the last pivot that made any: those at the end with the same first corner.
+std::span<const Triangle> lastFan(std::span<const Triangle> finished) {
+    std::size_t begin = finished.size();
+    while (begin > 0 && finished[begin - 1].a == finished.back().a) --begin;
+    return finished.subspan(begin);
+}
+
+/// As a new fan comes in, the one before it joins the finished triangles.
+void addFadingFan(const LayerInput& in, DrawList& out) {
+    const Picture& p = in.picture;
+    const bool emits = p.event && p.event->address.stage == Stage::Emit;
+    const bool lasts = in.moment.kind == Moment::Kind::Moving && p.complete;
+    const float strength = fadeStrength(in.moment, 0.0F);
+    if (!(emits || lasts) || p.newTriangles.empty() || !(strength > 0.0F)) return;
+    const std::size_t count = std::min(p.finishedTriangles, in.triangles.size());
+    for (const Triangle& t : lastFan(in.triangles.first(count))) {
+        out.faces.push_back({{in.at(t.a), in.at(t.b), in.at(t.c)},
+                             mix(in.palette.mesh, in.palette.test, 0.85F * strength),
+                             false});
+    }
+}
+
+}  // namespace
 
 void addTriangles(const LayerInput& in, DrawList& out) {
     out.meshVisible = true;
@@ -17,6 +45,7 @@ void addTriangles(const LayerInput& in, DrawList& out) {
     }
     // New ones are among them, too; those below cover them.
     out.mended = in.picture.mended;
+    if (ordered && in.mesh.style < MeshStyle::Wire) addFadingFan(in, out);
     for (const Triangle& t : in.picture.newTriangles) {
         out.faces.push_back({{in.at(t.a), in.at(t.b), in.at(t.c)}, in.palette.test, true});
     }

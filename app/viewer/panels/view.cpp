@@ -194,6 +194,23 @@ void drawAxes(const PanelContext& context, ImDrawList* list) {
     }
 }
 
+/// Which of the two states it is, where somebody looks back.
+void drawShownState(const PanelContext& context, ImDrawList* list) {
+    const Session& session = context.session();
+    if (!context.ui().look.on() || !session.ready() || session.event() == nullptr) return;
+    const Rect& view = context.layout.view;
+    const float em = context.em;
+    const Color& color = session.showsBefore() ? context.palette.textDim : context.palette.test;
+    const std::string text =
+        (session.showsBefore() ? "before " : "after ") + toString(session.address());
+    const ImVec2 extent = context.fonts.strong->CalcTextSizeA(em, 1e9F, 0.0F, text.c_str());
+    const glm::vec2 at(view.min.x + 0.5F * (view.size.x - extent.x), view.min.y + 0.9F * em);
+    list->AddRectFilled({at.x - 0.6F * em, at.y - 0.25F * em},
+                        {at.x + extent.x + 0.6F * em, at.y + extent.y + 0.25F * em},
+                        toU32(context.palette.panel.withAlpha(0.94F)), 0.3F * em);
+    list->AddText(context.fonts.strong, em, toVec2(at), toU32(color), text.c_str());
+}
+
 }  // namespace
 
 void drawView(const PanelContext& context) {
@@ -217,6 +234,7 @@ void drawView(const PanelContext& context) {
         list->AddImage(texture, toVec2(view.min), toVec2(view.max()), {0, 1}, {1, 0});
         drawLabels(context, list);
         drawAxes(context, list);
+        drawShownState(context, list);
         if (context.ui().settings.legend) drawLegend(context);
         drawColorBar(context);
     }

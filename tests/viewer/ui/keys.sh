@@ -101,6 +101,18 @@ triangles=$(field triangles)
 xdotool keydown grave; says before true; says triangles "$((triangles - 1))"
 xdotool keyup grave; says before false; says triangles "$triangles"
 says address '30\.emit\.1'
+# With Shift the two states take turns, the window goes on by itself, and nothing of it stays.
+xdotool keydown shift keydown grave
+says blinking true
+for state_shown in before after before after; do says shown_state $state_shown; done
+xdotool keyup grave keyup shift; says blinking false; says shown_state after
+xdotool keydown grave; says shown_state before
+xdotool keydown shift; says blinking true; says shown_state after; says shown_state before
+xdotool keyup shift; says blinking false; says shown_state before
+xdotool keyup grave; says shown_state after
+says triangles "$triangles"
+# A new fan moves for a moment, then the window rests.
+press Right; says address '30\.emit\.2'; says moving true; says moving false
 press t; says theme light
 press t; says theme dark
 press F1; says cheat_sheet true

@@ -1,0 +1,100 @@
+#include "motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace se::view {
+
+namespace {
+
+constexpr double kBlinkSeconds = 0.6;
+/// The share of its time that a blink is lit in full; in the rest it dies down.
+constexpr double kLitShare = 0.6;
+constexpr double kFadeSeconds = 0.5;
+/// How large a thing is when it pops up, and how long it takes to settle.
+constexpr double kPopSize = 1.8;
+constexpr double kPopSeconds = 0.2;
+/// What is left on paper of something that fades.
+constexpr float kPaperShare = 0.5F;
+
+/// Slows down toward its end: 0 to 1.
+double eased(double share) {
+    const double rest = 1.0 - std::clamp(share, 0.0, 1.0);
+    return 1.0 - rest * rest;
+}
+
+}  // namespace
+
+float blinkStrength(const Moment& moment) {
+    if (moment.kind == Moment::Kind::Rest) return 0.0F;
+    if (moment.kind == Moment::Kind::Paper) return 1.0F;
+    const double lit = kLitShare * kBlinkSeconds;
+    const double dying = (moment.seconds - lit) / (kBlinkSeconds - lit);
+    return static_cast<float>(1.0 - std::clamp(dying, 0.0, 1.0));
+}
+
+float fadeStrength(const Moment& moment, float rest) {
+    if (moment.kind == Moment::Kind::Rest) return rest;
+    if (moment.kind == Moment::Kind::Paper) return std::max(rest, kPaperShare);
+    return 1.0F + (rest - 1.0F) * static_cast<float>(eased(moment.seconds / kFadeSeconds));
+}
+
+float popSize(const Moment& moment, std::size_t i, std::size_t count) {
+    if (moment.kind != Moment::Kind::Moving) return 1.0F;
+    if (moment.single && i + 1 < count) return 1.0F;
+    // The last one must have settled when everything is over.
+    const double turn = moment.single || count < 2
+                            ? 0.0
+                            : (kFadeSeconds - kPopSeconds) * static_cast<double>(i) /
+                                  static_cast<double>(count - 1);
+    if (moment.seconds < turn) return 0.0F;
+    const double settled = eased((moment.seconds - turn) / kPopSeconds);
+    return static_cast<float>(kPopSize + (1.0 - kPopSize) * settled);
+}
+
+double motionSeconds(const Picture& picture) {
+    if (!picture.event) return 0.0;
+    const Stage stage = picture.event->address.stage;
+    if (stage == Stage::Seed) return kBlinkSeconds;
+    const bool fan = stage == Stage::Emit || picture.complete;
+    if (fan && !picture.newTriangles.empty() && !picture.mended) return kFadeSeconds;
+    return stage == Stage::Ring ? kFadeSeconds : 0.0;
+}
+
+const Moment& Motion::look(const Place& place, double seconds, double now) {
+    if (!(place == place_)) {
+        moment_.single = place.generation == place_.generation && place.pivot == place_.pivot &&
+                         place.cursor == place_.cursor + 1;
+        place_ = place;
+        began_ = now;
+        seconds_ = seconds;
+    }
+    seconds_ = std::min(seconds_, seconds);
+    const double age = now - began_;
+    moment_ = age < seconds_ ? Moment{Moment::Kind::Moving, age, moment_.single} : Moment{};
+    return moment_;
+}
+
+void LookBack::begin(Mode mode, int key, double now) {
+    mode_ = mode;
+    key_ = key;
+    since_ = now;
+}
+
+void LookBack::toggle(Mode mode, double now) { begin(mode_ == mode ? Mode::Off : mode, 0, now); }
+
+void LookBack::shift(bool down, double now) {
+    if (mode_ == Mode::Off || key_ == 0) return;
+    begin(down ? Mode::Blink : Mode::Before, key_, now);
+}
+
+void LookBack::released(int key) {
+    if (key != 0 && key == key_) *this = {};
+}
+
+bool LookBack::showsBefore(double now) const {
+    if (mode_ != Mode::Blink) return mode_ == Mode::Before;
+    return static_cast<long>(std::floor((now - since_) / kHalfSeconds)) % 2 == 0;
+}
+
+}  // namespace se::view
