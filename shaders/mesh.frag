@@ -32,10 +32,13 @@ void main() {
         float shade = 0.48 + 0.42 * max(dot(normal, light), 0.0) + 0.16 * dot(normal, toEye);
         if (!gl_FrontFacing) shade *= 0.55;
         color.rgb *= mix(shade, 1.0, uSoft);
-        if (vHatched > 0.5) {
-            float stripe = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / uHatch) - 0.5) * uHatch;
-            color.rgb *= mix(1.0, 0.72, clamp(stripe - 0.22 * uHatch + 0.5, 0.0, 1.0));
-        }
+    }
+    if (vHatched > 0.5) {
+        float stripe = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / uHatch) - 0.5) * uHatch;
+        float between = clamp(stripe - 0.22 * uHatch + 0.5, 0.0, 1.0);
+        // What one can look through is clearer between the stripes, all else darker.
+        if (uLit) color.rgb *= mix(1.0, 0.72, between);
+        else color.a *= mix(1.0, 0.35, between);
     }
     if (uEdgeColor.a > 0.0) {
         vec3 width = max(fwidth(vBarycentric), 1e-6);

@@ -257,6 +257,7 @@ void Application::fillScene() {
                            mesh,
                            session_.marked(),
                            moment,
+                           &session_.meshIndex(),
                            seedBefore(session_)};
     fillDrawList(input, shownLayers_, drawList_);
     filledRevision_ = session_.revision();

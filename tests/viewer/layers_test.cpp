@@ -32,6 +32,7 @@ DrawList drawnAt(const test::OpenSession& open, const Moment& moment,
                  void (*add)(const LayerInput&, DrawList&)) {
     LayerInput in{open.session.model(), open.session.picture(), paletteOf(Theme::Dark)};
     in.triangles = open.session.triangles();
+    in.meshIndex = &open.session.meshIndex();
     in.moment = moment;
     DrawList list;
     add(in, list);
@@ -530,4 +531,50 @@ TEST_CASE("The old path of the ring fades, and what joins it pops up in order") 
     CHECK(joined({Moment::Kind::Moving, 0.0, false}) < all);
     CHECK(joined({Moment::Kind::Moving, 0.49, false}) == all);
     CHECK(joined({Moment::Kind::Moving, 0.0, true}) == all);
+}
+
+TEST_CASE("What a refused triangle would cover is filled, and it alone") {
+    test::OpenSession open("scene:figure-9");
+    const auto hatched = [&](void (*add)(const LayerInput&, DrawList&)) {
+        const DrawList list = drawnAt(open, Moment{}, add);
+        float area = 0.0F;
+        for (const Sheet& sheet : list.sheets) {
+            if (!sheet.hatched) continue;
+            CHECK(sheet.color == paletteOf(Theme::Dark).rejected.withAlpha(sheet.color.a));
+            area += 0.5F * glm::length(glm::cross(sheet.corners[1] - sheet.corners[0],
+                                                  sheet.corners[2] - sheet.corners[0]));
+        }
+        CHECK(says(list, "overlap") == (area > 0.0F));
+        return area;
+    };
+    const auto areaOfPicture = [&](Index a, Index b, Index c) {
+        const auto& place = open.session.model().place;
+        return 0.5F * glm::length(glm::cross(place[b] - place[a], place[c] - place[a]));
+    };
+    open.session.goTo({42, Stage::Reciprocal, 1});
+    open.session.settle();
+    const Picture& p = open.session.picture();
+    const float whole =
+        areaOfPicture(p.pivot, p.underTest, p.start) + areaOfPicture(p.pivot, p.underTest, p.end);
+    const float covered = hatched(addReciprocal);
+    CHECK(covered > 0.3F * whole);
+    CHECK(covered < 0.9F * whole);
+
+    open.session.goTo({87, Stage::TwoPoint, 1});
+    open.session.settle();
+    CHECK(hatched(addTwoPoint) > 0.5F * areaOfPicture(p.pivot, p.first, p.last));
+    // A hole covers nothing.
+    open.session.goTo({15, Stage::TwoPoint, 1});
+    open.session.settle();
+    CHECK(hatched(addTwoPoint) == 0.0F);
+}
+
+TEST_CASE("A triangle that the reciprocal test keeps covers next to nothing") {
+    test::OpenSession open("scene:figure-12");
+    const Address kept = firstWhere<ReciprocalEvidence>(
+        open, [](const ReciprocalEvidence& e) { return e.verdict == Verdict::Kept; });
+    REQUIRE(kept.pivot > 0);
+    open.session.goTo(kept);
+    open.session.settle();
+    CHECK_FALSE(says(drawnAt(open, Moment{}, addReciprocal), "overlap"));
 }

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "../draw_list.h"
+#include "../mesh_index.h"
 #include "../model.h"
 #include "../motion.h"
 #include "../palette.h"
@@ -32,7 +33,8 @@ struct LayerInput {
     MeshColoring mesh{};
     std::span<const Index> marked{};  ///< Points that are lit up.
     Moment moment{};
-    Index seedBefore = kNone;  ///< The point that the ring before this one began with.
+    const MeshIndex* meshIndex = nullptr;  ///< Of `triangles`.
+    Index seedBefore = kNone;              ///< The point that the ring before this one began with.
 
     const glm::vec3& at(Index point) const { return model.place[point]; }
 };

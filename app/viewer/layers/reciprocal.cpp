@@ -2,15 +2,18 @@
 #include <algorithm>
 #include <vector>
 
-#include "disc.h"
+#include "overlap.h"
 
 namespace se::view {
 
 namespace {
 
-/// The triangles that the candidate would have with its neighbors in the fan, hatched.
+/// The triangles that the candidate would have with its neighbors in the fan, hatched, and where
+/// they would lie on finished ones.
 void addPreview(const LayerInput& in, const ReciprocalEvidence& e, DrawList& out) {
     const Picture& p = in.picture;
+    const std::optional<Disc> disc = pivotDisc(in);
+    if (!disc) return;
     double angle = 0.0;
     for (const CandidateMark& mark : p.candidates) {
         if (mark.point == e.point) angle = mark.degrees;
@@ -24,12 +27,17 @@ void addPreview(const LayerInput& in, const ReciprocalEvidence& e, DrawList& out
         if (mark.degrees < angle && mark.degrees > low) low = mark.degrees, before = mark.point;
         if (mark.degrees > angle && mark.degrees < high) high = mark.degrees, after = mark.point;
     }
-    const Color color =
-        (e.verdict == Verdict::Kept ? in.palette.test : in.palette.rejected).withAlpha(0.8F);
+    Overlap largest;
     for (const Index other : {before, after}) {
         if (other == kNone || other == e.point) continue;
+        const Color color = in.palette.test.withAlpha(0.8F);
         out.hatch(in.at(p.pivot), in.at(e.point), in.at(other), color);
+        out.line(in.at(e.point), in.at(other), color, 0.1F, Depth::OnTop);
+        const Overlap overlap = overlapOf(in, *disc, {p.pivot, e.point, other});
+        addOverlap(in, overlap, out);
+        if (overlap.share > largest.share) largest = overlap;
     }
+    if (largest.share > 0.0F) out.label(largest.middle, "overlap", in.palette.rejected, true);
 }
 
 }  // namespace

@@ -1,7 +1,21 @@
 /// §6.4, Fig. 9: only first and last are left.
-#include "disc.h"
+#include "overlap.h"
 
 namespace se::view {
+
+namespace {
+
+/// The finished triangles that it would cover, outlined as a whole.
+void addCovered(const LayerInput& in, const Overlap& overlap, DrawList& out) {
+    for (const Triangle& t : overlap.covered) {
+        for (const auto& [from, to] :
+             {std::pair{t.a, t.b}, std::pair{t.b, t.c}, std::pair{t.c, t.a}}) {
+            out.dashed(in.at(from), in.at(to), in.palette.rejected, 0.09F, 0.25F);
+        }
+    }
+}
+
+}  // namespace
 
 void addTwoPoint(const LayerInput& in, DrawList& out) {
     const auto* e = in.picture.evidence<TwoPointEvidence>(Stage::TwoPoint);
@@ -14,6 +28,12 @@ void addTwoPoint(const LayerInput& in, DrawList& out) {
     const glm::vec3 last = in.at(in.picture.last);
     out.sheet(p, first, last, color.withAlpha(0.25F));
     out.hatch(first, last, p, color, 9);
+    if (over) {
+        const Triangle wouldBe{in.picture.pivot, in.picture.first, in.picture.last};
+        const Overlap overlap = overlapOf(in, *disc, wouldBe);
+        addOverlap(in, overlap, out);
+        addCovered(in, overlap, out);
+    }
     Line closing{first, last, color, 0.2F, over ? 0.35F : 0.0F, 0.0F, Depth::OnTop};
     out.lines.push_back(closing);
     const Arc arc{0.0, e->degrees, 0.75F * discRadius(in)};

@@ -1,0 +1,19 @@
+/// Convex polygons in a plane.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <span>
+#include <vector>
+
+namespace se::view {
+
+/// What `subject` and `window` have in common. Both are convex and counterclockwise, and so is the
+/// result; empty if they do not meet. (Sutherland and Hodgman: one cut along each side of the
+/// window.)
+std::vector<glm::vec2> clipConvex(std::span<const glm::vec2> subject,
+                                  std::span<const glm::vec2> window);
+
+/// Positive if counterclockwise.
+float areaOf(std::span<const glm::vec2> polygon);
+
+}  // namespace se::view
