@@ -113,6 +113,7 @@ void placeModel(Model& model) {
         if (isFinite(p)) radius = std::max(radius, glm::length(p - model.center));
     }
     model.scale = radius > 0.0 && std::isfinite(radius) ? 1.0 / radius : 1.0;
+    model.boxHalf = glm::vec3(0.5 * model.scale * (high - low));
     model.place.reserve(position.size());
     model.normal.reserve(position.size());
     for (std::size_t p = 0; p < position.size(); ++p) {

@@ -42,6 +42,7 @@ struct Model {
     std::vector<bool> drawable;  ///< False for positions that are not finite.
     Vec3 center{};
     double scale = 1.0;             ///< View units per scene unit.
+    glm::vec3 boxHalf{0.0F};        ///< Half the sides of the box of the points, in view units.
     float spacing = 0.05F;          ///< Median distance to the nearest neighbor, in view units.
     std::vector<glm::vec3> sample;  ///< Some of the places, to fit the camera to.
     /// A direction from which the first steps are seen: the run begins at the first usable point.

@@ -18,23 +18,85 @@ glm::vec3 outwardOf(int face) {
     return out;
 }
 
-/// A part of a wall around the pivot.
-void addWall(const LayerInput& in, const glm::vec3& at, int face, DrawList& out) {
-    const float half = 2.6F * in.model.spacing;
-    glm::vec3 u(0.0F);
-    glm::vec3 v(0.0F);
-    u[(face + 1) % 3] = half;
-    v[(face + 2) % 3] = half;
-    const std::array corners = {at - u - v, at + u - v, at + u + v, at - u + v};
-    out.sheet(corners[0], corners[1], corners[2], in.palette.accent.withAlpha(0.16F));
-    out.sheet(corners[0], corners[2], corners[3], in.palette.accent.withAlpha(0.16F));
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        out.line(corners[i], corners[(i + 1) % 4], in.palette.accent.withAlpha(0.7F), 0.06F,
-                 Depth::OnTop);
+/// Squares along the longer side of a wall.
+constexpr float kGridSquares = 8.0F;
+
+/// One face of the box of the points: the middle, and half its sides.
+struct Wall {
+    glm::vec3 middle{0.0F};
+    std::array<glm::vec3, 2> half{};
+
+    glm::vec3 at(float u, float v) const { return middle + u * half[0] + v * half[1]; }
+};
+
+/// The face that goes through `at`; points that lie in a plane have no box, so it gets some height.
+Wall wallAt(const LayerInput& in, const glm::vec3& at, int face) {
+    Wall wall;
+    wall.middle[face % 3] = at[face % 3];
+    for (std::size_t side = 0; side < 2; ++side) {
+        const int axis = (face + 1 + static_cast<int>(side)) % 3;
+        wall.half[side][axis] = std::max(in.model.boxHalf[axis], 2.0F * in.model.spacing);
     }
-    out.label(0.55F * corners[2] + 0.45F * at,
-              std::string("wall ") + kFaceNames[static_cast<std::size_t>(face)],
-              in.palette.textDim);
+    return wall;
+}
+
+void addGrid(const Wall& wall, const Color& color, DrawList& out) {
+    const float longest = std::max(glm::length(wall.half[0]), glm::length(wall.half[1]));
+    for (std::size_t side = 0; side < 2; ++side) {
+        const float share = glm::length(wall.half[side]) / longest;
+        const auto squares = static_cast<int>(std::max(1.0F, std::round(kGridSquares * share)));
+        for (int i = 1; i < squares; ++i) {
+            const float t = 2.0F * static_cast<float>(i) / static_cast<float>(squares) - 1.0F;
+            side == 0 ? out.line(wall.at(t, -1.0F), wall.at(t, 1.0F), color, 0.05F)
+                      : out.line(wall.at(-1.0F, t), wall.at(1.0F, t), color, 0.05F);
+        }
+    }
+}
+
+/// A place on the edge of the wall that is nearest to `at`, a little toward the middle; where that
+/// is far away, on the way there.
+glm::vec3 labelPlace(const LayerInput& in, const Wall& wall, const glm::vec3& at) {
+    const float step = 2.5F * in.model.spacing;
+    std::array<float, 2> place{};
+    std::array<float, 2> length{};
+    for (std::size_t side = 0; side < 2; ++side) {
+        length[side] = glm::length(wall.half[side]);
+        place[side] = glm::dot(at - wall.middle, wall.half[side]) / length[side];
+    }
+    // Where the point lies on an edge, that says nothing of this wall.
+    const auto toEdge = [&](std::size_t side, float sign) {
+        const float way = length[side] - sign * place[side];
+        return way > 0.5F * in.model.spacing ? way : 1e6F;
+    };
+    std::size_t across = 0;
+    float sign = 1.0F;
+    for (const auto& [side, direction] :
+         {std::pair<std::size_t, float>{0, -1.0F}, {1, 1.0F}, {1, -1.0F}}) {
+        if (toEdge(side, direction) < 0.99F * toEdge(across, sign)) {
+            across = side;
+            sign = direction;
+        }
+    }
+    const std::size_t along = 1 - across;
+    place[across] += sign * std::min(toEdge(across, sign), 2.0F * step);
+    const float inward = place[along] > 0.0F ? -1.0F : 1.0F;
+    place[along] += inward * std::min(step, std::abs(place[along]) + 0.5F * length[along]);
+    return wall.at(place[0] / length[0], place[1] / length[1]);
+}
+
+/// A wall as a whole, so that one sees which one it is.
+void addWall(const LayerInput& in, const glm::vec3& at, int face, DrawList& out) {
+    const Wall wall = wallAt(in, at, face);
+    const Color& color = in.palette.accent;
+    const std::array corners = {wall.at(-1, -1), wall.at(1, -1), wall.at(1, 1), wall.at(-1, 1)};
+    out.sheet(corners[0], corners[1], corners[2], color.withAlpha(0.14F));
+    out.sheet(corners[0], corners[2], corners[3], color.withAlpha(0.14F));
+    addGrid(wall, color.withAlpha(0.35F), out);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        out.line(corners[i], corners[(i + 1) % 4], color.withAlpha(0.8F), 0.08F, Depth::XRay);
+    }
+    out.label(labelPlace(in, wall, at),
+              std::string("wall ") + kFaceNames[static_cast<std::size_t>(face)], color, true);
 }
 
 void addWallsOf(const LayerInput& in, Index point, DrawList& out) {
