@@ -18,7 +18,7 @@ stage() {
 }
 
 stages() {
-    stage seed linked-tori 537.seed.1 --focus
+    stage seed linked-tori 537.seed.1
     stage strand sphere 425.strand.1 --focus
     stage skip figure-14 15.skip.1 --focus
     stage insert figure-14 1.insert.1 --focus
@@ -37,7 +37,8 @@ stages() {
     stage twopoint-over figure-9 87.twopoint.1 --focus
     stage emit sphere 30.emit.2 --focus
     stage ring sphere 14.ring.4 --focus
-    stage split figure-12 45.split.1 --focus
+    stage split figure-12 35.split.1 --focus
+    stage split-second figure-12 35.split.2 --focus
     stage join figure-12 74.join.1 --focus
     stage advance sphere 14.advance.1 --focus
     stage done linked-tori 536.done.1

@@ -281,6 +281,42 @@ TEST_CASE("Drawn for insert: the walls that p touches, their vectors and the pla
     CHECK(count(list, Shape::Circle) >= 1);
 }
 
+TEST_CASE("A wall is a whole face of the box, in the plane of the points that lie on it") {
+    test::OpenSession open("scene:sheet");
+    constexpr Address skipped{12, Stage::Skip, 1};
+    const DrawList list = drawn(open, skipped, {LayerId::Walls});
+    const Model& model = open.session.model();
+    const Index pivot = open.session.picture().pivot;
+    const std::uint8_t type = model.points.type[pivot];
+    REQUIRE(open.session.picture().evidence<InsertEvidence>(Stage::Insert) == nullptr);
+    REQUIRE_FALSE(list.sheets.empty());
+    std::size_t sheet = 0;
+    for (int face = 0; face < 6; ++face) {
+        if ((type >> static_cast<unsigned>(face) & 1U) == 0) continue;
+        CAPTURE(face);
+        REQUIRE(list.sheets.size() >= sheet + 2);
+        for (int axis = 0; axis < 3; ++axis) {
+            float low = 1e9F;
+            float high = -1e9F;
+            for (std::size_t i = sheet; i < sheet + 2; ++i) {
+                for (const glm::vec3& corner : list.sheets[i].corners) {
+                    low = std::min(low, corner[axis]);
+                    high = std::max(high, corner[axis]);
+                }
+            }
+            if (axis == face % 3) {
+                CHECK(low == doctest::Approx(model.place[pivot][axis]));
+                CHECK(high == doctest::Approx(low));
+            } else {
+                CHECK(high >= model.boxHalf[axis] - 1e-4F);
+                CHECK(low <= -model.boxHalf[axis] + 1e-4F);
+            }
+        }
+        sheet += 2;
+    }
+    CHECK(sheet == list.sheets.size());
+}
+
 TEST_CASE("Drawn for sort: the slicing plane, the drop line and the angle") {
     test::OpenSession open;
     const Address kept = firstWhere<SortEvidence>(

@@ -22,14 +22,15 @@ void addBand(const LayerInput& in, const RingPath& ring, const Color& color, flo
     }
 }
 
-/// The name of a loop, half way round from the point.
+/// The name of a loop, at its step after the next.
 void addName(const LayerInput& in, const RingPath& ring, Index point, const std::string& text,
              const Color& color, DrawList& out) {
     const auto found = std::find(ring.points.begin(), ring.points.end(), point);
     const auto at = static_cast<std::size_t>(found - ring.points.begin());
     const std::size_t count = ring.points.size();
-    const std::size_t far = (at + std::min<std::size_t>(count / 2, 4)) % count;
-    out.label(in.at(ring.points[far]), text, color, true);
+    const std::size_t from = (at + (count > 2 ? 1 : 0)) % count;
+    const glm::vec3& near = in.at(ring.points[from]);
+    out.label(0.5F * (near + in.at(ring.points[(from + 1) % count])), text, color, true);
 }
 
 std::string entries(std::size_t count) {

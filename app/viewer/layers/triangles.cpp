@@ -21,11 +21,15 @@ void addFadingFan(const LayerInput& in, DrawList& out) {
     const float strength = fadeStrength(in.moment, 0.0F);
     if (!(emits || lasts) || p.newTriangles.empty() || !(strength > 0.0F)) return;
     const std::size_t count = std::min(p.finishedTriangles, in.triangles.size());
-    for (const Triangle& t : lastFan(in.triangles.first(count))) {
+    const std::span<const Triangle> fan = lastFan(in.triangles.first(count));
+    for (const Triangle& t : fan) {
         out.faces.push_back({{in.at(t.a), in.at(t.b), in.at(t.c)},
                              mix(in.palette.mesh, in.palette.test, 0.85F * strength),
                              false});
     }
+    if (in.moment.kind != Moment::Kind::Paper || fan.empty()) return;
+    const Triangle& t = fan.back();
+    out.label((in.at(t.a) + in.at(t.b) + in.at(t.c)) / 3.0F, "the fan before", in.palette.textDim);
 }
 
 }  // namespace

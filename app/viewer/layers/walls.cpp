@@ -56,35 +56,35 @@ void addGrid(const Wall& wall, const Color& color, DrawList& out) {
 /// A place on the edge of the wall that is nearest to `at`, a little toward the middle; where that
 /// is far away, on the way there.
 glm::vec3 labelPlace(const LayerInput& in, const Wall& wall, const glm::vec3& at) {
-    const float step = 2.5F * in.model.spacing;
+    const float step = 2.2F * in.model.spacing;
     std::array<float, 2> place{};
     std::array<float, 2> length{};
     for (std::size_t side = 0; side < 2; ++side) {
         length[side] = glm::length(wall.half[side]);
         place[side] = glm::dot(at - wall.middle, wall.half[side]) / length[side];
     }
-    // Where the point lies on an edge, that says nothing of this wall.
+    // An edge that the point is at may be that of another wall, too.
     const auto toEdge = [&](std::size_t side, float sign) {
         const float way = length[side] - sign * place[side];
-        return way > 0.5F * in.model.spacing ? way : 1e6F;
+        return way > 1.5F * in.model.spacing ? way : 1e6F;
     };
     std::size_t across = 0;
-    float sign = 1.0F;
+    float sign = -1.0F;
     for (const auto& [side, direction] :
-         {std::pair<std::size_t, float>{0, -1.0F}, {1, 1.0F}, {1, -1.0F}}) {
+         {std::pair<std::size_t, float>{0, 1.0F}, {1, -1.0F}, {1, 1.0F}}) {
         if (toEdge(side, direction) < 0.99F * toEdge(across, sign)) {
             across = side;
             sign = direction;
         }
     }
     const std::size_t along = 1 - across;
-    place[across] += sign * std::min(toEdge(across, sign), 2.0F * step);
+    place[across] += sign * std::min(toEdge(across, sign), 5.0F * in.model.spacing);
     const float inward = place[along] > 0.0F ? -1.0F : 1.0F;
     place[along] += inward * std::min(step, std::abs(place[along]) + 0.5F * length[along]);
     return wall.at(place[0] / length[0], place[1] / length[1]);
 }
 
-/// A wall as a whole, so that one sees which one it is.
+/// The wall through `at` as a whole, so that one sees which one it is; its name stands near p.
 void addWall(const LayerInput& in, const glm::vec3& at, int face, DrawList& out) {
     const Wall wall = wallAt(in, at, face);
     const Color& color = in.palette.accent;
@@ -95,14 +95,15 @@ void addWall(const LayerInput& in, const glm::vec3& at, int face, DrawList& out)
     for (std::size_t i = 0; i < corners.size(); ++i) {
         out.line(corners[i], corners[(i + 1) % 4], color.withAlpha(0.8F), 0.08F, Depth::XRay);
     }
-    out.label(labelPlace(in, wall, at),
+    out.label(labelPlace(in, wall, in.at(in.picture.pivot)),
               std::string("wall ") + kFaceNames[static_cast<std::size_t>(face)], color, true);
 }
 
-void addWallsOf(const LayerInput& in, Index point, DrawList& out) {
-    const std::uint8_t type = in.model.points.type[point];
+/// The walls that a point touches, but for those of `drawn`.
+void addWallsOf(const LayerInput& in, Index point, std::uint8_t drawn, DrawList& out) {
+    const unsigned faces = in.model.points.type[point] & ~unsigned{drawn};
     for (int face = 0; face < 6; ++face) {
-        if ((type >> static_cast<unsigned>(face) & 1U) != 0) addWall(in, in.at(point), face, out);
+        if ((faces >> static_cast<unsigned>(face) & 1U) != 0) addWall(in, in.at(point), face, out);
     }
 }
 
@@ -159,15 +160,18 @@ void addChoice(const LayerInput& in, const InsertEvidence& e, DrawList& out) {
 void addWalls(const LayerInput& in, DrawList& out) {
     const Palette& c = in.palette;
     if (const auto* skip = in.picture.evidence<SkipEvidence>(Stage::Skip)) {
-        addWallsOf(in, skip->pivot, out);
+        // Where a third point was looked for in vain, they are drawn below.
+        if (in.picture.evidence<InsertEvidence>(Stage::Insert) == nullptr) {
+            addWallsOf(in, skip->pivot, 0, out);
+        }
         out.label(in.at(skip->pivot), "on a wall: passed over", c.pivot, true);
     }
     const auto* e = in.picture.evidence<InsertEvidence>(Stage::Insert);
     if (e == nullptr) return;
-    addWallsOf(in, e->pivot, out);
+    addWallsOf(in, e->pivot, 0, out);
     addCandidatesOnWall(in, e->pivot, e->third, out);
     if (e->corner) {
-        addWallsOf(in, e->other, out);
+        addWallsOf(in, e->other, in.model.points.type[e->pivot], out);
         out.arrow(in.at(e->pivot), in.at(e->other), c.used, 0.16F);
         out.label(0.5F * (in.at(e->pivot) + in.at(e->other)), "across the corner", c.used);
     } else {
