@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 
+#include "../support/random_points.h"
 #include "doctor_support.h"
 
 using namespace se;
@@ -146,6 +147,49 @@ TEST_CASE("doctor: what is guessing is left to the user, who may name points to 
     const Treatment treatment = treat(file, stray->points);
     CHECK(repairsOf(treatment) == std::map<std::string, std::size_t>{{"dropped", 1}});
     CHECK(accusations(treatment.file) == "flipped_normals ");
+}
+
+TEST_CASE("doctor: whatever the input, what can be mended is mended at once") {
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        const PointSet points = randomPoints(seed);
+        Random random(seed);
+        PointFile file;
+        file.position = points.position;
+        file.normal = points.normal;
+        file.type = points.type;
+        const auto n = static_cast<Index>(file.position.size());
+        for (Index p = 0; p < n; ++p) {
+            std::vector<Index> list(points.neighbors[p].begin(), points.neighbors[p].end());
+            if (random.below(4) == 0) std::reverse(list.begin(), list.end());
+            if (random.below(9) == 0) list.push_back(static_cast<Index>(random.below(2 * n)));
+            file.neighbors.append(list);
+            switch (random.below(30)) {
+                case 0:
+                    file.position[p].y = std::numeric_limits<double>::quiet_NaN();
+                    break;
+                case 1:
+                    file.normal[p] = Vec3(0.0);
+                    break;
+                case 2:
+                    file.normal[p] *= random.between(0.0, 1e9);
+                    break;
+                case 3:
+                    file.position[p] = file.position[random.below(n)];
+                    break;
+                case 4:
+                    file.type[p] = static_cast<std::uint8_t>(random.below(256));
+                    break;
+                default:
+                    break;
+            }
+        }
+        const Treatment once = treat(file);
+        for (const Finding& finding : examined(once.file))
+            CHECK_MESSAGE(!finding.check->mended, finding.check->name, ", seed ", seed);
+        CHECK(treat(once.file).repairs.empty());
+        REQUIRE(prepare(once.file, {}).ok());
+        CHECK(prepare(once.file, {}).value().report.unscaledNormals == 0);
+    }
 }
 
 TEST_CASE("doctor: nothing is left of what holds nothing") {
