@@ -70,7 +70,7 @@ constexpr std::array kChecks{
     DoctorCheck{"unsymmetric_lists", "6.1",
                 "A point may be a candidate where the pivot is none in turn; the k nearest always "
                 "are so.",
-                "", false, findUnsymmetricLists},
+                "spiraling-edge run IN --symmetric -o OUT.ply", false, findUnsymmetricLists},
     DoctorCheck{"corner_bits", "4",
                 "\"Two or more of these subtypes also sets the corner bit\": it is corrected.",
                 kFix, true, findCornerBits},
