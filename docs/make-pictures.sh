@@ -2,6 +2,7 @@
 # Makes the pictures of README.md and the pages here. Needs no display, but ImageMagick's convert.
 #   docs/make-pictures.sh [VIEWER]          all of them
 #   docs/make-pictures.sh VIEWER stages     those of every stage (docs/viewer.md) alone
+#   docs/make-pictures.sh VIEWER table1 DIR  the paper's Figures 21 to 25 (docs/table1.md); DIR has the volumes
 set -euo pipefail
 cd "$(dirname "$0")"
 viewer=${1:-../build/bin/spiraling-edge-viewer}
@@ -45,6 +46,31 @@ stages() {
     stage done-rim sheet 777.done.64
 }
 
+# FIGURE SET: a set of Table 1, triangulated.
+figure() {
+    local picture="images/figure-$1.png"
+    "$viewer" "$sets/$2.ply" --no-config --layout present --theme light --size 900x560 --rules robust \
+        --goto 100% --screenshot "$picture"
+    # The view alone, in few colors.
+    convert "$picture" -crop 640x420+115+4 +repage +dither -colors 64 -strip -define png:compression-level=9 \
+        "PNG8:$picture"
+}
+
+figures() {
+    sets=$(mktemp -d)
+    "$(dirname "$viewer")/spiraling-edge" table1 --volumes "$1" --save "$sets" >"$sets/table.txt"
+    figure 21 hydrogen
+    figure 22 lobster
+    figure 23 hyperboloid
+    figure 24 blast_wave
+    figure 25 electron_cloud
+    rm -r "$sets"
+}
+
+if [ "${2:-}" = table1 ]; then
+    figures "$3"
+    exit
+fi
 stages
 [ "${2:-}" = stages ] && exit
 "$viewer" scene:torus --no-config --size 1440x810 --goto 50% --screenshot images/viewer.png

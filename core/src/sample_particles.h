@@ -1,6 +1,7 @@
 /// The particles of the sampler and what is done with them.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "random.h"
@@ -21,6 +22,8 @@ struct Particles {
     std::size_t size() const { return position.size(); }
     /// Appends one at rest.
     void add(const Surface& surface, const Vec3& x, std::uint8_t faces, double flatSpacing);
+    /// Those of these indices, in this order; says nothing about walls.
+    void arrange(std::span<const Index> order);
     /// Keeps those with `stays`, in their order.
     void keep(const std::vector<bool>& stays);
 };

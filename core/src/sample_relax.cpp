@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <type_traits>
+#include <utility>
 
 #include "cell_grid.h"
 #include "parallel.h"
@@ -115,25 +117,28 @@ class Relaxation {
 
 }  // namespace
 
+void Particles::arrange(std::span<const Index> order) {
+    const auto apply = [&](auto& column) {
+        std::remove_reference_t<decltype(column)> arranged;
+        arranged.reserve(order.size());
+        for (const Index i : order) arranged.push_back(column[i]);
+        column = std::move(arranged);
+    };
+    apply(position);
+    apply(normal);
+    apply(type);
+    apply(spacing);
+    apply(drift);
+}
+
 void Particles::keep(const std::vector<bool>& stays) {
-    std::size_t kept = 0;
-    std::size_t walls = 0;
-    for (std::size_t i = 0; i < size(); ++i) {
-        if (!stays[i]) continue;
-        position[kept] = position[i];
-        normal[kept] = normal[i];
-        type[kept] = type[i];
-        spacing[kept] = spacing[i];
-        drift[kept] = drift[i];
-        if (i < onWalls) ++walls;
-        ++kept;
+    std::vector<Index> kept;
+    for (Index i = 0; i < size(); ++i) {
+        if (stays[i]) kept.push_back(i);
     }
-    position.resize(kept);
-    normal.resize(kept);
-    type.resize(kept);
-    spacing.resize(kept);
-    drift.resize(kept);
-    onWalls = walls;
+    onWalls = static_cast<std::size_t>(
+        std::lower_bound(kept.begin(), kept.end(), static_cast<Index>(onWalls)) - kept.begin());
+    arrange(kept);
 }
 
 double relax(const Surface& surface, double flatSpacing, unsigned threads, Particles& particles) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "sample_particles.h"
+#include "z_curve.h"
 
 namespace se {
 
@@ -56,7 +57,10 @@ void Sampler::step() {
         sampling::balance(c.surface, c.start.count, c.start.spacing,
                           std::min(most, kMostExchangedAtOnce), particles);
     }
-    if (done()) sampling::settleAll(c.surface, c.options.threads, particles);
+    if (!done()) return;
+    sampling::settleAll(c.surface, c.options.threads, particles);
+    // What is near in space is near in memory, for all who come after.
+    particles.arrange(zCurveOrder(particles.position));
 }
 
 std::span<const Vec3> Sampler::positions() const { return content_->start.particles.position; }

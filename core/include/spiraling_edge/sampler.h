@@ -56,7 +56,8 @@ class Sampler {
     /// Share of the steps that is over, in [0, 1].
     double share() const;
 
-    /// All of them, anew after every step. Their number may change until done.
+    /// All of them, anew after every step. Their number and order may change until done; then they
+    /// stand in the order of a Z-curve.
     std::span<const Vec3> positions() const;
     /// TypeBits of each.
     std::span<const std::uint8_t> types() const;
