@@ -240,6 +240,7 @@ ExitCode table1Verb(const Arguments& words) {
     catchInterrupts();
     ProgressLine line(!arguments.quiet);
     std::vector<Made> all;
+    all.reserve(kRows.size());
     for (const Row& row : kRows) all.push_back(make(row, arguments, params, line));
     writeOutput("-", arguments.json ? tableJson(all, arguments) : tableText(all, arguments));
     return ExitCode::Good;

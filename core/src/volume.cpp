@@ -95,7 +95,7 @@ Result<Volume> readVolume(std::string_view bytes, const std::string& name) {
     return io::decodeNrrd(header.value(), bytes.substr(header.value().dataOffset), name);
 }
 
-Field fieldOf(std::shared_ptr<const Volume> volume, double isovalue) {
+Field fieldOf(const std::shared_ptr<const Volume>& volume, double isovalue) {
     Field field;
     field.value = [volume](const Vec3& x) { return volume->valueAt(x); };
     field.gradient = [volume](const Vec3& x) { return volume->gradientAt(x); };

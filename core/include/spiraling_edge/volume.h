@@ -46,6 +46,6 @@ Result<Volume> readVolume(std::string_view bytes, const std::string& name);
 
 /// The field of a volume in the box of its samples: higher values are inside. Requires 2 samples
 /// along each axis.
-Field fieldOf(std::shared_ptr<const Volume> volume, double isovalue);
+Field fieldOf(const std::shared_ptr<const Volume>& volume, double isovalue);
 
 }  // namespace se
