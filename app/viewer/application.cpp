@@ -80,6 +80,13 @@ bool Application::key(const KeyChord& chord, bool repeated) {
         ImGui::ClearActiveID();
         return true;
     }
+    const bool enter = chord.key == key::kEnter || chord.key == key::kKeypadEnter;
+    if (enter && chord.mods == kNoMods && ui_.walk.at() != KeyStop::View && io.NavVisible &&
+        !io.WantTextInput && !ui_.dialogOpen()) {
+        // Dear ImGui itself takes Space alone.
+        ImGui::ActivateItem(ImGui::GetFocusID());
+        return true;
+    }
     if (isShiftKey(chord.key) && !repeated) ui_.look.shift(true, ui_.clock);
     const Command* command = ui_.settings.keys.commandFor(chord);
     // A question comes first.
@@ -88,8 +95,10 @@ bool Application::key(const KeyChord& chord, bool repeated) {
     const bool closes = ui_.cheatSheet && command == findCommand("help.keys");
     const Keyboard keyboard{io.WantTextInput, ui_.dialogOpen() && !closes,
                             io.NavVisible && io.WantCaptureKeyboard};
-    if (reachesActions(chord, keyboard) && !holdsLook(*command, chord.key)) command->run(commands_);
-    return false;
+    const bool reaches = reachesActions(chord, keyboard);
+    if (reaches && !holdsLook(*command, chord.key)) command->run(commands_);
+    // Dear ImGui has ways of its own to walk.
+    return reaches && chord.key == key::kTab;
 }
 
 /// The two actions that last as long as their key is held.
@@ -241,7 +250,8 @@ void Application::fillScene() {
         meshColoring(settings.meshStyle, session_.overview(), session_.triangles().size());
     const Moment& moment = lookAtMoment();
     if (filledRevision_ == session_.revision() && filledLayers_ == shownLayers_ &&
-        filledTheme_ == settings.theme && filledMesh_ == mesh && filledMoment_ == moment) {
+        filledTheme_ == settings.theme && filledMesh_ == mesh && filledMoment_ == moment &&
+        filledShapes_ == session_.overview().shapes.size()) {
         return;
     }
     const LayerInput input{session_.model(),
@@ -252,6 +262,7 @@ void Application::fillScene() {
                            session_.hovered(),
                            session_.triangles(),
                            componentBegin(session_),
+                           shapeAt(session_.overview().shapes, session_.record().pivot),
                            session_.selection(),
                            ui_.facts.of(session_).present,
                            mesh,
@@ -263,6 +274,7 @@ void Application::fillScene() {
     filledRevision_ = session_.revision();
     filledLayers_ = shownLayers_;
     filledTheme_ = settings.theme;
+    filledShapes_ = session_.overview().shapes.size();
     filledMesh_ = std::move(mesh);
     filledMoment_ = moment;
     ++fills_;
@@ -288,10 +300,12 @@ void Application::drawUserInterface(const Layout& layout) {
     const bool released =
         ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !ImGui::IsAnyItemActive();
     const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    ui_.popupOpen = popup;
     const bool covered = popup || ui_.fileBrowser || ui_.cheatSheet || ui_.keyEditor ||
                          ui_.palette.open || ui_.leaving.asked;
     if ((released && !covered) || !focused_) {
         ImGui::SetWindowFocus(session_.startPage() ? "##start" : "##view");
+        ui_.walk.leave();
         focused_ = true;
     }
 }
@@ -319,12 +333,8 @@ void Application::frame(glm::ivec2 size, double seconds) {
     drawScene(layout);
     clearFrame(size, palette().panel);
     imgui_->endFrame();
-    const bool first = firstFrameSeconds_ == 0.0 && session_.ready();
-    if (first || options_.benchFrames > 0) finishGl();
-    const auto drawn = std::chrono::steady_clock::now();
     uiSeconds_ = std::chrono::duration<double>(built - began).count();
-    glSeconds_ = std::chrono::duration<double>(drawn - built).count();
-    if (first) firstFrameSeconds_ = std::chrono::duration<double>(drawn - options_.began).count();
+    noteTimes(built);
     if (options_.narrate) narrate();
     observeEdits();
     undoOrRedo();
@@ -338,7 +348,30 @@ void Application::frame(glm::ivec2 size, double seconds) {
         ui_.requests.screenshot = false;
         saveWindowPicture(size);
     }
-    if (std::exchange(ui_.requests.closePopups, false)) ImGui::SetWindowFocus("##view");
+    if (const int direction = std::exchange(ui_.requests.walk, 0); direction != 0) {
+        ui_.walk.go(direction);
+        ui_.requests.closePopups = ui_.walk.at() == KeyStop::View;
+    }
+    if (std::exchange(ui_.requests.closePopups, false)) {
+        ImGui::SetWindowFocus("##view");
+        if (ui_.walk.at() != KeyStop::View) ui_.walk.leave();
+    }
+}
+
+void Application::noteTimes(std::chrono::steady_clock::time_point built) {
+    using Seconds = std::chrono::duration<double>;
+    const bool first = firstFrameSeconds_ == 0.0 && session_.ready();
+    if (first || options_.benchFrames > 0) finishGl();
+    const auto drawn = std::chrono::steady_clock::now();
+    glSeconds_ = Seconds(drawn - built).count();
+    const double sinceStart = Seconds(drawn - options_.began).count();
+    if (first) firstFrameSeconds_ = sinceStart;
+    if (firstWindowSeconds_ == 0.0) firstWindowSeconds_ = sinceStart;
+    if (std::exchange(opening_, session_.phase() == SessionPhase::Loading)) {
+        const double gap = Seconds(drawn - lastFrame_).count() - glSeconds_;
+        longestOpeningSeconds_ = std::max(longestOpeningSeconds_, gap);
+    }
+    lastFrame_ = drawn;
 }
 
 void Application::observeEdits() {

@@ -1,6 +1,7 @@
 /// Ties everything together: the order of one frame. Knows neither GLFW nor EGL.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <string>
 
@@ -46,6 +47,11 @@ class Application {
     double glSeconds() const { return glSeconds_; }
     /// From the start of the program until the input was first drawn; 0 before.
     double firstFrameSeconds() const { return firstFrameSeconds_; }
+    /// From the start of the program until the first frame at all, with or without an input.
+    double firstWindowSeconds() const { return firstWindowSeconds_; }
+    /// The longest time between two frames while an input was being opened, the one that shows it
+    /// among them, apart from OpenGL.
+    double longestOpeningSeconds() const { return longestOpeningSeconds_; }
     Session& session() { return session_; }
     /// Blocks until what was asked for on the command line can be seen.
     Status settle();
@@ -75,6 +81,7 @@ class Application {
         friend bool operator==(const SceneKey&, const SceneKey&) = default;
     };
 
+    void noteTimes(std::chrono::steady_clock::time_point built);
     void goToTyped();
     void undoOrRedo();
     void observeEdits();
@@ -107,7 +114,8 @@ class Application {
     MeshColoring filledMesh_;
     Motion motion_;
     Moment filledMoment_;
-    unsigned fills_ = 0;  ///< How often the draw list was made.
+    std::size_t filledShapes_ = 0;  ///< Components that were known.
+    unsigned fills_ = 0;            ///< How often the draw list was made.
     std::uint32_t uploadedGeneration_ = 0;
     float contentScale_ = 1.0F;
     Filing filing_;
@@ -121,6 +129,10 @@ class Application {
     double uiSeconds_ = 0.0;
     double glSeconds_ = 0.0;
     double firstFrameSeconds_ = 0.0;
+    double firstWindowSeconds_ = 0.0;
+    double longestOpeningSeconds_ = 0.0;
+    std::chrono::steady_clock::time_point lastFrame_;
+    bool opening_ = false;  ///< An input was being opened in the frame before.
 };
 
 }  // namespace se::view

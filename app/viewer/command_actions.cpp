@@ -20,18 +20,33 @@ constexpr std::array kScales = {0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0};
 
 void pause(C& c) { c.playback.pause(); }
 
+namespace {
+
+void closeDialogs(UiState& ui) {
+    ui.cheatSheet = false;
+    ui.keyEditor = false;
+    ui.fileBrowser = false;
+    ui.palette.open = false;
+}
+
+}  // namespace
+
 void escape(C& c) {
-    if (c.ui.leaving.asked) {
-        c.ui.leaving.answer = LeaveAnswer::Cancel;
+    UiState& ui = c.ui;
+    if (ui.leaving.asked) {
+        ui.leaving.answer = LeaveAnswer::Cancel;
         return;
     }
-    c.ui.cheatSheet = false;
-    c.ui.keyEditor = false;
-    c.ui.fileBrowser = false;
-    c.ui.palette.open = false;
-    c.ui.requests.closePopups = true;
+    // One thing at a time, the one on top first.
+    const bool covered = ui.dialogOpen() || ui.popupOpen || ui.walk.at() != KeyStop::View;
+    closeDialogs(ui);
+    ui.requests.closePopups = true;
+    if (covered) return;
+    const bool picked =
+        c.session.selection().kind != SelectionKind::None || !c.session.marked().empty();
     c.session.select(Selection{});
     c.session.mark({});
+    if (!picked && ui.arrangement == Arrangement::Present) arrange(c, Arrangement::Debug);
 }
 
 void nextMeshStyle(C& c) {

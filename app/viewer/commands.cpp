@@ -149,6 +149,11 @@ constexpr auto kCommands = std::to_array<Command>({
     {"view.doctor", "View", "What the doctor says", "",
      "Open the panel with what is wrong with the input.", false,
      [](C& c) { c.ui.wantedTab = kDoctorTab; }},
+    {"view.panel.next", "View", "Next panel", "Tab Ctrl+Tab",
+     "Give the keyboard to the next panel: arrows walk its rows, Enter goes there, Esc comes back.",
+     true, [](C& c) { c.ui.requests.walk = 1; }},
+    {"view.panel.previous", "View", "Previous panel", "Shift+Tab Ctrl+Shift+Tab",
+     "Give it to the panel before.", true, [](C& c) { c.ui.requests.walk = -1; }},
     {"view.drawer", "View", "Fold the drawer", "Ctrl+J",
      "Show the strip RUN alone, or PIVOT and STAGE too.", false,
      [](C& c) { c.ui.navigation.toggleDrawer(); }},
@@ -195,7 +200,10 @@ constexpr auto kCommands = std::to_array<Command>({
      [](C& c) { c.ui.cheatSheet = !c.ui.cheatSheet; }},
     {"help.editkeys", "Help", "Change keys...", "", "Choose other keys for actions.", false,
      [](C& c) { c.ui.keyEditor = !c.ui.keyEditor; }},
-    {"help.leave", "Help", "Close popup, clear selection", "Esc", "Never quits.", false, escape},
+    {"help.leave", "Help", "Close popup, clear selection", "Esc",
+     "Close what is open, leave a panel, clear the selection, leave Present, in this order; never "
+     "quits.",
+     false, escape},
 });
 
 std::vector<std::string_view> wordsOf(std::string_view text) {

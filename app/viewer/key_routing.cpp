@@ -55,6 +55,8 @@ bool editsText(const KeyChord& chord) {
 
 bool reachesActions(const KeyChord& chord, const Keyboard& keyboard) {
     if (chord.key == key::kEscape) return true;
+    // It walks on from panel to panel.
+    if (chord.key == key::kTab) return !keyboard.textField && !keyboard.dialog;
     if (keyboard.textField && editsText(chord)) return false;
     const bool plain = isPlain(chord) && !chord.isFunctionKey();
     return !(plain && (keyboard.dialog || keyboard.panel));

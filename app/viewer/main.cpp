@@ -134,15 +134,18 @@ int runBench(const Options& options) {
         offscreen.value()->beginFrame();
         application.frame(size, 1.0 / 60.0);
     };
-    draw();
-    for (; !application.session().ready() && !application.inputFailed(); application.poll()) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    while (!application.session().ready() && !application.inputFailed()) {
+        draw();
+        std::this_thread::sleep_for(std::chrono::milliseconds(15));
     }
     draw();
     if (const int code = settle(application); code != kExitGood) return code;
     std::printf("%zu points at %dx%d; first frame %.3f s after the start\n",
                 application.session().model().points.size(), size.x, size.y,
                 application.firstFrameSeconds());
+    std::printf(
+        "window %.3f s after the start; at most %.0f ms from frame to frame while opening\n",
+        application.firstWindowSeconds(), 1e3 * application.longestOpeningSeconds());
     Offscreen& target = *offscreen.value();
     benchMoves(options, target, application, "one sub-step each",
                [](Session& session) { session.stepEvent(1); });

@@ -42,6 +42,7 @@ struct Navigation {
     StepTree steps;
     CursorWatch stepsWatch;
     std::array<char, 64> stepFilter{};
+    CursorWatch paperWatch;
     Index pointedRing = kNone;  ///< The ring under the pointer, found anew in every frame.
     CursorWatch ringWatch;
     long ringShift = 0;  ///< Points that the strip of the ring is moved on by.

@@ -27,7 +27,8 @@ void countUp(std::uint16_t& number) {
 /// Runs a model from pivot to pivot and notes what there is to see from afar.
 class Observer {
   public:
-    explicit Observer(const Model& model) : stepper_(model.points, model.params, &log_) {}
+    explicit Observer(const Model& model)
+        : model_(model), stepper_(model.points, model.params, &log_) {}
 
     const State& state() const { return stepper_.state(); }
 
@@ -35,6 +36,7 @@ class Observer {
     bool step(RunOverview& run) {
         const Counters before = state().counters;
         const std::size_t alerts = state().alerts.size();
+        triangles_ = state().triangles.size();
         bool complete = true;
         // The steps after the last pivot go on to their next kind without one that counts.
         while (complete && state().counters.pivots == before.pivots)
@@ -42,6 +44,7 @@ class Observer {
         if (complete) noteFigures(run);
         if (complete || !log_.events().empty()) noteEvents(run);
         noteMarks(run, before, alerts);
+        noteShape(run);
         if (!complete) {
             // What happens behind the last pivot has the next number, if anything does.
             const bool any = !(state().counters == before);
@@ -85,6 +88,23 @@ class Observer {
         if (state().alerts.size() > alerts) run.marks.push_back({pivot, MarkKind::Alert});
     }
 
+    /// If this pivot, or a seed, has begun a component or completed one.
+    void noteShape(RunOverview& run) {
+        for (const Event& event : log_.events()) {
+            if (event.address.stage == Stage::Seed) begin_ = triangles_;
+            const auto* complete = std::get_if<ComponentEvidence>(&event.evidence);
+            if (complete == nullptr) continue;
+            const std::span<const Triangle> all(state().triangles);
+            const std::size_t end = std::min<std::size_t>(complete->triangles, all.size());
+            const std::size_t begin = std::min(begin_, end);
+            run.shapes.push_back(shapeOf(model_, all.subspan(begin, end - begin), begin));
+            run.shapes.back().pivot = event.address.pivot;
+        }
+    }
+
+    const Model& model_;
+    std::size_t triangles_ = 0;  ///< Before this pivot.
+    std::size_t begin_ = 0;      ///< The first triangle of the present component.
     EventLog log_;
     Stepper stepper_;
     LaneKeeper lanes_;
@@ -138,6 +158,7 @@ void append(RunOverview& overview, const RunOverview& fresh) {
     appendList(overview.pivots, fresh.pivots);
     countComponents(overview, fresh.pivots);
     appendList(overview.marks, fresh.marks);
+    appendList(overview.shapes, fresh.shapes);
     appendList(overview.laneChanges, fresh.laneChanges);
     overview.lanes = std::max(overview.lanes, fresh.lanes);
     overview.longestRing = std::max(overview.longestRing, fresh.longestRing);

@@ -7,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "component_shape.h"
 #include "model.h"
 #include "run_lanes.h"
 #include "spiraling_edge/event.h"
@@ -64,6 +65,7 @@ struct RunOverview {
     std::vector<PivotSummary> pivots;
     std::vector<ComponentSummary> components;  ///< In order; filled by append().
     std::vector<RunMark> marks;
+    std::vector<ComponentShape> shapes;  ///< Of the components that are complete.
     std::vector<LaneChange> laneChanges;
     std::uint32_t lanes = 0;  ///< Most at a time.
     std::uint32_t longestRing = 0;

@@ -13,6 +13,7 @@
 #include "click_wait.h"
 #include "go_to_box.h"
 #include "key_map.h"
+#include "key_walk.h"
 #include "layers/layer.h"
 #include "layout.h"
 #include "leaving.h"
@@ -50,6 +51,7 @@ struct UiRequests {
     bool screenshot = false;
     bool fullScreen = false;
     bool closePopups = false;
+    int walk = 0;  ///< The keyboard goes to the next panel (+1), or to the one before (-1).
     bool copyPlace = false;
     bool pastePlace = false;
     bool saveSession = false;
@@ -97,6 +99,8 @@ struct UiState {
     Arrangement arrangement = Arrangement::Debug;
     Bookmarks bookmarks;
     Navigation navigation;
+    KeyWalk walk;
+    bool popupOpen = false;           ///< A menu, say, as last drawn.
     std::string notes;                ///< Free text of the person, kept in the session file.
     std::string sessionPath;          ///< What Ctrl+S writes to; empty: not known yet.
     bool unsaved = false;             ///< Bookmarks or notes are in no session file yet.

@@ -95,14 +95,21 @@ TEST_CASE("Stepping by hand pauses playing") {
     CHECK_FALSE(desk.playback.playing());
 }
 
-TEST_CASE("Esc closes and clears, and never quits") {
+TEST_CASE("Esc closes, then clears, then leaves Present, and never quits") {
     Desk desk;
     desk.press("F1");
     CHECK(desk.ui.cheatSheet);
     desk.open.session.select(3);
     desk.press("Esc");
     CHECK_FALSE(desk.ui.cheatSheet);
+    CHECK(desk.open.session.selected() == 3);
+    desk.ui.arrangement = Arrangement::Present;
+    desk.press("Esc");
     CHECK(desk.open.session.selected() == kNone);
+    CHECK(desk.ui.arrangement == Arrangement::Present);
+    desk.press("Esc");
+    CHECK(desk.ui.arrangement == Arrangement::Debug);
+    desk.press("Esc");
     CHECK_FALSE(desk.ui.requests.quit);
     desk.press("Ctrl+Q");
     CHECK(desk.ui.requests.quit);

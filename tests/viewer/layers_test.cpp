@@ -469,16 +469,15 @@ TEST_CASE("Drawn for seed, advance and done") {
                       [&](const Line& l) { return l.to == place[picture.nextPivot]; }));
     open.session.goTo({536, Stage::Done, 1});
     open.session.settle();
-    const LayerInput in{open.session.model(),
-                        open.session.picture(),
-                        paletteOf(Theme::Dark),
-                        kNone,
-                        kNone,
-                        kNone,
-                        open.session.triangles()};
+    LayerInput in{open.session.model(), open.session.picture(), paletteOf(Theme::Dark)};
+    in.component = shapeAt(open.session.overview().shapes, 536);
+    REQUIRE(in.component != nullptr);
     DrawList done;
     addComponent(in, done);
-    CHECK(done.faces.size() == 1488);
+    REQUIRE(done.meshStretches.size() == 2);
+    CHECK(done.meshStretches[0].first == 0);
+    CHECK(done.meshStretches[1].first == 1488);
+    CHECK_FALSE(done.meshStretches[0].color == done.meshStretches[1].color);
     CHECK(done.lines.empty());  // Closed: no rim.
     CHECK(says(done, "component 1"));
 }

@@ -8,6 +8,7 @@
 #include <span>
 #include <string_view>
 
+#include "../component_shape.h"
 #include "../draw_list.h"
 #include "../mesh_index.h"
 #include "../model.h"
@@ -27,8 +28,9 @@ struct LayerInput {
     Index hovered = kNone;
     /// Of the run so far; for what marks more than the pivot's surroundings.
     std::span<const Triangle> triangles = {};
-    std::size_t componentBegin = 0;  ///< The first triangle of the present component.
-    Selection selection{};           ///< An edge or triangle too.
+    std::size_t componentBegin = 0;             ///< The first triangle of the present component.
+    const ComponentShape* component = nullptr;  ///< The one complete here; null if not known yet.
+    Selection selection{};                      ///< An edge or triangle too.
     bool selectionPresent = true;
     MeshColoring mesh{};
     std::span<const Index> marked{};  ///< Points that are lit up.

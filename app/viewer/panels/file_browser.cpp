@@ -60,7 +60,9 @@ void drawScenes(const PanelContext& context) {
     heading(context, "Scenes");
     if (ImGui::BeginChild("##scenes", {0, 0}, false)) {
         for (const Scene& scene : scenes()) {
-            if (ImGui::Selectable(std::string(scene.title).c_str())) {
+            const std::string title =
+                fitted(std::string(scene.title), ImGui::GetContentRegionAvail().x);
+            if (ImGui::Selectable((title + "##" + std::string(scene.id)).c_str())) {
                 openSource(context, sceneSource(scene.id));
             }
             tooltip(sceneSource(scene.id) + "\n" + std::string(scene.watch));
@@ -130,6 +132,7 @@ void drawFiles(const PanelContext& context, FileBrowsing& state) {
 }
 
 void drawOpen(const PanelContext& context, FileBrowsing& state) {
+    // The lists in it scroll, not the whole.
     if (!ImGui::BeginTable("##open", 2, ImGuiTableFlags_BordersInnerV)) return;
     ImGui::TableSetupColumn("scenes", ImGuiTableColumnFlags_WidthStretch, 0.42F);
     ImGui::TableSetupColumn("files", ImGuiTableColumnFlags_WidthStretch, 0.58F);
@@ -165,10 +168,10 @@ void drawFileBrowser(const PanelContext& context) {
     ImGui::SetNextWindowSize(
         {std::min(48.0F * em, screen.x - 2.0F * em), std::min(32.0F * em, screen.y - 2.0F * em)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
-    const bool shown =
-        ImGui::Begin(saving(context) ? "Save session###browser" : "Open###browser", &open,
-                     ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                         ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
+    const bool shown = ImGui::Begin(
+        saving(context) ? "Save session###browser" : "Open###browser", &open,
+        ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar);
     ImGui::PopStyleVar();
     if (shown) saving(context) ? drawFiles(context, state) : drawOpen(context, state);
     state.shown = true;

@@ -34,9 +34,10 @@ void drawRows(const PanelContext& context) {
     constexpr int kFlags =
         ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH;
     if (!ImGui::BeginTable("##actions", 3, kFlags)) return;
-    ImGui::TableSetupColumn("action", ImGuiTableColumnFlags_WidthStretch);
-    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 13.0F * context.em);
-    ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed, 3.4F * context.em);
+    // By shares: in its first frame the window has not got its size yet.
+    ImGui::TableSetupColumn("action", ImGuiTableColumnFlags_WidthStretch, 0.55F);
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthStretch, 0.35F);
+    ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthStretch, 0.1F);
     std::string_view group;
     for (const Command& command : commands()) {
         if (command.id == "help.leave") continue;  // Esc has to stay what it is.
@@ -57,8 +58,9 @@ void drawRows(const PanelContext& context) {
 void drawHead(const PanelContext& context) {
     UiState& ui = context.ui();
     const std::string& note = ui.keyCapture.note();
-    const float lines = 2.0F * ImGui::GetTextLineHeightWithSpacing();
+    const float lines = ImGui::GetFrameHeight() + ImGui::GetTextLineHeightWithSpacing();
     if (ImGui::BeginChild("##note", {-9.0F * context.em, lines}, false)) {
+        ImGui::AlignTextToFramePadding();
         ImGui::TextWrapped("%s", note.empty()
                                      ? "Click the keys of an action, then press the new one."
                                      : note.c_str());

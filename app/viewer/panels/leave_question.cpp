@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "panel.h"
 #include "widgets.h"
@@ -47,9 +48,8 @@ void drawChoices(const PanelContext& context, LeaveQuestion& question) {
         if (row && each.answer != LeaveAnswer::Save) ImGui::SameLine();
         if (ImGui::Button(each.label, {row ? 0.0F : -1.0F, 0.0F})) question.answer = each.answer;
         context.ui().where[each.id] = lastItem();
-        if (each.answer == LeaveAnswer::Save && question.justAsked) {
-            ImGui::SetItemDefaultFocus();
-            question.justAsked = false;
+        if (each.answer == LeaveAnswer::Save && std::exchange(question.justAsked, false)) {
+            takeKeyboard();
         }
         // Space is Dear ImGui's own key for it.
         const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) ||
@@ -67,12 +67,13 @@ void drawLeaveQuestion(const PanelContext& context) {
     const glm::vec2 screen(context.layout.status.size.x, context.layout.status.max().y);
     ImGui::SetNextWindowPos({0.5F * screen.x, 0.5F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSize({std::min(26.0F * context.em, screen.x - 2.0F * context.em), 0.0F});
-    if (!ImGui::BeginPopupModal(kTitle, nullptr,
-                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                    ImGuiWindowFlags_AlwaysAutoResize)) {
-        return;
-    }
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+    const bool open = ImGui::BeginPopupModal(
+        kTitle, nullptr,
+        ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PopStyleVar();
+    if (!open) return;
     heading(context, headline(question.leave.what));
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted("There are notes or bookmarks that no session file holds yet.");

@@ -86,8 +86,10 @@ void drawMenuBar(const PanelContext& context) {
         last = command.group;
         drawGroup(context, last);
     }
-    const float room = ImGui::GetContentRegionAvail().x - context.em;
-    const std::string note = fittingNote(context, room);
+    // Its right end stands above that of the headings below.
+    const float end = context.layout.menu.max().x - 0.7F * context.em;
+    const float room = end - ImGui::GetCursorScreenPos().x;
+    const std::string note = fittingNote(context, room - context.em);
     const float width = ImGui::CalcTextSize(note.c_str()).x;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width);
     ImGui::TextDisabled("%s", note.c_str());

@@ -23,7 +23,7 @@ void shorten(Caption& caption, const ImVec2& room) {
         const std::string next = caption.lines[fit];
         caption.cut = true;
         caption.lines.resize(fit);
-        caption.lines.back() = fitted(caption.lines.back() + " " + next, room.x);
+        caption.lines.back() = fittedWords(caption.lines.back() + " " + next, room.x);
     }
     ImGui::PopFont();
 }

@@ -45,6 +45,7 @@ void drawLoading(const PanelContext& context) {
         ImGui::ProgressBar(static_cast<float>(session.loadShare()), {-1.0F, 0.0F},
                            partName(session.loadPart()));
         if (ImGui::Button("Cancel")) session.cancelOpening();
+        context.ui().where["cancel opening"] = lastItem();
     }
     ImGui::End();
 }

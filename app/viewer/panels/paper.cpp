@@ -58,9 +58,13 @@ void drawPaper(const PanelContext& context) {
     ImGui::Spacing();
     const std::size_t present = presentLine(*event);
     const Color color = verdictOf(*event) ? verdictColor(context, *event) : context.palette.accent;
+    const bool moved = context.ui().navigation.paperWatch.moved(
+        session.generation(), session.record().pivot, session.cursor());
     for (std::size_t i = 0; i < rule.code.size(); ++i) {
         const bool isPresent = i == present;
         drawLine(context, rule.code[i], isPresent, isPresent ? liveNumbers(*event) : "", color);
+        // The numbers below the line are what one looks for.
+        if (isPresent && moved && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(1.0F);
     }
 }
 

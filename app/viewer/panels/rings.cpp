@@ -69,6 +69,7 @@ void drawRow(const PanelContext& context, const RingPath& ring) {
         context.ui().navigation.pointedRing = ring.id;
         tooltip("Click: keep it lit. Double click: show all of it.");
     }
+    if (ring.active && context.ui().walk.offer(KeyStop::Rings)) takeKeyboard();
     drawMark(context, at, ring, ring.id != kNone && session.litRing() == ring.id);
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(ringName(ring).c_str());
@@ -172,6 +173,9 @@ void drawPoint(const RingStrip& strip, std::size_t i) {
     ImGui::SetCursorScreenPos({x - 0.5F * strip.pitch, strip.at.y - 0.7F * em});
     ImGui::PushID(static_cast<int>(i));
     if (ImGui::InvisibleButton("##point", {strip.pitch, 2.3F * em})) session.select(point);
+    const bool middle = i == strip.slice.count / 2;
+    if (middle && context.ui().walk.offer(KeyStop::RingPoints)) takeKeyboard();
+    if (ImGui::IsItemFocused() && ImGui::GetIO().NavVisible) context.ui().pointedAt = point;
     if (ImGui::IsItemHovered()) {
         context.ui().pointedAt = point;
         const std::string role = roleOf(session.picture(), point);

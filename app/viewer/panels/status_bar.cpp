@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <vector>
+
+#include "../status_fit.h"
 #include "panel.h"
 #include "widgets.h"
 
@@ -5,18 +9,39 @@ namespace se::view {
 
 namespace {
 
-std::string figures(const PanelContext& context) {
+/// The address has at least this much room, so that what follows it stays where it is.
+constexpr float kAddress = 10.3F;
+constexpr float kGap = 1.2F;
+
+/// The most important first.
+std::vector<std::string> partsOf(const PanelContext& context) {
     const Session& session = context.session();
     const Picture& picture = session.picture();
-    std::string text;
+    std::vector<std::string> parts;
     if (!session.record().events.empty()) {
-        text += "event " + std::to_string(session.cursor() + 1) + "/" +
-                std::to_string(session.record().events.size()) + "     ";
+        parts.push_back("event " + std::to_string(session.cursor() + 1) + "/" +
+                        std::to_string(session.record().events.size()));
     }
-    text += "triangles " + grouped(picture.finishedTriangles + picture.newTriangles.size());
-    text += "     unused " + grouped(context.counts.unused);
-    text += "   used " + grouped(context.counts.used);
-    text += "   done " + grouped(context.counts.done);
+    parts.push_back("triangles " +
+                    grouped(picture.finishedTriangles + picture.newTriangles.size()));
+    parts.push_back("unused " + grouped(context.counts.unused) + "   used " +
+                    grouped(context.counts.used) + "   done " + grouped(context.counts.done));
+    return parts;
+}
+
+/// The keys that everybody needs, as this person has them; those without a key are left out.
+std::string keysText(const PanelContext& context) {
+    struct Hint {
+        const char* command;
+        const char* what;
+    };
+    std::string text;
+    for (const Hint& each : {Hint{"step.event.next", "sub-step"}, Hint{"step.pivot.next", "pivot"},
+                             Hint{"run.play", "play"}, Hint{"help.keys", "keys"}}) {
+        const std::string key = context.key(each.command);
+        if (key.empty()) continue;
+        text += (text.empty() ? "" : "   ") + key + " " + each.what;
+    }
     return text;
 }
 
@@ -28,20 +53,31 @@ void drawStatusBar(const PanelContext& context) {
     const bool open = beginRegion("##status", context.layout.status, ImGuiWindowFlags_NoScrollbar);
     ImGui::PopStyleVar();
     if (open) {
+        const float total = ImGui::GetContentRegionAvail().x;
+        const float left = ImGui::GetCursorPosX();
         ImGui::PushFont(context.fonts.mono);
-        ImGui::TextUnformatted(addressText(context.session()).c_str());
+        const std::string address = addressText(context.session());
+        const float width = ImGui::CalcTextSize(address.c_str()).x;
+        ImGui::TextUnformatted(address.c_str());
         ImGui::PopFont();
-        const std::string keys = "F11 sub-step   F10 pivot   Space play   F1 keys";
-        const float keysWidth = ImGui::CalcTextSize(keys.c_str()).x;
-        const float total = context.layout.status.size.x;
-        if (context.session().ready()) {
-            ImGui::SameLine(11.0F * em);
-            const bool both = total > keysWidth + 46.0F * em;
-            const float room = total - 12.0F * em - (both ? keysWidth : 0.0F);
-            ImGui::TextUnformatted(fitted(figures(context), room).c_str());
+        std::vector<std::string> parts;
+        if (context.session().ready()) parts = partsOf(context);
+        const std::string keys = keysText(context);
+        std::vector<float> widths;
+        for (const std::string& part : parts) {
+            widths.push_back(ImGui::CalcTextSize(part.c_str()).x);
         }
-        if (total > keysWidth + 46.0F * em) {
-            ImGui::SameLine(total - keysWidth - 0.7F * em);
+        widths.push_back(ImGui::CalcTextSize(keys.c_str()).x);
+        float x = left + std::max(kAddress * em, width + kGap * em);
+        const std::size_t fits = fittingParts(left + total - x, widths, kGap * em);
+        for (std::size_t i = 0; i < std::min(fits, parts.size()); ++i) {
+            ImGui::SameLine(x);
+            ImGui::TextUnformatted(parts[i].c_str());
+            context.ui().where["status " + std::to_string(i + 1)] = lastItem();
+            x += widths[i] + kGap * em;
+        }
+        if (fits > parts.size()) {
+            ImGui::SameLine(left + total - widths.back());
             ImGui::TextDisabled("%s", keys.c_str());
         }
     }

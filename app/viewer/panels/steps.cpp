@@ -58,13 +58,17 @@ RowAction actionOn(const PanelContext& context, const StepRow& row, bool pressed
     return ImGui::GetIO().NavVisible && wanted ? RowAction::Toggle : RowAction::None;
 }
 
-RowAction drawRow(const PanelContext& context, std::size_t index, bool here) {
+RowAction drawRow(const PanelContext& context, std::size_t index, bool here, bool takes) {
     const StepTree& tree = context.ui().navigation.steps;
     const StepRow row = tree.row(index);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float room = ImGui::GetContentRegionAvail().x;
     ImGui::PushID(static_cast<int>(index));
     const bool pressed = ImGui::Selectable("##row", here);
+    if (takes) {
+        takeKeyboard();
+        if (!ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+    }
     if (ImGui::IsItemHovered()) {
         if (row.kind >= StepRowKind::Stage) {
             context.ui().pointedAt = subjectOf(context.session().record().events[row.event]);
@@ -136,12 +140,18 @@ void drawRows(const PanelContext& context) {
     const auto cursorRow = tree.rowOfCursor();
     std::optional<StepRow> chosen;
     RowAction action = RowAction::None;
+    const bool keyboard = context.ui().walk.offer(KeyStop::Steps);
+    const std::size_t first = cursorRow.value_or(0);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(tree.rowCount()), pitch);
+    if (keyboard) {
+        clipper.ForceDisplayRangeByIndices(static_cast<int>(first), static_cast<int>(first) + 1);
+    }
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const auto row = static_cast<std::size_t>(i);
-            const RowAction wanted = drawRow(context, row, cursorRow == row);
+            const RowAction wanted =
+                drawRow(context, row, cursorRow == row, keyboard && row == first);
             if (wanted == RowAction::None) continue;
             action = wanted;
             chosen = tree.row(row);

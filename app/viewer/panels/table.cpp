@@ -68,6 +68,20 @@ ImGuiTabItemFlags wantedFlag(const PanelContext& context, const SidePanel& panel
     return ImGuiTabItemFlags_SetSelected;
 }
 
+/// The tab that is open, and what it holds, can have the keyboard.
+void offerTab(const PanelContext& context) {
+    if (context.ui().walk.offer(KeyStop::Tabs)) takeKeyboard();
+}
+
+void drawContent(const PanelContext& context, const SidePanel& panel) {
+    if (ImGui::BeginChild("##content", {0, 0}, false)) {
+        // Steps and Rings have rows of their own to begin with.
+        if (!panel.left && context.ui().walk.offer(KeyStop::Content)) takeKeyboardHere();
+        panel.draw(context);
+    }
+    ImGui::EndChild();
+}
+
 /// Those that are scrolled out of sight, or lie below the buttons that scroll, are not there.
 void noteTab(const PanelContext& context, const SidePanel& panel, const Rect& column) {
     const Rect tab = lastItem();
@@ -83,10 +97,10 @@ void drawTabs(const PanelContext& context) {
         const bool open = ImGui::BeginTabItem(panel.title, nullptr, wantedFlag(context, panel));
         noteTab(context, panel, context.layout.right);
         if (!open) continue;
+        offerTab(context);
         context.ui().openTab = panel.title;
         ImGui::PushFont(context.fonts.text);
-        if (ImGui::BeginChild("##content", {0, 0}, false)) panel.draw(context);
-        ImGui::EndChild();
+        drawContent(context, panel);
         ImGui::PopFont();
         ImGui::EndTabItem();
     }
@@ -113,11 +127,11 @@ void drawLearnColumn(const PanelContext& context) {
                 ImGui::PopFont();
                 noteTab(context, panel, context.layout.left);
                 if (!open) continue;
+                offerTab(context);
                 context.ui().openTab = panel.title;
                 ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, usual);
-                if (ImGui::BeginChild("##content", {0, 0}, false)) panel.draw(context);
+                drawContent(context, panel);
                 ImGui::PopStyleVar();
-                ImGui::EndChild();
                 ImGui::EndTabItem();
             }
         }
@@ -192,6 +206,7 @@ std::span<const SidePanel> sidePanels() { return kSidePanels; }
 
 void drawPanels(const PanelContext& context) {
     context.ui().pointedAt = kNone;
+    context.ui().walk.begin();
     context.ui().navigation.pointedRing = kNone;
     context.ui().where = {
         {"region view", context.layout.view},           {"region left", context.layout.left},

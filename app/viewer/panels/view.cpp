@@ -131,28 +131,37 @@ class LabelPlacer {
     }
 
   private:
-    /// Right above, right below, left above, left below; strong labels give way least.
+    /// Right above, right below, left above, left below; strong labels give way least, and go
+    /// farther off.
     std::optional<Rect> freePlace(glm::vec2 at, glm::vec2 plate, bool strong) const {
         const float gap = 0.5F * context_.em;
         std::optional<Rect> first;
-        for (const glm::vec2 way : {glm::vec2(1, -1), glm::vec2(1, 1), glm::vec2(-1, -1),
-                                    glm::vec2(-1, 1), glm::vec2(1, 0), glm::vec2(-1, 0)}) {
-            glm::vec2 corner = at + way * gap;
-            if (way.x < 0.0F) corner.x -= plate.x;
-            corner.y += 0.5F * plate.y * (way.y - 1.0F);
-            const Rect rect{glm::round(corner), plate};
-            if (!first) first = rect;
-            const Rect& view = context_.layout.view;
-            const bool inside = rect.min.x >= view.min.x && rect.min.y >= view.min.y &&
-                                rect.max().x <= view.max().x && rect.max().y <= view.max().y;
-            const bool hit =
-                !inside || std::any_of(taken_.begin(), taken_.end(), [&](const Rect& other) {
-                    return rect.min.x < other.max().x && other.min.x < rect.max().x &&
-                           rect.min.y < other.max().y && other.min.y < rect.max().y;
-                });
-            if (!hit) return rect;
+        for (const float far : {1.0F, 3.0F, 5.0F, 7.0F}) {
+            for (const glm::vec2 way : {glm::vec2(1, -1), glm::vec2(1, 1), glm::vec2(-1, -1),
+                                        glm::vec2(-1, 1), glm::vec2(1, 0), glm::vec2(-1, 0)}) {
+                const Rect rect = plateAt(at + way * (far * gap), plate, way);
+                if (!first) first = rect;
+                if (isFree(rect)) return rect;
+            }
+            if (!strong) return std::nullopt;
         }
-        return strong ? first : std::nullopt;
+        return first;
+    }
+
+    static Rect plateAt(glm::vec2 corner, glm::vec2 plate, glm::vec2 way) {
+        if (way.x < 0.0F) corner.x -= plate.x;
+        corner.y += 0.5F * plate.y * (way.y - 1.0F);
+        return {glm::round(corner), plate};
+    }
+
+    bool isFree(const Rect& rect) const {
+        const Rect& view = context_.layout.view;
+        const bool inside = rect.min.x >= view.min.x && rect.min.y >= view.min.y &&
+                            rect.max().x <= view.max().x && rect.max().y <= view.max().y;
+        return inside && std::none_of(taken_.begin(), taken_.end(), [&](const Rect& other) {
+                   return rect.min.x < other.max().x && other.min.x < rect.max().x &&
+                          rect.min.y < other.max().y && other.min.y < rect.max().y;
+               });
     }
 
     const PanelContext& context_;

@@ -1,5 +1,7 @@
 #include "widgets.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -108,7 +110,24 @@ bool iconButton(const char* id, Icon icon, const char* text, bool enabled, bool 
     return pressed;
 }
 
+void takeKeyboard() {
+    ImGuiContext& g = *ImGui::GetCurrentContext();
+    ImGui::FocusWindow(ImGui::GetCurrentWindow());
+    ImGui::SetFocusID(ImGui::GetItemID(), ImGui::GetCurrentWindow());
+    g.NavDisableHighlight = false;
+    g.NavDisableMouseHover = true;
+}
+
+void takeKeyboardHere() {
+    ImGuiContext& g = *ImGui::GetCurrentContext();
+    ImGui::FocusWindow(ImGui::GetCurrentWindow());
+    ImGui::NavInitWindow(ImGui::GetCurrentWindow(), true);
+    g.NavDisableHighlight = false;
+}
+
 void tooltip(const std::string& text) {
+    // Who walks by keyboard must see the next rows.
+    if (ImGui::GetCurrentContext()->NavDisableMouseHover) return;
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) showTooltip(text);
 }
 
@@ -225,6 +244,16 @@ std::string fitted(const std::string& text, float width) {
         cut = withoutLastSign(std::move(cut));
     }
     return cut + kDots;
+}
+
+std::string fittedWords(const std::string& text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    for (std::size_t end = text.rfind(' '); end != std::string::npos && end > 0;
+         end = text.rfind(' ', end - 1)) {
+        const std::string cut = text.substr(0, end) + " " + kDots;
+        if (ImGui::CalcTextSize(cut.c_str()).x <= width) return cut;
+    }
+    return fitted(text, width);
 }
 
 std::vector<std::string> wrapped(const std::string& text, float width) {

@@ -31,6 +31,10 @@ void heading(const PanelContext& context, const char* title, const std::string& 
 /// A square button with a drawn icon. `large` ones are wider.
 bool iconButton(const char* id, Icon icon, const char* tooltip, bool enabled, bool active,
                 const PanelContext& context);
+/// Gives the keyboard to the item drawn last.
+void takeKeyboard();
+/// Gives it to the first item of the window that is being drawn; without one, arrows scroll it.
+void takeKeyboardHere();
 /// If the item drawn last is pointed at.
 void tooltip(const std::string& text);
 void showTooltip(const std::string& text);
@@ -48,6 +52,8 @@ bool beginValues(const char* id, const PanelContext& context);
 void endValues();
 /// A text that is cut with dots if it does not fit `width`.
 std::string fitted(const std::string& text, float width);
+/// The same, cut between two words.
+std::string fittedWords(const std::string& text, float width);
 /// Lines of at most `width`, broken at blanks only: never inside of a number.
 std::vector<std::string> wrapped(const std::string& text, float width);
 /// Color of a verdict: kept, rejected or plain.

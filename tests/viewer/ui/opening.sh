@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# A million points: the window is there at once, says how far it is, can be stopped and left.
+. "$(dirname "$0")/harness.sh"
+count=${POINTS:-1000000}
+python3 "$(dirname "${BASH_SOURCE[0]}")/../../bench/sphere_ply.py" "$count" "$work/many.ply" ||
+    fail "no points can be made"
+
+start "$work/many.ply"
+says phase loading
+[ -n "$(field "cancel opening")" ] || { sleep 0.2; [ -n "$(field "cancel opening")" ]; } || fail "nothing to cancel with"
+click_on "cancel opening"
+says phase empty; says start_page true
+# At once again, from here; leaving does not wait for it either.
+press ctrl+o; says file_browser true; sleep 0.3
+type_text "$work/many.ply"; sleep 0.2; press Return; says phase loading
+stop
+
+# What is open stays usable while another input is on its way.
+start scene:sphere; says phase ready
+press ctrl+o; says file_browser true; sleep 0.3
+type_text "$work/many.ply"; sleep 0.2; press Return; says phase loading
+says input scene:sphere
+says input many.ply; says points "$count"; says pivot 0
+stop
+window=$(field first_window_seconds) longest=$(field longest_opening_seconds)
+echo "$count points: at most $longest s from frame to frame while opening"
+awk "BEGIN { exit !($longest < 2) }" || fail "the window hangs for $longest s"
+
+for input in scene:torus "$work/many.ply"; do
+    start "$input"; says phase ready; sleep 0.5
+    echo "$input: window after $(field first_window_seconds) s, input after $(field first_frame_seconds) s," \
+        "at most $(field longest_opening_seconds) s from frame to frame"
+    window=$(field first_window_seconds)
+    awk "BEGIN { exit !($window < 3) }" || fail "the window needs $window s"
+    stop
+done
+well
