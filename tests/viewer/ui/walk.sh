@@ -6,7 +6,7 @@ says address "137\.sphere\.3"; says keyboard view; sleep 0.3
 # A press that comes in the same frame as the Enter before it is lost to the lists.
 walk() {
     local chord
-    for chord in "$@"; do press "$chord"; sleep 0.2; done
+    for chord in "$@"; do press "$chord"; sleep 0.4; done
 }
 
 # All around, forward and back; Ctrl+Tab is the same.
