@@ -104,7 +104,7 @@ struct State {
     EdgeRings rings;
     EdgeTable edges;                  ///< Of `triangles`; kept only where a rule asks for it.
     std::vector<Triangle> triangles;  ///< Append-only (§6.4).
-    Index componentBegin = 0;  ///< Where those of the present component begin (§4).
+    Index componentBegin = 0;         ///< Where those of the present component begin (§4).
     /// The mesh as the steps after the last pivot leave it; empty before them. `triangles` stays.
     MendState mend;
     std::vector<Alert> alerts;  ///< Append-only.
