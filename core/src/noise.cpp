@@ -11,6 +11,8 @@ namespace {
 constexpr double kApart = 2.0;
 /// How far over or under a point another counts as the same place of the surface, in widths.
 constexpr double kReach = 6.0;
+/// Farther ones lie higher wherever the surface bends.
+constexpr std::size_t kNearest = 12;
 
 NoisePatch patchOf(std::span<const Vec3> position, std::span<const Vec3> normal,
                    std::span<const Index> list, Index p) {
@@ -40,7 +42,7 @@ double noiseAlongNormals(std::span<const Vec3> position, std::span<const Vec3> n
     std::vector<double> ratios;
     ratios.reserve(position.size());
     for (Index p = 0; p < position.size(); ++p) {
-        const auto list = neighbors[p];
+        const auto list = neighbors[p].first(std::min(kNearest, neighbors[p].size()));
         if (list.empty()) continue;
         double squares = 0.0;
         for (const Index x : list) {

@@ -68,6 +68,20 @@ TEST_CASE("noise: is the height of the neighbors in spacings") {
     CHECK(prepareFor("robust", file).report.noise == doctest::Approx(noise).epsilon(1e-9));
 }
 
+TEST_CASE("noise: long lists do not make a surface noisy") {
+    const PointFile file = closedFamilies()[1].sample(1);
+    PrepareOptions options;
+    options.setNoiseAside = true;
+    const double noise = prepareFor("robust", file).report.noise;
+    for (const std::size_t k : {16U, 24U, 48U}) {
+        options.neighbors.reach = KNearest{k};
+        const auto result = prepare(file, options);
+        REQUIRE(result.ok());
+        CHECK(result.value().report.noise == doctest::Approx(noise).epsilon(0.05));
+        CHECK(result.value().report.noisyPoints == 0);
+    }
+}
+
 TEST_CASE("noise: a sphere in noise wider than its spacing comes out whole and sound") {
     for (const double width : {1.0, 1.5, 2.0}) {
         for (std::uint64_t seed = 1; seed <= 3; ++seed) {

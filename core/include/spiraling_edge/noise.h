@@ -11,10 +11,10 @@
 namespace se {
 
 /// How far neighbors lie above or below a point's tangent plane, in units of its spacing (the
-/// distance to its sixth neighbor, or its last): the root mean square over its list, and of those
-/// the median over all points with a list. Smooth surfaces have less than 0.35 even where they
-/// bend between one point and the next; at 0.45 triangles slope by 30 degrees and more, and no
-/// order of the points tells where the surface runs. 0 if no point has a list.
+/// distance to its sixth neighbor, or its last): the root mean square over the first twelve of its
+/// list, and of those the median over all points with a list. Smooth surfaces have less than 0.35
+/// even where they bend between one point and the next; at 0.45 triangles slope by 30 degrees and
+/// more, and no order of the points tells where the surface runs. 0 if no point has a list.
 double noiseAlongNormals(std::span<const Vec3> position, std::span<const Vec3> normal,
                          const NeighborLists& neighbors);
 
