@@ -70,6 +70,13 @@ bool Application::key(const KeyChord& chord, bool repeated) {
         ui_.keyCapture.press(chord, ui_.settings.keys);
         return false;
     }
+    if (ui_.goTo.active() && chord == KeyChord{'V', kCtrl}) {
+        const char* text = ImGui::GetClipboardText();
+        const Result<Place> place = placeFromText(text != nullptr ? text : "");
+        const std::string address = place ? place.value().address : text != nullptr ? text : "";
+        for (const char sign : address) ui_.goTo.type(static_cast<unsigned char>(sign));
+        return false;
+    }
     if (ui_.goTo.active() && ui_.goTo.press(chord)) {
         if (ui_.goTo.takeSubmitted()) goToTyped();
         return false;

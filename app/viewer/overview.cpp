@@ -85,7 +85,17 @@ class Observer {
         if (now.seeds > before.seeds) run.marks.push_back({pivot, MarkKind::Seed});
         if (now.splits > before.splits) run.marks.push_back({pivot, MarkKind::Split});
         if (now.joins > before.joins) run.marks.push_back({pivot, MarkKind::Join});
-        if (state().alerts.size() > alerts) run.marks.push_back({pivot, MarkKind::Alert});
+        if (state().alerts.size() > alerts) {
+            run.marks.push_back({pivot, MarkKind::Alert, alertPlace()});
+        }
+    }
+
+    /// The number of the first alert among the events of its stage.
+    std::uint32_t alertPlace() const {
+        for (const Event& event : log_.events()) {
+            if (std::holds_alternative<AlertEvidence>(event.evidence)) return event.address.n;
+        }
+        return 1;
     }
 
     /// If this pivot, or a seed, has begun a component or completed one.

@@ -27,6 +27,7 @@ Stage stageOf(MarkKind kind);
 struct RunMark {
     std::uint32_t pivot;
     MarkKind kind;
+    std::uint32_t n = 1;  ///< Which event of its stage.
 };
 
 /// The stages and verdicts that occur among some events, one bit for each.

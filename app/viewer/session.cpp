@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 namespace se::view {
 
@@ -225,22 +226,24 @@ std::optional<Address> Session::nextMark(int direction) const {
     if (!ready()) return std::nullopt;
     const std::vector<RunMark>& marks = overview_.marks;  // by pivot, in the order of the run
     const Address here = address();
-    const auto rank = [](std::uint32_t pivot, Stage stage) {
-        return std::uint64_t{pivot} * kStageCount + static_cast<std::uint64_t>(stage);
+    const auto rank = [](const Address& place) {
+        return std::tuple(place.pivot, place.stage, place.n);
     };
-    const std::uint64_t at = event() != nullptr ? rank(here.pivot, here.stage) : 0;
+    const auto rankOf = [&rank](const RunMark& mark) {
+        return rank({mark.pivot, stageOf(mark.kind), mark.n});
+    };
+    const auto at = event() != nullptr ? rank(here) : rank({0, Stage{}, 0});
     const RunMark* best = nullptr;
     for (const RunMark& mark : marks) {
-        const std::uint64_t place = rank(mark.pivot, stageOf(mark.kind));
+        const auto place = rankOf(mark);
         const bool beyond = direction > 0 ? place > at : place < at;
         if (!beyond) continue;
         const bool nearer =
-            best == nullptr || (direction > 0 ? place < rank(best->pivot, stageOf(best->kind))
-                                              : place > rank(best->pivot, stageOf(best->kind)));
+            best == nullptr || (direction > 0 ? place < rankOf(*best) : place > rankOf(*best));
         if (nearer) best = &mark;
     }
     if (best == nullptr) return std::nullopt;
-    return Address{best->pivot, stageOf(best->kind), 0};
+    return Address{best->pivot, stageOf(best->kind), best->n};
 }
 
 bool Session::reached(const Address& address) const {

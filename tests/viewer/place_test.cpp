@@ -95,3 +95,21 @@ TEST_CASE("A session goes from mark to mark, there and back the same ones") {
     }
     CHECK_FALSE(goToMark(-1));
 }
+
+TEST_CASE("A jump to an alert lands on the alert, and not on what happened in its stage before") {
+    for (const char* scene : {"scene:torus", "scene:figure-9"}) {
+        test::OpenSession open(scene);
+        open.session.open({scene, {}, "printed"});
+        open.session.settle();
+        std::size_t alerts = 0;
+        for (const RunMark& mark : open.session.overview().marks) {
+            if (mark.kind != MarkKind::Alert) continue;
+            ++alerts;
+            open.session.goTo({mark.pivot, stageOf(mark.kind), mark.n});
+            open.place();
+            REQUIRE(open.session.event() != nullptr);
+            CHECK(std::holds_alternative<AlertEvidence>(open.session.event()->evidence));
+        }
+        CHECK(alerts > 0);
+    }
+}

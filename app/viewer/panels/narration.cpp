@@ -57,7 +57,8 @@ void drawNarration(const PanelContext& context) {
         // What else there is to say stands in the view for a while: see drawNotices().
         if (event != nullptr) {
             sentence = (session.showsBefore() ? "Before this: " : "") + describe(*event);
-            if (verdictOf(*event)) color = verdictColor(context, *event);
+            const bool alert = std::holds_alternative<AlertEvidence>(event->evidence);
+            if (alert || verdictOf(*event)) color = verdictColor(context, *event);
         } else if (!session.message().empty()) {
             sentence = session.message();
         } else if (session.ready()) {

@@ -15,9 +15,12 @@ void drawLine(const PanelContext& context, const std::string& line, bool present
     const float left = ImGui::GetCursorPosX();
     const float width = ImGui::GetContentRegionAvail().x - indent;
     const std::vector<std::string> lines = wrapped(line.substr(level), width);
+    const float more = 0.5F * context.em;  // Numbers stand in from the line that they belong to.
+    const std::vector<std::string> values =
+        numbers.empty() ? std::vector<std::string>{} : wrapped(numbers, width - more);
     const float height = ImGui::GetTextLineHeightWithSpacing();
     if (present) {
-        const auto rows = static_cast<float>(lines.size() + (numbers.empty() ? 0 : 1));
+        const auto rows = static_cast<float>(lines.size() + values.size());
         const ImVec2 at = ImGui::GetCursorScreenPos();
         ImDrawList* list = ImGui::GetWindowDrawList();
         const float right = at.x + ImGui::GetContentRegionAvail().x;
@@ -29,10 +32,11 @@ void drawLine(const PanelContext& context, const std::string& line, bool present
         ImGui::SetCursorPosX(left + indent);
         present ? ImGui::TextUnformatted(part.c_str()) : ImGui::TextDisabled("%s", part.c_str());
     }
-    if (numbers.empty()) return;
-    ImGui::SetCursorPosX(left + indent + 0.5F * context.em);
     ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
-    ImGui::TextUnformatted(numbers.c_str());
+    for (const std::string& part : values) {
+        ImGui::SetCursorPosX(left + indent + more);
+        ImGui::TextUnformatted(part.c_str());
+    }
     ImGui::PopStyleColor();
 }
 

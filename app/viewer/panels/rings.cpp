@@ -267,7 +267,9 @@ void drawRings(const PanelContext& context) {
     heading(context, "Rings", count > 1 ? std::to_string(count - 1) + " stacked" : std::string{});
     if (count == 0) {
         ImGui::PushTextWrapPos(0.0F);
-        ImGui::TextDisabled("%s", "No ring: the next seed begins one. F10 goes there.");
+        ImGui::TextDisabled("%s", session.ready() && session.atEnd()
+                                      ? "No ring: the run is finished."
+                                      : "No ring: the next seed begins one. F10 goes there.");
         ImGui::PopTextWrapPos();
         return;
     }

@@ -16,7 +16,8 @@ constexpr float kLeastCell = 2.4F;
 
 Color cellColor(const PanelContext& context, const Event& event) {
     if (event.address.stage == Stage::Emit) return context.palette.test;
-    return verdictOf(event) ? verdictColor(context, event) : context.palette.textDim;
+    const bool tells = verdictOf(event) || std::holds_alternative<AlertEvidence>(event.evidence);
+    return tells ? verdictColor(context, event) : context.palette.textDim;
 }
 
 void frameHere(const PanelContext& context, const Rect& cell) {
@@ -122,8 +123,8 @@ std::string cellText(const Event& event) {
     std::string text = subject == kNone ? std::string{} : std::to_string(subject);
     const auto verdict = verdictOf(event);
     if (verdict) text += (text.empty() ? "" : " ") + std::string(verdictText(*verdict));
-    if (const auto* ring = std::get_if<RingEvidence>(&event.evidence)) {
-        text += ring->inserted ? " in" : " out";
+    if (const std::string_view word = wordOf(event); !word.empty()) {
+        text += (text.empty() ? "" : " ") + std::string(word);
     }
     if (const auto* emit = std::get_if<EmitEvidence>(&event.evidence)) {
         text = "tri " + grouped(emit->triangle);

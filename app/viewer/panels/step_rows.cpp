@@ -107,9 +107,7 @@ class RowPen {
 
 std::string outcomeText(const Event& event) {
     if (const auto verdict = verdictOf(event)) return std::string(verdictText(*verdict));
-    if (const auto* ring = std::get_if<RingEvidence>(&event.evidence)) {
-        return ring->inserted ? "in" : "out";
-    }
+    if (const std::string_view word = wordOf(event); !word.empty()) return std::string(word);
     if (const auto* emit = std::get_if<EmitEvidence>(&event.evidence)) {
         return "triangle " + grouped(emit->triangle);
     }
@@ -117,7 +115,9 @@ std::string outcomeText(const Event& event) {
 }
 
 Shape markOf(const Event& event) {
-    if (rejects(event)) return Shape::Cross;
+    if (rejects(event) || std::holds_alternative<AlertEvidence>(event.evidence)) {
+        return Shape::Cross;
+    }
     if (const auto* ring = std::get_if<RingEvidence>(&event.evidence)) {
         return ring->inserted ? Shape::Disc : Shape::Dot;
     }

@@ -104,6 +104,8 @@ void drawGoTo(const PanelContext& context) {
                       ImGui::GetFrameHeight());
     if (ImGui::InvisibleButton("##goto", size)) box.open();
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsItemHovered()) box.close();
+    // A text field that had the keyboard would get what is typed as well.
+    if (box.active() && ImGui::GetIO().WantTextInput) ImGui::SetWindowFocus(nullptr);
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
     ImDrawList* list = ImGui::GetWindowDrawList();

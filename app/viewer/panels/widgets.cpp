@@ -273,7 +273,21 @@ std::vector<std::string> wrapped(const std::string& text, float width) {
     return lines;
 }
 
+std::string_view wordOf(const Event& event) {
+    if (const auto* ring = std::get_if<RingEvidence>(&event.evidence)) {
+        return ring->inserted ? "in" : "out";
+    }
+    if (std::holds_alternative<StrandEvidence>(event.evidence)) return "stranded";
+    if (std::holds_alternative<FreeEvidence>(event.evidence)) return "ring freed";
+    if (std::holds_alternative<ComponentEvidence>(event.evidence)) return "complete";
+    if (const auto* alert = std::get_if<AlertEvidence>(&event.evidence)) {
+        return alertName(alert->kind);
+    }
+    return {};
+}
+
 Color verdictColor(const PanelContext& context, const Event& event) {
+    if (std::holds_alternative<AlertEvidence>(event.evidence)) return context.palette.rejected;
     const std::optional<Verdict> verdict = verdictOf(event);
     if (!verdict) return context.palette.text;
     if (rejects(event)) return context.palette.rejected;

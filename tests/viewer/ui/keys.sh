@@ -34,6 +34,8 @@ press alt+Right; says address "40\.sphere\.2"
 press ctrl+c; sleep 0.1
 press Home; says pivot 0
 press ctrl+v; says address "40\.sphere\.2"
+press Home; says pivot 0
+press ctrl+g; press ctrl+v; press Return; says address "40\.sphere\.2"
 press ctrl+Left; says address "1\.seed\.1"
 go_to 50%; denies address "1\.seed\.1"
 go_to +10; sleep 0.2
