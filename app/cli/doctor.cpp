@@ -12,6 +12,7 @@
 #include "options.h"
 #include "output.h"
 #include "progress.h"
+#include "progress_work.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -73,14 +74,8 @@ struct Visit {
 };
 
 Diagnosis examineInput(const PointFile& file, const std::string& name, ProgressLine& line) {
-    Result<Diagnosis> diagnosis = examine(file, [&](double share) {
-        if (line.due()) line.write("examining", share);
-        return !interrupted();
-    });
-    line.clear();
-    if (interrupted()) throw Failure(ExitCode::Interrupted, "interrupted; nothing was written");
-    if (!diagnosis) throw Failure(ExitCode::Input, name + ": " + diagnosis.error().message);
-    return std::move(diagnosis.value());
+    return workedOut("examining", name, line,
+                     [&](const Progress& progress) { return examine(file, progress); });
 }
 
 /// The points of the checks whose findings should go.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <filesystem>
 
 #include "input.h"
@@ -13,9 +12,11 @@
 #include "options.h"
 #include "output.h"
 #include "progress.h"
+#include "progress_work.h"
 #include "report.h"
 #include "spiraling_edge/mesh_io.h"
 #include "spiraling_edge/reconstruct.h"
+#include "stop_watch.h"
 #include "trace.h"
 #include "verbs.h"
 
@@ -77,36 +78,11 @@ struct RunArguments {
 };
 
 /// Seconds since the last call.
-class StopWatch {
-  public:
-    double lap() {
-        const auto now = std::chrono::steady_clock::now();
-        const std::chrono::duration<double> passed = now - last_;
-        last_ = now;
-        return passed.count();
-    }
-
-  private:
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
 double shareDone(const State& state) {
     const auto done = std::count(state.status.begin(), state.status.end(), kDone);
     return state.status.empty()
                ? 1.0
                : static_cast<double>(done) / static_cast<double>(state.status.size());
-}
-
-Prepared prepareInput(const PointFile& file, const PrepareOptions& options, const std::string& name,
-                      ProgressLine& line) {
-    Result<Prepared> prepared = prepare(file, options, [&](double share) {
-        if (line.due()) line.write("preparing", share);
-        return !interrupted();
-    });
-    line.clear();
-    if (interrupted()) throw Failure(ExitCode::Interrupted, "interrupted; nothing was written");
-    if (!prepared) throw Failure(ExitCode::Input, name + ": " + prepared.error().message);
-    return std::move(prepared.value());
 }
 
 /// What was derived is written with the mesh.
@@ -224,7 +200,9 @@ ExitCode runVerb(const Arguments& words) {
     outcome.seconds.read = watch.lap();
     PrepareOptions prepareOptions = arguments.derived.options(options, file);
     prepareOptions.setNoiseAside = outcome.params.setNoiseAside;
-    const Prepared prepared = prepareInput(file, prepareOptions, arguments.input, line);
+    const Prepared prepared = workedOut(
+        "preparing", arguments.input, line,
+        [&](const Progress& progress) { return prepare(file, prepareOptions, progress); });
     outcome.prepared = prepared.report;
     takeOverDerived(prepared, file);
     outcome.seconds.prepare = watch.lap();

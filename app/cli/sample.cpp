@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -14,6 +13,7 @@
 #include "progress.h"
 #include "spiraling_edge/mesh_io.h"
 #include "spiraling_edge/sampler.h"
+#include "stop_watch.h"
 #include "surface_input.h"
 #include "verbs.h"
 
@@ -198,13 +198,13 @@ ExitCode sampleVerb(const Arguments& words) {
 
     catchInterrupts();
     ProgressLine line(!arguments.quiet);
-    const auto begin = std::chrono::steady_clock::now();
+    StopWatch watch;
     PointFile file = samplePoints(field, arguments.sampler, arguments.input, line);
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+    const double seconds = watch.lap();
     if (arguments.neighbors > 0) addNeighbors(arguments.neighbors, file);
     writePoints(arguments.output, file);
     if (arguments.quiet) return ExitCode::Good;
-    fmt::print(stderr, "{}", summary(arguments.input, file, measure(field, file), passed.count()));
+    fmt::print(stderr, "{}", summary(arguments.input, file, measure(field, file), seconds));
     return ExitCode::Good;
 }
 

@@ -8,6 +8,7 @@
 
 #include "exit_code.h"
 #include "interrupt.h"
+#include "progress_work.h"
 #include "spiraling_edge/volume.h"
 
 namespace se::cli {
@@ -68,14 +69,8 @@ void cutBy(const WallBox& box, const std::string& input, Field& field) {
 
 PointFile samplePoints(const Field& field, const SamplerOptions& options, const std::string& input,
                        ProgressLine& line) {
-    Result<PointFile> file = sample(field, options, [&](double share) {
-        if (line.due()) line.write("sampling", share);
-        return !interrupted();
-    });
-    line.clear();
-    if (interrupted()) throw Failure(ExitCode::Interrupted, "interrupted; nothing was written");
-    if (!file) throw Failure(ExitCode::Input, input + ": " + file.error().message);
-    return std::move(file.value());
+    return workedOut("sampling", input, line,
+                     [&](const Progress& progress) { return sample(field, options, progress); });
 }
 
 }  // namespace se::cli

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +12,7 @@
 #include "progress.h"
 #include "spiraling_edge/mesh.h"
 #include "spiraling_edge/reconstruct.h"
+#include "stop_watch.h"
 #include "surface_input.h"
 #include "verbs.h"
 
@@ -114,11 +114,11 @@ Reconstruction timedRun(const PointSet& points, const Params& params, double& se
     Reconstruction last;
     double total = 0.0;
     for (int i = 0; i < kLeastRuns || total < kEnough; ++i) {
-        const auto begin = std::chrono::steady_clock::now();
+        StopWatch watch;
         last = reconstruct(points, params);
-        const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
-        total += passed.count();
-        seconds = i == 0 ? passed.count() : std::min(seconds, passed.count());
+        const double passed = watch.lap();
+        total += passed;
+        seconds = i == 0 ? passed : std::min(seconds, passed);
     }
     return last;
 }

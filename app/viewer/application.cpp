@@ -19,6 +19,11 @@ namespace se::view {
 
 namespace {
 
+std::string clipboard() {
+    const char* text = ImGui::GetClipboardText();
+    return text != nullptr ? text : "";
+}
+
 /// Steps played faster than this, per second, do not leave the time to see them move.
 constexpr double kFollowedRate = 1.5;
 
@@ -71,9 +76,9 @@ bool Application::key(const KeyChord& chord, bool repeated) {
         return false;
     }
     if (ui_.goTo.active() && chord == KeyChord{'V', kCtrl}) {
-        const char* text = ImGui::GetClipboardText();
-        const Result<Place> place = placeFromText(text != nullptr ? text : "");
-        const std::string address = place ? place.value().address : text != nullptr ? text : "";
+        const std::string text = clipboard();
+        const Result<Place> place = placeFromText(text);
+        const std::string& address = place ? place.value().address : text;
         for (const char sign : address) ui_.goTo.type(static_cast<unsigned char>(sign));
         return false;
     }
@@ -412,8 +417,7 @@ void Application::copyPlace() {
 }
 
 void Application::pastePlace() {
-    const char* text = ImGui::GetClipboardText();
-    const Result<Place> place = placeFromText(text != nullptr ? text : "");
+    const Result<Place> place = placeFromText(clipboard());
     if (!place) return session_.say(place.error().message);
     playback_.pause();
     if (place.value().camera) camera_.setPose(*place.value().camera);

@@ -1,35 +1,15 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <utility>
 
+#include "disjoint_sets.h"
 #include "doctor_patient.h"
 
 namespace se {
 namespace {
 
 // ---- sheets -------------------------------------------------------------------------------------
-
-/// Groups of points, joined pair by pair; each is named by its least point.
-class Groups {
-  public:
-    explicit Groups(Index count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), Index{0});
-    }
-    Index of(Index p) {
-        while (parent_[p] != p) p = parent_[p] = parent_[parent_[p]];
-        return p;
-    }
-    void join(Index p, Index q) {
-        p = of(p);
-        q = of(q);
-        parent_[std::max(p, q)] = std::min(p, q);
-    }
-
-  private:
-    std::vector<Index> parent_;
-};
 
 /// Do p and q lie in one smooth sheet, whichever way their normals point? Each lies within 30
 /// degrees of the other's tangent plane, and the planes within 45 degrees of each other.
@@ -46,12 +26,12 @@ bool inOneSheet(const Patient& patient, Index p, Index q) {
 }
 
 /// Points in one sheet whose normals agree.
-Groups sheetsOf(const Patient& patient) {
-    Groups sheets(patient.size());
+DisjointSets sheetsOf(const Patient& patient) {
+    DisjointSets sheets(patient.size());
     for (Index p = 0; p < patient.size(); ++p) {
         for (const Index q : patient.nearest[p]) {
             if (inOneSheet(patient, p, q) && !normalsOppose(patient.normal[p], patient.normal[q]))
-                sheets.join(p, q);
+                sheets.unite(p, q);
         }
     }
     return sheets;
@@ -100,14 +80,14 @@ void contradictions(const Patient& patient, Index p, std::vector<Index>& opposin
 /// How often two sheets contradict each other, by their least points.
 using Quarrels = std::map<std::pair<Index, Index>, std::size_t>;
 
-Quarrels quarrelsBetween(const Patient& patient, Groups& sheets) {
+Quarrels quarrelsBetween(const Patient& patient, DisjointSets& sheets) {
     Quarrels quarrels;
     std::vector<Index> opposing;
     for (Index p = 0; p < patient.size(); ++p) {
         if (!patient.hasSide(p)) continue;
         contradictions(patient, p, opposing);
         for (const Index q : opposing) {
-            const std::pair<Index, Index> pair = std::minmax({sheets.of(p), sheets.of(q)});
+            const std::pair<Index, Index> pair = std::minmax({sheets.find(p), sheets.find(q)});
             if (pair.first != pair.second) ++quarrels[pair];
         }
     }
@@ -127,7 +107,7 @@ bool isEvidence(std::size_t pairs, std::size_t patch) {
 /// The sheets that contradict each other with evidence, both ways.
 using Opponents = std::map<Index, std::vector<Index>>;
 
-Opponents opponentsAmong(const Patient& patient, Groups& sheets,
+Opponents opponentsAmong(const Patient& patient, DisjointSets& sheets,
                          const std::vector<std::size_t>& size) {
     Opponents opponents;
     for (const auto& [pair, count] : quarrelsBetween(patient, sheets)) {
@@ -166,22 +146,22 @@ Sides sidesOf(const Patient& patient) {
     const Index n = patient.size();
     Sides sides{std::vector<Index>(n, kNone), std::vector<bool>(n, false)};
     if (!patient.file.hasNormals()) return sides;
-    Groups sheets = sheetsOf(patient);
+    DisjointSets sheets = sheetsOf(patient);
     std::vector<std::size_t> size(n, 0);  // by the least point
     for (Index p = 0; p < n; ++p) {
-        if (patient.hasSide(p)) ++size[sheets.of(p)];
+        if (patient.hasSide(p)) ++size[sheets.find(p)];
     }
     const Opponents opponents = opponentsAmong(patient, sheets, size);
     const std::map<Index, bool> flipped = flippedAmong(opponents, size);
     for (Index p = 0; p < n; ++p) {
-        const auto sheet = flipped.find(sheets.of(p));
+        const auto sheet = flipped.find(sheets.find(p));
         sides.flipped[p] = sheet != flipped.end() && sheet->second;
     }
     for (const auto& [sheet, others] : opponents) {
-        for (const Index other : others) sheets.join(sheet, other);
+        for (const Index other : others) sheets.unite(sheet, other);
     }
     for (Index p = 0; p < n; ++p) {
-        if (patient.hasSide(p)) sides.component[p] = sheets.of(p);
+        if (patient.hasSide(p)) sides.component[p] = sheets.find(p);
     }
     return sides;
 }

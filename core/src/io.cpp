@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <fstream>
 #include <system_error>
 
+#include "extension.h"
 #include "io_formats.h"
 #include "read_bytes.h"
 #include "text_scan.h"
@@ -30,13 +30,6 @@ bool isObjKeyword(std::string_view word) {
     constexpr std::array<std::string_view, 14> kKeywords{
         "v", "vn", "vt", "vp", "f", "l", "p", "o", "g", "s", "mtllib", "usemtl", "mg", "cstype"};
     return std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end();
-}
-
-std::string lowerExtension(const std::string& name) {
-    std::string extension = fs::path(name).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
 }
 
 /// The reader for what `bytes` seem to be; null if they seem to be nothing that can be read.

@@ -1,39 +1,17 @@
 #include "spiraling_edge/mesh.h"
 
 #include <algorithm>
-#include <numeric>
 
+#include "disjoint_sets.h"
 #include "mesh_sides.h"
 #include "shape.h"
 
 namespace se {
 namespace {
 
-/// Disjoint sets by path halving.
-class Sets {
-  public:
-    explicit Sets(std::size_t size) : parent_(size) {
-        std::iota(parent_.begin(), parent_.end(), Index{0});
-    }
-    Index find(Index x) {
-        while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
-        return x;
-    }
-    /// True if the two were apart.
-    bool unite(Index x, Index y) {
-        x = find(x);
-        y = find(y);
-        parent_[std::max(x, y)] = std::min(x, y);
-        return x != y;
-    }
-
-  private:
-    std::vector<Index> parent_;
-};
-
 /// Counts the edges by how many triangles share them, and the loops of the boundary.
 void countEdges(const std::vector<Side>& sides, std::size_t points, MeshReport& report) {
-    Sets boundary(points);
+    DisjointSets boundary(points);
     std::vector<bool> onBoundary(points, false);
     std::size_t joined = 0;
     for (std::size_t i = 0; i < sides.size();) {
@@ -65,7 +43,7 @@ std::size_t countNonManifoldVertices(std::span<const Triangle> triangles,
         const Index k = t.a == point ? 0U : (t.b == point ? 1U : 2U);
         return 3 * triangle + k;
     };
-    Sets corners(3 * triangles.size());
+    DisjointSets corners(3 * triangles.size());
     for (std::size_t i = 1; i < sides.size(); ++i) {
         if (!sides[i].sameEdge(sides[i - 1])) continue;
         for (const Index point : {sides[i].low, sides[i].high}) {
@@ -101,7 +79,7 @@ MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangle
     MeshReport report;
     report.points = points.size();
     report.triangles = triangles.size();
-    Sets pieces(points.size());
+    DisjointSets pieces(points.size());
     std::vector<bool> used(points.size(), false);
     std::size_t joined = 0;
     for (const Triangle& t : triangles) {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
+#include "extension.h"
 #include "mesh_io_formats.h"
 
 namespace se {
@@ -23,9 +23,7 @@ constexpr std::array kFormats{
 std::span<const MeshFormat> meshFormats() { return kFormats; }
 
 const MeshFormat* meshFormatOf(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string extension = lowerExtension(path);
     if (extension.empty()) return kFormats.data();
     const auto found = std::find_if(kFormats.begin(), kFormats.end(),
                                     [&](const MeshFormat& f) { return f.extension == extension; });

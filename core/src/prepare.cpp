@@ -155,8 +155,9 @@ class Preparation {
             findNeighbors(set_.position, set_.normal, usable_, wide, part(kNormalShare, 1.0));
         if (!lists) return lists;
         const auto patches = noisePatches(set_.position, set_.normal, lists.value(), usable_);
-        for (std::size_t aside = kNone; aside > 0; report_.noisyPoints += aside) {
-            aside = setNoiseAside(set_.position, patches, lists.value(), usable_);
+        while (const std::size_t aside =
+                   setNoiseAside(set_.position, patches, lists.value(), usable_)) {
+            report_.noisyPoints += aside;
             lists = findNeighbors(set_.position, set_.normal, usable_, wide);
             if (!lists) return lists;
         }

@@ -1,5 +1,4 @@
-#include "filing.h"
-#include "rig.h"
+#include "desk.h"
 
 #include <doctest/doctest.h>
 
@@ -12,26 +11,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A program without a window, and a folder that is gone after the test.
-struct Desk {
-    Session session;
-    Playback playback;
-    Camera camera;
-    UiState ui;
-    CommandContext context{session, playback, camera, ui};
-    Filing filing{context};
-    fs::path folder = test::ownPlace("filing-test");
-
-    Desk() {
-        fs::remove_all(folder);
-        fs::create_directories(folder);
-    }
-    ~Desk() { fs::remove_all(folder); }
-    void settle() {
-        session.settle();
-        filing.poll();
-        session.settle();
-    }
+struct Desk : test::Desk {
+    Desk() : test::Desk("filing-test") {}
     void open(const std::string& path) {
         filing.open(path);
         settle();

@@ -1,5 +1,4 @@
-#include "filing.h"
-#include "rig.h"
+#include "desk.h"
 
 #include <doctest/doctest.h>
 
@@ -11,28 +10,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A program without a window in which a scene is open.
-struct Desk {
-    Session session;
-    Playback playback;
-    Camera camera;
-    UiState ui;
-    CommandContext context{session, playback, camera, ui};
-    Filing filing{context};
-    fs::path folder = test::ownPlace("leaving-test");
-
-    Desk() {
-        fs::remove_all(folder);
-        fs::create_directories(folder);
+/// One in which a scene is open.
+struct Desk : test::Desk {
+    Desk() : test::Desk("leaving-test") {
         filing.open("scene:sphere");
         frame();
     }
-    ~Desk() { fs::remove_all(folder); }
     void frame() {
         filing.carryOut(ui.requests);
-        session.settle();
-        filing.poll();
-        session.settle();
+        settle();
     }
     void quit() {
         ui.requests.quit = true;

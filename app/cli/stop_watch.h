@@ -1,0 +1,21 @@
+/// Seconds that pieces of work take.
+#pragma once
+
+#include <chrono>
+#include <utility>
+
+namespace se::cli {
+
+class StopWatch {
+  public:
+    /// Seconds since the last lap, or since it began.
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace se::cli
