@@ -35,9 +35,7 @@ viewer=()
 in_viewer() { printf '%s\n' ${viewer[@]+"${viewer[@]}"} | grep -E "^app/viewer/$1"; }
 mapfile -t gl < <(in_viewer 'gl/')
 mapfile -t not_gl < <(printf '%s\n' "${viewer[@]}" | grep -vE '^app/viewer/(gl/|offscreen|window|main|application)')
-mapfile -t layers < <(in_viewer 'layers/')
-mapfile -t panels < <(in_viewer 'panels/')
-mapfile -t plain < <(in_viewer '(session|playback|camera|picking|palette|draw_list|model|overview|pivot_record|runner|settings)\.')
+mapfile -t plain < <(in_viewer '(run|scene|layers|steps|session|interface)/')
 
 # core -> GLM, the standard library, nanoflann in prepare*.cpp, zlib in inflate.cpp; it prints nothing.
 no "$(include "$window|$programs|app/|viewer|cli/|benchmark|doctest")" "core must not know" "${core[@]}"
@@ -50,12 +48,23 @@ mapfile -t public < <(sources core/include)
 no '^#include "([^s]|s[^p])' "public headers include as spiraling_edge/..." "${public[@]}"
 # cli -> core
 no "$(include "$window|viewer|\\.\\./viewer|glm/gtc|stb")" "the command line must not know" "${cli[@]}"
-# viewer: gl -> draw_list; layers -> draw_list; panels -> commands -> session -> core
+# viewer, from the bottom: run -> scene -> gl, layers; session, interface, panels on top of them.
 no "$(include 'glad/|EGL/|KHR/')" "only gl/ may call OpenGL" "${not_gl[@]}"
-no "$(include '\.\./(panels|layers)/|panels/|layers/|\.\./session|session|imgui\.h')" "gl/ draws and knows no more" "${gl[@]}"
-no "$(include 'imgui|GLFW/|\.\./panels/|panels/|\.\./gl/|gl/|(\.\./)?session')" "layers make draw lists and know no more" "${layers[@]}"
-no "$(include '\.\./gl/|gl/|glad/|GLFW/')" "panels must not draw by themselves" "${panels[@]}"
-no "$(include 'imgui|GLFW/|glad/|gl/|panels/')" "this part works without a window" "${plain[@]}"
+no "$(include 'imgui|GLFW/')" "this part works without a window" "${plain[@]}"
+# below ROOM ABOVE: the files of a room must not include one of the rooms above it.
+below() {
+    local files
+    mapfile -t files < <(in_viewer "$1/")
+    no "$(include "$2")" "$1/ must not know" "${files[@]}"
+}
+below run '(scene|gl|layers|steps|session|interface|panels)/'
+below scene '(gl|layers|steps|session|interface|panels)/'
+below gl '(layers|steps|session|interface|panels)/|imgui\.h'
+below layers '(gl|steps|session|interface|panels)/'
+below steps '(scene|gl|layers|session|interface|panels)/'
+below session '(gl|interface|panels)/'
+below interface '(gl|panels)/'
+below panels 'gl/'
 
 # Explicit lists forget.
 while read -r file; do

@@ -12,8 +12,8 @@
 
 #include "gl/context.h"
 #include "gl/screenshot.h"
-#include "key_routing.h"
-#include "place.h"
+#include "interface/key_routing.h"
+#include "session/place.h"
 
 namespace se::view {
 

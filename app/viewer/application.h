@@ -5,15 +5,15 @@
 #include <memory>
 #include <string>
 
-#include "camera.h"
-#include "commands.h"
 #include "filing.h"
 #include "gl/renderer.h"
+#include "interface/commands.h"
 #include "options.h"
 #include "panels/panel.h"
-#include "playback.h"
-#include "session.h"
-#include "ui.h"
+#include "panels/ui.h"
+#include "scene/camera.h"
+#include "session/playback.h"
+#include "session/session.h"
 
 namespace se::view {
 

@@ -7,11 +7,11 @@
 #include <optional>
 #include <string>
 
+#include "interface/recent.h"
+#include "interface/ui_state.h"
 #include "options.h"
-#include "recent.h"
-#include "session.h"
-#include "ui_state.h"
-#include "undo.h"
+#include "session/session.h"
+#include "session/undo.h"
 
 namespace se::view {
 

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "application.h"
+#include "interface/recent.h"
+#include "interface/settings.h"
 #include "offscreen.h"
 #include "options.h"
-#include "picking.h"
-#include "recent.h"
-#include "settings.h"
+#include "scene/picking.h"
 #include "spiraling_edge/io.h"
 #include "window.h"
 

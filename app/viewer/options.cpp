@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "commands.h"
+#include "interface/commands.h"
 #include "spiraling_edge/scenes.h"
 
 namespace se::view {

@@ -7,12 +7,12 @@
 #include <optional>
 #include <string>
 
-#include "arrangement.h"
-#include "mesh_style.h"
-#include "model.h"
-#include "palette.h"
-#include "place.h"
-#include "session_file.h"
+#include "run/model.h"
+#include "scene/mesh_style.h"
+#include "scene/palette.h"
+#include "session/arrangement.h"
+#include "session/place.h"
+#include "session/session_file.h"
 
 namespace se::view {
 

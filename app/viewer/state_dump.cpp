@@ -2,8 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "application.h"
-#include "place.h"
-#include "selection_facts.h"
+#include "session/place.h"
+#include "session/selection_facts.h"
 #include "spiraling_edge/io.h"
 
 namespace se::view {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "key_routing.h"
+#include "interface/key_routing.h"
 #include "spiraling_edge/result.h"
 
 struct GLFWwindow;

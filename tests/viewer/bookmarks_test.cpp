@@ -1,4 +1,4 @@
-#include "bookmarks.h"
+#include "session/bookmarks.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "browsing.h"
+#include "interface/browsing.h"
 #include "rig.h"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
-#include "checkup.h"
-#include "draw_list.h"
+#include "session/checkup.h"
 #include "layers/layer.h"
 #include "rig.h"
+#include "scene/draw_list.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "click_wait.h"
+#include "interface/click_wait.h"
 
 #include <doctest/doctest.h>
 

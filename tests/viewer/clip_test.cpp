@@ -1,4 +1,4 @@
-#include "clip.h"
+#include "scene/clip.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "commands.h"
+#include "interface/commands.h"
 
 #include <doctest/doctest.h>
 

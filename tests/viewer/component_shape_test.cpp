@@ -1,6 +1,6 @@
-#include "component_shape.h"
-#include "overview.h"
+#include "run/component_shape.h"
 #include "rig.h"
+#include "run/overview.h"
 
 #include <doctest/doctest.h>
 

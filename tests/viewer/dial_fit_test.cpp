@@ -1,4 +1,4 @@
-#include "dial_fit.h"
+#include "interface/dial_fit.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "dial.h"
+#include "run/dial.h"
 
 #include <doctest/doctest.h>
 

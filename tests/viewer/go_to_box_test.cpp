@@ -1,4 +1,4 @@
-#include "go_to_box.h"
+#include "interface/go_to_box.h"
 
 #include <doctest/doctest.h>
 

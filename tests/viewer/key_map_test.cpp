@@ -1,9 +1,9 @@
-#include "key_map.h"
+#include "interface/key_map.h"
 
 #include <doctest/doctest.h>
 
-#include "commands.h"
-#include "settings.h"
+#include "interface/commands.h"
+#include "interface/settings.h"
 
 using namespace se::view;
 

@@ -1,4 +1,4 @@
-#include "key_routing.h"
+#include "interface/key_routing.h"
 
 #include <doctest/doctest.h>
 

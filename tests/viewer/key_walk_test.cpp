@@ -1,5 +1,5 @@
-#include "key_walk.h"
-#include "status_fit.h"
+#include "interface/key_walk.h"
+#include "interface/status_fit.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "layout.h"
+#include "interface/layout.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
-#include "loader.h"
-#include "input_hash.h"
+#include "run/loader.h"
 #include "rig.h"
+#include "run/input_hash.h"
 
 #include <doctest/doctest.h>
 

@@ -1,9 +1,9 @@
-#include "motion.h"
+#include "scene/motion.h"
 
 #include <doctest/doctest.h>
 
-#include "commands.h"
-#include "key_map.h"
+#include "interface/commands.h"
+#include "interface/key_map.h"
 #include "rig.h"
 
 using namespace se;

@@ -1,8 +1,8 @@
-#include "overview.h"
+#include "run/overview.h"
 
 #include <doctest/doctest.h>
 
-#include "mesh_style.h"
+#include "scene/mesh_style.h"
 
 #include "rig.h"
 #include "spiraling_edge/stepper.h"

@@ -1,4 +1,4 @@
-#include "palette.h"
+#include "scene/palette.h"
 
 #include <doctest/doctest.h>
 

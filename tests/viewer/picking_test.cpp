@@ -1,9 +1,9 @@
-#include "picking.h"
+#include "scene/picking.h"
 
 #include <doctest/doctest.h>
 
 #include "rig.h"
-#include "selection_facts.h"
+#include "session/selection_facts.h"
 
 using namespace se;
 using namespace se::view;

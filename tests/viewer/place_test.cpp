@@ -1,9 +1,9 @@
-#include "place.h"
+#include "session/place.h"
 
 #include <doctest/doctest.h>
 
-#include "history.h"
 #include "rig.h"
+#include "session/history.h"
 
 using namespace se;
 using namespace se::view;

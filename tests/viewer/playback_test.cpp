@@ -1,8 +1,8 @@
-#include "playback.h"
+#include "session/playback.h"
 
 #include <doctest/doctest.h>
 
-#include "commands.h"
+#include "interface/commands.h"
 #include "rig.h"
 
 using namespace se::view;

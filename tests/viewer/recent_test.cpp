@@ -1,4 +1,4 @@
-#include "recent.h"
+#include "interface/recent.h"
 #include "rig.h"
 
 #include <doctest/doctest.h>

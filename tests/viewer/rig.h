@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "model.h"
-#include "session.h"
+#include "run/model.h"
+#include "session/session.h"
 
 namespace se::view::test {
 

@@ -1,4 +1,4 @@
-#include "ring_replay.h"
+#include "run/ring_replay.h"
 
 #include <doctest/doctest.h>
 

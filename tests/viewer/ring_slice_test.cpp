@@ -1,4 +1,4 @@
-#include "ring_slice.h"
+#include "run/ring_slice.h"
 
 #include <doctest/doctest.h>
 

@@ -1,11 +1,11 @@
-#include "run_lanes.h"
+#include "run/run_lanes.h"
 
 #include <doctest/doctest.h>
 
-#include "lane_picture.h"
 #include "rig.h"
 #include "spiraling_edge/scenes.h"
 #include "spiraling_edge/stepper.h"
+#include "steps/lane_picture.h"
 
 using namespace se;
 using namespace se::view;

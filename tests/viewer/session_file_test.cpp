@@ -1,12 +1,12 @@
-#include "session_file.h"
+#include "session/session_file.h"
 
 #include <doctest/doctest.h>
 
 #include <filesystem>
 #include <fstream>
 
-#include "input_hash.h"
 #include "rig.h"
+#include "run/input_hash.h"
 
 using namespace se;
 using namespace se::view;

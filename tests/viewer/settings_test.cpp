@@ -1,4 +1,4 @@
-#include "settings.h"
+#include "interface/settings.h"
 #include "rig.h"
 
 #include <doctest/doctest.h>

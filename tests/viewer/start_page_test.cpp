@@ -1,4 +1,4 @@
-#include "start_page.h"
+#include "interface/start_page.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "status_list.h"
+#include "run/status_list.h"
 
 #include <doctest/doctest.h>
 

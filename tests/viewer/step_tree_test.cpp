@@ -1,4 +1,4 @@
-#include "step_tree.h"
+#include "steps/step_tree.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "text_cut.h"
+#include "interface/text_cut.h"
 
 #include <doctest/doctest.h>
 

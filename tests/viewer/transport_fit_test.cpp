@@ -1,4 +1,4 @@
-#include "transport_fit.h"
+#include "interface/transport_fit.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "undo.h"
+#include "session/undo.h"
 
 #include <doctest/doctest.h>
 

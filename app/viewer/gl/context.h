@@ -4,7 +4,7 @@
 #include <glm/vec2.hpp>
 #include <string>
 
-#include "../palette.h"
+#include "scene/palette.h"
 #include "spiraling_edge/result.h"
 
 namespace se::view {

@@ -6,10 +6,10 @@
 #include <memory>
 #include <span>
 
-#include "../camera.h"
-#include "../draw_list.h"
-#include "../model.h"
 #include "batch.h"
+#include "run/model.h"
+#include "scene/camera.h"
+#include "scene/draw_list.h"
 #include "shader.h"
 #include "target.h"
 

@@ -6,7 +6,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <utility>
 
-#include "../text.h"
+#include "run/text.h"
 #include "shader_sources.h"
 
 namespace se::view {

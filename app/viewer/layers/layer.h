@@ -8,14 +8,14 @@
 #include <span>
 #include <string_view>
 
-#include "../component_shape.h"
-#include "../draw_list.h"
-#include "../mesh_index.h"
-#include "../model.h"
-#include "../motion.h"
-#include "../palette.h"
-#include "../picture.h"
-#include "../selection.h"
+#include "run/component_shape.h"
+#include "run/mesh_index.h"
+#include "run/model.h"
+#include "run/picture.h"
+#include "run/selection.h"
+#include "scene/draw_list.h"
+#include "scene/motion.h"
+#include "scene/palette.h"
 
 namespace se::view {
 

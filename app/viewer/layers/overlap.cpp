@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "../clip.h"
+#include "scene/clip.h"
 
 namespace se::view {
 

@@ -1,10 +1,10 @@
-#include "../dial.h"
+#include "run/dial.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "../dial_fit.h"
+#include "interface/dial_fit.h"
 #include "panel.h"
 #include "widgets.h"
 

@@ -2,8 +2,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "../session_file.h"
 #include "panel.h"
+#include "session/session_file.h"
 #include "spiraling_edge/scenes.h"
 #include "text_field.h"
 #include "widgets.h"

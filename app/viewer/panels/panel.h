@@ -4,12 +4,12 @@
 #include <span>
 #include <string_view>
 
-#include "../commands.h"
-#include "../draw_list.h"
-#include "../fonts.h"
-#include "../layout.h"
-#include "../session.h"
-#include "../ui_state.h"
+#include "fonts.h"
+#include "interface/commands.h"
+#include "interface/layout.h"
+#include "interface/ui_state.h"
+#include "scene/draw_list.h"
+#include "session/session.h"
 
 namespace se::view {
 

@@ -1,4 +1,4 @@
-#include "../paper.h"
+#include "steps/paper.h"
 
 #include "panel.h"
 #include "widgets.h"

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "../ring_slice.h"
 #include "panel.h"
+#include "run/ring_slice.h"
 #include "widgets.h"
 
 namespace se::view {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "../status_fit.h"
+#include "interface/status_fit.h"
 #include "panel.h"
 #include "widgets.h"
 

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "../step_tree.h"
 #include "panel.h"
+#include "steps/step_tree.h"
 
 namespace se::view {
 

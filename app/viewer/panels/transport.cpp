@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <optional>
 
-#include "../transport_fit.h"
+#include "interface/transport_fit.h"
 #include "panel.h"
 #include "widgets.h"
 

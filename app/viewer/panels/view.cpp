@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "../picking.h"
 #include "panel.h"
+#include "scene/picking.h"
 #include "widgets.h"
 
 namespace se::view {

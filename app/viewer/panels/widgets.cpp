@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "../text_cut.h"
+#include "interface/text_cut.h"
 
 namespace se::view {
 

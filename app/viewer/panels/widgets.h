@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "../draw_list.h"
 #include "panel.h"
+#include "scene/draw_list.h"
 
 namespace se::view {
 

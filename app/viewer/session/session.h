@@ -16,14 +16,14 @@
 
 #include "checkup.h"
 #include "history.h"
-#include "loader.h"
-#include "mesh_index.h"
-#include "model.h"
-#include "overview.h"
-#include "picture.h"
-#include "pivot_record.h"
-#include "runner.h"
-#include "selection.h"
+#include "run/loader.h"
+#include "run/mesh_index.h"
+#include "run/model.h"
+#include "run/overview.h"
+#include "run/picture.h"
+#include "run/pivot_record.h"
+#include "run/runner.h"
+#include "run/selection.h"
 
 namespace se::view {
 

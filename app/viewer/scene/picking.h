@@ -6,9 +6,9 @@
 #include <span>
 
 #include "camera.h"
-#include "mesh_index.h"
-#include "picture.h"
-#include "selection.h"
+#include "run/mesh_index.h"
+#include "run/picture.h"
+#include "run/selection.h"
 
 namespace se::view {
 

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "block_list.h"
 #include "mesh_style.h"
 #include "palette.h"
+#include "run/block_list.h"
 #include "spiraling_edge/point_set.h"
 
 namespace se::view {

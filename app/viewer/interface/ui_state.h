@@ -6,10 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "arrangement.h"
-#include "bookmarks.h"
 #include "browsing.h"
-#include "camera.h"
 #include "click_wait.h"
 #include "go_to_box.h"
 #include "key_map.h"
@@ -17,12 +14,15 @@
 #include "layers/layer.h"
 #include "layout.h"
 #include "leaving.h"
-#include "mesh_style.h"
-#include "motion.h"
 #include "navigation.h"
-#include "palette.h"
-#include "playback.h"
-#include "selection_facts.h"
+#include "scene/camera.h"
+#include "scene/mesh_style.h"
+#include "scene/motion.h"
+#include "scene/palette.h"
+#include "session/arrangement.h"
+#include "session/bookmarks.h"
+#include "session/playback.h"
+#include "session/selection_facts.h"
 #include "spiraling_edge/point_set.h"
 #include "start_page.h"
 

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "model.h"
+#include "run/model.h"
 #include "spiraling_edge/doctor.h"
 
 namespace se::view {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "overview.h"
+#include "run/overview.h"
 #include "strip_window.h"
 
 namespace se::view {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "overview.h"
 #include "palette.h"
+#include "run/overview.h"
 
 namespace se::view {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "overview.h"
+#include "run/overview.h"
 
 namespace se::view {
 

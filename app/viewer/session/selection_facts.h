@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "overview.h"
-#include "picture.h"
-#include "selection.h"
+#include "run/overview.h"
+#include "run/picture.h"
+#include "run/selection.h"
 
 namespace se::view {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "selection.h"
+#include "run/selection.h"
 
 namespace se::view {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "commands.h"
-#include "session.h"
+#include "session/session.h"
 
 namespace se::view::actions {
 

@@ -10,9 +10,9 @@
 #include "arrangement.h"
 #include "bookmarks.h"
 #include "layers/layer.h"
-#include "model.h"
 #include "place.h"
-#include "selection.h"
+#include "run/model.h"
+#include "run/selection.h"
 #include "spiraling_edge/result.h"
 
 namespace se::view {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 
-#include "arrangement.h"
+#include "session/arrangement.h"
 
 namespace se::view {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "model.h"
+#include "run/model.h"
+#include "run/text.h"
 #include "settings.h"
 #include "spiraling_edge/io.h"
-#include "text.h"
 
 namespace se::view {
 

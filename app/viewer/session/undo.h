@@ -7,10 +7,10 @@
 
 #include "arrangement.h"
 #include "bookmarks.h"
-#include "camera.h"
 #include "layers/layer.h"
-#include "palette.h"
-#include "selection.h"
+#include "run/selection.h"
+#include "scene/camera.h"
+#include "scene/palette.h"
 
 namespace se::view {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "arrangement.h"
+#include "session/arrangement.h"
 #include "spiraling_edge/result.h"
 
 namespace se::view {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "picture.h"
+#include "run/picture.h"
 
 namespace se::view {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "camera.h"
+#include "scene/camera.h"
 #include "spiraling_edge/result.h"
 
 namespace se::view {

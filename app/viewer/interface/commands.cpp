@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "command_actions.h"
-#include "session.h"
-#include "text.h"
+#include "run/text.h"
+#include "session/session.h"
 
 namespace se::view {
 

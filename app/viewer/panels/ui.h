@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fonts.h"
-#include "palette.h"
+#include "scene/palette.h"
 
 namespace se::view {
 

@@ -3,9 +3,9 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "layer_text.h"
+#include "run/text.h"
+#include "session/layer_text.h"
 #include "spiraling_edge/io.h"
-#include "text.h"
 
 namespace se::view {
 

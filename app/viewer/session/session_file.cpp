@@ -6,8 +6,8 @@
 #include <set>
 
 #include "layer_text.h"
+#include "run/text.h"
 #include "spiraling_edge/io.h"
-#include "text.h"
 
 namespace se::view {
 

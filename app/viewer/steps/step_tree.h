@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "overview.h"
-#include "pivot_record.h"
+#include "run/overview.h"
+#include "run/pivot_record.h"
 #include "step_filter.h"
 
 namespace se::view {

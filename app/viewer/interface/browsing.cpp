@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdlib>
 
-#include "session_file.h"
-#include "text.h"
+#include "run/text.h"
+#include "session/session_file.h"
 
 namespace se::view {
 

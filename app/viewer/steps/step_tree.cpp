@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "picture.h"
+#include "run/picture.h"
 
 namespace se::view {
 

@@ -5,8 +5,8 @@
 #include <charconv>
 #include <sstream>
 
-#include "picture.h"
-#include "text.h"
+#include "run/picture.h"
+#include "run/text.h"
 
 namespace se::view {
 

@@ -3,9 +3,9 @@
 
 #include <array>
 
-#include "lane_picture.h"
 #include "layout.h"
-#include "step_tree.h"
+#include "steps/lane_picture.h"
+#include "steps/step_tree.h"
 
 namespace se::view {
 
