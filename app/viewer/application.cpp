@@ -8,10 +8,10 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <glm/trigonometric.hpp>
 
 #include "gl/context.h"
 #include "gl/screenshot.h"
+#include "interface/close_up.h"
 #include "interface/key_routing.h"
 #include "session/place.h"
 
@@ -210,20 +210,6 @@ Index seedBefore(const Session& session) {
     return seed;
 }
 
-/// For pictures of one decision: from obliquely above the disc of the pivot, near by.
-void comeCloser(const Session& session, Camera& camera) {
-    const Index pivot = session.picture().pivot;
-    if (pivot == kNone) return;
-    const glm::vec3& normal = session.model().normal[pivot];
-    CameraPose pose = camera.pose();
-    const float pitch = glm::degrees(std::atan2(normal.z, std::hypot(normal.x, normal.y)));
-    if (std::abs(pitch) < 80.0F) pose.yawDegrees = glm::degrees(std::atan2(normal.y, normal.x));
-    pose.yawDegrees += 14.0F;
-    pose.pitchDegrees = pitch > 10.0F ? pitch - 34.0F : pitch + 30.0F;
-    pose.distance *= 0.66F;
-    camera.setPose(pose);
-}
-
 }  // namespace
 
 /// At which point of its short movements the scene is to be drawn.
@@ -238,7 +224,7 @@ const Moment& Application::lookAtMoment() {
         still ? 0.0 : motionSeconds(session_.picture()), ui_.clock);
 }
 
-void Application::fillScene() {
+void Application::fillScene(const Layout& layout) {
     if (!session_.ready()) return;
     const ViewSettings& settings = ui_.settings;
     if (uploadedGeneration_ != session_.generation()) {
@@ -253,7 +239,7 @@ void Application::fillScene() {
     }
     if (!session_.busy() && filing_.takeFocus()) {
         frameFocus(commands_);
-        comeCloser(session_, camera_);
+        closeUp(session_, camera_, layout.view.size / imgui_->em());
     }
     renderer_->setTriangles(session_.model(), session_.triangles());
     renderer_->setMended(session_.model(), session_.picture().mended);
@@ -339,7 +325,7 @@ void Application::frame(glm::ivec2 size, double seconds) {
         computeLayout(glm::vec2(size), imgui_->em(), ui_.arrangement, ui_.navigation.drawer);
     ui_.navigation.drawerFolded = layout.drawerFolded;
     ui_.viewAspect = layout.view.size.x / std::max(1.0F, layout.view.size.y);
-    fillScene();
+    fillScene(layout);
     drawUserInterface(layout);
     const auto built = std::chrono::steady_clock::now();
     drawScene(layout);

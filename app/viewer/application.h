@@ -88,7 +88,7 @@ class Application {
     bool holdsLook(const Command& command, int key);
     void play(double seconds);
     const Moment& lookAtMoment();
-    void fillScene();
+    void fillScene(const Layout& layout);
     void drawScene(const Layout& layout);
     void drawUserInterface(const Layout& layout);
     void saveWindowPicture(glm::ivec2 size);

@@ -130,6 +130,8 @@ std::string Application::stateDump() const {
              {"keyboard", keyStopName(ui_.walk.at())},
              {"click_waits", ui_.click.waiting()},
              {"open_tab", ui_.openTab},
+             {"address_line", ui_.addressLine},
+             {"pivot_arrow", ui_.where.count("pivot arrow") > 0},
              {"layers", json::array()},
              {"pins", json::object()},
              {"before", session_.showsBefore()},

@@ -112,7 +112,7 @@ TEST_CASE("Learn has one column, Present none, and both a larger caption") {
     CHECK(present.menu.size.y == 0.0F);
     CHECK(present.drawer.size.y > 0.0F);
     CHECK(learn.narration.size.y == doctest::Approx(1.5F * debug.narration.size.y).epsilon(0.02));
-    CHECK(present.narration.size.y == learn.narration.size.y);
+    CHECK(present.narration.size.y - present.addressLine == learn.narration.size.y);
 }
 
 TEST_CASE("Arrangements are found by name, and following each other all are seen") {
@@ -124,4 +124,15 @@ TEST_CASE("Arrangements are found by name, and following each other all are seen
     Arrangement at = Arrangement::Debug;
     for (std::size_t i = 0; i < arrangements().size(); ++i) at = following(at);
     CHECK(at == Arrangement::Debug);
+}
+
+TEST_CASE("Where no status bar has the address, a line above the caption has it") {
+    for (const auto& [screen, arrangement] : allCases()) {
+        CAPTURE(screen.size.x);
+        CAPTURE(rowOf(arrangement).name);
+        const Layout l = computeLayout(screen.size, screen.em, arrangement);
+        CHECK((l.addressLine > 0.0F) == (l.status.size.y == 0.0F));
+        // The caption keeps two lines.
+        CHECK(l.narration.size.y - l.addressLine >= 2.0F * l.caption * screen.em);
+    }
 }

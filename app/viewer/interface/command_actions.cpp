@@ -239,28 +239,36 @@ void frameSelection(CommandContext& context) {
     context.camera.frame(middle, 2.5F * radius);
 }
 
+/// A point and its neighbors.
+void framePoint(CommandContext& context, Index point) {
+    const Model& model = context.session.model();
+    float radius = 2.0F * model.spacing;
+    for (const Index q : model.points.neighbors[point]) {
+        radius = std::max(radius, glm::distance(model.place[point], model.place[q]));
+    }
+    // Else one would look at it from within, through the other side of the surface.
+    context.camera.face(model.normal[point]);
+    context.camera.frame(model.place[point], 1.25F * radius);
+}
+
 }  // namespace
 
 void frameFocus(CommandContext& context) {
     const Session& session = context.session;
     if (!session.ready()) return;
-    const Model& model = session.model();
     const Picture& picture = session.picture();
     if (session.selection().corners().size() > 1) return frameSelection(context);
     Index focus = session.selected();
     if (focus == kNone) focus = picture.pivot;
     if (focus == kNone) focus = picture.underTest;
-    if (focus == kNone) {
-        context.camera.frame(glm::vec3(0.0F), 1.0F);
-        return;
-    }
-    float radius = 2.0F * model.spacing;
-    for (const Index q : model.points.neighbors[focus]) {
-        radius = std::max(radius, glm::distance(model.place[focus], model.place[q]));
-    }
-    // Else one would look at it from within, through the other side of the surface.
-    context.camera.face(model.normal[focus]);
-    context.camera.frame(model.place[focus], 1.25F * radius);
+    if (focus == kNone) return context.camera.frame(glm::vec3(0.0F), 1.0F);
+    framePoint(context, focus);
+}
+
+void framePivot(CommandContext& context) {
+    const Session& session = context.session;
+    if (!session.ready() || session.picture().pivot == kNone) return;
+    framePoint(context, session.picture().pivot);
 }
 
 }  // namespace se::view

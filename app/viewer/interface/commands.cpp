@@ -98,6 +98,8 @@ constexpr auto kCommands = std::to_array<Command>({
 
     {"view.frame", "View", "Frame pivot or selection", "F",
      "Show the selection, or the pivot and its neighbors.", false, frameFocus},
+    {"view.pivot", "View", "Frame pivot", "", "Show the pivot and its neighbors.", false,
+     framePivot},
     {"view.all", "View", "Frame all", "Shift+F", "Show everything; the direction stays.", false,
      [](C& c) { c.camera.frame(glm::vec3(0.0F), 1.0F); }},
     {"view.home", "View", "Camera home", "Enter", "Show everything from the first direction.",

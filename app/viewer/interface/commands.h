@@ -40,5 +40,7 @@ std::string listActions();
 void playSteps(CommandContext& context, int count);
 /// Puts the pivot and its neighbors, or the selection, into the middle of the view.
 void frameFocus(CommandContext& context);
+/// The pivot, whatever is selected; without a pivot nothing happens.
+void framePivot(CommandContext& context);
 
 }  // namespace se::view

@@ -14,6 +14,8 @@ constexpr float kStatus = 1.7F;
 constexpr float kNarration = 3.6F;
 constexpr float kNarrationNarrow = 4.7F;
 constexpr float kWideView = 40.0F;
+/// Above it, where nothing else says where one is.
+constexpr float kAddressLine = 1.4F;
 /// Of the strips: RUN in a folded drawer, in an open one, in an open one of a high window.
 constexpr float kRunFolded = 3.0F;
 constexpr float kRunOpen = 4.9F;
@@ -80,7 +82,8 @@ Layout computeLayout(glm::vec2 size, float em, Arrangement arrangement, DrawerWi
     const float run = px(l.drawerFolded ? kRunFolded : ems.y < kHighFrom ? kRunOpen : kRunHigh);
     const float drawer = run + (l.drawerFolded ? 0.0F : px(kPivotStrip) + px(kStageStrip));
     const bool wide = size.x - left - right >= px(kWideView);
-    const float narration = px((wide ? kNarration : kNarrationNarrow) * l.caption);
+    l.addressLine = present ? px(kAddressLine) : 0.0F;
+    const float narration = l.addressLine + px((wide ? kNarration : kNarrationNarrow) * l.caption);
     float y = 0.0F;
     const auto row = [&](float height) {
         const Rect r{{0.0F, y}, {size.x, height}};

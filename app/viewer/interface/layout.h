@@ -35,6 +35,8 @@ struct Layout {
     bool narrow = false;        ///< One side column only.
     bool drawerFolded = false;  ///< It holds the RUN strip alone.
     Arrangement arrangement = Arrangement::Debug;
+    /// Height of the line with the address at the top of the narration; 0: the status bar has it.
+    float addressLine = 0.0F;
     float caption = 1.0F;  ///< Size of the text below the view, over that of the Debug arrangement.
 
     // Parts of the drawer; the last two are empty if it is folded.

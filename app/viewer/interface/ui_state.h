@@ -113,6 +113,7 @@ struct UiState {
     /// ... For --state-dump, so that whoever drives the window finds it.
     std::map<std::string, Rect> where;
     std::string openTab;
+    std::string addressLine;  ///< What stands above the caption; empty: nothing.
     std::string shownCheck;   ///< Of the doctor: the finding whose points are marked.
     std::string wantedTab;    ///< To be opened in the next frame; empty: as it is.
     LookBack look;            ///< At the state before the decision.

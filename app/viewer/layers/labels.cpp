@@ -6,7 +6,7 @@ namespace se::view {
 
 namespace {
 
-/// Collects one label per point, the more telling one first.
+/// Collects one label per point, the more telling one first; strong ones are essential.
 class LabelMaker {
   public:
     LabelMaker(const LayerInput& in, DrawList& out) : in_(in), out_(out) {}
@@ -14,7 +14,7 @@ class LabelMaker {
     void add(Index point, const std::string& prefix, const Color& color, bool strong) {
         if (point == kNone || !seen_.insert(point).second) return;
         std::string text = prefix.empty() ? "" : prefix + " ";
-        out_.labels.push_back({in_.at(point), text + std::to_string(point), color, strong});
+        out_.labels.push_back({in_.at(point), text + std::to_string(point), color, strong, strong});
     }
 
   private:

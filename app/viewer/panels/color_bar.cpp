@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "panel.h"
+#include "view_parts.h"
 #include "widgets.h"
 
 namespace se::view {
@@ -13,7 +13,7 @@ constexpr std::size_t kNamed = 8;
 
 /// Text on a plate in the lower right corner of the view; returns where it begins.
 struct Plate {
-    Plate(const PanelContext& context, glm::vec2 size) : em(context.em) {
+    Plate(const PanelContext& context, glm::vec2 wanted) : em(context.em), size(wanted) {
         const Rect& view = context.layout.view;
         at = view.max() - size - glm::vec2(0.7F * em, 0.7F * em);
         fits = size.x < 0.6F * view.size.x && size.y < 0.3F * view.size.y;
@@ -23,19 +23,20 @@ struct Plate {
                             toU32(context.palette.panel.withAlpha(0.94F)), 0.3F * em);
     }
     float em;
+    glm::vec2 size;
     glm::vec2 at{0.0F};
     bool fits = false;
     ImDrawList* list = nullptr;
 };
 
-void drawBirth(const PanelContext& context) {
+std::optional<Rect> drawBirth(const PanelContext& context) {
     const float em = context.em;
     const std::string last = grouped(context.drawList.birthEnd);
     const std::string title = "triangle, in order of birth";
     const float width = std::max(12.0F * em, ImGui::CalcTextSize(title.c_str()).x);
     const float line = ImGui::GetTextLineHeight();
     const Plate plate(context, {width + 1.2F * em, 2.0F * line + 1.7F * em});
-    if (!plate.fits) return;
+    if (!plate.fits) return std::nullopt;
     const glm::vec2 at = plate.at + glm::vec2(0.6F * em, 0.4F * em);
     plate.list->AddText(toVec2(at), toU32(context.palette.text), title.c_str());
     const float top = at.y + line + 0.2F * em;
@@ -56,9 +57,10 @@ void drawBirth(const PanelContext& context) {
     plate.list->AddText({at.x, below}, toU32(context.palette.textDim), "1");
     plate.list->AddText({at.x + width - ImGui::CalcTextSize(last.c_str()).x, below},
                         toU32(context.palette.textDim), last.c_str());
+    return Rect{plate.at, plate.size};
 }
 
-void drawComponents(const PanelContext& context) {
+std::optional<Rect> drawComponents(const PanelContext& context) {
     const float em = context.em;
     const DrawList& drawn = context.drawList;
     std::size_t count = 0;
@@ -72,7 +74,7 @@ void drawComponents(const PanelContext& context) {
     const float width = std::max(ImGui::CalcTextSize(title.c_str()).x,
                                  static_cast<float>(named + (count > named ? 1 : 0)) * 2.0F * em);
     const Plate plate(context, {width + 1.2F * em, 2.0F * line + 1.2F * em});
-    if (!plate.fits) return;
+    if (!plate.fits) return std::nullopt;
     const glm::vec2 at = plate.at + glm::vec2(0.6F * em, 0.4F * em);
     plate.list->AddText(toVec2(at), toU32(context.palette.text), title.c_str());
     for (std::size_t i = 0; i < named; ++i) {
@@ -87,16 +89,19 @@ void drawComponents(const PanelContext& context) {
         plate.list->AddText({at.x + 2.0F * em * static_cast<float>(named), at.y + line + 0.3F * em},
                             toU32(context.palette.textDim), "\xE2\x80\xA6");
     }
+    return Rect{plate.at, plate.size};
 }
 
 }  // namespace
 
-void drawColorBar(const PanelContext& context) {
-    if (!context.session().ready() || !context.drawList.meshVisible) return;
+std::optional<Rect> drawColorBar(const PanelContext& context) {
+    if (!context.session().ready() || !context.drawList.meshVisible) return std::nullopt;
+    std::optional<Rect> place;
     ImGui::PushFont(context.fonts.small);
-    if (context.drawList.meshStyle == MeshStyle::BirthOrder) drawBirth(context);
-    if (context.drawList.meshStyle == MeshStyle::Component) drawComponents(context);
+    if (context.drawList.meshStyle == MeshStyle::BirthOrder) place = drawBirth(context);
+    if (context.drawList.meshStyle == MeshStyle::Component) place = drawComponents(context);
     ImGui::PopFont();
+    return place;
 }
 
 }  // namespace se::view

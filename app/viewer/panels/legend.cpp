@@ -1,6 +1,8 @@
 #include <array>
 
-#include "panel.h"
+#include "interface/corner_place.h"
+#include "sight.h"
+#include "view_parts.h"
 #include "widgets.h"
 
 namespace se::view {
@@ -24,16 +26,23 @@ constexpr std::array kEntries = {
     Entry{Shape::Dot, &Palette::done, "DONE"},
 };
 
+/// The axes have the fourth.
+constexpr std::array kCorners = {Corner::TopRight, Corner::TopLeft, Corner::BottomRight};
+
 }  // namespace
 
-void drawLegend(const PanelContext& context) {
+std::optional<Rect> drawLegend(const PanelContext& context, std::span<const Rect> taken) {
     const Rect& view = context.layout.view;
     const float em = 0.84F * context.em;
     const float row = 1.32F * em;
     const glm::vec2 size(9.6F * em, row * static_cast<float>(kEntries.size()) + 0.7F * em);
     // Where it would cover too much of the picture it is left out; F1 has it as well.
-    if (view.size.y < size.y + 8.0F * em || view.size.x < 3.6F * size.x) return;
-    const glm::vec2 at(view.max().x - size.x - 0.7F * em, view.min.y + 0.7F * em);
+    if (view.size.y < size.y + 8.0F * em || view.size.x < 3.6F * size.x) return std::nullopt;
+    const std::vector<LabelMark> marks = Sight(context).surroundings();
+    const std::optional<Rect> place = freeCorner({view, 0.7F * em, taken, marks}, size, kCorners);
+    if (!place) return std::nullopt;
+    const glm::vec2 at = place->min;
+    context.ui().where["legend"] = *place;
     ImDrawList* list = ImGui::GetWindowDrawList();
     list->AddRectFilled(toVec2(at), toVec2(at + size),
                         toU32(context.palette.panel.withAlpha(0.94F)), 0.3F * em);
@@ -48,6 +57,7 @@ void drawLegend(const PanelContext& context) {
         y += row;
     }
     ImGui::PopFont();
+    return place;
 }
 
 }  // namespace se::view

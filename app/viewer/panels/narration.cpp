@@ -46,6 +46,21 @@ Caption fittingCaption(const PanelContext& context, const std::string& sentence)
     return caption;
 }
 
+/// Where nothing else says where one is.
+void drawAddressLine(const PanelContext& context) {
+    context.ui().addressLine.clear();
+    const Layout& layout = context.layout;
+    if (layout.addressLine <= 0.0F || !context.session().ready()) return;
+    const std::string text = addressAndSection(context.session());
+    const glm::vec2 at = layout.narration.min + glm::vec2(1.2F, 0.42F) * context.em;
+    const ImVec2 extent = context.fonts.text->CalcTextSizeA(context.em, 1e9F, 0.0F, text.c_str());
+    ImGui::GetWindowDrawList()->AddText(context.fonts.text, context.em, toVec2(at),
+                                        toU32(context.palette.textDim), text.c_str());
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + layout.addressLine);
+    context.ui().addressLine = text;
+    context.ui().where["address line"] = {at, {extent.x, extent.y}};
+}
+
 }  // namespace
 
 void drawNarration(const PanelContext& context) {
@@ -70,6 +85,7 @@ void drawNarration(const PanelContext& context) {
         list->AddRectFilled(toVec2(area.min), {area.min.x + 0.3F * context.em, area.max().y},
                             toU32(color));
         list->PopClipRect();
+        drawAddressLine(context);
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5F * context.em);
         const float left = ImGui::GetCursorPosX();
         const Caption caption = fittingCaption(context, sentence);

@@ -64,12 +64,9 @@ void drawDoctor(const PanelContext& context);
 void drawLayerSwitches(const PanelContext& context);
 
 // Parts of others.
-void drawLegend(const PanelContext& context);
 /// Brings the tree of steps up to the session: at the beginning of a frame, and wherever a click
 /// may have moved the cursor to another pivot since.
 void keepSteps(const PanelContext& context);
-/// What the colors of the mesh mean, if they mean something.
-void drawColorBar(const PanelContext& context);
 /// The evidence of an event as rows of values and thresholds.
 void drawEvidence(const PanelContext& context, const Event& event);
 

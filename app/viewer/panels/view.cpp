@@ -4,8 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "panel.h"
+#include "interface/corner_place.h"
 #include "scene/picking.h"
+#include "view_parts.h"
 #include "widgets.h"
 
 namespace se::view {
@@ -103,87 +104,16 @@ void handleMouse(const PanelContext& context) {
     handleClicks(context);
 }
 
-/// Puts labels beside their points so that none covers another.
-class LabelPlacer {
-  public:
-    LabelPlacer(const PanelContext& context, ImDrawList* list)
-        : context_(context),
-          list_(list),
-          camera_(
-              context.camera().matrices(context.layout.view.size.x / context.layout.view.size.y)) {}
-
-    void draw(const Label& label) {
-        const Rect& view = context_.layout.view;
-        const glm::vec3 at = project(camera_, label.position, view.size);
-        if (at.z <= 0.0F || !Rect{{0, 0}, view.size}.contains(glm::vec2(at))) return;
-        const float em = context_.em;
-        ImFont* font = label.strong ? context_.fonts.strong : context_.fonts.text;
-        const float size = label.strong ? em : 0.88F * em;
-        const ImVec2 extent = font->CalcTextSizeA(size, 1e9F, 0.0F, label.text.c_str());
-        const glm::vec2 plate(extent.x + 0.44F * em, extent.y + 0.04F * em);
-        const std::optional<Rect> place = freePlace(view.min + glm::vec2(at), plate, label.strong);
-        if (!place) return;
-        taken_.push_back(*place);
-        list_->AddRectFilled(toVec2(place->min), toVec2(place->max()),
-                             toU32(context_.palette.background.withAlpha(0.78F)), 0.2F * em);
-        list_->AddText(font, size, {place->min.x + 0.22F * em, place->min.y + 0.02F * em},
-                       toU32(label.color), label.text.c_str());
-    }
-
-  private:
-    /// Right above, right below, left above, left below; strong labels give way least, and go
-    /// farther off.
-    std::optional<Rect> freePlace(glm::vec2 at, glm::vec2 plate, bool strong) const {
-        const float gap = 0.5F * context_.em;
-        std::optional<Rect> first;
-        for (const float far : {1.0F, 3.0F, 5.0F, 7.0F}) {
-            for (const glm::vec2 way : {glm::vec2(1, -1), glm::vec2(1, 1), glm::vec2(-1, -1),
-                                        glm::vec2(-1, 1), glm::vec2(1, 0), glm::vec2(-1, 0)}) {
-                const Rect rect = plateAt(at + way * (far * gap), plate, way);
-                if (!first) first = rect;
-                if (isFree(rect)) return rect;
-            }
-            if (!strong) return std::nullopt;
-        }
-        return first;
-    }
-
-    static Rect plateAt(glm::vec2 corner, glm::vec2 plate, glm::vec2 way) {
-        if (way.x < 0.0F) corner.x -= plate.x;
-        corner.y += 0.5F * plate.y * (way.y - 1.0F);
-        return {glm::round(corner), plate};
-    }
-
-    bool isFree(const Rect& rect) const {
-        const Rect& view = context_.layout.view;
-        const bool inside = rect.min.x >= view.min.x && rect.min.y >= view.min.y &&
-                            rect.max().x <= view.max().x && rect.max().y <= view.max().y;
-        return inside && std::none_of(taken_.begin(), taken_.end(), [&](const Rect& other) {
-                   return rect.min.x < other.max().x && other.min.x < rect.max().x &&
-                          rect.min.y < other.max().y && other.min.y < rect.max().y;
-               });
-    }
-
-    const PanelContext& context_;
-    ImDrawList* list_;
-    CameraMatrices camera_;
-    std::vector<Rect> taken_;
-};
-
-void drawLabels(const PanelContext& context, ImDrawList* list) {
-    LabelPlacer placer(context, list);
-    for (const bool strong : {true, false}) {
-        for (const Label& label : context.drawList.labels) {
-            if (label.strong == strong) placer.draw(label);
-        }
-    }
-}
-
-void drawAxes(const PanelContext& context, ImDrawList* list) {
-    const Rect& view = context.layout.view;
+/// In the lower left corner, or where else there is room.
+std::optional<Rect> drawAxes(const PanelContext& context, std::span<const Rect> taken) {
     const float em = context.em;
+    constexpr std::array kCorners = {Corner::BottomLeft, Corner::BottomRight, Corner::TopLeft};
+    const std::optional<Rect> place =
+        freeCorner({context.layout.view, 0.4F * em, taken, {}}, glm::vec2(4.4F * em), kCorners);
+    if (!place) return std::nullopt;
+    ImDrawList* list = ImGui::GetWindowDrawList();
     const CameraMatrices camera = context.camera().matrices(1.0F);
-    const glm::vec2 origin(view.min.x + 2.6F * em, view.max().y - 2.6F * em);
+    const glm::vec2 origin = place->min + 0.5F * place->size;
     constexpr std::array kNames = {"x", "y", "z"};
     for (int i = 0; i < 3; ++i) {
         glm::vec4 axis(0.0F);
@@ -195,18 +125,21 @@ void drawAxes(const PanelContext& context, ImDrawList* list) {
         const ImU32 color = toU32(context.palette.textDim.withAlpha(alpha));
         list->AddLine(toVec2(origin), toVec2(tip), color, std::max(1.0F, 0.11F * em));
         if (glm::length(way) < 0.25F) continue;
-        const glm::vec2 place =
+        const glm::vec2 letter =
             origin + glm::normalize(way) * (1.35F * em * glm::length(way) + 0.55F * em);
         const ImVec2 extent = ImGui::CalcTextSize(kNames[static_cast<std::size_t>(i)]);
-        list->AddText({place.x - 0.5F * extent.x, place.y - 0.5F * extent.y}, color,
+        list->AddText({letter.x - 0.5F * extent.x, letter.y - 0.5F * extent.y}, color,
                       kNames[static_cast<std::size_t>(i)]);
     }
+    return place;
 }
 
 /// Which of the two states it is, where somebody looks back.
-void drawShownState(const PanelContext& context, ImDrawList* list) {
+std::optional<Rect> drawShownState(const PanelContext& context) {
     const Session& session = context.session();
-    if (!context.ui().look.on() || !session.ready() || session.event() == nullptr) return;
+    if (!context.ui().look.on() || !session.ready() || session.event() == nullptr) {
+        return std::nullopt;
+    }
     const Rect& view = context.layout.view;
     const float em = context.em;
     const Color& color = session.showsBefore() ? context.palette.textDim : context.palette.test;
@@ -214,10 +147,29 @@ void drawShownState(const PanelContext& context, ImDrawList* list) {
         (session.showsBefore() ? "before " : "after ") + toString(session.address());
     const ImVec2 extent = context.fonts.strong->CalcTextSizeA(em, 1e9F, 0.0F, text.c_str());
     const glm::vec2 at(view.min.x + 0.5F * (view.size.x - extent.x), view.min.y + 0.9F * em);
-    list->AddRectFilled({at.x - 0.6F * em, at.y - 0.25F * em},
-                        {at.x + extent.x + 0.6F * em, at.y + extent.y + 0.25F * em},
+    const glm::vec2 pad(0.6F * em, 0.25F * em);
+    const Rect place{at - pad, glm::vec2(extent.x, extent.y) + 2.0F * pad};
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(toVec2(place.min), toVec2(place.max()),
                         toU32(context.palette.panel.withAlpha(0.94F)), 0.3F * em);
     list->AddText(context.fonts.strong, em, toVec2(at), toU32(color), text.c_str());
+    return place;
+}
+
+/// What lies over the picture. Each keeps off those before it; labels come last, since they find a
+/// place anywhere.
+void drawOver(const PanelContext& context, const std::optional<PivotArrow>& arrow) {
+    std::vector<Rect> taken;
+    const auto note = [&](const std::optional<Rect>& place) {
+        if (place) taken.push_back(*place);
+    };
+    if (arrow) note(arrow->rect);
+    note(drawShownState(context));
+    note(drawAxes(context, taken));
+    note(drawColorBar(context));
+    if (context.ui().settings.legend) note(drawLegend(context, taken));
+    drawLabels(context, taken);
+    if (arrow) drawPivotArrow(context, *arrow);
 }
 
 }  // namespace
@@ -233,19 +185,16 @@ void drawView(const PanelContext& context) {
     if (open && view.size.x >= 1.0F && view.size.y >= 1.0F) {
         const auto texture =
             reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(context.viewTexture));
+        const std::optional<PivotArrow> arrow = offerPivotArrow(context);
         ImGui::SetCursorScreenPos(toVec2(view.min));
         ImGui::InvisibleButton("##scene", toVec2(view.size),
                                ImGuiButtonFlags_MouseButtonLeft |
                                    ImGuiButtonFlags_MouseButtonRight |
                                    ImGuiButtonFlags_MouseButtonMiddle);
         handleMouse(context);
-        ImDrawList* list = ImGui::GetWindowDrawList();
-        list->AddImage(texture, toVec2(view.min), toVec2(view.max()), {0, 1}, {1, 0});
-        drawLabels(context, list);
-        drawAxes(context, list);
-        drawShownState(context, list);
-        if (context.ui().settings.legend) drawLegend(context);
-        drawColorBar(context);
+        ImGui::GetWindowDrawList()->AddImage(texture, toVec2(view.min), toVec2(view.max()), {0, 1},
+                                             {1, 0});
+        drawOver(context, arrow);
     }
     ImGui::End();
 }

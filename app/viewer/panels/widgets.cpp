@@ -311,6 +311,12 @@ std::string addressText(const Session& session) {
     return session.ready() && session.event() != nullptr ? toString(session.address()) : "start";
 }
 
+std::string addressAndSection(const Session& session) {
+    const std::string address = addressText(session);
+    if (!session.ready() || session.event() == nullptr) return address;
+    return address + " \xC2\xB7 " + std::string(stageSection(session.address().stage));
+}
+
 std::string grouped(std::size_t number) {
     std::string text = std::to_string(number);
     for (std::size_t i = text.size(); i > 3; i -= 3) {

@@ -63,6 +63,8 @@ std::string_view wordOf(const Event& event);
 Color verdictColor(const PanelContext& context, const Event& event);
 /// "137.sphere.3", or "start".
 std::string addressText(const Session& session);
+/// "137.sphere.3 · 6.3", with the section of the paper.
+std::string addressAndSection(const Session& session);
 /// 12345 as "12 345".
 std::string grouped(std::size_t number);
 

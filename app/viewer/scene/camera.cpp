@@ -151,6 +151,30 @@ void Camera::fit(std::span<const glm::vec3> sample, float aspect) {
     }
 }
 
+void Camera::enclose(std::span<const glm::vec3> places, float aspect, glm::vec2 share) {
+    if (places.empty()) return;
+    glm::vec3 low(std::numeric_limits<float>::max());
+    glm::vec3 high(-low);
+    const auto seen = [&](const glm::vec3& p) {
+        return glm::vec3(glm::dot(p, right()), glm::dot(p, up()), glm::dot(p, direction()));
+    };
+    for (const glm::vec3& p : places) {
+        low = glm::min(low, seen(p));
+        high = glm::max(high, seen(p));
+    }
+    const glm::vec3 middle = 0.5F * (low + high);
+    target_ = right() * middle.x + up() * middle.y + direction() * middle.z;
+    const glm::vec2 half = halfTangent() * share * glm::vec2(aspect, 1.0F);
+    float distance = kNearest;
+    for (const glm::vec3& p : places) {
+        const glm::vec3 off = seen(p) - middle;
+        distance = std::max(distance,
+                            off.z + std::max(std::abs(off.x) / half.x, std::abs(off.y) / half.y));
+    }
+    distance_ = std::min(distance, kFarthest);
+    ++revision_;
+}
+
 void Camera::home(const glm::vec3& beginning, std::span<const glm::vec3> sample, float aspect) {
     const float flat = std::hypot(beginning.x, beginning.y);
     if (flat > 1e-3F) yawDegrees_ = glm::degrees(std::atan2(beginning.y, beginning.x)) - 35.0F;

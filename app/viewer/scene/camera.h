@@ -42,6 +42,9 @@ class Camera {
     void zoomAt(float notches, glm::vec2 ndc, float aspect);
     /// Puts a sphere in the middle and makes it fill the view. The direction stays.
     void frame(const glm::vec3& center, float radius);
+    /// Puts places into the middle, and comes as near as keeps them within a share of a view of
+    /// that aspect, across and upright, each in (0, 1]. The direction stays. None: nothing happens.
+    void enclose(std::span<const glm::vec3> places, float aspect, glm::vec2 share);
     /// Turns to look at a surface with that normal from its outer side; leaves the direction alone
     /// if it does so already.
     void face(const glm::vec3& normal);

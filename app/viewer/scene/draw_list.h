@@ -81,7 +81,8 @@ struct Label {
     glm::vec3 position{0.0F};
     std::string text;
     Color color;
-    bool strong = false;
+    bool strong = false;     ///< In bold print.
+    bool essential = false;  ///< Finds its place before all others.
 };
 
 /// Styles of the points of the input, chosen per point by one byte.
@@ -151,7 +152,7 @@ struct DrawList {
     }
     void label(const glm::vec3& position, std::string text, const Color& color,
                bool strong = false) {
-        labels.push_back({position, std::move(text), color, strong});
+        labels.push_back({position, std::move(text), color, strong, false});
     }
     /// A circle about `center` with the unit vectors u and v, as `segments` lines.
     void circle(const glm::vec3& center, const glm::vec3& u, const glm::vec3& v, float radius,

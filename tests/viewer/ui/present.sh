@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# Present says where one is, and in every layout an arrow leads to a pivot outside of the view. The
+# camera moves only by hand.
+. "$(dirname "$0")/harness.sh"
+start scene:sphere --goto 40.sort.1 --layout present
+says layout present
+says address_line "40\.sort\.1 · 6\.1"
+says pivot_arrow false
+press F11
+says address_line "40\.sort\.2 · 6\.1"
+go_to 40.sphere.1
+says address_line "40\.sphere\.1 · 6\.3"
+
+escaped() { printf '%s' "$(field camera)" | sed 's/[][{}.*+?()|^$\\]/\\&/g'; }
+# The pivot is drawn out of sight: the arrow appears, and stays while one steps.
+away() {
+    local x y
+    read -r x y < <(inside "region view" 70 30)
+    for _ in 1 2 3 4 5; do drag "$x" "$y" -500 60 3; done
+    says pivot_arrow true
+}
+press f; sleep 0.2
+says pivot_arrow false
+away
+camera=$(escaped)
+press F11 F11 F10
+says pivot 41
+says camera "$camera"
+says pivot_arrow true
+# It stands within the view, and a click on it frames the pivot.
+read -r x y w h < <(field "pivot arrow" | tr -d '[],')
+read -r vx vy vw vh < <(field "region view" | tr -d '[],')
+{ [ "$x" -ge "$vx" ] && [ "$y" -ge "$vy" ] && [ $((x + w)) -le $((vx + vw)) ] &&
+    [ $((y + h)) -le $((vy + vh)) ]; } || fail "the arrow is not within the view"
+click_on "pivot arrow"
+says pivot_arrow false
+denies camera "$camera"
+says selected null
+
+# The other layouts have the address in the status bar, and the same arrow.
+for layout in debug learn; do
+    press F2
+    says layout "$layout"
+    says address_line ""
+    away
+    click_on "pivot arrow"
+    says pivot_arrow false
+done
+stop
+
+# At the start there is neither a pivot nor a section.
+scale=2 size=1024x640 start scene:sphere --goto 0 --layout present
+says address_line "start"
+says pivot_arrow false
+stop
+well
