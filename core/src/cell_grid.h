@@ -1,6 +1,7 @@
 /// Points in the cells of a grid, to find those near a place.
 #pragma once
 
+#include <array>
 #include <glm/common.hpp>
 #include <glm/fwd.hpp>
 #include <glm/vec3.hpp>
@@ -10,19 +11,28 @@
 
 namespace se {
 
-/// Points in the cells of a grid, to find those near a place.
+/// Points in the cells of a grid, to find those near a place. Memory is taken by blocks of 8 x 8 x
+/// 8 cells and only for those with points in them, so that time and memory follow the number of
+/// points on a surface, not the volume around it.
 class CellGrid {
   public:
     /// Requires a cell above 0 and low <= high; what lies outside counts to the cells at the
     /// border.
     CellGrid(const Vec3& low, const Vec3& high, double cell) : low_(low), cell_(cell) {
-        while (cellsOf(high) > kMostCells) cell_ *= 1.25;
+        while (blocksOf(high) > kMostBlocks) cell_ *= 1.25;
         for (int i = 0; i < 3; ++i) count_[i] = static_cast<int>((high[i] - low_[i]) / cell_) + 1;
-        first_.assign(slot(count_ - 1) + 1, kNone);
+        blocks_ = (count_ - 1) / kSide + 1;
+        block_.assign(blockOf(count_ - 1) + 1, kNone);
     }
     /// Adds the next point; they are numbered in this order.
     void add(const Vec3& x) {
-        Index& first = first_[slot(cellOf(x))];
+        const glm::ivec3 cell = cellOf(x);
+        Index& block = block_[blockOf(cell)];
+        if (block == kNone) {
+            block = static_cast<Index>(first_.size());
+            first_.emplace_back().fill(kNone);
+        }
+        Index& first = first_[block][slotIn(cell)];
         next_.push_back(first);
         first = static_cast<Index>(next_.size() - 1);
     }
@@ -34,32 +44,44 @@ class CellGrid {
         for (int k = from.z; k <= to.z; ++k) {
             for (int j = from.y; j <= to.y; ++j) {
                 for (int i = from.x; i <= to.x; ++i) {
-                    for (Index p = first_[slot({i, j, k})]; p != kNone; p = next_[p]) see(p);
+                    for (Index p = firstIn({i, j, k}); p != kNone; p = next_[p]) see(p);
                 }
             }
         }
     }
 
   private:
-    /// Surfaces leave most cells empty: beyond this, memory costs more than a look at more points.
-    static constexpr double kMostCells = 16e6;
+    /// Cells along an edge of a block.
+    static constexpr int kSide = 8;
+    /// Beyond this, the table of blocks costs more than a look at more points per cell.
+    static constexpr double kMostBlocks = 16e6;
 
-    double cellsOf(const Vec3& high) const {
-        const Vec3 count = (high - low_) / cell_ + 1.0;
+    double blocksOf(const Vec3& high) const {
+        const Vec3 count = (high - low_) / (cell_ * kSide) + 1.0;
         return count.x * count.y * count.z;
     }
     glm::ivec3 cellOf(const Vec3& x) const {
         return glm::clamp(glm::ivec3((x - low_) / cell_), glm::ivec3(0), count_ - 1);
     }
-    std::size_t slot(const glm::ivec3& cell) const {
-        const glm::i64vec3 wide(cell);
-        return static_cast<std::size_t>((wide.z * count_.y + wide.y) * count_.x + wide.x);
+    std::size_t blockOf(const glm::ivec3& cell) const {
+        const glm::i64vec3 wide(cell / kSide);
+        return static_cast<std::size_t>((wide.z * blocks_.y + wide.y) * blocks_.x + wide.x);
+    }
+    static std::size_t slotIn(const glm::ivec3& cell) {
+        const glm::ivec3 in = cell % kSide;
+        return static_cast<std::size_t>((in.z * kSide + in.y) * kSide + in.x);
+    }
+    Index firstIn(const glm::ivec3& cell) const {
+        const Index block = block_[blockOf(cell)];
+        return block == kNone ? kNone : first_[block][slotIn(cell)];
     }
 
     Vec3 low_;
     double cell_;
-    glm::ivec3 count_{};
-    std::vector<Index> first_, next_;  ///< Of each cell; after each point, in the same cell.
+    glm::ivec3 count_{}, blocks_{};
+    std::vector<Index> block_;  ///< Its place in `first_`, kNone: without points.
+    std::vector<std::array<Index, kSide * kSide * kSide>> first_;  ///< Of the points of each cell.
+    std::vector<Index> next_;  ///< After each point, in the same cell.
 };
 
 }  // namespace se

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "cell_grid.h"
+#include "parallel.h"
 #include "sample_particles.h"
 
 namespace se::sampling {
@@ -17,16 +18,20 @@ struct Candidate {
 
 /// The crowd where the surface has no place at all.
 constexpr double kNowhere = 1e9;
-/// The crowd on another sheet, where nothing of this one is near.
-constexpr double kElsewhere = 0.3;
+/// Less crowd than this is on another sheet or a speck, where less than three of this one are near.
+constexpr double kElsewhere = 0.6;
 /// In the hole that one particle left in even triangles it is 1, in the middle of a triangle 1.6.
 constexpr double kRoom = 1.2;
 constexpr double kCrowded = 1.35;
+/// What a pair that is too near adds to the crowd, in units of squeeze().
+constexpr double kPair = 4.0;
+/// One without another within so many spacings has no neighbors to make triangles with.
+constexpr double kLonely = 1.3;
 /// On parts too small for so many.
 constexpr double kSqueezed = 2.0;
 
 /// Looks at the particles as they are. The crowd at a place is the sum of push() of all around, 1
-/// among equilateral triangles of the wanted size.
+/// among equilateral triangles of the wanted size, and more where some are too near.
 class Census {
   public:
     Census(const Surface& surface, double flatSpacing, const Particles& particles)
@@ -44,7 +49,8 @@ class Census {
         grid_.near(x, [&](Index j) {
             if (j == self || glm::dot(n, particles_.normal[j]) <= 0.0) return;
             const double reach = 0.5 * kReach * (spacing + particles_.spacing[j]);
-            sum += push(lengthOf(x - particles_.position[j]) / reach);
+            const double q = lengthOf(x - particles_.position[j]) / reach;
+            sum += push(q) + kPair * squeeze(q);
         });
         return sum / kCrowdOfTriangles;
     }
@@ -52,16 +58,21 @@ class Census {
         return crowdAt(particles_.position[i], particles_.normal[i], particles_.spacing[i], i);
     }
 
-    /// Has fewer than three others around it that face its way: on a speck too small for triangles.
+    /// Has fewer than three others around it that face its way, or none near: on a speck too small
+    /// for triangles.
     bool isAlone(std::size_t i) const {
         const Vec3 x = particles_.position[i];
-        const double reach = kReach * particles_.spacing[i];
+        const double spacing = particles_.spacing[i];
         int others = 0;
+        double nearest = kReach * spacing;
         grid_.near(x, [&](Index j) {
-            const bool near = j != i && lengthOf(x - particles_.position[j]) < reach;
-            if (near && glm::dot(particles_.normal[i], particles_.normal[j]) > 0.0) ++others;
+            const double distance = lengthOf(x - particles_.position[j]);
+            if (j == i || distance >= kReach * spacing) return;
+            if (glm::dot(particles_.normal[i], particles_.normal[j]) <= 0.0) return;
+            ++others;
+            nearest = std::min(nearest, distance);
         });
-        return others < 3;
+        return others < 3 || nearest > kLonely * spacing;
     }
 
     /// The emptiest place at the distance of a neighbor from particle i.
@@ -133,24 +144,37 @@ std::vector<Candidate> roomiest(const Census& census, std::vector<Candidate> all
 }
 
 /// Takes particles off specks, unless that is most of the surface.
-void leaveSpecks(const Surface& surface, double flatSpacing, Particles& particles) {
+void leaveSpecks(const Surface& surface, double flatSpacing, unsigned threads,
+                 Particles& particles) {
     const Census census(surface, flatSpacing, particles);
-    std::vector<bool> stays(particles.size(), true);
-    for (std::size_t i = particles.onWalls; i < particles.size(); ++i)
-        stays[i] = !census.isAlone(i);
-    const auto alone = std::count(stays.begin(), stays.end(), false);
-    if (2 * static_cast<std::size_t>(alone) < particles.size()) particles.keep(stays);
+    std::vector<std::uint8_t> alone(particles.size(), 0);
+    forRanges(alone.size(), threads, kPerThread, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = std::max(from, particles.onWalls); i < to; ++i)
+            alone[i] = census.isAlone(i) ? 1 : 0;
+    });
+    const auto leaving = static_cast<std::size_t>(std::count(alone.begin(), alone.end(), 1));
+    if (leaving == 0 || 2 * leaving >= particles.size()) return;
+    std::vector<bool> stays(particles.size());
+    std::transform(alone.begin(), alone.end(), stays.begin(), [](auto a) { return a == 0; });
+    particles.keep(stays);
+}
+
+std::vector<Candidate> crowds(const Census& census, unsigned threads, const Particles& particles) {
+    std::vector<Candidate> all(particles.size());
+    forRanges(all.size(), threads, kPerThread, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i)
+            all[i] = {census.crowdOf(i), i, particles.position[i]};
+    });
+    return all;
 }
 
 }  // namespace
 
 void balance(const Surface& surface, std::size_t count, double flatSpacing, std::size_t most,
-             Particles& particles) {
-    leaveSpecks(surface, flatSpacing, particles);
+             unsigned threads, Particles& particles) {
+    leaveSpecks(surface, flatSpacing, threads, particles);
     const Census census(surface, flatSpacing, particles);
-    std::vector<Candidate> all;
-    for (std::size_t i = 0; i < particles.size(); ++i)
-        all.push_back({census.crowdOf(i), i, particles.position[i]});
+    std::vector<Candidate> all = crowds(census, threads, particles);
     std::vector<Candidate> dying(all.begin() + static_cast<std::ptrdiff_t>(particles.onWalls),
                                  all.end());
     std::sort(dying.begin(), dying.end(),

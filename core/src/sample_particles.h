@@ -1,6 +1,7 @@
 /// The particles of the sampler and what is done with them.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -10,7 +11,7 @@
 
 namespace se::sampling {
 
-/// Columns of equal length. The first `onWalls` stay where they are.
+/// Columns of equal length. The first `onWalls` stay on their walls, corners where they are.
 struct Particles {
     std::vector<Vec3> position;
     std::vector<Vec3> normal;  ///< Unit, outer side.
@@ -28,6 +29,8 @@ struct Particles {
     void keep(const std::vector<bool>& stays);
 };
 
+/// Fewer particles are not worth a thread.
+inline constexpr std::size_t kPerThread = 2048;
 /// More would not fit an Index with room to spare.
 inline constexpr std::size_t kMostParticles = 100'000'000;
 /// Beyond so many spacings particles do not feel each other: the second ring of neighbors in
@@ -35,6 +38,12 @@ inline constexpr std::size_t kMostParticles = 100'000'000;
 inline constexpr double kReach = 1.7;
 /// How hard particles push each other apart, at a distance in units of kReach spacings.
 inline double push(double q) { return q < 1.0 ? (1.0 - q) * (1.0 - q) : 0.0; }
+
+/// Two nearer than this many spacings are too near, however much room there is around them.
+inline constexpr double kTooNear = 0.7;
+/// What such two feel besides push(), of the same q. On tips and ridges finer than the spacing few
+/// others are around, so that push() alone would let two come close.
+inline double squeeze(double q) { return std::max(0.0, 1.0 - q * (kReach / kTooNear)); }
 
 /// Where the particles begin, and how many there will be.
 struct Start {
@@ -54,6 +63,6 @@ void settleAll(const Surface& surface, unsigned threads, Particles& particles);
 /// Crowded particles die, and those on specks too small for triangles; new ones are born where
 /// there is room. At most `most` are exchanged, besides what brings their number to `count`.
 void balance(const Surface& surface, std::size_t count, double flatSpacing, std::size_t most,
-             Particles& particles);
+             unsigned threads, Particles& particles);
 
 }  // namespace se::sampling

@@ -11,9 +11,6 @@
 namespace se::sampling {
 namespace {
 
-/// Fewer particles are not worth a thread.
-constexpr std::size_t kPerThread = 2048;
-
 /// One step for all, from their common places: the order of the particles does not matter.
 class Relaxation {
   public:
@@ -29,33 +26,41 @@ class Relaxation {
     /// Moves particle i of `next`; returns how far, in units of its spacing.
     double move(std::size_t i, Particles& next) const {
         const double spacing = old_.spacing[i];
-        Vec3 step = kInertia * old_.drift[i] + shove(i);
+        Vec3 step = without(kInertia * old_.drift[i] + shove(i), heldBy(old_.type[i]));
         const double length = lengthOf(step);
         if (length > kLongest * spacing) step *= kLongest * spacing / length;
         const Vec3 from = old_.position[i];
-        const Vec3 to = place(from, step, spacing).value_or(from);
-        const Vec3 n = surface_.field().normal(to);
-        // Around a sharp bend or onto another sheet: too far for one step.
-        if (to == from || glm::dot(n, old_.normal[i]) < kLeastCosine) {
-            next.drift[i] = Vec3(0.0);
-            return 0.0;
+        // Around a sharp bend or onto another sheet is too far for one step; a part of it may do.
+        for (int attempt = 0; attempt < kAttempts; ++attempt, step *= 0.5) {
+            const std::optional<Vec3> to = place(i, step);
+            if (!to || *to == from) continue;
+            const Vec3 n = surface_.field().normal(*to);
+            if (glm::dot(n, old_.normal[i]) < kLeastCosine) continue;
+            next.position[i] = *to;
+            next.normal[i] = n;
+            const Vec3 drift = *to - from;
+            next.drift[i] = drift - glm::dot(drift, n) * n;
+            if (surface_.followsCurvature()) next.spacing[i] = relaxedSpacing(i, *to);
+            return lengthOf(drift) / spacing;
         }
-        next.position[i] = to;
-        next.normal[i] = n;
-        const Vec3 drift = to - from;
-        next.drift[i] = drift - glm::dot(drift, n) * n;
-        if (surface_.followsCurvature()) next.spacing[i] = relaxedSpacing(i, to);
-        return lengthOf(drift) / spacing;
+        next.drift[i] = Vec3(0.0);
+        return 0.0;
     }
 
   private:
     static constexpr double kInertia = 0.7;
     static constexpr double kLongest = 0.25;
     static constexpr double kLeastCosine = 0.3;
+    /// The whole step, its half, ...
+    static constexpr int kAttempts = 4;
     /// Damping of the Newton step, each particle for itself (Jacobi).
     static constexpr double kDamping = 0.6;
+    /// How hard pairs that are too near push, in units of squeeze().
+    static constexpr double kSqueeze = 2.0;
     /// Of the distance to the surface, in units of the reach, until the last step.
     static constexpr double kTolerance = 1e-6;
+    /// Of the angle between surface and wall.
+    static constexpr double kLeastSine = 0.05;
     /// Particles inside keep this many spacings from the walls, where the surface allows.
     static constexpr double kMargin = 0.3;
 
@@ -65,48 +70,89 @@ class Relaxation {
 
     /// Where the push of the neighbors and their stiffness would move it.
     Vec3 shove(std::size_t i) const {
+        return isBoundary(old_.type[i]) ? shoveAlongWall(i) : shoveInside(i);
+    }
+
+    /// Calls see(j, d, distance, reach) for all j that push particle i: the way from it, the length
+    /// of that, and the length at which the push ends.
+    template <typename See>
+    void pushers(std::size_t i, See&& see) const {
         const Vec3 x = old_.position[i];
-        const Vec3 n = old_.normal[i];
-        Vec3 force(0.0);
-        double stiffness = 0.0;
         grid_.near(x, [&](Index j) {
             const Vec3 d = x - old_.position[j];
             const double reach = 0.5 * kReach * (old_.spacing[i] + old_.spacing[j]);
             const double square = glm::dot(d, d);
             if (square >= reach * reach || square == 0.0) return;
-            if (glm::dot(n, old_.normal[j]) <= 0.0) return;  // the other side of a thin part
-            const double distance = std::sqrt(square);
+            // The other side of a thin part.
+            if (glm::dot(old_.normal[i], old_.normal[j]) <= 0.0) return;
+            see(j, d, std::sqrt(square), reach);
+        });
+    }
+
+    Vec3 shoveInside(std::size_t i) const {
+        const Vec3 n = old_.normal[i];
+        Vec3 force(0.0);
+        double stiffness = 0.0;
+        pushers(i, [&](Index, const Vec3& d, double distance, double reach) {
             const double q = distance / reach;
-            force += push(q) / distance * d;
+            const double size = push(q) + kSqueeze * squeeze(q);
+            force += size / distance * d;
             // Half the trace of the second derivative in the plane, where it is positive.
             stiffness += std::max((1.0 - q) / reach - 0.5 * push(q) / distance, 0.0);
+            if (squeeze(q) > 0.0) stiffness += 0.5 * kReach / kTooNear / reach;
         });
         force -= glm::dot(force, n) * n;
         return kDamping / std::max(stiffness, 0.4 / old_.spacing[i]) * force;
+    }
+
+    /// Those of the same curve push each other along it; those inside have no say, so that the
+    /// chain is even whatever lies beside it.
+    Vec3 shoveAlongWall(std::size_t i) const {
+        Vec3 wall(0.0);
+        for (int axis = 0; axis < 3; ++axis)
+            wall[axis] = heldBy(old_.type[i]) >> static_cast<unsigned>(axis) & 1U;
+        const Vec3 across = glm::cross(old_.normal[i], wall);
+        const double sine = lengthOf(across);
+        if (!(sine > kLeastSine)) return Vec3(0.0);  // touches the wall: no way is the curve's
+        const Vec3 along = across / sine;
+        double force = 0.0;
+        double stiffness = 0.0;
+        pushers(i, [&](Index j, const Vec3& d, double distance, double reach) {
+            if ((old_.type[i] & old_.type[j] & kFaceBits) == 0) return;
+            const double cosine = glm::dot(d, along) / distance;
+            const double q = distance / reach;
+            force += push(q) * cosine;
+            stiffness += 2.0 * (1.0 - q) / reach * cosine * cosine;
+        });
+        return kDamping / std::max(stiffness, 0.4 / old_.spacing[i]) * force * along;
     }
 
     bool inMargin(const Vec3& x, int axis, double margin) const {
         const Field& field = surface_.field();
         return x[axis] < field.low[axis] + margin || x[axis] > field.high[axis] - margin;
     }
-    /// On the surface again, off the walls if that can be; nothing if there is no way.
-    std::optional<Vec3> place(const Vec3& from, const Vec3& step, double spacing) const {
+    /// On the surface again, off the walls that it is not on if that can be; nothing if there is no
+    /// way.
+    std::optional<Vec3> place(std::size_t i, const Vec3& step) const {
         const Field& field = surface_.field();
-        const double reach = kLongest * spacing;
+        const double reach = kLongest * old_.spacing[i];
+        const double margin = kMargin * old_.spacing[i];
+        const Vec3 from = old_.position[i];
+        const HeldAxes own = heldBy(old_.type[i]);
         const auto to =
-            surface_.settle(glm::clamp(from + step, field.low, field.high), 0, reach, kTolerance);
+            surface_.settle(glm::clamp(from + step, field.low, field.high), own, reach, kTolerance);
         if (!to) return to;
-        const double margin = kMargin * spacing;
         Vec3 held = *to;
-        HeldAxes axes = 0;
+        HeldAxes axes = own;
         for (int axis = 0; axis < 3; ++axis) {
-            if (!inMargin(*to, axis, margin)) continue;
+            if ((own >> static_cast<unsigned>(axis) & 1U) != 0 || !inMargin(*to, axis, margin))
+                continue;
             axes |= 1U << static_cast<unsigned>(axis);
             // One that is in the margin already comes no nearer.
             held[axis] = std::clamp(held[axis], std::min(field.low[axis] + margin, from[axis]),
                                     std::max(field.high[axis] - margin, from[axis]));
         }
-        return axes == 0 ? to : surface_.settle(held, axes, reach, kTolerance);
+        return axes == own ? to : surface_.settle(held, axes, reach, kTolerance);
     }
 
     const Surface& surface_;
@@ -145,10 +191,11 @@ double relax(const Surface& surface, double flatSpacing, unsigned threads, Parti
     Particles next = particles;
     const double widest = *std::max_element(particles.spacing.begin(), particles.spacing.end());
     const Relaxation relaxation(surface, particles, flatSpacing, widest);
-    const std::size_t first = particles.onWalls;
-    std::vector<double> moved(particles.size() - first);
+    std::vector<double> moved(particles.size(), 0.0);
     forRanges(moved.size(), threads, kPerThread, [&](std::size_t from, std::size_t to) {
-        for (std::size_t i = from; i < to; ++i) moved[i] = relaxation.move(first + i, next);
+        for (std::size_t i = from; i < to; ++i) {
+            if (!isCorner(particles.type[i])) moved[i] = relaxation.move(i, next);
+        }
     });
     particles = std::move(next);
     return moved.empty() ? 0.0 : *std::max_element(moved.begin(), moved.end());

@@ -11,9 +11,9 @@ namespace se {
 namespace {
 
 constexpr int kSteps = 160;
-/// Particles split and die every so many steps, in the first part of them.
+/// Particles split and die every so many steps, but not in the last of them.
 constexpr int kBalanceEvery = 10;
-constexpr int kLastExchange = 110;
+constexpr int kLastExchange = 150;
 /// Share of the particles that may be exchanged at a time.
 constexpr double kMostExchanged = 0.02;
 constexpr std::size_t kMostExchangedAtOnce = 2000;
@@ -55,7 +55,7 @@ void Sampler::step() {
         const auto most =
             static_cast<std::size_t>(kMostExchanged * static_cast<double>(particles.size()));
         sampling::balance(c.surface, c.start.count, c.start.spacing,
-                          std::min(most, kMostExchangedAtOnce), particles);
+                          std::min(most, kMostExchangedAtOnce), c.options.threads, particles);
     }
     if (!done()) return;
     sampling::settleAll(c.surface, c.options.threads, particles);

@@ -6,8 +6,10 @@
 #include <array>
 #include <cmath>
 
+#include "../../core/src/random.h"
 #include "../support/clouds.h"
 #include "../support/oracles.h"
+#include "spiraling_edge/volume.h"
 
 using namespace se;
 
@@ -96,6 +98,23 @@ TEST_CASE("particles are as many as asked, on the surface, even and in the box")
         CHECK(farthest < 1e-4 * spacing.mean);
         CHECK(inside);
     }
+}
+
+TEST_CASE("particles are even on a rough volume too, where tips are as fine as the spacing") {
+    // A ball of noise: values between samples bend the surface by a right angle and more.
+    constexpr std::size_t kSide = 24;
+    Volume ball;
+    ball.size = {kSide, kSide, kSide};
+    SplitMix random(1);
+    for (std::size_t i = 0; i < kSide * kSide * kSide; ++i) {
+        const Vec3 x(i % kSide, i / kSide % kSide, i / kSide / kSide);
+        const double noise = 2.0 * random.unit() - 1.0;
+        ball.value.push_back(static_cast<float>(8.0 - glm::length(x - 11.5) + noise));
+    }
+    const PointFile file =
+        sampled(fieldOf(std::make_shared<const Volume>(ball), 0.0), points(1200));
+    REQUIRE(file.position.size() == 1200);
+    CHECK(spacingOf(file).variation < 0.10);
 }
 
 TEST_CASE("particles carry unit normals and the bits of their walls") {

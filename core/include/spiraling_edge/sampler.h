@@ -2,7 +2,8 @@
 /// and Angel, "Isosurface Extraction Using Particle Systems", Visualization 1997, in the spirit of
 /// Witkin and Heckbert 1994). They repel each other, are pulled back onto the surface along the
 /// gradient, split and die until they are as many as wanted and evenly spread. Those that start
-/// where the walls of the domain cut the surface stay there and carry the bits of their walls.
+/// where the walls of the domain cut the surface spread along these curves, never leave them, and
+/// carry the bits of their walls; corners stay.
 #pragma once
 
 #include <cstddef>
