@@ -136,3 +136,10 @@ TEST_CASE("Where no status bar has the address, a line above the caption has it"
         CHECK(l.narration.size.y - l.addressLine >= 2.0F * l.caption * screen.em);
     }
 }
+
+TEST_CASE("In a low window a large caption leaves the view half of the height") {
+    for (const Arrangement arrangement : {Arrangement::Learn, Arrangement::Present}) {
+        const Layout l = computeLayout({1024, 640}, 32, arrangement);
+        CHECK(l.view.size.y >= 0.49F * (l.view.size.y + l.narration.size.y));
+    }
+}

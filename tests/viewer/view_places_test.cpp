@@ -121,6 +121,8 @@ TEST_CASE("The legend leaves the corner where it would hide the pivot") {
     const std::array all = {LabelMark{{500, 60}, 20}, LabelMark{{50, 60}, 20},
                             LabelMark{{500, 350}, 20}};
     CHECK_FALSE(at(all, {}));
+    // It never stands out of the view.
+    CHECK_FALSE(freeCorner({{{0, 0}, {600, 160}}, 10, {}, {}}, size, kCorners));
 }
 
 TEST_CASE("Dial: names of points at nearly the same angle stand side by side") {

@@ -14,6 +14,8 @@ Rect cornerRect(const Rect& view, glm::vec2 size, float margin, Corner corner) {
 
 std::optional<Rect> freeCorner(const CornerRoom& room, glm::vec2 size,
                                std::span<const Corner> corners) {
+    const glm::vec2 whole = size + glm::vec2(2.0F * room.margin);
+    if (whole.x > room.view.size.x || whole.y > room.view.size.y) return std::nullopt;
     for (const Corner corner : corners) {
         const Rect rect = cornerRect(room.view, size, room.margin, corner);
         const bool free = std::none_of(room.taken.begin(), room.taken.end(),

@@ -21,7 +21,8 @@ struct CornerRoom {
     std::span<const LabelMark> marks{};  ///< What must stay in sight.
 };
 
-/// The first of `corners` where it covers nothing of that; nothing if there is none.
+/// The first of `corners` where it covers nothing of that; nothing if there is none, or if the view
+/// is too small for it.
 std::optional<Rect> freeCorner(const CornerRoom& room, glm::vec2 size,
                                std::span<const Corner> corners);
 

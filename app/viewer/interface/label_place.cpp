@@ -15,6 +15,7 @@ namespace {
 /// How far off a plate may stand from its point, in em.
 constexpr std::array kFar = {0.45F, 0.8F, 1.2F, 1.7F, 2.4F, 3.2F, 4.2F, 5.4F, 7.0F, 9.0F, 12.0F};
 constexpr std::size_t kMinorReach = 4;
+constexpr std::size_t kStrongReach = 8;
 /// From this on a line leads to it, in em.
 constexpr float kLeaderFrom = 0.95F;
 /// What one em of distance, covering a cell full of lines, and turning to the pivot cost.
@@ -55,6 +56,18 @@ bool within(const Rect& rect, const Rect& area) {
            rect.max().y <= area.max().y;
 }
 
+std::size_t reachOf(LabelRank rank) {
+    switch (rank) {
+        case LabelRank::Essential:
+            return kFar.size();
+        case LabelRank::Strong:
+            return kStrongReach;
+        case LabelRank::Minor:
+            return kMinorReach;
+    }
+    return 0;
+}
+
 class Placer {
   public:
     explicit Placer(const LabelRoom& room) : room_(room) {
@@ -63,7 +76,7 @@ class Placer {
 
     std::optional<PlacedLabel> place(const LabelWish& wish) {
         if (!room_.area.contains(wish.at)) return std::nullopt;
-        const std::size_t reach = wish.rank == LabelRank::Minor ? kMinorReach : kFar.size();
+        const std::size_t reach = reachOf(wish.rank);
         std::optional<PlacedLabel> best;
         float least = std::numeric_limits<float>::max();
         for (std::size_t i = 0; i < reach && kFar[i] * kPerEm < least; ++i) {

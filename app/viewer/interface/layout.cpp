@@ -14,6 +14,8 @@ constexpr float kStatus = 1.7F;
 constexpr float kNarration = 3.6F;
 constexpr float kNarrationNarrow = 4.7F;
 constexpr float kWideView = 40.0F;
+/// In a low window the view comes first: a large caption gets this share of the height at most.
+constexpr float kMostNarration = 0.5F;
 /// Above it, where nothing else says where one is.
 constexpr float kAddressLine = 1.4F;
 /// Of the strips: RUN in a folded drawer, in an open one, in an open one of a high window.
@@ -83,7 +85,7 @@ Layout computeLayout(glm::vec2 size, float em, Arrangement arrangement, DrawerWi
     const float drawer = run + (l.drawerFolded ? 0.0F : px(kPivotStrip) + px(kStageStrip));
     const bool wide = size.x - left - right >= px(kWideView);
     l.addressLine = present ? px(kAddressLine) : 0.0F;
-    const float narration = l.addressLine + px((wide ? kNarration : kNarrationNarrow) * l.caption);
+    const float wished = l.addressLine + px((wide ? kNarration : kNarrationNarrow) * l.caption);
     float y = 0.0F;
     const auto row = [&](float height) {
         const Rect r{{0.0F, y}, {size.x, height}};
@@ -95,6 +97,8 @@ Layout computeLayout(glm::vec2 size, float em, Arrangement arrangement, DrawerWi
     const float status = present ? 0.0F : px(kStatus);
     const float bottom = size.y - status - drawer;
     const float middle = std::max(0.0F, bottom - y);
+    const float narration = std::min(
+        wished, std::max(l.addressLine + px(kNarration), std::round(kMostNarration * middle)));
     l.left = {{0.0F, y}, {left, middle}};
     l.dialApart = debug && !l.narrow && ems.x >= kDialFrom && middle >= px(kDialRoom);
     const float dial = l.dialApart ? std::min(right + px(1.0F), 0.45F * middle) : 0.0F;

@@ -12,32 +12,46 @@ namespace {
 
 /// What the second disc has of the room, in em.
 constexpr float kSecondWide = 6.6F;
-constexpr float kSecondHigh = 5.2F;
-constexpr float kSecondHighBeside = 6.2F;
+constexpr float kSecondHigh = 6.2F;
+constexpr float kBetween = 0.5F;
+/// What the first keeps at least: with less beside it, the second stands below.
+constexpr float kFirstWide = 10.5F;
+/// In a low panel one scrolls.
+constexpr float kLeastHigh = 9.0F;
 
 struct DialRooms {
     Rect main;
     std::optional<Rect> second;
+    float height = 0.0F;  ///< Of both.
 };
+
+/// At one of the decisions of this pivot.
+bool hasSecondDisc(const PanelContext& context) {
+    const std::vector<Event>& events = context.session().record().events;
+    return std::any_of(events.begin(), events.end(), [](const Event& each) {
+        return std::holds_alternative<ReciprocalEvidence>(each.evidence);
+    });
+}
 
 /// A pivot that has a second disc at one of its decisions keeps room for it at all of them: the
 /// first one stays where it is.
 DialRooms roomsIn(const Rect& room, const PanelContext& context) {
-    const std::vector<Event>& events = context.session().record().events;
-    const bool asks = std::any_of(events.begin(), events.end(), [](const Event& each) {
-        return std::holds_alternative<ReciprocalEvidence>(each.evidence);
-    });
-    if (!asks) return {room, std::nullopt};
-    const bool beside = room.size.x > room.size.y;
-    const float wide = kSecondWide * context.em;
-    const float wanted = (beside ? kSecondHighBeside : kSecondHigh) * context.em;
-    const float high = std::min(wanted, room.size.y);
-    DialRooms rooms{room, Rect{room.max() - glm::vec2(wide, high), {wide, high}}};
-    if (beside) {
-        rooms.main.size.x -= wide + 0.5F * context.em;
-    } else {
-        rooms.main.size.y -= high;
+    const float em = context.em;
+    const float least = std::min(kLeastHigh * em, room.size.x);
+    const auto high = [&](float rest) { return std::max(std::min(rest, room.size.x), least); };
+    DialRooms rooms{{room.min, {room.size.x, high(room.size.y)}}, std::nullopt, high(room.size.y)};
+    if (!hasSecondDisc(context)) return rooms;
+    const glm::vec2 below(kSecondWide * em, kSecondHigh * em);
+    const glm::vec2 beside(kSecondWide * em, std::min(kSecondHigh * em, rooms.height));
+    const float rest = room.size.x - beside.x - kBetween * em;
+    if (rest >= kFirstWide * em) {
+        rooms.main.size.x = rest;
+        rooms.second = Rect{room.min + glm::vec2(room.size.x, rooms.height) - beside, beside};
+        return rooms;
     }
+    rooms.main.size.y = high(room.size.y - below.y);
+    rooms.height = rooms.main.size.y + below.y;
+    rooms.second = Rect{room.min + glm::vec2(room.size.x, rooms.height) - below, below};
     return rooms;
 }
 
@@ -89,11 +103,10 @@ void drawDial(const PanelContext& context) {
     const std::vector<std::string> caption = wrapped(dial.caption, room.x);
     const float captionHeight = ImGui::GetTextLineHeightWithSpacing() *
                                 static_cast<float>(std::max<std::size_t>(1, caption.size()));
-    // In a low panel one scrolls.
-    const float least = std::min(9.0F * context.em, room.x);
-    const float height = std::max(std::min(room.y - captionHeight, room.x), least);
+    const DialRooms rooms =
+        roomsIn({{corner.x, corner.y}, {room.x, room.y - captionHeight}}, context);
+    const float height = rooms.height;
     const Rect whole{{corner.x, corner.y}, {room.x, height}};
-    const DialRooms rooms = roomsIn(whole, context);
     const DialDisc disc = discIn(rooms.main, context, dial);
     if (disc.radius < 2.0F * context.em) return;
     ImGui::InvisibleButton("##dial", {room.x, height});

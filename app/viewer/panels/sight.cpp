@@ -22,6 +22,9 @@ constexpr float kMarkGrowth = 1.15F;
 constexpr float kCell = 0.5F;
 constexpr float kFaceWeight = 0.5F;
 constexpr float kSpotWeight = 1.0F;
+/// Marks of candidates, from this size on, count more.
+constexpr float kCandidateFrom = 0.6F;
+constexpr float kCandidateWeight = 4.0F;
 /// What is kept free about the pivot and about the others, in em.
 constexpr float kAboutPivot = 1.6F;
 constexpr float kAboutOthers = 0.7F;
@@ -75,7 +78,8 @@ Clutter Sight::clutter() const {
     for (std::size_t i = 0; i < std::min(kMostSprites, drawn.sprites.size()); ++i) {
         const PointStyle& style = drawn.sprites[i].style;
         const auto place = at(drawn.sprites[i].position);
-        if (place) all.addSpot(*place, 0.5F * style.size * context_.em, kSpotWeight);
+        const float weight = style.size >= kCandidateFrom ? kCandidateWeight : kSpotWeight;
+        if (place) all.addSpot(*place, 0.5F * style.size * context_.em, weight);
     }
     for (std::size_t i = 0; i < std::min(kMostFaces, drawn.faces.size()); ++i) {
         const std::array<glm::vec3, 3>& corners = drawn.faces[i].corners;
