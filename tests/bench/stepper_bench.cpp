@@ -10,6 +10,7 @@
 #include <numeric>
 #include <string>
 
+#include "io_bench.h"
 #include "memory.h"
 #include "shapes.h"
 #include "spiraling_edge/prepare.h"
@@ -209,6 +210,7 @@ int main(int argc, char** argv) {
         for (const char* name : {"sphere_1M", "shuffled_1M", "sphere_5M", "shuffled_5M"}) {
             se::bench::registerLarge(name);
         }
+        se::bench::registerIo();
     }
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
     benchmark::RunSpecifiedBenchmarks();
