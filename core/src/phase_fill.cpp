@@ -53,11 +53,33 @@ bool touchesWall(const StepContext& context) {
     return false;
 }
 
+/// The active ring, of this shape, is one at which the surface may end.
+bool isOpening(const StepContext& context, const RingShape& shape) {
+    if (!context.params.rules.rim) return false;
+    const EdgeRings& rings = context.state.rings;
+    const Index ring = rings.active();
+    const Index length = rings.length(ring);
+    Index walls = 0;
+    Index rim = 0;
+    Index entry = rings.head(ring);
+    for (Index i = 0; i < length; ++i, entry = rings.next(entry)) {
+        const Index point = rings.point(entry);
+        walls += isBoundary(context.points.type[point]) ? 1U : 0U;
+        rim += isRim(context.points, point) ? 1U : 0U;
+    }
+    const auto most = [length](Index count) { return 3 * count > 2 * length; };
+    if (most(walls)) return true;
+    const std::size_t triangles = context.state.triangles.size() - context.state.componentBegin;
+    return (length > kNeverAnOpening && runsRoundPatch(shape, triangles)) ||
+           (most(rim) && shape.widthInEdges() >= kNarrow);
+}
+
 /// May an ear have a fault? Not where the surface may end, nor where a wide ring turns as if it ran
 /// round a patch: there sheets touch, and one fault leads to more.
 bool mayForce(const StepContext& context) {
-    if (touchesWall(context) || isOpening(context)) return false;
+    if (touchesWall(context)) return false;
     const RingShape shape = shapeOfRing(context);
+    if (isOpening(context, shape)) return false;
     return !shape.turnsRoundPatch || shape.length <= kNeverAnOpening ||
            shape.widthInEdges() < kClosed;
 }
@@ -89,30 +111,13 @@ Ear bestEar(StepContext& context) {
 }  // namespace
 
 bool isOpening(const StepContext& context) {
-    if (!context.params.rules.rim) return false;
-    const EdgeRings& rings = context.state.rings;
-    const Index ring = rings.active();
-    const Index length = rings.length(ring);
-    Index walls = 0;
-    Index rim = 0;
-    Index entry = rings.head(ring);
-    for (Index i = 0; i < length; ++i, entry = rings.next(entry)) {
-        const Index point = rings.point(entry);
-        walls += isBoundary(context.points.type[point]) ? 1U : 0U;
-        rim += isRim(context.points, point) ? 1U : 0U;
-    }
-    const auto most = [length](Index count) { return 3 * count > 2 * length; };
-    if (most(walls)) return true;
-    const RingShape shape = shapeOfRing(context);
-    const std::size_t triangles = context.state.triangles.size() - context.state.componentBegin;
-    return (length > kNeverAnOpening && runsRoundPatch(shape, triangles)) ||
-           (most(rim) && shape.widthInEdges() >= kNarrow);
+    return context.params.rules.rim && isOpening(context, shapeOfRing(context));
 }
 
 namespace {
 
 /// Is the hole too wide to be one that missing points left, measured by the points about it?
-bool isTooWide(const StepContext& context) {
+bool isTooWide(const StepContext& context, const RingShape& shape) {
     const EdgeRings& rings = context.state.rings;
     const Index ring = rings.active();
     const Index length = rings.length(ring);
@@ -124,7 +129,7 @@ bool isTooWide(const StepContext& context) {
         const Vec3 nearest = context.points.position[list.front()] - context.positionAt(entry);
         spacing += std::sqrt(glm::dot(nearest, nearest)) / static_cast<double>(length);
     }
-    return spacing > 0.0 && shapeOfRing(context).width() > context.params.maxFillWidth * spacing;
+    return spacing > 0.0 && shape.width() > context.params.maxFillWidth * spacing;
 }
 
 }  // namespace
@@ -132,8 +137,9 @@ bool isTooWide(const StepContext& context) {
 bool mayFill(const StepContext& context) {
     const EdgeRings& rings = context.state.rings;
     const Index length = rings.length(rings.active());
-    return length > 2 && length <= context.params.maxFillLength && !isTooWide(context) &&
-           (length <= kNeverAnOpening || !isOpening(context));
+    if (length <= 2 || length > context.params.maxFillLength) return false;
+    const RingShape shape = shapeOfRing(context);
+    return !isTooWide(context, shape) && (length <= kNeverAnOpening || !isOpening(context, shape));
 }
 
 void phaseFill(AnyContext auto& context) {
