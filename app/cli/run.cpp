@@ -16,7 +16,7 @@
 #include "report.h"
 #include "spiraling_edge/mesh_io.h"
 #include "spiraling_edge/reconstruct.h"
-#include "stop_watch.h"
+#include "spiraling_edge/stop_watch.h"
 #include "trace.h"
 #include "verbs.h"
 

@@ -13,7 +13,7 @@
 #include "progress.h"
 #include "spiraling_edge/mesh_io.h"
 #include "spiraling_edge/sampler.h"
-#include "stop_watch.h"
+#include "spiraling_edge/stop_watch.h"
 #include "surface_input.h"
 #include "verbs.h"
 

@@ -12,7 +12,7 @@
 #include "progress.h"
 #include "spiraling_edge/mesh.h"
 #include "spiraling_edge/reconstruct.h"
-#include "stop_watch.h"
+#include "spiraling_edge/stop_watch.h"
 #include "surface_input.h"
 #include "verbs.h"
 

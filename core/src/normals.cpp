@@ -5,8 +5,33 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <queue>
+#include <utility>
 
 namespace se {
+
+namespace {
+
+Error cancelled() { return Error{"the work on normals was cancelled"}; }
+
+/// Tells `progress` of every few thousandth of `count` items.
+class Ticks {
+  public:
+    Ticks(std::size_t count, const Progress& progress) : count_(count), progress_(progress) {}
+    /// One more item begins; false if cancelled.
+    bool next() {
+        constexpr std::size_t kEvery = 4096;
+        const std::size_t done = done_++;
+        if (!progress_ || done % kEvery != 0) return true;
+        return progress_(static_cast<double>(done) / static_cast<double>(count_));
+    }
+
+  private:
+    std::size_t count_;
+    std::size_t done_ = 0;
+    const Progress& progress_;
+};
+
+}  // namespace
 
 // ---- planes -------------------------------------------------------------------------------------
 
@@ -83,13 +108,21 @@ Vec3 planeNormal(Matrix m) {
 
 }  // namespace
 
-std::vector<Vec3> estimateNormals(std::span<const Vec3> position, const NeighborLists& neighbors) {
+Result<std::vector<Vec3>> estimateNormals(std::span<const Vec3> position,
+                                          const NeighborLists& neighbors,
+                                          const Progress& progress) {
     std::vector<Vec3> normal(position.size(), Vec3(0.0));
+    Ticks ticks(position.size(), progress);
     for (Index p = 0; p < position.size(); ++p) {
+        if (!ticks.next()) return cancelled();
         const auto list = neighbors[p];
         if (list.size() >= 2) normal[p] = planeNormal(scatter(position, p, list));
     }
     return normal;
+}
+
+std::vector<Vec3> estimateNormals(std::span<const Vec3> position, const NeighborLists& neighbors) {
+    return std::move(estimateNormals(position, neighbors, {}).value());
 }
 
 // ---- sides --------------------------------------------------------------------------------------
@@ -133,18 +166,19 @@ NeighborLists bothWays(const NeighborLists& lists, const std::vector<Vec3>& norm
 class Orientation {
   public:
     Orientation(std::span<const Vec3> position, const NeighborLists& neighbors,
-                std::vector<Vec3>& normal)
+                std::vector<Vec3>& normal, const Progress& progress)
         : position_(position),
           normal_(normal),
           graph_(bothWays(neighbors, normal)),
-          reached_(normal.size(), false) {}
+          reached_(normal.size(), false),
+          ticks_(normal.size(), progress) {}
 
-    OrientationReport run() {
+    Result<OrientationReport> run() {
         std::vector<bool> seen(normal_.size(), false);
         for (Index p = 0; p < normal_.size(); ++p) {
             if (seen[p] || normal_[p] == Vec3(0.0)) continue;
             ++report_.components;
-            grow(firstOf(collect(p, seen)));
+            if (!grow(firstOf(collect(p, seen)))) return cancelled();
         }
         return report_;
     }
@@ -188,8 +222,8 @@ class Orientation {
         return best;
     }
 
-    /// Prim's algorithm.
-    void grow(Index first) {
+    /// Prim's algorithm. False if cancelled.
+    bool grow(Index first) {
         std::priority_queue<TreeStep, std::vector<TreeStep>, std::greater<>> steps;
         const auto reach = [&](Index p) {
             reached_[p] = true;
@@ -203,12 +237,14 @@ class Orientation {
             const TreeStep step = steps.top();
             steps.pop();
             if (reached_[step.to]) continue;
+            if (!ticks_.next()) return false;
             const double cosine = agreement(step.from, step.to);
             constexpr double kDoubtful = 0.1;
             if (std::abs(cosine) < kDoubtful) ++report_.doubtful;
             if (cosine < 0.0) turn(step.to);
             reach(step.to);
         }
+        return true;
     }
 
     /// Cosine between the normal of q and that of p mirrored at the plane halfway between them: 1
@@ -230,14 +266,21 @@ class Orientation {
     std::vector<Vec3>& normal_;
     NeighborLists graph_;
     std::vector<bool> reached_;
+    Ticks ticks_;
     OrientationReport report_;
 };
 
 }  // namespace
 
+Result<OrientationReport> orientNormals(std::span<const Vec3> position,
+                                        const NeighborLists& neighbors, std::vector<Vec3>& normal,
+                                        const Progress& progress) {
+    return Orientation(position, neighbors, normal, progress).run();
+}
+
 OrientationReport orientNormals(std::span<const Vec3> position, const NeighborLists& neighbors,
                                 std::vector<Vec3>& normal) {
-    return Orientation(position, neighbors, normal).run();
+    return orientNormals(position, neighbors, normal, {}).value();
 }
 
 }  // namespace se

@@ -2,29 +2,17 @@
 
 #include <algorithm>
 #include <cassert>
-#include <chrono>
 #include <string>
 #include <utility>
 
 #include "prepare_neighbors.h"
 #include "spiraling_edge/noise.h"
 #include "spiraling_edge/normals.h"
+#include "spiraling_edge/stop_watch.h"
 #include "usable_points.h"
 
 namespace se {
 namespace {
-
-/// Seconds since the last lap.
-class Laps {
-  public:
-    double lap() {
-        const auto now = std::chrono::steady_clock::now();
-        return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-    }
-
-  private:
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 /// Turns one PointFile into one PointSet.
 class Preparation {
@@ -44,12 +32,13 @@ class Preparation {
         if (!lists) return lists.error();
         set_.neighbors = std::move(lists.value());
         assert(validate(set_).ok());
+        if (progress_) progress_(1.0);
         return std::move(prepared_);
     }
 
   private:
     void takeTypes() {
-        Laps watch;
+        StopWatch watch;
         if (options_.walls) {
             set_.type = wallTypes(file_.position, *options_.walls);
             report_.derived.types = true;
@@ -86,17 +75,23 @@ class Preparation {
             }
             if (options_.normals == NormalSource::AsGiven) return success();
         }
-        Laps watch;
+        StopWatch watch;
         Result<NeighborLists> lists = listsForNormals();
         if (!lists) return lists.error();
         DerivedPieces& derived = report_.derived;
         if (derivesNormals()) {
-            set_.normal = estimateNormals(set_.position, lists.value());
+            Result<std::vector<Vec3>> normals =
+                estimateNormals(set_.position, lists.value(), upTo(kPlanesDone));
+            if (!normals) return normals.error();
+            set_.normal = std::move(normals.value());
             setAsidePlaneless();
             derived.normals = true;
             derived.normalSeconds = watch.lap();
         }
-        const OrientationReport turned = orientNormals(set_.position, lists.value(), set_.normal);
+        const Result<OrientationReport> oriented =
+            orientNormals(set_.position, lists.value(), set_.normal, upTo(kNormalsDone));
+        if (!oriented) return oriented.error();
+        const OrientationReport& turned = oriented.value();
         derived.orientation = true;
         derived.turnedNormals = derivesNormals() ? 0 : turned.turned;
         derived.normalComponents = turned.components;
@@ -109,7 +104,7 @@ class Preparation {
         NeighborOptions nearest = options_.neighbors;
         nearest.reach = KNearest{options_.planeNeighbors};
         nearest.dropOpposingNormals = false;
-        return findNeighbors(set_.position, {}, usable_, nearest, part(0.0, kNormalShare));
+        return findNeighbors(set_.position, {}, usable_, nearest, upTo(kNearestDone));
     }
 
     void setAsidePlaneless() {
@@ -120,20 +115,26 @@ class Preparation {
         }
     }
 
-    /// Of the progress, from `from` to `to`.
-    Progress part(double from, double to) const {
+    /// Progress of a piece of work that goes from what is done so far to `share` of the whole.
+    Progress upTo(double share) {
+        const double from = std::exchange(done_, share);
         if (!progress_) return {};
-        return [this, from, to](double share) { return progress_(from + (to - from) * share); };
+        return [this, from, share](double own) { return progress_(from + (share - from) * own); };
+    }
+    /// Between pieces of work that tell nothing.
+    Status goOn() const {
+        if (!progress_ || progress_(done_)) return success();
+        return Error{"preparing the points was cancelled"};
     }
 
     Result<NeighborLists> makeLists() {
         const NeighborOptions& neighbors = options_.neighbors;
         if (file_.hasNeighbors() && !neighbors.recompute) return cleanLists();
         report_.neighborsComputed = true;
-        Laps watch;
-        const double from = report_.derived.orientation ? kNormalShare : 0.0;
+        StopWatch watch;
+        const double listsDone = options_.setNoiseAside ? 0.5 * (1.0 + done_) : 1.0;
         Result<NeighborLists> lists =
-            findNeighbors(set_.position, set_.normal, usable_, neighbors, part(from, 1.0));
+            findNeighbors(set_.position, set_.normal, usable_, neighbors, upTo(listsDone));
         if (lists && options_.setNoiseAside) lists = withoutNoise(std::move(lists));
         report_.derived.neighborSeconds = watch.lap();
         return lists;
@@ -149,28 +150,40 @@ class Preparation {
         report_.noise = noiseOf(all);
         if (report_.noise <= kNoisy) return all;
         const std::vector<bool> usable = usable_;
-        NeighborOptions wide = options_.neighbors;
-        wide.reach = KNearest{kNoisePatch};
-        Result<NeighborLists> lists =
-            findNeighbors(set_.position, set_.normal, usable_, wide, part(kNormalShare, 1.0));
-        if (!lists) return lists;
-        const auto patches = noisePatches(set_.position, set_.normal, lists.value(), usable_);
-        while (const std::size_t aside =
-                   setNoiseAside(set_.position, patches, lists.value(), usable_)) {
-            report_.noisyPoints += aside;
-            lists = findNeighbors(set_.position, set_.normal, usable_, wide);
-            if (!lists) return lists;
-        }
         const std::vector<Vec3> normal = set_.normal;
-        for (Index p = 0; p < set_.size(); ++p) {
-            if (usable_[p]) set_.normal[p] = patches[p].normal;
-        }
-        lists = findNeighbors(set_.position, set_.normal, usable_, options_.neighbors);
+        if (Status status = thinOut(); !status) return status.error();
+        Result<NeighborLists> lists =
+            findNeighbors(set_.position, set_.normal, usable_, options_.neighbors, upTo(1.0));
         if (!lists || noiseOf(lists) <= kNoisy) return lists;
         usable_ = usable;
         set_.normal = normal;
         report_.noisyPoints = 0;
         return all;
+    }
+
+    /// Sets points aside until none lies over another; the rest get the normals of their patches.
+    Status thinOut() {
+        NeighborOptions wide = options_.neighbors;
+        wide.reach = KNearest{kNoisePatch};
+        // How often is not known before: each search takes a third of what is left to tell.
+        const auto search = [&] {
+            return findNeighbors(set_.position, set_.normal, usable_, wide,
+                                 upTo(done_ + (1.0 - done_) / 3.0));
+        };
+        Result<NeighborLists> lists = search();
+        if (!lists) return lists.error();
+        const auto patches = noisePatches(set_.position, set_.normal, lists.value(), usable_);
+        if (Status status = goOn(); !status) return status;
+        while (const std::size_t aside =
+                   setNoiseAside(set_.position, patches, lists.value(), usable_)) {
+            report_.noisyPoints += aside;
+            lists = search();
+            if (!lists) return lists.error();
+        }
+        for (Index p = 0; p < set_.size(); ++p) {
+            if (usable_[p]) set_.normal[p] = patches[p].normal;
+        }
+        return goOn();
     }
 
     Result<NeighborLists> cleanLists() {
@@ -202,8 +215,10 @@ class Preparation {
                !normalsOppose(set_.normal[p], set_.normal[q]);
     }
 
-    /// Of the whole work, when normals are derived.
-    static constexpr double kNormalShare = 0.5;
+    /// Shares of the whole work when normals are derived.
+    static constexpr double kNearestDone = 0.3;
+    static constexpr double kPlanesDone = 0.35;
+    static constexpr double kNormalsDone = 0.5;
 
     const PointFile& file_;
     const PrepareOptions& options_;
@@ -212,6 +227,7 @@ class Preparation {
     PointSet& set_ = prepared_.points;
     PrepareReport& report_ = prepared_.report;
     std::vector<bool> usable_;
+    double done_ = 0.0;  ///< Share of the whole work.
 };
 
 }  // namespace

@@ -141,3 +141,40 @@ TEST_CASE(
         CHECK(describeFaults(prepared.points, run.state.mesh()) == "");
     }
 }
+
+TEST_CASE("noise: all of the work tells how far it is, and can be cancelled at any time") {
+    PointFile file = noisySphere(6000, 1.0, 5);
+    file.normal.clear();
+    PrepareOptions options;
+    options.setNoiseAside = true;
+    options.neighbors.threads = 1;
+    std::vector<double> shares;
+    const auto run = [&](std::size_t most) {
+        shares.clear();
+        return prepare(file, options, [&](double share) {
+            shares.push_back(share);
+            return shares.size() < most;
+        });
+    };
+    const Result<Prepared> whole = run(1'000'000);
+    REQUIRE(whole.ok());
+    CHECK(whole.value().report.derived.normals);
+    CHECK(whole.value().report.noise > kNoisy);
+    CHECK(std::is_sorted(shares.begin(), shares.end()));
+    CHECK(shares.back() == 1.0);
+    // Planes, sides, and each of the searches after the first have a say of their own.
+    const auto between = [&](double low, double high) {
+        return std::count_if(shares.begin(), shares.end(),
+                             [=](double share) { return share > low && share < high; });
+    };
+    CHECK(between(0.3, 0.35) > 0);
+    CHECK(between(0.35, 0.5) > 0);
+    CHECK(between(0.75, 1.0) > 3);
+    std::size_t beforeEnd = 0;
+    while (shares[beforeEnd] < 0.99) ++beforeEnd;
+    for (std::size_t most = 1; most < beforeEnd; ++most) {
+        CAPTURE(most);
+        CHECK_FALSE(run(most).ok());
+        CHECK(shares.size() <= most + 2);  // the end of a piece of work asks nobody
+    }
+}

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "spiraling_edge/point_set.h"
+#include "spiraling_edge/prepare.h"
+#include "spiraling_edge/result.h"
 
 namespace se {
 
@@ -14,6 +16,9 @@ namespace se {
 /// best: fewer than two neighbors, or all in line. `neighbors` has a list per position; those of
 /// points to be left out are empty, and nobody lists them. Deterministic.
 std::vector<Vec3> estimateNormals(std::span<const Vec3> position, const NeighborLists& neighbors);
+/// The same; fails if `progress` cancels.
+Result<std::vector<Vec3>> estimateNormals(std::span<const Vec3> position,
+                                          const NeighborLists& neighbors, const Progress& progress);
 
 /// What orientNormals() did.
 struct OrientationReport {
@@ -34,5 +39,9 @@ struct OrientationReport {
 /// ties by index.
 OrientationReport orientNormals(std::span<const Vec3> position, const NeighborLists& neighbors,
                                 std::vector<Vec3>& normal);
+/// The same; fails if `progress` cancels, with some normals turned and others not.
+Result<OrientationReport> orientNormals(std::span<const Vec3> position,
+                                        const NeighborLists& neighbors, std::vector<Vec3>& normal,
+                                        const Progress& progress);
 
 }  // namespace se

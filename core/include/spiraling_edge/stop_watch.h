@@ -4,7 +4,7 @@
 #include <chrono>
 #include <utility>
 
-namespace se::cli {
+namespace se {
 
 class StopWatch {
   public:
@@ -18,4 +18,4 @@ class StopWatch {
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace se::cli
+}  // namespace se
