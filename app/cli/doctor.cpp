@@ -41,7 +41,7 @@ struct DoctorArguments {
         app.add_flag("-q,--quiet", quiet, "Only the exit code: 1 if something was found");
         std::string footer = "\nChecks (docs/doctor.md), * mended by --fix:\n";
         for (const DoctorCheck& check : doctorChecks()) {
-            footer += fmt::format("{} {:<18} {:<4} {}\n", check.mended ? "*" : " ", check.name,
+            footer += fmt::format("{} {:<18} {:<4} {}\n", check.mended() ? "*" : " ", check.name,
                                   check.section, check.upsets);
         }
         footer.pop_back();
@@ -141,7 +141,7 @@ Json findingJson(const Finding& finding, const std::string& input) {
     json["section"] = finding.check->section;
     json["upsets"] = finding.check->upsets;
     json["remedy"] = remedy.empty() ? Json() : Json(remedy);
-    json["mended"] = finding.check->mended;
+    json["mended"] = finding.check->mended();
     json["points"] = finding.points;
     return json;
 }

@@ -14,69 +14,72 @@ constexpr std::string_view kOrient = "spiraling-edge run IN --orient -o OUT.ply"
 constexpr std::string_view kNewLists = "spiraling-edge run IN --neighbors 12 -o OUT.ply";
 
 constexpr std::array kChecks{
-    DoctorCheck{"non_finite", "3", "A point needs a place: these are set aside.", kFix, true,
+    DoctorCheck{"non_finite", "3", "A point needs a place: these are set aside.", kFix, Cure::Mend,
                 findNonFinite},
     DoctorCheck{"duplicates", "3",
                 "\"There is only one point at any particular location\": copies are set aside.",
-                kFix, true, findDuplicates},
+                kFix, Cure::Mend, findDuplicates},
     DoctorCheck{"too_few_points", "4",
-                "An edge ring begins with two points, and a triangle needs a third.", "", false,
-                findTooFewPoints},
+                "An edge ring begins with two points, and a triangle needs a third.", "",
+                Cure::None, findTooFewPoints},
     DoctorCheck{
         "near_duplicates", "6.1",
         "The direction to so near a point is chance, and so is its place in the angle sort.",
-        "spiraling-edge doctor IN --fix OUT.ply --drop near_duplicates", false, findNearDuplicates},
+        "spiraling-edge doctor IN --fix OUT.ply --drop near_duplicates", Cure::Drop,
+        findNearDuplicates},
     DoctorCheck{"isolated_points", "4",
                 "No point has them in its list, so no fan takes them: noise, as the paper says.",
-                "spiraling-edge doctor IN --fix OUT.ply --drop isolated_points", false,
+                "spiraling-edge doctor IN --fix OUT.ply --drop isolated_points", Cure::Drop,
                 findIsolatedPoints},
     DoctorCheck{"in_line", "6.3", "Three points in line have no circle, and no plane to sort in.",
-                "spiraling-edge doctor IN --fix OUT.ply --drop in_line", false, findInLine},
+                "spiraling-edge doctor IN --fix OUT.ply --drop in_line", Cure::Drop, findInLine},
     DoctorCheck{"uneven_spacing", "3",
                 "Lists of a fixed radius are too long here and empty there: take the nearest.",
-                "spiraling-edge run IN --neighbors 12 --rules robust -o OUT.ply", false,
+                "spiraling-edge run IN --neighbors 12 --rules robust -o OUT.ply", Cure::None,
                 findUnevenSpacing},
     DoctorCheck{"ties", "6.3",
                 "Points exactly on the circle of three others: which diagonal is taken depends on "
                 "the order alone.",
-                "spiraling-edge run IN --check -o OUT.ply", false, findTies},
+                "spiraling-edge run IN --check -o OUT.ply", Cure::None, findTies},
     DoctorCheck{"no_normals", "3", "The normals are derived from the positions.",
-                "spiraling-edge run IN -o OUT.ply", false, findNoNormals},
+                "spiraling-edge run IN -o OUT.ply", Cure::None, findNoNormals},
     DoctorCheck{"zero_normals", "6.1",
-                "Angles are measured about the normal: points without are set aside.", kFix, true,
-                findZeroNormals},
+                "Angles are measured about the normal: points without are set aside.", kFix,
+                Cure::Mend, findZeroNormals},
     DoctorCheck{"unscaled_normals", "6.2",
                 "The plane of a hole adds up normals: long ones would outweigh the others.", kFix,
-                true, findUnscaledNormals},
+                Cure::Mend, findUnscaledNormals},
     DoctorCheck{"flipped_normals", "6.1",
                 "Seen from the other side the ring runs clockwise: holes and overlaps follow.",
-                kOrient, false, findFlippedNormals},
-    DoctorCheck{"inside_out", "3", "The triangles will face inwards.", kOrient, false,
+                kOrient, Cure::Orient, findFlippedNormals},
+    DoctorCheck{"inside_out", "3", "The triangles will face inwards.", kOrient, Cure::Orient,
                 findInsideOut},
     DoctorCheck{"close_sheets", "3",
                 "Lists reach through to the other sheet: what opposes must be left out, and short "
                 "lists are better.",
-                "spiraling-edge run IN --neighbors 8 --check -o OUT.ply", false, findCloseSheets},
-    DoctorCheck{"entries_outside", "3", "A list names points that do not exist.", kFix, true,
+                "spiraling-edge run IN --neighbors 8 --check -o OUT.ply", Cure::None,
+                findCloseSheets},
+    DoctorCheck{"entries_outside", "3", "A list names points that do not exist.", kFix, Cure::Mend,
                 findEntriesOutside},
     DoctorCheck{"repeated_entries", "3",
                 "A list names its own point, or another one twice: these entries are dropped.",
-                kFix, true, findRepeatedEntries},
+                kFix, Cure::Mend, findRepeatedEntries},
     DoctorCheck{"unsorted_lists", "4",
-                "The nearest neighbor begins the ring, so lists must begin with it.", kFix, true,
-                findUnsortedLists},
+                "The nearest neighbor begins the ring, so lists must begin with it.", kFix,
+                Cure::Mend, findUnsortedLists},
     DoctorCheck{"short_lists", "6.4", "A closed fan needs three neighbors; at a wall two.",
-                kNewLists, false, findShortLists},
+                kNewLists, Cure::NewLists, findShortLists},
     DoctorCheck{"unsymmetric_lists", "6.1",
                 "A point may be a candidate where the pivot is none in turn; the k nearest always "
                 "are so.",
-                "spiraling-edge run IN --symmetric -o OUT.ply", false, findUnsymmetricLists},
+                "spiraling-edge run IN --symmetric -o OUT.ply", Cure::Symmetric,
+                findUnsymmetricLists},
     DoctorCheck{"corner_bits", "4",
                 "\"Two or more of these subtypes also sets the corner bit\": it is corrected.",
-                kFix, true, findCornerBits},
+                kFix, Cure::Mend, findCornerBits},
     DoctorCheck{"types_off_box", "7.1",
                 "Wall points are passed over, and corners turned, by their types.",
-                "spiraling-edge run IN --box auto -o OUT.ply", false, findTypesOffBox},
+                "spiraling-edge run IN --box auto -o OUT.ply", Cure::Walls, findTypesOffBox},
 };
 
 /// Of the work, the search for the nearest points.
@@ -97,10 +100,15 @@ const DoctorCheck* findDoctorCheck(std::string_view name) {
     return found == kChecks.end() ? nullptr : &*found;
 }
 
-std::string remedyFor(const DoctorCheck& check, std::string_view input) {
+std::string remedyFor(const DoctorCheck& check, std::string_view input, std::string_view output) {
+    constexpr std::string_view kIn = "IN";
+    constexpr std::string_view kOut = "OUT.ply";
     std::string command(check.remedy);
-    const std::size_t place = command.find("IN");
-    if (place != std::string::npos) command.replace(place, 2, input);
+    // From behind: the input may be called anything.
+    const std::size_t out = command.find(kOut);
+    if (out != std::string::npos) command.replace(out, kOut.size(), output);
+    const std::size_t in = command.find(kIn);
+    if (in != std::string::npos) command.replace(in, kIn.size(), input);
     return command;
 }
 

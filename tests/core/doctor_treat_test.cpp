@@ -60,7 +60,7 @@ TEST_CASE("doctor: what was mended is listed, and gone") {
     CHECK(counts.at("entries_outside") == 1);
     CHECK(counts.at("repeated_entries") == 1);
     CHECK(counts.at("unsorted_lists") >= 1);
-    for (const Finding& finding : examined(treatment.file)) CHECK_FALSE(finding.check->mended);
+    for (const Finding& finding : examined(treatment.file)) CHECK_FALSE(finding.check->mended());
     CHECK(treat(treatment.file).repairs.empty());
 }
 
@@ -185,7 +185,7 @@ TEST_CASE("doctor: whatever the input, what can be mended is mended at once") {
         }
         const Treatment once = treat(file);
         for (const Finding& finding : examined(once.file))
-            CHECK_MESSAGE(!finding.check->mended, finding.check->name, ", seed ", seed);
+            CHECK_MESSAGE(!finding.check->mended(), finding.check->name, ", seed ", seed);
         CHECK(treat(once.file).repairs.empty());
         REQUIRE(prepare(once.file, {}).ok());
         CHECK(prepare(once.file, {}).value().report.unscaledNormals == 0);

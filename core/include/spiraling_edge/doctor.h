@@ -28,6 +28,17 @@ std::string_view severityName(Severity severity);
 struct Finding;
 struct Patient;  // What the checks look at; made by examine().
 
+/// What its command does to the points before the run, for who does it without the command.
+enum class Cure : std::uint8_t {
+    None,       ///< Nothing: the command only looks, or there is none.
+    Mend,       ///< treat(), without guessing.
+    Drop,       ///< treat(), and the points that were found go, too.
+    Orient,     ///< NormalSource::Oriented.
+    NewLists,   ///< The 12 nearest, whatever the file says.
+    Symmetric,  ///< NeighborOptions::symmetric.
+    Walls,      ///< Types of the walls of the box around all points.
+};
+
 /// One row of the table of checks: a new check is one function and one row.
 struct DoctorCheck {
     std::string_view name;     ///< As in JSON: `flipped_normals`.
@@ -35,9 +46,12 @@ struct DoctorCheck {
     std::string_view upsets;   ///< What happens there, as a sentence.
     /// The command that helps, IN in place of the input; empty if there is none.
     std::string_view remedy;
-    bool mended;  ///< treat() mends it.
+    Cure cure;
     /// Nothing if the patient does not have it.
     std::optional<Finding> (*find)(const Patient& patient);
+
+    /// treat() mends it.
+    bool mended() const { return cure == Cure::Mend; }
 };
 
 /// All checks, in the order of the report.
@@ -56,8 +70,10 @@ struct Finding {
     bool accuses() const { return severity != Severity::Note; }
 };
 
-/// The command that helps, with the input in place of IN; empty if there is none.
-std::string remedyFor(const DoctorCheck& check, std::string_view input);
+/// The command that helps, with the input in place of IN and the file that it writes in place of
+/// OUT.ply; empty if there is none.
+std::string remedyFor(const DoctorCheck& check, std::string_view input,
+                      std::string_view output = "OUT.ply");
 
 /// The findings, in the order of doctorChecks().
 using Diagnosis = std::vector<Finding>;
