@@ -23,6 +23,26 @@ KeyPress up(const char* text) {
     return press;
 }
 
+/// Left Ctrl by itself, 341 to the window.
+KeyPress ctrl(bool released) {
+    KeyPress press;
+    press.chord = {341, released ? kNoMods : kCtrl};
+    press.rawKey = 341;
+    press.released = released;
+    return press;
+}
+
+/// Frame by frame, how many presses each gets.
+std::vector<std::size_t> frames(std::vector<KeyPress> waiting) {
+    std::vector<std::size_t> sizes;
+    while (!waiting.empty()) {
+        sizes.push_back(pressesOfNextFrame(waiting));
+        REQUIRE(sizes.back() > 0);
+        waiting.erase(waiting.begin(), waiting.begin() + static_cast<long>(sizes.back()));
+    }
+    return sizes;
+}
+
 KeyPress sign(unsigned code) {
     KeyPress press;
     press.sign = code;
@@ -78,4 +98,29 @@ TEST_CASE("What is typed goes on in one frame, up to the key that ends it") {
     again.repeated = true;
     const std::vector<KeyPress> held = {down("Right"), again, again};
     CHECK(pressesOfNextFrame(held) == 3);
+}
+
+TEST_CASE("A chord is seen whole, in whatever order its keys go up") {
+    using Sizes = std::vector<std::size_t>;
+    // Ctrl is down in the frame in which V comes down, and until its end.
+    CHECK(frames({ctrl(false), down("Ctrl+V"), ctrl(true), up("V")}) == Sizes{2, 2});
+    CHECK(frames({ctrl(false), down("Ctrl+V"), up("V"), ctrl(true)}) == Sizes{2, 2});
+    // Two of them, with one Ctrl, and with one each.
+    CHECK(frames({ctrl(false), down("Ctrl+A"), up("A"), down("Ctrl+C"), up("C"), ctrl(true)}) ==
+          Sizes{2, 2, 2});
+    CHECK(frames({ctrl(false), down("Ctrl+A"), ctrl(true), up("A"), ctrl(false), down("Ctrl+V"),
+                  ctrl(true), up("V")}) == Sizes{2, 4, 2});
+    // A key that is down before Ctrl is no chord.
+    CHECK(frames({down("Left"), ctrl(false), up("Left"), ctrl(true)}) == Sizes{1, 3});
+}
+
+TEST_CASE("What is typed before and after a chord or an arrow keeps its place") {
+    using Sizes = std::vector<std::size_t>;
+    // While Ctrl is down nothing is typed, so what came before must be in.
+    CHECK(frames({down("X"), sign('x'), up("X"), ctrl(false), down("Ctrl+A"), ctrl(true), up("A"),
+                  down("Y"), sign('y')}) == Sizes{3, 2, 4});
+    // Within one frame the sign would come first.
+    CHECK(frames({down("Left"), down("X"), sign('x'), up("Left"), up("X")}) == Sizes{2, 3});
+    // Of two keys in one frame only one would count.
+    CHECK(frames({down("Left"), down("Backspace"), up("Left"), up("Backspace")}) == Sizes{1, 2, 1});
 }

@@ -9,11 +9,14 @@ namespace {
 
 constexpr int kFirstNamedKey = key::kEscape;
 constexpr int kFirstModifierKey = 340;
+constexpr int kLastModifierKey = 347;
 constexpr int kLeftShift = 340;
 constexpr int kRightShift = 344;
 constexpr std::string_view kEditLetters = "ACVXYZ";
 
 bool isPlain(const KeyChord& chord) { return (chord.mods & (kCtrl | kAlt)) == 0; }
+
+bool isModifier(int key) { return key >= kFirstModifierKey && key <= kLastModifierKey; }
 
 /// Signs come by themselves; of other keys only the state is looked at.
 bool isLookedAt(const KeyPress& press) {
@@ -22,23 +25,45 @@ bool isLookedAt(const KeyPress& press) {
     return (press.chord.mods & kCtrl) != 0;
 }
 
+/// What one frame has been given so far.
+class FrameOfKeys {
+  public:
+    /// False if the press would hide one that is there already, or be hidden by it.
+    bool take(const KeyPress& press) {
+        if (press.sign != 0) {
+            // Signs are read before the state of keys, and not at all while Ctrl is down.
+            typed_ = true;
+            return !pressed_;
+        }
+        if (press.repeated) return true;
+        if (isShiftKey(press.rawKey)) return !pressed_;  // A sign has its Shift within it.
+        if (isModifier(press.rawKey)) return !pressed_ && !typed_;
+        if (press.released) {
+            up_.insert(press.rawKey);
+            return !down_.contains(press.rawKey);
+        }
+        if (!isLookedAt(press)) return true;
+        const bool first = !pressed_ && !up_.contains(press.rawKey);
+        pressed_ = true;
+        down_.insert(press.rawKey);
+        return first;
+    }
+
+  private:
+    bool typed_ = false;
+    bool pressed_ = false;  ///< A key whose state is looked at has come down.
+    std::set<int> down_;
+    std::set<int> up_;
+};
+
 }  // namespace
 
 bool isShiftKey(int key) { return key == kLeftShift || key == kRightShift; }
 
 std::size_t pressesOfNextFrame(std::span<const KeyPress> waiting) {
-    std::set<int> down;
-    std::set<int> up;
+    FrameOfKeys frame;
     for (std::size_t i = 0; i < waiting.size(); ++i) {
-        const KeyPress& press = waiting[i];
-        if (press.sign != 0 || press.repeated) continue;
-        if (press.released) {
-            if (down.contains(press.rawKey)) return i;
-            up.insert(press.rawKey);
-        } else if (isLookedAt(press)) {
-            if (up.contains(press.rawKey)) return i;
-            down.insert(press.rawKey);
-        }
+        if (!frame.take(waiting[i])) return i;
     }
     return waiting.size();
 }

@@ -19,8 +19,10 @@ struct KeyPress {
     int rawMods = 0;
 };
 
-/// How many of those that wait go into the next frame. A key that comes down and goes up within one
-/// frame would not be seen at all, so its release waits for the frame after; the order stays.
+/// How many of those that wait go into the next frame; the order stays. A user interface that looks
+/// at the state of keys once per frame sees of Ctrl down, V down, Ctrl up, V up nothing at all, and
+/// of two keys one. So a frame has at most one key whose state is looked at; its release, what
+/// modifiers do after it, and what is typed after it wait for the frame after.
 std::size_t pressesOfNextFrame(std::span<const KeyPress> waiting);
 
 /// Who has the keyboard.
