@@ -89,3 +89,11 @@ TEST_CASE("Followed through its events, every pivot ends with the rings of the r
     CHECK(all.joins > 2);
     CHECK(all.several > 0);
 }
+
+TEST_CASE("Where no ring is active, all of them are stacked") {
+    std::vector<RingPath> rings(3);
+    CHECK(stackedCount(rings) == 3);
+    rings[0].active = true;
+    CHECK(stackedCount(rings) == 2);
+    CHECK(stackedCount({}) == 0);
+}

@@ -69,7 +69,8 @@ void drawRow(const PanelContext& context, const RingPath& ring) {
         context.ui().navigation.pointedRing = ring.id;
         tooltip("Click: keep it lit. Double click: show all of it.");
     }
-    if (ring.active && context.ui().walk.offer(KeyStop::Rings)) takeKeyboard();
+    const bool first = &ring == &session.picture().rings.front();
+    if (first && context.ui().walk.offer(KeyStop::Rings)) takeKeyboard();
     drawMark(context, at, ring, ring.id != kNone && session.litRing() == ring.id);
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(ringName(ring).c_str());
@@ -240,7 +241,14 @@ void drawStrip(const PanelContext& context, const RingPath& ring) {
     context.ui().where["strip ring"] = {{at.x, at.y}, {width, kStripHeight * em}};
 }
 
-void drawList(const PanelContext& context, float height) {
+/// Rows stand whole at the upper end of the list, however it is scrolled.
+void snapToRows(float row) {
+    const float at = ImGui::GetScrollY();
+    const float whole = std::round(at / row) * row;
+    if (at < ImGui::GetScrollMaxY() && whole != at) ImGui::SetScrollY(whole);
+}
+
+void drawList(const PanelContext& context, float height, float row) {
     const auto& rings = context.session().picture().rings;
     if (!ImGui::BeginTable("##rings", 3, ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit,
                            {0.0F, height})) {
@@ -256,6 +264,7 @@ void drawList(const PanelContext& context, float height) {
             drawRow(context, rings[static_cast<std::size_t>(i)]);
         }
     }
+    snapToRows(row);
     ImGui::EndTable();
 }
 
@@ -264,7 +273,8 @@ void drawList(const PanelContext& context, float height) {
 void drawRings(const PanelContext& context) {
     const Session& session = context.session();
     const std::size_t count = session.ready() ? session.picture().rings.size() : 0;
-    heading(context, "Rings", count > 1 ? std::to_string(count - 1) + " stacked" : std::string{});
+    const std::size_t stacked = session.ready() ? stackedCount(session.picture().rings) : 0;
+    heading(context, "Rings", stacked > 0 ? std::to_string(stacked) + " stacked" : std::string{});
     if (count == 0) {
         ImGui::PushTextWrapPos(0.0F);
         ImGui::TextDisabled("%s", session.ready() && session.atEnd()
@@ -276,9 +286,9 @@ void drawRings(const PanelContext& context) {
     const float em = context.em;
     const float row = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
     const float room = ImGui::GetContentRegionAvail().y;
-    const float list = std::min(static_cast<float>(count) * row + 0.2F * em,
-                                std::max(1.2F * row, room - kStripHeight * em - 0.4F * em));
-    drawList(context, list);
+    // Whole rows: half a row looks as if it were all.
+    const float rows = std::floor((room - kStripHeight * em - 0.4F * em) / row);
+    drawList(context, std::clamp(rows, 1.0F, static_cast<float>(count)) * row, row);
     const RingPath* shown = ringToShow(session.picture(), session.highlightedRing());
     if (shown != nullptr && !shown->points.empty()) drawStrip(context, *shown);
 }

@@ -35,6 +35,11 @@ std::vector<RingPath> ringPaths(const EdgeRings& rings) {
     return paths;
 }
 
+std::size_t stackedCount(std::span<const RingPath> rings) {
+    const auto waiting = [](const RingPath& ring) { return !ring.active; };
+    return static_cast<std::size_t>(std::count_if(rings.begin(), rings.end(), waiting));
+}
+
 RingReplay::RingReplay(const EdgeRings& before, std::size_t pointCount) : rings_(pointCount) {
     rings_.restore(before);
 }

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "spiraling_edge/edge_ring.h"
@@ -22,6 +23,8 @@ struct RingPath {
 
 /// The rings: the active one first, then the stack from the top.
 std::vector<RingPath> ringPaths(const EdgeRings& rings);
+/// How many of them wait on the stack: all, where none is active.
+std::size_t stackedCount(std::span<const RingPath> rings);
 
 /// What a split parted, just after it, or a join united, just before it.
 struct RingExchange {
