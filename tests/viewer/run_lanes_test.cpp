@@ -140,7 +140,8 @@ TEST_CASE("Lanes are drawn from where they begin to where they end") {
     window.setLast(run.lastPivot);
     const LanePicture picture = makeLanePicture(run, window, {100.0F, 4, 1.0F});
     CHECK(picture.rows == 2);
-    CHECK_FALSE(picture.gathered);
+    CHECK(picture.gathered == 0);
+    CHECK(picture.crowd.empty());
     REQUIRE(picture.bars.size() == 2);
     const LaneBar& stacked = picture.bars[0].active ? picture.bars[1] : picture.bars[0];
     const LaneBar& active = picture.bars[0].active ? picture.bars[0] : picture.bars[1];
@@ -161,9 +162,38 @@ TEST_CASE("Where there are more lanes than rows, the last row gathers the rest")
     StripWindow window;
     window.setLast(run.lastPivot);
     const LanePicture picture = makeLanePicture(run, window, {100.0F, 1, 1.0F});
-    CHECK(picture.gathered);
+    CHECK(picture.gathered == 2);
     CHECK(picture.rows == 1);
-    for (const LaneBar& bar : picture.bars) CHECK(bar.row == 0);
+    REQUIRE(picture.bars.size() == 1);
+    CHECK(picture.bars[0].active);
+    CHECK(picture.bars[0].to == doctest::Approx(60.0F));
+    REQUIRE(picture.crowd.size() == 100);
+    CHECK(picture.crowd[10] == 1);
+    CHECK(picture.crowd[40] == 2);
+    CHECK(picture.crowd[55] == 1);
+    CHECK(picture.crowd[80] == 0);
+}
+
+TEST_CASE("Lanes that share a row are counted at a time, not one after the other") {
+    RunOverview run;
+    run.lanes = 12;
+    run.lastPivot = 10'000;
+    for (std::uint32_t lane = 0; lane < 12; ++lane)
+        run.laneChanges.push_back({1, lane, 0, lane + 1, LaneChangeKind::Split});
+    // Lane 11 ends and begins again and again within a pixel.
+    for (std::uint32_t pivot = 100; pivot < 9'000; pivot += 2) {
+        run.laneChanges.push_back({pivot, 11, 0, 11, LaneChangeKind::Join});
+        run.laneChanges.push_back({pivot + 1, 11, 0, 12, LaneChangeKind::Split});
+    }
+    StripWindow window;
+    window.setLast(run.lastPivot);
+    const LanePicture picture = makeLanePicture(run, window, {200.0F, 5, 8.0F});
+    CHECK(picture.rows == 5);
+    CHECK(picture.gathered == 8);  // 12 less the four that have a row of their own
+    REQUIRE(picture.crowd.size() == 200);
+    for (std::size_t c = 0; c < 200; ++c) CHECK(picture.crowd[c] == 8);
+    for (const LaneBar& bar : picture.bars) CHECK(bar.row < 4);
+    for (const LaneSign& sign : picture.signs) CHECK(sign.row < 4);
 }
 
 TEST_CASE("What is drawn goes with the pixels, not with the length of the run") {

@@ -1,32 +1,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lane_strip.h"
 #include "strips.h"
 #include "widgets.h"
 
 namespace se::view {
 
 namespace {
-
-/// Height of a lane: so many as fit, but none higher than this looks like a bar chart.
-constexpr float kLeastLane = 0.38F;
-constexpr float kHighestLane = 0.95F;
-
-struct RunStrip {
-    const PanelContext& context;
-    Rect bars;
-    Rect lanes;  ///< Within bars, without the scale above.
-    float pitch = 1.0F;
-
-    const LanePicture& picture() const { return context.ui().navigation.lanes.picture; }
-    const StripWindow& window() const { return context.ui().navigation.strip; }
-    float xOf(double pivot) const {
-        return bars.min.x + static_cast<float>(window().shareOf(pivot)) * bars.size.x;
-    }
-    float yOf(std::uint32_t row) const {
-        return lanes.min.y + (static_cast<float>(row) + 0.5F) * pitch;
-    }
-};
 
 /// Paints the lanes anew if the run, the window or the room for them has changed.
 void keepPainted(const PanelContext& context, const LaneRoom& room) {
@@ -46,19 +27,6 @@ void keepPainted(const PanelContext& context, const LaneRoom& room) {
                nav.strip,
                room,
                makeLanePicture(run, nav.strip, room)};
-}
-
-void drawRingLengths(const RunStrip& strip) {
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    const ImU32 color = toU32(strip.context.palette.used.withAlpha(0.16F));
-    const float bottom = strip.lanes.max().y;
-    const auto& lengths = strip.picture().ringLength;
-    for (std::size_t c = 0; c < lengths.size(); ++c) {
-        if (lengths[c] <= 0.0F) continue;
-        const float x = strip.bars.min.x + static_cast<float>(c);
-        list->AddRectFilled({x, bottom - lengths[c] * strip.lanes.size.y}, {x + 1.0F, bottom},
-                            color);
-    }
 }
 
 /// Pivots along the top, at round numbers.
@@ -88,65 +56,6 @@ void drawScale(const RunStrip& strip) {
             std::clamp(x - 0.5F * width, strip.bars.min.x, strip.bars.max().x - width);
         list->AddText(strip.context.fonts.text, size, {left, strip.bars.min.y}, color,
                       text.c_str());
-    }
-}
-
-/// The active ring thick, those that wait on the stack thin.
-void drawBars(const RunStrip& strip) {
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    const Palette& palette = strip.context.palette;
-    const float thick = std::max(2.0F, std::round(0.46F * strip.pitch));
-    const float thin = std::max(1.0F, std::round(0.14F * strip.pitch));
-    for (const bool active : {false, true}) {
-        const ImU32 color = toU32(palette.used.withAlpha(active ? 1.0F : 0.75F));
-        for (const LaneBar& bar : strip.picture().bars) {
-            if (bar.active != active) continue;
-            const float y = std::round(strip.yOf(bar.row) - 0.5F * (active ? thick : thin));
-            const float from = strip.bars.min.x + bar.from;
-            const float to = std::max(strip.bars.min.x + bar.to, from + 1.0F);
-            list->AddRectFilled({from, y}, {to, y + (active ? thick : thin)}, color);
-        }
-    }
-}
-
-void drawSign(const RunStrip& strip, const LaneSign& sign) {
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    const Palette& palette = strip.context.palette;
-    const float em = strip.context.em;
-    const float x = std::round(strip.bars.min.x + sign.x);
-    const float y = strip.yOf(sign.row);
-    const float size = std::clamp(0.75F * strip.pitch, 0.34F * em, 0.55F * em);
-    const ImU32 color = toU32(palette.text);
-    switch (sign.kind) {
-        case LaneChangeKind::Split:
-        case LaneChangeKind::Join: {
-            const ImU32 line = toU32(palette.used);
-            list->AddRectFilled(
-                {x, std::min(y, strip.yOf(sign.otherRow))},
-                {x + std::max(1.0F, 0.08F * em), std::max(y, strip.yOf(sign.otherRow))}, line);
-            if (!sign.alone) break;
-            // A split opens forward, a join closes: triangles on the lane that begins or ends.
-            const bool split = sign.kind == LaneChangeKind::Split;
-            drawShape(list, {split ? x + 0.3F * size : x - 0.2F * size, y}, size,
-                      split ? Shape::Forward : Shape::Back, color);
-            break;
-        }
-        case LaneChangeKind::Closed:
-            list->AddCircleFilled({x, y}, 0.5F * size, toU32(palette.background));
-            drawShape(list, {x, y}, size, Shape::Circle, color);
-            break;
-        case LaneChangeKind::Freed:
-            drawShape(list, {x, y}, size, Shape::Square, color);
-            break;
-        case LaneChangeKind::Hole:
-            drawShape(list, {x, y}, 1.15F * size, Shape::Cross, toU32(palette.rejected));
-            break;
-        case LaneChangeKind::Seed:
-            list->AddRectFilled({x, y - 0.5F * strip.pitch},
-                                {x + std::max(1.0F, 0.1F * em), y + 0.5F * strip.pitch}, color);
-            break;
-        case LaneChangeKind::Activated:
-            break;
     }
 }
 
@@ -234,6 +143,7 @@ std::string tooltipText(const RunStrip& strip, std::uint32_t pivot, ImVec2 mouse
                 grouped(run.stackDepth[pivot - 1]) + " stacked\n" +
                 grouped(run.triangles[pivot - 1]) + " triangles";
     }
+    text += gatheredText(strip, mouse);
     // What the sign next to the pointer means.
     const LaneSign* nearest = nullptr;
     float best = 0.7F * strip.context.em;
@@ -298,9 +208,6 @@ void drawTotal(const RunStrip& strip) {
                       toU32(strip.context.palette.textDim), text.c_str());
     };
     line(1.15F, total);
-    if (strip.picture().gathered && strip.bars.size.y > 4.2F * em) {
-        line(2.2F, grouped(run.lanes) + " lanes");
-    }
 }
 
 }  // namespace
@@ -319,10 +226,8 @@ void drawRunStrip(const PanelContext& context, const Rect& area) {
     const float scale = folded ? 0.35F * em : 1.0F * em;
     RunStrip strip{context, bars, {{bars.min.x, bars.min.y + scale}, bars.size}, 1.0F};
     strip.lanes.size.y = bars.size.y - scale;
-    const auto rows = static_cast<std::uint32_t>(strip.lanes.size.y / (kLeastLane * em));
-    keepPainted(context, {bars.size.x, std::max(1U, rows), 0.7F * em});
-    const float inUse = static_cast<float>(std::max(1U, strip.picture().rows));
-    strip.pitch = std::min(kHighestLane * em, strip.lanes.size.y / inUse);
+    keepPainted(context, {bars.size.x, rowsFor(strip), 0.7F * em});
+    strip.pitch = pitchOf(strip);
     ImDrawList* list = ImGui::GetWindowDrawList();
     list->AddRectFilled(toVec2(strip.lanes.min), toVec2(strip.lanes.max()),
                         toU32(context.palette.background), 0.2F * em);
@@ -330,14 +235,14 @@ void drawRunStrip(const PanelContext& context, const Rect& area) {
                         {bars.max().x + 0.4F * em, area.max().y}, true);
     drawRingLengths(strip);
     if (!folded) drawScale(strip);
-    drawBars(strip);
-    for (const LaneSign& sign : strip.picture().signs) drawSign(strip, sign);
+    drawLanes(strip);
     drawAlerts(strip);
     drawLoop(strip);
     drawBookmarks(strip);
     drawPlayhead(strip);
     ImGui::PopClipRect();
     drawTotal(strip);
+    drawMore(strip);
     handleMouse(strip);
 }
 

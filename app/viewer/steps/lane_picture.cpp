@@ -16,7 +16,10 @@ class LanePainter {
         : run_(run), window_(window), room_(room) {
         const std::uint32_t rows = std::max(1U, room.rows);
         out_.rows = std::clamp(run.lanes, 1U, rows);
-        out_.gathered = run.lanes > rows;
+        if (run.lanes > rows) {
+            out_.gathered = run.lanes - (rows - 1);
+            out_.crowd.resize(static_cast<std::size_t>(std::max(1.0F, room.width)));
+        }
         open_.resize(run.lanes);
         lastBar_.resize(std::size_t{2} * out_.rows, kNoBar);
         lastSign_.resize(out_.rows, -room.signGap);
@@ -24,7 +27,11 @@ class LanePainter {
     }
 
     LanePicture paint() {
-        for (const LaneChange& change : run_.laneChanges) take(change);
+        for (const LaneChange& change : run_.laneChanges) {
+            gather(change);
+            take(change);
+        }
+        passColumns(room_.width);
         const auto end = static_cast<double>(run_.lastPivot);
         for (std::uint32_t lane = 0; lane < open_.size(); ++lane) endPiece(lane, end);
         return std::move(out_);
@@ -61,9 +68,35 @@ class LanePainter {
         sign(change);
     }
 
+    /// It shares the last row with others.
+    bool isGathered(std::uint32_t lane) const { return out_.gathered > 0 && lane + 1 >= out_.rows; }
+
+    /// So many gathered lanes as there are now, up to x.
+    void passColumns(float x) {
+        if (out_.crowd.empty() || x < 0.0F || beyond_) return;
+        beyond_ = x >= room_.width;
+        const auto last = static_cast<float>(out_.crowd.size() - 1);
+        const auto to = static_cast<std::size_t>(std::clamp(x, 0.0F, last));
+        for (std::size_t c = std::min(column_, to); c <= to; ++c)
+            out_.crowd[c] = std::max(out_.crowd[c], crowd_);
+        column_ = to;
+    }
+
+    void gather(const LaneChange& change) {
+        if (!isGathered(change.lane) || change.kind == LaneChangeKind::Activated) return;
+        passColumns(xOf(change.pivot));
+        if (beginsLane(change.kind)) {
+            ++crowd_;
+        } else if (crowd_ > 0) {
+            --crowd_;
+        }
+    }
+
     void endPiece(std::uint32_t number, double at) {
         Open& lane = open_[number];
-        if (lane.live) bar(rowOf(number), lane.active, lane.since, at);
+        // Of those that share a row the active one can be told: there is one at a time.
+        const bool told = lane.active || !isGathered(number);
+        if (lane.live && told) bar(rowOf(number), lane.active, lane.since, at);
         lane.live = false;
     }
 
@@ -72,10 +105,7 @@ class LanePainter {
         const float to = std::min(room_.width, xOf(until));
         if (to < 0.0F || from > room_.width) return;
         std::size_t& last = lastBar_[2 * row + (active ? 1U : 0U)];
-        // Lanes of a gathered row end in any order: a bar may reach back behind the one before it.
-        if (last != kNoBar && from <= out_.bars[last].to + kJoinWithin &&
-            to >= out_.bars[last].from - kJoinWithin) {
-            out_.bars[last].from = std::min(out_.bars[last].from, from);
+        if (last != kNoBar && from <= out_.bars[last].to + kJoinWithin) {
             out_.bars[last].to = std::max(out_.bars[last].to, to);
             return;
         }
@@ -84,7 +114,7 @@ class LanePainter {
     }
 
     void sign(const LaneChange& change) {
-        if (change.kind == LaneChangeKind::Activated) return;
+        if (change.kind == LaneChangeKind::Activated || isGathered(change.lane)) return;
         const double at = change.kind == LaneChangeKind::Seed ? change.pivot - 1.0 : change.pivot;
         const float x = xOf(at);
         if (x < 0.0F || x > room_.width) return;
@@ -108,6 +138,9 @@ class LanePainter {
     std::vector<std::size_t> lastBar_;  // two per row: stacked, active
     std::vector<float> lastSign_;
     std::vector<float> lastLine_;
+    std::uint32_t crowd_ = 0;  // gathered lanes now
+    std::size_t column_ = 0;   // as far as they are told
+    bool beyond_ = false;      // all columns are
 };
 
 /// The longest ring over each pixel column.

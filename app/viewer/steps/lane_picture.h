@@ -34,7 +34,10 @@ struct LanePicture {
     std::vector<float> ringLength;  ///< Per pixel column, as a share of the longest; 0 if unknown.
     std::vector<float> alerts;      ///< x of those that can be told apart.
     std::uint32_t rows = 0;         ///< That are in use.
-    bool gathered = false;          ///< The last row stands for all lanes beyond it.
+    /// Lanes beyond those that have a row of their own; they share the last row, without signs
+    /// and without bars but for the active one. 0: all have one.
+    std::uint32_t gathered = 0;
+    std::vector<std::uint32_t> crowd;  ///< Of those, most at a time per pixel column.
 };
 
 struct LaneRoom {

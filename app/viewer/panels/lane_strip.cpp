@@ -1,0 +1,164 @@
+#include "lane_strip.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace se::view {
+
+namespace {
+
+/// Height of a lane, in em: so many as fit, but none higher than this looks like a bar chart.
+constexpr float kLeastLane = 0.5F;
+constexpr float kHighestLane = 0.95F;
+/// Of the row that the lanes beyond share.
+constexpr float kGathered = 1.0F;
+
+/// The lanes that have no row of their own: how many there are at a time, as a skyline.
+void drawGathered(const RunStrip& strip) {
+    const LanePicture& picture = strip.picture();
+    if (picture.gathered == 0) return;
+    const float em = strip.context.em;
+    const Palette& palette = strip.context.palette;
+    const float bottom = strip.lanes.max().y;
+    const float top = bottom - kGathered * em;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddRectFilled({strip.lanes.min.x, top}, {strip.lanes.max().x, top + 1.0F},
+                        toU32(palette.border));
+    const float unit = (bottom - top - 0.15F * em) / static_cast<float>(picture.gathered);
+    const ImU32 color = toU32(palette.used.withAlpha(0.75F));
+    for (std::size_t c = 0; c < picture.crowd.size(); ++c) {
+        if (picture.crowd[c] == 0) continue;
+        const float x = strip.bars.min.x + static_cast<float>(c);
+        const float height = std::max(1.0F, unit * static_cast<float>(picture.crowd[c]));
+        list->AddRectFilled({x, bottom - height}, {x + 1.0F, bottom}, color);
+    }
+}
+
+/// The active ring thick, those that wait on the stack thin.
+void drawBars(const RunStrip& strip) {
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const Palette& palette = strip.context.palette;
+    const float thick = std::max(2.0F, std::round(0.46F * strip.pitch));
+    const float thin = std::max(1.0F, std::round(0.14F * strip.pitch));
+    for (const bool active : {false, true}) {
+        const ImU32 color = toU32(palette.used.withAlpha(active ? 1.0F : 0.75F));
+        for (const LaneBar& bar : strip.picture().bars) {
+            if (bar.active != active) continue;
+            const float y = std::round(strip.yOf(bar.row) - 0.5F * (active ? thick : thin));
+            const float from = strip.bars.min.x + bar.from;
+            const float to = std::max(strip.bars.min.x + bar.to, from + 1.0F);
+            list->AddRectFilled({from, y}, {to, y + (active ? thick : thin)}, color);
+        }
+    }
+}
+
+void drawSign(const RunStrip& strip, const LaneSign& sign) {
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const Palette& palette = strip.context.palette;
+    const float em = strip.context.em;
+    const float x = std::round(strip.bars.min.x + sign.x);
+    const float y = strip.yOf(sign.row);
+    const float size = std::clamp(0.75F * strip.pitch, 0.34F * em, 0.55F * em);
+    const ImU32 color = toU32(palette.text);
+    switch (sign.kind) {
+        case LaneChangeKind::Split:
+        case LaneChangeKind::Join: {
+            const ImU32 line = toU32(palette.used);
+            list->AddRectFilled(
+                {x, std::min(y, strip.yOf(sign.otherRow))},
+                {x + std::max(1.0F, 0.08F * em), std::max(y, strip.yOf(sign.otherRow))}, line);
+            if (!sign.alone) break;
+            // A split opens forward, a join closes: triangles on the lane that begins or ends.
+            const bool split = sign.kind == LaneChangeKind::Split;
+            drawShape(list, {split ? x + 0.3F * size : x - 0.2F * size, y}, size,
+                      split ? Shape::Forward : Shape::Back, color);
+            break;
+        }
+        case LaneChangeKind::Closed:
+            list->AddCircleFilled({x, y}, 0.5F * size, toU32(palette.background));
+            drawShape(list, {x, y}, size, Shape::Circle, color);
+            break;
+        case LaneChangeKind::Freed:
+            drawShape(list, {x, y}, size, Shape::Square, color);
+            break;
+        case LaneChangeKind::Hole:
+            drawShape(list, {x, y}, 1.15F * size, Shape::Cross, toU32(palette.rejected));
+            break;
+        case LaneChangeKind::Seed:
+            list->AddRectFilled({x, y - 0.5F * strip.pitch},
+                                {x + std::max(1.0F, 0.1F * em), y + 0.5F * strip.pitch}, color);
+            break;
+        case LaneChangeKind::Activated:
+            break;
+    }
+}
+
+}  // namespace
+
+float RunStrip::yOf(std::uint32_t row) const {
+    if (picture().gathered > 0 && row + 1 == picture().rows)
+        return lanes.max().y - 0.5F * kGathered * context.em;
+    return lanes.min.y + (static_cast<float>(row) + 0.5F) * pitch;
+}
+
+std::uint32_t rowsFor(const RunStrip& strip) {
+    const float em = strip.context.em;
+    const std::uint32_t lanes = strip.context.session().overview().lanes;
+    const auto fit = [em](float room) {
+        return static_cast<std::uint32_t>(std::max(0.0F, room / (kLeastLane * em)));
+    };
+    if (lanes <= fit(strip.lanes.size.y)) return std::max(1U, lanes);
+    return fit(strip.lanes.size.y - kGathered * em) + 1;
+}
+
+float pitchOf(const RunStrip& strip) {
+    const float em = strip.context.em;
+    const bool shared = strip.picture().gathered > 0;
+    const float room = strip.lanes.size.y - (shared ? kGathered * em : 0.0F);
+    const std::uint32_t own = strip.picture().rows - (shared ? 1U : 0U);
+    return std::min(kHighestLane * em, room / static_cast<float>(std::max(1U, own)));
+}
+
+void drawRingLengths(const RunStrip& strip) {
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const ImU32 color = toU32(strip.context.palette.used.withAlpha(0.16F));
+    const float bottom = strip.lanes.max().y;
+    const auto& lengths = strip.picture().ringLength;
+    for (std::size_t c = 0; c < lengths.size(); ++c) {
+        if (lengths[c] <= 0.0F) continue;
+        const float x = strip.bars.min.x + static_cast<float>(c);
+        list->AddRectFilled({x, bottom - lengths[c] * strip.lanes.size.y}, {x + 1.0F, bottom},
+                            color);
+    }
+}
+
+void drawLanes(const RunStrip& strip) {
+    drawGathered(strip);
+    drawBars(strip);
+    for (const LaneSign& sign : strip.picture().signs) drawSign(strip, sign);
+}
+
+void drawMore(const RunStrip& strip) {
+    const LanePicture& picture = strip.picture();
+    if (picture.gathered == 0) return;
+    const float em = strip.context.em;
+    const float size = 0.85F * em;
+    const std::string text = "+" + grouped(picture.gathered);
+    ImFont* font = strip.context.fonts.text;
+    const float width = font->CalcTextSizeA(size, 1e9F, 0.0F, text.c_str()).x;
+    const float y = strip.yOf(picture.rows - 1) - 0.5F * size;
+    ImGui::GetWindowDrawList()->AddText(font, size, {strip.bars.min.x - 0.4F * em - width, y},
+                                        toU32(strip.context.palette.textDim), text.c_str());
+}
+
+std::string gatheredText(const RunStrip& strip, ImVec2 mouse) {
+    const LanePicture& picture = strip.picture();
+    const float top = strip.lanes.max().y - kGathered * strip.context.em;
+    if (picture.gathered == 0 || mouse.y < top) return {};
+    const float place = std::max(0.0F, mouse.x - strip.bars.min.x);
+    const std::size_t column = std::min(static_cast<std::size_t>(place), picture.crowd.size() - 1);
+    return "\n" + grouped(picture.crowd[column]) + " of the " + grouped(picture.gathered) +
+           " lanes that share this row";
+}
+
+}  // namespace se::view
