@@ -25,7 +25,8 @@ Edits captureEdits(const CommandContext& context) {
     const UiState& ui = context.ui;
     return {ui.settings.theme,           ui.settings.uiScale, ui.settings.legend,
             ui.settings.layers,          ui.arrangement,      context.camera.pose(),
-            context.session.selection(), ui.bookmarks,        ui.notes};
+            context.session.selection(), ui.bookmarks,        ui.notes,
+            context.session.spec().cures};
 }
 
 void applyEdits(const Edits& edits, CommandContext& context) {
@@ -36,9 +37,14 @@ void applyEdits(const Edits& edits, CommandContext& context) {
     ui.settings.layers = edits.layers;
     ui.arrangement = edits.layout;
     if (context.camera.pose() != edits.camera) context.camera.setPose(edits.camera);
-    context.session.select(edits.selected);
     ui.bookmarks = edits.bookmarks;
     ui.notes = edits.notes;
+    if (edits.cures != context.session.spec().cures) {
+        // The numbers of points may mean others there.
+        ui.requests.cures = edits.cures;
+    } else {
+        context.session.select(edits.selected);
+    }
 }
 
 void Filing::begin(const Options& options) {
@@ -86,6 +92,7 @@ void Filing::open(const std::string& path) {
     const Session& session = c_.session;
     InputSpec spec = session.ready() ? session.spec() : session.opening();
     spec.source = path;
+    spec.cures.clear();
     arrival_ = {};
     arrival_.pending = true;
     arrival_.generation = session.generation();
@@ -143,8 +150,6 @@ void Filing::takeUp() {
 
 void Filing::arrive() {
     takeUp();
-    const bool needsLength = arrival_.goTo.ends_with('%');
-    if (needsLength && !c_.session.overview().complete) return;
     arrival_.pending = false;
     note(arrival_.file);
     const std::string& hash = c_.session.model().hash;
@@ -190,6 +195,7 @@ void Filing::carryOut(UiRequests& requests) {
     if (!requests.open.empty()) {
         leave({LeaveFor::Open, std::exchange(requests.open, {}), {}});
     }
+    if (requests.cures) takeCures(*std::exchange(requests.cures, std::nullopt));
     if (std::exchange(requests.reload, false)) leave({LeaveFor::Reload, {}, {}});
     if (std::exchange(requests.quit, false)) leave({LeaveFor::Quit, {}, {}});
 }
@@ -221,6 +227,15 @@ void Filing::reload() {
     const bool failed = session.phase() == SessionPhase::Failed || !session.ready();
     const InputSpec spec = failed ? session.opening() : session.spec();
     if (!spec.source.empty()) c_.session.open(spec);
+}
+
+/// Opens what is open anew, mended or as it is; bookmarks and notes stay.
+void Filing::takeCures(Cures cures) {
+    if (!c_.session.ready() || c_.session.phase() == SessionPhase::Loading) return;
+    c_.playback.pause();
+    InputSpec spec = c_.session.spec();
+    spec.cures = std::move(cures);
+    c_.session.open(std::move(spec));
 }
 
 void Filing::answer() {

@@ -79,6 +79,7 @@ class Filing {
     void leave(Leave to);
     void go(const Leave& to);
     void reload();
+    void takeCures(Cures cures);
     void answer();
     void openSession(const std::string& path);
     void takeLooks(const SessionFile& file, const std::string& path);

@@ -172,6 +172,7 @@ Status adoptSession(Options& o) {
     const InputSpec& kept = o.session->input;
     o.input.source = kept.source;
     if (!o.reachGiven) o.input.neighbors = kept.neighbors;
+    o.input.cures = kept.cures;
     if (!o.rulesGiven) {
         o.input.rules = kept.rules;
         o.input.choices.insert(o.input.choices.begin(), kept.choices.begin(), kept.choices.end());

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "layout.h"
 #include "leaving.h"
 #include "navigation.h"
+#include "run/cure.h"
 #include "scene/camera.h"
 #include "scene/mesh_style.h"
 #include "scene/motion.h"
@@ -57,8 +59,9 @@ struct UiRequests {
     bool saveSession = false;
     bool undo = false;
     bool redo = false;
-    std::string open;           ///< A path or `scene:ID`; empty: nothing.
-    std::string saveSessionAs;  ///< A path; empty: nothing.
+    std::optional<Cures> cures;  ///< To open the input anew with; none at all: as the file is.
+    std::string open;            ///< A path or `scene:ID`; empty: nothing.
+    std::string saveSessionAs;   ///< A path; empty: nothing.
 };
 
 /// The tab that opens by itself when the doctor has found something.

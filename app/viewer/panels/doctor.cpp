@@ -1,8 +1,10 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "panel.h"
+#include "run/text.h"
 #include "widgets.h"
 
 namespace se::view {
@@ -50,20 +52,74 @@ std::string markedText(const Session& session, const Finding& finding) {
     return "Marked: " + grouped(marked) + " of " + grouped(finding.points.size()) + " points.";
 }
 
+/// The command that helps, ready to be pasted: who does so may stand in another folder.
+std::string commandFor(const PanelContext& context, const DoctorCheck& check) {
+    namespace fs = std::filesystem;
+    const std::string& source = context.session().spec().source;
+    if (isScene(source)) return remedyFor(check, source);
+    std::error_code error;
+    const fs::path whole = fs::absolute(source, error);
+    const std::string input = (error ? fs::path(source) : whole).lexically_normal().string();
+    const std::string output = fs::path(source).stem().string() + "-mended.ply";
+    return remedyFor(check, shellQuoted(input), shellQuoted(output));
+}
+
+/// Asks for the input to be opened anew, with these cures besides those it has.
+void follow(const PanelContext& context, const Cures& more) {
+    Cures cures = context.session().spec().cures;
+    cures.insert(cures.end(), more.begin(), more.end());
+    context.ui().requests.cures = std::move(cures);
+}
+
 void drawRemedy(const PanelContext& context, const Finding& finding) {
-    const std::string remedy = remedyFor(*finding.check, context.session().model().name);
-    if (remedy.empty()) return;
-    ImGui::PushFont(context.fonts.mono);
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(remedy.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopFont();
-    if (ImGui::SmallButton("Copy")) {
-        // With the whole path: who pastes it may stand in another folder.
-        ImGui::SetClipboardText(remedyFor(*finding.check, context.session().spec().source).c_str());
+    const DoctorCheck& check = *finding.check;
+    const std::string name(check.name);
+    if (canCure(check)) {
+        if (ImGui::SmallButton("Apply the fix")) follow(context, {name});
+        context.ui().where["fix " + name] = lastItem();
+        tooltip(std::string(cureText(check.cure)) + "\nCtrl+Z takes it back.");
+    }
+    const std::string command = commandFor(context, check);
+    if (command.empty()) return;
+    if (canCure(check)) ImGui::SameLine();
+    if (ImGui::SmallButton("Copy the command")) {
+        ImGui::SetClipboardText(command.c_str());
         context.session().say("Copied the command.");
     }
-    tooltip("Copy the command that helps");
+    context.ui().where["copy " + name] = lastItem();
+    tooltip("For a terminal; it writes a file of its own and leaves yours alone.");
+    ImGui::PushFont(context.fonts.mono);
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(command.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+}
+
+/// What was done to the input, and the way back.
+void drawMended(const PanelContext& context) {
+    const Session& session = context.session();
+    if (session.spec().cures.empty()) return;
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(
+        ("Mended here, not in the file: " + mendedText(session.model()) + ".").c_str());
+    ImGui::PopTextWrapPos();
+    if (ImGui::SmallButton("As the file is")) context.ui().requests.cures = Cures{};
+    context.ui().where["doctor as it is"] = lastItem();
+    tooltip("Open the input as it is in the file");
+    ImGui::Spacing();
+    ImGui::Separator();
+}
+
+void drawFixAll(const PanelContext& context) {
+    const Cures cures = plainCures(context.session().checkup().findings());
+    if (cures.empty()) return;
+    if (ImGui::Button("Apply all that needs no guessing")) follow(context, cures);
+    context.ui().where["doctor fix all"] = lastItem();
+    std::string text;
+    for (const std::string& name : cures) {
+        text += (text.empty() ? "" : "\n") + std::string(cureText(findDoctorCheck(name)->cure));
+    }
+    tooltip(text + "\nCtrl+Z takes it back.");
 }
 
 void drawFinding(const PanelContext& context, const Finding& finding) {
@@ -115,6 +171,7 @@ void drawDoctor(const PanelContext& context) {
     }
     const Checkup& checkup = session.checkup();
     heading(context, "Doctor", headingNote(checkup.findings().size()));
+    drawMended(context);
     if (!checkup.done()) {
         dimText(checkup.busy() ? "Looking for what could upset the algorithm ..."
                                : "The doctor looks at the points once the run was gone through.");
@@ -126,6 +183,7 @@ void drawDoctor(const PanelContext& context) {
                 " checks say that these points will not upset the algorithm.");
         return;
     }
+    drawFixAll(context);
     dimText("A click on a finding marks its points and frames them.");
     for (const Finding& finding : checkup.findings()) drawFinding(context, finding);
 }

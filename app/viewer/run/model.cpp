@@ -96,6 +96,13 @@ float medianSpacing(const Model& model) {
 
 }  // namespace
 
+std::string mendedText(const Model& model) {
+    if (model.cured && model.mended.empty()) return "nothing had to be done";
+    std::string text;
+    for (const std::string& each : model.mended) text += (text.empty() ? "" : "; ") + each;
+    return text;
+}
+
 void placeModel(Model& model) {
     const auto& position = model.points.position;
     constexpr double kHuge = std::numeric_limits<double>::max();
@@ -151,12 +158,21 @@ Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress) {
     neighbors.dropOpposingNormals = params->dropOpposingNormals;
     PrepareOptions options{neighbors};
     options.setNoiseAside = params->setNoiseAside;
+    Result<std::vector<std::string>> mended =
+        cure(file.value(), spec.cures, options,
+             [&progress](double) { return !progress.cancelled.load(); });
+    if (progress.cancelled) return cancelled();
+    if (!mended) return mended.error();
     Result<Prepared> prepared = prepare(file.value(), options, [&](double share) {
         progress.share = kParsedShare + (kPreparedShare - kParsedShare) * share;
         return !progress.cancelled.load();
     });
     if (progress.cancelled) return cancelled();
     if (!prepared) return prepared.error();
+    model->cured = !spec.cures.empty();
+    model->mended = std::move(mended.value());
+    for (std::string& each : takeOverCured(prepared.value(), options, spec.cures, file.value()))
+        model->mended.push_back(std::move(each));
     progress.part = LoadPart::Placing;
     progress.share = kPreparedShare;
     if (const Status status = validate(prepared.value().points); !status) return status.error();

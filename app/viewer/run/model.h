@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "cure.h"
 #include "rule_choice.h"
 #include "spiraling_edge/params.h"
 #include "spiraling_edge/prepare.h"
@@ -27,6 +28,7 @@ struct InputSpec {
     NeighborOptions neighbors;
     std::string rules = "paper";           ///< A name that paramsByName() knows.
     std::vector<RuleChoice> choices = {};  ///< Single rules that differ from that set.
+    Cures cures = {};  ///< What the doctor's findings advise, as far as a person followed it.
 };
 
 /// Points in view space: centered on their bounding box, which then fits a sphere of radius 1.
@@ -37,6 +39,8 @@ struct Model {
     PointSet points;
     Params params;
     PrepareReport report;
+    bool cured = false;               ///< The input has cures.
+    std::vector<std::string> mended;  ///< What they did, each a piece of a sentence.
     std::vector<glm::vec3> place;  ///< View space position of each point; zero if it is not finite.
     std::vector<glm::vec3> normal;
     std::vector<bool> drawable;  ///< False for positions that are not finite.
@@ -61,7 +65,7 @@ struct LoadProgress {
     std::atomic<bool> cancelled = false;
 };
 
-/// An input, ready to be drawn and run, and what was read.
+/// An input, ready to be drawn and run, and what was read, with the cures in it.
 struct Loaded {
     std::shared_ptr<const Model> model;
     std::shared_ptr<const PointFile> file;
@@ -71,6 +75,8 @@ Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress);
 /// The same for whom the model is enough.
 Result<std::shared_ptr<const Model>> loadModel(const InputSpec& spec, LoadProgress& progress);
 
+/// What the cures did, as one piece of a sentence; empty if there were none.
+std::string mendedText(const Model& model);
 /// Fills everything that is for drawing from `points`.
 void placeModel(Model& model);
 

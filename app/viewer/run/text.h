@@ -14,5 +14,7 @@ std::string lowerCase(std::string_view text);
 std::string lowerExtension(const std::filesystem::path& path);
 /// All bytes of a file; nothing if it cannot be read.
 std::optional<std::string> readText(const std::filesystem::path& path);
+/// As one word of a command line: between single quotes if a shell would read it otherwise.
+std::string shellQuoted(std::string_view word);
 
 }  // namespace se::view

@@ -82,6 +82,21 @@ Complaint readReach(const json& options, NeighborOptions& out) {
     return std::nullopt;
 }
 
+Complaint readCures(const json& options, Cures& out) {
+    const json* cures = find(options, "doctor");
+    if (cures == nullptr) return std::nullopt;
+    const Complaint wrong =
+        expected("options.doctor", "a list of checks of the doctor that can be cured");
+    if (!cures->is_array()) return wrong;
+    for (const json& name : *cures) {
+        const DoctorCheck* check =
+            name.is_string() ? findDoctorCheck(name.get<std::string>()) : nullptr;
+        if (check == nullptr || !canCure(*check)) return wrong;
+        out.push_back(name.get<std::string>());
+    }
+    return std::nullopt;
+}
+
 Complaint readOptions(const json& object, InputSpec& out) {
     const json* options = find(object, "options");
     if (options == nullptr) return std::nullopt;
@@ -103,6 +118,7 @@ Complaint readOptions(const json& object, InputSpec& out) {
             }
         }
     }
+    if (Complaint c = readCures(*options, out.cures)) return c;
     return readReach(*options, out.neighbors);
 }
 
@@ -205,6 +221,8 @@ json optionsToJson(const InputSpec& input, json options) {
     options.erase("switches");
     options.erase("neighbors");
     options.erase("radius");
+    options.erase("doctor");
+    if (!input.cures.empty()) options["doctor"] = input.cures;
     for (const RuleChoice& choice : input.choices) options["switches"][choice.name] = choice.on;
     if (!input.neighbors.recompute) return options;
     if (const auto* nearest = std::get_if<KNearest>(&input.neighbors.reach)) {

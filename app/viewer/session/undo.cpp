@@ -44,6 +44,8 @@ std::string describeChange(const Edits& from, const Edits& to) {
         add(text, "note of a bookmark");
     }
     if (from.notes != to.notes) add(text, "notes");
+    // What follows from it needs no words.
+    if (from.cures != to.cures) return "the doctor's cure";
     return text;
 }
 

@@ -8,6 +8,7 @@
 #include "arrangement.h"
 #include "bookmarks.h"
 #include "layers/layer.h"
+#include "run/cure.h"
 #include "run/selection.h"
 #include "scene/camera.h"
 #include "scene/palette.h"
@@ -25,6 +26,7 @@ struct Edits {
     Selection selected;
     Bookmarks bookmarks;
     std::string notes;
+    Cures cures;  ///< Of the input: to change them it is opened anew.
     friend bool operator==(const Edits&, const Edits&) = default;
 };
 
