@@ -265,3 +265,36 @@ TEST_CASE("A notice goes away after a while; what was said is kept until the nex
     open.session.stepEvent(1);
     CHECK(open.session.notice().empty());
 }
+
+TEST_CASE("A share of the run means the whole run, also before it was gone through") {
+    OpenSession whole("scene:torus");
+    const std::uint32_t last = whole.session.overview().lastPivot;
+    REQUIRE(last > 100);
+    Session session;
+    session.open({"scene:torus", {}, "paper"});
+    while (!session.ready()) session.poll();
+    REQUIRE(session.goToText("50%").ok());
+    // Known by now or not: it is not what is known that is halved.
+    CHECK(session.awaitsLength() == !session.overview().complete);
+    session.settle();
+    CHECK_FALSE(session.awaitsLength());
+    CHECK(session.record().pivot == (last + 1) / 2);
+    REQUIRE(session.goToText("100%").ok());
+    session.settle();
+    CHECK(session.record().pivot == last);
+    CHECK_FALSE(session.goToText("101%").ok());
+}
+
+TEST_CASE("Waiting for the length of the run can be stopped, and ends with another move") {
+    for (const bool stopped : {true, false}) {
+        Session session;
+        session.open({"scene:torus", {}, "paper"});
+        while (!session.ready()) session.poll();
+        session.goToShare(1.0);
+        const bool waits = session.awaitsLength();
+        stopped ? session.cancelMove() : session.stepPivot(1);
+        CHECK_FALSE(session.awaitsLength());
+        session.settle();
+        if (waits) CHECK(session.record().pivot == (stopped ? 0U : 1U));
+    }
+}

@@ -42,6 +42,7 @@ void escape(C& c) {
     closeDialogs(ui);
     ui.requests.closePopups = true;
     if (covered) return;
+    if (c.session.busySeconds() > kLongMove) return c.session.cancelMove();
     const bool picked =
         c.session.selection().kind != SelectionKind::None || !c.session.marked().empty();
     c.session.select(Selection{});

@@ -68,6 +68,31 @@ void drawError(const PanelContext& context) {
     ImGui::End();
 }
 
+struct Progressed {
+    std::string text;
+    float share = 0.0F;
+};
+
+/// How far the runner thread is on its way to another pivot.
+Progressed moved(const Session& session) {
+    const RunOverview& run = session.overview();
+    const std::uint32_t at = session.runnerPosition();
+    const std::uint32_t end =
+        std::max(1U, run.complete ? std::min(session.runnerTarget(), run.lastPivot)
+                                  : session.runnerTarget());
+    if (end == 0xffffffffU) return {"pivot " + grouped(at), 0.0F};
+    return {"pivot " + grouped(at) + " of " + grouped(end),
+            static_cast<float>(at) / static_cast<float>(end)};
+}
+
+/// How much of the run is known. A closed surface has two triangles to a point.
+Progressed goneThrough(const Session& session) {
+    const RunOverview& run = session.overview();
+    const auto expected = 2.0F * static_cast<float>(session.model().points.size());
+    const auto made = static_cast<float>(run.triangles.empty() ? 0 : run.triangles.back());
+    return {"pivot " + grouped(run.lastPivot), made / std::max(1.0F, expected)};
+}
+
 /// Only for moves that take a while; others are over before this is drawn.
 void drawMove(const PanelContext& context) {
     Session& session = context.session();
@@ -79,19 +104,17 @@ void drawMove(const PanelContext& context) {
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                          ImGuiWindowFlags_AlwaysAutoResize)) {
-        const std::uint32_t at = session.runnerPosition();
-        const std::uint32_t end =
-            std::max(1U, session.overview().complete
-                             ? std::min(session.runnerTarget(), session.overview().lastPivot)
-                             : session.runnerTarget());
-        const bool known = end != 0xffffffffU;
-        const std::string text = "pivot " + grouped(at) + (known ? " of " + grouped(end) : "");
-        const float share = known ? static_cast<float>(at) / static_cast<float>(end) : 0.0F;
+        const Progressed move = session.awaitsLength() ? goneThrough(session) : moved(session);
+        if (session.awaitsLength()) {
+            ImGui::TextDisabled("How long is the run? It is gone through first.");
+        }
         const float button = 4.5F * context.em;
-        ImGui::ProgressBar(std::min(1.0F, share), {ImGui::GetContentRegionAvail().x - button, 0.0F},
-                           text.c_str());
+        ImGui::ProgressBar(std::min(1.0F, move.share),
+                           {ImGui::GetContentRegionAvail().x - button, 0.0F}, move.text.c_str());
         ImGui::SameLine();
         if (ImGui::Button("Stop")) session.cancelMove();
+        tooltip("Stop (Esc)");
+        context.ui().where["stop move"] = lastItem();
     }
     ImGui::End();
 }
@@ -129,7 +152,8 @@ void drawNotices(const PanelContext& context) {
     const Session& session = context.session();
     if (session.phase() == SessionPhase::Loading) drawLoading(context);
     if (session.phase() == SessionPhase::Failed) drawError(context);
-    if (session.phase() == SessionPhase::Ready && session.busySeconds() > 0.15) drawMove(context);
+    if (session.phase() == SessionPhase::Ready && session.busySeconds() > kLongMove)
+        drawMove(context);
     // At the start the caption says it, and keeps it: no decision waits there.
     if (session.ready() && session.event() != nullptr && viewIsFree(context)) drawSaid(context);
 }

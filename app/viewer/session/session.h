@@ -27,6 +27,9 @@
 
 namespace se::view {
 
+/// A move that takes so many seconds is shown, and can be stopped.
+inline constexpr double kLongMove = 0.15;
+
 enum class SessionPhase : std::uint8_t { Empty, Loading, Ready, Failed };
 
 class Session {
@@ -103,6 +106,9 @@ class Session {
     void goToPivot(std::uint32_t pivot);
     /// To an event; without stage and n to the last event of the pivot.
     void goTo(const Address& address);
+    /// To a share of the whole run, in [0, 1]. How long that is is known once it was gone through:
+    /// until then it is waited for, and what is known is not taken for the whole.
+    void goToShare(double share);
     /// The next (+1) or previous (-1) split, join, seed or alert; nothing if none is known.
     std::optional<Address> nextMark(int direction) const;
     /// Goes to an address and leaves no trace in the history: for playing.
@@ -121,9 +127,11 @@ class Session {
     /// goes to its next event). Fails with a sentence.
     Status goToText(const std::string& text);
 
-    /// A move waits for the runner thread.
-    bool busy() const { return waiting_ || !moves_.empty(); }
-    /// How long the runner thread has been at it; 0 if it is not.
+    /// A move waits for the runner thread, or for the run to be gone through.
+    bool busy() const { return waiting_ || !moves_.empty() || awaitsLength(); }
+    /// A share of the run was asked for whose length is not known yet.
+    bool awaitsLength() const { return awaitedShare_.has_value(); }
+    /// How long it has been waited for; 0 if nothing is.
     double busySeconds() const;
     std::uint32_t runnerPosition() const { return runner_ ? runner_->position() : 0; }
     std::uint32_t runnerTarget() const { return requested_; }
@@ -173,6 +181,7 @@ class Session {
     bool atLastPivot() const;
     void push(Move move);
     void processMoves();
+    void goToAwaited();
     void perform(Move move);
     void performEvents(int delta);
     void performPoint(Index point);
@@ -214,6 +223,7 @@ class Session {
     History history_;
     std::deque<Move> moves_;
     bool waiting_ = false;
+    std::optional<double> awaitedShare_;
     std::chrono::steady_clock::time_point waitingSince_;
     std::uint32_t requested_ = 0;
     Landing landing_ = Landing::Last;

@@ -37,9 +37,7 @@ Status Session::goToText(const std::string& given) {
     if (text.back() == '%') {
         const auto share = readNumber(std::string_view(text).substr(0, text.size() - 1));
         if (!share || *share < 0 || *share > 100) return unknown;
-        if (!overview_.complete) return Error{"The length of the run is not known yet."};
-        goToPivot(static_cast<std::uint32_t>(std::llround(static_cast<double>(overview_.lastPivot) *
-                                                          static_cast<double>(*share) / 100.0)));
+        goToShare(static_cast<double>(*share) / 100.0);
         return success();
     }
     if (text.front() == 'p') {
