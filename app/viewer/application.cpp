@@ -5,27 +5,19 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
 #include "gl/context.h"
 #include "gl/screenshot.h"
 #include "interface/close_up.h"
-#include "interface/key_routing.h"
-#include "session/place.h"
 
 namespace se::view {
 
 namespace {
 
-std::string clipboard() {
-    const char* text = ImGui::GetClipboardText();
-    return text != nullptr ? text : "";
-}
-
-/// Steps played faster than this, per second, do not leave the time to see them move.
-constexpr double kFollowedRate = 1.5;
+constexpr const char* kStartWindow = "##start";
+constexpr const char* kViewWindow = "##view";
 
 }  // namespace
 
@@ -43,9 +35,7 @@ Application::~Application() = default;
 Status Application::start(float contentScale) {
     contentScale_ = contentScale;
     imgui_ = std::make_unique<Ui>();
-    Result<std::unique_ptr<Renderer>> renderer = Renderer::create(options_.shaders);
-    if (!renderer) return renderer.error();
-    renderer_ = std::move(renderer.value());
+    if (const Status status = painter_.start(options_.shaders); !status) return status;
     filing_.begin(options_);
     std::string complaints;
     for (const std::string& each : std::exchange(ui_.settings.complaints, {})) {
@@ -53,77 +43,6 @@ Status Application::start(float contentScale) {
     }
     if (!complaints.empty()) session_.say(std::move(complaints));
     return success();
-}
-
-void Application::character(unsigned sign) {
-    if (ui_.goTo.active()) {
-        ui_.goTo.type(sign);
-    } else if (sign == '?' && !ui_.keyEditor) {
-        // Where the question mark lies differs between keyboards.
-        key({'?', kNoMods}, false);
-    }
-}
-
-void Application::goToTyped() {
-    playback_.pause();
-    const Status status = session_.goToText(ui_.goTo.text());
-    if (!status) session_.say(status.error().message);
-}
-
-bool Application::key(const KeyChord& chord, bool repeated) {
-    if (ui_.keyCapture.active()) {
-        ui_.keyCapture.press(chord, ui_.settings.keys);
-        return false;
-    }
-    if (ui_.goTo.active() && chord == KeyChord{'V', kCtrl}) {
-        const std::string text = clipboard();
-        const Result<Place> place = placeFromText(text);
-        const std::string& address = place ? place.value().address : text;
-        for (const char sign : address) ui_.goTo.type(static_cast<unsigned char>(sign));
-        return false;
-    }
-    if (ui_.goTo.active() && ui_.goTo.press(chord)) {
-        if (ui_.goTo.takeSubmitted()) goToTyped();
-        return false;
-    }
-    const ImGuiIO& io = ImGui::GetIO();
-    if (chord.key == key::kEscape && io.WantTextInput && !ui_.dialogOpen()) {
-        // Dear ImGui would take back what was typed.
-        ImGui::ClearActiveID();
-        return true;
-    }
-    const bool enter = chord.key == key::kEnter || chord.key == key::kKeypadEnter;
-    if (enter && chord.mods == kNoMods && ui_.walk.at() != KeyStop::View && io.NavVisible &&
-        !io.WantTextInput && !ui_.dialogOpen()) {
-        // Dear ImGui itself takes Space alone.
-        ImGui::ActivateItem(ImGui::GetFocusID());
-        return true;
-    }
-    if (isShiftKey(chord.key) && !repeated) ui_.look.shift(true, ui_.clock);
-    const Command* command = ui_.settings.keys.commandFor(chord);
-    // A question comes first.
-    if (ui_.leaving.asked && command != findCommand("help.leave")) return false;
-    if (command == nullptr || (repeated && !command->repeats)) return false;
-    const bool closes = ui_.cheatSheet && command == findCommand("help.keys");
-    const Keyboard keyboard{io.WantTextInput, ui_.dialogOpen() && !closes,
-                            io.NavVisible && io.WantCaptureKeyboard};
-    const bool reaches = reachesActions(chord, keyboard);
-    if (reaches && !holdsLook(*command, chord.key)) command->run(commands_);
-    // Dear ImGui has ways of its own to walk.
-    return reaches && chord.key == key::kTab;
-}
-
-/// The two actions that last as long as their key is held.
-bool Application::holdsLook(const Command& command, int key) {
-    const bool blinks = &command == findCommand("step.blink");
-    if (!blinks && &command != findCommand("step.before")) return false;
-    ui_.look.begin(blinks ? LookBack::Mode::Blink : LookBack::Mode::Before, key, ui_.clock);
-    return true;
-}
-
-void Application::keyReleased(const KeyChord& chord) {
-    ui_.look.released(chord.key);
-    if (isShiftKey(chord.key)) ui_.look.shift(false, ui_.clock);
 }
 
 void Application::drop(const std::vector<std::string>& paths) {
@@ -152,7 +71,7 @@ Status Application::settle() {
 }
 
 bool Application::animating() const {
-    return session_.busy() || playback_.playing() || motion_.moving() || ui_.look.blinking() ||
+    return session_.busy() || playback_.playing() || painter_.moving() || ui_.look.blinking() ||
            ui_.click.waiting() || session_.phase() == SessionPhase::Loading;
 }
 
@@ -183,117 +102,27 @@ void Application::play(double seconds) {
     turn ? session_.playTo(*loop.from) : playSteps(commands_, due);
 }
 
-namespace {
-
-/// How many triangles there were at the last seed before the cursor.
-std::size_t componentBegin(const Session& session) {
-    const RunOverview& run = session.overview();
-    const std::uint32_t pivot = session.record().pivot;
-    std::size_t begin = 0;
-    for (const RunMark& mark : run.marks) {
-        if (mark.kind != MarkKind::Seed || mark.pivot > pivot || mark.pivot < 2) continue;
-        const std::size_t before = mark.pivot - 2;
-        if (before < run.triangles.size()) begin = run.triangles[before];
-    }
-    return begin;
-}
-
-/// The point that the last ring before that at the cursor began with.
-Index seedBefore(const Session& session) {
-    const RunOverview& run = session.overview();
-    const std::uint32_t pivot = session.record().pivot;
-    Index seed = kNone;
-    for (const ComponentSummary& each : run.components) {
-        if (each.firstPivot >= pivot) break;
-        if (each.firstPivot <= run.pivots.size()) seed = run.pivots[each.firstPivot - 1].point;
-    }
-    return seed;
-}
-
-}  // namespace
-
-/// At which point of its short movements the scene is to be drawn.
-const Moment& Application::lookAtMoment() {
-    static constexpr Moment kPaper{Moment::Kind::Paper, 0.0, false};
-    if (ui_.requests.screenshot || !options_.screenshot.empty()) return kPaper;
-    const bool tooFast =
-        playback_.playing() && (playback_.unlimited() || playback_.rate() > kFollowedRate);
-    const bool still = !session_.ready() || session_.busy() || tooFast || ui_.look.on();
-    return motion_.look(
-        {session_.generation(), session_.ready() ? session_.record().pivot : 0, session_.cursor()},
-        still ? 0.0 : motionSeconds(session_.picture()), ui_.clock);
-}
-
-void Application::fillScene(const Layout& layout) {
+/// Where what has just been opened is looked at from.
+void Application::placeCamera(const Layout& layout) {
     if (!session_.ready()) return;
-    const ViewSettings& settings = ui_.settings;
-    if (uploadedGeneration_ != session_.generation()) {
-        renderer_->setModel(session_.model());
-        uploadedGeneration_ = session_.generation();
+    if (std::exchange(placedGeneration_, session_.generation()) != session_.generation()) {
         // Another input, another home; reloading the same one leaves the camera alone.
         if (std::exchange(homeOf_, session_.model().name) != session_.model().name) {
             camera_.home(session_.model().beginning, session_.model().sample, ui_.viewAspect);
         }
         if (const auto pose = filing_.takeCamera()) camera_.setPose(*pose);
-        filledRevision_ = 0;
     }
-    if (!session_.busy() && filing_.takeFocus()) {
-        frameFocus(commands_);
-        closeUp(session_, camera_, layout.view.size / imgui_->em());
-    }
-    renderer_->setTriangles(session_.model(), session_.triangles());
-    renderer_->setMended(session_.model(), session_.picture().mended);
-    shownLayers_ = shownLayers(settings.layers, session_.stage());
-    MeshColoring mesh =
-        meshColoring(settings.meshStyle, session_.overview(), session_.triangles().size());
-    const Moment& moment = lookAtMoment();
-    if (filledRevision_ == session_.revision() && filledLayers_ == shownLayers_ &&
-        filledTheme_ == settings.theme && filledMesh_ == mesh && filledMoment_ == moment &&
-        filledShapes_ == session_.overview().shapes.size()) {
-        return;
-    }
-    const LayerInput input{session_.model(),
-                           session_.picture(),
-                           palette(),
-                           session_.selected(),
-                           session_.litRing(),
-                           session_.hovered(),
-                           session_.triangles(),
-                           componentBegin(session_),
-                           shapeAt(session_.overview().shapes, session_.record().pivot),
-                           session_.selection(),
-                           ui_.facts.of(session_).present,
-                           mesh,
-                           session_.marked(),
-                           moment,
-                           &session_.meshIndex(),
-                           seedBefore(session_)};
-    fillDrawList(input, shownLayers_, drawList_);
-    filledRevision_ = session_.revision();
-    filledLayers_ = shownLayers_;
-    filledTheme_ = settings.theme;
-    filledShapes_ = session_.overview().shapes.size();
-    filledMesh_ = std::move(mesh);
-    filledMoment_ = moment;
-    ++fills_;
-}
-
-void Application::drawScene(const Layout& layout) {
-    const glm::ivec2 size(layout.view.size);
-    if (size.x < 1 || size.y < 1) return;
-    const SceneKey key{session_.revision(), session_.generation(), camera_.revision(), size,
-                       shownLayers_,        ui_.settings.theme,    imgui_->em(),       fills_};
-    if (key == drawn_) return;
-    drawn_ = key;
-    const float aspect = layout.view.size.x / layout.view.size.y;
-    renderer_->draw(drawList_, camera_.matrices(aspect), size, imgui_->em(), palette().background);
+    if (session_.busy() || !filing_.takeFocus()) return;
+    frameFocus(commands_);
+    closeUp(session_, camera_, layout.view.size / imgui_->em());
 }
 
 void Application::drawUserInterface(const Layout& layout) {
     const StatusCounts& counts = session_.picture().status.counts();
-    const PanelContext context{commands_, palette(), imgui_->fonts(), layout,
-                               drawList_, counts,    imgui_->em(),    renderer_->texture()};
+    const PanelContext context{commands_,       palette(), imgui_->fonts(), layout,
+                               painter_.list(), counts,    imgui_->em(),    painter_.texture()};
     drawPanels(context);
+    const char* home = session_.startPage() ? kStartWindow : kViewWindow;
     // After a click the keys go to the view again; Ctrl+Tab leads into the panels.
     const bool released =
         ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !ImGui::IsAnyItemActive();
@@ -301,10 +130,10 @@ void Application::drawUserInterface(const Layout& layout) {
     ui_.popupOpen = popup;
     const bool covered = popup || ui_.fileBrowser || ui_.cheatSheet || ui_.keyEditor ||
                          ui_.palette.open || ui_.leaving.asked;
-    if ((released && !covered) || !focused_) {
-        ImGui::SetWindowFocus(session_.startPage() ? "##start" : "##view");
+    if ((released && !covered) || focused_ != home) {
+        ImGui::SetWindowFocus(home);
         ui_.walk.leave();
-        focused_ = true;
+        focused_ = home;
     }
 }
 
@@ -325,10 +154,11 @@ void Application::frame(glm::ivec2 size, double seconds) {
         computeLayout(glm::vec2(size), imgui_->em(), ui_.arrangement, ui_.navigation.drawer);
     ui_.navigation.drawerFolded = layout.drawerFolded;
     ui_.viewAspect = layout.view.size.x / std::max(1.0F, layout.view.size.y);
-    fillScene(layout);
+    placeCamera(layout);
+    painter_.fill(commands_, ui_.requests.screenshot || !options_.screenshot.empty());
     drawUserInterface(layout);
     const auto built = std::chrono::steady_clock::now();
-    drawScene(layout);
+    painter_.draw(commands_, glm::ivec2(layout.view.size), imgui_->em());
     clearFrame(size, palette().panel);
     imgui_->endFrame();
     uiSeconds_ = std::chrono::duration<double>(built - began).count();
@@ -341,8 +171,7 @@ void Application::frame(glm::ivec2 size, double seconds) {
     if (std::exchange(ui_.requests.copyPlace, false)) copyPlace();
     if (std::exchange(ui_.requests.pastePlace, false)) pastePlace();
     // One that was asked for while this frame was drawn is taken from the next one.
-    if (ui_.requests.screenshot &&
-        (filledMoment_.kind == Moment::Kind::Paper || !session_.ready())) {
+    if (ui_.requests.screenshot && (painter_.onPaper() || !session_.ready())) {
         ui_.requests.screenshot = false;
         saveWindowPicture(size);
     }
@@ -351,7 +180,7 @@ void Application::frame(glm::ivec2 size, double seconds) {
         ui_.requests.closePopups = ui_.walk.at() == KeyStop::View;
     }
     if (std::exchange(ui_.requests.closePopups, false)) {
-        ImGui::SetWindowFocus("##view");
+        ImGui::SetWindowFocus(focused_);
         if (ui_.walk.at() != KeyStop::View) ui_.walk.leave();
     }
 }
@@ -373,9 +202,14 @@ void Application::noteTimes(std::chrono::steady_clock::time_point built) {
 }
 
 void Application::observeEdits() {
+    // What is being opened belongs to the change that asked for it.
+    if (session_.phase() == SessionPhase::Loading) return;
     const Edits now = captureEdits(commands_);
     if (std::exchange(undoGeneration_, session_.generation()) != session_.generation()) {
-        return undo_.begin(now);
+        const InputSpec& spec = session_.spec();
+        const bool same = std::exchange(undoSource_, spec.source) == spec.source;
+        const bool cured = std::exchange(undoCures_, spec.cures) != spec.cures;
+        if (!same || !cured) return undo_.begin(now);
     }
     const bool changing = ImGui::IsAnyMouseDown() || ImGui::GetIO().WantTextInput;
     const auto sinceStart = std::chrono::steady_clock::now().time_since_epoch();
@@ -386,29 +220,19 @@ void Application::undoOrRedo() {
     const bool undo = std::exchange(ui_.requests.undo, false);
     const bool redo = std::exchange(ui_.requests.redo, false);
     if (!undo && !redo) return;
+    if (session_.phase() == SessionPhase::Loading) {
+        return session_.say("The input is being opened; then again.");
+    }
     const Edits now = captureEdits(commands_);
     const auto step = undo ? undo_.undo(now) : undo_.redo(now);
     if (!step)
         return session_.say(undo ? "There is nothing to undo." : "There is nothing to redo.");
     applyEdits(step->edits, commands_);
-    undo_.accept(captureEdits(commands_));
+    Edits made = captureEdits(commands_);
+    // What is opened anew has nothing selected.
+    if (std::exchange(made.cures, step->edits.cures) != step->edits.cures) made.selected = {};
+    undo_.accept(made);
     session_.say((undo ? "Undone: " : "Redone: ") + step->change + ".");
-}
-
-void Application::copyPlace() {
-    if (!session_.ready()) return;
-    const std::string address = session_.event() != nullptr ? toString(session_.address()) : "0";
-    ImGui::SetClipboardText(toText(Place{address, camera_.pose()}).c_str());
-    session_.say("Copied: " + address + " and the camera.");
-}
-
-void Application::pastePlace() {
-    const Result<Place> place = placeFromText(clipboard());
-    if (!place) return session_.say(place.error().message);
-    playback_.pause();
-    if (place.value().camera) camera_.setPose(*place.value().camera);
-    const Status status = session_.goToText(place.value().address);
-    if (!status) session_.say(status.error().message);
 }
 
 void Application::narrate() {

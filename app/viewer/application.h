@@ -6,12 +6,12 @@
 #include <string>
 
 #include "filing.h"
-#include "gl/renderer.h"
 #include "interface/commands.h"
 #include "options.h"
 #include "panels/panel.h"
 #include "panels/ui.h"
 #include "scene/camera.h"
+#include "scene_painter.h"
 #include "session/playback.h"
 #include "session/session.h"
 
@@ -69,27 +69,14 @@ class Application {
     void rememberSize(glm::ivec2 size);
 
   private:
-    struct SceneKey {
-        std::uint32_t revision = 0;
-        std::uint32_t generation = 0;
-        unsigned camera = 0;
-        glm::ivec2 size{0};
-        LayerSwitches layers;
-        Theme theme = Theme::Dark;
-        float em = 0.0F;
-        unsigned fills = 0;
-        friend bool operator==(const SceneKey&, const SceneKey&) = default;
-    };
-
     void noteTimes(std::chrono::steady_clock::time_point built);
+    bool goToBoxTakes(const KeyChord& chord);
     void goToTyped();
     void undoOrRedo();
     void observeEdits();
     bool holdsLook(const Command& command, int key);
     void play(double seconds);
-    const Moment& lookAtMoment();
-    void fillScene(const Layout& layout);
-    void drawScene(const Layout& layout);
+    void placeCamera(const Layout& layout);
     void drawUserInterface(const Layout& layout);
     void saveWindowPicture(glm::ivec2 size);
     void copyPlace();
@@ -104,26 +91,17 @@ class Application {
     UiState ui_;
     CommandContext commands_;
     std::unique_ptr<Ui> imgui_;
-    std::unique_ptr<Renderer> renderer_;
-    DrawList drawList_;
-    SceneKey drawn_;
-    std::uint32_t filledRevision_ = 0;
-    LayerSwitches shownLayers_;  ///< At the event that the picture shows.
-    LayerSwitches filledLayers_;
-    Theme filledTheme_ = Theme::Dark;
-    MeshColoring filledMesh_;
-    Motion motion_;
-    Moment filledMoment_;
-    std::size_t filledShapes_ = 0;  ///< Components that were known.
-    unsigned fills_ = 0;            ///< How often the draw list was made.
-    std::uint32_t uploadedGeneration_ = 0;
+    ScenePainter painter_;
+    std::uint32_t placedGeneration_ = 0;  ///< The camera was placed for it.
     float contentScale_ = 1.0F;
     Filing filing_;
     UndoStack undo_;
     std::uint32_t undoGeneration_ = 0xffffffffU;  ///< Of the input that the stack is about.
-    bool noticed_ = false;                        ///< A notice is in sight.
-    bool focused_ = false;
-    std::string homeOf_;  ///< Name of the input that the camera went home for.
+    std::string undoSource_;
+    Cures undoCures_;
+    bool noticed_ = false;           ///< A notice is in sight.
+    const char* focused_ = nullptr;  ///< The window that has the keyboard where no panel has it.
+    std::string homeOf_;             ///< Name of the input that the camera went home for.
     std::string writtenState_;
     std::string narrated_;  ///< The address of the last sentence on stdout.
     double uiSeconds_ = 0.0;

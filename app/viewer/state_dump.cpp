@@ -71,6 +71,8 @@ void dumpRun(json& out, const Session& session) {
     out["findings"] = json::array();
     for (const Finding& finding : checkup.findings())
         out["findings"].push_back(finding.check->name);
+    out["cures"] = session.spec().cures;
+    out["mended"] = session.model().mended;
     out["marked"] = session.marked().size();
     out["hovered"] = indexOrNull(session.hovered());
     out["busy"] = session.busy();
@@ -137,7 +139,7 @@ std::string Application::stateDump() const {
              {"before", session_.showsBefore()},
              {"shown_state", session_.showsBefore() ? "before" : "after"},
              {"blinking", ui_.look.blinking()},
-             {"moving", motion_.moving()}};
+             {"moving", painter_.moving()}};
     dumpLayers(out, ui_.settings.layers, session_.stage());
     out["mesh_style"] = std::string(rowOf(ui_.settings.meshStyle).name);
     out["unlimited"] = playback_.unlimited();

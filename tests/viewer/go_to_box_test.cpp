@@ -50,6 +50,10 @@ TEST_CASE("Function keys and Ctrl chords go past the open box, plain keys do not
     box.open();
     CHECK_FALSE(box.press(*keyFromString("F10")));
     CHECK_FALSE(box.press(*keyFromString("Ctrl+Q")));
+    CHECK_FALSE(box.press(*keyFromString("Ctrl+1")));
+    // What edits text is the box's own, as in any text field.
+    CHECK(box.press(*keyFromString("Ctrl+Z")));
+    CHECK(box.press(*keyFromString("Alt+Left")));
     CHECK(box.press(*keyFromString("Space")));
     CHECK(box.press(*keyFromString("L")));
     CHECK(box.active());
@@ -62,5 +66,56 @@ TEST_CASE("The box takes no more than an address can be long, and no signs that 
     CHECK(box.text().size() <= 64);
     box.open();
     for (const unsigned sign : {0x0AU, 0x20U, 0x7FU, 0xE9U, 0x1F600U}) box.type(sign);
+    CHECK(box.text().empty());
+}
+
+TEST_CASE("The text of the box is edited where the caret is") {
+    GoToBox box;
+    box.open();
+    type(box, "17.sot");
+    for (int i = 0; i < 5; ++i) box.press({key::kLeft, kNoMods});
+    type(box, "3");
+    CHECK(box.text() == "137.sot");
+    box.press({key::kEnd, kNoMods});
+    box.press({key::kLeft, kNoMods});
+    type(box, "r");
+    CHECK(box.text() == "137.sort");
+    box.press({key::kHome, kNoMods});
+    box.press({key::kLeft, kNoMods});  // no farther
+    box.press({key::kDelete, kNoMods});
+    CHECK(box.text() == "37.sort");
+    box.press({key::kEnd, kNoMods});
+    box.press({key::kDelete, kNoMods});
+    box.press({key::kBackspace, kNoMods});
+    CHECK(box.text() == "37.sor");
+    CHECK(box.caret() == 6);
+}
+
+TEST_CASE("Ctrl+A marks what is in the box; what comes then takes its place") {
+    GoToBox box;
+    box.open();
+    type(box, "137");
+    CHECK_FALSE(box.marked());
+    box.press(*keyFromString("Ctrl+C"));
+    CHECK(box.takeCopied().empty());  // nothing is marked
+    box.press(*keyFromString("Ctrl+A"));
+    CHECK(box.marked());
+    box.press(*keyFromString("Ctrl+C"));
+    CHECK(box.takeCopied() == "137");
+    CHECK(box.takeCopied().empty());
+    type(box, "2");
+    CHECK(box.text() == "2");
+    CHECK_FALSE(box.marked());
+    box.press(*keyFromString("Ctrl+A"));
+    box.press(*keyFromString("Ctrl+X"));
+    CHECK(box.takeCopied() == "2");
+    CHECK(box.text().empty());
+    box.paste("4.sphere.1");
+    box.press(*keyFromString("Ctrl+A"));
+    box.press({key::kLeft, kNoMods});
+    CHECK_FALSE(box.marked());
+    CHECK(box.text() == "4.sphere.1");
+    box.press(*keyFromString("Ctrl+A"));
+    box.press({key::kBackspace, kNoMods});
     CHECK(box.text().empty());
 }

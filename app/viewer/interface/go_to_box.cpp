@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "key_routing.h"
+
 namespace se::view {
 
 namespace {
@@ -10,24 +12,85 @@ constexpr std::size_t kLongest = 40;
 
 }  // namespace
 
+void GoToBox::open() {
+    *this = {};
+    active_ = true;
+}
+
+void GoToBox::clear() {
+    text_.clear();
+    caret_ = 0;
+    marked_ = false;
+}
+
 void GoToBox::type(unsigned sign) {
-    if (sign > ' ' && sign < 127 && text_.size() < kLongest) text_ += static_cast<char>(sign);
+    if (sign <= ' ' || sign >= 127) return;
+    if (marked_) clear();
+    if (text_.size() < kLongest) text_.insert(caret_++, 1, static_cast<char>(sign));
+}
+
+void GoToBox::paste(std::string_view text) {
+    for (const char sign : text) type(static_cast<unsigned char>(sign));
+}
+
+void GoToBox::move(int key) {
+    marked_ = false;
+    if (key == key::kLeft && caret_ > 0) --caret_;
+    if (key == key::kRight && caret_ < text_.size()) ++caret_;
+    if (key == key::kHome) caret_ = 0;
+    if (key == key::kEnd) caret_ = text_.size();
+}
+
+void GoToBox::erase(int key) {
+    if (marked_) return clear();
+    if (key == key::kBackspace && caret_ > 0) text_.erase(--caret_, 1);
+    if (key == key::kDelete && caret_ < text_.size()) text_.erase(caret_, 1);
+}
+
+void GoToBox::letter(int key) {
+    if (key == 'A') {
+        marked_ = !text_.empty();
+        caret_ = text_.size();
+    }
+    if (!marked_ || (key != 'C' && key != 'X')) return;
+    copied_ = text_;
+    if (key == 'X') clear();
 }
 
 bool GoToBox::press(const KeyChord& chord) {
-    if (chord.isFunctionKey() || (chord.mods & (kCtrl | kAlt)) != 0) return false;
-    if (chord.key == key::kEnter || chord.key == key::kKeypadEnter) {
-        active_ = false;
-        submitted_ = !text_.empty();
-    } else if (chord.key == key::kEscape) {
-        active_ = false;
-    } else if (chord.key == key::kBackspace && !text_.empty()) {
-        text_.pop_back();
+    if (!editsText(chord)) return false;
+    if ((chord.mods & (kCtrl | kAlt)) == kCtrl && chord.key < key::kEscape) {
+        letter(chord.key);
+        return true;
     }
-    // All other plain keys come again as signs, or mean nothing here.
+    switch (chord.key) {
+        case key::kEnter:
+        case key::kKeypadEnter:
+            active_ = false;
+            submitted_ = !text_.empty();
+            break;
+        case key::kEscape:
+            active_ = false;
+            break;
+        case key::kBackspace:
+        case key::kDelete:
+            erase(chord.key);
+            break;
+        case key::kLeft:
+        case key::kRight:
+        case key::kHome:
+        case key::kEnd:
+            move(chord.key);
+            break;
+        default:
+            // All other plain keys come again as signs, or mean nothing here.
+            break;
+    }
     return true;
 }
 
 bool GoToBox::takeSubmitted() { return std::exchange(submitted_, false); }
+
+std::string GoToBox::takeCopied() { return std::exchange(copied_, {}); }
 
 }  // namespace se::view

@@ -7,9 +7,10 @@
 
 namespace se::view {
 
-/// In the order of walking. The view has the keyboard where no panel has.
-enum class KeyStop : std::uint8_t { View, Steps, Rings, RingPoints, Tabs, Content };
-inline constexpr std::size_t kKeyStopCount = 6;
+/// In the order of walking. The view has the keyboard where no panel has; files and scenes are on
+/// the start page, which stands in its place.
+enum class KeyStop : std::uint8_t { View, Steps, Rings, RingPoints, Tabs, Content, Files, Scenes };
+inline constexpr std::size_t kKeyStopCount = 8;
 
 std::string_view keyStopName(KeyStop stop);
 

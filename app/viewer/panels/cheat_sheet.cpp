@@ -42,20 +42,24 @@ bool beginKeys(const char* id, const PanelContext& context) {
     return true;
 }
 
-/// The ten keys of bookmarks are one row, unless somebody changed them.
-bool isLaterBookmark(const Command& command) {
-    return command.id.starts_with("notes.go.") && command.id != "notes.go.1";
+/// The ten keys of bookmarks are one row, unless somebody changed one of them.
+bool bookmarksAreOneRow(const KeyMap& keys) {
+    return std::none_of(commands().begin(), commands().end(), [&](const Command& command) {
+        return command.id.starts_with("notes.go.") && keys.isChanged(command);
+    });
 }
 
 void drawGroup(const PanelContext& context, std::string_view group) {
     heading(context, std::string(group).c_str());
     if (!beginKeys(std::string(group).c_str(), context)) return;
+    const bool oneRow = bookmarksAreOneRow(context.ui().settings.keys);
     for (const Command& command : commands()) {
         const std::string keys = context.ui().settings.keys.all(command);
-        if (command.group != group || keys.empty() || isLaterBookmark(command)) continue;
-        const bool bookmarks = command.id == "notes.go.1" && keys == command.keys;
-        keyRow(context, bookmarks ? "Ctrl+1 ... Ctrl+0" : keys,
-               bookmarks ? "Go to bookmark 1 ... 10" : std::string(command.title));
+        if (command.group != group || keys.empty()) continue;
+        const bool bookmark = oneRow && command.id.starts_with("notes.go.");
+        if (!bookmark) keyRow(context, keys, std::string(command.title));
+        if (bookmark && command.id == "notes.go.1")
+            keyRow(context, "Ctrl+1 ... Ctrl+0", "Go to bookmark 1 ... 10");
     }
     ImGui::EndTable();
     ImGui::Spacing();

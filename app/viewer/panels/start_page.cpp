@@ -14,6 +14,21 @@ constexpr float kPicture = 7.4F;     ///< Height of the picture in a tile, in em
 constexpr const char* kDropFormats = "PLY, XYZ, PCD, OBJ, OFF; .sesession";
 constexpr float kSide = 19.0F;  ///< Width of the column beside the tiles, in em.
 
+/// Around something that can be opened.
+struct Frame {
+    Color color;
+    float width;
+};
+
+bool hasKeyboard() { return ImGui::IsItemFocused() && ImGui::GetIO().NavVisible; }
+
+/// Of the item drawn last: the one that has the keyboard stands out most.
+Frame frameOf(const Palette& palette, float em) {
+    if (hasKeyboard()) return {palette.pivot, 0.18F * em};
+    if (ImGui::IsItemHovered()) return {palette.accent, 0.12F * em};
+    return {palette.border, std::max(1.0F, 0.06F * em)};
+}
+
 void drawPicture(const PanelContext& context, ImDrawList* list, const SceneTile& tile, ImVec2 low,
                  ImVec2 high) {
     const Palette& palette = context.palette;
@@ -56,9 +71,13 @@ void drawTile(const PanelContext& context, const SceneTile& tile, ImVec2 size) {
     const Palette& palette = context.palette;
     const std::string id = sceneSource(tile.id);
     if (ImGui::InvisibleButton(id.c_str(), size)) context.ui().requests.open = id;
+    const bool first = &tile == &context.ui().startPage.tiles.front();
+    if (first && context.ui().walk.offer(KeyStop::Scenes)) takeKeyboard();
+    const std::string name = (hasKeyboard() ? "chosen " : "tile ") + std::string(tile.id);
+    context.ui().where[name] = lastItem();
     tooltip(std::string(tile.title) + " (" + id + ")\n" + std::string(tile.watch));
     if (!ImGui::IsItemVisible()) return;
-    const bool lit = ImGui::IsItemHovered() || ImGui::IsItemFocused();
+    const Frame frame = frameOf(palette, em);
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
     ImDrawList* list = ImGui::GetWindowDrawList();
@@ -67,8 +86,7 @@ void drawTile(const PanelContext& context, const SceneTile& tile, ImVec2 size) {
     list->AddRectFilled(low, {high.x, picture}, toU32(palette.background), 0.3F * em,
                         ImDrawFlags_RoundCornersTop);
     drawPicture(context, list, tile, low, {high.x, picture});
-    list->AddRect(low, high, toU32(lit ? palette.accent : palette.border), 0.3F * em, 0,
-                  lit ? 0.12F * em : 1.0F);
+    list->AddRect(low, high, toU32(frame.color), 0.3F * em, 0, frame.width);
     const float room = size.x - 1.0F * em;
     ImGui::PushFont(context.fonts.strong);
     list->AddText({low.x + 0.5F * em, picture + 0.35F * em}, toU32(palette.text),
@@ -82,7 +100,7 @@ void drawTiles(const PanelContext& context) {
     heading(context, "Scenes");
     StartPage& page = context.ui().startPage;
     page.prepare();
-    if (ImGui::BeginChild("##tiles", {0, 0}, false)) {
+    if (ImGui::BeginChild("##tiles", {0, 0}, false, ImGuiWindowFlags_NavFlattened)) {
         const float gap = 0.7F * em;
         const float width = ImGui::GetContentRegionAvail().x;
         const int columns = std::max(1, static_cast<int>((width + gap) / (kLeastTile * em + gap)));
@@ -130,9 +148,9 @@ void drawDropHint(const PanelContext& context) {
     }
     const ImVec2 size(width, y - low.y + margin - 0.2F * em);
     if (ImGui::InvisibleButton("##drop", size)) context.run("file.open");
-    const bool lit = ImGui::IsItemHovered() || ImGui::IsItemFocused();
-    list->AddRect(low, ImGui::GetItemRectMax(), toU32(lit ? palette.accent : palette.border),
-                  0.4F * em, 0, std::max(1.0F, 0.1F * em));
+    if (context.ui().walk.offer(KeyStop::Files)) takeKeyboard();
+    const Frame frame = frameOf(palette, em);
+    list->AddRect(low, ImGui::GetItemRectMax(), toU32(frame.color), 0.4F * em, 0, frame.width);
 }
 
 void drawRecent(const PanelContext& context) {
@@ -150,7 +168,8 @@ void drawRecent(const PanelContext& context) {
         const std::string name = std::filesystem::path(path).filename().string();
         const std::string label = fitted(name, width) + "##" + path;
         if (ImGui::Selectable(label.c_str())) chosen = path;
-        context.ui().where["recent " + std::to_string(++place)] = lastItem();
+        const std::string what = hasKeyboard() ? "chosen recent " : "recent ";
+        context.ui().where[what + std::to_string(++place)] = lastItem();
         tooltip(path);
     }
     if (!chosen.empty()) context.ui().requests.open = chosen;
@@ -180,7 +199,7 @@ void drawMessage(const PanelContext& context) {
 }
 
 void drawSide(const PanelContext& context) {
-    if (ImGui::BeginChild("##startSide", {0, 0}, false)) {
+    if (ImGui::BeginChild("##startSide", {0, 0}, false, ImGuiWindowFlags_NavFlattened)) {
         drawMessage(context);
         drawDropHint(context);
         ImGui::Spacing();

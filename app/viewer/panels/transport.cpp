@@ -94,6 +94,26 @@ void drawLoop(const PanelContext& context) {
     }
 }
 
+/// What is typed, of a long text the part about the caret.
+void drawTyped(const PanelContext& context, const GoToBox& box, ImVec2 at, float room) {
+    const float em = context.em;
+    const float sign = ImGui::CalcTextSize("0").x;  // all are as wide
+    const auto fits = static_cast<std::size_t>(std::max(1.0F, room / sign));
+    const std::size_t first = box.caret() > fits ? box.caret() - fits : 0;
+    const std::string text = box.text().substr(first, fits);
+    const float height = ImGui::GetTextLineHeight();
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    if (box.marked()) {
+        const float width = static_cast<float>(text.size()) * sign;
+        list->AddRectFilled(at, {at.x + width, at.y + height},
+                            toU32(context.palette.accent.withAlpha(0.45F)));
+    }
+    list->AddText(at, toU32(context.palette.text), text.c_str());
+    const float x = at.x + static_cast<float>(box.caret() - first) * sign + 1.0F;
+    list->AddLine({x, at.y}, {x, at.y + height}, toU32(context.palette.text),
+                  std::max(1.0F, 0.09F * em));
+}
+
 void drawGoTo(const PanelContext& context) {
     GoToBox& box = context.ui().goTo;
     const float em = context.em;
@@ -113,16 +133,13 @@ void drawGoTo(const PanelContext& context) {
     if (box.active()) {
         list->AddRect(low, high, toU32(context.palette.accent), 0.25F * em, 0, 0.12F * em);
     }
-    const Color color = box.active() ? context.palette.text : context.palette.textDim;
     ImGui::PushFont(context.fonts.mono);
-    const std::string text =
-        fitted(box.active() ? box.text() : addressText(context.session()), size.x - em);
     const ImVec2 at(low.x + 0.5F * em, 0.5F * (low.y + high.y - ImGui::GetTextLineHeight()));
-    list->AddText(at, toU32(color), text.c_str());
     if (box.active()) {
-        const float x = at.x + ImGui::CalcTextSize(text.c_str()).x + 1.0F;
-        list->AddLine({x, at.y}, {x, at.y + ImGui::GetTextLineHeight()}, toU32(color),
-                      std::max(1.0F, 0.09F * em));
+        drawTyped(context, box, at, size.x - em);
+    } else {
+        const std::string text = fitted(addressText(context.session()), size.x - em);
+        list->AddText(at, toU32(context.palette.textDim), text.c_str());
     }
     ImGui::PopFont();
     tooltip("Go to (Ctrl+G): 137, 137.sphere.3, +10, -10, 50%, or p812 to select a point");

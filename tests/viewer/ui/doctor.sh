@@ -17,7 +17,7 @@ says findings '\[\]'
 denies open_tab Doctor
 stop
 
-start "$flawed"
+size=1600x980 start "$flawed"
 says doctor done
 says findings '\[ "duplicates", "zero_normals" \]'
 says open_tab Doctor
@@ -40,5 +40,53 @@ press ctrl+p
 type_text "doctor says"
 press Return
 says open_tab Doctor
+
+# One finding is cured: the input is opened anew with that, and Ctrl+Z takes it back.
+points=$(field points)
+go_to 20; says pivot 20
+click_on "fix zero_normals"
+says cures '\[ "zero_normals" \]'; says phase ready; says pivot 0
+says mended '\[ "1 exact copy dropped", "2 points with a zero normal dropped" \]'
+says points "$((points - 3))"
+says doctor done; says findings '\[\]'
+press Escape; press ctrl+z
+says cures '\[\]'; says points "$points"; says findings '.*zero_normals.*'; says message "Undone: .*|"
+press ctrl+y
+says cures '\[ "zero_normals" \]'; says points "$((points - 3))"; says findings '\[\]'
+# "As the file is" does the same, and can be undone like the rest.
+sleep 0.3; click_on "doctor as it is"
+says cures '\[\]'; says points "$points"
+press Escape; press ctrl+z
+says cures '\[ "zero_normals" \]'; says points "$((points - 3))"
+press ctrl+z; says cures '\[\]'; says findings '.*zero_normals.*'
+
+# The command can be pasted anywhere: with the whole path.
+sleep 0.3; click_on "copy zero_normals"; says notice "Copied the command\."
+stop
+
+# Normals that look the wrong way are turned with what is mended, at once.
+python3 -c '
+import math
+n = 900
+for i in range(n):
+    z = 1 - (2 * i + 1) / n
+    r, a = math.sqrt(1 - z * z), i * math.pi * (3 - math.sqrt(5))
+    x = (r * math.cos(a), r * math.sin(a), z)
+    s = -1 if z > 0.6 else 2
+    print(*x, *(s * c for c in x))
+' >"$flawed" || fail "no points can be made"
+size=1600x980 start "$flawed"
+says doctor done
+says findings '.*"unscaled_normals".*"flipped_normals".*'
+click_on "doctor fix all"
+says phase ready; says mended '\[ "[0-9]+ normals scaled to unit length", "[0-9]+ normals turned" \]'
+says doctor done; says findings '\[\]'
+# A session keeps it.
+press Escape; press ctrl+s; says file_browser true; sleep 0.3
+type_text "$work/cured"; sleep 0.2; press Return; says session_file ".*cured.sesession"
+stop
+start "$work/cured.sesession"
+says phase ready; says cures '\[ "unscaled_normals", "flipped_normals" \]'
+says doctor done; says findings '\[\]'
 stop
 well

@@ -1,0 +1,68 @@
+/// Draws what the session shows into the texture of the view; only what changed is made anew.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "gl/renderer.h"
+#include "interface/commands.h"
+#include "layers/layer.h"
+#include "scene/motion.h"
+
+namespace se::view {
+
+class ScenePainter {
+  public:
+    /// Requires a current OpenGL context. An empty folder: the shaders that are built in.
+    Status start(const std::filesystem::path& shaders);
+
+    /// Uploads what is new and makes the list of what is to be drawn, if something changed since
+    /// the last time. On paper, what only passes by is there to be seen.
+    void fill(CommandContext& context, bool onPaper);
+    /// Draws the list, if it, the camera or the size changed since the last time.
+    void draw(const CommandContext& context, glm::ivec2 size, float em);
+
+    const DrawList& list() const { return drawList_; }
+    unsigned texture() const { return renderer_->texture(); }
+    /// Something in the picture moves by itself.
+    bool moving() const { return motion_.moving(); }
+    /// The list was made for a picture that is kept.
+    bool onPaper() const { return filled_.moment.kind == Moment::Kind::Paper; }
+
+  private:
+    /// What the list is made from, besides what the camera sees.
+    struct Filled {
+        std::uint32_t revision = 0;
+        LayerSwitches layers;
+        Theme theme = Theme::Dark;
+        MeshColoring mesh;
+        Moment moment;
+        std::size_t shapes = 0;  ///< Components that were known.
+        friend bool operator==(const Filled&, const Filled&) = default;
+    };
+    struct Drawn {
+        std::uint32_t revision = 0;
+        std::uint32_t generation = 0;
+        unsigned camera = 0;
+        glm::ivec2 size{0};
+        LayerSwitches layers;
+        Theme theme = Theme::Dark;
+        float em = 0.0F;
+        unsigned fills = 0;
+        friend bool operator==(const Drawn&, const Drawn&) = default;
+    };
+
+    void upload(const Session& session);
+    const Moment& lookAtMoment(const CommandContext& context, bool onPaper);
+
+    std::unique_ptr<Renderer> renderer_;
+    DrawList drawList_;
+    Motion motion_;
+    Filled filled_;
+    Drawn drawn_;
+    LayerSwitches shownLayers_;  ///< At the event that the picture shows.
+    unsigned fills_ = 0;         ///< How often the list was made.
+    std::uint32_t uploadedGeneration_ = 0;
+};
+
+}  // namespace se::view

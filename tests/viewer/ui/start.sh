@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# The start page by keyboard alone: Tab to files and scenes, arrows from one to the next, Enter opens.
+. "$(dirname "$0")/harness.sh"
+printf '0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n1.1 1.2 0 0 0 1\n' >"${TMPDIR:-/tmp}/start-$$.xyz"
+file=${TMPDIR:-/tmp}/start-$$.xyz
+trap 'rm -f "$file"; cleanup' EXIT
+
+# chosen NAME: the keyboard is there, and a frame shows it.
+chosen() {
+    says "chosen $1" "\[.*"
+    sleep 0.3
+}
+start
+says start_page true; says keyboard view; sleep 0.3
+picture before
+press Tab; says keyboard files
+press Tab; says keyboard scenes; chosen sphere
+picture first
+[ "$(differing before first)" -gt 200 ] || fail "one cannot see which tile has the keyboard"
+press Right; chosen torus; picture second
+[ "$(differing first second)" -gt 200 ] || fail "one cannot see that the arrow moves on"
+press Down Left; chosen genus-2; press Up; chosen sphere
+press Tab; says keyboard view
+press shift+Tab; says keyboard scenes
+press Escape; says keyboard view; says start_page true
+press Tab Tab; says keyboard scenes; chosen sphere
+press Right; chosen torus; press Return
+says phase ready; says input scene:torus; says keyboard view
+# The view has the keyboard: its keys work at once.
+press F10; says pivot 1
+press n; says pins '.*normals.*'
+stop
+
+# Recent files: the second arrow down from the place to drop a file on.
+start "$file"; says phase ready; stop
+start
+says start_page true; says recent "[1-9]"; sleep 0.3
+press Tab; says keyboard files; sleep 0.3
+press Return; says file_browser true; press Escape; says file_browser false
+press Tab; says keyboard files; sleep 0.3
+press Down; chosen "recent 1"; press Return
+says input "start-.*\.xyz"
+stop
+well

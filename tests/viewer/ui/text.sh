@@ -1,0 +1,46 @@
+#!/usr/bin/env bash
+# Chords that are over within one frame reach text fields and the go-to box.
+. "$(dirname "$0")/harness.sh"
+# A chord as a quick hand or a program makes it; xdotool lets go of Ctrl first.
+quick() {
+    local chord
+    for chord in "$@"; do xdotool key --clearmodifiers --delay "${delay:-12}" "$chord"; done
+}
+start scene:torus --goto 137.sphere.3
+says address "137\.sphere\.3"
+
+# The line above the list of steps, from the clipboard.
+read -r x y < <(inside "region left" 40 8)
+for delay in 12 2 0; do
+    click "$x" "$y"
+    quick ctrl+a BackSpace; says filter ""
+    type_text "split"; says filter split
+    quick ctrl+a ctrl+c ctrl+x; says filter ""
+    quick ctrl+v ctrl+v; says filter splitsplit
+    quick ctrl+a ctrl+v; says filter split
+    # What is typed right behind a chord takes the place of what it marked.
+    quick ctrl+a; xdotool type --delay "$delay" join; says filter join
+    # The other way round: what is typed is in before it is marked.
+    xdotool type --delay "$delay" y; quick ctrl+a ctrl+x; says filter ""
+    # Keys that move: one after the other, none lost.
+    xdotool type --delay "$delay" ac; quick Left; xdotool type --delay "$delay" b
+    quick Home Delete End BackSpace; says filter b
+    press Escape
+done
+
+# The go-to box: an address, and a place as Ctrl+C copies it.
+click_on "region view"; sleep 0.5
+press Escape Home; says pivot 0
+press ctrl+g; type_text "12.sort.2"
+quick ctrl+a ctrl+c ctrl+a ctrl+v Return; says address "12\.sort\.2"
+press ctrl+c; press Home; says pivot 0
+quick ctrl+g ctrl+v Return; says address "12\.sort\.2"
+press ctrl+g; type_text "4."; quick ctrl+a; xdotool type --delay 0 "3.0"; quick Left Left Left
+xdotool type --delay 0 "1"; quick End BackSpace BackSpace Return
+says address "13\.advance\.1"
+# Before a letter, chords of a text field are not those of the view.
+press ctrl+b; says bookmarks '.*13.*'
+press ctrl+g; quick ctrl+z; press Escape; denies bookmarks '\[\]'
+press ctrl+b; says bookmarks '\[\]'
+stop
+well
