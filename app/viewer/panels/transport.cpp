@@ -22,18 +22,26 @@ struct Button {
 };
 
 constexpr std::array kBefore = {
-    Button{"##start", Icon::SkipStart, "run.start", "To the start (Home)"},
-    Button{"##pivotBack", Icon::Back, "step.pivot.previous", "Previous pivot (Shift+F10 or ,)"},
-    Button{"##back", Icon::StepBack, "step.event.previous", "Previous sub-step (Left)"}};
+    Button{"##start", Icon::SkipStart, "run.start", "To the start"},
+    Button{"##pivotBack", Icon::Back, "step.pivot.previous", "Previous pivot"},
+    Button{"##back", Icon::StepBack, "step.event.previous", "Previous sub-step"}};
 constexpr std::array kAfter = {
-    Button{"##on", Icon::StepForward, "step.event.next", "Next sub-step (F11 or Right)"},
-    Button{"##pivotOn", Icon::Forward, "step.pivot.next", "Next pivot (F10 or .)"},
-    Button{"##end", Icon::SkipEnd, "run.end", "Run to the end (F5)"}};
+    Button{"##on", Icon::StepForward, "step.event.next", "Next sub-step"},
+    Button{"##pivotOn", Icon::Forward, "step.pivot.next", "Next pivot"},
+    Button{"##end", Icon::SkipEnd, "run.end", "Run to the end"}};
+
+/// "Next pivot (F10, .)": the keys as this person has them.
+std::string withKeys(const PanelContext& context, const std::string& text,
+                     std::string_view command) {
+    const std::string keys = context.ui().settings.keys.all(*findCommand(command));
+    return keys.empty() ? text : text + " (" + keys + ")";
+}
 
 template <std::size_t N>
 void drawButtons(const PanelContext& context, const std::array<Button, N>& buttons, bool enabled) {
     for (const Button& b : buttons) {
-        if (iconButton(b.id, b.icon, b.text, enabled, false, context)) context.run(b.command);
+        const std::string help = withKeys(context, b.text, b.command);
+        if (iconButton(b.id, b.icon, help.c_str(), enabled, false, context)) context.run(b.command);
         ImGui::SameLine(0.0F, 0.2F * context.em);
     }
 }
@@ -46,7 +54,7 @@ void drawUnit(const PanelContext& context) {
         }
         if (ImGui::Button(std::string(unitName(unit)).c_str())) context.playback().setUnit(unit);
         if (on) ImGui::PopStyleColor();
-        tooltip("What playing and O go on by (U)");
+        tooltip(withKeys(context, "What playing and single steps go on by", "run.unit"));
         ImGui::SameLine(0.0F, 0.15F * context.em);
     }
 }
@@ -54,7 +62,7 @@ void drawUnit(const PanelContext& context) {
 void drawSpeed(const PanelContext& context) {
     const Playback& playback = context.playback();
     if (ImGui::Button("\xE2\x88\x92##slower", {1.6F * context.em, 0})) context.run("run.slower");
-    tooltip("Slower (-)");
+    tooltip(withKeys(context, "Slower", "run.slower"));
     ImGui::SameLine(0.0F, 0.0F);
     char text[32];
     std::snprintf(text, sizeof text, "%g/s", playback.rate());
@@ -67,7 +75,7 @@ void drawSpeed(const PanelContext& context) {
     ImGui::TextUnformatted(shown.c_str());
     ImGui::SameLine(x + width);
     if (ImGui::Button("+##faster", {1.6F * context.em, 0})) context.run("run.faster");
-    tooltip("Faster (=); above 60 a second, as fast as drawn");
+    tooltip(withKeys(context, "Faster; above 60 a second, as fast as drawn", "run.faster"));
 }
 
 /// The two marks of the loop: filled where they are set.
@@ -79,17 +87,20 @@ void drawLoop(const PanelContext& context) {
         const std::optional<Address>& at;
     };
     const PlayLoop& loop = context.playback().loop;
-    for (const Mark& mark : {Mark{"A", "run.loop.start", "Play again from here on (A)", loop.from},
-                             Mark{"B", "run.loop.end", "Turn back to A here (B)", loop.to}}) {
+    for (const Mark& mark : {Mark{"A", "run.loop.start", "Play again from here on", loop.from},
+                             Mark{"B", "run.loop.end", "Turn back to A here", loop.to}}) {
         if (mark.at) {
             ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent.withAlpha(0.45F)));
         }
         const bool set = mark.at.has_value();
         if (ImGui::Button(mark.title, {1.8F * context.em, 0})) context.run(mark.command);
         if (set) ImGui::PopStyleColor();
-        tooltip(mark.help + (mark.at
-                                 ? "\nNow at " + toString(*mark.at) + "; Shift+A takes both away"
-                                 : std::string()));
+        std::string help = withKeys(context, mark.help, mark.command);
+        if (mark.at) {
+            help += "\nNow at " + toString(*mark.at) + ". " +
+                    withKeys(context, "No loop", "run.loop.clear");
+        }
+        tooltip(help);
         ImGui::SameLine(0.0F, 0.15F * context.em);
     }
 }
@@ -142,14 +153,16 @@ void drawGoTo(const PanelContext& context) {
         list->AddText(at, toU32(context.palette.textDim), text.c_str());
     }
     ImGui::PopFont();
-    tooltip("Go to (Ctrl+G): 137, 137.sphere.3, +10, -10, 50%, or p812 to select a point");
+    tooltip(withKeys(context, "Go to", "step.goto") +
+            ": 137, 137.sphere.3, +10, -10, 50%, or p812 to select a point");
 }
 
 /// Where there is no room for all units: the present one, a click goes on to the next.
 void drawUnitAlone(const PanelContext& context) {
     const std::string name(unitName(context.playback().unit()));
     if (ImGui::Button((name + "##unit").c_str())) context.run("run.unit");
-    tooltip("What playing and O go on by; click for the next (U)");
+    tooltip(withKeys(context, "What playing and single steps go on by; click for the next",
+                     "run.unit"));
     ImGui::SameLine(0.0F, 0.15F * context.em);
 }
 
@@ -184,7 +197,7 @@ void drawTransport(const PanelContext& context) {
         drawButtons(context, kBefore, !session.atStart());
         const bool playing = context.playback().playing();
         if (iconButton("##play", playing ? Icon::Pause : Icon::Play,
-                       playing ? "Pause (Space)" : "Play (Space)",
+                       withKeys(context, playing ? "Pause" : "Play", "run.play").c_str(),
                        session.ready() && !session.atEnd(), true, context)) {
             context.run("run.play");
         }
