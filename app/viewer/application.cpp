@@ -164,6 +164,7 @@ void Application::frame(glm::ivec2 size, double seconds) {
     uiSeconds_ = std::chrono::duration<double>(built - began).count();
     noteTimes(built);
     if (options_.narrate) narrate();
+    watchTextField();
     observeEdits();
     undoOrRedo();
     filing_.carryOut(ui_.requests);
@@ -199,6 +200,16 @@ void Application::noteTimes(std::chrono::steady_clock::time_point built) {
         longestOpeningSeconds_ = std::max(longestOpeningSeconds_, gap);
     }
     lastFrame_ = drawn;
+}
+
+void Application::watchTextField() {
+    // Dear ImGui needs about four of them.
+    constexpr int kMostFrames = 8;
+    const bool typing = ui_.palette.open || ui_.fileBrowser;
+    if (typing && !std::exchange(typing_, typing)) framesToWait_ = kMostFrames;
+    typing_ = typing;
+    const bool there = ImGui::GetIO().WantTextInput;
+    framesToWait_ = there || !typing ? 0 : std::max(0, framesToWait_ - 1);
 }
 
 void Application::observeEdits() {

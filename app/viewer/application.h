@@ -29,6 +29,9 @@ class Application {
     /// True if the key is used up: the user interface must not see it.
     bool key(const KeyChord& chord, bool repeated);
     void keyReleased(const KeyChord& chord);
+    /// A line to type into was opened and gets the keyboard in a few frames: until then keys have
+    /// to wait, or the first of what is typed would be lost.
+    bool keysHaveToWait() const { return framesToWait_ > 0; }
     void character(unsigned sign);
     /// Files from the desktop: the first is opened, what becomes of the others is said.
     void drop(const std::vector<std::string>& paths);
@@ -73,6 +76,7 @@ class Application {
     bool goToBoxTakes(const KeyChord& chord);
     void goToTyped();
     void undoOrRedo();
+    void watchTextField();
     void observeEdits();
     bool holdsLook(const Command& command, int key);
     void play(double seconds);
@@ -110,6 +114,8 @@ class Application {
     double firstWindowSeconds_ = 0.0;
     double longestOpeningSeconds_ = 0.0;
     std::chrono::steady_clock::time_point lastFrame_;
+    bool typing_ = false;   ///< Something is open that one types into.
+    int framesToWait_ = 0;  ///< At most so many until it has the keyboard.
     bool opening_ = false;  ///< An input was being opened in the frame before.
 };
 

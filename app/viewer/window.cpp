@@ -125,7 +125,7 @@ void Window::listenToKeys() {
 }
 
 void Window::deliver(Application& application) {
-    const std::size_t now = pressesOfNextFrame(keys_);
+    const std::size_t now = application.keysHaveToWait() ? 0 : pressesOfNextFrame(keys_);
     for (std::size_t i = 0; i < now; ++i) {
         const KeyPress& press = keys_[i];
         const int action = press.released   ? GLFW_RELEASE
