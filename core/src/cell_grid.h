@@ -68,7 +68,7 @@ class CellGrid {
         return static_cast<std::size_t>((wide.z * blocks_.y + wide.y) * blocks_.x + wide.x);
     }
     static std::size_t slotIn(const glm::ivec3& cell) {
-        const glm::ivec3 in = cell % kSide;
+        const glm::i64vec3 in(cell % kSide);
         return static_cast<std::size_t>((in.z * kSide + in.y) * kSide + in.x);
     }
     Index firstIn(const glm::ivec3& cell) const {

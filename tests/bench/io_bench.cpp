@@ -158,24 +158,23 @@ void writeAll(benchmark::State& bench, const std::string& what, bool plainly) {
 }  // namespace
 
 void registerIo() {
-    const auto add = [](const std::string& title, auto&& work) {
-        benchmark::RegisterBenchmark(title.c_str(), work)
+    const auto add = [](const char* kind, bool plainly, const std::string& what, auto work) {
+        std::string title = kind;
+        title += plainly ? "_baseline/" : "/";
+        title += what;
+        benchmark::RegisterBenchmark(title.c_str(),
+                                     [=](benchmark::State& bench) { work(bench, what, plainly); })
             ->Unit(benchmark::kMillisecond)
             ->MeasureProcessCPUTime()
             ->UseRealTime();
     };
     for (const bool plainly : {true, false}) {
-        const std::string how = plainly ? "_baseline" : "";
-        for (const std::string what :
-             {"points.ply", "points_lists.ply", "mesh.ply", "points.pcd", "points.obj"}) {
-            add("io/read" + how + "/" + what,
-                [=](benchmark::State& bench) { readAll(bench, what, plainly); });
-        }
-        for (const std::string what : {"points.ply", "points_lists.ply", "mesh.ply", "mesh.stl",
-                                       "mesh.glb", "mesh.obj", "mesh.off"}) {
-            add("io/write" + how + "/" + what,
-                [=](benchmark::State& bench) { writeAll(bench, what, plainly); });
-        }
+        for (const char* what :
+             {"points.ply", "points_lists.ply", "mesh.ply", "points.pcd", "points.obj"})
+            add("io/read", plainly, what, readAll);
+        for (const char* what : {"points.ply", "points_lists.ply", "mesh.ply", "mesh.stl",
+                                 "mesh.glb", "mesh.obj", "mesh.off"})
+            add("io/write", plainly, what, writeAll);
     }
 }
 

@@ -6,6 +6,8 @@
 /// With SPIRALING_EDGE_LIBFUZZER defined and -fsanitize=fuzzer,address,undefined it is a fuzzer:
 ///
 ///     readers_fuzz -max_len=4096 CORPUS_FOLDER
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -39,6 +41,22 @@ void checkContent(const se::PointFile& file) {
             "prepared points are not valid");
 }
 
+/// What volume.h promises of a volume that was read.
+void checkVolume(const se::Volume& volume) {
+    const auto& size = volume.size;
+    require(size[0] >= 2 && size[1] >= 2 && size[2] >= 2, "fewer than two samples");
+    require(volume.value.size() == size[0] * size[1] * size[2], "samples are missing");
+    require(std::all_of(volume.value.begin(), volume.value.end(),
+                        [](float value) { return std::isfinite(value); }),
+            "samples that are not finite");
+    for (int axis = 0; axis < 3; ++axis)
+        require(volume.spacing[axis] > 0.0, "a spacing that is not above 0");
+    for (const se::Vec3& corner : {volume.origin, volume.high()}) {
+        require(!std::isnan(volume.valueAt(corner)), "no value at a corner");
+        volume.gradientAt(corner);
+    }
+}
+
 }  // namespace
 
 // NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer calls
@@ -51,7 +69,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     const auto volume = se::readVolume(bytes, "input.nrrd");
     require(volume.ok() || !volume.error().message.empty(), "an error without a message");
-    if (volume.ok()) volume.value().gradientAt(volume.value().high());
+    if (volume.ok()) checkVolume(volume.value());
     return 0;
 }
 
