@@ -121,6 +121,14 @@ says() {
     done
     fail "expected $1: $2, found '$(field "$1")'"
 }
+# leaves NAME VALUE: waits up to 10 s until the program says anything else.
+leaves() {
+    for _ in $(seq 200); do
+        [ "$(field "$1")" != "$2" ] && return 0
+        sleep 0.05
+    done
+    fail "$1 stays $2"
+}
 # denies NAME PATTERN: what the program says now is something else.
 denies() {
     sleep 0.3
