@@ -39,6 +39,7 @@ struct Facts {
     Spacing spacing;
     std::size_t wallPoints = 0;
     std::size_t cornerPoints = 0;
+    std::size_t rimPoints = 0;
     PrepareReport prepared;
     MeshReport mesh;
 };
@@ -88,7 +89,8 @@ Facts gather(const std::string& input) {
     facts.file = readInput(input);
     facts.box = boxOf(facts.file.position);
     for (const std::uint8_t type : facts.file.type) {
-        facts.wallPoints += isBoundary(type) ? 1U : 0U;
+        facts.wallPoints += isOnWall(type) ? 1U : 0U;
+        facts.rimPoints += isRimPoint(type) ? 1U : 0U;
         facts.cornerPoints += isCorner(type) ? 1U : 0U;
     }
     PointSet points = withSomeNormals(facts.file);
@@ -128,6 +130,7 @@ std::string factsJson(const std::string& input, const Facts& facts) {
     }
     json["wall_points"] = facts.wallPoints;
     json["corner_points"] = facts.cornerPoints;
+    json["rim_points"] = facts.rimPoints;
     json["neighbor_lists"] = file.hasNeighbors();
     json["neighbor_entries"] = file.neighbors.ids.size();
     json["set_aside"] = {{"non_finite", facts.prepared.nonFinitePoints},
@@ -165,10 +168,12 @@ std::string factsText(const std::string& input, const Facts& facts) {
     if (facts.prepared.unscaledNormals > 0)
         addLine("", fmt::format("{} not of unit length", facts.prepared.unscaledNormals));
     addLine("set aside", setAsideSentence(facts.prepared));
-    if (file.hasTypes()) {
+    if (file.hasTypes() && (facts.wallPoints > 0 || facts.rimPoints == 0)) {
         addLine("walls", fmt::format("{} on a wall, {} of them on two or more", facts.wallPoints,
                                      facts.cornerPoints));
     }
+    if (facts.rimPoints > 0)
+        addLine("rims", fmt::format("{} where no wall is", counted(facts.rimPoints, "point")));
     addLine("neighbors", file.hasNeighbors() ? fmt::format("{} in lists", file.neighbors.ids.size())
                                              : "none in the file: computed when it is run");
     std::string names;

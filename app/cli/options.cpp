@@ -90,6 +90,9 @@ void DerivedArguments::addTo(CLI::App& app) {
                    "Points on the walls of this box are boundary points: auto (the box around all "
                    "points), or X0,Y0,Z0,X1,Y1,Z1")
         ->type_name("BOX");
+    app.add_flag("--derive-rim", rim_,
+                 "Find where the surface ends without a wall, and take the points there for "
+                 "boundary points");
 }
 
 WallBox boxFromText(const std::string& text) {
@@ -127,6 +130,7 @@ PrepareOptions DerivedArguments::options(const NeighborOptions& neighbors,
     } else if (!box_.empty()) {
         options.walls = boxFromText(box_);
     }
+    options.rim = rim_;
     return options;
 }
 

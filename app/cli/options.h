@@ -38,7 +38,8 @@ class NeighborArguments {
     bool keepNoise_ = false;
 };
 
-/// What is derived from the points: --orient, --derive-normals, --box.
+/// What is derived from the points: --orient, --derive-normals, --box,
+/// --derive-rim.
 class DerivedArguments {
   public:
     void addTo(CLI::App& app);
@@ -48,6 +49,7 @@ class DerivedArguments {
   private:
     bool orient_ = false;
     bool deriveNormals_ = false;
+    bool rim_ = false;
     std::string box_;
 };
 

@@ -103,14 +103,18 @@ void addPreparation(const PrepareReport& report, Json& json) {
     json["derived"] = {{"normals", derived.normals},
                        {"orientation", derived.orientation},
                        {"types", derived.types},
+                       {"rim", derived.rim},
                        {"neighbors", report.neighborsComputed},
                        {"turned_normals", derived.turnedNormals},
                        {"normal_components", derived.normalComponents},
                        {"planeless_points", derived.planelessPoints},
+                       {"rim_points", derived.rimPoints},
+                       {"rim_chains", derived.rimChains},
                        {"seconds",
                         {{"normals", derived.normalSeconds},
                          {"orientation", derived.orientationSeconds},
                          {"types", derived.typeSeconds},
+                         {"rim", derived.rimSeconds},
                          {"neighbors", derived.neighborSeconds}}}};
 }
 
@@ -156,6 +160,10 @@ std::string derivedSentence(const DerivedPieces& derived) {
         appendPart(text, fmt::format("sides of the normals, {} turned", derived.turnedNormals));
     }
     if (derived.types) appendPart(text, "wall types");
+    if (derived.rim) {
+        appendPart(text, fmt::format("{} with {}", counted(derived.rimChains, "rim"),
+                                     counted(derived.rimPoints, "point")));
+    }
     if (derived.planelessPoints > 0) {
         appendPart(text, fmt::format("{} without a plane left out",
                                      counted(derived.planelessPoints, "point")));

@@ -91,7 +91,7 @@ void takeOverDerived(const Prepared& prepared, PointFile& file) {
     if (derived.normals || derived.orientation || prepared.report.noisyPoints > 0)
         file.normal = prepared.points.normal;
     if (derived.normals) file.normalType = file.positionType;
-    if (derived.types) file.type = prepared.points.type;
+    if (derived.types || derived.rim) file.type = prepared.points.type;
 }
 
 /// Called between pivots, now and then: shows how far the run is; true if it should end.

@@ -12,8 +12,8 @@ std::optional<Finding> findCornerBits(const Patient& patient) {
         if (withCornerBit(patient.file.type[p]) != patient.file.type[p]) points.push_back(p);
     }
     const std::string text = countText(points.size(), "point") +
-                             " whose corner bit disagrees with the walls, or with a bit that "
-                             "means nothing";
+                             " whose corner bit disagrees with the walls, or with a rim bit "
+                             "beside those of walls";
     return findingAt(std::move(points), Severity::Warning, text);
 }
 

@@ -53,10 +53,22 @@ std::string text(const PivotEvidence& e) {
            std::to_string(e.ringLength) + ".";
 }
 std::string text(const SkipEvidence& e) {
-    return "Point " + str(e.pivot) + " lies on wall " + faceNames(e.type) +
-           ": passed over, it stays on the ring.";
+    const std::string where =
+        isRimPoint(e.type) ? "on a rim of the surface" : "on wall " + faceNames(e.type);
+    return "Point " + str(e.pivot) + " lies " + where + ": passed over, it stays on the ring.";
+}
+/// §7.1 and §7.2 for a rim point.
+std::string rimText(const InsertEvidence& e) {
+    const std::string where =
+        e.corner ? "Beside the gap of rim point " + str(e.pivot)
+                 : "On the ring of two boundary points " + str(e.pivot) + " and " + str(e.other);
+    if (e.verdict == Verdict::NoThirdPoint)
+        return where + " no next point of the rim is UNUSED: passed over.";
+    return where + ", point " + str(e.third) + ", the next on the rim, joins the ring " +
+           (e.verdict == Verdict::Before ? "before" : "after") + " the pivot.";
 }
 std::string text(const InsertEvidence& e) {
+    if (isRimPoint(e.faces)) return rimText(e);
     const std::string where =
         e.corner ? "At the corner between " + str(e.pivot) + " and " + str(e.other)
                  : "On the ring of two boundary points " + str(e.pivot) + " and " + str(e.other);

@@ -87,7 +87,7 @@ Objection overRim(const StepContext& context) {
     const Index p = context.state.rings.point(context.state.pivot.pivot);
     if (points.neighbors[p].empty()) return {};
     const double spacing = spacingSq(points, p);
-    const auto endsHere = [&](Index x) { return !isBoundary(points.type[x]) && isRim(points, x); };
+    const auto endsHere = [&](Index x) { return !isOnWall(points.type[x]) && isRim(points, x); };
     for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
         const bool wide = exceedsAngle(fan[i].angle, fan[i + 1].angle, kWide) ||
                           isLarge(fan[i], fan[i + 1], spacing);

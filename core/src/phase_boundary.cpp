@@ -22,6 +22,62 @@ bool unusedOnSameWall(const StepContext& context, Index p, Index x) {
            shareFace(context.points.type[p], context.points.type[x]);
 }
 
+/// The pivot and its neighbors on the ring, as points.
+struct OnRing {
+    Index p, previous, next;
+};
+
+// ---- rim points ---------------------------------------------------------------------------------
+
+/// Choice: a rim point's next on the rim, `third`, takes the place of the third point on its wall.
+bool insertOnRim(AnyContext auto& context, InsertEvidence evidence, Index third, bool before) {
+    if (third != kNone) {
+        putOnRing(context, third, before);
+        evidence.third = third;
+        evidence.verdict = before ? Verdict::Before : Verdict::After;
+    }
+    note(context, Stage::Insert, [&] { return evidence; });
+    return third != kNone;
+}
+
+/// §7.1 for a rim point: the end of its gap goes before it, the beginning after it, so that the
+/// sector that is left runs over the surface.
+bool insertOnRimOfTwo(AnyContext auto& context, Index p, Index second) {
+    const RimGap gap = context.points.gapAt(p);
+    const auto isFree = [&](Index x) {
+        return x != kNone && x != second && context.state.status[x] == kUnused;
+    };
+    const bool before = isFree(gap.to);
+    const Index third = before ? gap.to : isFree(gap.from) ? gap.from : kNone;
+    return insertOnRim(
+        context,
+        {p, second, kNone, false, Vec3(0.0), context.points.type[p], Verdict::NoThirdPoint}, third,
+        before);
+}
+
+/// A rim point on a longer ring: a pivot like an interior point while the surface does not end in
+/// its free sector, no pivot once all beside the gap is meshed. In between, §7.2: what is left at
+/// one side of the gap is meshed with the end of the gap as third point.
+bool admitRimPivot(AnyContext auto& context, const OnRing& at) {
+    const PointSet& points = context.points;
+    const RimGap gap = points.gapAt(at.p);
+    if (!gap.known()) return false;
+    const auto place = [&](Index x) { return points.position[x]; };
+    const RimSector sector =
+        testRimSector(place(at.p), points.normal[at.p], place(at.previous), place(at.next),
+                      at.previous == at.next, place(gap.from), place(gap.to));
+    if (!sector.holdsGap) return true;
+    if (sector.openAtFirst == sector.openAtLast) return false;
+    const bool before = sector.openAtLast;
+    const Index third = before ? gap.to : gap.from;
+    return insertOnRim(context,
+                       {at.p, before ? at.next : at.previous, kNone, true, Vec3(0.0),
+                        points.type[at.p], Verdict::NoThirdPoint},
+                       context.state.status[third] == kUnused ? third : kNone, before);
+}
+
+// ---- walls --------------------------------------------------------------------------------------
+
 /// §7.1: the ring consists of two boundary points.
 bool insertOnRingOfTwo(AnyContext auto& context, Index p, Index second) {
     const PointSet& points = context.points;
@@ -41,11 +97,6 @@ bool insertOnRingOfTwo(AnyContext auto& context, Index p, Index second) {
     note(context, Stage::Insert, [&] { return evidence; });
     return evidence.third != kNone;
 }
-
-/// The pivot and its neighbors on the ring, as points.
-struct OnRing {
-    Index p, previous, next;
-};
 
 /// §7.2: a transition between p and the ring neighbor across the corner: next ("entering", the
 /// third point goes before p) or previous ("exiting").
@@ -84,9 +135,13 @@ bool admitBoundaryPivot(AnyContext auto& context) {
     const Index pivot = s.pivot.pivot;
     const OnRing at{s.rings.point(pivot), s.rings.point(s.rings.prev(pivot)),
                     s.rings.point(s.rings.next(pivot))};
+    const bool onRim = isRimPoint(type[at.p]);
     if (s.rings.length(s.rings.active()) == 2) {
-        return isBoundary(type[at.next]) && insertOnRingOfTwo(context, at.p, at.next);
+        if (!isBoundary(type[at.next])) return false;
+        return onRim ? insertOnRimOfTwo(context, at.p, at.next)
+                     : insertOnRingOfTwo(context, at.p, at.next);
     }
+    if (onRim) return admitRimPivot(context, at);
     if (isTransition(type[at.p], type[at.next]) && insertAtCorner(context, at, true)) return true;
     return isTransition(type[at.p], type[at.previous]) && insertAtCorner(context, at, false);
 }

@@ -29,9 +29,6 @@ struct Ear {
     }
 };
 
-/// Narrower, on average, than this many of its edges, a ring is no opening but a seam that did not
-/// close: where the spacing changes, neighbors leave wide gaps too.
-constexpr double kNarrow = 2.5;
 /// Narrower than this, which way it turns says nothing.
 constexpr double kClosed = 1.0;
 
@@ -42,8 +39,8 @@ bool runsRoundPatch(const RingShape& shape, std::size_t triangles) {
     return shape.turnsRoundPatch && triangles <= std::size_t{shape.length} * shape.length;
 }
 
-/// Does the active ring hold a boundary point?
-bool touchesWall(const StepContext& context) {
+/// Does the active ring hold a boundary point, of a wall or of a rim?
+bool touchesBoundary(const StepContext& context) {
     const EdgeRings& rings = context.state.rings;
     const Index ring = rings.active();
     Index entry = rings.head(ring);
@@ -53,31 +50,40 @@ bool touchesWall(const StepContext& context) {
     return false;
 }
 
+/// Is it known anywhere that the surface ends, by the rule or by rim points?
+bool mayEnd(const StepContext& context) {
+    return context.params.rules.rim || !context.points.rim.empty();
+}
+
 /// The active ring, of this shape, is one at which the surface may end.
 bool isOpening(const StepContext& context, const RingShape& shape) {
-    if (!context.params.rules.rim) return false;
+    if (!mayEnd(context)) return false;
     const EdgeRings& rings = context.state.rings;
     const Index ring = rings.active();
     const Index length = rings.length(ring);
-    Index walls = 0;
+    Index boundary = 0;
+    Index flagged = 0;
     Index rim = 0;
     Index entry = rings.head(ring);
     for (Index i = 0; i < length; ++i, entry = rings.next(entry)) {
         const Index point = rings.point(entry);
-        walls += isBoundary(context.points.type[point]) ? 1U : 0U;
+        boundary += isBoundary(context.points.type[point]) ? 1U : 0U;
+        flagged += isRimPoint(context.points.type[point]) ? 1U : 0U;
         rim += isRim(context.points, point) ? 1U : 0U;
     }
     const auto most = [length](Index count) { return 3 * count > 2 * length; };
-    if (most(walls)) return true;
+    if (most(flagged)) return true;
+    if (!context.params.rules.rim) return false;
+    if (most(boundary)) return true;
     const std::size_t triangles = context.state.triangles.size() - context.state.componentBegin;
     return (length > kNeverAnOpening && runsRoundPatch(shape, triangles)) ||
-           (most(rim) && shape.widthInEdges() >= kNarrow);
+           (most(rim) && shape.widthInEdges() >= kNarrowestOpening);
 }
 
 /// May an ear have a fault? Not where the surface may end, nor where a wide ring turns as if it ran
 /// round a patch: there sheets touch, and one fault leads to more.
 bool mayForce(const StepContext& context) {
-    if (touchesWall(context)) return false;
+    if (touchesBoundary(context)) return false;
     const RingShape shape = shapeOfRing(context);
     if (isOpening(context, shape)) return false;
     return !shape.turnsRoundPatch || shape.length <= kNeverAnOpening ||
@@ -111,7 +117,7 @@ Ear bestEar(StepContext& context) {
 }  // namespace
 
 bool isOpening(const StepContext& context) {
-    return context.params.rules.rim && isOpening(context, shapeOfRing(context));
+    return mayEnd(context) && isOpening(context, shapeOfRing(context));
 }
 
 namespace {

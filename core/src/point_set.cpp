@@ -41,6 +41,22 @@ Status checkOrder(const PointSet& points) {
                  std::to_string(points.size()) + " points"};
 }
 
+Status checkRim(const PointSet& points) {
+    if (points.rim.empty()) return success();
+    const std::size_t n = points.size();
+    if (points.rim.size() != n) {
+        return Error{"there are " + std::to_string(n) + " positions, but gaps of " +
+                     std::to_string(points.rim.size()) + " rim points"};
+    }
+    for (Index p = 0; p < n; ++p) {
+        const RimGap& gap = points.rim[p];
+        if (gap == RimGap{}) continue;
+        if (gap.from >= n || gap.to >= n || gap.from == p || gap.to == p)
+            return Error{"the gap of " + pointText(p) + " has an end that is no other point"};
+    }
+    return success();
+}
+
 /// What the stepper computes with. NaN fails both comparisons.
 Status checkPoint(const PointSet& points, Index p) {
     if (!isFinite(points.position[p])) {
@@ -57,6 +73,7 @@ Status checkPoint(const PointSet& points, Index p) {
 Status validate(const PointSet& points) {
     if (Status status = checkLengths(points); !status) return status;
     if (Status status = checkOrder(points); !status) return status;
+    if (Status status = checkRim(points); !status) return status;
     const auto n = static_cast<Index>(points.size());
     std::vector<Index> lastList(n, kNone);  // the last list that each point was seen in
     for (Index p = 0; p < n; ++p) {

@@ -8,6 +8,7 @@
 #include "prepare_neighbors.h"
 #include "spiraling_edge/noise.h"
 #include "spiraling_edge/normals.h"
+#include "spiraling_edge/rim.h"
 #include "spiraling_edge/stop_watch.h"
 #include "usable_points.h"
 
@@ -31,6 +32,7 @@ class Preparation {
         if (options_.neighbors.symmetric) lists = symmetricLists(set_.position, lists.value());
         if (!lists) return lists.error();
         set_.neighbors = std::move(lists.value());
+        if (Status status = takeRim(); !status) return status.error();
         assert(validate(set_).ok());
         if (progress_) progress_(1.0);
         return std::move(prepared_);
@@ -47,6 +49,35 @@ class Preparation {
         }
         set_.type.assign(file_.position.size(), kInterior);
         std::transform(file_.type.begin(), file_.type.end(), set_.type.begin(), withCornerBit);
+    }
+
+    /// Where the surface ends without a wall, as found or as given.
+    Status takeRim() {
+        if (!options_.rim) return takeGivenRim();
+        StopWatch watch;
+        for (std::uint8_t& type : set_.type) {
+            if (isRimPoint(type)) type = kInterior;
+        }
+        Result<Rim> rim = findRim(set_.position, set_.normal, set_.neighbors, set_.type);
+        if (!rim) return rim.error();
+        DerivedPieces& derived = report_.derived;
+        derived.rim = true;
+        derived.rimPoints = rim.value().points();
+        derived.rimChains = rim.value().chains.size();
+        set_.rim = std::move(rim.value().gap);
+        for (Index p = 0; p < set_.size(); ++p) {
+            if (set_.rim[p].known()) set_.type[p] = kRimPoint;
+        }
+        derived.rimSeconds = watch.lap();
+        return success();
+    }
+
+    Status takeGivenRim() {
+        if (std::none_of(set_.type.begin(), set_.type.end(), isRimPoint)) return success();
+        auto gaps = gapsOfRimPoints(set_.position, set_.normal, set_.neighbors, set_.type);
+        if (!gaps) return gaps.error();
+        set_.rim = std::move(gaps.value());
+        return success();
     }
 
     /// Points that nothing can be derived from.

@@ -71,6 +71,17 @@ NeighborLists renumbered(const NeighborLists& lists, const std::vector<Index>& o
     return made;
 }
 
+/// The gaps of the points in their new order, and by their new indices.
+std::vector<RimGap> renumbered(const std::vector<RimGap>& rim, const std::vector<Index>& original,
+                               const std::vector<Index>& place) {
+    std::vector<RimGap> made(rim.size());
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        const RimGap& gap = rim[original[i]];
+        if (gap.known()) made[i] = {place[gap.from], place[gap.to]};
+    }
+    return made;
+}
+
 }  // namespace
 
 Renumbered renumberAlongZCurve(const PointSet& points) {
@@ -83,6 +94,7 @@ Renumbered renumberAlongZCurve(const PointSet& points) {
     made.normal = permuted(points.normal, original);
     made.type = permuted(points.type, original);
     made.neighbors = renumbered(points.neighbors, original, place);
+    made.rim = renumbered(points.rim, original, place);
     made.order.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) made.order.push_back(place[points.inOrder(i)]);
     return result;

@@ -1,9 +1,14 @@
-/// What an edge ring that came to rest encloses, as a shape in space.
+/// What an edge ring that came to rest encloses, or any other closed chain of points, as a shape in
+/// space.
 #pragma once
 
 #include "phases.h"
 
 namespace se {
+
+/// Narrower, on average, than this many of its edges, a ring is no opening but a seam that did not
+/// close: where the spacing changes, neighbors leave wide gaps too.
+inline constexpr double kNarrowestOpening = 2.5;
 
 struct RingShape {
     Index length = 0;
@@ -24,5 +29,8 @@ struct RingShape {
 
 /// Of the active ring.
 RingShape shapeOfRing(const StepContext& context);
+/// Of these points in this order, closed. Requires at least one.
+RingShape shapeOfLoop(std::span<const Vec3> position, std::span<const Vec3> normal,
+                      std::span<const Index> loop);
 
 }  // namespace se

@@ -62,6 +62,44 @@ ThirdPointPlace placeThirdPoint(const Vec3& p, const Vec3& normal, std::uint8_t 
     return {cross, before};
 }
 
+namespace {
+
+/// The direction in the middle of the sector from u counterclockwise to v, of any size.
+Vec3 middleOf(const Frame& frame, const Vec3& u, const Vec3& v) {
+    const auto unitInPlane = [&](const Vec3& d) {
+        const Vec3 along = d - glm::dot(d, frame.normal) * frame.normal;
+        const double lengthSq = glm::dot(along, along);
+        return lengthSq > 0.0 ? along / std::sqrt(lengthSq) : along;
+    };
+    const Vec3 from = unitInPlane(u);
+    const Vec3 chord = unitInPlane(v) - from;
+    // A quarter turn clockwise from the chord; the sector is the full turn without one.
+    return glm::dot(chord, chord) > 1e-18 ? glm::cross(chord, frame.normal) : -from;
+}
+
+}  // namespace
+
+RimSector testRimSector(const Vec3& p, const Vec3& normal, const Vec3& first, const Vec3& last,
+                        bool sameEntry, const Vec3& from, const Vec3& to) {
+    constexpr double kSame = 1e-9;  // Up to rounding: first or last is an end of the gap itself.
+    const Frame frame = makeFrame(p, normal, first, true);
+    const Angle end = sameEntry ? kFullTurn : angleOf(frame, last - p);
+    const Angle gapBegin = angleOf(frame, from - p);
+    const Angle gapEnd = angleOf(frame, to - p);
+    const Angle middle = angleOf(frame, middleOf(frame, from - p, to - p));
+    const Frame fromGap = makeFrame(p, normal, from, true);
+    const auto inGap = [&](const Vec3& x) {
+        return strictlyBetween(angleOf(fromGap, x - p), Angle{}, angleOf(fromGap, to - p), kSame);
+    };
+    const bool holdsMiddle = strictlyBetween(middle, Angle{}, end, 0.0);
+    const bool firstInGap = inGap(first);
+    const bool lastInGap = inGap(last);
+    if (!holdsMiddle && !firstInGap && !lastInGap) return {false, false, false};
+    return {true,
+            !firstInGap && strictlyBetween(gapBegin, Angle{}, holdsMiddle ? middle : end, kSame),
+            !lastInGap && strictlyBetween(gapEnd, holdsMiddle ? middle : Angle{}, end, kSame)};
+}
+
 bool isRim(const PointSet& points, Index p) {
     if (isBoundary(points.type[p])) return true;
     const auto list = points.neighbors[p];

@@ -30,14 +30,15 @@ seconds() {
          deep && $1 == piece { gsub(/,/, "", $2); printf "%.3f", $2; exit }' "$work/$1"
 }
 
-echo "| set | points | neighbors s | normals s | sides s | triangulation s | triangles, given / derived | faults, given / derived | loops, given / derived |"
-echo "|---|--:|--:|--:|--:|--:|--:|--:|--:|"
+echo "| set | points | neighbors s | normals s | sides s | rims s | triangulation s | triangles, given / derived | faults, given / derived | loops, given / derived |"
+echo "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|"
 for file in "$@"; do
     run given "$file" -k 12
     run derived "$file" -k 12 --derive-normals
-    printf '| %s | %s | %s | %s | %s | %.3f | %s / %s | %s / %s | %s / %s |\n' "$(basename "${file%.*}")" \
+    run rims "$file" -k 12 --derive-rim
+    printf '| %s | %s | %s | %s | %s | %s | %.3f | %s / %s | %s / %s | %s / %s |\n' "$(basename "${file%.*}")" \
         "$(value given points)" "$(seconds derived neighbors)" "$(seconds derived normals)" \
-        "$(seconds derived orientation)" "$(value given triangulate)" \
+        "$(seconds derived orientation)" "$(seconds rims rim)" "$(value given triangulate)" \
         "$(value given triangles)" "$(value derived triangles)" "$(faults given)" "$(faults derived)" \
         "$(value given boundary_loops)" "$(value derived boundary_loops)"
 done

@@ -154,6 +154,24 @@ missing_pieces_are_derived() {
     done
 }
 
+rims_are_found_on_request() {
+    awk 'BEGIN { for (j = -10; j <= 10; ++j) for (i = -20; i <= 20; ++i) {
+        x = i + j / 2; y = j * 0.8660254; if (x * x + y * y < 67) print x, y, 0, 0, 0, 1 } }' >disc.xyz
+    expect 0 run disc.xyz --derive-rim -o disc.ply
+    says err "1 rim with"
+    expect 0 run disc.xyz --derive-rim --report disc.json
+    grep -q '"rim_chains": 1' disc.json || fail "the report does not count the rim"
+    grep -q '"boundary_loops": 1' disc.json || fail "the disc has more than one border"
+    # Rim points are written: the second run takes them as given.
+    expect 0 info disc.ply
+    says out "where no wall is"
+    expect 0 run disc.ply --report again.json
+    grep -q '"rim": false' again.json || fail "the rim was derived again"
+    expect 0 run disc.xyz
+    grep -q "rim" err && fail "a rim without being asked"
+    return 0
+}
+
 unknown_scene_is_missing_input() {
     expect 3 run scene:nowhere
     says err "spiraling-edge scenes"

@@ -413,8 +413,10 @@ TEST_CASE("doctor: corner_bits must say whether there are two walls") {
     const Index inside = firstOfType(file, kInterior);
     file.type[corner] &= kFaceBits;
     file.type[wall] |= kCorner;
-    file.type[inside] |= 128U;
-    std::vector<Index> points{corner, wall, inside};
+    file.type[inside] |= kCorner;
+    const Index both = firstOfType(file, kPositiveY);  // No rim where a wall is.
+    file.type[both] |= kRimPoint;
+    std::vector<Index> points{corner, wall, inside, both};
     std::sort(points.begin(), points.end());
     checkAlone(file, "corner_bits", points, Severity::Warning);
 }

@@ -164,10 +164,16 @@ void addWalls(const LayerInput& in, DrawList& out) {
         if (in.picture.evidence<InsertEvidence>(Stage::Insert) == nullptr) {
             addWallsOf(in, skip->pivot, 0, out);
         }
-        out.label(in.at(skip->pivot), "on a wall: passed over", c.pivot, true);
+        out.label(in.at(skip->pivot),
+                  isRimPoint(skip->type) ? "on a rim: passed over" : "on a wall: passed over",
+                  c.pivot, true);
     }
     const auto* e = in.picture.evidence<InsertEvidence>(Stage::Insert);
     if (e == nullptr) return;
+    if (isRimPoint(e->faces)) {
+        addChoice(in, *e, out);
+        return;
+    }
     addWallsOf(in, e->pivot, 0, out);
     addCandidatesOnWall(in, e->pivot, e->third, out);
     if (e->corner) {

@@ -25,6 +25,7 @@ void drawInput(const PanelContext& context) {
     const DerivedPieces& derived = report.derived;
     if (derived.normals) valueRow(context, "normals", "derived");
     if (derived.types) valueRow(context, "wall types", "derived");
+    if (derived.rim) valueRow(context, "rims", "derived");
     if (report.neighborsComputed) valueRow(context, "neighbors", "derived");
     if (derived.planelessPoints > 0) warn(context, "no plane", derived.planelessPoints);
     if (report.nonFinitePoints > 0) warn(context, "not finite", report.nonFinitePoints);

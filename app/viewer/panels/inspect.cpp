@@ -9,6 +9,7 @@ namespace {
 
 std::string typeText(std::uint8_t type) {
     if (!isBoundary(type)) return "interior";
+    if (isRimPoint(type)) return "boundary, on a rim";
     constexpr const char* kFaces[] = {"+x",           "+y", "+z", "\xE2\x88\x92x", "\xE2\x88\x92y",
                                       "\xE2\x88\x92z"};
     std::string text = isCorner(type) ? "corner" : "boundary";

@@ -140,7 +140,7 @@ struct InsertEvidence {
     Index pivot, other, third;
     bool corner;         ///< 7.2; else 7.1.
     Vec3 cross;          ///< 7.1: normal of p cross the vector to the second point.
-    std::uint8_t faces;  ///< Face bits of p.
+    std::uint8_t faces;  ///< Type bits of p.
     Verdict verdict;     ///< Before, After, OtherSideOpen or NoThirdPoint.
 };
 struct SortEvidence {

@@ -29,7 +29,8 @@ struct Triangle {
 };
 
 /// Type bits of a point (§4). The paper names the bits; the values are ours.
-/// An interior point has none; a point with two or more face bits also has kCorner.
+/// An interior point has none; a point with two or more face bits also has kCorner. A boundary
+/// point without face bits, where the surface ends although no wall cuts it, has kRimPoint alone.
 enum TypeBits : std::uint8_t {
     kInterior = 0,
     kPositiveX = 1,
@@ -40,10 +41,15 @@ enum TypeBits : std::uint8_t {
     kNegativeZ = 32,
     kCorner = 64,
     kFaceBits = 63,
+    kRimPoint = 128,
 };
 
+/// True if the surface ends at the point: on a wall of the box, or on a rim.
+constexpr bool isBoundary(std::uint8_t type) { return (type & (kFaceBits | kRimPoint)) != 0; }
 /// True if the point lies on a wall of the box (any face bit set).
-constexpr bool isBoundary(std::uint8_t type) { return (type & kFaceBits) != 0; }
+constexpr bool isOnWall(std::uint8_t type) { return (type & kFaceBits) != 0; }
+/// True if the surface ends at the point although no wall cuts it there.
+constexpr bool isRimPoint(std::uint8_t type) { return isBoundary(type) && !isOnWall(type); }
 /// True if the point lies on two or more walls.
 constexpr bool isCorner(std::uint8_t type) {
     const unsigned faces = type & kFaceBits;
@@ -51,8 +57,10 @@ constexpr bool isCorner(std::uint8_t type) {
 }
 /// True if both points lie on a common wall.
 constexpr bool shareFace(std::uint8_t a, std::uint8_t b) { return (a & b & kFaceBits) != 0; }
-/// The face bits of `type`, with kCorner set exactly when there are two or more of them.
+/// The face bits of `type`, with kCorner set exactly when there are two or more of them; where
+/// there are none, kRimPoint or nothing.
 constexpr std::uint8_t withCornerBit(std::uint8_t type) {
+    if (isRimPoint(type)) return kRimPoint;
     const auto faces = static_cast<std::uint8_t>(type & kFaceBits);
     return static_cast<std::uint8_t>(isCorner(faces) ? faces | kCorner : faces);
 }
@@ -75,16 +83,30 @@ struct NeighborLists {
     }
 };
 
+/// What a rim point looks out through: a sector of its tangent plane without neighbors,
+/// counterclockwise from `from` to `to`, two of its neighbors. No ends: not a rim point, or
+/// unknown.
+struct RimGap {
+    Index from = kNone;
+    Index to = kNone;
+    bool known() const { return from != kNone; }
+    friend bool operator==(const RimGap&, const RimGap&) = default;
+};
+
 /// Points as the stepper wants them. All arrays have the same length.
 struct PointSet {
     std::vector<Vec3> position;      ///< Scene units.
     std::vector<Vec3> normal;        ///< Unit length; the outer side of the surface.
     std::vector<std::uint8_t> type;  ///< TypeBits.
     NeighborLists neighbors;
+    /// Of rim points; empty: none are known.
+    std::vector<RimGap> rim;
     /// The order in which the start pointer of §4 takes the points, all of them once; empty: by
     /// index.
     std::vector<Index> order;
 
+    /// No ends where none are known.
+    RimGap gapAt(Index p) const { return rim.empty() ? RimGap{} : rim[p]; }
     /// The point at place i of that order.
     Index inOrder(std::size_t i) const { return order.empty() ? static_cast<Index>(i) : order[i]; }
     std::size_t size() const { return position.size(); }
@@ -93,7 +115,8 @@ struct PointSet {
 
 /// Checks what the stepper relies on: equal array lengths; for every point that has a list or
 /// stands in one, a finite position and a unit normal (within 1e-6); in every list only existing
-/// points, none twice, not the point itself; all points once in `order`, unless empty. Points
+/// points, none twice, not the point itself; all points once in `order`, unless empty; as ends of
+/// `rim` only other points that exist, both or none. Points
 /// outside all lists may hold anything: they end as isolated. `prepare.h` makes any input pass.
 /// O(points + list entries).
 Status validate(const PointSet& points);

@@ -55,6 +55,8 @@ struct PrepareOptions {
     std::size_t planeNeighbors = 12;
     /// Types are those of the walls of this box, whatever the file has.
     std::optional<WallBox> walls{};
+    /// Rim points are those that findRim() finds (rim.h), whatever the file has.
+    bool rim = false;
     /// Where lists are computed and noise along the normals exceeds kNoisy, points are set aside
     /// and normals averaged (thinNoise, noise.h) until it does not.
     bool setNoiseAside = false;
@@ -66,12 +68,16 @@ struct DerivedPieces {
     bool normals = false;
     bool orientation = false;
     bool types = false;
+    bool rim = false;
     std::size_t turnedNormals = 0;     ///< Sides changed by the orientation.
     std::size_t normalComponents = 0;  ///< Parts that were oriented each by itself.
     std::size_t planelessPoints = 0;   ///< Set aside: no plane fits their neighbors best.
-    double normalSeconds = 0.0;        ///< With the search for the neighbors that they need.
+    std::size_t rimPoints = 0;
+    std::size_t rimChains = 0;   ///< Closed, one per opening.
+    double normalSeconds = 0.0;  ///< With the search for the neighbors that they need.
     double orientationSeconds = 0.0;
     double typeSeconds = 0.0;
+    double rimSeconds = 0.0;
     double neighborSeconds = 0.0;  ///< PrepareReport::neighborsComputed.
 };
 

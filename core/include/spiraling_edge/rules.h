@@ -187,13 +187,27 @@ struct ThirdPointPlace {
 ThirdPointPlace placeThirdPoint(const Vec3& p, const Vec3& normal, std::uint8_t faces,
                                 const Vec3& second, const Vec3& third);
 
+/// §7 for a rim point: what of the free sector between its ring neighbors is still to be meshed.
+/// Choice: a boundary point without wall bits knows no wall, but the gap that it looks out through.
+struct RimSector {
+    /// The surface ends in the sector: the middle of the gap lies in it, or first or last in the
+    /// gap.
+    bool holdsGap;
+    /// If so: is there surface between first and the gap's beginning, and between its end and last?
+    bool openAtFirst, openAtLast;
+};
+/// Measured in the tangent plane; `from` and `to` are the positions of the gap's ends. sameEntry:
+/// first and last are the same entry, and the sector is a full turn.
+RimSector testRimSector(const Vec3& p, const Vec3& normal, const Vec3& first, const Vec3& last,
+                        bool sameEntry, const Vec3& from, const Vec3& to);
+
 /// Rules::rim: does the surface end at p? True for a boundary point, and where the directions to
 /// its neighbors, as seen along its normal, leave a gap of more than 120 degrees.
 bool isRim(const PointSet& points, Index p);
 
 /// §7.2: is there a transition from one wall to another between two ring neighbors?
 inline bool isTransition(std::uint8_t a, std::uint8_t b) {
-    return isBoundary(a) && isBoundary(b) && !shareFace(a, b);
+    return isOnWall(a) && isOnWall(b) && !shareFace(a, b);
 }
 
 }  // namespace se
