@@ -4,7 +4,8 @@
 start
 says start_page true
 says phase empty
-press F10 Right space Home F5 f Return 1 ctrl+b ctrl+z ctrl+s; says start_page true
+# Keys of the run do nothing here; Enter opens only what arrows or Tab have led to (start.sh).
+press F10 F5 f Return space 1 ctrl+b ctrl+z ctrl+s Home; says start_page true; says file_browser false
 click 490 150
 says start_page false
 says input scene:sphere
