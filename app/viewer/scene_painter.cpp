@@ -67,6 +67,16 @@ void ScenePainter::upload(const Session& session) {
     renderer_->setMended(session.model(), session.picture().mended);
 }
 
+MeshColoring ScenePainter::coloringOf(const Session& session, MeshStyle style) {
+    MeshColoring mesh = meshColoring(style, session.overview(), session.triangles().size());
+    const auto& mended = session.picture().mended;
+    if (style == MeshStyle::Component && mended) {
+        mesh.mended = mendedComponents_.of(mended, session.triangles(), mesh.starts,
+                                           session.model().points.size());
+    }
+    return mesh;
+}
+
 void ScenePainter::fill(CommandContext& context, bool onPaper) {
     const Session& session = context.session;
     if (!session.ready()) return;
@@ -77,7 +87,7 @@ void ScenePainter::fill(CommandContext& context, bool onPaper) {
     Filled now{session.revision(),
                shownLayers_,
                settings.theme,
-               meshColoring(settings.meshStyle, session.overview(), session.triangles().size()),
+               coloringOf(session, settings.meshStyle),
                lookAtMoment(context, onPaper),
                shapes};
     if (now == filled_) return;

@@ -53,10 +53,12 @@ class ScenePainter {
     };
 
     void upload(const Session& session);
+    MeshColoring coloringOf(const Session& session, MeshStyle style);
     const Moment& lookAtMoment(const CommandContext& context, bool onPaper);
 
     std::unique_ptr<Renderer> renderer_;
     DrawList drawList_;
+    MendedComponents mendedComponents_;
     Motion motion_;
     Filled filled_;
     Drawn drawn_;

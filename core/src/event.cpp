@@ -16,9 +16,9 @@ constexpr std::array<StageRow, kStageCount> kStages{{
     {"seed", "4"},         {"strand", "4"}, {"pivot", "6"},     {"skip", "7"},
     {"insert", "7.1"},     {"sort", "6.1"}, {"limits", "6.1"},  {"convex", "6.1"},
     {"reciprocal", "6.1"}, {"hole", "6.2"}, {"sphere", "6.3"},  {"twopoint", "6.4"},
-    {"guard", "6.4"},      {"fill", "6.5"}, {"emit", "6.4"},    {"ring", "6.5"},
-    {"split", "6.5"},      {"join", "6.5"}, {"advance", "6.5"}, {"reinsert", "4"},
-    {"flip", "6.3"},       {"reseat", "4"}, {"done", "7"},
+    {"guard", ""},         {"fill", ""},    {"emit", "6.4"},    {"ring", "6.5"},
+    {"split", "6.5"},      {"join", "6.5"}, {"advance", "6.5"}, {"reinsert", ""},
+    {"flip", ""},          {"reseat", ""},  {"done", "7"},
 }};
 
 std::optional<std::uint32_t> numberFrom(std::string_view text) {

@@ -33,6 +33,13 @@ TEST_CASE("A closed component has no rim, one triangle is all rim") {
     REQUIRE(one.rim.size() == 3);
     CHECK(one.rim[0] == std::array<Index, 2>{0, 1});
     CHECK(one.middle == model->place[0]);
+    CHECK(whole.points == 4);
+    CHECK(whole.loops == 0);
+    CHECK(one.points == 3);
+    CHECK(one.loops == 1);
+    // Two that share no point have a loop each; two that share one hang together there.
+    CHECK(shapeOf(*model, std::vector<Triangle>{{0, 1, 2}, {3, 4, 5}}, 0).loops == 2);
+    CHECK(shapeOf(*model, std::vector<Triangle>{{0, 1, 2}, {2, 4, 5}}, 0).loops == 1);
 }
 
 TEST_CASE("The overview knows the shape of each component, whatever its size") {
@@ -43,6 +50,8 @@ TEST_CASE("The overview knows the shape of each component, whatever its size") {
         const ComponentShape& last = run.shapes.back();
         CHECK(last.end == run.triangles.back());
         CHECK(last.rim.empty() == (scene == std::string_view("scene:sphere")));
+        CHECK(last.loops == (last.rim.empty() ? 0U : 1U));
+        CHECK(last.seconds > 0.0);
         CHECK(shapeAt(run.shapes, last.pivot) == &last);
         CHECK(shapeAt(run.shapes, last.pivot + 1) == nullptr);
         CHECK(shapeAt(run.shapes, 1) == nullptr);

@@ -169,3 +169,27 @@ TEST_CASE("Dial: the second disc shows the pivot as the tested point sees it") {
     });
     CHECK(discs > 0);
 }
+
+TEST_CASE("Dial: the caption of a limit asks nothing, and says no reason twice") {
+    int moved = 0;
+    forEachDial("scene:figure-4", [&](const Picture&, const Event& event, const Dial& dial) {
+        const auto* limit = std::get_if<LimitEvidence>(&event.evidence);
+        if (limit == nullptr) return;
+        CHECK(dial.caption.find('?') == std::string::npos);
+        const bool moves = limit->verdict == Verdict::Moved;
+        CHECK((dial.caption.find("moved from") != std::string::npos) == moves);
+        CHECK((dial.caption.find("stays") != std::string::npos) != moves);
+        moved += moves ? 1 : 0;
+    });
+    CHECK(moved > 0);
+    int convex = 0;
+    forEachDial("scene:figure-5", [&](const Picture&, const Event& event, const Dial& dial) {
+        const auto* drop = std::get_if<DropEvidence>(&event.evidence);
+        if (drop == nullptr || drop->verdict != Verdict::BehindConvex) return;
+        const std::size_t first = dial.caption.find("behind");
+        REQUIRE(first != std::string::npos);
+        CHECK(dial.caption.find("behind", first + 1) == std::string::npos);
+        ++convex;
+    });
+    CHECK(convex > 0);
+}

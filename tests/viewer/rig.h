@@ -28,8 +28,8 @@ inline std::shared_ptr<const Model> sphereModel() {
 struct OpenSession {
     Session session;
 
-    explicit OpenSession(const char* source = "scene:sphere") {
-        session.open({source, {}, "paper"});
+    explicit OpenSession(const char* source = "scene:sphere", const char* rules = "paper") {
+        session.open({source, {}, rules});
         session.settle();
     }
     /// Where the cursor stands once all moves are done.

@@ -212,6 +212,23 @@ TEST_CASE("What is drawn goes with the pixels, not with the length of the run") 
     CHECK(picture.signs.size() <= 1000);
 }
 
+TEST_CASE("An alert near the pointer is named, with its point and pivot") {
+    RunOverview run = shortRun();
+    run.marks.push_back({4, MarkKind::Alert, 2, {AlertKind::Hole, 17}});
+    StripWindow window;
+    window.setLast(run.lastPivot);
+    const LanePicture picture = makeLanePicture(run, window, {100.0F, 4, 1.0F});
+    REQUIRE(picture.alerts.size() == 1);
+    const float x = picture.alerts[0].x;
+    CHECK(alertNear(picture, x + 20.0F, 8.0F) == nullptr);
+    const LaneAlert* found = alertNear(picture, x + 3.0F, 8.0F);
+    REQUIRE(found != nullptr);
+    const std::string text = alertText(*found);
+    CHECK(text.find("hole") != std::string::npos);
+    CHECK(text.find("point 17") != std::string::npos);
+    CHECK(text.find("pivot 4") != std::string::npos);
+}
+
 TEST_CASE("The strip's window zooms about a place and stays within the run") {
     StripWindow window;
     window.setLast(1000);

@@ -7,25 +7,33 @@ namespace se::view {
 
 namespace {
 
-void addFreedRing(const LayerInput& in, const FreeEvidence& e, DrawList& out) {
-    if (in.picture.oldRings.empty() || !in.picture.oldRings.front().active) return;
-    const std::vector<Index>& points = in.picture.oldRings.front().points;
+/// The ring that was freed, bold: an open border, or in the color of errors what should not be one.
+void addFreedRing(const LayerInput& in, const FreedRing& ring, bool named, DrawList& out) {
+    const std::vector<Index>& points = ring.path.points;
     if (points.empty()) return;
+    const Color& color = ring.alert ? in.palette.rejected : in.palette.last;
+    // What is wrong must not hide behind what is right.
+    const Depth depth = ring.alert ? Depth::OnTop : Depth::XRay;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        out.dashed(in.at(points[i]), in.at(points[(i + 1) % points.size()]), in.palette.last, 0.26F,
-                   0.6F, Depth::XRay);
+        const glm::vec3& from = in.at(points[i]);
+        const glm::vec3& to = in.at(points[(i + 1) % points.size()]);
+        // A step that is no mesh edge borders on nothing.
+        ring.path.open[i] ? out.dashed(from, to, color, 0.2F, 0.3F)
+                          : out.line(from, to, color, 0.36F, depth);
     }
-    out.label(in.at(points.front()), "ring of " + std::to_string(e.length) + " freed",
-              in.palette.last, true);
+    if (!named) return;
+    std::string text = "ring of " + std::to_string(points.size()) + " freed";
+    if (!ring.told) text = "a ring of " + std::to_string(points.size()) + " is freed";
+    if (ring.alert == AlertKind::Hole) text += ": a hole stays open";
+    if (ring.alert == AlertKind::LostSeed) text += ": its seed got no triangle";
+    out.label(in.at(points.front()), text, color, true);
 }
 
 }  // namespace
 
 void addComponent(const LayerInput& in, DrawList& out) {
-    if (const auto* freed = in.picture.evidence<FreeEvidence>(Stage::Done)) {
-        addFreedRing(in, *freed, out);
-    }
     const auto* e = in.picture.evidence<ComponentEvidence>(Stage::Done);
+    if (in.picture.freed) addFreedRing(in, *in.picture.freed, e == nullptr, out);
     if (e == nullptr) return;
     const std::size_t end = e->triangles;
     // Where colors tell components, or the order of birth, it has its color.

@@ -1,7 +1,6 @@
 #include "disc.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace se::view {
 
@@ -57,12 +56,6 @@ void addSectorSheet(const Disc& disc, const Arc& arc, const Color& color, DrawLi
         out.sheet(disc.origin, disc.at(partOf(arc, i, parts), arc.radius),
                   disc.at(partOf(arc, i + 1, parts), arc.radius), color);
     }
-}
-
-std::string degreesText(double degrees) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f\xC2\xB0", degrees);
-    return text;
 }
 
 }  // namespace se::view

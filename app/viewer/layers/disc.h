@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "layer.h"
+#include "run/number_text.h"
 
 namespace se::view {
 
@@ -43,8 +44,5 @@ struct Arc {
 void addArc(const Disc& disc, const Arc& arc, const Color& color, float width, DrawList& out);
 void addDashedArc(const Disc& disc, const Arc& arc, const Color& color, float width, DrawList& out);
 void addSectorSheet(const Disc& disc, const Arc& arc, const Color& color, DrawList& out);
-
-/// "96.1 degrees", with the sign.
-std::string degreesText(double degrees);
 
 }  // namespace se::view

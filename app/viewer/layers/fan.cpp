@@ -1,7 +1,6 @@
 /// §6.4, Fig. 10: the triangles of the fan, one by one, numbered and with their turn.
-#include <algorithm>
-
 #include "disc.h"
+#include "run/measures.h"
 
 namespace se::view {
 
@@ -14,16 +13,6 @@ void addTurn(const LayerInput& in, const Triangle& t, float inner, DrawList& out
     const Color color = in.palette.text;
     out.line(near(t.a), near(t.b), color, 0.1F, Depth::OnTop);
     out.arrow(near(t.b), near(t.c), color, 0.1F, 0.5F);
-}
-
-/// The least angle of a triangle: what a good fan keeps large.
-double leastDegrees(const LayerInput& in, const Triangle& t) {
-    const auto at = [&](Index corner, Index left, Index right) {
-        const glm::vec3 u = glm::normalize(in.at(left) - in.at(corner));
-        const glm::vec3 v = glm::normalize(in.at(right) - in.at(corner));
-        return glm::degrees(std::acos(std::clamp(glm::dot(u, v), -1.0F, 1.0F)));
-    };
-    return std::min({at(t.a, t.b, t.c), at(t.b, t.c, t.a), at(t.c, t.a, t.b)});
 }
 
 }  // namespace
@@ -43,7 +32,8 @@ void addFan(const LayerInput& in, DrawList& out) {
         out.label(middle, std::to_string(i + 1), newest ? in.palette.text : in.palette.test, true);
         if (newest) {
             out.label(0.5F * (in.at(t.b) + in.at(t.c)),
-                      "least angle " + degreesText(leastDegrees(in, t)), in.palette.test);
+                      "least angle " + degreesText(leastDegrees(in.model.points, t)),
+                      in.palette.test);
         }
     }
     if (fresh.empty() || in.picture.pivot == kNone) return;

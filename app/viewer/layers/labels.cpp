@@ -31,7 +31,11 @@ void addLabels(const LayerInput& in, DrawList& out) {
     LabelMaker labels(in, out);
     labels.add(p.pivot, "p", c.pivot, true);
     const bool stranded = p.event && p.event->address.stage == Stage::Strand;
-    if (p.pivot == kNone) labels.add(p.underTest, "", stranded ? c.rejected : c.test, true);
+    // Seeds and the steps after the last pivot name their points themselves.
+    const bool named = p.mended || (p.event && p.event->address.stage == Stage::Seed);
+    if (p.pivot == kNone && !named) {
+        labels.add(p.underTest, "", stranded ? c.rejected : c.test, true);
+    }
     if (!p.complete && p.pivot != kNone) {
         if (p.sphere) {
             labels.add(p.sphere->q, "q", c.test, true);

@@ -66,6 +66,11 @@ void addRingChange(const LayerInput& in, DrawList& out);
 void addExchange(const LayerInput& in, DrawList& out);
 void addAdvance(const LayerInput& in, DrawList& out);
 void addComponent(const LayerInput& in, DrawList& out);
+// Beyond the paper.
+void addGuard(const LayerInput& in, DrawList& out);
+void addHoleFill(const LayerInput& in, DrawList& out);
+void addMending(const LayerInput& in, DrawList& out);
+// What a person chose.
 void addSelection(const LayerInput& in, DrawList& out);
 void addMarked(const LayerInput& in, DrawList& out);
 
@@ -96,8 +101,11 @@ enum class LayerId : std::uint8_t {
     Component,
     Selection,
     Marked,
+    Guard,
+    HoleFill,
+    Mending,
 };
-inline constexpr std::size_t kLayerCount = 26;
+inline constexpr std::size_t kLayerCount = 29;
 
 /// The stages that show a layer by themselves, one bit each.
 using StageMask = std::uint32_t;

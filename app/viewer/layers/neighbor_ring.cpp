@@ -70,11 +70,8 @@ void addSector(const LayerInput& in, DrawList& out) {
 
 void addNeighborRing(const LayerInput& in, DrawList& out) {
     const Picture& p = in.picture;
-    if (p.pivot == kNone) {
-        // Mended; seeds and stranded points have a layer of their own.
-        if (p.mended) addMark(in, p.underTest, Shape::RingedDisc, in.palette.test, 0.9F, out);
-        return;
-    }
+    // Seeds, stranded points and the steps after the last pivot have layers of their own.
+    if (p.pivot == kNone) return;
     // Once the pivot is complete its tests are history: only the result stays.
     if (!p.complete) addCandidates(in, out);
     if (!p.complete) addEnds(in, out);

@@ -32,6 +32,21 @@ void addFadingFan(const LayerInput& in, DrawList& out) {
     out.label((in.at(t.a) + in.at(t.b) + in.at(t.c)) / 3.0F, "the fan before", in.palette.textDim);
 }
 
+/// One stretch per component; in the mended mesh they come in turns.
+void addComponentColors(const LayerInput& in, DrawList& out) {
+    if (in.picture.mended) {
+        for (const ComponentStretch& stretch : in.mesh.mended) {
+            out.meshStretches.push_back({stretch.first, componentColor(stretch.component)});
+            out.components = std::max(out.components, stretch.component + 1);
+        }
+        return;
+    }
+    for (std::size_t i = 0; i < in.mesh.starts.size(); ++i) {
+        out.meshStretches.push_back({in.mesh.starts[i], componentColor(i)});
+        if (i == 0 || in.mesh.starts[i] < in.picture.finishedTriangles) out.components = i + 1;
+    }
+}
+
 }  // namespace
 
 void addTriangles(const LayerInput& in, DrawList& out) {
@@ -39,14 +54,12 @@ void addTriangles(const LayerInput& in, DrawList& out) {
     out.finishedTriangles = in.picture.finishedTriangles;
     out.meshColor = in.palette.mesh;
     out.meshEdgeColor = in.mesh.style == MeshStyle::Wire ? in.palette.done : in.palette.meshEdge;
-    // The mended mesh is in no order.
+    // The mended mesh is in no order of birth, but its triangles have their components.
     const bool ordered = in.picture.mended == nullptr;
-    out.meshStyle =
-        ordered || in.mesh.style < MeshStyle::BirthOrder ? in.mesh.style : MeshStyle::Flat;
+    const bool byBirth = in.mesh.style == MeshStyle::BirthOrder;
+    out.meshStyle = ordered || !byBirth ? in.mesh.style : MeshStyle::Flat;
     out.birthEnd = in.mesh.birthEnd;
-    for (std::size_t i = 0; ordered && i < in.mesh.starts.size(); ++i) {
-        out.meshStretches.push_back({in.mesh.starts[i], componentColor(i)});
-    }
+    addComponentColors(in, out);
     // New ones are among them, too; those below cover them.
     out.mended = in.picture.mended;
     if (ordered && in.mesh.style < MeshStyle::Wire) addFadingFan(in, out);

@@ -62,12 +62,7 @@ std::optional<Rect> drawBirth(const PanelContext& context) {
 
 std::optional<Rect> drawComponents(const PanelContext& context) {
     const float em = context.em;
-    const DrawList& drawn = context.drawList;
-    std::size_t count = 0;
-    while (count < drawn.meshStretches.size() &&
-           (count == 0 || drawn.meshStretches[count].first < drawn.finishedTriangles)) {
-        ++count;
-    }
+    const std::size_t count = context.drawList.components;
     const std::string title = count == 1 ? "1 component" : grouped(count) + " components";
     const std::size_t named = std::min(count, kNamed);
     const float line = ImGui::GetTextLineHeight();

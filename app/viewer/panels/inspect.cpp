@@ -1,6 +1,6 @@
-#include <cstdio>
-
 #include "panel.h"
+#include "run/number_text.h"
+#include "steps/evidence_rows.h"
 #include "widgets.h"
 
 namespace se::view {
@@ -10,13 +10,7 @@ namespace {
 std::string typeText(std::uint8_t type) {
     if (!isBoundary(type)) return "interior";
     if (isRimPoint(type)) return "boundary, on a rim";
-    constexpr const char* kFaces[] = {"+x",           "+y", "+z", "\xE2\x88\x92x", "\xE2\x88\x92y",
-                                      "\xE2\x88\x92z"};
-    std::string text = isCorner(type) ? "corner" : "boundary";
-    for (unsigned i = 0; i < 6; ++i) {
-        if ((type & (1U << i)) != 0) text += std::string(" ") + kFaces[i];
-    }
-    return text;
+    return (isCorner(type) ? "corner " : "boundary ") + wallsText(type);
 }
 
 std::string statusText(PointStatus status) {
@@ -34,12 +28,9 @@ void drawPoint(const PanelContext& context, const char* title, Index point) {
     heading(context, title, "point " + std::to_string(point));
     ImGui::PushID(title);
     if (beginValues("##point", context)) {
-        const Vec3& p = points.position[point];
-        char place[96];
-        std::snprintf(place, sizeof place, "%.4g, %.4g, %.4g", p.x, p.y, p.z);
         valueRow(context, "status", statusText(session.picture().status[point]));
         valueRow(context, "type", typeText(points.type[point]));
-        valueRow(context, "position", place);
+        valueRow(context, "position", numbersText(points.position[point]));
         std::string list;
         for (const Index q : points.neighbors[point]) {
             list += (list.empty() ? "" : ", ") + std::to_string(q);
@@ -48,12 +39,6 @@ void drawPoint(const PanelContext& context, const char* title, Index point) {
         endValues();
     }
     ImGui::PopID();
-}
-
-std::string number(double value, const char* format) {
-    char text[48];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
 }
 
 /// Leads to the pivot that made the thing, or says that nobody knows of it yet.
@@ -78,7 +63,7 @@ void drawEdge(const PanelContext& context, const SelectionFacts& facts) {
     if (beginValues("##edge", context)) {
         const auto corners = context.session().selection().corners();
         valueRow(context, "points", std::to_string(corners[0]) + ", " + std::to_string(corners[1]));
-        valueRow(context, "length", number(facts.length, "%.5g"));
+        valueRow(context, "length", numberText(facts.length));
         std::string list;
         for (std::size_t i = 0; i < facts.triangles.size(); ++i) {
             list += (i == 0 ? "" : ", ") + std::to_string(facts.triangles[i]);
@@ -99,12 +84,12 @@ void drawTriangle(const PanelContext& context, const SelectionFacts& facts) {
         std::string angles;
         for (std::size_t i = 0; i < 3; ++i) {
             points += (i == 0 ? "" : ", ") + std::to_string(corners[i]);
-            angles += (i == 0 ? "" : ", ") + number(facts.degrees[i], "%.1f\xC2\xB0");
+            angles += (i == 0 ? "" : ", ") + degreesText(facts.degrees[i]);
         }
         valueRow(context, "number", facts.number ? std::to_string(*facts.number) : "mended");
         valueRow(context, "corners", points);
         valueRow(context, "angles", angles);
-        valueRow(context, "area", number(facts.area, "%.5g"));
+        valueRow(context, "area", numberText(facts.area));
         endValues();
     }
     drawBirth(context, facts, "triangle");
@@ -136,10 +121,16 @@ void drawSelection(const PanelContext& context) {
 
 void drawStep(const PanelContext& context, const Event& event) {
     const std::string stage(stageName(event.address.stage));
-    heading(context, stage.c_str(), "paper " + std::string(stageSection(event.address.stage)));
+    const std::string section = sectionOf(event);
+    heading(context, stage.c_str(), section.empty() ? "not in the paper" : "paper " + section);
     ImGui::PushFont(context.fonts.mono);
     ImGui::TextDisabled("%s", toString(event.address).c_str());
     ImGui::PopFont();
+    if (section.empty()) {
+        ImGui::PushTextWrapPos(0.0F);
+        ImGui::TextDisabled("A rule of ours: docs/robust.md");
+        ImGui::PopTextWrapPos();
+    }
     ImGui::Spacing();
     drawEvidence(context, event);
 }

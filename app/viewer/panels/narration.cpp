@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "panel.h"
+#include "scene/outcome.h"
 #include "widgets.h"
 
 namespace se::view {
@@ -72,8 +73,7 @@ void drawNarration(const PanelContext& context) {
         // What else there is to say stands in the view for a while: see drawNotices().
         if (event != nullptr) {
             sentence = (session.showsBefore() ? "Before this: " : "") + describe(*event);
-            const bool alert = std::holds_alternative<AlertEvidence>(event->evidence);
-            if (alert || verdictOf(*event)) color = verdictColor(context, *event);
+            color = outcomeColor(context.palette, *event).value_or(color);
         } else if (!session.message().empty()) {
             sentence = session.message();
         } else if (session.ready()) {

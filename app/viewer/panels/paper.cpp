@@ -1,6 +1,8 @@
 #include "steps/paper.h"
 
 #include "panel.h"
+#include "scene/outcome.h"
+#include "steps/evidence_rows.h"
 #include "widgets.h"
 
 namespace se::view {
@@ -54,14 +56,14 @@ void drawPaper(const PanelContext& context) {
         return;
     }
     const PaperRule& rule = paperRule(event->address.stage);
-    const std::string section(stageSection(event->address.stage));
-    heading(context, rule.title, section.empty() ? "" : "section " + section);
+    const std::string section = sectionOf(*event);
+    heading(context, rule.title, section.empty() ? "docs/robust.md" : "section " + section);
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(rule.words);
     ImGui::PopTextWrapPos();
     ImGui::Spacing();
     const std::size_t present = presentLine(*event);
-    const Color color = verdictOf(*event) ? verdictColor(context, *event) : context.palette.accent;
+    const Color color = outcomeColor(context.palette, *event).value_or(context.palette.accent);
     const bool moved = context.ui().navigation.paperWatch.moved(
         session.generation(), session.record().pivot, session.cursor());
     for (std::size_t i = 0; i < rule.code.size(); ++i) {

@@ -63,8 +63,8 @@ void drawAlerts(const RunStrip& strip) {
     ImDrawList* list = ImGui::GetWindowDrawList();
     const float em = strip.context.em;
     const float y = strip.lanes.min.y;
-    for (const float at : strip.picture().alerts) {
-        const float x = strip.bars.min.x + at;
+    for (const LaneAlert& alert : strip.picture().alerts) {
+        const float x = strip.bars.min.x + alert.x;
         list->AddTriangleFilled({x - 0.3F * em, y - 0.25F * em}, {x + 0.3F * em, y - 0.25F * em},
                                 {x, y + 0.25F * em}, toU32(strip.context.palette.rejected));
     }
@@ -144,6 +144,10 @@ std::string tooltipText(const RunStrip& strip, std::uint32_t pivot, ImVec2 mouse
                 grouped(run.triangles[pivot - 1]) + " triangles";
     }
     text += gatheredText(strip, mouse);
+    // The triangle of an alert stands above the lanes, and is as wide as this.
+    const LaneAlert* alert =
+        alertNear(strip.picture(), mouse.x - strip.bars.min.x, 0.6F * strip.context.em);
+    if (alert != nullptr) text += "\n" + alertText(*alert);
     // What the sign next to the pointer means.
     const LaneSign* nearest = nullptr;
     float best = 0.7F * strip.context.em;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/outcome.h"
 #include "strips.h"
 #include "widgets.h"
 
@@ -16,8 +17,7 @@ constexpr float kLeastCell = 2.4F;
 
 Color cellColor(const PanelContext& context, const Event& event) {
     if (event.address.stage == Stage::Emit) return context.palette.test;
-    const bool tells = verdictOf(event) || std::holds_alternative<AlertEvidence>(event.evidence);
-    return tells ? verdictColor(context, event) : context.palette.textDim;
+    return outcomeColor(context.palette, event).value_or(context.palette.textDim);
 }
 
 void frameHere(const PanelContext& context, const Rect& cell) {
@@ -77,7 +77,8 @@ void drawTicks(const PanelContext& context, const StageRun& run, const Rect& blo
 
 std::string stageSummary(const StageRun& run) {
     std::string text(stageName(run.stage));
-    text += ", section " + std::string(stageSection(run.stage)) + "\n";
+    const std::string section(stageSection(run.stage));
+    text += section.empty() ? ", a rule beyond the paper\n" : ", section " + section + "\n";
     if (run.tests == 0) return text + grouped(run.size()) + (run.size() == 1 ? " step" : " steps");
     text += grouped(run.tests) + (run.tests == 1 ? " test, " : " tests, ");
     return text + grouped(run.refused) + " refused";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/outcome.h"
 #include "widgets.h"
 
 namespace se::view {
@@ -209,7 +210,7 @@ void drawTest(const PanelContext& context, RowPen& pen, const StepRow& row) {
                          context.palette.text);
     }
     const Shape mark = markOf(event);
-    const Color color = verdictColor(context, event);
+    const Color color = outcomeColor(context.palette, event).value_or(context.palette.text);
     pen.shape(mark, mark == Shape::Dot ? 0.28F * em : 0.52F * em, color);
     pen.text(outcomeText(event), color, pen.end());
 }

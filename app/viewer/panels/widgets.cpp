@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "interface/text_cut.h"
+#include "steps/evidence_rows.h"
 
 namespace se::view {
 
@@ -286,27 +287,6 @@ std::string_view wordOf(const Event& event) {
     return {};
 }
 
-Color verdictColor(const PanelContext& context, const Event& event) {
-    if (std::holds_alternative<AlertEvidence>(event.evidence)) return context.palette.rejected;
-    const std::optional<Verdict> verdict = verdictOf(event);
-    if (!verdict) return context.palette.text;
-    if (rejects(event)) return context.palette.rejected;
-    switch (*verdict) {
-        case Verdict::Kept:
-        case Verdict::InsideSphere:
-        case Verdict::GapTooWide:
-        case Verdict::NoCircle:
-        case Verdict::Hole:
-        case Verdict::Before:
-        case Verdict::After:
-            return context.palette.used;
-        case Verdict::Moved:
-            return context.palette.test;
-        default:
-            return context.palette.textDim;
-    }
-}
-
 std::string addressText(const Session& session) {
     return session.ready() && session.event() != nullptr ? toString(session.address()) : "start";
 }
@@ -314,7 +294,8 @@ std::string addressText(const Session& session) {
 std::string addressAndSection(const Session& session) {
     const std::string address = addressText(session);
     if (!session.ready() || session.event() == nullptr) return address;
-    return address + " \xC2\xB7 " + std::string(stageSection(session.address().stage));
+    const std::string section = sectionOf(*session.event());
+    return address + " \xC2\xB7 " + (section.empty() ? "not in the paper" : section);
 }
 
 std::string grouped(std::size_t number) {

@@ -59,8 +59,6 @@ std::vector<std::string> wrapped(const std::string& text, float width);
 /// What became of the thing that an event is about, if it has no verdict: "in", "stranded", the
 /// kind of an alert. Empty if there is no such word.
 std::string_view wordOf(const Event& event);
-/// Color of a verdict: kept, rejected or plain; of an alert that of errors.
-Color verdictColor(const PanelContext& context, const Event& event);
 /// "137.sphere.3", or "start".
 std::string addressText(const Session& session);
 /// "137.sphere.3 · 6.3", with the section of the paper.

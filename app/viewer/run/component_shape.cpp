@@ -1,12 +1,43 @@
 #include "component_shape.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace se::view {
 
 namespace {
 
 constexpr std::uint64_t edgeKey(Index from, Index to) { return std::uint64_t{from} << 32U | to; }
+
+/// How many different numbers there are.
+std::size_t countDifferent(std::vector<Index>& points) {
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    return points.size();
+}
+
+/// Pieces of the rim: points that its edges join are of one piece.
+std::size_t countLoops(std::span<const std::array<Index, 2>> rim) {
+    std::vector<Index> points;
+    for (const auto& edge : rim) points.insert(points.end(), {edge[0], edge[1]});
+    std::size_t loops = countDifferent(points);
+    std::vector<std::size_t> above(points.size());
+    std::iota(above.begin(), above.end(), std::size_t{0});
+    const auto rootOf = [&](Index point) {
+        const auto found = std::lower_bound(points.begin(), points.end(), point);
+        auto at = static_cast<std::size_t>(found - points.begin());
+        while (above[at] != at) at = above[at] = above[above[at]];
+        return at;
+    };
+    for (const auto& edge : rim) {
+        const std::size_t from = rootOf(edge[0]);
+        const std::size_t to = rootOf(edge[1]);
+        if (from == to) continue;
+        above[std::max(from, to)] = std::min(from, to);
+        --loops;
+    }
+    return loops;
+}
 
 }  // namespace
 
@@ -17,9 +48,12 @@ ComponentShape shapeOf(const Model& model, std::span<const Triangle> triangles, 
     glm::dvec3 sum(0.0);
     std::vector<std::uint64_t> edges;
     edges.reserve(3 * triangles.size());
+    std::vector<Index> corners;
+    corners.reserve(3 * triangles.size());
     for (const Triangle& t : triangles) {
         sum += glm::dvec3(model.place[t.a]);
         edges.insert(edges.end(), {edgeKey(t.a, t.b), edgeKey(t.b, t.c), edgeKey(t.c, t.a)});
+        corners.insert(corners.end(), {t.a, t.b, t.c});
     }
     if (!triangles.empty()) shape.middle = sum / static_cast<double>(triangles.size());
     std::sort(edges.begin(), edges.end());
@@ -30,6 +64,8 @@ ComponentShape shapeOf(const Model& model, std::span<const Triangle> triangles, 
             shape.rim.push_back({from, to});
         }
     }
+    shape.points = countDifferent(corners);
+    shape.loops = countLoops(shape.rim);
     return shape;
 }
 

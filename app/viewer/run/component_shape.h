@@ -17,7 +17,10 @@ struct ComponentShape {
     std::size_t end = 0;      ///< and the one after its last.
     glm::vec3 middle{0.0F};   ///< View space.
     std::vector<std::array<Index, 2>>
-        rim;  ///< Directed edges that have a triangle on one side only.
+        rim;                 ///< Directed edges that have a triangle on one side only.
+    std::size_t points = 0;  ///< That its triangles use.
+    std::size_t loops = 0;   ///< Pieces of the rim that hang together.
+    double seconds = 0.0;    ///< From the beginning of the run that the overview was made with.
 };
 
 /// The component that consists of `triangles`; `begin` is the number of the first.

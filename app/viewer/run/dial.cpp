@@ -101,7 +101,8 @@ class Maker {
     }
 
     void addRange() {
-        const double end = picture_.endDegrees > 0.0 ? picture_.endDegrees : picture_.sectorDegrees;
+        double end = picture_.endDegrees > 0.0 ? picture_.endDegrees : picture_.sectorDegrees;
+        if (!(end > 0.0) && picture_.end != kNone) end = degreesOf(picture_.end);
         const bool moved = picture_.start != picture_.first || picture_.end != picture_.last;
         if (moved) dial_.arcs.push_back({DialArc::Kind::OldRange, 0.0, picture_.sectorDegrees});
         dial_.arcs.push_back({DialArc::Kind::Range, picture_.startDegrees, end});
@@ -122,11 +123,12 @@ class Maker {
         for (std::size_t i = 0; i < kept.size(); ++i) kept[i]->rank = static_cast<int>(i) + 1;
     }
 
-    /// What is refused says so in words.
+    /// What is refused says so in words, once.
     void addReason(const Event& event) {
         const std::optional<Verdict> verdict = verdictOf(event);
         if (!verdict || dial_.caption.empty() || !rejects(event)) return;
-        dial_.caption += ": " + std::string(verdictText(*verdict));
+        const std::string reason(verdictText(*verdict));
+        if (dial_.caption.find(reason) == std::string::npos) dial_.caption += ": " + reason;
     }
 
     /// The sector of a triangle at the pivot, from its second corner to its third.
@@ -150,14 +152,22 @@ class Maker {
         dial_.caption = text("angle %.1f\xC2\xB0, limit %.1f\xC2\xB0", e.degrees, e.endDegrees);
     }
     void show(const LimitEvidence& e) {
-        dial_.caption = text(e.side == Side::Start ? "start from %.1f\xC2\xB0 to %.1f\xC2\xB0?"
-                                                   : "end from %.1f\xC2\xB0 to %.1f\xC2\xB0?",
-                             e.fromDegrees, e.toDegrees);
+        const std::string side = e.side == Side::Start ? "start" : "end";
+        if (e.verdict == Verdict::Moved) {
+            dial_.caption =
+                side + text(" moved from %.1f\xC2\xB0 to %.1f\xC2\xB0", e.fromDegrees, e.toDegrees);
+            return;
+        }
+        dial_.caption = side + text(" stays at %.1f\xC2\xB0; the next point: ", e.fromDegrees) +
+                        std::string(verdictText(e.verdict));
     }
     void show(const DropEvidence& e) {
-        dial_.caption = text(stage_ == Stage::Convex ? "angle %.1f\xC2\xB0, but behind a convex end"
-                                                     : "angle %.1f\xC2\xB0, outside the new limits",
-                             e.degrees);
+        const bool start = e.side == Side::Start;
+        dial_.caption = stage_ == Stage::Convex
+                            ? text("angle %.1f\xC2\xB0, within the range", e.degrees)
+                            : text(start ? "angle %.1f\xC2\xB0, start at %.1f\xC2\xB0"
+                                         : "angle %.1f\xC2\xB0, end at %.1f\xC2\xB0",
+                                   e.degrees, start ? picture_.startDegrees : picture_.endDegrees);
     }
     void show(const ReciprocalEvidence& e) {
         name(e.point, "e");
@@ -198,6 +208,23 @@ class Maker {
         dial_.caption = e.third == kNone               ? "no third point"
                         : e.verdict == Verdict::Before ? "joins before p"
                                                        : "joins after p";
+    }
+    void show(const GuardEvidence& e) {
+        if (e.b != kNone) {
+            const double from = degreesOf(e.a);
+            double to = degreesOf(e.b);
+            if (to <= from) to += 360.0;
+            dial_.arcs.push_back({DialArc::Kind::TooWide, from, to});
+        }
+        dial_.caption = e.dropped == kNone
+                            ? std::string("the fan is refused")
+                            : std::to_string(e.dropped) + " is dropped, 6.3 is done again";
+    }
+    /// The ear of a hole; its pivot has no sector that was measured.
+    void show(const FillEvidence& e) {
+        addTriangle({e.pivot, e.first, e.last});
+        dial_.caption =
+            text("ear of a hole of %.0f: least angle %.1f\xC2\xB0", e.ringLength, e.leastDegrees);
     }
     void show(const SkipEvidence&) { dial_.caption = "on a wall: passed over"; }
     void show(const RingEvidence&) {

@@ -24,6 +24,10 @@ void countUp(std::uint16_t& number) {
     if (number < std::numeric_limits<std::uint16_t>::max()) ++number;
 }
 
+double secondsSince(std::chrono::steady_clock::time_point began) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+}
+
 /// Runs a model from pivot to pivot and notes what there is to see from afar.
 class Observer {
   public:
@@ -86,16 +90,18 @@ class Observer {
         if (now.splits > before.splits) run.marks.push_back({pivot, MarkKind::Split});
         if (now.joins > before.joins) run.marks.push_back({pivot, MarkKind::Join});
         if (state().alerts.size() > alerts) {
-            run.marks.push_back({pivot, MarkKind::Alert, alertPlace()});
+            noteAlerts(run, pivot);
         }
     }
 
-    /// The number of the first alert among the events of its stage.
-    std::uint32_t alertPlace() const {
+    /// The first alert of this pivot.
+    void noteAlerts(RunOverview& run, std::uint32_t pivot) const {
         for (const Event& event : log_.events()) {
-            if (std::holds_alternative<AlertEvidence>(event.evidence)) return event.address.n;
+            const auto* alert = std::get_if<AlertEvidence>(&event.evidence);
+            if (alert == nullptr) continue;
+            run.marks.push_back({pivot, MarkKind::Alert, event.address.n, *alert});
+            return;
         }
-        return 1;
     }
 
     /// If this pivot, or a seed, has begun a component or completed one.
@@ -109,6 +115,7 @@ class Observer {
             const std::size_t begin = std::min(begin_, end);
             run.shapes.push_back(shapeOf(model_, all.subspan(begin, end - begin), begin));
             run.shapes.back().pivot = event.address.pivot;
+            run.shapes.back().seconds = secondsSince(began_);
         }
     }
 
@@ -118,6 +125,7 @@ class Observer {
     EventLog log_;
     Stepper stepper_;
     LaneKeeper lanes_;
+    std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
 /// Counts the pivots that are new in `overview` for their components.

@@ -27,7 +27,8 @@ Stage stageOf(MarkKind kind);
 struct RunMark {
     std::uint32_t pivot;
     MarkKind kind;
-    std::uint32_t n = 1;  ///< Which event of its stage.
+    std::uint32_t n = 1;                          ///< Which event of its stage.
+    AlertEvidence alert{AlertKind::Hole, kNone};  ///< Of an alert.
 };
 
 /// The stages and verdicts that occur among some events, one bit for each.

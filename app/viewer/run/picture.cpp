@@ -1,8 +1,8 @@
 #include "picture.h"
 
 #include <algorithm>
-#include <array>
-#include <set>
+
+#include "mended.h"
 
 namespace se::view {
 
@@ -154,6 +154,22 @@ bool changesRings(const Event& event) {
     return updatesRings(event) || stage == Stage::Seed || stage == Stage::Insert;
 }
 
+/// A ring that is freed (§7) loses its points one by one, then it is told, and then an alert may
+/// follow: the ring is that before the first of these.
+void noteFreed(Picture& picture, const Event& event, const RingReplay& replay) {
+    if (event.address.stage != Stage::Done) return;
+    if (!picture.freed && std::holds_alternative<RingEvidence>(event.evidence)) {
+        const std::vector<RingPath> rings = ringPaths(replay.rings());
+        if (!rings.empty() && rings.front().active)
+            picture.freed = FreedRing{rings.front(), {}, {}};
+    }
+    if (!picture.freed) return;
+    if (const auto* told = std::get_if<FreeEvidence>(&event.evidence)) picture.freed->told = *told;
+    if (const auto* alert = std::get_if<AlertEvidence>(&event.evidence)) {
+        picture.freed->alert = alert->kind;
+    }
+}
+
 /// The rings at events[cursor], entry by entry.
 void addRings(Picture& picture, const PivotRecord& record, std::size_t cursor) {
     const std::vector<Event>& events = record.events;
@@ -165,6 +181,7 @@ void addRings(Picture& picture, const PivotRecord& record, std::size_t cursor) {
             if (updatesRings(*event) && picture.oldRings.empty()) {
                 picture.oldRings = ringPaths(replay.rings());
             }
+            noteFreed(picture, *event, replay);
             replay.apply(*event);
         }
         picture.rings = ringPaths(replay.rings());
@@ -176,35 +193,21 @@ void addRings(Picture& picture, const PivotRecord& record, std::size_t cursor) {
     }
 }
 
-/// Triangles of `after` that `before` has not got, whichever corner comes first. The steps change a
-/// few places of a long list, so only those are compared with each other.
-std::vector<Triangle> freshTriangles(const std::vector<Triangle>& before,
-                                     const std::vector<Triangle>& after) {
-    const auto corners = [](const Triangle& t) {
-        std::array<Index, 3> c = {t.a, t.b, t.c};
-        std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
-        return c;
-    };
-    const std::size_t common = std::min(before.size(), after.size());
-    std::set<std::array<Index, 3>> old;
-    std::vector<Triangle> fresh;
-    for (std::size_t i = 0; i < common; ++i) {
-        if (before[i] == after[i]) continue;
-        old.insert(corners(before[i]));
-        fresh.push_back(after[i]);
-    }
-    for (std::size_t i = common; i < before.size(); ++i) old.insert(corners(before[i]));
-    for (std::size_t i = common; i < after.size(); ++i) fresh.push_back(after[i]);
-    std::erase_if(fresh, [&](const Triangle& t) { return old.contains(corners(t)); });
-    return fresh;
-}
-
-/// The steps after the last pivot edit the mesh: each has one event, and shows what it made.
+/// The steps after the last pivot edit the mesh: each has one such event, and shows what it made.
+/// Before that event, at a point that was stranded, say, the mesh is as it was.
 void addMended(Picture& picture, const PivotRecord& record) {
-    picture.mended = record.after.mended ? record.after.mended : record.before.mended;
-    if (!picture.mended || record.after.mended == nullptr) return;
-    const bool first = record.before.mended == nullptr;
-    if (!first) picture.newTriangles = freshTriangles(*record.before.mended, *record.after.mended);
+    const bool mends =
+        std::any_of(picture.latest.begin(), picture.latest.end(), [](const Event& e) {
+            const Stage stage = e.address.stage;
+            return stage == Stage::Reinsert || stage == Stage::Flip || stage == Stage::Reseat;
+        });
+    if (!mends || record.after.mended == nullptr) return;
+    picture.mended = record.after.mended;
+    const auto& before = record.before.mended ? record.before.mended : record.unmended;
+    if (before) {
+        picture.newTriangles = freshTriangles(*before, *record.after.mended);
+        picture.goneTriangles = freshTriangles(*record.after.mended, *before);
+    }
     picture.finishedTriangles = picture.mended->size() - picture.newTriangles.size();
 }
 

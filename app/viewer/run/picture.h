@@ -21,6 +21,13 @@ struct CandidateMark {
     Stage stage = Stage::Sort;        ///< Of the last test.
 };
 
+/// A ring that was freed after a full circuit without a triangle (§7), as it was before.
+struct FreedRing {
+    RingPath path;
+    std::optional<FreeEvidence> told;  ///< Nothing while its points leave one by one.
+    std::optional<AlertKind> alert;    ///< What is wrong about it, if anything is.
+};
+
 struct Picture {
     std::optional<Event> event;  ///< What this is the state just after; nothing at the beginning.
     /// The last event of every stage of this pivot so far, in order: a pinned layer goes on showing
@@ -41,7 +48,8 @@ struct Picture {
     std::optional<SphereEvidence> sphere;
     std::optional<HoleEvidence> hole;
     std::vector<Triangle> newTriangles;
-    std::size_t finishedTriangles = 0;  ///< Those of earlier pivots.
+    std::vector<Triangle> goneTriangles;  ///< What a step after the last pivot took out.
+    std::size_t finishedTriangles = 0;    ///< Those of earlier pivots.
     /// If not null: drawn instead of the finished triangles.
     std::shared_ptr<const std::vector<Triangle>> mended;
     std::vector<RingPath> rings;  ///< The active one first, then the stack from the top.
@@ -50,6 +58,7 @@ struct Picture {
     std::vector<RingEvidence> ringChanges;  ///< So far, in order.
     /// The loops of the last split or join so far, as they were at that moment.
     std::optional<RingExchange> exchange;
+    std::optional<FreedRing> freed;  ///< At `done`.
     StatusList status;
 
     /// The evidence of the last event of a stage if it is of that kind, else null.

@@ -59,6 +59,11 @@ std::shared_ptr<const PivotRecord> recordPivot(Timeline& timeline, std::uint32_t
     record->before = withoutTriangles(timeline.state(), last);
     timeline.stepPivot();
     record->after = withoutTriangles(timeline.state(), last);
+    if (record->after.mended && !record->before.mended) {
+        // The list of emitted triangles stays as it is while a copy of it is edited.
+        record->unmended =
+            std::make_shared<const std::vector<Triangle>>(timeline.state().triangles);
+    }
     record->isLast = timeline.endKnown() && pivot == timeline.lastPivot();
     return record;
 }

@@ -27,6 +27,9 @@ struct PivotRecord {
     std::vector<Event> events;
     RunState before;
     RunState after;
+    /// Of the first step after the last pivot: the triangles of the run, which it is the first to
+    /// edit. Else null.
+    std::shared_ptr<const std::vector<Triangle>> unmended;
     bool isLast = false;  ///< Nothing happens in the run after this.
 
     /// Position of the event with that address, or of the first event of its stage if n is 0.

@@ -115,6 +115,7 @@ struct DrawList {
     /// Stretches of the finished triangles with a color of their own, in order; the rest has
     /// meshColor.
     std::vector<MeshStretch> meshStretches;
+    std::size_t components = 0;  ///< That have a color of their own.
     bool meshVisible = true;
     bool meshEdges = true;
 

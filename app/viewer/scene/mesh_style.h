@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "palette.h"
+#include "run/mended.h"
 #include "run/overview.h"
 
 namespace se::view {
@@ -37,6 +38,7 @@ struct MeshColoring {
     MeshStyle style = MeshStyle::Flat;
     std::size_t birthEnd = 1;         ///< Triangles of the whole run, as far as it is known.
     std::vector<std::size_t> starts;  ///< The first triangle of each component.
+    std::vector<ComponentStretch> mended = {};  ///< Those of the mended mesh, where it is shown.
     friend bool operator==(const MeshColoring&, const MeshColoring&) = default;
 };
 /// `known`: triangles seen so far, in case the overview lags behind.

@@ -1,20 +1,13 @@
 #include "selection_facts.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
+#include "run/measures.h"
 #include "session.h"
 
 namespace se::view {
 
 namespace {
-
-double degreesBetween(const Vec3& u, const Vec3& v) {
-    const double product = glm::length(u) * glm::length(v);
-    if (!(product > 0.0)) return 0.0;
-    return std::acos(std::clamp(glm::dot(u, v) / product, -1.0, 1.0)) * 180.0 / std::numbers::pi;
-}
 
 std::string ringWith(const std::vector<RingPath>& rings, const Selection& edge) {
     for (const RingPath& ring : rings) {
@@ -55,14 +48,8 @@ void addEdge(const Session& session, const Selection& edge, SelectionFacts& fact
 
 void addTriangle(const Session& session, const Selection& triangle, SelectionFacts& facts) {
     const PointSet& points = session.model().points;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3& at = points.position[triangle.points[i]];
-        facts.degrees[i] = degreesBetween(points.position[triangle.points[(i + 1) % 3]] - at,
-                                          points.position[triangle.points[(i + 2) % 3]] - at);
-    }
-    const Vec3& a = points.position[triangle.points[0]];
-    facts.area = 0.5 * glm::length(glm::cross(points.position[triangle.points[1]] - a,
-                                              points.position[triangle.points[2]] - a));
+    facts.degrees = cornerDegrees(points, triangle.triangle());
+    facts.area = triangleArea(points, triangle.triangle());
     facts.number = session.meshIndex().find(session.triangles(), triangle.triangle());
     const auto& mended = session.picture().mended;
     facts.present = mended ? hasTriangle(*mended, triangle)

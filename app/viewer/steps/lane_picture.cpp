@@ -162,13 +162,15 @@ std::vector<float> ringLengths(const RunOverview& run, const StripWindow& window
     return lengths;
 }
 
-std::vector<float> alertPlaces(const RunOverview& run, const StripWindow& window, float width) {
-    std::vector<float> places;
+std::vector<LaneAlert> alertPlaces(const RunOverview& run, const StripWindow& window, float width) {
+    std::vector<LaneAlert> places;
     for (const RunMark& mark : run.marks) {
         if (mark.kind != MarkKind::Alert) continue;
         const float x = static_cast<float>(window.shareOf(mark.pivot)) * width;
         const bool within = x >= 0.0F && x <= width;
-        if (within && (places.empty() || x >= places.back() + 2.0F)) places.push_back(x);
+        if (within && (places.empty() || x >= places.back().x + 2.0F)) {
+            places.push_back({x, mark.pivot, mark.alert});
+        }
     }
     return places;
 }
@@ -181,6 +183,22 @@ LanePicture makeLanePicture(const RunOverview& run, const StripWindow& window,
     picture.ringLength = ringLengths(run, window, room.width);
     picture.alerts = alertPlaces(run, window, room.width);
     return picture;
+}
+
+const LaneAlert* alertNear(const LanePicture& picture, float x, float within) {
+    const LaneAlert* nearest = nullptr;
+    for (const LaneAlert& alert : picture.alerts) {
+        const float distance = std::abs(alert.x - x);
+        if (distance > within) continue;
+        within = distance;
+        nearest = &alert;
+    }
+    return nearest;
+}
+
+std::string alertText(const LaneAlert& alert) {
+    const Event event{{alert.pivot, Stage::Done, 1}, alert.what};
+    return describe(event) + " (pivot " + std::to_string(alert.pivot) + ")";
 }
 
 }  // namespace se::view

@@ -2,7 +2,7 @@
 /// however long the run is.
 #pragma once
 
-#include <span>
+#include <string>
 #include <vector>
 
 #include "run/overview.h"
@@ -28,11 +28,17 @@ struct LaneSign {
     bool alone = true;  ///< There is room for its sign; else only for the line of a split or join.
 };
 
+struct LaneAlert {
+    float x = 0.0F;
+    std::uint32_t pivot = 0;
+    AlertEvidence what{AlertKind::Hole, kNone};
+};
+
 struct LanePicture {
     std::vector<LaneBar> bars;
     std::vector<LaneSign> signs;
     std::vector<float> ringLength;  ///< Per pixel column, as a share of the longest; 0 if unknown.
-    std::vector<float> alerts;      ///< x of those that can be told apart.
+    std::vector<LaneAlert> alerts;  ///< Those that can be told apart.
     std::uint32_t rows = 0;         ///< That are in use.
     /// Lanes beyond those that have a row of their own; they share the last row, without signs
     /// and without bars but for the active one. 0: all have one.
@@ -49,5 +55,10 @@ struct LaneRoom {
 
 LanePicture makeLanePicture(const RunOverview& run, const StripWindow& window,
                             const LaneRoom& room);
+
+/// The alert nearest to `x`, at most `within` pixels away; null if there is none.
+const LaneAlert* alertNear(const LanePicture& picture, float x, float within);
+/// What is wrong, as a sentence, and at which pivot.
+std::string alertText(const LaneAlert& alert);
 
 }  // namespace se::view

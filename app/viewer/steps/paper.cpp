@@ -88,9 +88,38 @@ constexpr const char* kAdvanceCode[] = {
     "  free the ring, take the next from the stack",
     "no ring left: the component is complete",
 };
-constexpr const char* kBeyondCode[] = {
-    "this rule is not in the paper",
-    "see docs/robust.md",
+// Rules of our own, docs/robust.md.
+constexpr const char* kGuardCode[] = {
+    "lay out the fan: first, candidates, last",
+    "ask each rule that is on whether it objects",
+    "  a rule that lets fans wait: refuse the fan",
+    "  else drop the candidate at fault, do 6.3 again",
+    "  no candidate is at fault: refuse the fan",
+};
+constexpr const char* kFillCode[] = {
+    "instead of freeing a ring with interior points:",
+    "  if it is long, wide or an opening: free it",
+    "  of all ears without a fault take the one",
+    "  with the best least angle: one triangle",
+    "  no such ear: the best with a fault, if it must close",
+};
+constexpr const char* kReinsertCode[] = {
+    "for each point x that no triangle uses:",
+    "  try, with the triangles about its neighbors:",
+    "    split one, split an edge, join the border",
+    "  no fault, best least angle: put x in",
+};
+constexpr const char* kFlipCode[] = {
+    "for each edge u v between triangles u v x, v u y:",
+    "  count the faults of both, and across their rim",
+    "  fewer with x y, or where it is flat",
+    "  a larger least angle: flip u v to x y",
+};
+constexpr const char* kReseatCode[] = {
+    "for each corner x of a flipped triangle:",
+    "  close the hole that its triangles would leave",
+    "  if that goes without a fault: take x out",
+    "  reinsert may put it back",
 };
 
 constexpr PaperRule kSeed{Stage::Seed, "Finding where to begin",
@@ -149,11 +178,26 @@ constexpr PaperRule kAdvance{Stage::Advance, "The next pivot",
                              "The spiral goes on at the end of the fan, until no pivot of the ring "
                              "brings a triangle.",
                              kAdvanceCode};
-constexpr PaperRule kBeyond{
-    Stage::Guard, "Beyond the paper",
-    "One of the rules that were added to make meshes sound: it looks at the "
-    "whole fan, at a hole, or at the finished mesh.",
-    kBeyondCode};
+constexpr PaperRule kGuard{Stage::Guard, "Beyond the paper: guard",
+                           "The whole fan is looked at before it is made. A rule may refuse a "
+                           "triangle that crosses, folds over or tangles what is there.",
+                           kGuardCode};
+constexpr PaperRule kFill{Stage::Fill, "Beyond the paper: fill",
+                          "A ring that nothing more grows from, with interior points on it, is a "
+                          "hole: it is closed by ears, one pivot each.",
+                          kFillCode};
+constexpr PaperRule kReinsert{Stage::Reinsert, "Beyond the paper: reinsert",
+                              "After the last pivot a point that was left out goes into the "
+                              "triangle or the edge it lies over, or beside the border.",
+                              kReinsertCode};
+constexpr PaperRule kFlip{Stage::Flip, "Beyond the paper: flip",
+                          "After the last pivot an edge is turned round in the four-sided figure "
+                          "of its two triangles, where that is better.",
+                          kFlipCode};
+constexpr PaperRule kReseat{Stage::Reseat, "Beyond the paper: reseat",
+                            "After the last pivot a point at a flipped triangle is taken out, so "
+                            "that it may find a better place.",
+                            kReseatCode};
 
 std::string text(const char* format, double a, double b = 0.0, double c = 0.0) {
     char out[120];
@@ -196,6 +240,16 @@ struct Line {
     std::size_t operator()(const SplitEvidence&) const { return 4; }
     std::size_t operator()(const JoinEvidence& e) const { return e.depthFromTop == kNone ? 4 : 5; }
     std::size_t operator()(const AdvanceEvidence& e) const { return e.popped ? 2 : 0; }
+    std::size_t operator()(const GuardEvidence& e) const {
+        if (e.dropped != kNone) return 3;
+        const bool waits = e.verdict == Verdict::WideGap || e.verdict == Verdict::OverRim ||
+                           e.verdict == Verdict::Steep;
+        return waits ? 2 : 4;
+    }
+    std::size_t operator()(const FillEvidence& e) const { return e.forced ? 4 : 3; }
+    std::size_t operator()(const ReinsertEvidence&) const { return 3; }
+    std::size_t operator()(const FlipEvidence&) const { return 3; }
+    std::size_t operator()(const ReseatEvidence&) const { return 2; }
     std::size_t operator()(const FreeEvidence&) const { return 2; }
     std::size_t operator()(const ComponentEvidence&) const { return 3; }
     template <typename Other>
@@ -231,6 +285,9 @@ struct Numbers {
     }
     std::string operator()(const TwoPointEvidence& e) const {
         return text("angle %.1f\xC2\xB0", e.degrees);
+    }
+    std::string operator()(const FillEvidence& e) const {
+        return text("least angle %.1f\xC2\xB0", e.leastDegrees);
     }
     template <typename Other>
     std::string operator()(const Other&) const {
@@ -274,13 +331,17 @@ const PaperRule& paperRule(Stage stage) {
         case Stage::Done:
             return kAdvance;
         case Stage::Guard:
+            return kGuard;
         case Stage::Fill:
+            return kFill;
         case Stage::Reinsert:
+            return kReinsert;
         case Stage::Flip:
+            return kFlip;
         case Stage::Reseat:
-            return kBeyond;
+            return kReseat;
     }
-    return kBeyond;
+    return kSeed;
 }
 
 std::size_t presentLine(const Event& event) {

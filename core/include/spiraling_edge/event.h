@@ -47,7 +47,7 @@ inline constexpr std::size_t kStageCount = 23;
 /// "sphere", "twopoint", ...
 std::string_view stageName(Stage stage);
 std::optional<Stage> stageFromName(std::string_view name);
-/// "6.3"; the paper's section of a stage.
+/// "6.3"; the paper's section of a stage. Empty for those beyond the paper (docs/robust.md).
 std::string_view stageSection(Stage stage);
 
 /// PIVOT.STAGE.N, for example 137.sphere.3. Pivots count from 1 over the whole run, N from 1 within

@@ -1,0 +1,101 @@
+/// Beyond the paper (docs/robust.md): what the steps after the last pivot do to the mesh.
+#include "layer.h"
+#include "run/measures.h"
+#include "run/mended.h"
+#include "run/number_text.h"
+
+namespace se::view {
+
+namespace {
+
+glm::vec3 middleOf(const LayerInput& in, const MeshEdge& edge) {
+    return 0.5F * (in.at(edge[0]) + in.at(edge[1]));
+}
+
+/// Old edges dashed, new ones bold, the rim that stays thin. New triangles are hatched anyway.
+void addEdges(const LayerInput& in, const MeshEdges& edges, DrawList& out) {
+    const Palette& c = in.palette;
+    for (const MeshEdge& e : edges.kept) {
+        out.line(in.at(e[0]), in.at(e[1]), c.test, 0.14F, Depth::OnTop);
+    }
+    for (const MeshEdge& e : edges.gone) {
+        out.dashed(in.at(e[0]), in.at(e[1]), c.text, 0.24F, 0.4F);
+    }
+    for (const MeshEdge& e : edges.made) {
+        out.line(in.at(e[0]), in.at(e[1]), c.used, 0.3F, Depth::OnTop);
+    }
+}
+
+void addPoint(const LayerInput& in, Index point, const std::string& text, Shape shape,
+              const Color& color, DrawList& out) {
+    out.mark(in.at(point), shape, color, 1.0F);
+    out.label(in.at(point), text, color, true);
+}
+
+std::string leastAngles(const LayerInput& in) {
+    const Picture& p = in.picture;
+    const std::string after = degreesText(leastDegrees(in.model.points, p.newTriangles));
+    if (p.goneTriangles.empty()) return "least angle " + after;
+    return "least angle " + degreesText(leastDegrees(in.model.points, p.goneTriangles)) +
+           " \xE2\x86\x92 " + after;
+}
+
+void addFlip(const LayerInput& in, const FlipEvidence& e, DrawList& out) {
+    const Palette& c = in.palette;
+    addEdges(in, edgesOf(in.picture.goneTriangles, in.picture.newTriangles), out);
+    const auto letter = [&](const char* name, Index point, const Color& color) {
+        addPoint(in, point, std::string(name) + " " + std::to_string(point), Shape::Disc, color,
+                 out);
+    };
+    letter("u", e.u, c.rejected);
+    letter("v", e.v, c.rejected);
+    letter("x", e.x, c.used);
+    letter("y", e.y, c.used);
+    // Beside the figure: within it the letters stand.
+    out.label(middleOf(in, {e.v, e.x}), leastAngles(in), c.used, true);
+}
+
+const char* wayOf(const Picture& picture, const MeshEdges& edges) {
+    if (picture.goneTriangles.empty()) return "joins the border";
+    return edges.gone.empty() ? "splits its triangle" : "splits an edge";
+}
+
+void addReinsert(const LayerInput& in, const ReinsertEvidence& e, DrawList& out) {
+    const Picture& p = in.picture;
+    const MeshEdges edges = edgesOf(p.goneTriangles, p.newTriangles, e.point);
+    // The triangles that it is put in, as they were.
+    for (const Triangle& t : p.goneTriangles) {
+        out.sheet(in.at(t.a), in.at(t.b), in.at(t.c), in.palette.text.withAlpha(0.16F));
+    }
+    addEdges(in, edges, out);
+    addPoint(in, e.point, std::to_string(e.point) + " " + wayOf(p, edges), Shape::RingedDisc,
+             in.palette.pivot, out);
+    if (!edges.kept.empty()) {
+        out.label(middleOf(in, edges.kept.front()), leastAngles(in), in.palette.used, true);
+    }
+}
+
+void addReseat(const LayerInput& in, const ReseatEvidence& e, DrawList& out) {
+    const Picture& p = in.picture;
+    const MeshEdges edges = edgesOf(p.goneTriangles, p.newTriangles);
+    addEdges(in, edges, out);
+    addPoint(in, e.point, std::to_string(e.point) + " taken out", Shape::Cross, in.palette.rejected,
+             out);
+    if (!edges.kept.empty()) {
+        out.label(middleOf(in, edges.kept.front()),
+                  std::to_string(p.goneTriangles.size()) + " triangles \xE2\x86\x92 " +
+                      std::to_string(p.newTriangles.size()),
+                  in.palette.used, true);
+    }
+}
+
+}  // namespace
+
+void addMending(const LayerInput& in, DrawList& out) {
+    const Picture& p = in.picture;
+    if (const auto* flip = p.evidence<FlipEvidence>(Stage::Flip)) addFlip(in, *flip, out);
+    if (const auto* put = p.evidence<ReinsertEvidence>(Stage::Reinsert)) addReinsert(in, *put, out);
+    if (const auto* taken = p.evidence<ReseatEvidence>(Stage::Reseat)) addReseat(in, *taken, out);
+}
+
+}  // namespace se::view

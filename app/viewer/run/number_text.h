@@ -1,0 +1,24 @@
+/// Numbers as text, the same in the view, on the dial and in Inspect. What rounds to zero has no
+/// sign: never "-0".
+#pragma once
+
+#include <string>
+
+#include "spiraling_edge/point_set.h"
+
+namespace se::view {
+
+/// Four significant digits.
+std::string numberText(double value);
+/// The same with its sign, as for what is compared with zero.
+std::string signedText(double value);
+/// "96.1 degrees", with the sign of degrees.
+std::string degreesText(double degrees);
+/// "1.5, 0, -2"
+std::string numbersText(const Vec3& values);
+/// "+3.4 %" for 0.034.
+std::string percentText(double share);
+/// "0.91 ms", "2.5 s".
+std::string durationText(double seconds);
+
+}  // namespace se::view

@@ -1,0 +1,170 @@
+/// Rows of Inspect for the tests of §6.1 to §6.4.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "evidence_parts.h"
+
+namespace se::view {
+
+void addRows(const SortEvidence& e, const EvidenceInput&, EvidenceRows& out) {
+    out.row("point", pointsText({e.point}));
+    if (e.verdict == Verdict::AlreadyDone || e.verdict == Verdict::OnRingEnd) {
+        out.row("angle", "not taken: no candidate");
+        return;
+    }
+    out.row("cosine z\xC2\xB7v", numberText(e.cosine));
+    out.row("n\xC2\xB7v", e.secondHalf ? "< 0: second half, 360\xC2\xB0 \xE2\x88\x92 arccos"
+                                       : "\xE2\x89\xA5 0: first half, arccos");
+    out.angle("angle", e.degrees, e.endDegrees);
+    if (e.rival != kNone) out.row("same angle as", std::to_string(e.rival) + ", which is nearer");
+}
+
+namespace {
+
+/// The conditions of Fig. 4, in the order in which they are asked.
+struct Condition {
+    const char* name;
+    Verdict failure;
+};
+
+constexpr std::array kConditions = {
+    Condition{"not other end", Verdict::OtherLimit}, Condition{"mesh edge", Verdict::NotAnEdge},
+    Condition{"listed by p", Verdict::NotListed},    Condition{"between S and E", Verdict::Outside},
+    Condition{"ring concave", Verdict::NotConcave},
+};
+
+/// Where a condition fails those behind it are not asked.
+void addConditions(const LimitEvidence& e, bool unblocked, EvidenceRows& out) {
+    bool asked = true;
+    const auto add = [&](const Condition& condition) {
+        const bool failed = asked && e.verdict == condition.failure;
+        out.row(condition.name, !asked ? "not asked" : failed ? "no: it stays" : "yes");
+        asked = asked && !failed;
+    };
+    for (const Condition& condition : kConditions) add(condition);
+    if (unblocked) add({"way clear", Verdict::Blocked});
+}
+
+/// Was the test carried so far that the angle and the turn are known?
+bool isMeasured(Verdict verdict) {
+    return verdict != Verdict::OtherLimit && verdict != Verdict::NotAnEdge &&
+           verdict != Verdict::NotListed;
+}
+
+}  // namespace
+
+void addRows(const LimitEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
+    const std::string side = e.side == Side::Start ? "start" : "end";
+    out.row(side + ", next", pointsText({e.from, e.to}));
+    const std::string from = degreesText(e.fromDegrees);
+    if (!isMeasured(e.verdict)) {
+        out.row("angle of " + side, from + ", stays");
+    } else if (e.verdict == Verdict::Moved) {
+        out.row("angle of " + side, from + " \xE2\x86\x92 " + degreesText(e.toDegrees));
+    } else {
+        out.row("angle of " + side, from + ", stays; next " + degreesText(e.toDegrees));
+    }
+    addConditions(e, in.model.params.rules.unblocked, out);
+    if (!isMeasured(e.verdict)) return;
+    out.row("turn",
+            signedText(e.turn) + (e.turn > 0.0 ? " > 0: concave" : " \xE2\x89\xA4 0: convex"));
+    const Index p = in.picture.pivot;
+    const bool start = e.side == Side::Start;
+    out.angle("ring corner",
+              freeDegrees(in.model.points, start ? e.to : p, e.from, start ? p : e.to), 180.0);
+}
+
+void addRows(const DropEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
+    const Picture& picture = in.picture;
+    const bool start = e.side == Side::Start;
+    const std::string side = start ? "start" : "end";
+    out.row("point", pointsText({e.point}));
+    if (in.event.address.stage != Stage::Convex) {
+        const double limit = start ? picture.startDegrees : picture.endDegrees;
+        out.row("angle", degreesText(e.degrees) + ", " + side + " is at " + degreesText(limit),
+                {e.degrees, limit, 360.0});
+        const double over = start ? limit - e.degrees : e.degrees - limit;
+        out.row("margin", degreesText(std::max(0.0, over)) + " outside");
+        return;
+    }
+    const Index p = picture.pivot;
+    const Index limit = start ? picture.start : picture.end;
+    out.row("next on ring", "behind " + side + " " + pointsText({limit}));
+    out.row("angle", degreesText(e.degrees) + ", inside " + degreesText(picture.startDegrees) +
+                         " to " + degreesText(picture.endDegrees));
+    out.angle("corner at " + side,
+              freeDegrees(in.model.points, start ? e.point : p, limit, start ? p : e.point), 180.0);
+    const double height = heightOver(in.model.points, p, e.point);
+    const double distance =
+        glm::length(in.model.points.position[e.point] - in.model.points.position[p]);
+    out.row("height", signedText(height) + " out of the plane");
+    if (distance > 0.0) out.row("of its distance", percentText(height / distance));
+}
+
+void addRows(const ReciprocalEvidence& e, const EvidenceInput&, EvidenceRows& out) {
+    out.row("point e", pointsText({e.point}));
+    out.row("e's first, last", pointsText({e.pred, e.succ}));
+    out.row("sector of e", "0\xC2\xB0 to " + degreesText(e.limitDegrees));
+    out.row("angle of p at e", degreesText(e.degrees), {e.degrees, e.limitDegrees, 360.0});
+    const bool inside = e.degrees < e.limitDegrees;
+    // Outside, either way round to the sector.
+    const double margin = inside ? std::min(e.degrees, e.limitDegrees - e.degrees)
+                                 : std::min(360.0 - e.degrees, e.degrees - e.limitDegrees);
+    out.row("margin", degreesText(margin) + (inside ? " inside" : " outside"));
+    if (e.verdict == Verdict::WallComplete) {
+        out.row("but", "both ring neighbors of e share its wall");
+    }
+}
+
+void addRows(const HoleEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
+    out.row("hole of three", pointsText({in.picture.pivot, in.picture.start, in.picture.end}));
+    if (e.point != kNone) out.row("point", pointsText({e.point}));
+    const bool near = e.verdict == Verdict::Kept;
+    out.sign("off the plane", signedText(e.side) + (near ? ", side of p" : ", far side"), e.side,
+             e.pivotSide);
+    out.row("p off the plane", signedText(e.pivotSide));
+    if (e.pivotSide != 0.0) {
+        out.row("margin", percentText(e.side / e.pivotSide) + " of p's way");
+    }
+}
+
+namespace {
+
+const char* ruleOf(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::InsideSphere:
+            return "d < r: kept, no second rule";
+        case Verdict::GapTooWide:
+            return "d \xE2\x89\xA5 r, but the gap is over 120\xC2\xB0: kept";
+        case Verdict::NoCircle:
+            return "no circle: kept";
+        default:
+            return "d \xE2\x89\xA5 r, and the gap is small enough";
+    }
+}
+
+}  // namespace
+
+void addRows(const SphereEvidence& e, const EvidenceInput&, EvidenceRows& out) {
+    out.row("t, q, s", pointsText({e.t, e.q, e.s}));
+    out.row("decided by", ruleOf(e.verdict));
+    if (e.verdict != Verdict::NoCircle) {
+        const double over = e.distance - e.radius;
+        out.row("radius r", numberText(e.radius));
+        out.row("distance d", numberText(e.distance), {e.distance, e.radius, 2.0 * e.radius});
+        out.row("margin d \xE2\x88\x92 r",
+                signedText(over) + (over < 0.0 ? ", inside" : ", outside"));
+        if (e.radius > 0.0) out.row("of r", percentText(over / e.radius));
+    }
+    out.angle("gap t to s", e.gapDegrees, 120.0);
+}
+
+void addRows(const TwoPointEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
+    out.row("first, last", pointsText({in.picture.first, in.picture.last}));
+    out.angle("angle", e.degrees, 180.0);
+    out.row("so", e.verdict == Verdict::Discarded ? "overlap: the ring is dropped"
+                                                  : "hole: filled by one triangle");
+}
+
+}  // namespace se::view
