@@ -18,8 +18,16 @@ stage() {
         "PNG8:images/stage-$name.png"
 }
 
+# NAME SCENE ADDRESS X,Y,Z DISTANCE YAW PITCH [OPTION...]: the same as seen from there.
+stage_from() {
+    local name=$1 scene=$2 address=$3 target=$4 distance=$5 yaw=$6 pitch=$7
+    shift 7
+    stage "$name" "$scene" "$address" --place "{\"address\": \"$address\", \"camera\": {
+        \"target\": [$target], \"distance\": $distance, \"yaw\": $yaw, \"pitch\": $pitch}}" "$@"
+}
+
 stages() {
-    stage seed linked-tori 537.seed.1
+    stage_from seed linked-tori 537.seed.1 -0.2,0.22,0.14 1.6 -152 27
     stage strand sphere 425.strand.1 --focus
     stage skip figure-14 15.skip.1 --focus
     stage insert figure-14 1.insert.1 --focus
@@ -28,9 +36,9 @@ stages() {
     stage sort-beyond sphere 100.sort.8 --focus
     stage sort-tie grid 4.sort.13 --focus
     stage limits figure-4 8.limits.3 --focus
-    stage convex torus 419.convex.1 --focus
+    stage_from convex figure-5 54.convex.1 -0.42,0.13,0.07 1.2 35 20
     stage reciprocal figure-9 42.reciprocal.1 --focus
-    stage hole figure-7 95.hole.1 --focus
+    stage_from hole linked-tori 120.hole.2 0.668,0.207,0.40 0.5 62 25 --neighbors 24
     stage sphere-inside sphere 30.sphere.1 --focus
     stage sphere-removed sphere 30.sphere.2 --focus
     stage sphere-gap figure-5 29.sphere.4 --focus
@@ -43,7 +51,15 @@ stages() {
     stage join figure-12 74.join.1 --focus
     stage advance sphere 14.advance.1 --focus
     stage done linked-tori 536.done.1
+    stage done-alert genus-2 630.done.7 --neighbors 24 --focus
     stage done-rim sheet 777.done.64
+    # Rules beyond the paper.
+    stage guard figure-5 52.guard.1 --rules robust --focus
+    stage_from fill genus-2 641.fill.1 -0.62,-0.49,0.0 0.8 -99 -13 --neighbors 24 --rule fill=on
+    stage_from reinsert figure-7 143.reinsert.1 0.30,0.68,0.26 1.15 25 35 --neighbors 16 --rules robust
+    stage_from flip torus 887.flip.1 0.297,-0.952,0.038 0.6 -72.7 7.7 --rules robust
+    stage_from reseat linked-tori 1571.reseat.1 0.83,-0.2,-0.125 0.55 -75 0 --neighbors 32 --rules corrected \
+        --rule guard=on --rule reinsert=on --rule flip=on --rule reseat=on
 }
 
 # FIGURE SET: a set of Table 1, triangulated.
