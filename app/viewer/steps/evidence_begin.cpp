@@ -59,7 +59,7 @@ void addCross(const InsertEvidence& e, EvidenceRows& out) {
                  component, size);
     }
     const bool outward = pointsOut(e.cross, e.faces);
-    if (e.third == kNone || outward == (e.verdict == Verdict::Before)) return;
+    if (isRimPoint(e.faces) || outward == (e.verdict == Verdict::Before)) return;
     out.row("but", std::string("the sector ") + (outward ? "before" : "behind") +
                        " p would leave the box: the other place");
 }
