@@ -17,10 +17,16 @@ ExitCode runVerb(const Arguments& arguments);
 ExitCode infoVerb(const Arguments& arguments);
 /// Says what in a file will upset the algorithm, and mends it.
 ExitCode doctorVerb(const Arguments& arguments);
+/// Says what is wrong with a mesh.
+ExitCode checkVerb(const Arguments& arguments);
+/// The fewest points that still fail.
+ExitCode reduceVerb(const Arguments& arguments);
 /// Samples an isosurface.
 ExitCode sampleVerb(const Arguments& arguments);
 /// The paper's Table 1 beside ours.
 ExitCode table1Verb(const Arguments& arguments);
+/// Why something is in the mesh, or why not.
+ExitCode whyVerb(const Arguments& arguments);
 /// Lists the built-in scenes.
 ExitCode scenesVerb(const Arguments& arguments);
 /// Hands over to the viewer. Returns only by throwing.

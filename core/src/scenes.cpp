@@ -1,6 +1,5 @@
 #include "spiraling_edge/scenes.h"
 
-#include <algorithm>
 #include <array>
 
 #include "scenes_figures.h"
@@ -89,9 +88,13 @@ constexpr std::array kScenes{
 std::span<const Scene> scenes() { return kScenes; }
 
 const Scene* findScene(std::string_view id) {
-    const auto found = std::find_if(kScenes.begin(), kScenes.end(),
-                                    [&](const Scene& scene) { return scene.id == id; });
-    return found == kScenes.end() ? nullptr : &*found;
+    for (const Scene& scene : kScenes) {
+        if (scene.id == id) return &scene;
+    }
+    for (const FailureScene& each : failureScenes()) {
+        if (each.scene.id == id) return &each.scene;
+    }
+    return nullptr;
 }
 
 }  // namespace se

@@ -58,11 +58,11 @@ cases_are_listed() {
 
 help_and_version() {
     expect 0 --help
-    for verb in run info doctor sample table1 scenes view render; do says out "  $verb "; done
+    for verb in run info doctor why check reduce sample table1 scenes view render; do says out "  $verb "; done
     empty err
     expect 0 --version
     grep -qE '^spiraling-edge [0-9]+\.[0-9]+\.[0-9]+$' out || fail "version: $(cat out)"
-    for verb in run info doctor sample table1 scenes render; do
+    for verb in run info doctor why check reduce sample table1 scenes render; do
         expect 0 $verb --help
         says out "Usage: spiraling-edge $verb"
     done
@@ -479,6 +479,114 @@ ball() {
             for x in 4 1 0 1 4; do printf "\\$(printf %o $(((260 - x - y - z) % 256)))"; done
         done
     done >ball.raw
+}
+
+why_names_the_decision() {
+    expect 0 run scene:stranded-point -q -o mesh.ply
+    expect 0 why scene:stranded-point --point 32
+    says out "Point 32 is not in the mesh."
+    grep -q '^> .* refused ' out || fail "no line is marked: $(cat out)"
+    grep -q '98.strand.1 ' out || fail "its end is not told"
+    expect 0 why scene:stranded-point --point 32 --json
+    says out '"present": false'
+    says out '"cause": "'
+    says out '"margin": '
+    # A triangle of the mesh, with its edges and corners, is there; the reasons are triangles.
+    expect 0 why scene:torus --triangle 1,2,3 --json
+    expect 0 why scene:torus --edge 0,1 -q
+    empty err
+    expect 0 why scene:torus --rules robust --point 0
+    says out "Point 0 is in the mesh."
+    # Every address can be gone to: it is one of the trace.
+    expect 0 run scene:stranded-point --trace trace.txt -q
+    "$program" why scene:stranded-point --point 32 -q | sed -n '3,$s/^[> ] \([0-9]*[.][a-z]*[.][0-9]*\) .*/\1/p' >addresses
+    [ -s addresses ] || fail "no addresses"
+    cut -f1 trace.txt >known
+    while read -r address; do
+        grep -qxF "$address" known || fail "$address is not in the trace"
+    done <addresses
+}
+
+why_finds_decisions() {
+    expect 0 why scene:torus --closest 3
+    is "$(grep -c 'turns it$' out)" 3 "closest calls"
+    expect 0 why scene:torus --closest 2 --json
+    says out '"nudge": {'
+    expect 0 why scene:torus --find "stage=split" --most 1
+    says out "the first 1 of them:"
+    expect 0 why scene:torus --find "stage=sphere kept" --json
+    [ "$(number total out)" -gt 100 ] || fail "too few: $(head -3 out)"
+    expect 0 why scene:four-edge-hole --failure intersecting_triangles
+    says out "unavoidable      81.sphere.1 "
+    expect 0 why scene:four-edge-hole --failure unused_points --json
+    says out '"first_touched": {'
+    expect 1 why scene:torus --failure duplicate_triangles
+    says err "the run has 0 failures of class duplicate_triangles"
+}
+
+why_checks_its_arguments() {
+    expect 2 why scene:torus
+    expect 2 why scene:torus --point 1 --edge 1,2
+    for bad in x 1,2 -1 "" 99999999999; do expect 2 why scene:torus "--point=$bad"; done
+    for bad in 1 1,x 1,2,3 1,; do expect 2 why scene:torus --edge "$bad"; done
+    expect 2 why scene:torus --find dragons
+    says err '"dragons" is not understood'
+    expect 2 why scene:torus --failure dragons
+    expect 2 why scene:torus --failure holes:0
+    expect 3 why scene:torus --point 100000
+    says err "There is no point 100000"
+    expect 3 why scene:torus --edge 5,5
+    expect 3 why missing.ply --point 1
+}
+
+check_says_what_is_wrong_with_a_mesh() {
+    expect 0 run scene:sphere --rules robust -q -o good.ply
+    expect 0 check good.ply
+    says out "nothing found"
+    expect 0 check good.ply --points scene:sphere -q
+    empty out
+    expect 0 run scene:four-edge-hole -q -o bad.ply
+    expect 1 check bad.ply
+    says out "15 intersecting_triangles"
+    expect 1 check bad.ply --points scene:four-edge-hole --json
+    is "$(number flipped_triangles out)" 8 "flipped triangles"
+    says out '"good": false'
+    # Any mesh with vertices and faces, and what it may have.
+    printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >one.obj
+    expect 1 check one.obj
+    says out "1 holes"
+    expect 0 check one.obj --allow holes
+    printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 2 1 0\n' >twice.off
+    expect 1 check twice.off --json
+    is "$(number duplicate_triangles out)" 1 "duplicates"
+    is "$(number unused_points out)" 1 "points in no triangle"
+    expect 2 check one.obj --allow dragons
+    expect 3 check missing.obj
+    printf '0 0 0\n1 0 0\n' >points.xyz
+    expect 3 check points.xyz
+    says err "has no triangles"
+    expect 3 check one.obj --points scene:sphere
+    says err "is no point of scene:sphere"
+}
+
+reduce_keeps_what_fails() {
+    expect 0 reduce scene:four-edge-hole --failure non_manifold_edges -o small.ply
+    [ "$(header_count vertex small.ply)" -lt 30 ] || fail "not small: $(cat err)"
+    expect 0 run small.ply -q -o mesh.ply
+    expect 1 check mesh.ply --points small.ply --json
+    [ "$(number non_manifold_edges out)" -gt 0 ] || fail "it does not fail any more"
+    says small.sesession '"source": "small.ply"'
+    SPIRALING_EDGE=$program sh small.sh >out 2>err && fail "the test passes"
+    says out "still fails: non_manifold_edges"
+    # With other rules the same test passes.
+    expect 0 reduce scene:stranded-point --failure unused_points:2 --rules paper -q -o stranded.ply
+    sed -i 's/--rules paper/--rules robust/' stranded.sh
+    SPIRALING_EDGE=$program sh stranded.sh || fail "robust strands it, too"
+    expect 1 reduce scene:sphere --failure flipped_triangles -o none.ply
+    absent none.ply
+    expect 2 reduce scene:sphere --failure dragons -o none.ply
+    expect 2 reduce scene:sphere --failure holes -o none.obj
+    expect 2 reduce scene:sphere --failure holes:x -o none.ply
 }
 
 sample_lists_shapes() {

@@ -17,9 +17,22 @@ struct Scene {
     PointFile (*build)();    ///< Makes the points; equal on every machine.
 };
 
-/// All scenes, the default first.
+/// A scene that fails, and why.
+struct FailureScene {
+    Scene scene;
+    std::string_view failure;  ///< Class of the failure, as in inspection.h, under the set `paper`.
+    std::string_view address;  ///< Of the decision that causes it.
+    std::string_view section;  ///< Of the paper, where it predicts this.
+    std::string_view sentence;  ///< The paper's words there.
+    std::string_view helps;     ///< What a user can do.
+};
+
+/// The failure gallery.
+std::span<const FailureScene> failureScenes();
+
+/// All scenes that work, the default first.
 std::span<const Scene> scenes();
-/// Null if there is none of that id.
+/// Of either table; null if there is none of that id.
 const Scene* findScene(std::string_view id);
 
 }  // namespace se

@@ -1,0 +1,54 @@
+#include "failure_choice.h"
+
+#include <fmt/format.h>
+
+#include "exit_code.h"
+#include "interrupt.h"
+#include "mesh_text.h"
+#include "spiraling_edge/stepper.h"
+
+namespace se::cli {
+
+FailureChoice failureChoiceFrom(const std::string& text) {
+    const std::size_t colon = text.find(':');
+    FailureChoice wanted{findFailureClass(text.substr(0, colon)), 1};
+    if (wanted.kind == nullptr) {
+        throw Failure(ExitCode::Usage,
+                      fmt::format("--failure {}: there is no such class; see spiraling-edge check "
+                                  "--help",
+                                  text));
+    }
+    if (colon == std::string::npos) return wanted;
+    const std::string digits = text.substr(colon + 1);
+    const bool number = !digits.empty() && digits.size() < 10 &&
+                        digits.find_first_not_of("0123456789") == std::string::npos;
+    if (!number || digits.find_first_not_of('0') == std::string::npos)
+        throw Failure(ExitCode::Usage,
+                      fmt::format("--failure {}: expected a number from 1 behind the colon", text));
+    wanted.number = std::stoul(digits);
+    return wanted;
+}
+
+std::vector<Triangle> meshOf(const PointSet& points, const Params& params) {
+    Stepper stepper(points, params);
+    stepper.runUntil([](const State&) { return interrupted(); });
+    return stepper.state().mesh();
+}
+
+std::vector<MeshFailure> failuresOf(const PointSet& points, const std::vector<Triangle>& mesh) {
+    return inspectMesh(points, mesh);
+}
+
+MeshFailure pickFailure(const std::vector<MeshFailure>& failures, const FailureChoice& wanted,
+                        const std::string& input) {
+    std::size_t seen = 0;
+    for (const MeshFailure& failure : failures) {
+        if (failure.kind == wanted.kind && ++seen == wanted.number) return failure;
+    }
+    throw Failure(ExitCode::CheckFailed,
+                  fmt::format("{}: the run has {} of class {}; spiraling-edge run -o mesh.ply and "
+                              "check mesh.ply --points list what it has",
+                              input, counted(seen, "failure"), wanted.kind->name));
+}
+
+}  // namespace se::cli

@@ -1,0 +1,42 @@
+/// Points as the algorithm gets them: the options that choose rules and make what is missing, and
+/// the work itself, for verbs that ask about a run.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "options.h"
+#include "progress.h"
+
+namespace se::cli {
+
+/// A run that has not begun.
+struct PreparedInput {
+    PointFile file;  ///< As it was read, mended by treat(), with the normals and types of `points`.
+    PointSet points;
+    Params params;
+};
+
+/// The same options as those of `run`.
+class InputArguments {
+  public:
+    void addTo(CLI::App& app);
+    const std::string& input() const { return input_; }
+    const std::string& ruleSet() const { return rules_.setName(); }
+    /// The words of the options that were given, without the input.
+    std::vector<std::string> options() const;
+    PrepareOptions prepareOptions(const PointFile& file) const;
+    /// Reads and prepares, with the line of progress. Throws Failure.
+    PreparedInput prepare(ProgressLine& line) const;
+
+  private:
+    Params params() const;
+
+    std::string input_;
+    RuleArguments rules_;
+    NeighborArguments neighbors_;
+    DerivedArguments derived_;
+    std::vector<const CLI::Option*> given_;
+};
+
+}  // namespace se::cli

@@ -1,0 +1,150 @@
+// spiraling-edge reduce: the fewest points that still fail, with a session and a test of them.
+#include "spiraling_edge/reduce.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+#include "failure_choice.h"
+#include "interrupt.h"
+#include "mesh_text.h"
+#include "output.h"
+#include "prepared_input.h"
+#include "progress_work.h"
+#include "verbs.h"
+
+namespace se::cli {
+namespace {
+
+struct ReduceArguments {
+    InputArguments input;
+    std::string failure;
+    std::string output;
+    bool quiet = false;
+
+    void addTo(CLI::App& app) {
+        input.addTo(app);
+        app.add_option(
+               "--failure", failure,
+               "Class of the failure, see spiraling-edge check --help; CLASS:N for the N-th "
+               "of its class")
+            ->type_name("CLASS")
+            ->required();
+        app.add_option("-o,--output", output,
+                       "Write the points here; beside them a session (.sesession) that opens on "
+                       "them, and a test (.sh) that fails as long as they do")
+            ->type_name("SMALL.ply")
+            ->required();
+        app.add_flag("-q,--quiet", quiet, "Only say what went wrong");
+    }
+};
+
+/// The places of a failure's points, in order: what a hole is known again by.
+std::vector<Vec3> placesOf(const PointSet& points, const MeshFailure& failure) {
+    std::vector<Vec3> places;
+    for (const Index p : failure.points) places.push_back(points.position[p]);
+    std::sort(places.begin(), places.end(), [](const Vec3& a, const Vec3& b) {
+        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+    });
+    return places;
+}
+
+/// The way a user would have to type the options again.
+std::string optionText(const InputArguments& input) {
+    std::string text;
+    for (const std::string& word : input.options()) text += " " + word;
+    return text;
+}
+
+std::string sessionText(const std::string& points, const PreparedInput& run,
+                        const InputArguments& input) {
+    nlohmann::ordered_json json;
+    json["format"] = "spiraling-edge session";
+    json["version"] = 1;
+    json["input"]["source"] = std::filesystem::path(points).filename().string();
+    json["options"]["rules"] = input.ruleSet();
+    const Params plain = paramsByName(input.ruleSet()).value_or(Params{});
+    for (const RuleSwitch& rule : ruleSwitches()) {
+        const bool on = run.params.rules.*rule.member;
+        if (on != plain.rules.*rule.member)
+            json["options"]["switches"][std::string(rule.name)] = on;
+    }
+    json["address"] = "0";
+    json["notes"] = "Reduced from " + input.input() + ".";
+    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::string testText(const std::string& points, const ReduceArguments& arguments,
+                     const FailureChoice& wanted) {
+    return fmt::format(
+        "#!/bin/sh\n"
+        "# Fails as long as these points, reduced from {0}, end in: {1}\n"
+        "# Usage: [SPIRALING_EDGE=path/to/spiraling-edge] sh {2}\n"
+        "here=$(dirname \"$0\")\n"
+        "program=${{SPIRALING_EDGE:-spiraling-edge}}\n"
+        "mesh=$(mktemp --suffix=.ply) || exit 5\n"
+        "trap 'rm -f \"$mesh\"' EXIT\n"
+        "\"$program\" run \"$here/{3}\"{4} -q -o \"$mesh\" || exit $?\n"
+        "if \"$program\" check \"$mesh\" --points \"$here/{3}\" --json | grep -q '\"{1}\": [1-9]'; "
+        "then\n"
+        "    echo \"still fails: {1}\"\n"
+        "    exit 1\n"
+        "fi\n",
+        arguments.input.input(), wanted.kind->name,
+        std::filesystem::path(points).replace_extension(".sh").filename().string(),
+        std::filesystem::path(points).filename().string(), optionText(arguments.input));
+}
+
+}  // namespace
+
+ExitCode reduceVerb(const Arguments& words) {
+    ReduceArguments arguments;
+    CLI::App app("Shrinks an input to the fewest points that still fail in the same class.",
+                 "spiraling-edge reduce");
+    arguments.addTo(app);
+    if (const auto code = parseArguments(app, words)) return *code;
+    const FailureChoice wanted = failureChoiceFrom(arguments.failure);
+    if (!arguments.output.ends_with(".ply"))
+        throw Failure(ExitCode::Usage,
+                      fmt::format("-o {}: only .ply is written", arguments.output));
+    requireWritable(arguments.output, "-o");
+    catchInterrupts();
+    ProgressLine line(!arguments.quiet);
+    const PreparedInput run = arguments.input.prepare(line);
+    const MeshFailure failure = pickFailure(failuresOf(run.points, meshOf(run.points, run.params)),
+                                            wanted, arguments.input.input());
+    const std::vector<Vec3> places = placesOf(run.points, failure);
+    const bool isHole = wanted.kind == findFailureClass("holes");
+    // What is cut off leaves a border: a hole must be the very same one.
+    const auto fails = [&](const PointFile& file) {
+        const auto prepared = prepare(file, arguments.input.prepareOptions(file));
+        if (!prepared) return false;
+        const PointSet& points = prepared.value().points;
+        const std::vector<MeshFailure> all = failuresOf(points, meshOf(points, run.params));
+        return std::any_of(all.begin(), all.end(), [&](const MeshFailure& each) {
+            return each.kind == wanted.kind && (!isHole || placesOf(points, each) == places);
+        });
+    };
+    const Reduced reduced =
+        workedOut("reducing", arguments.input.input(), line, [&](const Progress& progress) {
+            return reduceInput(run.file, failure.place, fails, progress);
+        });
+    const auto beside = [&](const char* extension) {
+        return std::filesystem::path(arguments.output).replace_extension(extension).string();
+    };
+    const Status status = writeMeshPly(arguments.output, reduced.file, {});
+    if (!status) throw Failure(ExitCode::Internal, status.error().message);
+    writeOutput(beside(".sesession"), sessionText(arguments.output, run, arguments.input));
+    writeOutput(beside(".sh"), testText(arguments.output, arguments, wanted));
+    if (!arguments.quiet) {
+        fmt::print(stderr, "{}: {} of {} still end in {}; session {}, test {}\n", arguments.output,
+                   counted(reduced.kept.size(), "point"), run.file.position.size(),
+                   wanted.kind->name, beside(".sesession"), beside(".sh"));
+    }
+    return ExitCode::Good;
+}
+
+}  // namespace se::cli

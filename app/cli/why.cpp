@@ -1,0 +1,162 @@
+// spiraling-edge why: why a point, an edge or a triangle is in the mesh, or why it is not.
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+
+#include "failure_choice.h"
+#include "interrupt.h"
+#include "ledger_text.h"
+#include "output.h"
+#include "prepared_input.h"
+#include "progress_work.h"
+#include "verbs.h"
+
+namespace se::cli {
+namespace {
+
+/// Point numbers from "812,640". Throws Failure unless there are `count` of them.
+std::array<Index, 3> pointsFrom(const std::string& option, const std::string& text,
+                                std::size_t count) {
+    std::array<Index, 3> points{};
+    std::size_t found = 0;
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    while (found < count) {
+        const auto [next, error] = std::from_chars(at, end, points[found]);
+        if (error != std::errc()) break;
+        ++found;
+        at = next;
+        if (at == end || *at != ',') break;
+        ++at;
+    }
+    if (found == count && at == end) return points;
+    throw Failure(ExitCode::Usage, fmt::format("{} {}: expected {}", option, text,
+                                               count == 1   ? "the number of a point, such as 812"
+                                               : count == 2 ? "two points, such as 812,640"
+                                                            : "three points, such as 812,640,77"));
+}
+
+struct WhyArguments {
+    InputArguments input;
+    std::string point;
+    std::string edge;
+    std::string triangle;
+    std::string query;
+    std::string failure;
+    std::size_t closest = 0;
+    std::size_t most = 100;
+    bool json = false;
+    bool quiet = false;
+
+    void addTo(CLI::App& app) {
+        input.addTo(app);
+        auto* subject = app.add_option_group("What is asked about");
+        subject->add_option("--point", point, "A point, by its number from 0")->type_name("P");
+        subject->add_option("--edge", edge, "The edge of two points")->type_name("P,Q");
+        subject->add_option("--triangle", triangle, "The triangle of three points")
+            ->type_name("P,Q,R");
+        subject
+            ->add_option("--closest", closest,
+                         "No subject: the N decisions that came nearest to going the other way")
+            ->type_name("N")
+            ->check(CLI::PositiveNumber);
+        subject
+            ->add_option("--find", query,
+                         "No subject: the decisions that a line such as \"stage=sphere kept "
+                         "margin<1e-4\" asks for")
+            ->type_name("LINE");
+        subject
+            ->add_option("--failure", failure,
+                         "No subject: when the first failure of a class, or the N-th, came about; "
+                         "classes: spiraling-edge check --help")
+            ->type_name("CLASS[:N]");
+        subject->require_option(1);
+        app.add_option("--most", most, "With --find: list N of them")->type_name("N");
+        app.add_flag("--json", json, "As JSON");
+        app.add_flag("-q,--quiet", quiet, "No line of progress");
+        app.footer(
+            "\nEvery line begins with an address: spiraling-edge-viewer IN --goto ADDRESS "
+            "shows it.\nThe line marked > settled the question.");
+    }
+
+    Subject subject() const {
+        if (!point.empty()) return Subject::point(pointsFrom("--point", point, 1)[0]);
+        if (!edge.empty()) {
+            const auto p = pointsFrom("--edge", edge, 2);
+            return Subject::edge(p[0], p[1]);
+        }
+        const auto p = pointsFrom("--triangle", triangle, 3);
+        return Subject::triangle(p[0], p[1], p[2]);
+    }
+};
+
+/// The answer to one subject.
+std::string askWhy(const WhyArguments& arguments, const PreparedInput& run, ProgressLine& line) {
+    const std::string& input = arguments.input.input();
+    const Ledger ledger = workedOut("asking", input, line, [&](const Progress& progress) {
+        return why(run.points, run.params, arguments.subject(), progress);
+    });
+    return arguments.json ? ledgerJson(input, ledger) : ledgerText(ledger);
+}
+
+std::string askQuery(const WhyArguments& arguments, const DecisionQuery& query,
+                     const PreparedInput& run, ProgressLine& line) {
+    const std::string& input = arguments.input.input();
+    const FoundDecisions found = workedOut("asking", input, line, [&](const Progress& progress) {
+        return findDecisions(run.points, run.params, query, arguments.most, progress);
+    });
+    return arguments.json ? foundJson(input, found) : foundText(found);
+}
+
+/// The three moments of a failure.
+std::string askFailure(const WhyArguments& arguments, const FailureChoice& choice,
+                       const PreparedInput& run, ProgressLine& line) {
+    const std::string& input = arguments.input.input();
+    const std::vector<Triangle> mesh = meshOf(run.points, run.params);
+    const MeshFailure failure = pickFailure(failuresOf(run.points, mesh), choice, input);
+    const FailureMoments moments = workedOut("asking", input, line, [&](const Progress& progress) {
+        return momentsOf(run.points, run.params, failure, mesh, progress);
+    });
+    return arguments.json ? momentsJson(input, failure, moments) : momentsText(failure, moments);
+}
+
+std::string askClosest(const WhyArguments& arguments, const PreparedInput& run,
+                       ProgressLine& line) {
+    const std::string& input = arguments.input.input();
+    const ClosestCalls calls = workedOut("asking", input, line, [&](const Progress& progress) {
+        return closestCalls(run.points, run.params, arguments.closest, progress);
+    });
+    return arguments.json ? callsJson(input, calls) : callsText(calls);
+}
+
+}  // namespace
+
+ExitCode whyVerb(const Arguments& words) {
+    WhyArguments arguments;
+    CLI::App app("Says why a point, an edge or a triangle is in the mesh, or why it is not.",
+                 "spiraling-edge why");
+    arguments.addTo(app);
+    if (const auto code = parseArguments(app, words)) return *code;
+    // Mistakes in the question come before long work.
+    const auto query = DecisionQuery::parse(arguments.query);
+    if (!query) throw Failure(ExitCode::Usage, "--find: " + query.error().message);
+    const bool asksFailure = !arguments.failure.empty();
+    const auto choice =
+        asksFailure ? std::optional(failureChoiceFrom(arguments.failure)) : std::nullopt;
+    const bool asksSubject =
+        !(arguments.point.empty() && arguments.edge.empty() && arguments.triangle.empty());
+    if (asksSubject) (void)arguments.subject();
+    catchInterrupts();
+    ProgressLine line(!arguments.quiet);
+    const PreparedInput run = arguments.input.prepare(line);
+    const std::string answer = choice        ? askFailure(arguments, *choice, run, line)
+                               : asksSubject ? askWhy(arguments, run, line)
+                               : arguments.closest > 0
+                                   ? askClosest(arguments, run, line)
+                                   : askQuery(arguments, query.value(), run, line);
+    writeOutput("-", answer);
+    return ExitCode::Good;
+}
+
+}  // namespace se::cli

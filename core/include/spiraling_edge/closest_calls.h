@@ -1,0 +1,37 @@
+/// The decisions of a run that came nearest to going the other way.
+#pragma once
+
+#include <vector>
+
+#include "spiraling_edge/prepare.h"
+#include "spiraling_edge/reading.h"
+#include "spiraling_edge/result.h"
+
+namespace se {
+
+/// A move of one point.
+struct Nudge {
+    Index point = kNone;
+    Vec3 by{};  ///< Scene units.
+};
+
+/// One decision, and the move that would turn it.
+struct ClosestCall {
+    Event event;
+    Index pivot = kNone;
+    Reading reading;
+    Nudge nudge;  ///< If nothing else changed before, the decision goes the other way.
+};
+
+struct ClosestCalls {
+    std::vector<ClosestCall> calls;  ///< Least |margin| first, then in the order of the run.
+    /// Per point: the least |margin| of all tests of it; infinite if it was in none with a number.
+    std::vector<double> leastMargin;
+};
+
+/// Finds the `count` closest calls of a run by running it again. Fails if cancelled. Ties on exact
+/// lattices have a margin of 0. O(run). Deterministic.
+Result<ClosestCalls> closestCalls(const PointSet& points, const Params& params, std::size_t count,
+                                  const Progress& progress = {});
+
+}  // namespace se

@@ -1,0 +1,56 @@
+/// A filter over the decisions of a run, written as one line:
+/// `stage=sphere kept margin<1e-4 point=812`. A breakpoint is such a line: it stands at the same
+/// addresses whichever way one comes from.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "spiraling_edge/ledger.h"
+
+namespace se {
+
+/// What a term of the line looks at.
+struct Decision {
+    const Event& event;
+    Index pivot;  ///< The point that was the pivot.
+    const std::optional<Reading>& reading;
+    const PointSet& points;
+};
+using DecisionCondition = std::function<bool(const Decision&)>;
+
+/// One row of the table of terms: a new term is one function and one row.
+struct QueryTerm {
+    std::string_view form;     ///< "stage=NAME"
+    std::string_view meaning;  ///< One sentence.
+    /// The condition that `word` stands for; nothing if it is not of this form; an error if it is,
+    /// but says nothing sensible.
+    Result<DecisionCondition> (*read)(std::string_view word);
+};
+/// All terms, for help and completion.
+std::span<const QueryTerm> queryTerms();
+
+/// All conditions hold together; an empty line holds for everything.
+class DecisionQuery {
+  public:
+    /// Words are separated by blanks. Fails with the word that is not understood.
+    static Result<DecisionQuery> parse(std::string_view line);
+    bool matches(const Decision& decision) const;
+
+  private:
+    std::vector<DecisionCondition> conditions_;
+};
+
+struct FoundDecisions {
+    std::vector<LedgerLine> lines;  ///< The first ones, in the order of the run.
+    std::size_t total = 0;          ///< Of the whole run.
+};
+
+/// The decisions that match, `most` of them listed. Fails if cancelled. O(run).
+Result<FoundDecisions> findDecisions(const PointSet& points, const Params& params,
+                                     const DecisionQuery& query, std::size_t most,
+                                     const Progress& progress = {});
+
+}  // namespace se

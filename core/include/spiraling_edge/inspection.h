@@ -1,0 +1,56 @@
+/// What is wrong with a finished mesh, whoever made it: each failure with its class, place and
+/// size.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "spiraling_edge/point_set.h"
+
+namespace se {
+
+struct MeshFailure;
+struct InspectedMesh;  // What the checks look at; made by inspectMesh().
+
+/// One row of the table of classes: a new check is one function and one row.
+struct FailureClass {
+    std::string_view name;     ///< As in the report of a run: `non_manifold_edges`.
+    std::string_view meaning;  ///< One sentence.
+    void (*find)(const InspectedMesh& mesh, std::vector<MeshFailure>& failures);
+};
+
+/// All classes, in the order of the report.
+std::span<const FailureClass> failureClasses();
+/// Null if there is none of that name.
+const FailureClass* findFailureClass(std::string_view name);
+
+/// One failure.
+struct MeshFailure {
+    const FailureClass* kind = nullptr;
+    std::vector<Index> points;     ///< Of the edge, the loop, ...; ascending.
+    std::vector<Index> triangles;  ///< Involved, ascending; empty for points in none.
+    Vec3 place{};                  ///< Middle of it, scene units.
+    double length = 0.0;           ///< Holes: of the loop, scene units.
+    double area = 0.0;             ///< Holes: of the flat surface that the loop spans, squared.
+};
+/// One sentence with points and numbers.
+std::string describe(const MeshFailure& failure);
+
+/// A sliver's least angle is below this: the cosine of one degree.
+inline constexpr double kSliverCosine = 0.9998476951563913;
+/// A component of fewer triangles than this, and of less than a hundredth of the largest, is small.
+inline constexpr std::size_t kSmallComponent = 20;
+/// A point in no triangle is isolated if every used point is farther away than this times the
+/// mean length of the edges.
+inline constexpr double kIsolated = 4.0;
+
+/// All failures, in the order of failureClasses(), then by triangle or point. `points.normal` and
+/// `points.type` may be empty: then nothing is flipped, and every boundary loop is a hole. Neighbor
+/// lists are not looked at. A loop whose points all lie on walls (isBoundary) is the border of the
+/// surface and no hole. Requires corners below points.size() and finite positions of used points.
+/// Self-intersections are exact. Deterministic. About O(t log t).
+std::vector<MeshFailure> inspectMesh(const PointSet& points, std::span<const Triangle> triangles);
+
+}  // namespace se

@@ -1,0 +1,27 @@
+/// Shrinking an input to the fewest points that still fail.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "spiraling_edge/io.h"
+#include "spiraling_edge/prepare.h"
+
+namespace se {
+
+/// What is left of an input.
+struct Reduced {
+    PointFile file;
+    std::vector<Index> kept;  ///< Numbers in the input, ascending.
+    std::size_t tries = 0;    ///< How often it was tried whether the failure is still there.
+};
+
+/// Takes points out of `file` for as long as `fails` holds: first all but the ball about `place`
+/// that still fails, then piece by piece and point by point (delta debugging, Zeller and
+/// Hildebrandt 2002), until no single point can go. Fails if the whole input does not, or if
+/// cancelled; the share of `progress` goes by the points left. `file` must be as treat() leaves it.
+Result<Reduced> reduceInput(const PointFile& file, const Vec3& place,
+                            const std::function<bool(const PointFile&)>& fails,
+                            const Progress& progress = {});
+
+}  // namespace se

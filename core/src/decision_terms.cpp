@@ -1,0 +1,262 @@
+// The terms of a query line.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "shape.h"
+#include "spiraling_edge/decision_query.h"
+
+namespace se {
+namespace {
+
+using Condition = DecisionCondition;
+using Read = Result<Condition>;
+
+/// An empty condition: the word is of another form.
+Read otherForm() { return Condition(); }
+
+/// What follows `prefix`; empty if the word does not begin with it.
+std::optional<std::string_view> behind(std::string_view word, std::string_view prefix) {
+    if (!word.starts_with(prefix)) return {};
+    return word.substr(prefix.size());
+}
+
+template <typename Number>
+std::optional<Number> numberIn(std::string_view text) {
+    Number number{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || end != text.data() + text.size()) return {};
+    return number;
+}
+
+Error notA(std::string_view word, std::string_view what) {
+    return Error{"\"" + std::string(word) + "\": expected " + std::string(what) + "."};
+}
+
+/// "inside sphere" as it stands in a line: inside-sphere.
+std::string hyphened(std::string_view text) {
+    std::string word(text);
+    std::replace(word.begin(), word.end(), ' ', '-');
+    std::erase(word, ',');
+    return word;
+}
+
+Read readStage(std::string_view word) {
+    const auto name = behind(word, "stage=");
+    if (!name) return otherForm();
+    const auto stage = stageFromName(*name);
+    if (!stage) return notA(word, "the name of a stage, such as sphere");
+    return Condition([s = *stage](const Decision& d) { return d.event.address.stage == s; });
+}
+
+Read readSection(std::string_view word) {
+    const auto section = behind(word, "section=");
+    if (!section) return otherForm();
+    return Condition([s = std::string(*section)](const Decision& d) {
+        return stageSection(d.event.address.stage) == s;
+    });
+}
+
+Read readOutcome(std::string_view word) {
+    if (word != "kept" && word != "refused") return otherForm();
+    const Outcome wanted = word == "kept" ? Outcome::Taken : Outcome::Refused;
+    return Condition([wanted](const Decision& d) { return outcomeOf(d.event) == wanted; });
+}
+
+Read readVerdict(std::string_view word) {
+    const auto name = behind(word, "verdict=");
+    if (!name) return otherForm();
+    return Condition([n = std::string(*name)](const Decision& d) {
+        return std::visit(
+            [&](const auto& e) {
+                if constexpr (requires { e.verdict; }) return hyphened(verdictText(e.verdict)) == n;
+                return false;
+            },
+            d.event.evidence);
+    });
+}
+
+Read readPoint(std::string_view word) {
+    const auto text = behind(word, "point=");
+    if (!text) return otherForm();
+    const auto point = numberIn<Index>(*text);
+    if (!point) return notA(word, "the number of a point, such as point=812");
+    return Condition([p = *point](const Decision& d) { return testedPoint(d.event) == p; });
+}
+
+Read readPivot(std::string_view word) {
+    const auto text = behind(word, "pivot=");
+    if (!text) return otherForm();
+    const auto point = numberIn<Index>(*text);
+    if (!point) return notA(word, "the number of the point, such as pivot=812");
+    return Condition([p = *point](const Decision& d) { return d.pivot == p; });
+}
+
+Read readAt(std::string_view word) {
+    const auto text = behind(word, "at=");
+    if (!text) return otherForm();
+    const std::size_t dots = text->find("..");
+    const auto from = numberIn<std::uint32_t>(text->substr(0, dots));
+    const auto to =
+        dots == std::string_view::npos ? from : numberIn<std::uint32_t>(text->substr(dots + 2));
+    if (!from || !to) return notA(word, "pivot numbers, such as at=137 or at=100..200");
+    return Condition([from = *from, to = *to](const Decision& d) {
+        return d.event.address.pivot >= from && d.event.address.pivot <= to;
+    });
+}
+
+/// `name<X` and `name>X` for a number of the reading.
+Read readCompared(std::string_view word, std::string_view name,
+                  double (*numberOf)(const Reading&)) {
+    const auto text = behind(word, name);
+    if (!text || text->empty() || (text->front() != '<' && text->front() != '>'))
+        return otherForm();
+    const auto limit = numberIn<double>(text->substr(1));
+    if (!limit) return notA(word, "a number behind < or >, such as " + std::string(name) + "<1e-4");
+    const bool below = text->front() == '<';
+    return Condition([below, limit = *limit, numberOf](const Decision& d) {
+        if (!d.reading) return false;
+        const double number = numberOf(*d.reading);
+        return below ? number < limit : number > limit;
+    });
+}
+Read readMargin(std::string_view word) {
+    return readCompared(word, "margin", [](const Reading& r) { return std::abs(r.margin); });
+}
+Read readValue(std::string_view word) {
+    return readCompared(word, "value", [](const Reading& r) { return r.value; });
+}
+
+/// One point behind `prefix`, and what must hold for it.
+Read readPointTerm(std::string_view word, std::string_view prefix,
+                   bool (*holds)(const Decision&, Index)) {
+    const auto text = behind(word, prefix);
+    if (!text) return otherForm();
+    const auto point = numberIn<Index>(*text);
+    if (!point) return notA(word, "the number of a point, such as " + std::string(prefix) + "812");
+    return Condition([p = *point, holds](const Decision& d) { return holds(d, p); });
+}
+
+Read readUsed(std::string_view word) {
+    return readPointTerm(word, "used=", [](const Decision& d, Index p) {
+        if (const auto* seed = std::get_if<SeedEvidence>(&d.event.evidence))
+            return seed->first == p || seed->second == p;
+        const auto* ring = std::get_if<RingEvidence>(&d.event.evidence);
+        return ring != nullptr && ring->point == p && ring->inserted;
+    });
+}
+Read readDone(std::string_view word) {
+    return readPointTerm(word, "done=", [](const Decision& d, Index p) {
+        const auto* ring = std::get_if<RingEvidence>(&d.event.evidence);
+        return ring != nullptr && ring->point == p && ring->status < 0;
+    });
+}
+Read readStranded(std::string_view word) {
+    if (word == "stranded") {
+        return Condition([](const Decision& d) {
+            return std::holds_alternative<StrandEvidence>(d.event.evidence);
+        });
+    }
+    return readPointTerm(word, "stranded=", [](const Decision& d, Index p) {
+        const auto* strand = std::get_if<StrandEvidence>(&d.event.evidence);
+        return strand != nullptr && strand->point == p;
+    });
+}
+
+/// A new side of the mesh is a step of the ring (§6.5): the side of a triangle across from its
+/// pivot, or the two steps of a seed.
+Read readEdge(std::string_view word) {
+    const auto text = behind(word, "edge=");
+    if (!text) return otherForm();
+    const std::size_t comma = text->find(',');
+    const auto a = numberIn<Index>(text->substr(0, comma));
+    const auto b =
+        comma == std::string_view::npos ? std::nullopt : numberIn<Index>(text->substr(comma + 1));
+    if (!a || !b) return notA(word, "two points, such as edge=812,640");
+    return Condition([a = *a, b = *b](const Decision& d) {
+        const auto both = [&](Index x, Index y) {
+            return (x == a && y == b) || (x == b && y == a);
+        };
+        if (const auto* seed = std::get_if<SeedEvidence>(&d.event.evidence))
+            return both(seed->first, seed->second);
+        const auto* emit = std::get_if<EmitEvidence>(&d.event.evidence);
+        return emit != nullptr && both(emit->corners.b, emit->corners.c);
+    });
+}
+
+Read readCloses(std::string_view word) {
+    if (word != "closes") return otherForm();
+    return Condition([](const Decision& d) {
+        return std::holds_alternative<CloseEvidence>(d.event.evidence) ||
+               std::holds_alternative<FreeEvidence>(d.event.evidence);
+    });
+}
+Read readComponent(std::string_view word) {
+    if (word != "component") return otherForm();
+    return Condition([](const Decision& d) {
+        return std::holds_alternative<ComponentEvidence>(d.event.evidence);
+    });
+}
+Read readAlert(std::string_view word) {
+    if (word != "alert") return otherForm();
+    return Condition(
+        [](const Decision& d) { return std::holds_alternative<AlertEvidence>(d.event.evidence); });
+}
+
+Read readLeastAngle(std::string_view word) {
+    const auto text = behind(word, "angle<");
+    if (!text) return otherForm();
+    const auto degrees = numberIn<double>(*text);
+    if (!degrees) return notA(word, "degrees, such as angle<5");
+    const double cosine = std::cos(*degrees * 3.14159265358979323846 / 180.0);
+    return Condition([cosine](const Decision& d) {
+        const auto* emit = std::get_if<EmitEvidence>(&d.event.evidence);
+        return emit != nullptr && leastAngleCosine(d.points, emit->corners) > cosine;
+    });
+}
+
+Read readAmong(std::string_view word) {
+    auto text = behind(word, "among=");
+    if (!text) return otherForm();
+    std::vector<Index> points;
+    while (!text->empty()) {
+        const std::size_t comma = std::min(text->find(','), text->size());
+        const auto point = numberIn<Index>(text->substr(0, comma));
+        if (!point) return notA(word, "points, such as among=3,4,5");
+        points.push_back(*point);
+        text->remove_prefix(std::min(comma + 1, text->size()));
+    }
+    std::sort(points.begin(), points.end());
+    return Condition([points = std::move(points)](const Decision& d) {
+        return std::binary_search(points.begin(), points.end(), testedPoint(d.event)) ||
+               std::binary_search(points.begin(), points.end(), d.pivot);
+    });
+}
+
+constexpr QueryTerm kTerms[] = {
+    {"stage=NAME", "Of this stage: sort, sphere, ring ...", readStage},
+    {"section=6.3", "Of this section of the paper.", readSection},
+    {"kept", "What was tested was taken.", readOutcome},
+    {"refused", "What was tested was refused.", readOutcome},
+    {"verdict=NAME", "Ended so: inside-sphere, gap-too-wide ...", readVerdict},
+    {"point=N", "About this point.", readPoint},
+    {"pivot=N", "While this point was the pivot.", readPivot},
+    {"at=A..B", "At these pivots, counted from 1.", readAt},
+    {"margin<X", "This near to going the other way, either side; or margin>X.", readMargin},
+    {"value<X", "What was measured, in its own unit; or value>X.", readValue},
+    {"used=N", "The point enters a ring.", readUsed},
+    {"done=N", "The point becomes DONE.", readDone},
+    {"stranded", "A point that nothing can be begun with; or stranded=N.", readStranded},
+    {"edge=N,M", "The edge becomes a step of the ring.", readEdge},
+    {"closes", "A ring is closed or freed.", readCloses},
+    {"component", "A component is complete.", readComponent},
+    {"alert", "Something a person should look at.", readAlert},
+    {"angle<X", "A triangle with a least angle below X degrees.", readLeastAngle},
+    {"among=N,M,...", "About one of these points, or while one was the pivot.", readAmong},
+};
+
+}  // namespace
+
+std::span<const QueryTerm> queryTerms() { return kTerms; }
+
+}  // namespace se

@@ -1,0 +1,81 @@
+#include "spiraling_edge/inspection.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "inspection_checks.h"
+
+namespace se {
+namespace {
+
+constexpr FailureClass kClasses[] = {
+    {"non_manifold_edges", "Three or more triangles meet at an edge.", inspect::nonManifoldEdges},
+    {"non_manifold_vertices", "The triangles about a point are more than one fan.",
+     inspect::nonManifoldVertices},
+    {"inconsistent_edges",
+     "Two triangles pass an edge in the same direction: one of them is inside out.",
+     inspect::inconsistentEdges},
+    {"duplicate_triangles", "Two triangles have the same three points.", inspect::duplicates},
+    {"degenerate_triangles", "A triangle has a corner twice, or no area.", inspect::degenerate},
+    {"intersecting_triangles", "Two triangles share more than their common corners.",
+     inspect::intersecting},
+    {"folded_edges", "Two triangles at an edge lie nearly on one another.", inspect::folded},
+    {"flipped_triangles", "A triangle faces away from the normals of its points.",
+     inspect::flipped},
+    {"slivers", "A triangle has an angle below one degree.", inspect::slivers},
+    {"holes", "A boundary loop that does not run along the walls.", inspect::holes},
+    {"small_components", "A piece of a few triangles that hangs on nothing.",
+     inspect::smallComponents},
+    {"unused_points", "A point is in no triangle, though the surface passes by.",
+     inspect::unusedPoints},
+    {"isolated_points", "A point is in no triangle, and far from all.", inspect::isolatedPoints},
+};
+
+std::string num(double value) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.6g", value);
+    return buffer;
+}
+
+/// "1, 2, 3"; long lists end in "... (70)".
+std::string list(const std::vector<Index>& numbers) {
+    constexpr std::size_t kShown = 8;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(kShown, numbers.size()); ++i)
+        text += (text.empty() ? "" : ", ") + std::to_string(numbers[i]);
+    if (numbers.size() > kShown) text += ", ... (" + std::to_string(numbers.size()) + ")";
+    return text;
+}
+
+}  // namespace
+
+std::span<const FailureClass> failureClasses() { return kClasses; }
+
+const FailureClass* findFailureClass(std::string_view name) {
+    const auto found = std::find_if(std::begin(kClasses), std::end(kClasses),
+                                    [&](const FailureClass& c) { return c.name == name; });
+    return found == std::end(kClasses) ? nullptr : found;
+}
+
+std::string describe(const MeshFailure& failure) {
+    std::string text(failure.kind->name);
+    text += ": points " + list(failure.points);
+    if (!failure.triangles.empty()) text += "; triangles " + list(failure.triangles);
+    if (failure.length > 0.0)
+        text += "; length " + num(failure.length) + ", area " + num(failure.area);
+    return text + "; at (" + num(failure.place.x) + ", " + num(failure.place.y) + ", " +
+           num(failure.place.z) + ")";
+}
+
+std::vector<MeshFailure> inspectMesh(const PointSet& points, std::span<const Triangle> triangles) {
+    const InspectedMesh mesh(points, triangles);
+    std::vector<MeshFailure> all;
+    for (const FailureClass& each : kClasses) {
+        const std::size_t begin = all.size();
+        each.find(mesh, all);
+        for (std::size_t i = begin; i < all.size(); ++i) all[i].kind = &each;
+    }
+    return all;
+}
+
+}  // namespace se

@@ -1,0 +1,46 @@
+/// The checks of inspection.h, and what they share.
+#pragma once
+
+#include "mesh_sides.h"
+#include "spiraling_edge/faults.h"
+#include "spiraling_edge/inspection.h"
+
+namespace se {
+
+/// A mesh with what several checks need. Normals and types are there, if only as zeros.
+struct InspectedMesh {
+    InspectedMesh(const PointSet& input, std::span<const Triangle> mesh);
+
+    PointSet points;  ///< Without lists.
+    std::span<const Triangle> triangles;
+    std::vector<Side> sides;
+    std::vector<Fault> faults;
+    std::vector<bool> used;  ///< Per point: in some triangle.
+    double meanEdge = 0.0;   ///< Length, scene units.
+
+    /// A failure at these points and triangles; the place is the middle of the points.
+    MeshFailure at(std::vector<Index> itsPoints, std::vector<Index> itsTriangles) const;
+};
+
+namespace inspect {
+
+using Failures = std::vector<MeshFailure>;
+
+// Edges and points: inspection_edges.cpp.
+void nonManifoldEdges(const InspectedMesh& mesh, Failures& failures);
+void nonManifoldVertices(const InspectedMesh& mesh, Failures& failures);
+void inconsistentEdges(const InspectedMesh& mesh, Failures& failures);
+void holes(const InspectedMesh& mesh, Failures& failures);
+void smallComponents(const InspectedMesh& mesh, Failures& failures);
+void unusedPoints(const InspectedMesh& mesh, Failures& failures);
+void isolatedPoints(const InspectedMesh& mesh, Failures& failures);
+// Triangles: inspection_triangles.cpp.
+void duplicates(const InspectedMesh& mesh, Failures& failures);
+void degenerate(const InspectedMesh& mesh, Failures& failures);
+void intersecting(const InspectedMesh& mesh, Failures& failures);
+void folded(const InspectedMesh& mesh, Failures& failures);
+void flipped(const InspectedMesh& mesh, Failures& failures);
+void slivers(const InspectedMesh& mesh, Failures& failures);
+
+}  // namespace inspect
+}  // namespace se

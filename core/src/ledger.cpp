@@ -1,0 +1,54 @@
+#include "spiraling_edge/ledger.h"
+
+#include <algorithm>
+
+#include "ledger_book.h"
+#include "spiraling_edge/run_scan.h"
+
+namespace se {
+
+std::size_t Subject::find(Index p) const {
+    const auto end = points_.begin() + static_cast<std::ptrdiff_t>(size_);
+    return static_cast<std::size_t>(std::find(points_.begin(), end, p) - points_.begin());
+}
+
+std::string nameOf(const Subject& subject) {
+    const auto name = [&](std::size_t i) { return std::to_string(subject[i]); };
+    if (subject.size() == 1) return "point " + name(0);
+    if (subject.size() == 2) return "edge " + name(0) + "-" + name(1);
+    return "triangle (" + name(0) + ", " + name(1) + ", " + name(2) + ")";
+}
+
+std::string_view roleName(LineRole role) {
+    constexpr std::array<std::string_view, 5> kNames{"fact", "taken", "refused", "made", "undone"};
+    return kNames[static_cast<std::size_t>(role)];
+}
+
+namespace {
+
+std::optional<Error> complaint(const PointSet& points, const Subject& subject) {
+    for (std::size_t i = 0; i < subject.size(); ++i) {
+        if (subject[i] >= points.size()) {
+            return Error{"There is no point " + std::to_string(subject[i]) +
+                         ": the points are 0 to " + std::to_string(points.size() - 1) + "."};
+        }
+        if (subject.find(subject[i]) != i)
+            return Error{"The points of the " + nameOf(subject) + " must be different."};
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<Ledger> why(const PointSet& points, const Params& params, const Subject& subject,
+                   const Progress& progress) {
+    if (points.size() == 0) return Error{"There are no points."};
+    if (auto error = complaint(points, subject)) return *error;
+    LedgerBook book(points, params, subject);
+    const std::optional<State> end = scanRun(
+        points, params, [&](const ScannedPivot& pivot) { book.add(pivot); }, progress);
+    if (!end) return Error{"Cancelled."};
+    return book.close(*end);
+}
+
+}  // namespace se

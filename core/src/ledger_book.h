@@ -1,0 +1,40 @@
+/// Keeps, pivot by pivot, the lines of a ledger; then finds the one that settled the question.
+#pragma once
+
+#include <bitset>
+
+#include "spiraling_edge/ledger.h"
+#include "spiraling_edge/run_scan.h"
+
+namespace se {
+
+/// True if the mesh has the subject: a point in some triangle, an edge, or the triangle in either
+/// winding. O(triangles).
+bool isInMesh(std::span<const Triangle> mesh, const Subject& subject);
+
+class LedgerBook {
+  public:
+    LedgerBook(const PointSet& points, const Params& params, const Subject& subject)
+        : points_(points), params_(params), ledger_{subject, false, {}, 0, {}} {}
+
+    void add(const ScannedPivot& pivot);
+    /// Requires that all pivots have been added.
+    Ledger close(const State& end);
+
+  private:
+    void addEvent(const ScannedPivot& pivot, const Event& event);
+    std::optional<LineRole> roleOf(const ScannedPivot& pivot, const Event& event) const;
+    std::optional<LineRole> roleOfTest(Index pivot, const Event& event) const;
+    bool isFactOf(const Event& event) const;
+    void follow(const Event& event);
+
+    const PointSet& points_;
+    const Params& params_;
+    Ledger ledger_;
+    std::bitset<3> alive_;  ///< Which points of the subject may become spokes of the present fan.
+    Index reciprocal_ = kNone;  ///< The last point that passed the reciprocal test at this pivot.
+    bool inMesh_ = false;       ///< Kept up while the mesh is mended after the last pivot.
+    bool mending_ = false;
+};
+
+}  // namespace se

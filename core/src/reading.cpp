@@ -1,0 +1,136 @@
+#include "spiraling_edge/reading.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace se {
+namespace {
+
+constexpr double kRadians = 3.14159265358979323846 / 180.0;
+
+double length(const Vec3& v) { return std::sqrt(glm::dot(v, v)); }
+
+/// An angle in a sector from 0 to `end` (degrees, below 360): against the nearer of its two limits.
+/// What is beyond the end comes round to 360, which is 0 again.
+Reading inSector(double degrees, double end) {
+    const bool inside = degrees < end;
+    const double toEnd = inside ? end - degrees : degrees - end;
+    const double toStart = inside ? degrees : 360.0 - degrees;
+    const double margin = std::min(toEnd, toStart) * (inside ? kRadians : -kRadians);
+    if (toEnd <= toStart) return {"angle", "deg", degrees, end, margin};
+    return {"angle", "deg", inside ? degrees : degrees - 360.0, 0.0, margin};
+}
+
+class Reader {
+  public:
+    using Found = std::optional<Reading>;
+
+    explicit Reader(const ReadingContext& context) : c_(context) {}
+
+    Found operator()(const SortEvidence& e) const {
+        if (e.verdict == Verdict::SameAngle)
+            return Reading{"angle", "deg", e.degrees, e.degrees, 0.0};
+        const bool compared = e.verdict == Verdict::Kept || e.verdict == Verdict::NotBeforeEnd ||
+                              e.verdict == Verdict::NotAfterStart;
+        // On a fresh ring of two the sector is the full turn, and nothing is outside.
+        if (!compared || e.endDegrees >= 360.0) return {};
+        return inSector(e.degrees, e.endDegrees);
+    }
+    Found operator()(const LimitEvidence& e) const {
+        const bool decided = e.verdict == Verdict::Moved || e.verdict == Verdict::NotConcave;
+        if (!decided || c_.pivot == kNone) return {};
+        const Vec3& s = c_.points.position[e.from];
+        const double size =
+            length(c_.points.position[e.to] - s) * length(c_.points.position[c_.pivot] - s);
+        if (!(size > 0.0)) return {};
+        return Reading{"turn", "", e.turn, 0.0, e.turn / size};
+    }
+    Found operator()(const ReciprocalEvidence& e) const {
+        if (e.verdict == Verdict::WallComplete || e.limitDegrees >= 360.0) return {};
+        return inSector(e.degrees, e.limitDegrees);
+    }
+    Found operator()(const HoleEvidence& e) const {
+        if (e.point == kNone || c_.pivot == kNone) return {};
+        const double size = length(e.planeNormal) *
+                            length(c_.points.position[e.point] - c_.points.position[c_.pivot]);
+        if (!(size > 0.0)) return {};
+        const double towards = e.pivotSide < 0.0 ? -e.side : e.side;
+        return Reading{"side of the plane", "", towards, 0.0, towards / size};
+    }
+    Found operator()(const SphereEvidence& e) const {
+        if (e.verdict == Verdict::NoCircle || c_.pivot == kNone) return {};
+        const double far = length(c_.points.position[e.q] - c_.points.position[c_.pivot]);
+        if (!(far > 0.0)) return {};
+        const Reading sphere{"distance from the center", "", e.distance, e.radius,
+                             (e.radius - e.distance) / far};
+        const double limit = std::acos(c_.params.maxGapCosine) / kRadians;
+        const Reading gap{"gap", "deg", e.gapDegrees, limit, (e.gapDegrees - limit) * kRadians};
+        // Kept if either says so: the larger decides.
+        return gap.margin > sphere.margin ? gap : sphere;
+    }
+    Found operator()(const TwoPointEvidence& e) const {
+        return Reading{"angle", "deg", e.degrees, 180.0, (180.0 - e.degrees) * kRadians};
+    }
+    template <typename Other>
+    Found operator()(const Other&) const {
+        return {};
+    }
+
+  private:
+    const ReadingContext& c_;
+};
+
+template <typename... Functions>
+struct Overloaded : Functions... {
+    using Functions::operator()...;
+};
+template <typename... Functions>
+Overloaded(Functions...) -> Overloaded<Functions...>;
+
+Outcome outcomeOf(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::Kept:
+        case Verdict::Moved:
+        case Verdict::InsideSphere:
+        case Verdict::GapTooWide:
+        case Verdict::NoCircle:
+        case Verdict::Hole:
+        case Verdict::Before:
+        case Verdict::After:
+            return Outcome::Taken;
+        default:
+            return Outcome::Refused;
+    }
+}
+
+}  // namespace
+
+Outcome outcomeOf(const Event& event) {
+    return std::visit(
+        [](const auto& e) {
+            if constexpr (requires { e.verdict; }) return outcomeOf(e.verdict);
+            return Outcome::None;
+        },
+        event.evidence);
+}
+
+Index testedPoint(const Event& event) {
+    return std::visit(Overloaded{
+                          [](const SeedEvidence& e) { return e.second; },
+                          [](const LimitEvidence& e) { return e.to; },
+                          [](const SphereEvidence& e) { return e.q; },
+                          [](const InsertEvidence& e) { return e.third; },
+                          [](const GuardEvidence& e) { return e.dropped; },
+                          [](const auto& e) {
+                              if constexpr (requires { e.point; }) return e.point;
+                              return kNone;
+                          },
+                      },
+                      event.evidence);
+}
+
+std::optional<Reading> readingOf(const Event& event, const ReadingContext& context) {
+    return std::visit(Reader(context), event.evidence);
+}
+
+}  // namespace se

@@ -1,0 +1,121 @@
+#include "spiraling_edge/reduce.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "spiraling_edge/doctor.h"
+
+namespace se {
+namespace {
+
+class Reducer {
+  public:
+    using Fails = std::function<bool(const PointFile&)>;
+
+    Reducer(const PointFile& file, const Fails& fails, const Progress& progress)
+        : file_(file), fails_(fails), progress_(progress), most_(file.position.size()) {}
+
+    Result<Reduced> run(const Vec3& place) {
+        kept_.resize(most_);
+        for (std::size_t i = 0; i < most_; ++i) kept_[i] = static_cast<Index>(i);
+        if (!stillFails(kept_)) return Error{"The whole input does not fail so."};
+        crop(place);
+        // Pieces come out whole where near points stand together: by distance, not by number.
+        sortByDistance(kept_, place);
+        takeOutPieces();
+        if (cancelled_) return Error{"Cancelled."};
+        std::sort(kept_.begin(), kept_.end());
+        return Reduced{subset(kept_), kept_, tries_};
+    }
+
+  private:
+    PointFile subset(std::vector<Index> points) const {
+        std::sort(points.begin(), points.end());
+        std::vector<Index> others;
+        std::size_t next = 0;
+        for (Index p = 0; p < most_; ++p) {
+            if (next < points.size() && points[next] == p) {
+                ++next;
+            } else {
+                others.push_back(p);
+            }
+        }
+        return treat(file_, others).file;
+    }
+    bool stillFails(const std::vector<Index>& points) {
+        ++tries_;
+        if (cancelled_ || points.empty()) return false;
+        const double share = 1.0 - std::log1p(static_cast<double>(kept_.size())) /
+                                       std::log1p(static_cast<double>(most_));
+        if (progress_ && !progress_(share)) {
+            cancelled_ = true;
+            return false;
+        }
+        return fails_(subset(points));
+    }
+    void sortByDistance(std::vector<Index>& points, const Vec3& place) const {
+        const auto distanceSq = [&](Index p) {
+            const Vec3 d = file_.position[p] - place;
+            return glm::dot(d, d);
+        };
+        std::stable_sort(points.begin(), points.end(),
+                         [&](Index a, Index b) { return distanceSq(a) < distanceSq(b); });
+    }
+
+    /// The smallest ball, by factors of the fourth root of two, whose points fail by themselves.
+    void crop(const Vec3& place) {
+        constexpr double kGrowth = 1.189207115002721;
+        std::vector<Index> byDistance = kept_;
+        sortByDistance(byDistance, place);
+        double count = 8.0;
+        while (static_cast<std::size_t>(count) < byDistance.size() && !cancelled_) {
+            const std::vector<Index> ball(byDistance.begin(),
+                                          byDistance.begin() + static_cast<std::ptrdiff_t>(count));
+            if (stillFails(ball)) {
+                kept_ = ball;
+                return;
+            }
+            count *= kGrowth;
+        }
+    }
+
+    /// Pieces of half the points, a quarter, ... down to single ones, until none can go.
+    void takeOutPieces() {
+        std::size_t size = std::max<std::size_t>(kept_.size() / 2, 1);
+        for (;;) {
+            bool changed = false;
+            // From the far end: what is far away goes first.
+            for (std::size_t end = kept_.size(); end > 0 && !cancelled_;) {
+                const std::size_t begin = end > size ? end - size : 0;
+                std::vector<Index> rest = kept_;
+                rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(begin),
+                           rest.begin() + static_cast<std::ptrdiff_t>(end));
+                if (stillFails(rest)) {
+                    kept_ = std::move(rest);
+                    changed = true;
+                }
+                end = begin;
+            }
+            if (cancelled_ || (size == 1 && !changed)) return;
+            size = std::max<std::size_t>(size / 2, 1);
+        }
+    }
+
+    const PointFile& file_;
+    const Fails& fails_;
+    const Progress& progress_;
+    std::size_t most_;
+    std::vector<Index> kept_;
+    std::size_t tries_ = 0;
+    bool cancelled_ = false;
+};
+
+}  // namespace
+
+Result<Reduced> reduceInput(const PointFile& file, const Vec3& place,
+                            const std::function<bool(const PointFile&)>& fails,
+                            const Progress& progress) {
+    return Reducer(file, fails, progress).run(place);
+}
+
+}  // namespace se

@@ -1,0 +1,187 @@
+#include "spiraling_edge/inspection.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace se;
+
+namespace {
+
+using Mesh = std::vector<Triangle>;
+using Counts = std::map<std::string, std::size_t>;
+
+Counts countsOf(const PointSet& points, const Mesh& triangles) {
+    Counts counts;
+    for (const MeshFailure& failure : inspectMesh(points, triangles))
+        ++counts[std::string(failure.kind->name)];
+    return counts;
+}
+
+PointSet pointsAt(std::vector<Vec3> position) {
+    PointSet points;
+    points.position = std::move(position);
+    return points;
+}
+
+/// Six points and eight triangles, closed, outwards.
+PointSet octahedron() {
+    PointSet points =
+        pointsAt({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}});
+    points.normal = points.position;
+    return points;
+}
+const Mesh kOctahedron{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                       {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+
+/// A flat grid of n x n points, two triangles per square.
+struct Sheet {
+    PointSet points;
+    Mesh triangles;
+};
+Sheet sheet(Index n) {
+    Sheet result;
+    for (Index y = 0; y < n; ++y) {
+        for (Index x = 0; x < n; ++x) result.points.position.push_back({x, y, 0.0});
+    }
+    result.points.normal.assign(result.points.size(), {0, 0, 1});
+    for (Index y = 0; y + 1 < n; ++y) {
+        for (Index x = 0; x + 1 < n; ++x) {
+            const Index p = y * n + x;
+            result.triangles.push_back({p, p + 1, p + n + 1});
+            result.triangles.push_back({p, p + n + 1, p + n});
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("inspection: nothing is wrong with a closed octahedron") {
+    CHECK(countsOf(octahedron(), kOctahedron).empty());
+}
+
+TEST_CASE("inspection: without normals and types nothing is flipped") {
+    PointSet points = octahedron();
+    points.normal.clear();
+    Mesh inverse = kOctahedron;
+    for (Triangle& t : inverse) std::swap(t.b, t.c);
+    CHECK(countsOf(points, inverse).empty());
+    CHECK(countsOf(octahedron(), inverse) == Counts{{"flipped_triangles", 8}});
+}
+
+TEST_CASE("inspection: a missing triangle is a hole with its length and area") {
+    Mesh open = kOctahedron;
+    open.erase(open.begin());
+    const std::vector<MeshFailure> failures = inspectMesh(octahedron(), open);
+    REQUIRE(failures.size() == 1);
+    CHECK(failures[0].kind->name == "holes");
+    CHECK(failures[0].points == std::vector<Index>{0, 2, 4});
+    CHECK(failures[0].length == doctest::Approx(3.0 * std::sqrt(2.0)));
+    CHECK(failures[0].area == doctest::Approx(std::sqrt(3.0) / 2.0));
+}
+
+TEST_CASE("inspection: a border along the walls is no hole, one that leaves them is") {
+    Sheet s = sheet(5);
+    CHECK(countsOf(s.points, s.triangles) == Counts{{"holes", 1}});
+    s.points.type.assign(s.points.size(), kInterior);
+    for (std::size_t i = 0; i < s.points.size(); ++i) {
+        const Vec3& x = s.points.position[i];
+        std::uint8_t& type = s.points.type[i];
+        if (x.x == 0.0) type |= kNegativeX;
+        if (x.x == 4.0) type |= kPositiveX;
+        if (x.y == 0.0) type |= kNegativeY;
+        if (x.y == 4.0) type |= kPositiveY;
+    }
+    CHECK(countsOf(s.points, s.triangles).empty());
+    s.triangles.erase(s.triangles.begin() + 12);  // inside: touches interior points
+    CHECK(countsOf(s.points, s.triangles) == Counts{{"holes", 1}});
+}
+
+TEST_CASE("inspection: a third triangle at an edge") {
+    PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}});
+    const Counts counts = countsOf(points, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
+    CHECK(counts.at("non_manifold_edges") == 1);
+    CHECK(counts.at("inconsistent_edges") == 1);
+}
+
+TEST_CASE("inspection: two fans at a point") {
+    PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}});
+    const std::vector<MeshFailure> failures = inspectMesh(points, Mesh{{0, 1, 2}, {0, 3, 4}});
+    const auto found = std::find_if(failures.begin(), failures.end(), [](const MeshFailure& f) {
+        return f.kind->name == "non_manifold_vertices";
+    });
+    REQUIRE(found != failures.end());
+    CHECK(found->points == std::vector<Index>{0});
+    CHECK(found->triangles == std::vector<Index>{0, 1});
+}
+
+TEST_CASE("inspection: one triangle inside out") {
+    Mesh turned = kOctahedron;
+    std::swap(turned[0].b, turned[0].c);
+    const Counts counts = countsOf(octahedron(), turned);
+    CHECK(counts == Counts{{"inconsistent_edges", 3}, {"flipped_triangles", 1}});
+}
+
+TEST_CASE("inspection: the same three points twice, in either winding") {
+    Mesh twice = kOctahedron;
+    twice.push_back({4, 0, 2});
+    CHECK(countsOf(octahedron(), twice).at("duplicate_triangles") == 1);
+    twice.back() = {2, 0, 4};
+    CHECK(countsOf(octahedron(), twice).at("duplicate_triangles") == 1);
+}
+
+TEST_CASE("inspection: triangles without area, and slivers") {
+    const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0.01, 0}, {1, 0.02, 0}});
+    CHECK(countsOf(points, {{0, 1, 2}}).at("degenerate_triangles") == 1);
+    CHECK(countsOf(points, {{0, 1, 1}}).at("degenerate_triangles") == 1);
+    // The least angles are atan(0.01) = 0.57 and atan(0.02) = 1.15 degrees.
+    CHECK(countsOf(points, {{0, 2, 3}}).at("slivers") == 1);
+    CHECK(countsOf(points, {{0, 2, 4}}).count("slivers") == 0);
+}
+
+TEST_CASE("inspection: a triangle through another, and one folded onto it") {
+    const PointSet points = pointsAt({{0, 0, 0},
+                                      {2, 0, 0},
+                                      {0, 2, 0},
+                                      {0.5, 0.5, -1},
+                                      {0.5, 0.5, 1},
+                                      {3, 3, 0},
+                                      {0.1, 1.9, 0.01}});
+    CHECK(countsOf(points, {{0, 1, 2}, {3, 4, 5}}).at("intersecting_triangles") == 1);
+    CHECK(countsOf(points, {{0, 1, 2}, {1, 0, 6}}).at("folded_edges") == 1);
+}
+
+TEST_CASE("inspection: a small piece beside a large one, points in no triangle near and far") {
+    Sheet s = sheet(40);
+    const auto first = static_cast<Index>(s.points.size());
+    for (const Vec3& x : {Vec3(50, 0, 0), Vec3(51, 0, 0), Vec3(50, 1, 0), Vec3(20.5, 20.5, 0.2),
+                          Vec3(20, 20, 30)}) {
+        s.points.position.push_back(x);
+        s.points.normal.push_back({0, 0, 1});
+    }
+    s.triangles.push_back({first, first + 1, first + 2});
+    const Counts counts = countsOf(s.points, s.triangles);
+    CHECK(counts.at("small_components") == 1);
+    CHECK(counts.at("unused_points") == 1);
+    CHECK(counts.at("isolated_points") == 1);
+    CHECK(counts.at("holes") == 2);
+}
+
+TEST_CASE("inspection: no mesh at all") {
+    CHECK(inspectMesh({}, {}).empty());
+    CHECK(countsOf(octahedron(), {}) == Counts{{"isolated_points", 6}});
+}
+
+TEST_CASE("inspection: every class has a name of its own and is found by it") {
+    for (const FailureClass& each : failureClasses()) {
+        CHECK(findFailureClass(each.name) == &each);
+        CHECK_FALSE(each.meaning.empty());
+    }
+    CHECK(findFailureClass("dragons") == nullptr);
+}

@@ -1,0 +1,59 @@
+#include "spiraling_edge/reduce.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "../support/clouds.h"
+#include "../support/rig.h"
+#include "spiraling_edge/inspection.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+/// Does a run over the points end with a failure of this class?
+std::function<bool(const PointFile&)> failsBy(std::string_view name) {
+    return [name](const PointFile& file) {
+        const PointSet points = prepared(file);
+        if (points.empty()) return false;
+        const Run run = runAll(points, paper());
+        const auto failures = inspectMesh(points, run.state.mesh());
+        return std::any_of(failures.begin(), failures.end(),
+                           [&](const MeshFailure& f) { return f.kind->name == name; });
+    };
+}
+
+}  // namespace
+
+TEST_CASE("reduce: what stays still fails, and no single point of it can go") {
+    PointFile file = closedFamilies(3.0)[0].sample(4);
+    const Index planted = 100;
+    file.normal[planted] = -file.normal[planted];
+    const auto fails = failsBy("unused_points");
+    REQUIRE(fails(file));
+    const auto reduced = reduceInput(file, file.position[planted], fails);
+    REQUIRE(reduced.ok());
+    const Reduced& small = reduced.value();
+    CHECK(small.file.position.size() == small.kept.size());
+    CHECK(small.kept.size() < 30);
+    CHECK(fails(small.file));
+    for (std::size_t i = 0; i < small.kept.size(); ++i) {
+        CHECK(small.file.position[i] == file.position[small.kept[i]]);
+        PointFile without = small.file;
+        without.position.erase(without.position.begin() + static_cast<std::ptrdiff_t>(i));
+        without.normal.erase(without.normal.begin() + static_cast<std::ptrdiff_t>(i));
+        CHECK_FALSE(fails(without));
+    }
+}
+
+TEST_CASE("reduce: an input that does not fail, and a reader who cancels") {
+    const PointFile file = closedFamilies()[0].sample(1);
+    CHECK_FALSE(reduceInput(file, Vec3(0.0), [](const PointFile&) { return false; }).ok());
+    const auto always = [](const PointFile&) { return true; };
+    CHECK_FALSE(reduceInput(file, Vec3(0.0), always, [](double) { return false; }).ok());
+    const auto one = reduceInput(file, Vec3(0.0), always);
+    REQUIRE(one.ok());
+    CHECK(one.value().kept.size() == 1);
+}
