@@ -42,9 +42,7 @@ class CauseFinder {
         while (from < ledger_.lines.size() && ledger_.lines[from].role != LineRole::Made) ++from;
         return from;
     }
-    Cause told(std::size_t line) const {
-        return {line, describe(ledger_.lines[line].event)};
-    }
+    Cause told(std::size_t line) const { return {line, describe(ledger_.lines[line].event)}; }
 
     /// A refused entry of the reciprocal test is no cause if another entry took the pivot.
     bool hasOtherEntry(const LedgerLine& refused) const {
