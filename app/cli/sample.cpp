@@ -127,45 +127,7 @@ void writePoints(const std::string& path, const PointFile& file) {
     if (!status) throw Failure(ExitCode::Internal, status.error().message);
 }
 
-/// How even the points are, and how near to the surface.
-struct Quality {
-    double spacing = 0.0;    ///< Mean distance of a point inside to its nearest neighbor.
-    double variation = 0.0;  ///< Standard deviation of that over the mean.
-    double off = 0.0;        ///< The largest distance to the surface, in spacings.
-};
-
-Quality measure(const Field& field, const PointFile& file) {
-    Quality quality;
-    NeighborOptions options;
-    options.reach = KNearest{1};
-    const std::vector<bool> all(file.position.size(), true);
-    const Result<NeighborLists> lists = findNeighbors(file.position, file.normal, all, options);
-    if (!lists) return quality;
-    double sum = 0.0;
-    double squares = 0.0;
-    double count = 0.0;
-    for (Index i = 0; i < file.position.size(); ++i) {
-        const auto list = lists.value()[i];
-        const Vec3 x = file.position[i];
-        const double steepness = glm::length(field.gradient(x));
-        if (steepness > 0.0)
-            quality.off =
-                std::max(quality.off, std::abs(field.value(x) - field.isovalue) / steepness);
-        if (list.empty() || isBoundary(file.type[i])) continue;
-        const double distance = glm::length(file.position[list[0]] - x);
-        sum += distance;
-        squares += distance * distance;
-        count += 1.0;
-    }
-    if (count == 0.0) return quality;
-    quality.spacing = sum / count;
-    const double variance = squares / count - quality.spacing * quality.spacing;
-    quality.variation = std::sqrt(std::max(variance, 0.0)) / quality.spacing;
-    quality.off /= quality.spacing;
-    return quality;
-}
-
-std::string summary(const std::string& input, const PointFile& file, const Quality& quality,
+std::string summary(const std::string& input, const PointFile& file, const SampleQuality& quality,
                     double seconds) {
     const auto walls =
         static_cast<std::size_t>(std::count_if(file.type.begin(), file.type.end(), isBoundary));
@@ -204,7 +166,7 @@ ExitCode sampleVerb(const Arguments& words) {
     if (arguments.neighbors > 0) addNeighbors(arguments.neighbors, file);
     writePoints(arguments.output, file);
     if (arguments.quiet) return ExitCode::Good;
-    fmt::print(stderr, "{}", summary(arguments.input, file, measure(field, file), seconds));
+    fmt::print(stderr, "{}", summary(arguments.input, file, measureSample(field, file), seconds));
     return ExitCode::Good;
 }
 

@@ -58,13 +58,7 @@ void cutBy(const WallBox& box, const std::string& input, Field& field) {
                                                    field.low.x, field.low.y, field.low.z,
                                                    field.high.x, field.high.y, field.high.z));
     }
-    // Cells as small as before, even in a part of a volume.
-    const Vec3 cell = (field.high - field.low) / Vec3(field.cells);
-    constexpr double kMostCells = 1024.0;
-    field.cells = glm::ivec3(
-        glm::clamp(glm::ceil((box.high - box.low) / cell - 1e-9), Vec3(16.0), Vec3(kMostCells)));
-    field.low = box.low;
-    field.high = box.high;
+    field = inBox(std::move(field), box.low, box.high);
 }
 
 PointFile samplePoints(const Field& field, const SamplerOptions& options, const std::string& input,

@@ -22,7 +22,10 @@ constexpr const char* kViewWindow = "##view";
 }  // namespace
 
 Application::Application(const Options& options, const ViewSettings& settings)
-    : options_(options), commands_{session_, playback_, camera_, ui_}, filing_(commands_) {
+    : options_(options),
+      commands_{session_, playback_, camera_, ui_},
+      filing_(commands_),
+      growing_(commands_) {
     ui_.settings = settings;
     ui_.cheatSheet = options.cheatSheet;
     ui_.arrangement = options.layout.value_or(Arrangement::Debug);
@@ -37,6 +40,8 @@ Status Application::start(float contentScale) {
     imgui_ = std::make_unique<Ui>();
     if (const Status status = painter_.start(options_.shaders); !status) return status;
     filing_.begin(options_);
+    growing_.setUsual(options_.input);
+    if (options_.grow) growing_.begin(*options_.grow);
     std::string complaints;
     for (const std::string& each : std::exchange(ui_.settings.complaints, {})) {
         complaints += (complaints.empty() ? "" : " ") + each;
@@ -52,7 +57,8 @@ void Application::drop(const std::vector<std::string>& paths) {
 }
 
 bool Application::poll() {
-    const bool changed = session_.poll();
+    const bool opened = session_.poll();
+    const bool changed = growing_.poll() || opened;
     filing_.poll();
     if (session_.takeAccusation()) ui_.wantedTab = kDoctorTab;
     const bool notice = !session_.notice().empty();
@@ -60,6 +66,8 @@ bool Application::poll() {
 }
 
 Status Application::settle() {
+    growing_.settle();
+    if (ui_.growth.phase == GrowthPhase::Failed) return Error{ui_.growth.complaint};
     session_.settle();
     if (inputFailed()) return Error{session_.error()};
     filing_.poll();
@@ -72,10 +80,11 @@ Status Application::settle() {
 
 bool Application::animating() const {
     return session_.busy() || playback_.playing() || painter_.moving() || ui_.look.blinking() ||
-           ui_.click.waiting() || session_.phase() == SessionPhase::Loading;
+           ui_.click.waiting() || session_.phase() == SessionPhase::Loading || growing_.moving();
 }
 
 std::string Application::title() const {
+    if (ui_.growth.open) return "New points \xE2\x80\x93 Spiraling Edge";
     if (!session_.ready()) return "Spiraling Edge";
     const std::string place = session_.event() != nullptr ? toString(session_.address()) : "start";
     const std::string dash = " \xE2\x80\x93 ";
@@ -121,15 +130,17 @@ void Application::drawUserInterface(const Layout& layout) {
     const StatusCounts& counts = session_.picture().status.counts();
     const PanelContext context{commands_,       palette(), imgui_->fonts(), layout,
                                painter_.list(), counts,    imgui_->em(),    painter_.texture()};
+    // What is asked for in this frame is drawn in the next one, and has no window yet.
+    const bool page = ui_.growth.open;
     drawPanels(context);
-    const char* home = session_.startPage() ? kStartWindow : kViewWindow;
+    const char* home = session_.startPage() && !page ? kStartWindow : kViewWindow;
     // After a click the keys go to the view again; Ctrl+Tab leads into the panels.
     const bool released =
         ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !ImGui::IsAnyItemActive();
     const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     ui_.popupOpen = popup;
     const bool covered = popup || ui_.fileBrowser || ui_.cheatSheet || ui_.keyEditor ||
-                         ui_.palette.open || ui_.leaving.asked;
+                         ui_.palette.open || ui_.prepare.open || ui_.leaving.asked;
     if ((released && !covered) || focused_ != home) {
         ImGui::SetWindowFocus(home);
         ui_.walk.leave();
@@ -150,12 +161,17 @@ void Application::frame(glm::ivec2 size, double seconds) {
     io.DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
     io.DeltaTime = static_cast<float>(seconds);
     imgui_->beginFrame();
-    const Layout layout =
-        computeLayout(glm::vec2(size), imgui_->em(), ui_.arrangement, ui_.navigation.drawer);
+    const Layout layout = ui_.growth.open ? computePageLayout(glm::vec2(size), imgui_->em())
+                                          : computeLayout(glm::vec2(size), imgui_->em(),
+                                                          ui_.arrangement, ui_.navigation.drawer);
     ui_.navigation.drawerFolded = layout.drawerFolded;
     ui_.viewAspect = layout.view.size.x / std::max(1.0F, layout.view.size.y);
-    placeCamera(layout);
-    painter_.fill(commands_, ui_.requests.screenshot || !options_.screenshot.empty());
+    if (ui_.growth.open) {
+        painter_.fillParticles(growing_, ui_.settings.theme);
+    } else {
+        placeCamera(layout);
+        painter_.fill(commands_, ui_.requests.screenshot || !options_.screenshot.empty());
+    }
     drawUserInterface(layout);
     const auto built = std::chrono::steady_clock::now();
     painter_.draw(commands_, glm::ivec2(layout.view.size), imgui_->em());
@@ -167,6 +183,7 @@ void Application::frame(glm::ivec2 size, double seconds) {
     watchTextField();
     observeEdits();
     undoOrRedo();
+    growing_.carryOut();
     filing_.carryOut(ui_.requests);
     ui_.unsaved = filing_.unsaved();
     if (std::exchange(ui_.requests.copyPlace, false)) copyPlace();
@@ -214,7 +231,7 @@ void Application::watchTextField() {
 
 void Application::observeEdits() {
     // What is being opened belongs to the change that asked for it.
-    if (session_.phase() == SessionPhase::Loading) return;
+    if (session_.phase() == SessionPhase::Loading || ui_.growth.open) return;
     const Edits now = captureEdits(commands_);
     if (std::exchange(undoGeneration_, session_.generation()) != session_.generation()) {
         const InputSpec& spec = session_.spec();

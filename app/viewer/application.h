@@ -6,6 +6,7 @@
 #include <string>
 
 #include "filing.h"
+#include "growing.h"
 #include "interface/commands.h"
 #include "options.h"
 #include "panels/panel.h"
@@ -63,7 +64,9 @@ class Application {
     bool animating() const;
     bool wantsToQuit() const { return ui_.quitting; }
     bool takeFullScreenRequest() { return std::exchange(ui_.requests.fullScreen, false); }
-    bool inputFailed() const { return session_.phase() == SessionPhase::Failed; }
+    bool inputFailed() const {
+        return session_.phase() == SessionPhase::Failed || ui_.growth.phase == GrowthPhase::Failed;
+    }
     std::string title() const;
     /// Takes recent files and layout from that file and keeps them there; to be called before
     /// start().
@@ -99,6 +102,7 @@ class Application {
     std::uint32_t placedGeneration_ = 0;  ///< The camera was placed for it.
     float contentScale_ = 1.0F;
     Filing filing_;
+    Growing growing_;
     UndoStack undo_;
     std::uint32_t undoGeneration_ = 0xffffffffU;  ///< Of the input that the stack is about.
     std::string undoSource_;

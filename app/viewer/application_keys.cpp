@@ -3,6 +3,7 @@
 #include <imgui_internal.h>
 
 #include "application.h"
+#include "interface/growth_commands.h"
 #include "interface/key_routing.h"
 #include "session/place.h"
 
@@ -62,7 +63,7 @@ bool Application::key(const KeyChord& chord, bool repeated) {
         return true;
     }
     const bool enter = chord.key == key::kEnter || chord.key == key::kKeypadEnter;
-    const bool panel = ui_.walk.at() != KeyStop::View || session_.startPage();
+    const bool panel = ui_.walk.at() != KeyStop::View || (session_.startPage() && !ui_.growth.open);
     if (enter && chord.mods == kNoMods && panel && io.NavVisible && !io.WantTextInput &&
         !ui_.dialogOpen()) {
         // Dear ImGui itself takes Space alone.
@@ -78,13 +79,16 @@ bool Application::key(const KeyChord& chord, bool repeated) {
     const Keyboard keyboard{io.WantTextInput, ui_.dialogOpen() && !closes,
                             io.NavVisible && io.WantCaptureKeyboard};
     const bool reaches = reachesActions(chord, keyboard);
-    if (reaches && !holdsLook(*command, chord.key)) command->run(commands_);
+    if (reaches && !holdsLook(*command, chord.key)) runCommand(*command, commands_);
+    // At once: two keys may come within a frame.
+    growing_.carryOut();
     // Dear ImGui has ways of its own to walk.
     return reaches && chord.key == key::kTab;
 }
 
 /// The two actions that last as long as their key is held.
 bool Application::holdsLook(const Command& command, int key) {
+    if (ui_.growth.open) return false;
     const bool blinks = &command == findCommand("step.blink");
     if (!blinks && &command != findCommand("step.before")) return false;
     ui_.look.begin(blinks ? LookBack::Mode::Blink : LookBack::Mode::Before, key, ui_.clock);

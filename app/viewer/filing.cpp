@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "interface/growth_commands.h"
+
 namespace se::view {
 
 SessionFile captureSession(const CommandContext& context) {
@@ -86,18 +88,52 @@ void Filing::changeNotebook(const std::string& source) {
     savedNotes_ = other.savedNotes;
 }
 
+/// The page with new points gives way to what is being opened.
+void Filing::openInput(InputSpec spec) {
+    if (c_.ui.growth.open) c_.ui.growth.asked = GrowthAsk::Leave;
+    c_.session.open(std::move(spec));
+}
+
+/// A volume is no set of points yet: they are spread first.
+void Filing::spreadOver(const std::string& volume) {
+    c_.ui.growth.form.chooseVolume(volume);
+    openGrowthPage(c_, GrowthSource::Volume);
+    c_.ui.growth.asked = GrowthAsk::Begin;
+}
+
 void Filing::open(const std::string& path) {
     c_.playback.pause();
-    if (!isScene(path) && looksLikeSession(path)) return openSession(path);
+    if (isVolumePath(path)) return spreadOver(path);
+    const bool named = isScene(path) || isSample(path);
+    if (!named && looksLikeSession(path)) return openSession(path);
     const Session& session = c_.session;
     InputSpec spec = session.ready() ? session.spec() : session.opening();
-    spec.source = path;
     spec.cures.clear();
+    if (std::exchange(spec.source, path) != path) {
+        // Asked of another input.
+        spec.normals = NormalSource::AsGiven;
+        spec.walls = {};
+        spec.rim = false;
+        spec.points = nullptr;
+    }
     arrival_ = {};
     arrival_.pending = true;
     arrival_.generation = session.generation();
     arrival_.file = path;
-    c_.session.open(std::move(spec));
+    openInput(std::move(spec));
+}
+
+void Filing::openSpec(InputSpec spec) {
+    c_.playback.pause();
+    const Session& session = c_.session;
+    arrival_ = {};
+    arrival_.pending = true;
+    arrival_.generation = session.generation();
+    arrival_.file = spec.source;
+    if (c_.ui.growth.open) arrival_.camera = c_.camera.pose();
+    const bool same = session.ready() && session.spec().source == spec.source;
+    if (same) arrival_.selected = session.selection();
+    openInput(std::move(spec));
 }
 
 void Filing::openSession(const std::string& path) {
@@ -109,7 +145,7 @@ void Filing::openSession(const std::string& path) {
     arrival_.sessionPath = path;
     arrival_.session = read.value();
     arrival_.file = path;
-    c_.session.open(read.value().input);
+    openInput(read.value().input);
 }
 
 void Filing::takeLooks(const SessionFile& file, const std::string& path) {
@@ -196,18 +232,25 @@ void Filing::carryOut(UiRequests& requests) {
         leave({LeaveFor::Open, std::exchange(requests.open, {}), {}});
     }
     if (requests.cures) takeCures(*std::exchange(requests.cures, std::nullopt));
+    if (requests.openSpec) {
+        const InputSpec spec = *std::exchange(requests.openSpec, std::nullopt);
+        const bool same = c_.session.ready() && c_.session.spec().source == spec.source;
+        leave({same ? LeaveFor::Reload : LeaveFor::Open, spec.source, {}, spec});
+    }
     if (std::exchange(requests.reload, false)) leave({LeaveFor::Reload, {}, {}});
     if (std::exchange(requests.quit, false)) leave({LeaveFor::Quit, {}, {}});
 }
 
 void Filing::leave(Leave to) {
     if (c_.ui.leaving.asked) return;
-    if (!unsaved()) return go(to);
+    const bool stays = to.what == LeaveFor::Open && !to.spec && isVolumePath(to.path);
+    if (!unsaved() || stays) return go(to);
     c_.playback.pause();
     c_.ui.leaving.ask(std::move(to));
 }
 
 void Filing::go(const Leave& to) {
+    if (to.spec) return openSpec(*to.spec);
     switch (to.what) {
         case LeaveFor::Quit:
             c_.ui.quitting = true;
@@ -235,7 +278,7 @@ void Filing::takeCures(Cures cures) {
     c_.playback.pause();
     InputSpec spec = c_.session.spec();
     spec.cures = std::move(cures);
-    c_.session.open(std::move(spec));
+    openInput(std::move(spec));
 }
 
 void Filing::answer() {

@@ -30,7 +30,8 @@ class Filing {
     /// Takes recent files and layout from that file and keeps them there from now on; with
     /// `resetLayout` the layout begins anew.
     void keepIn(const std::filesystem::path& path, bool resetLayout);
-    /// Opens a point file, `scene:ID` or a session file.
+    /// Opens a point file, `scene:ID`, the line of a SampleSpec or a session file; for a volume the
+    /// page with new points.
     void open(const std::string& path);
     /// The same for files that were dropped on the window: the first of them.
     void drop(const std::vector<std::string>& paths);
@@ -80,6 +81,11 @@ class Filing {
     void go(const Leave& to);
     void reload();
     void takeCures(Cures cures);
+    void openInput(InputSpec spec);
+    void spreadOver(const std::string& volume);
+    /// Opens an input with its options: the present one prepared in another way, or points that
+    /// were made here and are looked at already.
+    void openSpec(InputSpec spec);
     void answer();
     void openSession(const std::string& path);
     void takeLooks(const SessionFile& file, const std::string& path);

@@ -5,8 +5,11 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
+#include <utility>
 
 #include "interface/commands.h"
+#include "run/exact_text.h"
+#include "spiraling_edge/sampler.h"
 #include "spiraling_edge/scenes.h"
 
 namespace se::view {
@@ -43,6 +46,16 @@ std::string sceneList() {
     return text;
 }
 
+std::string shapeList() {
+    std::string text = "Shapes for --new:";
+    for (const se::Shape& shape : shapes()) {
+        text += "\n  " + std::string(shape.id);
+        text.append(shape.id.size() < 24 ? 24 - shape.id.size() : 1, ' ');
+        text += std::string(shape.title);
+    }
+    return text;
+}
+
 /// What needs a second look before it goes into Options.
 struct RawOptions {
     std::string size;
@@ -57,25 +70,86 @@ struct RawOptions {
     std::string shaders;
     std::string stateDump;
     bool actions = false;
+    std::string box;
+    bool orient = false;
+    bool deriveNormals = false;
+    SampleSpec grow;
+    double iso = 0.0;
 };
+
+constexpr std::size_t kMostPoints = 100'000'000;
+
+/// What is derived from the points; names as in `spiraling-edge run`.
+void addPreparing(CLI::App& app, Options& o, RawOptions& raw) {
+    auto* k = app.add_option("-k,--neighbors", raw.neighbors,
+                             "List the K nearest neighbors of each point")
+                  ->check(CLI::Range(std::size_t{1}, std::size_t{1000}));
+    auto* r =
+        app.add_option("-r,--radius", raw.radius, "List the neighbors within R, in scene units")
+            ->check(CLI::PositiveNumber);
+    k->excludes(r);
+    app.add_flag("--symmetric", o.input.neighbors.symmetric,
+                 "Whoever lists a point is listed by it as well");
+    app.add_flag("--keep-opposing", o.input.keepOpposing,
+                 "Also take neighbors whose normal opposes that of the point");
+    app.add_flag("--keep-noise", o.input.keepNoise,
+                 "Keep all points where noise is as wide as their spacing");
+    auto* orient = app.add_flag("--orient", raw.orient,
+                                "Turn the normals of the file so that they agree with each other");
+    app.add_flag("--derive-normals", raw.deriveNormals,
+                 "Derive normals from the positions even if the file has some")
+        ->excludes(orient);
+    app.add_flag("--derive-rim", o.input.rim,
+                 "Find where the surface ends without a wall, and take the points there for "
+                 "boundary points");
+    app.add_option("--box", raw.box,
+                   "Points on the walls of this box are boundary points: auto (the box around all "
+                   "points), or X0,Y0,Z0,X1,Y1,Z1. With --new: the box that cuts the surface")
+        ->type_name("BOX");
+}
+
+/// New points; names as in `spiraling-edge sample`.
+void addGrowing(CLI::App& app, RawOptions& raw) {
+    SampleSpec& grow = raw.grow;
+    auto* made = app.add_option("--new", grow.surface,
+                                "Begin with new points that spread over a shape or over an "
+                                "isosurface of a volume (.nrrd, .nhdr)")
+                     ->type_name("SHAPE");
+    auto* count = app.add_option("-n,--points", grow.count, "With --new: exactly N points (2000)");
+    count->type_name("N")->check(CLI::Range(std::size_t{1}, kMostPoints))->needs(made);
+    app.add_option("--spacing", grow.spacing, "With --new: as many points as stand S apart")
+        ->type_name("S")
+        ->check(CLI::PositiveNumber)
+        ->excludes(count)
+        ->needs(made);
+    app.add_option("--iso", raw.iso, "With --new: the isovalue")->type_name("V")->needs(made);
+    app.add_option("--seed", grow.seed, "With --new: another seed gives other points")
+        ->type_name("S")
+        ->needs(made);
+    app.add_option("--curvature", grow.curvature, "With --new: denser where the surface bends")
+        ->type_name("X")
+        ->check(CLI::Range(0.0, 100.0))
+        ->needs(made);
+    app.add_option("--steps", grow.steps, "With --new: pause after N steps of spreading")
+        ->type_name("N")
+        ->check(CLI::Range(1, Sampler::allSteps()))
+        ->needs(made);
+}
 
 void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_option(
         "FILE", o.input.source,
-        "Points: PLY, XYZ, OBJ, OFF or PCD; scene:ID; or a session file. Without it, the "
-        "start page");
+        "Points: PLY, XYZ, OBJ, OFF or PCD; scene:ID; sample:SHAPE,n=N; a volume, as by --new; or "
+        "a session file. "
+        "Without it, the start page");
     app.add_option("--rules", o.input.rules,
                    "How the paper is read: " + ruleSets() + " (default paper)")
         ->check(CLI::IsMember(ruleSetNames()));
     app.add_option("--rule", raw.choices, "Turn one rule on or off, after --rules; may be repeated")
         ->type_name("NAME=on|off")
         ->allow_extra_args(false);
-    auto* k =
-        app.add_option("--neighbors", raw.neighbors, "List the K nearest neighbors of each point")
-            ->check(CLI::Range(std::size_t{1}, std::size_t{1000}));
-    auto* r = app.add_option("--radius", raw.radius, "List the neighbors within R, in scene units")
-                  ->check(CLI::PositiveNumber);
-    k->excludes(r);
+    addPreparing(app, o, raw);
+    addGrowing(app, raw);
     app.add_option("--goto", o.goTo,
                    "Begin at PIVOT[.STAGE[.N]], for example 137.sphere.3, at 50%, or at p812: the "
                    "first event about point 812");
@@ -110,7 +184,41 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_flag("--keys", o.cheatSheet, "Begin with the list of keys open");
     app.add_flag("--list-actions", raw.actions, "Print all actions with their keys, and leave");
     app.set_version_flag("--version", "spiraling-edge-viewer " SE_VERSION);
-    app.footer(sceneList);
+    app.footer([] { return sceneList() + "\n\n" + shapeList(); });
+}
+
+/// Which points to derive walls of, and which to grow. Throws as takeOver() does.
+void takeOverInput(const CLI::App& app, const RawOptions& raw, Options& o) {
+    if (raw.orient) o.input.normals = NormalSource::Oriented;
+    if (raw.deriveNormals) o.input.normals = NormalSource::Derived;
+    o.normalsGiven = raw.orient || raw.deriveNormals;
+    if (isVolumePath(o.input.source) && !isSample(o.input.source) && raw.grow.surface.empty()) {
+        o.grow = SampleSpec{};
+        o.grow->surface = std::exchange(o.input.source, {});
+        o.grow->count = kUsualPoints;
+    }
+    const bool grows = app.count("--new") > 0;
+    std::optional<WallBox> box;
+    if (!raw.box.empty() && (grows || raw.box != "auto")) {
+        box = boxFromText(raw.box, ',');
+        if (!box) {
+            throw CLI::ValidationError(
+                "--box " + raw.box,
+                std::string(grows ? "write" : "write auto, or") +
+                    " six numbers with commas between, the lower corner first: X0,Y0,Z0,X1,Y1,Z1");
+        }
+    }
+    if (!grows) {
+        o.wallsGiven = !raw.box.empty();
+        if (raw.box == "auto") o.input.walls = {WallChoice::From::Around, {}};
+        if (box) o.input.walls = {WallChoice::From::Box, *box};
+        return;
+    }
+    if (!o.input.source.empty()) throw CLI::ValidationError("--new", "goes without a FILE");
+    o.grow = raw.grow;
+    o.grow->box = box;
+    if (app.count("--iso") > 0) o.grow->isovalue = raw.iso;
+    if (o.grow->count == 0 && o.grow->spacing == 0.0) o.grow->count = kUsualPoints;
 }
 
 /// Throws what CLI11 reports as wrong usage.
@@ -164,15 +272,24 @@ void chooseBenchScene(Options& o) {
 
 Status adoptSession(Options& o) {
     const std::string path = o.input.source;
-    if (path.empty() || isScene(path) || !looksLikeSession(path)) return success();
+    if (path.empty() || isScene(path) || isSample(path) || !looksLikeSession(path)) {
+        return success();
+    }
     Result<SessionFile> read = readSessionFile(path);
     if (!read) return read.error();
     o.sessionPath = path;
     o.session = std::move(read.value());
     const InputSpec& kept = o.session->input;
     o.input.source = kept.source;
+    const bool symmetric = o.input.neighbors.symmetric || kept.neighbors.symmetric;
     if (!o.reachGiven) o.input.neighbors = kept.neighbors;
     o.input.cures = kept.cures;
+    o.input.neighbors.symmetric = symmetric;
+    if (!o.normalsGiven) o.input.normals = kept.normals;
+    if (!o.wallsGiven) o.input.walls = kept.walls;
+    o.input.keepOpposing = o.input.keepOpposing || kept.keepOpposing;
+    o.input.keepNoise = o.input.keepNoise || kept.keepNoise;
+    o.input.rim = o.input.rim || kept.rim;
     if (!o.rulesGiven) {
         o.input.rules = kept.rules;
         o.input.choices.insert(o.input.choices.begin(), kept.choices.begin(), kept.choices.end());
@@ -190,6 +307,7 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
         app.parse(argc, argv);
         chooseBenchScene(o);
         takeOver(raw, o);
+        takeOverInput(app, raw, o);
         requireWritable(raw.screenshot, "--screenshot");
         requireWritable(raw.stateDump, "--state-dump");
     } catch (const CLI::ParseError& e) {
@@ -199,8 +317,9 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
         std::fputs(listActions().c_str(), stdout);
         return {std::nullopt, kExitGood};
     }
-    if (raw.neighbors > 0) o.input.neighbors = {KNearest{raw.neighbors}, true, 0, true};
-    if (raw.radius > 0.0) o.input.neighbors = {WithinRadius{raw.radius}, true, 0, true};
+    const bool symmetric = o.input.neighbors.symmetric;
+    if (raw.neighbors > 0) o.input.neighbors = {KNearest{raw.neighbors}, true, 0, true, symmetric};
+    if (raw.radius > 0.0) o.input.neighbors = {WithinRadius{raw.radius}, true, 0, true, symmetric};
     o.rulesGiven = app.count("--rules") > 0;
     o.reachGiven = raw.neighbors > 0 || raw.radius > 0.0;
     o.theme = themeFromName(raw.theme);

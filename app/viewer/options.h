@@ -31,6 +31,9 @@ struct Options {
     InputSpec input;  ///< An empty source: begin with the start page.
     bool rulesGiven = false;
     bool reachGiven = false;             ///< --neighbors or --radius.
+    bool normalsGiven = false;           ///< --orient or --derive-normals.
+    bool wallsGiven = false;             ///< --box, without --new.
+    std::optional<SampleSpec> grow;      ///< --new: begin with these particles spreading.
     std::optional<SessionFile> session;  ///< What FILE held, if it was one.
     std::string sessionPath;
     std::string goTo;

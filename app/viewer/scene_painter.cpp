@@ -79,6 +79,7 @@ MeshColoring ScenePainter::coloringOf(const Session& session, MeshStyle style) {
 
 void ScenePainter::fill(CommandContext& context, bool onPaper) {
     const Session& session = context.session;
+    particles_ = false;
     if (!session.ready()) return;
     upload(session);
     const ViewSettings& settings = context.ui.settings;
@@ -112,6 +113,20 @@ void ScenePainter::fill(CommandContext& context, bool onPaper) {
     ++fills_;
 }
 
+void ScenePainter::fillParticles(Growing& growing, Theme theme) {
+    const bool fresh = !std::exchange(particles_, true) || particleTheme_ != theme ||
+                       filledParticles_ != growing.revision();
+    if (!fresh) return;
+    // Whatever was drawn for the run is made anew when these are left.
+    uploadedGeneration_ = 0;
+    filled_.revision = 0;
+    filledParticles_ = growing.revision();
+    particleTheme_ = theme;
+    if (growing.model() != nullptr) renderer_->setModel(*growing.model());
+    particleList_ = growing.drawList(paletteOf(theme));
+    ++fills_;
+}
+
 void ScenePainter::draw(const CommandContext& context, glm::ivec2 size, float em) {
     if (size.x < 1 || size.y < 1) return;
     const Session& session = context.session;
@@ -127,8 +142,7 @@ void ScenePainter::draw(const CommandContext& context, glm::ivec2 size, float em
     if (key == drawn_) return;
     drawn_ = key;
     const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
-    renderer_->draw(drawList_, context.camera.matrices(aspect), size, em,
-                    paletteOf(theme).background);
+    renderer_->draw(list(), context.camera.matrices(aspect), size, em, paletteOf(theme).background);
 }
 
 }  // namespace se::view

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "gl/renderer.h"
+#include "growing.h"
 #include "interface/commands.h"
 #include "layers/layer.h"
 #include "scene/motion.h"
@@ -19,10 +20,12 @@ class ScenePainter {
     /// Uploads what is new and makes the list of what is to be drawn, if something changed since
     /// the last time. On paper, what only passes by is there to be seen.
     void fill(CommandContext& context, bool onPaper);
+    /// The same for new points, until fill() is called again.
+    void fillParticles(Growing& growing, Theme theme);
     /// Draws the list, if it, the camera or the size changed since the last time.
     void draw(const CommandContext& context, glm::ivec2 size, float em);
 
-    const DrawList& list() const { return drawList_; }
+    const DrawList& list() const { return particles_ ? particleList_ : drawList_; }
     unsigned texture() const { return renderer_->texture(); }
     /// Something in the picture moves by itself.
     bool moving() const { return motion_.moving(); }
@@ -64,6 +67,10 @@ class ScenePainter {
     Drawn drawn_;
     LayerSwitches shownLayers_;  ///< At the event that the picture shows.
     unsigned fills_ = 0;         ///< How often the list was made.
+    bool particles_ = false;     ///< New points are in sight.
+    DrawList particleList_;
+    std::uint32_t filledParticles_ = 0;  ///< Revision of those in the list.
+    Theme particleTheme_ = Theme::Dark;
     std::uint32_t uploadedGeneration_ = 0;
 };
 

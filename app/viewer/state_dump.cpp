@@ -50,6 +50,18 @@ void dumpNavigation(json& out, const Navigation& nav, const Session& session) {
     out["drawer"] = nav.drawerFolded ? "folded" : "open";
 }
 
+/// What was derived, as far as it stands in the panels.
+void dumpDerived(json& out, const PrepareReport& report) {
+    out["derived"] = json::array();
+    if (report.neighborsComputed) out["derived"].push_back("neighbors");
+    if (report.derived.normals) out["derived"].push_back("normals");
+    if (report.derived.orientation && !report.derived.normals) {
+        out["derived"].push_back("orientation");
+    }
+    if (report.derived.types) out["derived"].push_back("types");
+    if (report.derived.rim) out["derived"].push_back("rim");
+}
+
 /// What is open and where the cursor stands. Requires session.ready().
 void dumpRun(json& out, const Session& session) {
     out["input"] = session.model().name;
@@ -76,6 +88,25 @@ void dumpRun(json& out, const Session& session) {
     out["marked"] = session.marked().size();
     out["hovered"] = indexOrNull(session.hovered());
     out["busy"] = session.busy();
+    dumpDerived(out, session.model().report);
+}
+
+/// New points, while their page is open.
+void dumpGrowth(json& out, const GrowthPage& page) {
+    const GrowthNumbers& n = page.numbers;
+    out["growth"] = std::string(growthPhaseName(page.phase));
+    out["growth_page"] = page.open;
+    if (!page.open) return;
+    out["growth_source"] = page.hasPoints() ? sampleSource(page.made) : "";
+    out["growth_step"] = n.step;
+    out["growth_points"] = n.points;
+    out["growth_walls"] = n.onWalls;
+    out["growth_corners"] = n.corners;
+    out["growth_spacing"] = n.quality.spacing;
+    out["growth_variation"] = n.quality.variation;
+    out["growth_off"] = n.quality.off;
+    out["growth_complaint"] = page.complaint;
+    out["growth_said"] = page.said;
 }
 
 void dumpLayers(json& out, const LayerModes& modes, std::optional<Stage> stage) {
@@ -140,6 +171,8 @@ std::string Application::stateDump() const {
              {"shown_state", session_.showsBefore() ? "before" : "after"},
              {"blinking", ui_.look.blinking()},
              {"moving", painter_.moving()}};
+    out["prepare"] = ui_.prepare.open;
+    dumpGrowth(out, ui_.growth);
     dumpLayers(out, ui_.settings.layers, session_.stage());
     out["mesh_style"] = std::string(rowOf(ui_.settings.meshStyle).name);
     out["unlimited"] = playback_.unlimited();

@@ -43,6 +43,10 @@ Result<Sampler> Sampler::begin(Field field, const SamplerOptions& options,
 
 bool Sampler::done() const { return content_->steps >= kSteps; }
 
+int Sampler::steps() const { return content_->steps; }
+
+int Sampler::allSteps() { return kSteps; }
+
 double Sampler::share() const { return static_cast<double>(content_->steps) / kSteps; }
 
 void Sampler::step() {

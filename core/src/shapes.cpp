@@ -174,6 +174,16 @@ Field fieldOf(const Shape& shape) {
     return field;
 }
 
+Field inBox(Field field, const Vec3& low, const Vec3& high) {
+    constexpr double kMostCells = 1024.0;
+    const Vec3 cell = (field.high - field.low) / Vec3(field.cells);
+    field.cells =
+        glm::ivec3(glm::clamp(glm::ceil((high - low) / cell - 1e-9), Vec3(16.0), Vec3(kMostCells)));
+    field.low = low;
+    field.high = high;
+    return field;
+}
+
 Vec3 Field::normal(const Vec3& x) const {
     const Vec3 g = gradient(x);
     const double length = std::sqrt(glm::dot(g, g));

@@ -1,5 +1,6 @@
 #include "interface/browsing.h"
 #include "rig.h"
+#include "session/session_file.h"
 
 #include <doctest/doctest.h>
 
@@ -9,11 +10,11 @@ using namespace se::view;
 namespace fs = std::filesystem;
 
 TEST_CASE("A session gets its extension, whatever other dots are in the name") {
-    CHECK(withSessionExtension("one") == "one.sesession");
-    CHECK(withSessionExtension("section 6.3") == "section 6.3.sesession");
-    CHECK(withSessionExtension("a.ply") == "a.ply.sesession");
-    CHECK(withSessionExtension("one.sesession") == "one.sesession");
-    CHECK(withSessionExtension("one.SESESSION") == "one.SESESSION");
+    CHECK(withExtension("one", kSessionExtension) == "one.sesession");
+    CHECK(withExtension("section 6.3", kSessionExtension) == "section 6.3.sesession");
+    CHECK(withExtension("a.ply", kSessionExtension) == "a.ply.sesession");
+    CHECK(withExtension("one.sesession", kSessionExtension) == "one.sesession");
+    CHECK(withExtension("one.SESESSION", kSessionExtension) == "one.SESESSION");
 }
 
 TEST_CASE("A typed path is meant from the folder that is shown") {

@@ -143,3 +143,21 @@ TEST_CASE("In a low window a large caption leaves the view half of the height") 
         CHECK(l.view.size.y >= 0.49F * (l.view.size.y + l.narration.size.y));
     }
 }
+
+TEST_CASE("A page has its form, its view and its controls beside each other, none outside") {
+    for (const glm::vec2 size :
+         {glm::vec2(1280, 800), glm::vec2(640, 400), glm::vec2(2560, 1440)}) {
+        for (const float em : {12.0F, 16.0F, 32.0F}) {
+            const Layout l = computePageLayout(size, em);
+            CHECK(l.left.min.y == l.menu.max().y);
+            CHECK(l.view.min.x == l.left.max().x);
+            CHECK(l.view.max().x == size.x);
+            CHECK(l.narration.min.y == l.view.max().y);
+            CHECK(l.narration.max().y == size.y);
+            CHECK(l.left.max().y == size.y);
+            CHECK(l.view.size.x >= 0.5F * size.x);
+            // What lies over it finds the size of the window.
+            CHECK(l.status.max() == size);
+        }
+    }
+}

@@ -71,6 +71,55 @@ TEST_CASE("Neighbors asked for are computed, whatever lists the file has") {
     CHECK(parsed.options->input.neighbors.threads == 0);
 }
 
+TEST_CASE("What is derived is asked for by the names of the command line, and checked") {
+    const ParsedOptions parsed = parse({"a.ply", "-k", "9", "--symmetric", "--derive-normals",
+                                        "--box", "0,0,0,1,2,3", "--derive-rim", "--keep-noise"});
+    REQUIRE(parsed.options.has_value());
+    const InputSpec& input = parsed.options->input;
+    CHECK(std::get<KNearest>(input.neighbors.reach).k == 9);
+    CHECK(input.neighbors.symmetric);
+    CHECK(input.normals == NormalSource::Derived);
+    CHECK(input.walls.from == WallChoice::From::Box);
+    CHECK(input.walls.box.high.z == 3.0);
+    CHECK(input.keepNoise);
+    CHECK(input.rim);
+    CHECK_FALSE(input.keepOpposing);
+    CHECK(parse({"a.ply", "--box", "auto"}).options->input.walls.from == WallChoice::From::Around);
+    CHECK(parse({"a.ply", "--orient"}).options->input.normals == NormalSource::Oriented);
+    for (const std::vector<const char*>& bad :
+         std::vector<std::vector<const char*>>{{"a.ply", "--orient", "--derive-normals"},
+                                               {"a.ply", "--box", "0,0,0,1,1"},
+                                               {"a.ply", "--box", "0,0,0,1,1,-1"}}) {
+        CHECK(parse(bad).exitCode == kExitUsage);
+    }
+}
+
+TEST_CASE("New points are asked for by the names of the command line, and checked") {
+    const ParsedOptions parsed = parse({"--new", "torus", "-n", "4000", "--seed", "2", "--iso=-0.5",
+                                        "--box=-1,-1,-1,1,1,1", "--steps", "7"});
+    REQUIRE(parsed.options.has_value());
+    REQUIRE(parsed.options->grow.has_value());
+    CHECK(sampleSource(*parsed.options->grow) ==
+          "sample:torus,n=4000,iso=-0.5,seed=2,box=-1:-1:-1:1:1:1,steps=7");
+    // That box cuts the surface; it does not make walls of what is on its faces.
+    CHECK(parsed.options->input.walls.from == WallChoice::From::File);
+    CHECK(parse({"--new", "torus"}).options->grow->count == kUsualPoints);
+    CHECK(parse({"--new", "torus", "--spacing", "0.1"}).options->grow->count == 0);
+    CHECK_FALSE(parse({"scene:torus"}).options->grow.has_value());
+    // A volume is no set of points yet.
+    const ParsedOptions volume = parse({"scan.nhdr"});
+    CHECK(volume.options->input.source.empty());
+    CHECK(volume.options->grow->surface == "scan.nhdr");
+    for (const std::vector<const char*>& bad :
+         std::vector<std::vector<const char*>>{{"--new", "torus", "-n", "10", "--spacing", "1"},
+                                               {"--new", "torus", "--box", "auto"},
+                                               {"--new", "torus", "--steps", "100000"},
+                                               {"scene:torus", "--new", "torus"},
+                                               {"scene:torus", "-n", "10"}}) {
+        CHECK(parse(bad).exitCode == kExitUsage);
+    }
+}
+
 TEST_CASE("The command line comes before the session, the session before the defaults") {
     const KeptSession kept;
     Options plain = *parse({kept.path.c_str()}).options;

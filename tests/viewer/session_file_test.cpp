@@ -84,6 +84,36 @@ TEST_CASE("A session file is read as it was written, the path relative to the fi
     CHECK(sessionToJson(r, "/data/sessions") == text);
 }
 
+TEST_CASE(
+    "What is derived, and points that are grown, come back; the path of a volume moves along") {
+    SessionFile session;
+    session.input.source = "sample:/data/scans/lobster.nhdr,n=900,iso=40";
+    session.input.neighbors = {KNearest{9}, true, 0, true, true};
+    session.input.normals = NormalSource::Oriented;
+    session.input.walls = {WallChoice::From::Box, {{0, 0, 0}, {1, 2.5, 3}}};
+    session.input.keepNoise = session.input.keepOpposing = session.input.rim = true;
+    const std::string text = sessionToJson(session, "/data/work");
+    CHECK(text.find("sample:../scans/lobster.nhdr,n=900,iso=40") != std::string::npos);
+    const Result<SessionFile> read = sessionFromJson(text, "a.sesession", "/other/work");
+    REQUIRE(read.ok());
+    const InputSpec& back = read.value().input;
+    CHECK(back.source == "sample:/other/scans/lobster.nhdr,n=900,iso=40");
+    CHECK(back.neighbors.symmetric);
+    CHECK(back.normals == NormalSource::Oriented);
+    CHECK(back.walls == session.input.walls);
+    CHECK(back.keepNoise);
+    CHECK(back.keepOpposing);
+    CHECK(back.rim);
+    session.input = {"scene:sphere", {}, "paper"};
+    session.original = text;
+    const std::string usual = sessionToJson(session, "/data/work");
+    for (const char* name : {"\"normals\"", "\"box\"", "symmetric", "keep_"}) {
+        CAPTURE(name);
+        CHECK(text.find(name) != std::string::npos);
+        CHECK(usual.find(name) == std::string::npos);
+    }
+}
+
 TEST_CASE("A session and its input can be moved together") {
     const std::string text = sessionToJson(fullSession(), "/data/sessions");
     const auto read = sessionFromJson(text, "a.sesession", "/mnt/stick/sessions");
@@ -156,6 +186,10 @@ TEST_CASE("A bad session file is refused with its name and what was expected") {
         {minimal(R"(, "options": {"neighbors": 0})"), "1 to 1000"},
         {minimal(R"(, "options": {"neighbors": 2.5})"), "1 to 1000"},
         {minimal(R"(, "options": {"radius": -1})"), "above 0"},
+        {minimal(R"(, "options": {"normals": "up"})"), "options.normals"},
+        {minimal(R"(, "options": {"box": [0, 0, 0, 1, 1]})"), "options.box"},
+        {minimal(R"(, "options": {"box": [0, 0, 0, 1, 1, 0]})"), "options.box"},
+        {minimal(R"(, "options": {"symmetric": 1})"), "options.symmetric"},
         {minimal(R"(, "address": "137.nowhere.3")"), "\"address\""},
         {minimal(R"(, "address": 137)"), "\"address\""},
         {minimal(R"(, "camera": {"distance": 1})"), "\"camera\""},

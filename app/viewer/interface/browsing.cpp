@@ -29,7 +29,7 @@ void FileBrowsing::readFolder(const fs::path& next) {
         const std::string name = item.path().filename().string();
         if (name.starts_with('.')) continue;
         const bool isFolder = item.is_directory(failed);
-        if (isFolder || canBeOpened(item.path())) entries.push_back({name, isFolder});
+        if (isFolder || isListed(item.path(), task)) entries.push_back({name, isFolder});
     }
     std::sort(entries.begin(), entries.end(), [](const BrowserEntry& a, const BrowserEntry& b) {
         return a.folder != b.folder ? a.folder : a.name < b.name;
@@ -40,20 +40,34 @@ bool canBeOpened(const fs::path& path) {
     constexpr std::array<std::string_view, 7> kPoints = {".ply",  ".xyz", ".obj", ".off",
                                                          ".noff", ".pcd", ".txt"};
     const std::string extension = lowerExtension(path);
-    return extension == kSessionExtension ||
+    return extension == kSessionExtension || isVolumePath(path.string()) ||
            std::find(kPoints.begin(), kPoints.end(), extension) != kPoints.end();
 }
 
+bool isListed(const fs::path& path, BrowserTask task) {
+    switch (task) {
+        case BrowserTask::Open:
+            return canBeOpened(path);
+        case BrowserTask::SaveSession:
+            return lowerExtension(path) == kSessionExtension;
+        case BrowserTask::Volume:
+            return isVolumePath(path.string());
+        case BrowserTask::SavePoints:
+            return lowerExtension(path) == ".ply";
+    }
+    return false;
+}
+
 std::string typedSource(const fs::path& folder, const std::string& text) {
-    if (text.empty() || isScene(text)) return text;
+    if (text.empty() || isScene(text) || isSample(text)) return text;
     const char* home = std::getenv("HOME");
     if (home != nullptr && (text == "~" || text.starts_with("~/"))) return home + text.substr(1);
     const fs::path path(text);
     return path.is_relative() ? (folder / path).lexically_normal().string() : text;
 }
 
-fs::path withSessionExtension(fs::path path) {
-    if (lowerExtension(path) != kSessionExtension) path += kSessionExtension;
+fs::path withExtension(fs::path path, std::string_view extension) {
+    if (lowerExtension(path) != extension) path += extension;
     return path;
 }
 

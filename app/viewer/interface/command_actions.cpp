@@ -27,6 +27,7 @@ void closeDialogs(UiState& ui) {
     ui.keyEditor = false;
     ui.fileBrowser = false;
     ui.palette.open = false;
+    ui.prepare.open = false;
 }
 
 }  // namespace
@@ -42,6 +43,10 @@ void escape(C& c) {
     closeDialogs(ui);
     ui.requests.closePopups = true;
     if (covered) return;
+    if (ui.growth.open) {
+        ui.growth.asked = GrowthAsk::Leave;
+        return;
+    }
     if (c.session.busySeconds() > kLongMove) return c.session.cancelMove();
     const bool picked =
         c.session.selection().kind != SelectionKind::None || !c.session.marked().empty();
@@ -97,6 +102,22 @@ void saveAs(C& c) {
     if (!c.session.ready()) return c.session.say("There is nothing open to save.");
     c.ui.browser = BrowserTask::SaveSession;
     c.ui.fileBrowser = true;
+}
+
+void savePoints(C& c) {
+    const bool made = c.session.ready() && c.session.spec().points != nullptr;
+    if (c.ui.growth.open ? !c.ui.growth.hasPoints() : !made) {
+        return c.session.say("There are no new points to save.");
+    }
+    c.ui.browser = BrowserTask::SavePoints;
+    c.ui.fileBrowser = true;
+}
+
+void openPrepare(C& c) {
+    if (!c.session.ready()) return c.session.say("There is nothing open to prepare.");
+    pause(c);
+    closeDialogs(c.ui);
+    c.ui.prepare.take(c.session.spec(), c.session.model());
 }
 
 void toEnd(C& c) {

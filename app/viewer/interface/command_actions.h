@@ -24,6 +24,10 @@ void toggleBookmarkHere(CommandContext& c);
 void toBookmark(CommandContext& c, std::size_t place);
 void openBrowser(CommandContext& c);
 void saveAs(CommandContext& c);
+/// Asks where to save points that were made here.
+void savePoints(CommandContext& c);
+/// Asks what is to be derived from the points of the input.
+void openPrepare(CommandContext& c);
 void toEnd(CommandContext& c);
 void toStart(CommandContext& c);
 /// To the next (+1) or previous (-1) mark of the run or bookmark.

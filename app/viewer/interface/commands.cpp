@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "command_actions.h"
+#include "growth_commands.h"
 #include "run/text.h"
 #include "session/session.h"
 
@@ -20,11 +21,21 @@ using C = CommandContext;
 constexpr auto kCommands = std::to_array<Command>({
     {"file.open", "File", "Open...", "Ctrl+O", "Open a point file or a session.", false,
      openBrowser},
+    {"file.new.shape", "File", "New from shape...", "Ctrl+N",
+     "Spread new points over a shape, and watch them.", false,
+     [](C& c) { openGrowthPage(c, GrowthSource::Shape); }},
+    {"file.new.volume", "File", "New from volume...", "Ctrl+Shift+N",
+     "Spread new points over an isosurface of a volume, and watch them.", false,
+     [](C& c) { openGrowthPage(c, GrowthSource::Volume); }},
+    {"file.prepare", "File", "Prepare...", "Ctrl+Shift+R",
+     "Choose what is derived from the points: neighbors, normals, walls.", false, openPrepare},
     {"file.save", "File", "Save session", "Ctrl+S",
      "Save input, options, place, camera, layers, bookmarks and notes as a session file.", false,
      [](C& c) { c.ui.requests.saveSession = true; }},
     {"file.saveas", "File", "Save session as...", "Ctrl+Shift+S",
      "Save the session under another name.", false, saveAs},
+    {"file.savepoints", "File", "Save new points...", "",
+     "Save the points that were made here, as PLY.", false, savePoints},
     {"file.restart", "File", "Reload and restart", "Ctrl+R",
      "Read the input again and go to the start.", false, restart},
     {"file.screenshot", "File", "Save screenshot", "F12", "Save a picture of the window.", false,

@@ -36,6 +36,12 @@ constexpr float kDialRoom = 30.0F;
 /// Who learns or looks on from afar reads the caption first.
 constexpr float kLargeCaption = 1.5F;
 
+/// Of a page with a form: its column, and the controls below the view, wide and narrow.
+constexpr float kPageColumn = 17.0F;
+constexpr float kPageColumnWide = 26.0F;
+constexpr float kPageBar = 5.4F;
+constexpr float kPageBarNarrow = 8.6F;
+
 /// Widths of the side columns, in em.
 struct Columns {
     float left = 0.0F;
@@ -67,6 +73,24 @@ void layOutStrips(Layout& l, float run, float pivot) {
 }
 
 }  // namespace
+
+Layout computePageLayout(glm::vec2 size, float em) {
+    const glm::vec2 ems = size / em;
+    const auto px = [em](float length) { return std::round(length * em); };
+    Layout l;
+    const float top = px(kMenu);
+    const float column = px(std::clamp(0.3F * ems.x, kPageColumn, kPageColumnWide));
+    const float left = std::min(column, 0.5F * size.x);
+    const float bar = px(ems.x - left / em >= kWideView ? kPageBar : kPageBarNarrow);
+    const float middle = std::max(0.0F, size.y - top);
+    const float width = std::max(0.0F, size.x - left);
+    l.menu = {{0.0F, 0.0F}, {size.x, top}};
+    l.left = {{0.0F, top}, {left, middle}};
+    l.view = {{left, top}, {width, std::max(0.0F, middle - bar)}};
+    l.narration = {{left, top + l.view.size.y}, {width, std::min(bar, middle)}};
+    l.status = {{0.0F, size.y}, {size.x, 0.0F}};
+    return l;
+}
 
 Layout computeLayout(glm::vec2 size, float em, Arrangement arrangement, DrawerWish wish) {
     const glm::vec2 ems = size / em;

@@ -45,6 +45,10 @@ struct Layout {
     Rect stageStrip;
 };
 
+/// A page with a form and controls of its own: menu, left column, view, and below it the narration
+/// as the place of the controls. No other area has a size.
+Layout computePageLayout(glm::vec2 size, float em);
+
 /// The view never gets less than 40 % of the width. Learn has all side panels in the left column;
 /// Present has no panel but view, caption and the strip of the run: the other areas are empty.
 Layout computeLayout(glm::vec2 size, float em, Arrangement arrangement = Arrangement::Debug,

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+
+#include "run/model.h"
 
 namespace se::view {
 
@@ -12,8 +15,9 @@ enum class LeaveAnswer : std::uint8_t { None, Save, Discard, Cancel };
 /// Where one is about to go.
 struct Leave {
     LeaveFor what = LeaveFor::Quit;
-    std::string path;    ///< Of LeaveFor::Open: a path or `scene:ID`.
-    std::string notice;  ///< To be said on arriving.
+    std::string path;                              ///< Of LeaveFor::Open: a path or `scene:ID`.
+    std::string notice;                            ///< To be said on arriving.
+    std::optional<InputSpec> spec = std::nullopt;  ///< What to open, with its options.
 };
 
 /// The question, as long as it stands there.

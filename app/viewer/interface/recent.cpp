@@ -18,7 +18,7 @@ using nlohmann::json;
 }  // namespace
 
 void remember(KeptState& state, const std::string& path) {
-    if (path.empty() || isScene(path)) return;
+    if (path.empty() || isScene(path) || isSample(path)) return;
     std::error_code error;
     const fs::path whole = fs::absolute(path, error).lexically_normal();
     std::vector<std::string>& list = state.recent;

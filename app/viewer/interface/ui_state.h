@@ -10,12 +10,14 @@
 #include "browsing.h"
 #include "click_wait.h"
 #include "go_to_box.h"
+#include "growth_page.h"
 #include "key_map.h"
 #include "key_walk.h"
 #include "layers/layer.h"
 #include "layout.h"
 #include "leaving.h"
 #include "navigation.h"
+#include "prepare_form.h"
 #include "run/cure.h"
 #include "scene/camera.h"
 #include "scene/mesh_style.h"
@@ -62,13 +64,12 @@ struct UiRequests {
     std::optional<Cures> cures;  ///< To open the input anew with; none at all: as the file is.
     std::string open;            ///< A path or `scene:ID`; empty: nothing.
     std::string saveSessionAs;   ///< A path; empty: nothing.
+    /// An input with its options: prepared in another way, or points that were made here.
+    std::optional<InputSpec> openSpec;
 };
 
 /// The tab that opens by itself when the doctor has found something.
 inline constexpr const char* kDoctorTab = "Doctor";
-
-/// What the file browser is for.
-enum class BrowserTask : std::uint8_t { Open, SaveSession };
 
 /// The list of actions that one types into.
 struct CommandPalette {
@@ -84,7 +85,7 @@ struct UiState {
     /// Something lies over the view that the keys are meant for.
     bool dialogOpen() const {
         return fileBrowser || cheatSheet || keyEditor || palette.open || goTo.active() ||
-               leaving.asked;
+               prepare.open || leaving.asked;
     }
 
     ViewSettings settings;
@@ -97,6 +98,8 @@ struct UiState {
     BrowserTask browser = BrowserTask::Open;
     FileBrowsing browsing;
     CommandPalette palette;
+    PrepareForm prepare;
+    GrowthPage growth;
     LeaveQuestion leaving;
     bool quitting = false;  ///< Nothing is in the way: the window closes.
     Arrangement arrangement = Arrangement::Debug;

@@ -72,7 +72,7 @@ void drawCommandPalette(const PanelContext& context) {
         if (run != nullptr) {
             palette.open = false;
             context.ui().requests.closePopups = true;
-            run->run(context.commands);
+            runCommand(*run, context.commands);
         }
     }
     ImGui::End();

@@ -1,3 +1,7 @@
+#include <cstdio>
+#include <string>
+#include <variant>
+
 #include "panel.h"
 #include "widgets.h"
 
@@ -15,18 +19,39 @@ void warn(const PanelContext& context, const char* name, std::size_t value) {
              value == 0 ? context.palette.textDim : context.palette.rejected);
 }
 
+/// What was derived stands out from what the input brought.
+void origin(const PanelContext& context, const char* name, bool derived, const std::string& note) {
+    valueRow(context, name, derived ? "derived" + note : "from the input",
+             derived ? context.palette.test : context.palette.text);
+}
+
+std::string neighborNote(const PanelContext& context) {
+    const NeighborOptions& options = context.session().spec().neighbors;
+    char text[64];
+    if (const auto* nearest = std::get_if<KNearest>(&options.reach)) {
+        std::snprintf(text, sizeof text, ": %zu nearest", nearest->k);
+    } else {
+        std::snprintf(text, sizeof text, ": within %.4g",
+                      std::get<WithinRadius>(options.reach).radius);
+    }
+    return text + std::string(options.symmetric ? ", symmetric" : "");
+}
+
+std::string normalNote(const DerivedPieces& derived) {
+    return derived.normals ? std::string{} : ": " + grouped(derived.turnedNormals) + " turned";
+}
+
 void drawInput(const PanelContext& context) {
     const PrepareReport& report = context.session().model().report;
     ImGui::Spacing();
     heading(context, "Input");
     if (!beginValues("##input", context)) return;
     count(context, "points", context.session().model().points.size());
-    valueRow(context, "neighbors", report.neighborsComputed ? "computed" : "from the file");
     const DerivedPieces& derived = report.derived;
-    if (derived.normals) valueRow(context, "normals", "derived");
-    if (derived.types) valueRow(context, "wall types", "derived");
-    if (derived.rim) valueRow(context, "rims", "derived");
-    if (report.neighborsComputed) valueRow(context, "neighbors", "derived");
+    origin(context, "neighbors", report.neighborsComputed, neighborNote(context));
+    origin(context, "normals", derived.normals || derived.orientation, normalNote(derived));
+    if (derived.types) origin(context, "wall types", derived.types, {});
+    if (derived.rim) origin(context, "rims", derived.rim, {});
     if (derived.planelessPoints > 0) warn(context, "no plane", derived.planelessPoints);
     if (report.nonFinitePoints > 0) warn(context, "not finite", report.nonFinitePoints);
     if (report.zeroNormals > 0) warn(context, "zero normals", report.zeroNormals);

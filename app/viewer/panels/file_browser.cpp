@@ -15,29 +15,49 @@ namespace {
 namespace fs = std::filesystem;
 
 void openSource(const PanelContext& context, const std::string& source) {
-    context.ui().requests.open = source;
-    context.ui().fileBrowser = false;
+    UiState& ui = context.ui();
+    ui.fileBrowser = false;
+    if (ui.browser != BrowserTask::Volume) {
+        ui.requests.open = source;
+        return;
+    }
+    ui.growth.form.chooseVolume(source);
+    ui.growth.asked = GrowthAsk::Begin;
 }
 
 /// What is there is replaced only at the second time.
 void saveTo(const PanelContext& context, FileBrowsing& state, const fs::path& typed) {
-    const fs::path path = withSessionExtension(typed);
+    const bool points = context.ui().browser == BrowserTask::SavePoints;
+    const fs::path path = withExtension(typed, points ? ".ply" : kSessionExtension);
     std::error_code error;
-    const bool own = path == context.ui().sessionPath;
+    const bool own = !points && path == context.ui().sessionPath;
     if (!own && fs::exists(path, error) && state.overwrite != path) {
         state.overwrite = path;
         state.error = path.filename().string() + " exists already. Save once more to replace it.";
         return;
     }
-    context.ui().requests.saveSessionAs = path.string();
+    (points ? context.ui().growth.savePath : context.ui().requests.saveSessionAs) = path.string();
     context.ui().fileBrowser = false;
+}
+
+/// Which points were made here: on the page, or those that are open.
+std::string stemOfMade(const PanelContext& context) {
+    const GrowthPage& page = context.ui().growth;
+    if (page.open) return sampleStem(page.made, page.numbers.points);
+    const Session& session = context.session();
+    const Result<SampleSpec> spec = sampleFromSource(session.spec().source);
+    return spec && session.ready() ? sampleStem(spec.value(), session.model().points.size()) : "";
 }
 
 /// A name to begin with: that of the session, else that of the input.
 std::string proposedName(const PanelContext& context) {
+    if (context.ui().browser == BrowserTask::SavePoints) return stemOfMade(context) + ".ply";
     const std::string& session = context.ui().sessionPath;
     if (!session.empty()) return fs::path(session).filename().string();
     if (!context.session().ready()) return {};
+    if (const std::string made = stemOfMade(context); !made.empty()) {
+        return made + std::string(kSessionExtension);
+    }
     std::string name = context.session().model().name;
     if (isScene(name)) name = name.substr(kScenePrefix.size());
     return fs::path(name).stem().string() + std::string(kSessionExtension);
@@ -48,7 +68,7 @@ fs::path firstFolder(const PanelContext& context) {
     std::error_code error;
     const UiState& ui = context.ui();
     const std::string& source = context.session().spec().source;
-    const bool file = !source.empty() && !isScene(source);
+    const bool file = !source.empty() && !isScene(source) && !isSample(source);
     const fs::path near = !ui.sessionPath.empty() ? fs::path(ui.sessionPath)
                           : file                  ? fs::path(source)
                                                   : fs::path();
@@ -72,7 +92,33 @@ void drawScenes(const PanelContext& context) {
 }
 
 bool saving(const PanelContext& context) {
-    return context.ui().browser == BrowserTask::SaveSession;
+    const BrowserTask task = context.ui().browser;
+    return task == BrowserTask::SaveSession || task == BrowserTask::SavePoints;
+}
+
+/// What differs between the tasks, in words.
+struct Words {
+    const char* title;
+    const char* hint;     ///< In the line to type into.
+    const char* nothing;  ///< Where a folder holds nothing of the kind.
+};
+
+Words wordsFor(BrowserTask task) {
+    switch (task) {
+        case BrowserTask::SaveSession:
+            return {"Save session###browser", "name of the session file",
+                    "No sessions in this folder."};
+        case BrowserTask::SavePoints:
+            return {"Save new points###browser", "name of the PLY file",
+                    "No PLY files in this folder."};
+        case BrowserTask::Volume:
+            return {"New from volume###browser", "path of a volume, .nrrd or .nhdr",
+                    "No volumes (.nrrd, .nhdr) in this folder."};
+        case BrowserTask::Open:
+            break;
+    }
+    return {"Open###browser", "path of a file or folder",
+            "No point files or sessions in this folder."};
 }
 
 /// The line to type into, with its button.
@@ -81,9 +127,8 @@ void drawPathLine(const PanelContext& context, FileBrowsing& state) {
     ImGui::SetNextItemWidth(-5.0F * context.em);
     // A click beside the line must not leave the keys to nobody.
     if (!state.shown || state.refocus) ImGui::SetKeyboardFocusHere();
-    const bool entered =
-        textField("##path", save ? "name of the session file" : "path of a file or folder",
-                  state.path, ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool entered = textField("##path", wordsFor(context.ui().browser).hint, state.path,
+                                   ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::SameLine();
     if (ImGui::Button(save ? "Save" : "Open", {-1.0F, 0.0F}) || entered) {
         const std::string source = typedSource(state.folder, state.path);
@@ -113,8 +158,6 @@ void drawFiles(const PanelContext& context, FileBrowsing& state) {
         if (ImGui::Selectable("..")) state.readFolder(fs::path(state.folder).parent_path());
         const std::vector<BrowserEntry> entries = state.entries;
         for (const BrowserEntry& entry : entries) {
-            const bool session = fs::path(entry.name).extension() == kSessionExtension;
-            if (saving(context) && !entry.folder && !session) continue;
             const std::string shown = entry.folder ? entry.name + "/" : entry.name;
             if (!ImGui::Selectable(shown.c_str())) continue;
             const fs::path path = state.folder / entry.name;
@@ -126,7 +169,7 @@ void drawFiles(const PanelContext& context, FileBrowsing& state) {
                 openSource(context, path.string());
             }
         }
-        if (entries.empty()) ImGui::TextDisabled("No point files or sessions in this folder.");
+        if (entries.empty()) ImGui::TextDisabled("%s", wordsFor(state.task).nothing);
     }
     ImGui::EndChild();
 }
@@ -145,6 +188,7 @@ void drawOpen(const PanelContext& context, FileBrowsing& state) {
 
 /// Once for every time that the browser opens: files may have come and gone.
 void prepare(const PanelContext& context, FileBrowsing& state) {
+    state.task = context.ui().browser;
     if (state.folder.empty() || saving(context)) state.folder = firstFolder(context);
     state.readFolder(fs::path(state.folder));
     state.path = saving(context) ? proposedName(context) : std::string{};
@@ -169,11 +213,12 @@ void drawFileBrowser(const PanelContext& context) {
         {std::min(48.0F * em, screen.x - 2.0F * em), std::min(32.0F * em, screen.y - 2.0F * em)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
     const bool shown = ImGui::Begin(
-        saving(context) ? "Save session###browser" : "Open###browser", &open,
+        wordsFor(context.ui().browser).title, &open,
         ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
             ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar);
     ImGui::PopStyleVar();
-    if (shown) saving(context) ? drawFiles(context, state) : drawOpen(context, state);
+    const bool scenes = context.ui().browser == BrowserTask::Open;
+    if (shown) scenes ? drawOpen(context, state) : drawFiles(context, state);
     state.shown = true;
     state.refocus = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
     ImGui::End();

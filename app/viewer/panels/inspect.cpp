@@ -19,6 +19,11 @@ std::string statusText(PointStatus status) {
     return "USED, " + std::to_string(status) + (status == 1 ? " ring entry" : " ring entries");
 }
 
+/// With a star at what was derived.
+std::string marked(const char* name, bool derived) {
+    return derived ? std::string(name) + " *" : std::string(name);
+}
+
 void drawPoint(const PanelContext& context, const char* title, Index point) {
     const Session& session = context.session();
     const PointSet& points = session.model().points;
@@ -29,13 +34,22 @@ void drawPoint(const PanelContext& context, const char* title, Index point) {
     ImGui::PushID(title);
     if (beginValues("##point", context)) {
         valueRow(context, "status", statusText(session.picture().status[point]));
-        valueRow(context, "type", typeText(points.type[point]));
+        const PrepareReport& report = session.model().report;
+        valueRow(context, marked("type", report.derived.types || report.derived.rim).c_str(),
+                 typeText(points.type[point]));
         valueRow(context, "position", numbersText(points.position[point]));
+        valueRow(context,
+                 marked("normal", report.derived.normals || report.derived.orientation).c_str(),
+                 numbersText(points.normal[point]));
         std::string list;
         for (const Index q : points.neighbors[point]) {
             list += (list.empty() ? "" : ", ") + std::to_string(q);
         }
-        valueRow(context, "neighbors", list.empty() ? "none" : list);
+        valueRow(context, marked("neighbors", report.neighborsComputed).c_str(),
+                 list.empty() ? "none" : list);
+        const bool any = report.neighborsComputed || report.derived.types || report.derived.rim ||
+                         report.derived.normals || report.derived.orientation;
+        if (any) valueRow(context, "*", "derived, not from the input", context.palette.textDim);
         endValues();
     }
     ImGui::PopID();

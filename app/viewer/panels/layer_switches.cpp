@@ -34,6 +34,22 @@ const char* pinText(LayerMode mode) {
     return "";
 }
 
+/// What the layer shows does not come from the input.
+bool isDerived(const Session& session, LayerId layer) {
+    if (!session.ready()) return false;
+    const PrepareReport& report = session.model().report;
+    switch (layer) {
+        case LayerId::Normals:
+            return report.derived.normals || report.derived.orientation;
+        case LayerId::Links:
+            return report.neighborsComputed;
+        case LayerId::Walls:
+            return report.derived.types;
+        default:
+            return false;
+    }
+}
+
 void drawSwitch(const PanelContext& context, const Layer& layer, bool shown) {
     const Session& session = context.session();
     LayerModes& modes = context.ui().settings.layers;
@@ -52,7 +68,8 @@ void drawSwitch(const PanelContext& context, const Layer& layer, bool shown) {
     const bool rests = mode == LayerMode::Automatic && !shown;
     if (rests) ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.textDim));
     bool value = shown;
-    const std::string title(layer.title);
+    std::string title(layer.title);
+    if (isDerived(session, layer.id)) title += " (derived)";
     if (ImGui::Checkbox(title.c_str(), &value)) toggleLayer(modes, layer.id, session.stage());
     if (rests) ImGui::PopStyleColor();
     if (const Command* command = findCommand("layer." + std::string(layer.name))) {

@@ -46,7 +46,7 @@ bool isChoice(const Command& command) {
 void drawItem(const PanelContext& context, const Command& command) {
     const std::string key = context.key(command);
     if (ImGui::MenuItem(std::string(command.title).c_str(), key.c_str())) {
-        command.run(context.commands);
+        runCommand(command, context.commands);
     }
 }
 
@@ -66,9 +66,13 @@ void drawGroup(const PanelContext& context, std::string_view group) {
 /// What is open, as much of it as there is room for in whole words: or nothing.
 std::string fittingNote(const PanelContext& context, float room) {
     const Session& session = context.session();
-    if (!session.ready()) return {};
+    if (!session.ready() || context.ui().growth.open) return {};
     const std::string& name = session.model().name;
-    const std::string points = name + "   " + grouped(session.model().points.size()) + " points";
+    // Of new points the name says how many.
+    const std::string number = isSample(session.spec().source)
+                                   ? std::string{}
+                                   : "   " + grouped(session.model().points.size()) + " points";
+    const std::string points = name + number;
     for (const std::string& note :
          {points + "   " + session.spec().rules + " rules", points, name}) {
         if (ImGui::CalcTextSize(note.c_str()).x <= room) return note;

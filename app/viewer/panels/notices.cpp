@@ -27,6 +27,8 @@ const char* partName(LoadPart part) {
     switch (part) {
         case LoadPart::Reading:
             return "reading the points";
+        case LoadPart::Sampling:
+            return "spreading the points";
         case LoadPart::Preparing:
             return "finding neighbors";
         case LoadPart::Placing:
@@ -143,7 +145,7 @@ void drawSaid(const PanelContext& context) {
 bool viewIsFree(const PanelContext& context) {
     const UiState& ui = context.ui();
     return !ui.cheatSheet && !ui.keyEditor && !ui.fileBrowser && !ui.palette.open &&
-           !ui.leaving.asked;
+           !ui.prepare.open && !ui.leaving.asked;
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "fonts.h"
-#include "interface/commands.h"
+#include "interface/growth_commands.h"
 #include "interface/layout.h"
 #include "interface/ui_state.h"
 #include "scene/draw_list.h"
@@ -30,12 +30,14 @@ struct PanelContext {
     /// First key of a command, as this person has it.
     std::string key(const Command& command) const { return ui().settings.keys.first(command); }
     std::string key(std::string_view command) const { return key(*findCommand(command)); }
-    void run(std::string_view command) const { findCommand(command)->run(commands); }
+    void run(std::string_view command) const { runCommand(*findCommand(command), commands); }
 };
 
 void drawMenuBar(const PanelContext& context);
 /// Instead of everything else while nothing is open.
 void drawStartPage(const PanelContext& context);
+/// Instead of everything else while new points spread; what was open waits.
+void drawGrowthPage(const PanelContext& context);
 void drawTransport(const PanelContext& context);
 void drawView(const PanelContext& context);
 void drawNarration(const PanelContext& context);
@@ -45,6 +47,8 @@ void drawCheatSheet(const PanelContext& context);
 void drawCommandPalette(const PanelContext& context);
 void drawKeyEditor(const PanelContext& context);
 void drawFileBrowser(const PanelContext& context);
+/// What is derived from the points of the input.
+void drawPrepareDialog(const PanelContext& context);
 /// Whether to save what no session file holds, before it is left.
 void drawLeaveQuestion(const PanelContext& context);
 /// Loading, failed, or a long move under way.
@@ -67,6 +71,10 @@ void drawLayerSwitches(const PanelContext& context);
 /// Brings the tree of steps up to the session: at the beginning of a frame, and wherever a click
 /// may have moved the cursor to another pivot since.
 void keepSteps(const PanelContext& context);
+/// The fields that say which points are to be made.
+void drawGrowthForm(const PanelContext& context);
+/// Six fields in two rows, the lower corner first. True if Enter was pressed in one.
+bool drawBoxFields(const PanelContext& context, BoxFields& fields);
 /// The evidence of an event as rows of values and thresholds.
 void drawEvidence(const PanelContext& context, const Event& event);
 

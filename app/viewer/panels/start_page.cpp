@@ -153,6 +153,18 @@ void drawDropHint(const PanelContext& context) {
     list->AddRect(low, ImGui::GetItemRectMax(), toU32(frame.color), 0.4F * em, 0, frame.width);
 }
 
+void drawNew(const PanelContext& context) {
+    heading(context, "New points");
+    for (const char* id : {"file.new.shape", "file.new.volume"}) {
+        const Command& command = *findCommand(id);
+        const std::string key = context.key(command);
+        if (ImGui::Button(std::string(command.title).c_str(), {-1.0F, 0.0F})) context.run(id);
+        context.ui().where[std::string("start ") + id] = lastItem();
+        tooltip(std::string(command.help) + (key.empty() ? "" : " (" + key + ")"));
+    }
+    ImGui::Spacing();
+}
+
 void drawRecent(const PanelContext& context) {
     heading(context, "Recent files");
     const std::vector<std::string>& recent = context.ui().recent;
@@ -203,6 +215,7 @@ void drawSide(const PanelContext& context) {
         drawMessage(context);
         drawDropHint(context);
         ImGui::Spacing();
+        drawNew(context);
         drawKeys(context);
         drawRecent(context);
     }

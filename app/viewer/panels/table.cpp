@@ -213,8 +213,12 @@ void drawPanels(const PanelContext& context) {
         {"region dial", context.layout.dial},           {"region right", context.layout.right},
         {"region narration", context.layout.narration}, {"region drawer", context.layout.drawer}};
     keepSteps(context);
-    const bool startPage = context.session().startPage();
-    if (startPage) {
+    const bool growth = context.ui().growth.open;
+    const bool startPage = context.session().startPage() && !growth;
+    if (growth) {
+        drawMenuBar(context);
+        drawGrowthPage(context);
+    } else if (startPage) {
         drawMenuBar(context);
         drawStartPage(context);
     } else {
@@ -225,14 +229,16 @@ void drawPanels(const PanelContext& context) {
     }
     context.session().hover(context.ui().pointedAt);
     context.session().hoverRing(context.ui().navigation.pointedRing);
-    if (!startPage && !context.ui().cheatSheet && !context.ui().keyEditor &&
-        !context.ui().fileBrowser && !context.ui().palette.open && !context.ui().leaving.asked)
+    if (!startPage && !growth && !context.ui().cheatSheet && !context.ui().keyEditor &&
+        !context.ui().fileBrowser && !context.ui().palette.open && !context.ui().leaving.asked &&
+        !context.ui().prepare.open)
         drawBorders(context);
-    drawNotices(context);
+    if (!growth) drawNotices(context);
     drawFileBrowser(context);
     drawCheatSheet(context);
     drawKeyEditor(context);
     drawCommandPalette(context);
+    drawPrepareDialog(context);
     drawLeaveQuestion(context);
 }
 

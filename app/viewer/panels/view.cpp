@@ -1,10 +1,9 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
 
-#include "interface/corner_place.h"
+#include "camera_mouse.h"
 #include "scene/picking.h"
 #include "view_parts.h"
 #include "widgets.h"
@@ -77,61 +76,11 @@ void hoverNeighbor(const PanelContext& context) {
                                        camera, view.size, localMouse(view), 0.6F * context.em);
 }
 
-void dragWith(const PanelContext& context) {
-    const ImVec2 moved = ImGui::GetIO().MouseDelta;
-    if (moved.x == 0.0F && moved.y == 0.0F) return;
-    const glm::vec2 pixels(moved.x, moved.y);
-    const float height = context.layout.view.size.y;
-    const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
-    if (left && !ImGui::GetIO().KeyShift) {
-        context.camera().orbit(pixels, height);
-    } else {
-        context.camera().pan(pixels, height);
-    }
-}
-
 void handleMouse(const PanelContext& context) {
-    const Rect& view = context.layout.view;
-    if (ImGui::IsItemActive()) dragWith(context);
-    const float wheel = ImGui::GetIO().MouseWheel;
-    if (ImGui::IsItemHovered() && wheel != 0.0F) {
-        const glm::vec2 at = localMouse(view) / view.size;
-        context.camera().zoomAt(wheel, {2.0F * at.x - 1.0F, 1.0F - 2.0F * at.y},
-                                view.size.x / view.size.y);
-    }
+    moveCameraByMouse(context);
     if (!context.session().ready()) return;
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) hoverNeighbor(context);
     handleClicks(context);
-}
-
-/// In the lower left corner, or where else there is room.
-std::optional<Rect> drawAxes(const PanelContext& context, std::span<const Rect> taken) {
-    const float em = context.em;
-    constexpr std::array kCorners = {Corner::BottomLeft, Corner::BottomRight, Corner::TopLeft};
-    const std::optional<Rect> place =
-        freeCorner({context.layout.view, 0.4F * em, taken, {}}, glm::vec2(4.4F * em), kCorners);
-    if (!place) return std::nullopt;
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    const CameraMatrices camera = context.camera().matrices(1.0F);
-    const glm::vec2 origin = place->min + 0.5F * place->size;
-    constexpr std::array kNames = {"x", "y", "z"};
-    for (int i = 0; i < 3; ++i) {
-        glm::vec4 axis(0.0F);
-        axis[i] = 1.0F;
-        const glm::vec4 seen = camera.view * axis;
-        const glm::vec2 way(seen.x, -seen.y);
-        const glm::vec2 tip = origin + way * (1.35F * em);
-        const float alpha = 0.55F + 0.45F * std::clamp(seen.z + 0.5F, 0.0F, 1.0F);
-        const ImU32 color = toU32(context.palette.textDim.withAlpha(alpha));
-        list->AddLine(toVec2(origin), toVec2(tip), color, std::max(1.0F, 0.11F * em));
-        if (glm::length(way) < 0.25F) continue;
-        const glm::vec2 letter =
-            origin + glm::normalize(way) * (1.35F * em * glm::length(way) + 0.55F * em);
-        const ImVec2 extent = ImGui::CalcTextSize(kNames[static_cast<std::size_t>(i)]);
-        list->AddText({letter.x - 0.5F * extent.x, letter.y - 0.5F * extent.y}, color,
-                      kNames[static_cast<std::size_t>(i)]);
-    }
-    return place;
 }
 
 /// Which of the two states it is, where somebody looks back.

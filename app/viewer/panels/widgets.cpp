@@ -298,12 +298,4 @@ std::string addressAndSection(const Session& session) {
     return address + " \xC2\xB7 " + (section.empty() ? "not in the paper" : section);
 }
 
-std::string grouped(std::size_t number) {
-    std::string text = std::to_string(number);
-    for (std::size_t i = text.size(); i > 3; i -= 3) {
-        text.insert(i - 3, "\xE2\x80\x89");  // thin space
-    }
-    return text;
-}
-
 }  // namespace se::view

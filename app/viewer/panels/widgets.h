@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "panel.h"
+#include "run/text.h"
 #include "scene/draw_list.h"
 
 namespace se::view {
@@ -63,7 +64,5 @@ std::string_view wordOf(const Event& event);
 std::string addressText(const Session& session);
 /// "137.sphere.3 · 6.3", with the section of the paper.
 std::string addressAndSection(const Session& session);
-/// 12345 as "12 345".
-std::string grouped(std::size_t number);
 
 }  // namespace se::view

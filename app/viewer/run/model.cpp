@@ -56,7 +56,26 @@ std::optional<std::string> readBytes(const fs::path& path, std::string& hash,
     return bytes;
 }
 
-Result<PointFile> readSource(const std::string& source, Model& model, LoadProgress& progress) {
+/// Points that are grown, unless they are at hand.
+Result<PointFile> readSample(const InputSpec& spec, Model& model, LoadProgress& progress) {
+    const Result<SampleSpec> sample = sampleFromSource(spec.source);
+    if (!sample) return sample.error();
+    progress.part = LoadPart::Sampling;
+    Result<PointFile> points =
+        spec.points ? *spec.points : samplePoints(sample.value(), [&](double share) {
+            progress.share = kParsedShare * share;
+            return !progress.cancelled.load();
+        });
+    if (progress.cancelled) return cancelled();
+    if (!points) return points;
+    model.name = sampleTitle(sample.value(), points.value().position.size());
+    model.hash = hashOfPoints(points.value());
+    return points;
+}
+
+Result<PointFile> readSource(const InputSpec& spec, Model& model, LoadProgress& progress) {
+    const std::string& source = spec.source;
+    if (isSample(source)) return readSample(spec, model, progress);
     if (source.empty() || isScene(source)) {
         const std::string id = source.empty() ? "" : source.substr(kScenePrefix.size());
         if (source.empty() && scenes().empty()) return Error{"No file was named."};
@@ -142,6 +161,18 @@ void placeModel(Model& model) {
     }
 }
 
+PrepareOptions prepareOptions(const InputSpec& spec, const Params& params, const PointFile& file) {
+    PrepareOptions options;
+    options.neighbors = spec.neighbors;
+    options.neighbors.dropOpposingNormals = params.dropOpposingNormals;
+    options.normals = spec.normals;
+    options.rim = spec.rim;
+    options.setNoiseAside = params.setNoiseAside;
+    if (spec.walls.from == WallChoice::From::Around) options.walls = boxAround(file.position);
+    if (spec.walls.from == WallChoice::From::Box) options.walls = spec.walls.box;
+    return options;
+}
+
 Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress) {
     auto model = std::make_shared<Model>();
     const std::optional<Params> params = paramsByName(spec.rules);
@@ -150,14 +181,13 @@ Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress) {
     if (const Status known = applyChoices(spec.choices, model->params.rules); !known) {
         return known.error();
     }
-    Result<PointFile> file = readSource(spec.source, *model, progress);
+    if (spec.keepOpposing) model->params.dropOpposingNormals = false;
+    if (spec.keepNoise) model->params.setNoiseAside = false;
+    Result<PointFile> file = readSource(spec, *model, progress);
     if (!file) return file.error();
     progress.part = LoadPart::Preparing;
     progress.share = kParsedShare;
-    NeighborOptions neighbors = spec.neighbors;
-    neighbors.dropOpposingNormals = params->dropOpposingNormals;
-    PrepareOptions options{neighbors};
-    options.setNoiseAside = params->setNoiseAside;
+    PrepareOptions options = prepareOptions(spec, model->params, file.value());
     Result<std::vector<std::string>> mended =
         cure(file.value(), spec.cures, options,
              [&progress](double) { return !progress.cancelled.load(); });

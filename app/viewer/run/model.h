@@ -10,6 +10,8 @@
 
 #include "cure.h"
 #include "rule_choice.h"
+#include "sample_spec.h"
+#include "spiraling_edge/io.h"
 #include "spiraling_edge/params.h"
 #include "spiraling_edge/prepare.h"
 
@@ -22,18 +24,43 @@ inline std::string sceneSource(std::string_view id) {
     return std::string(kScenePrefix) + std::string(id);
 }
 
+/// Whose walls the boundary points stand on.
+struct WallChoice {
+    enum class From : std::uint8_t {
+        File,    ///< The types that the file has, if any.
+        Around,  ///< The box around all points.
+        Box,     ///< `box`.
+    };
+    From from = From::File;
+    WallBox box{};
+    friend bool operator==(const WallChoice& a, const WallChoice& b) {
+        const bool same = a.box.low == b.box.low && a.box.high == b.box.high;
+        return a.from == b.from && (a.from != From::Box || same);
+    }
+};
+
 /// What to open and how.
 struct InputSpec {
-    std::string source;  ///< A path, or `scene:ID`. Empty: the first scene.
+    /// A path, `scene:ID`, or the line of text of a SampleSpec. Empty: the first scene.
+    std::string source;
     NeighborOptions neighbors;
     std::string rules = "paper";           ///< A name that paramsByName() knows.
     std::vector<RuleChoice> choices = {};  ///< Single rules that differ from that set.
     Cures cures = {};  ///< What the doctor's findings advise, as far as a person followed it.
+    NormalSource normals = NormalSource::AsGiven;
+    WallChoice walls = {};
+    bool rim = false;           ///< Find where the surface ends without a wall (rim.h).
+    bool keepOpposing = false;  ///< Whatever the rules say: also neighbors with opposing normals.
+    bool keepNoise = false;     ///< Likewise: no point is set aside for noise.
+    /// What `source` means, if it is at hand already: then nothing is read or sampled.
+    std::shared_ptr<const PointFile> points = nullptr;
 };
+/// What prepare() is to be told, for points of `file`.
+PrepareOptions prepareOptions(const InputSpec& spec, const Params& params, const PointFile& file);
 
 /// Points in view space: centered on their bounding box, which then fits a sphere of radius 1.
 struct Model {
-    std::string name;   ///< File name or scene id, for title and menu.
+    std::string name;   ///< File name, scene id or "torus, 4 000 points", for title and menu.
     std::string hash;   ///< Of the input, see input_hash.h.
     std::string watch;  ///< One sentence of a scene; empty for files.
     PointSet points;
@@ -56,7 +83,7 @@ struct Model {
 };
 
 /// What opening an input is made of.
-enum class LoadPart : std::uint8_t { Reading, Preparing, Placing, Beginning };
+enum class LoadPart : std::uint8_t { Reading, Sampling, Preparing, Placing, Beginning };
 
 /// How far loading is, written by the loading thread and read by the window.
 struct LoadProgress {

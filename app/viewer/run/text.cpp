@@ -17,6 +17,12 @@ std::string lowerExtension(const std::filesystem::path& path) {
     return lowerCase(path.extension().string());
 }
 
+std::string grouped(std::size_t number) {
+    std::string text = std::to_string(number);
+    for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, "\xE2\x80\x89");
+    return text;
+}
+
 std::optional<std::string> readText(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     std::ostringstream text;

@@ -1,6 +1,7 @@
 /// Small things about texts and files that several rooms need. ASCII, whatever the locale.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,6 +13,8 @@ namespace se::view {
 std::string lowerCase(std::string_view text);
 /// ".ply" of "A.PLY"; empty if there is none.
 std::string lowerExtension(const std::filesystem::path& path);
+/// 12345 as "12 345", with a thin space.
+std::string grouped(std::size_t number);
 /// All bytes of a file; nothing if it cannot be read.
 std::optional<std::string> readText(const std::filesystem::path& path);
 /// As one word of a command line: between single quotes if a shell would read it otherwise.

@@ -47,18 +47,29 @@ Complaint readHeader(const json& object) {
     return std::nullopt;
 }
 
+/// A source with its path, if it has one, changed by `move`.
+template <typename Move>
+std::string movedSource(const std::string& source, const Move& move) {
+    if (isScene(source)) return source;
+    if (!isSample(source)) return move(source);
+    Result<SampleSpec> sample = sampleFromSource(source);
+    // What is wrong with it is told where it is opened.
+    if (!sample || !isVolumePath(sample.value().surface)) return source;
+    sample.value().surface = move(sample.value().surface);
+    return sampleSource(sample.value());
+}
+
 Complaint readInput(const json& object, const fs::path& folder, SessionFile& out) {
     const json* input = find(object, "input");
     const json* source = input != nullptr && input->is_object() ? find(*input, "source") : nullptr;
     if (source == nullptr || !source->is_string() || source->get<std::string>().empty()) {
         return expected("input",
                         "an object with \"source\": a path relative to the session file, "
-                        "or scene:ID");
+                        "scene:ID or sample:SHAPE,n=N");
     }
-    out.input.source = source->get<std::string>();
-    if (!isScene(out.input.source)) {
-        out.input.source = (folder / out.input.source).lexically_normal().string();
-    }
+    out.input.source = movedSource(source->get<std::string>(), [&folder](const std::string& path) {
+        return (folder / path).lexically_normal().string();
+    });
     if (const json* hash = find(*input, "hash"); hash != nullptr) {
         if (!hash->is_string()) return expected("input.hash", "a text");
         out.inputHash = hash->get<std::string>();
@@ -97,6 +108,49 @@ Complaint readCures(const json& options, Cures& out) {
     return std::nullopt;
 }
 
+Complaint readSwitch(const json& options, const std::string& name, bool& out) {
+    const json* on = find(options, name.c_str());
+    if (on == nullptr) return std::nullopt;
+    if (!on->is_boolean()) return expected("options." + name, "true or false");
+    out = on->get<bool>();
+    return std::nullopt;
+}
+
+Complaint readBox(const json& options, WallChoice& out) {
+    const json* box = find(options, "box");
+    if (box == nullptr) return std::nullopt;
+    if (*box == "auto") {
+        out = {WallChoice::From::Around, {}};
+        return std::nullopt;
+    }
+    std::vector<double> at;
+    if (box->is_array()) {
+        for (const json& each : *box) {
+            if (each.is_number()) at.push_back(each.get<double>());
+        }
+    }
+    const bool good =
+        at.size() == 6 && box->size() == 6 && at[0] < at[3] && at[1] < at[4] && at[2] < at[5];
+    if (!good) return expected("options.box", "\"auto\", or six numbers, the lower corner first");
+    out = {WallChoice::From::Box, {{at[0], at[1], at[2]}, {at[3], at[4], at[5]}}};
+    return std::nullopt;
+}
+
+/// What is derived from the points.
+Complaint readPreparing(const json& options, InputSpec& out) {
+    if (const json* normals = find(options, "normals"); normals != nullptr) {
+        if (*normals != "derived" && *normals != "oriented") {
+            return expected("options.normals", "\"derived\" or \"oriented\"");
+        }
+        out.normals = *normals == "derived" ? NormalSource::Derived : NormalSource::Oriented;
+    }
+    if (Complaint c = readBox(options, out.walls)) return c;
+    if (Complaint c = readSwitch(options, "symmetric", out.neighbors.symmetric)) return c;
+    if (Complaint c = readSwitch(options, "rim", out.rim)) return c;
+    if (Complaint c = readSwitch(options, "keep_opposing", out.keepOpposing)) return c;
+    return readSwitch(options, "keep_noise", out.keepNoise);
+}
+
 Complaint readOptions(const json& object, InputSpec& out) {
     const json* options = find(object, "options");
     if (options == nullptr) return std::nullopt;
@@ -119,7 +173,8 @@ Complaint readOptions(const json& object, InputSpec& out) {
         }
     }
     if (Complaint c = readCures(*options, out.cures)) return c;
-    return readReach(*options, out.neighbors);
+    if (Complaint c = readReach(*options, out.neighbors)) return c;
+    return readPreparing(*options, out);
 }
 
 Complaint readPlace(const json& object, SessionFile& out) {
@@ -207,13 +262,35 @@ json& objectAt(json& object, const char* name) {
     return part;
 }
 
-std::string relativeSource(const std::string& source, const fs::path& folder) {
-    if (isScene(source)) return source;
+std::string relativePath(const std::string& source, const fs::path& folder) {
     std::error_code error;
     const fs::path file = fs::absolute(source, error);
     const fs::path from = fs::absolute(folder.empty() ? fs::path(".") : folder, error);
     const fs::path way = file.lexically_normal().lexically_relative(from.lexically_normal());
     return way.empty() ? file.generic_string() : way.generic_string();
+}
+
+std::string relativeSource(const std::string& source, const fs::path& folder) {
+    return movedSource(source,
+                       [&folder](const std::string& path) { return relativePath(path, folder); });
+}
+
+/// What is derived from the points, as far as it is not as usual.
+void preparingToJson(const InputSpec& input, json& options) {
+    for (const char* name : {"normals", "box", "symmetric", "rim", "keep_opposing", "keep_noise"}) {
+        options.erase(name);
+    }
+    if (input.normals == NormalSource::Derived) options["normals"] = "derived";
+    if (input.normals == NormalSource::Oriented) options["normals"] = "oriented";
+    if (input.walls.from == WallChoice::From::Around) options["box"] = "auto";
+    if (input.walls.from == WallChoice::From::Box) {
+        const WallBox& b = input.walls.box;
+        options["box"] = {b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z};
+    }
+    if (input.neighbors.symmetric) options["symmetric"] = true;
+    if (input.rim) options["rim"] = true;
+    if (input.keepOpposing) options["keep_opposing"] = true;
+    if (input.keepNoise) options["keep_noise"] = true;
 }
 
 json optionsToJson(const InputSpec& input, json options) {
@@ -223,6 +300,7 @@ json optionsToJson(const InputSpec& input, json options) {
     options.erase("radius");
     options.erase("doctor");
     if (!input.cures.empty()) options["doctor"] = input.cures;
+    preparingToJson(input, options);
     for (const RuleChoice& choice : input.choices) options["switches"][choice.name] = choice.on;
     if (!input.neighbors.recompute) return options;
     if (const auto* nearest = std::get_if<KNearest>(&input.neighbors.reach)) {

@@ -20,7 +20,7 @@ namespace se::view {
 inline constexpr std::string_view kSessionExtension = ".sesession";
 
 struct SessionFile {
-    InputSpec input;        ///< The source is a path from where the program runs, or `scene:ID`.
+    InputSpec input;        ///< Its path is one from where the program runs.
     std::string inputHash;  ///< Of the input when it was saved; empty if not known.
     Place place;
     std::optional<LayerModes> layers;

@@ -36,6 +36,10 @@ struct Field {
     Vec3 normal(const Vec3& x) const;
 };
 
+/// The same in the box from `low` to `high`, with cells as small as before, at most 1024 along an
+/// axis. Requires low < high, and that the field is defined in all of that box.
+Field inBox(Field field, const Vec3& low, const Vec3& high);
+
 /// A named implicit surface.
 struct Shape {
     std::string_view id;     ///< As on the command line: `two-tori`.

@@ -15,6 +15,7 @@
 #include "spiraling_edge/io.h"
 #include "spiraling_edge/prepare.h"
 #include "spiraling_edge/result.h"
+#include "spiraling_edge/sample_quality.h"
 
 namespace se {
 
@@ -56,6 +57,9 @@ class Sampler {
     void step();
     /// Share of the steps that is over, in [0, 1].
     double share() const;
+    /// Steps that are over, and all of them.
+    int steps() const;
+    static int allSteps();
 
     /// All of them, anew after every step. Their number and order may change until done; then they
     /// stand in the order of a Z-curve.

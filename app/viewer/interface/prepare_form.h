@@ -1,0 +1,33 @@
+/// What a person wants derived from the points of the input. Plain values.
+#pragma once
+
+#include <string>
+
+#include "growth_form.h"
+#include "run/model.h"
+
+namespace se::view {
+
+struct PrepareForm {
+    enum class Reach : std::uint8_t { File, Nearest, Radius };
+
+    bool open = false;
+    Reach reach = Reach::File;
+    std::string count = "12";
+    std::string radius;
+    bool symmetric = false;
+    bool keepOpposing = false;
+    NormalSource normals = NormalSource::AsGiven;
+    WallChoice::From walls = WallChoice::From::File;
+    BoxFields box{};
+    bool rim = false;
+    bool keepNoise = false;
+    std::string complaint;
+
+    /// Begins with what `spec` says; the box with that around the points of `model`.
+    void take(const InputSpec& spec, const Model& model);
+    /// `base` with these options. Fails with a sentence about the first field that is wrong.
+    Result<InputSpec> spec(InputSpec base) const;
+};
+
+}  // namespace se::view

@@ -1,0 +1,266 @@
+#include "growth.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <limits>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "spiraling_edge/sampler.h"
+
+namespace se::view {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kAll = std::numeric_limits<int>::max();
+/// Measuring may take at most this share of the time.
+constexpr double kMeasureShare = 0.2;
+
+}  // namespace
+
+/// What the window and the thread tell each other.
+struct Growth::Job {
+    SampleSpec spec;
+    std::mutex mutex;
+    std::condition_variable_any changed;
+    // Under the mutex:
+    int due = 0;          ///< Steps to be made.
+    bool slowly = false;  ///< At kRate.
+    std::optional<GrowthPicture> fresh;
+    std::optional<std::string> error;
+    GrowthPhase phase = GrowthPhase::Finding;
+
+    std::atomic<bool> ended = false;
+    std::jthread thread;  // last: it uses all of the above
+};
+
+namespace {
+
+/// Measures as often as it can without holding up the steps.
+class Measurer {
+  public:
+    SampleQuality of(const Field& field, const PointFile& points, bool atOnce) {
+        const auto now = Clock::now();
+        const std::chrono::duration<double> since = now - last_;
+        if (!atOnce && since.count() * kMeasureShare < cost_) return known_;
+        known_ = measureSample(field, points);
+        last_ = Clock::now();
+        cost_ = std::chrono::duration<double>(last_ - now).count();
+        return known_;
+    }
+
+  private:
+    SampleQuality known_;
+    Clock::time_point last_{};
+    double cost_ = 0.0;
+};
+
+GrowthPicture pictureOf(const Field& field, const Sampler& sampler, Measurer& measurer,
+                        bool resting) {
+    GrowthPicture picture;
+    picture.points = std::make_shared<const PointFile>(sampler.points());
+    picture.step = sampler.steps();
+    picture.wanted = sampler.spacing();
+    picture.quality = measurer.of(field, *picture.points, resting);
+    picture.low = field.low;
+    picture.high = field.high;
+    return picture;
+}
+
+}  // namespace
+
+std::string_view growthPhaseName(GrowthPhase phase) {
+    switch (phase) {
+        case GrowthPhase::Idle:
+            return "idle";
+        case GrowthPhase::Finding:
+            return "finding";
+        case GrowthPhase::Spreading:
+            return "spreading";
+        case GrowthPhase::Paused:
+            return "paused";
+        case GrowthPhase::Done:
+            return "done";
+        case GrowthPhase::Failed:
+            return "failed";
+    }
+    return "";
+}
+
+Growth::Growth() = default;
+
+Growth::~Growth() {
+    cancel();
+    // All know of it before the first is waited for.
+    cancelled_.clear();
+}
+
+void Growth::dropEnded() {
+    std::erase_if(cancelled_, [](const auto& job) { return job->ended.load(); });
+}
+
+void Growth::cancel() {
+    dropEnded();
+    phase_ = GrowthPhase::Idle;
+    picture_.reset();
+    error_.clear();
+    if (!job_) return;
+    job_->thread.request_stop();
+    cancelled_.push_back(std::move(job_));
+}
+
+void Growth::tell(int steps, bool slowly) {
+    if (!job_ || phase_ == GrowthPhase::Done || phase_ == GrowthPhase::Failed) return;
+    const std::scoped_lock lock(job_->mutex);
+    job_->due = steps;
+    job_->slowly = slowly;
+    job_->changed.notify_all();
+}
+
+void Growth::play() { tell(kAll, true); }
+void Growth::pause() { tell(0, false); }
+void Growth::step() {
+    int due = 0;
+    if (job_) {
+        const std::scoped_lock lock(job_->mutex);
+        due = job_->due == kAll ? 0 : job_->due;
+    }
+    tell(due + 1, false);
+}
+void Growth::finish() { tell(kAll, false); }
+
+bool Growth::poll() {
+    dropEnded();
+    if (!job_) return false;
+    const std::scoped_lock lock(job_->mutex);
+    bool changed = std::exchange(phase_, job_->phase) != job_->phase;
+    if (job_->error) {
+        error_ = *std::exchange(job_->error, std::nullopt);
+        picture_.reset();
+        changed = true;
+    }
+    if (job_->fresh) {
+        picture_ = std::exchange(job_->fresh, std::nullopt);
+        changed = true;
+    }
+    return changed;
+}
+
+void Growth::settle() {
+    if (!job_) return;
+    {
+        std::unique_lock lock(job_->mutex);
+        job_->changed.wait(lock, [this] {
+            const bool waits = job_->phase == GrowthPhase::Paused && job_->due == 0;
+            return waits || job_->ended;
+        });
+    }
+    poll();
+}
+
+SampleSpec Growth::spec() const {
+    SampleSpec spec = spec_;
+    spec.steps = picture_ && picture_->step < Sampler::allSteps() ? picture_->step : 0;
+    return spec;
+}
+
+/// What the thread does.
+class Growth::Worker {
+  public:
+    Worker(Job& job, const std::stop_token& stop) : job_(job), stop_(stop) {}
+
+    void work() {
+        Result<Field> field = surfaceOf(job_.spec);
+        if (!field) return fail(field.error().message);
+        field_ = std::move(field.value());
+        Result<Sampler> begun = Sampler::begin(field_, job_.spec.sampler(),
+                                               [this](double) { return !stop_.stop_requested(); });
+        if (!begun) return fail(begun.error().message);
+        Sampler& sampler = begun.value();
+        publish(sampler, GrowthPhase::Spreading);
+        while (!sampler.done()) {
+            const Turn turn = await();
+            if (stop_.stop_requested()) return;
+            if (turn == Turn::Rest) {
+                publish(sampler, GrowthPhase::Paused);
+                rest();
+                continue;
+            }
+            sampler.step();
+            if (turn == Turn::StepAndShow && !sampler.done()) {
+                publish(sampler, GrowthPhase::Spreading);
+            }
+        }
+        publish(sampler, GrowthPhase::Done);
+    }
+
+  private:
+    enum class Turn : std::uint8_t { Rest, Step, StepAndShow };
+
+    void fail(const std::string& message) {
+        const std::scoped_lock lock(job_.mutex);
+        job_.error = message;
+        job_.phase = GrowthPhase::Failed;
+    }
+
+    /// A picture that nobody took gives way to the next one; the last is always the newest.
+    void publish(const Sampler& sampler, GrowthPhase phase) {
+        const bool resting = phase != GrowthPhase::Spreading;
+        GrowthPicture picture = pictureOf(field_, sampler, measurer_, resting);
+        const std::scoped_lock lock(job_.mutex);
+        job_.fresh = std::move(picture);
+        // Whoever was told to go on meanwhile does not rest.
+        job_.phase = phase == GrowthPhase::Paused && job_.due > 0 ? GrowthPhase::Spreading : phase;
+        job_.changed.notify_all();
+    }
+
+    /// Waits for the time of the next step. Told to pause, or to hurry, it does not sleep on.
+    Turn await() {
+        std::unique_lock lock(job_.mutex);
+        if (job_.due > 0 && job_.slowly) {
+            const std::chrono::duration<double> period(1.0 / kRate);
+            next_ =
+                std::max(next_ + std::chrono::duration_cast<Clock::duration>(period), Clock::now());
+            job_.changed.wait_until(lock, stop_, next_, [this] { return !job_.slowly; });
+        }
+        if (job_.due == 0) return Turn::Rest;
+        if (job_.due != kAll) --job_.due;
+        return job_.fresh ? Turn::Step : Turn::StepAndShow;
+    }
+
+    void rest() {
+        std::unique_lock lock(job_.mutex);
+        job_.changed.wait(lock, stop_, [this] { return job_.due > 0; });
+        job_.phase = GrowthPhase::Spreading;
+        next_ = Clock::now();
+    }
+
+    Job& job_;
+    std::stop_token stop_;
+    Field field_;
+    Measurer measurer_;
+    Clock::time_point next_ = Clock::now();
+};
+
+void Growth::begin(const SampleSpec& spec) {
+    cancel();
+    spec_ = spec;
+    phase_ = GrowthPhase::Finding;
+    job_ = std::make_unique<Job>();
+    job_->spec = spec;
+    job_->due = spec.steps > 0 ? spec.steps : kAll;
+    job_->slowly = spec.steps == 0;
+    job_->thread = std::jthread([&job = *job_](const std::stop_token& stop) {
+        Worker(job, stop).work();
+        const std::scoped_lock lock(job.mutex);
+        job.ended = true;
+        job.changed.notify_all();
+    });
+}
+
+}  // namespace se::view

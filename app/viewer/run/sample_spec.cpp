@@ -1,0 +1,196 @@
+#include "sample_spec.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <glm/common.hpp>
+#include <memory>
+
+#include "exact_text.h"
+#include "spiraling_edge/sampler.h"
+#include "spiraling_edge/volume.h"
+#include "text.h"
+
+namespace se::view {
+
+namespace {
+
+constexpr double kMostPoints = 1e8;
+
+/// Takes one `key=value`. Nothing: there is no such key; false: the value is wrong.
+std::optional<bool> takePart(std::string_view key, std::string_view value, SampleSpec& spec) {
+    const auto number = numberFromText(value);
+    const auto whole = wholeFromText(value);
+    if (key == "n") {
+        spec.count = static_cast<std::size_t>(whole.value_or(0));
+        return whole && *whole > 0 && static_cast<double>(*whole) <= kMostPoints;
+    }
+    if (key == "spacing") {
+        spec.spacing = number.value_or(0.0);
+        return spec.spacing > 0.0;
+    }
+    if (key == "seed") {
+        spec.seed = whole.value_or(1);
+        return whole.has_value();
+    }
+    if (key == "iso") {
+        spec.isovalue = number;
+        return number.has_value();
+    }
+    if (key == "curvature") {
+        spec.curvature = number.value_or(0.0);
+        return number && *number >= 0.0 && *number <= 100.0;
+    }
+    if (key == "steps") {
+        const auto all = static_cast<std::uint64_t>(Sampler::allSteps());
+        spec.steps = static_cast<int>(whole.value_or(0));
+        return whole && *whole > 0 && *whole <= all;
+    }
+    if (key != "box") return std::nullopt;
+    spec.box = boxFromText(value, ':');
+    return spec.box.has_value();
+}
+
+Result<Field> volumeField(const SampleSpec& spec) {
+    Result<Volume> read = readVolume(std::filesystem::path(spec.surface));
+    if (!read) return read.error();
+    const auto volume = std::make_shared<const Volume>(std::move(read.value()));
+    const std::optional<double> iso = spec.isovalue ? spec.isovalue : volume->isovalue;
+    if (!iso) {
+        const auto [least, most] = std::minmax_element(volume->value.begin(), volume->value.end());
+        return Error{spec.surface + ": names no isovalue; give one, from " + exact(*least) +
+                     " to " + exact(*most) + "."};
+    }
+    return fieldOf(volume, *iso);
+}
+
+Result<Field> shapeField(const SampleSpec& spec) {
+    const se::Shape* shape = findShape(spec.surface);
+    if (shape == nullptr) {
+        std::string known;
+        for (const se::Shape& each : shapes())
+            known += (known.empty() ? "" : ", ") + std::string(each.id);
+        return Error{"\"" + spec.surface +
+                     "\" is neither a volume (.nrrd, .nhdr) nor a shape. Shapes are: " + known +
+                     "."};
+    }
+    Field field = fieldOf(*shape);
+    if (spec.isovalue) field.isovalue = *spec.isovalue;
+    return field;
+}
+
+}  // namespace
+
+bool operator==(const SampleSpec& a, const SampleSpec& b) {
+    return sampleSource(a) == sampleSource(b);
+}
+
+SamplerOptions SampleSpec::sampler() const {
+    SamplerOptions options;
+    options.count = count;
+    options.spacing = spacing;
+    options.seed = seed;
+    options.curvature = curvature;
+    return options;
+}
+
+bool isVolumePath(std::string_view path) {
+    const std::string extension = lowerExtension(std::filesystem::path(path));
+    return extension == ".nrrd" || extension == ".nhdr";
+}
+
+std::string sampleSource(const SampleSpec& spec) {
+    std::string text = std::string(kSamplePrefix) + spec.surface;
+    if (spec.count > 0) text += ",n=" + std::to_string(spec.count);
+    if (spec.count == 0) text += ",spacing=" + exact(spec.spacing);
+    if (spec.isovalue) text += ",iso=" + exact(*spec.isovalue);
+    if (spec.seed != 1) text += ",seed=" + std::to_string(spec.seed);
+    if (spec.curvature > 0.0) text += ",curvature=" + exact(spec.curvature);
+    if (spec.box) text += ",box=" + boxText(*spec.box, ':');
+    if (spec.steps > 0) text += ",steps=" + std::to_string(spec.steps);
+    return text;
+}
+
+Result<SampleSpec> sampleFromSource(std::string_view source) {
+    const std::string name(source);
+    if (!isSample(source)) return Error{name + ": expected sample:SHAPE,n=N or sample:VOLUME,n=N."};
+    source.remove_prefix(kSamplePrefix.size());
+    SampleSpec spec;
+    // From the end: there may be commas in a path.
+    while (true) {
+        const std::size_t comma = source.rfind(',');
+        const std::string_view part =
+            comma == std::string_view::npos ? std::string_view{} : source.substr(comma + 1);
+        const std::size_t equals = part.find('=');
+        if (equals == std::string_view::npos) break;
+        const auto taken = takePart(part.substr(0, equals), part.substr(equals + 1), spec);
+        if (!taken) {
+            if (isVolumePath(part)) break;
+            return Error{name + ": \"" + std::string(part) +
+                         "\": there are n, spacing, iso, seed, curvature, box and steps."};
+        }
+        if (!*taken) return Error{name + ": \"" + std::string(part) + "\" is out of range."};
+        source = source.substr(0, comma);
+    }
+    spec.surface = source;
+    if (spec.surface.empty()) return Error{name + ": names neither a shape nor a volume."};
+    if ((spec.count > 0) == (spec.spacing > 0.0)) {
+        return Error{name + ": say how many, either n=N or spacing=S."};
+    }
+    return spec;
+}
+
+std::string sampleCommand(const SampleSpec& spec) {
+    if (spec.steps > 0) return {};
+    const bool plain = spec.surface.find_first_of(" '\"$&()*;<>?\\`|~#") == std::string::npos;
+    std::string text =
+        "spiraling-edge sample " + (plain ? spec.surface : "\"" + spec.surface + "\"");
+    text +=
+        spec.count > 0 ? " -n " + std::to_string(spec.count) : " --spacing " + exact(spec.spacing);
+    // Joined by =, since what begins with a minus sign would pass for an option.
+    if (spec.isovalue) text += " --iso=" + exact(*spec.isovalue);
+    if (spec.seed != 1) text += " --seed " + std::to_string(spec.seed);
+    if (spec.curvature > 0.0) text += " --curvature " + exact(spec.curvature);
+    if (spec.box) text += " --box=" + boxText(*spec.box, ',');
+    return text + " -o " + sampleStem(spec, spec.count) + ".ply";
+}
+
+std::string sampleTitle(const SampleSpec& spec, std::size_t count) {
+    return std::filesystem::path(spec.surface).stem().string() + ", " + grouped(count) + " points";
+}
+
+std::string sampleStem(const SampleSpec& spec, std::size_t count) {
+    const std::string name = std::filesystem::path(spec.surface).stem().string();
+    return count > 0 ? name + "-" + std::to_string(count) : name;
+}
+
+Result<Field> surfaceOf(const SampleSpec& spec) {
+    Result<Field> field = isVolumePath(spec.surface) ? volumeField(spec) : shapeField(spec);
+    if (!field || !spec.box) return field;
+    const Field& whole = field.value();
+    const auto outside = [&](const Vec3& corner) {
+        return glm::clamp(corner, whole.low, whole.high) != corner;
+    };
+    if (isVolumePath(spec.surface) && (outside(spec.box->low) || outside(spec.box->high))) {
+        return Error{"The box leaves the volume, which fills " +
+                     boxText({whole.low, whole.high}, ' ') + "."};
+    }
+    return inBox(whole, spec.box->low, spec.box->high);
+}
+
+Result<PointFile> samplePoints(const SampleSpec& spec, const Progress& progress) {
+    const Result<Field> field = surfaceOf(spec);
+    if (!field) return field.error();
+    if (spec.steps == 0) return sample(field.value(), spec.sampler(), progress);
+    Result<Sampler> begun = Sampler::begin(field.value(), spec.sampler(), progress);
+    if (!begun) return begun.error();
+    Sampler& sampler = begun.value();
+    while (sampler.steps() < spec.steps) {
+        if (progress && !progress(static_cast<double>(sampler.steps()) / spec.steps)) {
+            return Error{"sampling was cancelled"};
+        }
+        sampler.step();
+    }
+    return sampler.points();
+}
+
+}  // namespace se::view
