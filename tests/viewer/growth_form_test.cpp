@@ -18,7 +18,7 @@ TEST_CASE("The form says what is sampled, and takes it up again") {
     form.count = " 1500 ";
     form.seed = "4";
     form.cutByOwnBox();
-    CHECK(form.box[0] == "-3");
+    CHECK(form.box[0] == "-4");
     form.box[0] = "-2.5";
     form.isovalue = "0.25";
     const Result<SampleSpec> spec = form.spec();

@@ -28,7 +28,7 @@ constexpr auto kCommands = std::to_array<Command>({
      "Spread new points over an isosurface of a volume, and watch them.", false,
      [](C& c) { openGrowthPage(c, GrowthSource::Volume); }},
     {"file.prepare", "File", "Prepare...", "Ctrl+Shift+R",
-     "Choose what is derived from the points: neighbors, normals, walls.", false, openPrepare},
+     "Choose what is derived from the points, and how.", false, openPrepare},
     {"file.save", "File", "Save session", "Ctrl+S",
      "Save input, options, place, camera, layers, bookmarks and notes as a session file.", false,
      [](C& c) { c.ui.requests.saveSession = true; }},
