@@ -15,6 +15,7 @@ run=(
 )
 test=(
     doctest-dev libbenchmark-dev
+    admesh assimp-utils  # other programs, for what is written and read
     clang-format-14 clang-tidy-16
     xvfb xauth xdotool x11-utils x11-xserver-utils imagemagick python3-xlib  # the viewer under a virtual display
 )

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 #include "interrupt.h"
 #include "options.h"
@@ -40,7 +43,8 @@ constexpr std::array kRows{
 struct TableArguments {
     std::string volumes;
     std::string save;
-    std::size_t neighbors = 12;
+    std::optional<std::size_t> neighbors;
+    double reach = 1.6;
     std::uint64_t seed = 1;
     double curvature = 0.0;
     bool json = false;
@@ -54,10 +58,17 @@ struct TableArguments {
                "they come from); without it shapes stand in")
             ->type_name("DIR");
         rules.addTo(app);
-        app.add_option("-k,--neighbors", neighbors, "Neighbors of a point")
-            ->type_name("K")
+        auto* count = app.add_option("-k,--neighbors", neighbors,
+                                     "Neighbors of a point: the K nearest, instead of --reach")
+                          ->type_name("K")
+                          ->check(CLI::Range(1LL, 1000LL));
+        app.add_option("--reach", reach,
+                       "Neighbors of a point: all within X times the mean distance to the nearest, "
+                       "as particles that push each other")
+            ->type_name("X")
             ->capture_default_str()
-            ->check(CLI::Range(1LL, 1000LL));
+            ->check(CLI::Range(1.0, 10.0))
+            ->excludes(count);
         app.add_option("--seed", seed, "Of the particles")->type_name("S")->capture_default_str();
         app.add_option("--curvature", curvature, "As in `spiraling-edge sample`")
             ->type_name("X")
@@ -123,6 +134,42 @@ Reconstruction timedRun(const PointSet& points, const Params& params, double& se
     return last;
 }
 
+/// Mean distance of the points to their nearest neighbor.
+double meanSpacing(const PointSet& points) {
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (Index p = 0; p < points.size(); ++p) {
+        if (points.neighbors[p].empty()) continue;
+        const Vec3 d = points.position[points.neighbors[p].front()] - points.position[p];
+        sum += std::sqrt(glm::dot(d, d));
+        ++count;
+    }
+    return count > 0 ? sum / static_cast<double>(count) : 0.0;
+}
+
+/// With the lists that are asked for.
+PointSet preparedFor(const PointFile& file, const TableArguments& arguments, const Params& params) {
+    PrepareOptions options;
+    options.neighbors.reach = KNearest{arguments.neighbors.value_or(1)};
+    options.neighbors.dropOpposingNormals = params.dropOpposingNormals;
+    options.setNoiseAside = params.setNoiseAside && arguments.neighbors.has_value();
+    Result<Prepared> prepared = prepare(file, options);
+    if (prepared && !arguments.neighbors) {
+        const double spacing = meanSpacing(prepared.value().points);
+        options.neighbors.reach = WithinRadius{arguments.reach * spacing};
+        options.setNoiseAside = params.setNoiseAside;
+        prepared = prepare(file, options);
+    }
+    if (!prepared) throw Failure(ExitCode::Internal, prepared.error().message);
+    return std::move(prepared.value().points);
+}
+
+/// "neighbors within 1.6 spacings".
+std::string reachText(const TableArguments& arguments) {
+    if (arguments.neighbors) return fmt::format("{} nearest neighbors", *arguments.neighbors);
+    return fmt::format("neighbors within {:g} spacings", arguments.reach);
+}
+
 Made make(const Row& row, const TableArguments& arguments, const Params& params,
           ProgressLine& line) {
     Made made;
@@ -143,13 +190,7 @@ Made make(const Row& row, const TableArguments& arguments, const Params& params,
     made.points = file.position.size();
     made.wallPoints =
         static_cast<std::size_t>(std::count_if(file.type.begin(), file.type.end(), isBoundary));
-    PrepareOptions preparing;
-    preparing.neighbors.reach = KNearest{arguments.neighbors};
-    preparing.neighbors.dropOpposingNormals = params.dropOpposingNormals;
-    preparing.setNoiseAside = params.setNoiseAside;
-    const Result<Prepared> prepared = prepare(file, preparing);
-    if (!prepared) throw Failure(ExitCode::Internal, prepared.error().message);
-    const PointSet& points = prepared.value().points;
+    const PointSet points = preparedFor(file, arguments, params);
     const Reconstruction run = timedRun(points, params, made.seconds);
     made.mesh = reportMesh(points, run.state.mesh());
     made.joins = run.state.counters.joins;
@@ -159,9 +200,9 @@ Made make(const Row& row, const TableArguments& arguments, const Params& params,
 
 std::string tableText(const std::vector<Made>& all, const TableArguments& arguments) {
     std::string text = fmt::format(
-        "Table 1, rules {}, {} nearest neighbors, seed {}, curvature {}; seconds: triangulation "
+        "Table 1, rules {}, {}, seed {}, curvature {}; seconds: triangulation "
         "alone, the best of the runs of a second\n\n",
-        arguments.rules.setName(), arguments.neighbors, arguments.seed, arguments.curvature);
+        arguments.rules.setName(), reachText(arguments), arguments.seed, arguments.curvature);
     text += fmt::format(
         "{:<16} {:>6}  {:>17}  {:>15}  {:>15} {:>6}  {:>6} {:>5} {:>6} {:>5} {:>8} "
         "{:>5}\n",
@@ -196,7 +237,10 @@ std::string tableText(const std::vector<Made>& all, const TableArguments& argume
 std::string tableJson(const std::vector<Made>& all, const TableArguments& arguments) {
     nlohmann::ordered_json json;
     json["rules"] = arguments.rules.setName();
-    json["neighbors"] = arguments.neighbors;
+    json["neighbors"] = arguments.neighbors ? nlohmann::ordered_json(*arguments.neighbors)
+                                            : nlohmann::ordered_json();
+    json["reach"] =
+        arguments.neighbors ? nlohmann::ordered_json() : nlohmann::ordered_json(arguments.reach);
     json["seed"] = arguments.seed;
     json["curvature"] = arguments.curvature;
     json["sets"] = nlohmann::ordered_json::array();
