@@ -159,7 +159,7 @@ void drawNew(const PanelContext& context) {
         const Command& command = *findCommand(id);
         const std::string key = context.key(command);
         if (ImGui::Button(std::string(command.title).c_str(), {-1.0F, 0.0F})) context.run(id);
-        context.ui().where[std::string("start ") + id] = lastItem();
+        context.ui().where[std::string(hasKeyboard() ? "chosen " : "start ") + id] = lastItem();
         tooltip(std::string(command.help) + (key.empty() ? "" : " (" + key + ")"));
     }
     ImGui::Spacing();

@@ -31,13 +31,14 @@ press F10; says pivot 1
 press n; says pins '.*normals.*'
 stop
 
-# Recent files: the second arrow down from the place to drop a file on.
+# Below the place to drop a file on: new points, then recent files.
 start "$file"; says phase ready; stop
 start
 says start_page true; says recent "[1-9]"; sleep 0.3
 press Tab; says keyboard files; sleep 0.3
 press Return; says file_browser true; press Escape; says file_browser false
 press Tab; says keyboard files; sleep 0.3
+press Down; chosen file.new.shape; press Down; chosen file.new.volume
 press Down; chosen "recent 1"; press Return
 says input "start-.*\.xyz"
 stop
