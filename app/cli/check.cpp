@@ -101,6 +101,7 @@ std::vector<Triangle> trianglesOn(const PointFile& cloud, const PointFile& mesh,
                                   names.mesh, corner, x.x, x.y, x.z, names.cloud));
     };
     std::vector<Triangle> triangles;
+    triangles.reserve(mesh.faces.size());
     for (const Triangle& t : mesh.faces) triangles.push_back({find(t.a), find(t.b), find(t.c)});
     return triangles;
 }

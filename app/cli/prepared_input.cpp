@@ -1,5 +1,7 @@
 #include "prepared_input.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "input.h"
@@ -28,7 +30,8 @@ std::vector<std::string> InputArguments::options() const {
             words.push_back(name);
             continue;
         }
-        for (const std::string& value : option->results()) words.push_back(name + " " + value);
+        for (const std::string& value : option->results())
+            words.push_back(fmt::format("{} {}", name, value));
     }
     return words;
 }

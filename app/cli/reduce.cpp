@@ -45,6 +45,7 @@ struct ReduceArguments {
 /// The places of a failure's points, in order: what a hole is known again by.
 std::vector<Vec3> placesOf(const PointSet& points, const MeshFailure& failure) {
     std::vector<Vec3> places;
+    places.reserve(failure.points.size());
     for (const Index p : failure.points) places.push_back(points.position[p]);
     std::sort(places.begin(), places.end(), [](const Vec3& a, const Vec3& b) {
         return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);

@@ -38,7 +38,7 @@ class Shortlist {
     ClosestCalls take() {
         std::sort_heap(heap_.begin(), heap_.end(), better);
         ClosestCalls result{{}, std::move(least_)};
-        for (Entry& entry : heap_) result.calls.push_back(std::move(entry.call));
+        for (const Entry& entry : heap_) result.calls.push_back(entry.call);
         return result;
     }
 
@@ -53,8 +53,8 @@ class Shortlist {
         return x < y || (x == y && a.number < b.number);
     }
 
-    void consider(ClosestCall call, Index first, Index last) {
-        Entry entry{std::move(call), number_++};
+    void consider(const ClosestCall& call, Index first, Index last) {
+        Entry entry{call, number_++};
         if (heap_.size() == count_ && (count_ == 0 || !better(entry, heap_.front()))) return;
         const NudgeContext context{points_, params_, entry.call.pivot, first, last};
         const auto nudge = nudgeOf(entry.call.event, context);
@@ -64,7 +64,7 @@ class Shortlist {
             std::pop_heap(heap_.begin(), heap_.end(), better);
             heap_.pop_back();
         }
-        heap_.push_back(std::move(entry));
+        heap_.push_back(entry);
         std::push_heap(heap_.begin(), heap_.end(), better);
     }
 
