@@ -35,10 +35,6 @@ std::vector<Triangle> meshOf(const PointSet& points, const Params& params) {
     return stepper.state().mesh();
 }
 
-std::vector<MeshFailure> failuresOf(const PointSet& points, const std::vector<Triangle>& mesh) {
-    return inspectMesh(points, mesh);
-}
-
 MeshFailure pickFailure(const std::vector<MeshFailure>& failures, const FailureChoice& wanted,
                         const std::string& input) {
     std::size_t seen = 0;

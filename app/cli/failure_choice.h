@@ -20,8 +20,6 @@ FailureChoice failureChoiceFrom(const std::string& text);
 
 /// The mesh of a run; as far as it is made if the user interrupts.
 std::vector<Triangle> meshOf(const PointSet& points, const Params& params);
-/// What is wrong with it.
-std::vector<MeshFailure> failuresOf(const PointSet& points, const std::vector<Triangle>& mesh);
 
 /// The failure that is asked for. Throws Failure if there is none such in the run on `input`.
 MeshFailure pickFailure(const std::vector<MeshFailure>& failures, const FailureChoice& choice,

@@ -159,4 +159,20 @@ Params RuleArguments::params() const {
     return *params;
 }
 
+Params paramsFrom(const RuleArguments& rules, const NeighborArguments& neighbors) {
+    Params params = rules.params();
+    if (neighbors.keepOpposing()) params.dropOpposingNormals = false;
+    if (neighbors.keepNoise()) params.setNoiseAside = false;
+    return params;
+}
+
+PrepareOptions prepareOptionsFrom(const Params& params, const NeighborArguments& neighbors,
+                                  const DerivedArguments& derived, const PointFile& file) {
+    NeighborOptions lists = neighbors.options();
+    lists.dropOpposingNormals = params.dropOpposingNormals;
+    PrepareOptions options = derived.options(lists, file);
+    options.setNoiseAside = params.setNoiseAside;
+    return options;
+}
+
 }  // namespace se::cli

@@ -66,4 +66,9 @@ class RuleArguments {
     std::vector<std::string> switches_;
 };
 
+/// What the options say together.
+Params paramsFrom(const RuleArguments& rules, const NeighborArguments& neighbors);
+PrepareOptions prepareOptionsFrom(const Params& params, const NeighborArguments& neighbors,
+                                  const DerivedArguments& derived, const PointFile& file);
+
 }  // namespace se::cli

@@ -36,20 +36,10 @@ std::vector<std::string> InputArguments::options() const {
     return words;
 }
 
-Params InputArguments::params() const {
-    Params params = rules_.params();
-    if (neighbors_.keepOpposing()) params.dropOpposingNormals = false;
-    if (neighbors_.keepNoise()) params.setNoiseAside = false;
-    return params;
-}
+Params InputArguments::params() const { return paramsFrom(rules_, neighbors_); }
 
 PrepareOptions InputArguments::prepareOptions(const PointFile& file) const {
-    const Params chosen = params();
-    NeighborOptions neighbors = neighbors_.options();
-    neighbors.dropOpposingNormals = chosen.dropOpposingNormals;
-    PrepareOptions options = derived_.options(neighbors, file);
-    options.setNoiseAside = chosen.setNoiseAside;
-    return options;
+    return prepareOptionsFrom(params(), neighbors_, derived_, file);
 }
 
 PreparedInput InputArguments::prepare(ProgressLine& line) const {

@@ -115,7 +115,7 @@ ExitCode reduceVerb(const Arguments& words) {
     catchInterrupts();
     ProgressLine line(!arguments.quiet);
     const PreparedInput run = arguments.input.prepare(line);
-    const MeshFailure failure = pickFailure(failuresOf(run.points, meshOf(run.points, run.params)),
+    const MeshFailure failure = pickFailure(inspectMesh(run.points, meshOf(run.points, run.params)),
                                             wanted, arguments.input.input());
     const std::vector<Vec3> places = placesOf(run.points, failure);
     const bool isHole = wanted.kind == findFailureClass("holes");
@@ -124,7 +124,7 @@ ExitCode reduceVerb(const Arguments& words) {
         const auto prepared = prepare(file, arguments.input.prepareOptions(file));
         if (!prepared) return false;
         const PointSet& points = prepared.value().points;
-        const std::vector<MeshFailure> all = failuresOf(points, meshOf(points, run.params));
+        const std::vector<MeshFailure> all = inspectMesh(points, meshOf(points, run.params));
         return std::any_of(all.begin(), all.end(), [&](const MeshFailure& each) {
             return each.kind == wanted.kind && (!isHole || placesOf(points, each) == places);
         });

@@ -186,11 +186,7 @@ ExitCode runVerb(const Arguments& words) {
     RunOutcome outcome;
     outcome.input = arguments.input;
     outcome.ruleSet = arguments.rules.setName();
-    outcome.params = arguments.rules.params();
-    NeighborOptions options = arguments.neighbors.options();
-    if (arguments.neighbors.keepOpposing()) outcome.params.dropOpposingNormals = false;
-    options.dropOpposingNormals = outcome.params.dropOpposingNormals;
-    if (arguments.neighbors.keepNoise()) outcome.params.setNoiseAside = false;
+    outcome.params = paramsFrom(arguments.rules, arguments.neighbors);
 
     catchInterrupts();
     ProgressLine line(!arguments.quiet);
@@ -198,8 +194,8 @@ ExitCode runVerb(const Arguments& words) {
     StopWatch watch;
     PointFile file = readInput(arguments.input);
     outcome.seconds.read = watch.lap();
-    PrepareOptions prepareOptions = arguments.derived.options(options, file);
-    prepareOptions.setNoiseAside = outcome.params.setNoiseAside;
+    const PrepareOptions prepareOptions =
+        prepareOptionsFrom(outcome.params, arguments.neighbors, arguments.derived, file);
     const Prepared prepared = workedOut(
         "preparing", arguments.input, line,
         [&](const Progress& progress) { return prepare(file, prepareOptions, progress); });

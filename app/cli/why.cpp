@@ -114,7 +114,7 @@ std::string askFailure(const WhyArguments& arguments, const FailureChoice& choic
                        const PreparedInput& run, ProgressLine& line) {
     const std::string& input = arguments.input.input();
     const std::vector<Triangle> mesh = meshOf(run.points, run.params);
-    const MeshFailure failure = pickFailure(failuresOf(run.points, mesh), choice, input);
+    const MeshFailure failure = pickFailure(inspectMesh(run.points, mesh), choice, input);
     const FailureMoments moments = workedOut("asking", input, line, [&](const Progress& progress) {
         return momentsOf(run.points, run.params, failure, mesh, progress);
     });

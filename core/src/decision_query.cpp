@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ledger_line.h"
 #include "spiraling_edge/run_scan.h"
 
 namespace se {
@@ -41,15 +42,10 @@ Result<FoundDecisions> findDecisions(const PointSet& points, const Params& param
     FoundDecisions found;
     const auto see = [&](const ScannedPivot& pivot) {
         for (const Event& event : pivot.events) {
-            const auto reading = readingOf(event, {points, params, pivot.point});
-            if (!query.matches({event, pivot.point, reading, points})) continue;
+            const LedgerLine line = lineOf(event, {points, params, pivot.point});
+            if (!query.matches({event, pivot.point, line.reading, points})) continue;
             ++found.total;
-            if (found.lines.size() == most) continue;
-            const Outcome outcome = outcomeOf(event);
-            const LineRole role = outcome == Outcome::Taken     ? LineRole::Taken
-                                  : outcome == Outcome::Refused ? LineRole::Refused
-                                                                : LineRole::Fact;
-            found.lines.push_back({event, pivot.point, role, reading});
+            if (found.lines.size() < most) found.lines.push_back(line);
         }
     };
     if (!scanRun(points, params, see, progress)) return Error{"Cancelled."};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ledger_line.h"
 #include "spiraling_edge/run_scan.h"
 
 namespace se {
@@ -26,7 +27,7 @@ class MomentFinder {
     void see(const ScannedPivot& pivot) {
         taken_.reset();
         for (const Event& event : pivot.events) {
-            const LedgerLine line = lineOf(pivot, event);
+            const LedgerLine line = lineOf(event, {points_, params_, pivot.point});
             if (!touched_ && touches(event)) touched_ = line;
             if (triangles_.empty()) {
                 seeForPoint(line);
@@ -46,14 +47,6 @@ class MomentFinder {
     }
 
   private:
-    LedgerLine lineOf(const ScannedPivot& pivot, const Event& event) const {
-        const Outcome outcome = outcomeOf(event);
-        const LineRole role = outcome == Outcome::Taken     ? LineRole::Taken
-                              : outcome == Outcome::Refused ? LineRole::Refused
-                                                            : LineRole::Fact;
-        return {event, pivot.point, role, readingOf(event, {points_, params_, pivot.point})};
-    }
-
     bool touches(const Event& event) const {
         const auto mine = [&](Index p) { return among(failure_.points, p); };
         if (const auto* seed = std::get_if<SeedEvidence>(&event.evidence))
@@ -69,11 +62,9 @@ class MomentFinder {
         const auto* ring = std::get_if<RingEvidence>(&line.event.evidence);
         const auto* strand = std::get_if<StrandEvidence>(&line.event.evidence);
         if (strand != nullptr || (ring != nullptr && ring->status < 0)) created_ = line;
-        const auto* sort = std::get_if<SortEvidence>(&line.event.evidence);
-        const bool late = sort != nullptr && (sort->verdict == Verdict::AlreadyDone ||
-                                              sort->verdict == Verdict::OnRingEnd);
         const bool limit = std::holds_alternative<LimitEvidence>(line.event.evidence);
-        if (line.role == LineRole::Refused && !late && !limit) unavoidable_ = line;
+        if (line.role == LineRole::Refused && !wasSettledBefore(line.event) && !limit)
+            unavoidable_ = line;
     }
 
     /// The loop is there once its last point is done with.
@@ -84,11 +75,9 @@ class MomentFinder {
         if (ring != nullptr && ring->status < 0 && among(failure_.points, ring->point))
             created_ = line;
         if (!pivots || line.role != LineRole::Refused) return;
-        const auto* sort = std::get_if<SortEvidence>(&line.event.evidence);
-        const bool fact = sort != nullptr && (sort->verdict == Verdict::AlreadyDone ||
-                                              sort->verdict == Verdict::OnRingEnd);
         const bool wholeFan = tested == kNone;
-        if (wholeFan || (!fact && among(failure_.points, tested))) unavoidable_ = line;
+        if (wholeFan || (!wasSettledBefore(line.event) && among(failure_.points, tested)))
+            unavoidable_ = line;
     }
 
     bool isOne(const Triangle& made) const {
@@ -103,11 +92,8 @@ class MomentFinder {
             among(failure_.points, testedPoint(event)))
             taken_ = line;
         const auto* emit = std::get_if<EmitEvidence>(&event.evidence);
-        const bool mends = std::holds_alternative<FlipEvidence>(event.evidence) ||
-                           std::holds_alternative<ReinsertEvidence>(event.evidence) ||
-                           std::holds_alternative<ReseatEvidence>(event.evidence);
         const bool makes =
-            (emit != nullptr && isOne(emit->corners)) || (mends && touchesFlip(event));
+            (emit != nullptr && isOne(emit->corners)) || (mendsMesh(event) && touchesFlip(event));
         if (!makes) return;
         created_ = line;
         unavoidable_ = taken_.value_or(line);

@@ -46,12 +46,6 @@ Incidence incidenceOf(const InspectedMesh& mesh) {
     return result;
 }
 
-/// The corner of a triangle at a point, numbered over the whole mesh.
-Index cornerOf(const InspectedMesh& mesh, Index triangle, Index point) {
-    const Triangle& t = mesh.triangles[triangle];
-    return 3 * triangle + (t.a == point ? 0U : (t.b == point ? 1U : 2U));
-}
-
 }  // namespace
 
 void nonManifoldEdges(const InspectedMesh& mesh, Failures& failures) {
@@ -70,26 +64,11 @@ void inconsistentEdges(const InspectedMesh& mesh, Failures& failures) {
 }
 
 void nonManifoldVertices(const InspectedMesh& mesh, Failures& failures) {
-    // Corners at a point are joined across edges: more than one group is more than one fan.
-    DisjointSets corners(3 * mesh.triangles.size());
-    forEachEdge(mesh, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin + 1; i < end; ++i) {
-            for (const Index p : {mesh.sides[i].low, mesh.sides[i].high}) {
-                corners.unite(cornerOf(mesh, mesh.sides[i - 1].triangle, p),
-                              cornerOf(mesh, mesh.sides[i].triangle, p));
-            }
-        }
-    });
     const Incidence incidence = incidenceOf(mesh);
-    for (std::size_t p = 0; p < mesh.points.size(); ++p) {
-        std::vector<Index> about(
-            incidence.at.begin() + static_cast<std::ptrdiff_t>(incidence.first[p]),
-            incidence.at.begin() + static_cast<std::ptrdiff_t>(incidence.first[p + 1]));
-        const auto fans = std::count_if(about.begin(), about.end(), [&](Index t) {
-            const Index corner = cornerOf(mesh, t, static_cast<Index>(p));
-            return corners.find(corner) == corner;
-        });
-        if (fans > 1) failures.push_back(mesh.at({static_cast<Index>(p)}, std::move(about)));
+    for (const Index p : nonManifoldPoints(mesh.triangles, mesh.sides, mesh.points.size())) {
+        failures.push_back(mesh.at(
+            {p}, {incidence.at.begin() + static_cast<std::ptrdiff_t>(incidence.first[p]),
+                  incidence.at.begin() + static_cast<std::ptrdiff_t>(incidence.first[p + 1])}));
     }
 }
 

@@ -2,15 +2,11 @@
 
 #include <algorithm>
 
+#include "ledger_line.h"
+#include "overloaded.h"
+
 namespace se {
 namespace {
-
-template <typename... Functions>
-struct Overloaded : Functions... {
-    using Functions::operator()...;
-};
-template <typename... Functions>
-Overloaded(Functions...) -> Overloaded<Functions...>;
 
 std::size_t countIn(const Subject& subject, std::initializer_list<Index> points) {
     return static_cast<std::size_t>(
@@ -19,13 +15,6 @@ std::size_t countIn(const Subject& subject, std::initializer_list<Index> points)
 
 bool holds(const Triangle& t, const Subject& subject) {
     return countIn(subject, {t.a, t.b, t.c}) == subject.size();
-}
-
-/// Steps after the last pivot change the mesh without saying which triangles.
-bool mends(const Event& event) {
-    return std::holds_alternative<FlipEvidence>(event.evidence) ||
-           std::holds_alternative<ReseatEvidence>(event.evidence) ||
-           std::holds_alternative<ReinsertEvidence>(event.evidence);
 }
 
 }  // namespace
@@ -71,12 +60,12 @@ void LedgerBook::follow(const Event& event) {
 }
 
 void LedgerBook::addEvent(const ScannedPivot& pivot, const Event& event) {
-    if (mends(event) && !mending_) {
+    if (mendsMesh(event) && !mending_) {
         mending_ = true;
         inMesh_ = isInMesh(pivot.after.triangles, ledger_.subject);
     }
     std::optional<LineRole> role = roleOf(pivot, event);
-    if (mends(event)) {
+    if (mendsMesh(event)) {
         const bool now = isInMesh(pivot.after.mesh(), ledger_.subject);
         if (now != inMesh_) role = now ? LineRole::Made : LineRole::Undone;
         inMesh_ = now;

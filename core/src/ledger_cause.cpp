@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "ledger_book.h"
+#include "ledger_line.h"
 
 namespace se {
 namespace {
@@ -54,12 +55,6 @@ class CauseFinder {
                    testedPoint(line.event) == testedPoint(refused.event);
         });
     }
-    /// Facts rather than tests: the point had been done with before.
-    static bool isLate(const LedgerLine& line) {
-        const auto* sort = std::get_if<SortEvidence>(&line.event.evidence);
-        return sort != nullptr &&
-               (sort->verdict == Verdict::AlreadyDone || sort->verdict == Verdict::OnRingEnd);
-    }
     /// A limit that stays where it is refuses nothing.
     static bool isLimit(const LedgerLine& line) {
         return std::holds_alternative<LimitEvidence>(line.event.evidence);
@@ -75,8 +70,8 @@ class CauseFinder {
             return line.role == LineRole::Refused && !isLimit(line) && concerns(line, subject) &&
                    !hasOtherEntry(line);
         };
-        const std::size_t test =
-            last([&](const LedgerLine& line) { return refused(line) && !isLate(line); });
+        const std::size_t test = last(
+            [&](const LedgerLine& line) { return refused(line) && !wasSettledBefore(line.event); });
         if (test != kNoLine) return told(test);
         const std::size_t late = last(refused);
         if (late != kNoLine) return told(late);

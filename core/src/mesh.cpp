@@ -34,8 +34,19 @@ void countEdges(const std::vector<Side>& sides, std::size_t points, MeshReport& 
     report.boundaryLoops = ends - joined;
 }
 
-/// Points whose triangles do not hang together by edges at that point.
-std::size_t countNonManifoldVertices(std::span<const Triangle> triangles,
+void countShapes(const PointSet& points, std::span<const Triangle> triangles, MeshReport& report) {
+    for (const Triangle& t : triangles) {
+        if (isDegenerate(points, t)) {
+            ++report.degenerateTriangles;
+        } else if (isFlipped(points, t)) {
+            ++report.flippedTriangles;
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<Index> nonManifoldPoints(std::span<const Triangle> triangles,
                                      const std::vector<Side>& sides, std::size_t points) {
     // A corner is one triangle at one of its points; corners at a point are joined across edges.
     const auto cornerOf = [&](Index triangle, Index point) {
@@ -59,21 +70,12 @@ std::size_t countNonManifoldVertices(std::span<const Triangle> triangles,
         if (corners.find(first + 1) == first + 1) ++fans[t.b];
         if (corners.find(first + 2) == first + 2) ++fans[t.c];
     }
-    return static_cast<std::size_t>(
-        std::count_if(fans.begin(), fans.end(), [](Index n) { return n > 1; }));
-}
-
-void countShapes(const PointSet& points, std::span<const Triangle> triangles, MeshReport& report) {
-    for (const Triangle& t : triangles) {
-        if (isDegenerate(points, t)) {
-            ++report.degenerateTriangles;
-        } else if (isFlipped(points, t)) {
-            ++report.flippedTriangles;
-        }
+    std::vector<Index> found;
+    for (std::size_t p = 0; p < points; ++p) {
+        if (fans[p] > 1) found.push_back(static_cast<Index>(p));
     }
+    return found;
 }
-
-}  // namespace
 
 MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangles) {
     MeshReport report;
@@ -92,7 +94,7 @@ MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangle
     report.components = report.usedPoints - joined;
     const std::vector<Side> sides = sortedSides(triangles);
     countEdges(sides, points.size(), report);
-    report.nonManifoldVertices = countNonManifoldVertices(triangles, sides, points.size());
+    report.nonManifoldVertices = nonManifoldPoints(triangles, sides, points.size()).size();
     countShapes(points, triangles, report);
     report.eulerCharacteristic = static_cast<long long>(report.usedPoints) -
                                  static_cast<long long>(report.edges) +

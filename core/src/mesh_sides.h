@@ -43,4 +43,9 @@ inline std::size_t endOfEdge(const std::vector<Side>& sides, std::size_t begin) 
     return end;
 }
 
+/// Points whose triangles form more than one fan, ascending: they do not hang together by edges at
+/// that point. `sides` are those of the triangles. In mesh.cpp.
+std::vector<Index> nonManifoldPoints(std::span<const Triangle> triangles,
+                                     const std::vector<Side>& sides, std::size_t points);
+
 }  // namespace se

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "overloaded.h"
+
 namespace se {
 namespace {
 
@@ -79,13 +81,6 @@ class Reader {
   private:
     const ReadingContext& c_;
 };
-
-template <typename... Functions>
-struct Overloaded : Functions... {
-    using Functions::operator()...;
-};
-template <typename... Functions>
-Overloaded(Functions...) -> Overloaded<Functions...>;
 
 Outcome outcomeOf(Verdict verdict) {
     switch (verdict) {

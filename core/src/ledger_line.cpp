@@ -1,0 +1,25 @@
+#include "ledger_line.h"
+
+namespace se {
+
+LedgerLine lineOf(const Event& event, const ReadingContext& context) {
+    const Outcome outcome = outcomeOf(event);
+    const LineRole role = outcome == Outcome::Taken     ? LineRole::Taken
+                          : outcome == Outcome::Refused ? LineRole::Refused
+                                                        : LineRole::Fact;
+    return {event, context.pivot, role, readingOf(event, context)};
+}
+
+bool wasSettledBefore(const Event& event) {
+    const auto* sort = std::get_if<SortEvidence>(&event.evidence);
+    return sort != nullptr &&
+           (sort->verdict == Verdict::AlreadyDone || sort->verdict == Verdict::OnRingEnd);
+}
+
+bool mendsMesh(const Event& event) {
+    return std::holds_alternative<FlipEvidence>(event.evidence) ||
+           std::holds_alternative<ReseatEvidence>(event.evidence) ||
+           std::holds_alternative<ReinsertEvidence>(event.evidence);
+}
+
+}  // namespace se
