@@ -21,49 +21,43 @@ failed=0
 summary=()
 began=$SECONDS
 
-# step NAME COMMAND...: one check; its output is shown if it fails.
-step() {
+# run NAME COMMAND...: one check, its output in a log, its exit status and seconds beside that.
+run() {
     local name=$1 start=$SECONDS
     shift
-    if "$@" >"$logs/$name.log" 2>&1 </dev/null; then
-        passed=$((passed + 1))
-        summary+=("$(printf 'ok    %-22s %4d s' "$name" $((SECONDS - start)))")
-    else
-        failed=$((failed + 1))
-        summary+=("$(printf 'FAIL  %-22s %4d s   %s' "$name" $((SECONDS - start)) "$logs/$name.log")")
-        echo "---- $name failed; the end of $logs/$name.log:"
-        tail -n 60 "$logs/$name.log"
-        echo "----"
-    fi
-    echo "${summary[-1]}"
+    "$@" >"$logs/$name.log" 2>&1 </dev/null
+    echo "$? $((SECONDS - start))" >"$logs/$name.status"
 }
 
-# suite NAME BUILD ARGUMENTS...: ctest; every test counts by itself.
-suite() {
-    local name=$1 build=$2 start=$SECONDS log=$logs/$1.log line bad all
-    shift 2
-    ctest --test-dir "$build" --output-on-failure --no-tests=error -j "$jobs" "$@" >"$log" 2>&1 </dev/null
-    line=$(grep -E '[0-9]+% tests passed' "$log" | tail -1)
-    if [ -z "$line" ]; then
-        failed=$((failed + 1))
-        summary+=("$(printf 'FAIL  %-22s %4d s   %s' "$name" $((SECONDS - start)) "$log")")
-        tail -n 20 "$log"
-        return
+# judge NAME: one line on a check that has run. Each test of a suite counts by itself.
+judge() {
+    local name=$1 log=$logs/$1.log status seconds tests bad all=1 ending=
+    read -r status seconds <"$logs/$name.status"
+    bad=$((status != 0))
+    tests=$(grep -E '[0-9]+% tests passed' "$log" | tail -1)
+    if [ -n "$tests" ]; then
+        bad=$(sed -E 's/.*passed, ([0-9]+) tests? failed.*/\1/' <<<"$tests")
+        all=$(sed -E 's/.* out of ([0-9]+).*/\1/' <<<"$tests")
+        [ "$bad" != 0 ] || bad=$((status != 0))
+        ending="   $((all - bad)) of $all"
     fi
-    bad=$(sed -E 's/.*passed, ([0-9]+) tests? failed.*/\1/' <<<"$line")
-    all=$(sed -E 's/.* out of ([0-9]+).*/\1/' <<<"$line")
     passed=$((passed + all - bad))
     failed=$((failed + bad))
-    [ "$bad" = 0 ] || grep -vE '^ *[0-9]+/[0-9]+ Test .* Passed|^ *Start ' "$log" | head -n 200
-    sed -n '/% tests passed/,$p' "$log"
-    summary+=("$(printf '%-5s %-22s %4d s   %s of %s' "$([ "$bad" = 0 ] && echo ok || echo FAIL)" \
-        "$name" $((SECONDS - start)) $((all - bad)) "$all")")
+    if [ "$bad" != 0 ]; then
+        ending+="   $log"
+        echo "---- $name failed:"
+        grep -vE '^ *[0-9]+/[0-9]+ Test .* Passed|^ *Start ' "$log" | tail -n 120
+        echo "----"
+    fi
+    summary+=("$(printf '%-5s %-16s %4d s%s' "$([ "$bad" = 0 ] && echo ok || echo FAIL)" \
+        "$name" "$seconds" "$ending")")
     echo "${summary[-1]}"
 }
+step() { run "$@"; judge "$1"; }
 
 configure_asan() { cmake --preset asan -B build-test/asan; }
 # Core's own tests run in the other build; tests/cli compares golden logs of the two.
-lean_targets=(spiraling-edge spiraling-edge-viewer viewer_tests core_bench)
+lean_targets=(spiraling-edge spiraling-edge-viewer viewer_tests core_bench agreement)
 lean_flags=(-DSPIRALING_EDGE_WERROR=ON "-DCMAKE_CXX_FLAGS_RELEASE=-O2")
 configure_lean() {
     cmake --preset release -B build-test/lean -DSPIRALING_EDGE_BUILD_TESTS=ON \
@@ -80,21 +74,35 @@ consumer() {
     tests/consumer/run.sh build-test/lean "${flags[@]}"
 }
 
+# tests_of BUILD ARGUMENTS...: ctest
+tests_of() {
+    [ -f "$1/CTestTestfile.cmake" ] || { echo "not built"; return 1; }
+    ctest --test-dir "$1" --output-on-failure --no-tests=error -j "$jobs" "${@:2}"
+}
+lean_tests() { tests_of build-test/lean --label-exclude 'core|fuzz' --exclude-regex NOT_BUILT; }
+# What only computes, for the time that the tests of the window leave.
+meanwhile() {
+    renice -n 19 "$BASHPID" >/dev/null
+    run asan_tests tests_of build-test/asan
+    run tidy .ci/tidy.sh build-test/lean
+}
+
 export CMAKE_BUILD_PARALLEL_LEVEL=$jobs
+export ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
 step packages .ci/packages.sh test
 step layers .ci/layers.sh
 step format check_format
 step asan_configure configure_asan
 step asan_build cmake --build build-test/asan
-export ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1
-[ ! -f build-test/asan/CTestTestfile.cmake ] || suite asan_tests build-test/asan
 step lean_configure configure_lean
 step lean_build cmake --build build-test/lean --target "${lean_targets[@]}"
-[ ! -f build-test/lean/CTestTestfile.cmake ] || suite lean_tests build-test/lean \
-    --label-exclude 'core|fuzz' --exclude-regex NOT_BUILT
 step bench build-test/lean/bin/core_bench --benchmark_min_time=0.01
 step consumer consumer
-step tidy .ci/tidy.sh build-test/lean
+meanwhile &
+step lean_tests lean_tests
+wait
+judge asan_tests
+judge tidy
 
 echo
 printf '%s\n' "${summary[@]}"

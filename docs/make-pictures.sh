@@ -2,6 +2,7 @@
 # Makes the pictures of README.md and the pages here. Needs no display, but ImageMagick's convert.
 #   docs/make-pictures.sh [VIEWER]          all of them
 #   docs/make-pictures.sh VIEWER stages     those of every stage (docs/viewer.md) alone
+#   docs/make-pictures.sh VIEWER new        that of the page with new points alone
 #   docs/make-pictures.sh VIEWER table1 DIR  the paper's Figures 21 to 25 (docs/table1.md); DIR has the volumes
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -62,32 +63,57 @@ stages() {
         --rule guard=on --rule reinsert=on --rule flip=on --rule reseat=on
 }
 
-# FIGURE SET: a set of Table 1, triangulated.
+# What belongs to a decision and not to the surface.
+kept_out='"points": "off", "ring": "off", "stack": "off", "sector": "off", "neighbors": "off", "walls": "off",
+    "mending": "off", "labels": "off", "selection": "off", "marked": "off"'
+
+# FIGURE SET X,Y,Z DISTANCE YAW PITCH [OPTION...]: a set of Table 1, triangulated, as seen from there. Drawn twice
+# as large as it is shown; of the window nothing but the view.
 figure() {
-    local picture="images/figure-$1.png"
-    "$viewer" "$sets/$2.ply" --no-config --layout present --theme light --size 900x560 --rules robust \
-        --goto 100% --screenshot "$picture"
-    # The view alone, in few colors.
-    convert "$picture" -crop 640x420+115+4 +repage +dither -colors 64 -strip -define png:compression-level=9 \
-        "PNG8:$picture"
+    local picture="images/figure-$1.png" set=$2 target=$3 distance=$4 yaw=$5 pitch=$6
+    shift 6
+    cat >"$sets/view.sesession" <<EOF
+{"format": "spiraling-edge session", "version": 1,
+ "input": {"source": "$sets/$set.ply"}, "options": {"rules": "robust", "reach": 1.6},
+ "address": "0", "layout": "present", "layers": {$kept_out},
+ "camera": {"target": [$target], "distance": $distance, "yaw": $yaw, "pitch": $pitch}}
+EOF
+    "$viewer" "$sets/view.sesession" --no-config --theme light --ui-scale 0.75 --size 1440x1118 \
+        --goto 100% "$@" --screenshot "$sets/view.png"
+    convert "$sets/view.png" -crop 1300x880+20+60 +repage -filter Lanczos -resize 650x440 \
+        +dither -colors 128 -strip -define png:compression-level=9 "PNG8:$picture"
 }
 
 figures() {
     sets=$(mktemp -d)
+    trap 'rm -r "$sets"' EXIT
     "$(dirname "$viewer")/spiraling-edge" table1 --volumes "$1" --save "$sets" >"$sets/table.txt"
-    figure 21 hydrogen
-    figure 22 lobster
-    figure 23 hyperboloid
-    figure 24 blast_wave
-    figure 25 electron_cloud
-    rm -r "$sets"
+    figure 21 hydrogen 0,0,0 4.35 -60 18
+    figure 22 lobster 0,0,-0.04 2.7 25 24
+    figure 23 hyperboloid 0,0,0 3.9 -60 14
+    figure 24 blast_wave 0,0,-0.2 3.4 145 33
+    figure 25 electron_cloud 0,0,0 3.9 -60 22
+}
+
+# The page on which points spread, at a step on the way.
+new_points() {
+    "$viewer" --new gyroid -n 3000 --steps 40 --no-config --size 1280x800 --screenshot images/new-points.png
+    convert images/new-points.png +dither -colors 160 -strip -define png:compression-level=9 PNG8:images/new-points.png
 }
 
 if [ "${2:-}" = table1 ]; then
     figures "$3"
     exit
 fi
+if [ "${2:-}" = new ]; then
+    new_points
+    exit
+fi
 stages
 [ "${2:-}" = stages ] && exit
+new_points
 "$viewer" scene:torus --no-config --size 1440x810 --goto 50% --screenshot images/viewer.png
+"$viewer" scene:torus --no-config --size 1280x720 --layout compare --with "--rule freesector=off" --goto difference --focus \
+    --screenshot images/compare.png
+convert images/compare.png +dither -colors 128 -strip -define png:compression-level=9 PNG8:images/compare.png
 ./make-rule-pictures.sh "$(dirname "$viewer")/spiraling-edge"

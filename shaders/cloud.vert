@@ -10,8 +10,8 @@ uniform vec3 uEye;
 uniform vec3 uBackward;  // from the scene to the eye, if orthographic
 uniform bool uOrthographic;
 uniform float uBias;     // view units toward the eye, so that points are not half inside triangles
-uniform vec4 uStyleColor[16];
-uniform vec2 uStyleSizeShape[16];  // pixels; shape number
+uniform vec4 uStyleColor[80];
+uniform vec2 uStyleSizeShape[80];  // pixels; shape number
 
 out vec4 vColor;
 flat out int vShape;

@@ -39,8 +39,10 @@ struct CheckArguments {
         app.add_flag("--json", json, "As JSON, with all indices");
         app.add_flag("-q,--quiet", quiet, "Only the exit code: 1 if there is a failure");
         std::string footer = "\nClasses:\n";
-        for (const FailureClass& each : failureClasses())
+        for (const FailureClass& each : failureClasses()) {
+            if (each.find == nullptr) continue;
             footer += fmt::format("  {:<23} {}\n", each.name, each.meaning);
+        }
         footer.pop_back();
         app.footer(footer);
     }
@@ -111,6 +113,7 @@ std::vector<std::pair<std::string_view, std::size_t>> countByClass(
     const std::vector<MeshFailure>& failures) {
     std::vector<std::pair<std::string_view, std::size_t>> counts;
     for (const FailureClass& each : failureClasses()) {
+        if (each.find == nullptr) continue;
         counts.emplace_back(each.name, std::count_if(failures.begin(), failures.end(),
                                                      [&](const MeshFailure& failure) {
                                                          return failure.kind == &each;

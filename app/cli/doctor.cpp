@@ -30,7 +30,9 @@ struct DoctorArguments {
     void addTo(CLI::App& app) {
         app.add_option("IN", input, "File with points, - or scene:ID")->required();
         auto* fix =
-            app.add_option("--fix", fixed, "Mend what needs no guessing, and write it to this file")
+            app.add_option(
+                   "--fix", fixed,
+                   "Mend what needs no guessing, and write it to this file; - : to standard output")
                 ->type_name("OUT.ply");
         app.add_option("--drop", drop,
                        "With --fix: also drop the points that this check found; may be repeated")
@@ -49,8 +51,11 @@ struct DoctorArguments {
     }
 
     void validate() const {
-        if (!fixed.empty() && !fixed.ends_with(".ply"))
+        if (!fixed.empty() && fixed != "-" && !fixed.ends_with(".ply"))
             throw Failure(ExitCode::Usage, fmt::format("--fix {}: only .ply is written", fixed));
+        if (fixed == "-" && json)
+            throw Failure(ExitCode::Usage,
+                          "--fix -: standard output takes the points or --json, not both");
         requireWritable(fixed, "--fix");
         for (const std::string& name : drop) {
             if (findDoctorCheck(name) == nullptr)
@@ -173,6 +178,12 @@ std::string visitJson(const Visit& visit) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+void write(const std::string& path, const PointFile& fixed) {
+    if (path == "-") return writeOutput(path, meshPlyBytes(fixed, fixed.faces));
+    const Status status = writeMeshPly(path, fixed, fixed.faces);
+    if (!status) throw Failure(ExitCode::Internal, status.error().message);
+}
+
 }  // namespace
 
 ExitCode doctorVerb(const Arguments& words) {
@@ -195,10 +206,14 @@ ExitCode doctorVerb(const Arguments& words) {
         visit.treatment = treat(file, pointsToDrop(visit.findings, arguments.drop));
         const PointFile& fixed = visit.treatment.file;
         visit.left = examineInput(fixed, arguments.fixed, line);
-        const Status status = writeMeshPly(arguments.fixed, fixed, fixed.faces);
-        if (!status) throw Failure(ExitCode::Internal, status.error().message);
+        write(arguments.fixed, fixed);
     }
-    if (!arguments.quiet) writeOutput("-", arguments.json ? visitJson(visit) : visitText(visit));
+    // Where the points go to standard output, words go elsewhere.
+    if (arguments.fixed == "-" && !arguments.quiet) {
+        fmt::print(stderr, "{}", visitText(visit));
+    } else if (!arguments.quiet) {
+        writeOutput("-", arguments.json ? visitJson(visit) : visitText(visit));
+    }
     const bool accused = accuses(arguments.fixed.empty() ? visit.findings : visit.left);
     return accused ? ExitCode::CheckFailed : ExitCode::Good;
 }

@@ -35,16 +35,34 @@ std::vector<Triangle> meshOf(const PointSet& points, const Params& params) {
     return stepper.state().mesh();
 }
 
+namespace {
+
+[[noreturn]] void noSuchFailure(std::size_t seen, const FailureChoice& wanted,
+                                const std::string& input) {
+    throw Failure(ExitCode::CheckFailed,
+                  fmt::format("{}: the run has {} of class {}; spiraling-edge why {} --failures "
+                              "lists what it has",
+                              input, counted(seen, "failure"), wanted.kind->name, input));
+}
+
+}  // namespace
+
 MeshFailure pickFailure(const std::vector<MeshFailure>& failures, const FailureChoice& wanted,
                         const std::string& input) {
     std::size_t seen = 0;
     for (const MeshFailure& failure : failures) {
         if (failure.kind == wanted.kind && ++seen == wanted.number) return failure;
     }
-    throw Failure(ExitCode::CheckFailed,
-                  fmt::format("{}: the run has {} of class {}; spiraling-edge run -o mesh.ply and "
-                              "check mesh.ply --points list what it has",
-                              input, counted(seen, "failure"), wanted.kind->name));
+    noSuchFailure(seen, wanted, input);
+}
+
+RunFailure pickFailure(const std::vector<RunFailure>& failures, const FailureChoice& wanted,
+                       const std::string& input) {
+    std::size_t seen = 0;
+    for (const RunFailure& each : failures) {
+        if (each.failure.kind == wanted.kind && ++seen == wanted.number) return each;
+    }
+    noSuchFailure(seen, wanted, input);
 }
 
 }  // namespace se::cli

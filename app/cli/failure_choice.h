@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "spiraling_edge/inspection.h"
+#include "spiraling_edge/failure_moments.h"
 #include "spiraling_edge/params.h"
 
 namespace se::cli {
@@ -24,5 +24,8 @@ std::vector<Triangle> meshOf(const PointSet& points, const Params& params);
 /// The failure that is asked for. Throws Failure if there is none such in the run on `input`.
 MeshFailure pickFailure(const std::vector<MeshFailure>& failures, const FailureChoice& choice,
                         const std::string& input);
+/// The same among those of a run.
+RunFailure pickFailure(const std::vector<RunFailure>& failures, const FailureChoice& choice,
+                       const std::string& input);
 
 }  // namespace se::cli

@@ -2,10 +2,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "spiraling_edge/io.h"
 
 namespace se::cli {
+
+/// By its name: .nrrd or .nhdr.
+bool isVolumePath(std::string_view input);
 
 /// Reads it. Throws Failure(Input) if it is missing or malformed.
 PointFile readInput(const std::string& input);

@@ -2,18 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "mesh_text.h"
 
 namespace se::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string readingText(const Reading& reading) {
-    return fmt::format("{} {:.6g}{} against {:.6g}{}, margin {:+.2g}", reading.quantity,
-                       reading.value, reading.unit.empty() ? "" : " deg", reading.threshold,
-                       reading.unit.empty() ? "" : " deg", reading.margin);
-}
 
 std::string linesText(const std::vector<LedgerLine>& lines, std::size_t marked) {
     std::string text;
@@ -26,6 +22,18 @@ std::string linesText(const std::vector<LedgerLine>& lines, std::size_t marked) 
         if (line.reading) text += fmt::format("{:49}{}\n", "", readingText(*line.reading));
     }
     return text;
+}
+
+std::string dumped(const Json& json) {
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::string readingText(const Reading& reading) {
+    return fmt::format("{} {:.6g}{} against {:.6g}{}, margin {:+.2g}", reading.quantity,
+                       reading.value, reading.unit.empty() ? "" : " deg", reading.threshold,
+                       reading.unit.empty() ? "" : " deg", reading.margin);
 }
 
 Json lineJson(const LedgerLine& line) {
@@ -44,12 +52,6 @@ Json lineJson(const LedgerLine& line) {
     return json;
 }
 
-std::string dumped(const Json& json) {
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-}  // namespace
-
 std::string ledgerText(const Ledger& ledger) {
     return ledger.answer + "\n\n" + linesText(ledger.lines, ledger.cause);
 }
@@ -64,6 +66,53 @@ std::string ledgerJson(const std::string& input, const Ledger& ledger) {
     json["cause"] = toString(ledger.lines[ledger.cause].event.address);
     json["lines"] = Json::array();
     for (const LedgerLine& line : ledger.lines) json["lines"].push_back(lineJson(line));
+    return dumped(json);
+}
+
+std::string historyText(const RingHistory& history) {
+    return history.answer + "\n\n" + linesText(history.lines, history.cause);
+}
+
+std::string historyJson(const std::string& input, const RingHistory& history) {
+    Json json;
+    json["input"] = input;
+    json["ring"] = nameOf(history.ring);
+    json["length"] = history.length;
+    json["answer"] = history.answer;
+    json["cause"] = toString(history.lines[history.cause].event.address);
+    json["lines"] = Json::array();
+    for (const LedgerLine& line : history.lines) json["lines"].push_back(lineJson(line));
+    return dumped(json);
+}
+
+std::string chartsText(const std::vector<RunChart>& charts) {
+    constexpr std::size_t kWidest = 30;
+    std::string text;
+    for (const RunChart& chart : charts) {
+        text += fmt::format("{}{} ({})\n", text.empty() ? "" : "\n", chart.title, chart.unit);
+        std::uint64_t most = 1;
+        for (const ChartBar& bar : chart.bars) most = std::max(most, bar.count);
+        for (const ChartBar& bar : chart.bars) {
+            const std::size_t length =
+                (static_cast<std::size_t>(bar.count) * kWidest + most - 1) / most;
+            text += fmt::format("  {:<12} {:<30} {:>9}  {}\n", bar.label, std::string(length, '#'),
+                                bar.count, bar.query);
+        }
+    }
+    return text;
+}
+
+std::string chartsJson(const std::string& input, const std::vector<RunChart>& charts) {
+    Json json;
+    json["input"] = input;
+    json["charts"] = Json::array();
+    for (const RunChart& chart : charts) {
+        Json row{{"name", chart.name}, {"unit", chart.unit}, {"bars", Json::array()}};
+        for (const ChartBar& bar : chart.bars)
+            row["bars"].push_back(
+                {{"label", bar.label}, {"count", bar.count}, {"find", bar.query}});
+        json["charts"].push_back(row);
+    }
     return dumped(json);
 }
 
@@ -110,27 +159,95 @@ std::string foundJson(const std::string& input, const FoundDecisions& found) {
     return dumped(json);
 }
 
-std::string momentsText(const MeshFailure& failure, const FailureMoments& moments) {
+std::string momentsText(const RunFailure& failure) {
     const auto row = [](const char* name, const LedgerLine& line) {
         std::string text = fmt::format("  {:<16} {:<18} {}\n", name, toString(line.event.address),
                                        describe(line.event));
         if (line.reading) text += fmt::format("{:37}{}\n", "", readingText(*line.reading));
         return text;
     };
-    return describe(failure) + "\n" + row("created", moments.created) +
+    const FailureMoments& moments = failure.moments;
+    return describe(failure.failure) + "\n" + row("created", moments.created) +
            row("unavoidable", moments.unavoidable) + row("first touched", moments.touched);
 }
 
-std::string momentsJson(const std::string& input, const MeshFailure& failure,
-                        const FailureMoments& moments) {
+namespace {
+
+Json failureJson(const RunFailure& failure) {
     Json json;
-    json["input"] = input;
-    json["class"] = failure.kind->name;
-    json["points"] = failure.points;
-    json["triangles"] = failure.triangles;
-    json["created"] = lineJson(moments.created);
-    json["unavoidable"] = lineJson(moments.unavoidable);
-    json["first_touched"] = lineJson(moments.touched);
+    json["class"] = failure.failure.kind->name;
+    json["points"] = failure.failure.points;
+    json["triangles"] = failure.failure.triangles;
+    json["created"] = lineJson(failure.moments.created);
+    json["unavoidable"] = lineJson(failure.moments.unavoidable);
+    json["first_touched"] = lineJson(failure.moments.touched);
+    return json;
+}
+
+Json remediesJson(const Remedies& remedies) {
+    Json json{{"of_class", remedies.ofClass}, {"all", remedies.all}, {"tried", Json::array()}};
+    for (const Remedy& each : remedies.tried) {
+        json["tried"].push_back({{each.rule != nullptr ? "rule" : "rules", nameOf(each)},
+                                 {"prevents", each.prevents},
+                                 {"of_class", each.ofClass},
+                                 {"all", each.all}});
+    }
+    return json;
+}
+
+std::size_t countOf(const std::vector<RunFailure>& failures, const FailureClass& kind) {
+    return static_cast<std::size_t>(
+        std::count_if(failures.begin(), failures.end(),
+                      [&](const RunFailure& each) { return each.failure.kind == &kind; }));
+}
+
+}  // namespace
+
+std::string momentsJson(const std::string& input, const RunFailure& failure,
+                        const Remedies* remedies) {
+    Json json{{"input", input}};
+    json.update(failureJson(failure));
+    if (remedies != nullptr) json["remedies"] = remediesJson(*remedies);
+    return dumped(json);
+}
+
+std::string remediesText(const Remedies& remedies) {
+    std::string text =
+        fmt::format("\n  As the run is: {} of this class, {} in all. With one more rule:\n",
+                    remedies.ofClass, remedies.all);
+    const bool any = std::any_of(remedies.tried.begin(), remedies.tried.end(),
+                                 [](const Remedy& each) { return each.prevents; });
+    if (!any) text += "  no rule of --rules robust prevents it\n";
+    for (const Remedy& each : remedies.tried) {
+        const std::string option = each.rule != nullptr ? fmt::format("--rule {}=on", nameOf(each))
+                                                        : fmt::format("--rules {}", nameOf(each));
+        text += fmt::format("  {:<22} {:<10} {:>6} of this class, {:>6} in all\n", option,
+                            each.prevents ? "prevents" : "stays", each.ofClass, each.all);
+    }
+    return text;
+}
+
+std::string failuresText(const std::vector<RunFailure>& failures, std::size_t most) {
+    if (failures.empty()) return "No failures found.\n";
+    std::string text;
+    for (const FailureClass& kind : failureClasses()) {
+        const std::size_t count = countOf(failures, kind);
+        if (count == 0) continue;
+        text += fmt::format("{:>7} {}\n", count, kind.name);
+        std::size_t shown = 0;
+        for (const RunFailure& each : failures) {
+            if (each.failure.kind == &kind && shown++ < most) text += momentsText(each);
+        }
+    }
+    return text;
+}
+
+std::string failuresJson(const std::string& input, const std::vector<RunFailure>& failures) {
+    Json json{{"input", input}};
+    for (const FailureClass& kind : failureClasses())
+        json["counts"][std::string(kind.name)] = countOf(failures, kind);
+    json["failures"] = Json::array();
+    for (const RunFailure& each : failures) json["failures"].push_back(failureJson(each));
     return dumped(json);
 }
 

@@ -8,16 +8,35 @@
 #include "spiraling_edge/decision_query.h"
 #include "spiraling_edge/failure_moments.h"
 #include "spiraling_edge/ledger.h"
+#include "spiraling_edge/remedy.h"
+#include "spiraling_edge/ring_history.h"
+#include "spiraling_edge/run_charts.h"
 
 namespace se::cli {
 
+/// "distance from the center 0.041 against 0.039, margin -0.02".
+std::string readingText(const Reading& reading);
+/// A line of a ledger with all that is known of it.
+nlohmann::ordered_json lineJson(const LedgerLine& line);
+
 std::string ledgerText(const Ledger& ledger);
 std::string ledgerJson(const std::string& input, const Ledger& ledger);
+std::string historyText(const RingHistory& history);
+std::string historyJson(const std::string& input, const RingHistory& history);
+std::string chartsText(const std::vector<RunChart>& charts);
+std::string chartsJson(const std::string& input, const std::vector<RunChart>& charts);
 std::string callsText(const ClosestCalls& calls);
 std::string callsJson(const std::string& input, const ClosestCalls& calls);
 std::string foundText(const FoundDecisions& found);
 std::string foundJson(const std::string& input, const FoundDecisions& found);
-std::string momentsText(const MeshFailure& failure, const FailureMoments& moments);
+std::string momentsText(const RunFailure& failure);
+/// With what would have prevented it, if that was asked for.
+std::string momentsJson(const std::string& input, const RunFailure& failure,
+                        const Remedies* remedies = nullptr);
+std::string remediesText(const Remedies& remedies);
+/// All failures of a run, by class; of each class the first `most` with their moments.
+std::string failuresText(const std::vector<RunFailure>& failures, std::size_t most);
+std::string failuresJson(const std::string& input, const std::vector<RunFailure>& failures);
 std::string momentsJson(const std::string& input, const MeshFailure& failure,
                         const FailureMoments& moments);
 

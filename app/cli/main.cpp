@@ -24,6 +24,8 @@ constexpr std::array kVerbs{
     Verb{"doctor", "say what in a file will upset the algorithm, and mend it", doctorVerb},
     Verb{"why", "say why a point, an edge or a triangle is in the mesh, or why not", whyVerb},
     Verb{"check", "say what is wrong with a mesh, whoever made it", checkVerb},
+    Verb{"compare", "say where two runs, or a run and a mesh, differ, and from which decision on",
+         compareVerb},
     Verb{"reduce", "shrink an input to the fewest points that still fail", reduceVerb},
     Verb{"sample", "spread points evenly over a shape or an isosurface of a volume", sampleVerb},
     Verb{"scenes", "list the built-in scenes", scenesVerb},

@@ -3,35 +3,30 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 #include <locale>
 #include <sstream>
+
+#include "spiraling_edge/what_if_check.h"
 
 namespace se::cli {
 namespace {
 
 constexpr long long kMostNeighbors = 1'000'000;
 
-/// Sets one switch from NAME=on or NAME=off.
-void applySwitch(const std::string& text, Rules& rules) {
-    const auto rows = ruleSwitches();
-    const std::size_t equals = text.find('=');
-    const std::string name = text.substr(0, equals);
-    const std::string value = equals == std::string::npos ? "" : text.substr(equals + 1);
-    const auto row =
-        std::find_if(rows.begin(), rows.end(), [&](const RuleSwitch& r) { return r.name == name; });
-    if (row == rows.end()) {
+/// Sets one rule from NAME=VALUE.
+void applyRule(const std::string& text, Params& params) {
+    if (findRuleSetting(text.substr(0, text.find('='))) == nullptr) {
         std::vector<std::string_view> names;
-        for (const RuleSwitch& r : rows) names.push_back(r.name);
+        for (const RuleSetting& each : ruleSettings()) names.push_back(each.name);
         throw Failure(ExitCode::Usage, fmt::format("--rule {}: there is no such rule; there are {}",
                                                    text, fmt::join(names, ", ")));
     }
-    if (value != "on" && value != "off") {
-        throw Failure(ExitCode::Usage,
-                      fmt::format("--rule {}: write {}=on or {}=off", text, name, name));
+    const Result<RuleValue> value = ruleValueFromText(text);
+    if (!value) {
+        throw Failure(ExitCode::Usage, fmt::format("--rule {}: {}", text, value.error().message));
     }
-    rules.*row->member = value == "on";
+    applyRuleValues({&value.value(), 1}, params);
 }
 
 }  // namespace
@@ -55,9 +50,15 @@ void NeighborArguments::addTo(CLI::App& app) {
                                  "Neighbors of a point: the K nearest (default: the lists in the "
                                  "file, or else 12)");
     count->type_name("K")->check(CLI::Range(1LL, kMostNeighbors));
-    app.add_option("-r,--radius", radius_, "Neighbors of a point: all within R, in scene units")
-        ->type_name("R")
-        ->excludes(count);
+    auto* radius =
+        app.add_option("-r,--radius", radius_, "Neighbors of a point: all within R, in scene units")
+            ->type_name("R")
+            ->excludes(count);
+    app.add_option("--reach", reach_,
+                   "Neighbors of a point: all within X times the mean distance to the nearest")
+        ->type_name("X")
+        ->excludes(count)
+        ->excludes(radius);
     app.add_flag("--symmetric", symmetric_, "Whoever lists a point is listed by it as well");
     app.add_flag("--keep-opposing", keepOpposing_,
                  "Also take neighbors whose normal opposes that of the point");
@@ -74,9 +75,14 @@ NeighborOptions NeighborArguments::options() const {
             throw Failure(ExitCode::Usage, "--radius: must be a number above 0");
         options.reach = WithinRadius{*radius_};
     }
+    if (reach_) {
+        if (!(*reach_ > 0.0) || !std::isfinite(*reach_))
+            throw Failure(ExitCode::Usage, "--reach: must be a number above 0");
+        options.reach = WithinSpacings{*reach_};
+    }
     options.dropOpposingNormals = !keepOpposing_;
     options.symmetric = symmetric_;
-    options.recompute = count_.has_value() || radius_.has_value();
+    options.recompute = count_.has_value() || radius_.has_value() || reach_.has_value();
     return options;
 }
 
@@ -139,12 +145,21 @@ void RuleArguments::addTo(CLI::App& app) {
                    fmt::format("How the paper is read: {}", fmt::join(paramSetNames(), ", ")))
         ->type_name("SET")
         ->capture_default_str();
-    app.add_option("--rule", switches_, "Turn one rule on or off, after --rules; may be repeated")
-        ->type_name("NAME=on|off")
+    app.add_option("--rule", switches_, "Set one rule, after --rules; may be repeated")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
+    app.add_option(
+           "--what-if", whatIfs_,
+           "Let something else happen at one place: \"137.sphere keep 812\", \"137.sphere "
+           "drop 812\", \"137.advance pivot 640\", \"137 move 812 X Y Z\", \"137 list 812 5 "
+           "7\"; may be repeated (docs/choices.md)")
+        ->type_name("LINE")
         ->allow_extra_args(false);
     std::string footer = "\nRules (docs/choices.md):\n";
-    for (const RuleSwitch& rule : ruleSwitches())
-        footer += fmt::format("  {:<12} {:<4} {}\n", rule.name, rule.section, rule.summary);
+    for (const RuleSetting& rule : ruleSettings()) {
+        footer += fmt::format("  {:<12} {:<4} {}: {}\n", rule.name, rule.section, rule.summary,
+                              valuesText(rule));
+    }
     footer.pop_back();
     app.footer(footer);
 }
@@ -155,8 +170,18 @@ Params RuleArguments::params() const {
         throw Failure(ExitCode::Usage, fmt::format("--rules {}: there is no such set; there are {}",
                                                    setName_, fmt::join(paramSetNames(), ", ")));
     }
-    for (const std::string& text : switches_) applySwitch(text, params->rules);
+    for (const std::string& text : switches_) applyRule(text, *params);
+    for (const std::string& text : whatIfs_) {
+        const Result<WhatIf> what = whatIfFromText(text);
+        if (!what) throw Failure(ExitCode::Usage, "--what-if: " + what.error().message);
+        params->whatIf.push_back(what.value());
+    }
     return *params;
+}
+
+void requirePossible(const PointSet& points, const Params& params) {
+    const Status possible = requireWhatIfs(points, params);
+    if (!possible) throw Failure(ExitCode::Usage, "--what-if " + possible.error().message);
 }
 
 Params paramsFrom(const RuleArguments& rules, const NeighborArguments& neighbors) {

@@ -9,6 +9,7 @@
 #include "exit_code.h"
 #include "spiraling_edge/params.h"
 #include "spiraling_edge/prepare.h"
+#include "spiraling_edge/rule_settings.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -20,8 +21,8 @@ std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments
 /// A box from six numbers with commas between, X0,Y0,Z0,X1,Y1,Z1. Throws Failure if it is none.
 WallBox boxFromText(const std::string& text);
 
-/// How missing neighbor lists are made: --neighbors, --radius, --symmetric, --keep-opposing,
-/// --keep-noise.
+/// How missing neighbor lists are made: --neighbors, --radius, --reach, --symmetric,
+/// --keep-opposing, --keep-noise.
 class NeighborArguments {
   public:
     void addTo(CLI::App& app);
@@ -33,6 +34,7 @@ class NeighborArguments {
   private:
     std::optional<std::size_t> count_;
     std::optional<double> radius_;
+    std::optional<double> reach_;
     bool symmetric_ = false;
     bool keepOpposing_ = false;
     bool keepNoise_ = false;
@@ -53,7 +55,8 @@ class DerivedArguments {
     std::string box_;
 };
 
-/// Which reading of the paper: --rules, --rule NAME=on|off.
+/// Which reading of the paper: --rules, --rule NAME=VALUE, and what a person lets happen besides:
+/// --what-if LINE.
 class RuleArguments {
   public:
     void addTo(CLI::App& app);
@@ -64,7 +67,11 @@ class RuleArguments {
   private:
     std::string setName_ = "paper";
     std::vector<std::string> switches_;
+    std::vector<std::string> whatIfs_;
 };
+
+/// Throws Failure with the reason if a what-if of `params` has no effect, or is refused.
+void requirePossible(const PointSet& points, const Params& params);
 
 /// What the options say together.
 Params paramsFrom(const RuleArguments& rules, const NeighborArguments& neighbors);

@@ -17,23 +17,34 @@ void InputArguments::addTo(CLI::App& app) {
     derived_.addTo(app);
     for (const CLI::Option* option : app.get_options()) {
         if (!option->get_lnames().empty() && option->get_lnames().front() != "help")
-            given_.push_back(option);
+            options_.push_back(option);
     }
 }
 
-std::vector<std::string> InputArguments::options() const {
-    std::vector<std::string> words;
-    for (const CLI::Option* option : given_) {
+std::vector<GivenOption> InputArguments::given() const {
+    std::vector<GivenOption> given;
+    for (const CLI::Option* option : options_) {
         if (option->count() == 0) continue;
-        const std::string name = "--" + option->get_lnames().front();
-        if (option->get_expected_max() == 0) {
-            words.push_back(name);
-            continue;
+        GivenOption each{option->get_lnames().front(), {}};
+        const std::string word = "--" + each.name;
+        if (option->get_expected_max() == 0) each.words.push_back(word);
+        if (option->get_expected_max() != 0) {
+            for (const std::string& value : option->results())
+                each.words.insert(each.words.end(), {word, value});
         }
-        for (const std::string& value : option->results())
-            words.push_back(fmt::format("{} {}", name, value));
+        given.push_back(std::move(each));
     }
-    return words;
+    return given;
+}
+
+std::vector<std::string> InputArguments::options() const {
+    std::vector<std::string> texts;
+    for (const GivenOption& option : given()) {
+        if (option.words.size() == 1) texts.push_back(option.words.front());
+        for (std::size_t i = 1; i < option.words.size(); i += 2)
+            texts.push_back(option.words[i - 1] + ' ' + option.words[i]);
+    }
+    return texts;
 }
 
 Params InputArguments::params() const { return paramsFrom(rules_, neighbors_); }
@@ -48,9 +59,11 @@ PreparedInput InputArguments::prepare(ProgressLine& line) const {
     Prepared prepared = workedOut("preparing", input_, line, [&](const Progress& progress) {
         return se::prepare(file, options, progress);
     });
+    const Params rules = params();
+    requirePossible(prepared.points, rules);
     file.normal = prepared.points.normal;
     file.type = prepared.points.type;
-    return {treat(file).file, std::move(prepared.points), params()};
+    return {treat(file).file, std::move(prepared.points), rules};
 }
 
 }  // namespace se::cli

@@ -17,13 +17,21 @@ struct PreparedInput {
     Params params;
 };
 
+/// An option as it was given.
+struct GivenOption {
+    std::string name;                ///< "rule"
+    std::vector<std::string> words;  ///< "--rule", "flip=off", "--rule", "rim=off"
+};
+
 /// The same options as those of `run`.
 class InputArguments {
   public:
     void addTo(CLI::App& app);
     const std::string& input() const { return input_; }
     const std::string& ruleSet() const { return rules_.setName(); }
-    /// The words of the options that were given, without the input.
+    /// The options that were given, without the input. Requires that the app still lives.
+    std::vector<GivenOption> given() const;
+    /// Their words, an option with its value at a time.
     std::vector<std::string> options() const;
     PrepareOptions prepareOptions(const PointFile& file) const;
     /// Reads and prepares, with the line of progress. Throws Failure.
@@ -36,7 +44,7 @@ class InputArguments {
     RuleArguments rules_;
     NeighborArguments neighbors_;
     DerivedArguments derived_;
-    std::vector<const CLI::Option*> given_;
+    std::vector<const CLI::Option*> options_;
 };
 
 }  // namespace se::cli

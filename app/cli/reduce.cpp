@@ -14,6 +14,7 @@
 #include "output.h"
 #include "prepared_input.h"
 #include "progress_work.h"
+#include "rule_json.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -68,10 +69,8 @@ std::string sessionText(const std::string& points, const PreparedInput& run,
     json["input"]["source"] = std::filesystem::path(points).filename().string();
     json["options"]["rules"] = input.ruleSet();
     const Params plain = paramsByName(input.ruleSet()).value_or(Params{});
-    for (const RuleSwitch& rule : ruleSwitches()) {
-        const bool on = run.params.rules.*rule.member;
-        if (on != plain.rules.*rule.member)
-            json["options"]["switches"][std::string(rule.name)] = on;
+    for (const RuleValue& each : differingRules(run.params, plain)) {
+        json["options"]["switches"][each.name] = ruleJson(*findRuleSetting(each.name), each.value);
     }
     json["address"] = "0";
     json["notes"] = "Reduced from " + input.input() + ".";
@@ -108,6 +107,12 @@ ExitCode reduceVerb(const Arguments& words) {
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     const FailureChoice wanted = failureChoiceFrom(arguments.failure);
+    if (wanted.kind->find == nullptr) {
+        throw Failure(ExitCode::Usage,
+                      fmt::format("--failure {}: only what is in the mesh can be shrunk to; try "
+                                  "holes",
+                                  arguments.failure));
+    }
     if (!arguments.output.ends_with(".ply"))
         throw Failure(ExitCode::Usage,
                       fmt::format("-o {}: only .ply is written", arguments.output));
@@ -115,6 +120,8 @@ ExitCode reduceVerb(const Arguments& words) {
     catchInterrupts();
     ProgressLine line(!arguments.quiet);
     const PreparedInput run = arguments.input.prepare(line);
+    if (!run.params.whatIf.empty())
+        throw Failure(ExitCode::Usage, "--what-if names points by numbers that reduce changes");
     const MeshFailure failure = pickFailure(inspectMesh(run.points, meshOf(run.points, run.params)),
                                             wanted, arguments.input.input());
     const std::vector<Vec3> places = placesOf(run.points, failure);

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "mesh_text.h"
+#include "rule_json.h"
+#include "spiraling_edge/what_if_check.h"
 
 namespace se::cli {
 namespace {
@@ -120,8 +122,8 @@ void addPreparation(const PrepareReport& report, Json& json) {
 
 void addRules(const RunOutcome& outcome, Json& json) {
     Json rules = {{"set", outcome.ruleSet}};
-    for (const RuleSwitch& rule : ruleSwitches())
-        rules[std::string(rule.name)] = outcome.params.rules.*rule.member;
+    for (const RuleSetting& rule : ruleSettings())
+        rules[std::string(rule.name)] = ruleJson(rule, rule.get(outcome.params));
     rules["drop_opposing_normals"] = outcome.params.dropOpposingNormals;
     rules["set_noise_aside"] = outcome.params.setNoiseAside;
     json["rules"] = rules;
@@ -217,6 +219,9 @@ std::string reportJson(const RunOutcome& outcome) {
     addFaults(outcome, json);
     addPreparation(outcome.prepared, json);
     addRules(outcome, json);
+    json["what_if"] = Json::array();
+    for (const WhatIf& each : outcome.params.whatIf) json["what_if"].push_back(lineOf(each));
+    json["run_hash"] = fmt::format("{:016x}", runHash(outcome.state, outcome.params));
     json["state_hash"] = fmt::format("{:016x}", stateHash(outcome.state));
     addAlerts(outcome.state.alerts, json);
     json["seconds"] = {{"read", outcome.seconds.read},

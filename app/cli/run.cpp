@@ -199,6 +199,7 @@ ExitCode runVerb(const Arguments& words) {
     const Prepared prepared = workedOut(
         "preparing", arguments.input, line,
         [&](const Progress& progress) { return prepare(file, prepareOptions, progress); });
+    requirePossible(prepared.points, outcome.params);
     outcome.prepared = prepared.report;
     takeOverDerived(prepared, file);
     outcome.seconds.prepare = watch.lap();

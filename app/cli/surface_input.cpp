@@ -7,16 +7,13 @@
 #include <memory>
 
 #include "exit_code.h"
+#include "input.h"
 #include "interrupt.h"
 #include "progress_work.h"
 #include "spiraling_edge/volume.h"
 
 namespace se::cli {
 namespace {
-
-bool isVolume(const std::string& input) {
-    return input.ends_with(".nrrd") || input.ends_with(".nhdr");
-}
 
 Field readVolumeField(const std::string& input, const std::optional<double>& isovalue) {
     Result<Volume> read = readVolume(std::filesystem::path(input));
@@ -37,12 +34,12 @@ Field readVolumeField(const std::string& input, const std::optional<double>& iso
 Field readSurface(const std::string& input, const std::optional<double>& isovalue) {
     if (isovalue && !std::isfinite(*isovalue))
         throw Failure(ExitCode::Usage, "--iso: must be a finite number");
-    if (isVolume(input)) return readVolumeField(input, isovalue);
+    if (isVolumePath(input)) return readVolumeField(input, isovalue);
     const Shape* shape = findShape(input);
     if (shape == nullptr) {
         throw Failure(ExitCode::Input,
                       input +
-                          ": is neither a shape nor a volume (.nrrd, .nhdr); `spiraling-edge "
+                          " is neither a shape nor a volume (.nrrd, .nhdr); `spiraling-edge "
                           "sample --list` lists the shapes");
     }
     Field field = fieldOf(*shape);
@@ -53,7 +50,7 @@ Field readSurface(const std::string& input, const std::optional<double>& isovalu
 void cutBy(const WallBox& box, const std::string& input, Field& field) {
     const bool within = glm::clamp(box.low, field.low, field.high) == box.low &&
                         glm::clamp(box.high, field.low, field.high) == box.high;
-    if (isVolume(input) && !within) {
+    if (isVolumePath(input) && !within) {
         throw Failure(ExitCode::Usage, fmt::format("--box: {} ends at {},{},{} and {},{},{}", input,
                                                    field.low.x, field.low.y, field.low.z,
                                                    field.high.x, field.high.y, field.high.z));

@@ -134,32 +134,17 @@ Reconstruction timedRun(const PointSet& points, const Params& params, double& se
     return last;
 }
 
-/// Mean distance of the points to their nearest neighbor.
-double meanSpacing(const PointSet& points) {
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (Index p = 0; p < points.size(); ++p) {
-        if (points.neighbors[p].empty()) continue;
-        const Vec3 d = points.position[points.neighbors[p].front()] - points.position[p];
-        sum += std::sqrt(glm::dot(d, d));
-        ++count;
-    }
-    return count > 0 ? sum / static_cast<double>(count) : 0.0;
-}
-
 /// With the lists that are asked for.
 PointSet preparedFor(const PointFile& file, const TableArguments& arguments, const Params& params) {
     PrepareOptions options;
-    options.neighbors.reach = KNearest{arguments.neighbors.value_or(1)};
-    options.neighbors.dropOpposingNormals = params.dropOpposingNormals;
-    options.setNoiseAside = params.setNoiseAside && arguments.neighbors.has_value();
-    Result<Prepared> prepared = prepare(file, options);
-    if (prepared && !arguments.neighbors) {
-        const double spacing = meanSpacing(prepared.value().points);
-        options.neighbors.reach = WithinRadius{arguments.reach * spacing};
-        options.setNoiseAside = params.setNoiseAside;
-        prepared = prepare(file, options);
+    if (arguments.neighbors) {
+        options.neighbors.reach = KNearest{*arguments.neighbors};
+    } else {
+        options.neighbors.reach = WithinSpacings{arguments.reach};
     }
+    options.neighbors.dropOpposingNormals = params.dropOpposingNormals;
+    options.setNoiseAside = params.setNoiseAside;
+    Result<Prepared> prepared = prepare(file, options);
     if (!prepared) throw Failure(ExitCode::Internal, prepared.error().message);
     return std::move(prepared.value().points);
 }

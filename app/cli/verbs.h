@@ -19,6 +19,8 @@ ExitCode infoVerb(const Arguments& arguments);
 ExitCode doctorVerb(const Arguments& arguments);
 /// Says what is wrong with a mesh.
 ExitCode checkVerb(const Arguments& arguments);
+/// Two runs, or a run and a mesh, side by side.
+ExitCode compareVerb(const Arguments& arguments);
 /// The fewest points that still fail.
 ExitCode reduceVerb(const Arguments& arguments);
 /// Samples an isosurface.

@@ -42,8 +42,12 @@ struct WhyArguments {
     std::string point;
     std::string edge;
     std::string triangle;
+    std::string ring;
+    bool charts = false;
     std::string query;
     std::string failure;
+    bool failures = false;
+    bool remedy = false;
     std::size_t closest = 0;
     std::size_t most = 100;
     bool json = false;
@@ -56,6 +60,14 @@ struct WhyArguments {
         subject->add_option("--edge", edge, "The edge of two points")->type_name("P,Q");
         subject->add_option("--triangle", triangle, "The triangle of three points")
             ->type_name("P,Q,R");
+        subject
+            ->add_option("--ring", ring,
+                         "The edge ring at an address: the active one, or with #K the K-th on the "
+                         "stack")
+            ->type_name("ADDRESS[#K]");
+        subject->add_flag("--charts", charts,
+                          "No subject: refusals by stage; ring length, candidates and tests of the "
+                          "pivots; each with the --find line that lists them");
         subject
             ->add_option("--closest", closest,
                          "No subject: the N decisions that came nearest to going the other way")
@@ -71,8 +83,14 @@ struct WhyArguments {
                          "No subject: when the first failure of a class, or the N-th, came about; "
                          "classes: spiraling-edge check --help")
             ->type_name("CLASS[:N]");
+        subject->add_flag("--failures", failures,
+                          "No subject: everything that went wrong, with its three moments");
         subject->require_option(1);
-        app.add_option("--most", most, "With --find: list N of them")->type_name("N");
+        app.add_flag("--remedy", remedy,
+                     "With --failure: also which rules of --rules robust would have prevented it, "
+                     "by running again with each of them on");
+        app.add_option("--most", most, "With --find and --failures: list N of them, of each class")
+            ->type_name("N");
         app.add_flag("--json", json, "As JSON");
         app.add_flag("-q,--quiet", quiet, "No line of progress");
         app.footer(
@@ -109,16 +127,50 @@ std::string askQuery(const WhyArguments& arguments, const DecisionQuery& query,
     return arguments.json ? foundJson(input, found) : foundText(found);
 }
 
+/// Everything that went wrong in the run.
+std::vector<RunFailure> failuresIn(const WhyArguments& arguments, const PreparedInput& run,
+                                   ProgressLine& line) {
+    return workedOut("asking", arguments.input.input(), line, [&](const Progress& progress) {
+        return failuresOfRun(run.points, run.params, progress);
+    });
+}
+
 /// The three moments of a failure.
 std::string askFailure(const WhyArguments& arguments, const FailureChoice& choice,
                        const PreparedInput& run, ProgressLine& line) {
     const std::string& input = arguments.input.input();
-    const std::vector<Triangle> mesh = meshOf(run.points, run.params);
-    const MeshFailure failure = pickFailure(inspectMesh(run.points, mesh), choice, input);
-    const FailureMoments moments = workedOut("asking", input, line, [&](const Progress& progress) {
-        return momentsOf(run.points, run.params, failure, mesh, progress);
+    const RunFailure failure = pickFailure(failuresIn(arguments, run, line), choice, input);
+    if (!arguments.remedy)
+        return arguments.json ? momentsJson(input, failure) : momentsText(failure);
+    const Remedies remedies = workedOut("trying", input, line, [&](const Progress& progress) {
+        return findRemedies(run.points, run.params, failure.failure, progress);
     });
-    return arguments.json ? momentsJson(input, failure, moments) : momentsText(failure, moments);
+    return arguments.json ? momentsJson(input, failure, &remedies)
+                          : momentsText(failure) + remediesText(remedies);
+}
+
+std::string askFailures(const WhyArguments& arguments, const PreparedInput& run,
+                        ProgressLine& line) {
+    const std::vector<RunFailure> all = failuresIn(arguments, run, line);
+    return arguments.json ? failuresJson(arguments.input.input(), all)
+                          : failuresText(all, arguments.most);
+}
+
+std::string askRing(const WhyArguments& arguments, const RingPlace& ring, const PreparedInput& run,
+                    ProgressLine& line) {
+    const std::string& input = arguments.input.input();
+    const RingHistory history = workedOut("asking", input, line, [&](const Progress& progress) {
+        return whyRing(run.points, run.params, ring, progress);
+    });
+    return arguments.json ? historyJson(input, history) : historyText(history);
+}
+
+std::string askCharts(const WhyArguments& arguments, const PreparedInput& run, ProgressLine& line) {
+    const std::string& input = arguments.input.input();
+    const auto charts = workedOut("asking", input, line, [&](const Progress& progress) {
+        return runCharts(run.points, run.params, progress);
+    });
+    return arguments.json ? chartsJson(input, charts) : chartsText(charts);
 }
 
 std::string askClosest(const WhyArguments& arguments, const PreparedInput& run,
@@ -140,6 +192,8 @@ ExitCode whyVerb(const Arguments& words) {
     if (const auto code = parseArguments(app, words)) return *code;
     // Mistakes in the question come before long work.
     const auto query = DecisionQuery::parse(arguments.query);
+    if (arguments.remedy && arguments.failure.empty())
+        throw Failure(ExitCode::Usage, "--remedy: needs --failure CLASS[:N]");
     if (!query) throw Failure(ExitCode::Usage, "--find: " + query.error().message);
     const bool asksFailure = !arguments.failure.empty();
     const auto choice =
@@ -147,11 +201,20 @@ ExitCode whyVerb(const Arguments& words) {
     const bool asksSubject =
         !(arguments.point.empty() && arguments.edge.empty() && arguments.triangle.empty());
     if (asksSubject) (void)arguments.subject();
+    std::optional<RingPlace> ring;
+    if (!arguments.ring.empty()) {
+        const auto place = ringPlaceFromString(arguments.ring);
+        if (!place) throw Failure(ExitCode::Usage, "--ring " + place.error().message);
+        ring = place.value();
+    }
     catchInterrupts();
     ProgressLine line(!arguments.quiet);
     const PreparedInput run = arguments.input.prepare(line);
-    const std::string answer = choice        ? askFailure(arguments, *choice, run, line)
-                               : asksSubject ? askWhy(arguments, run, line)
+    const std::string answer = arguments.failures ? askFailures(arguments, run, line)
+                               : choice           ? askFailure(arguments, *choice, run, line)
+                               : asksSubject      ? askWhy(arguments, run, line)
+                               : ring             ? askRing(arguments, *ring, run, line)
+                               : arguments.charts ? askCharts(arguments, run, line)
                                : arguments.closest > 0
                                    ? askClosest(arguments, run, line)
                                    : askQuery(arguments, query.value(), run, line);

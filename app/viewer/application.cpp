@@ -10,7 +10,11 @@
 
 #include "gl/context.h"
 #include "gl/screenshot.h"
+#include "interface/alert_actions.h"
+#include "interface/break_commands.h"
 #include "interface/close_up.h"
+#include "interface/compare_commands.h"
+#include "session/questions.h"
 
 namespace se::view {
 
@@ -25,7 +29,11 @@ Application::Application(const Options& options, const ViewSettings& settings)
     : options_(options),
       commands_{session_, playback_, camera_, ui_},
       filing_(commands_),
-      growing_(commands_) {
+      alerting_(commands_, filing_),
+      growing_(commands_),
+      comparing_(commands_) {
+    comparing_.setShaders(options.shaders);
+    if (options.with) comparing_.beginWith(*options.with);
     ui_.settings = settings;
     ui_.cheatSheet = options.cheatSheet;
     ui_.arrangement = options.layout.value_or(Arrangement::Debug);
@@ -40,6 +48,7 @@ Status Application::start(float contentScale) {
     imgui_ = std::make_unique<Ui>();
     if (const Status status = painter_.start(options_.shaders); !status) return status;
     filing_.begin(options_);
+    alerting_.begin(options_);
     growing_.setUsual(options_.input);
     if (options_.grow) growing_.begin(*options_.grow);
     std::string complaints;
@@ -60,9 +69,18 @@ bool Application::poll() {
     const bool opened = session_.poll();
     const bool changed = growing_.poll() || opened;
     filing_.poll();
+    alerting_.poll();
+    if (auto with = filing_.takeComparison()) comparing_.beginWith(std::move(*with));
+    const bool compared = comparing_.poll();
+    const Compared* found = comparing_.comparison().result();
+    if (options_.atDifference && found != nullptr && session_.event() == nullptr &&
+        !session_.busy()) {
+        options_.atDifference = !found->meshes.same() || found->runs.first.has_value();
+        actions::askForDifference(commands_);
+    }
     if (session_.takeAccusation()) ui_.wantedTab = kDoctorTab;
     const bool notice = !session_.notice().empty();
-    return std::exchange(noticed_, notice) != notice || changed;
+    return std::exchange(noticed_, notice) != notice || changed || compared;
 }
 
 Status Application::settle() {
@@ -72,15 +90,31 @@ Status Application::settle() {
     if (inputFailed()) return Error{session_.error()};
     filing_.poll();
     session_.settle();
+    alerting_.poll();
+    session_.settle();
+    if (!alerting_.status()) return alerting_.status();
     if (!filing_.placeStatus()) return filing_.placeStatus();
     if (!options_.goTo.empty() && session_.missed()) return Error{session_.message()};
+    if (auto with = filing_.takeComparison()) comparing_.beginWith(std::move(*with));
+    comparing_.settle();
+    if (const std::string& wrong = comparing_.comparison().complaint(); !wrong.empty())
+        return Error{wrong};
+    // Once asked for, the way there, then the other run.
+    for (int i = 0; i < 2; ++i) {
+        poll();
+        comparing_.carryOut();
+        session_.settle();
+        comparing_.settle();
+    }
     filing_.warn();
     return success();
 }
 
 bool Application::animating() const {
     return session_.busy() || playback_.playing() || painter_.moving() || ui_.look.blinking() ||
-           ui_.click.waiting() || session_.phase() == SessionPhase::Loading || growing_.moving();
+           ui_.click.waiting() || comparing_.moving() ||
+           session_.phase() == SessionPhase::Loading || growing_.moving() ||
+           session_.questions().busy();
 }
 
 std::string Application::title() const {
@@ -108,7 +142,8 @@ void Application::play(double seconds) {
     if (!turn && session_.atEnd()) playback_.pause();
     const int due = playback_.due(seconds);
     if (due == 0) return;
-    turn ? session_.playTo(*loop.from) : playSteps(commands_, due);
+    if (turn) return session_.playTo(*loop.from);
+    if (!heldByBreakpoint(commands_, due)) playSteps(commands_, due);
 }
 
 /// Where what has just been opened is looked at from.
@@ -121,15 +156,32 @@ void Application::placeCamera(const Layout& layout) {
         }
         if (const auto pose = filing_.takeCamera()) camera_.setPose(*pose);
     }
-    if (session_.busy() || !filing_.takeFocus()) return;
+    if (std::exchange(ui_.requests.frameAlert, false)) frameAlert(commands_);
+    // Nobody has changed anything yet.
+    if (alerting_.takeOpened()) undo_.begin(captureEdits(commands_));
+    const bool atDifference = session_.event() != nullptr && !session_.busy() &&
+                              std::exchange(options_.atDifference, false);
+    if (session_.busy()) return;
+    const FrameWish wish = std::exchange(ui_.requests.frame, FrameWish::None);
+    const bool pivot = session_.picture().pivot != kNone;
+    if (wish != FrameWish::None)
+        wish == FrameWish::Pivot&& pivot ? framePivot(commands_) : frameFocus(commands_);
+    if (!(filing_.takeFocus() || (atDifference && options_.focus))) return;
     frameFocus(commands_);
     closeUp(session_, camera_, layout.view.size / imgui_->em());
 }
 
 void Application::drawUserInterface(const Layout& layout) {
     const StatusCounts& counts = session_.picture().status.counts();
-    const PanelContext context{commands_,       palette(), imgui_->fonts(), layout,
-                               painter_.list(), counts,    imgui_->em(),    painter_.texture()};
+    Session* other = comparing_.other();
+    CommandContext beside{other != nullptr ? *other : session_, playback_, camera_, ui_};
+    std::optional<OtherView> view;
+    if (comparing_.shows())
+        view.emplace(OtherView{other != nullptr ? &beside : nullptr, comparing_.list(),
+                               beside.session.picture().status.counts(), comparing_.texture()});
+    const PanelContext context{commands_,    palette(),          imgui_->fonts(),
+                               layout,       painter_.list(),    counts,
+                               imgui_->em(), painter_.texture(), view ? &*view : nullptr};
     // What is asked for in this frame is drawn in the next one, and has no window yet.
     const bool page = ui_.growth.open;
     drawPanels(context);
@@ -151,6 +203,11 @@ void Application::drawUserInterface(const Layout& layout) {
 void Application::frame(glm::ivec2 size, double seconds) {
     const auto began = std::chrono::steady_clock::now();
     ui_.clock += seconds;
+    // A line that is being typed is no line yet.
+    if (!ImGui::GetIO().WantTextInput) {
+        session_.arm(ui_.breakpoints);
+        session_.watch(ui_.watches);
+    }
     poll();
     play(seconds);
     session_.showBefore(ui_.look.showsBefore(ui_.clock));
@@ -170,11 +227,16 @@ void Application::frame(glm::ivec2 size, double seconds) {
         painter_.fillParticles(growing_, ui_.settings.theme);
     } else {
         placeCamera(layout);
-        painter_.fill(commands_, ui_.requests.screenshot || !options_.screenshot.empty());
+        if (session_.ready() && ui_.settings.pointTint == PointTint::Margin)
+            session_.questions().wantClosest();
+        const bool onPaper = ui_.requests.screenshot || !options_.screenshot.empty();
+        painter_.fill(commands_, onPaper, comparing_.look());
+        comparing_.fill(onPaper);
     }
     drawUserInterface(layout);
     const auto built = std::chrono::steady_clock::now();
     painter_.draw(commands_, glm::ivec2(layout.view.size), imgui_->em());
+    comparing_.draw(glm::ivec2(layout.otherView.size), imgui_->em());
     clearFrame(size, palette().panel);
     imgui_->endFrame();
     uiSeconds_ = std::chrono::duration<double>(built - began).count();
@@ -184,6 +246,7 @@ void Application::frame(glm::ivec2 size, double seconds) {
     observeEdits();
     undoOrRedo();
     growing_.carryOut();
+    comparing_.carryOut();
     filing_.carryOut(ui_.requests);
     ui_.unsaved = filing_.unsaved();
     if (std::exchange(ui_.requests.copyPlace, false)) copyPlace();
@@ -237,7 +300,8 @@ void Application::observeEdits() {
         const InputSpec& spec = session_.spec();
         const bool same = std::exchange(undoSource_, spec.source) == spec.source;
         const bool cured = std::exchange(undoCures_, spec.cures) != spec.cures;
-        if (!same || !cured) return undo_.begin(now);
+        const bool ruled = std::exchange(undoRules_, now.rules) != now.rules;
+        if (!same || (!cured && !ruled)) return undo_.begin(now);
     }
     const bool changing = ImGui::IsAnyMouseDown() || ImGui::GetIO().WantTextInput;
     const auto sinceStart = std::chrono::steady_clock::now().time_since_epoch();
@@ -259,6 +323,7 @@ void Application::undoOrRedo() {
     Edits made = captureEdits(commands_);
     // What is opened anew has nothing selected.
     if (std::exchange(made.cures, step->edits.cures) != step->edits.cures) made.selected = {};
+    made.rules = step->edits.rules;
     undo_.accept(made);
     session_.say((undo ? "Undone: " : "Redone: ") + step->change + ".");
 }
@@ -268,7 +333,8 @@ void Application::narrate() {
     const std::string address = toString(session_.address());
     if (address == narrated_) return;
     narrated_ = address;
-    std::printf("%s\t%s\n", address.c_str(), describe(*session_.event()).c_str());
+    std::printf("%s\t%s\n", address.c_str(),
+                (describe(*session_.event()) + session_.noticedText()).c_str());
     std::fflush(stdout);
 }
 

@@ -5,6 +5,8 @@
 #include <memory>
 #include <string>
 
+#include "alerting.h"
+#include "comparing.h"
 #include "filing.h"
 #include "growing.h"
 #include "interface/commands.h"
@@ -102,11 +104,14 @@ class Application {
     std::uint32_t placedGeneration_ = 0;  ///< The camera was placed for it.
     float contentScale_ = 1.0F;
     Filing filing_;
+    Alerting alerting_;
     Growing growing_;
+    Comparing comparing_;
     UndoStack undo_;
     std::uint32_t undoGeneration_ = 0xffffffffU;  ///< Of the input that the stack is about.
     std::string undoSource_;
     Cures undoCures_;
+    RuleSet undoRules_;
     bool noticed_ = false;           ///< A notice is in sight.
     const char* focused_ = nullptr;  ///< The window that has the keyboard where no panel has it.
     std::string homeOf_;             ///< Name of the input that the camera went home for.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "interface/growth_commands.h"
+#include "run/gallery.h"
 
 namespace se::view {
 
@@ -18,17 +19,31 @@ SessionFile captureSession(const CommandContext& context) {
     file.layers = context.ui.settings.layers;
     file.layout = context.ui.arrangement;
     file.selected = session.selection();
+    if (session.chosenAlert()) file.alert = alertName(session.alerts(), *session.chosenAlert());
     file.bookmarks = context.ui.bookmarks;
     file.notes = context.ui.notes;
+    file.query = context.ui.query.typed;
+    file.breakpoints = context.ui.breakpoints;
+    file.watches = context.ui.watches;
+    if (context.ui.compare.now != nullptr) file.with = context.ui.compare.now->with();
     return file;
 }
 
 Edits captureEdits(const CommandContext& context) {
     const UiState& ui = context.ui;
-    return {ui.settings.theme,           ui.settings.uiScale, ui.settings.legend,
-            ui.settings.layers,          ui.arrangement,      context.camera.pose(),
-            context.session.selection(), ui.bookmarks,        ui.notes,
-            context.session.spec().cures};
+    return {ui.settings.theme,
+            ui.settings.uiScale,
+            ui.settings.legend,
+            ui.settings.layers,
+            ui.arrangement,
+            context.camera.pose(),
+            context.session.selection(),
+            ui.bookmarks,
+            ui.notes,
+            ui.breakpoints,
+            ui.watches,
+            context.session.spec().cures,
+            rulesOf(context.session.spec())};
 }
 
 void applyEdits(const Edits& edits, CommandContext& context) {
@@ -41,6 +56,9 @@ void applyEdits(const Edits& edits, CommandContext& context) {
     if (context.camera.pose() != edits.camera) context.camera.setPose(edits.camera);
     ui.bookmarks = edits.bookmarks;
     ui.notes = edits.notes;
+    ui.breakpoints = edits.breakpoints;
+    ui.watches = edits.watches;
+    if (edits.rules != rulesOf(context.session.spec())) ui.requests.rules = edits.rules;
     if (edits.cures != context.session.spec().cures) {
         // The numbers of points may mean others there.
         ui.requests.cures = edits.cures;
@@ -51,6 +69,7 @@ void applyEdits(const Edits& edits, CommandContext& context) {
 
 void Filing::begin(const Options& options) {
     if (options.session) takeLooks(*options.session, options.sessionPath);
+    if (options.with) with_ = options.with;
     if (options.layout) c_.ui.arrangement = *options.layout;
     keptLayout_ = c_.ui.arrangement;
     if (options.input.source.empty()) return;
@@ -59,6 +78,11 @@ void Filing::begin(const Options& options) {
     notebookOf_ = options.input.source;
     arrival_.focus = options.focus;
     arrival_.file = options.session ? options.sessionPath : options.input.source;
+    if (const FailureScene* failing = galleryScene(options.input.source);
+        failing != nullptr && options.alert.empty() && !options.session) {
+        arrival_.goTo = failing->address;
+        arrival_.focus = true;
+    }
     if (!options.goTo.empty()) arrival_.goTo = options.goTo;
     if (options.camera) arrival_.camera = options.camera;
     c_.session.open(options.input);
@@ -76,8 +100,9 @@ void Filing::keepIn(const std::filesystem::path& path, bool resetLayout) {
 void Filing::changeNotebook(const std::string& source) {
     UiState& ui = c_.ui;
     if (source == notebookOf_) return;
-    Notebook mine{std::move(ui.bookmarks), std::move(ui.notes),        std::move(ui.sessionPath),
-                  std::move(original_),    std::move(savedBookmarks_), std::move(savedNotes_)};
+    Notebook mine{std::move(ui.bookmarks),   std::move(ui.notes),        std::move(ui.sessionPath),
+                  std::move(original_),      std::move(savedBookmarks_), std::move(savedNotes_),
+                  std::move(ui.breakpoints), std::move(ui.watches)};
     notebooks_[std::exchange(notebookOf_, source)] = std::move(mine);
     Notebook& other = notebooks_[source];
     ui.bookmarks = other.bookmarks;
@@ -86,6 +111,8 @@ void Filing::changeNotebook(const std::string& source) {
     original_ = other.original;
     savedBookmarks_ = other.savedBookmarks;
     savedNotes_ = other.savedNotes;
+    ui.breakpoints = other.breakpoints;
+    ui.watches = other.watches;
 }
 
 /// The page with new points gives way to what is being opened.
@@ -115,11 +142,17 @@ void Filing::open(const std::string& path) {
         spec.walls = {};
         spec.rim = false;
         spec.points = nullptr;
+        spec.whatIf.clear();
     }
     arrival_ = {};
     arrival_.pending = true;
     arrival_.generation = session.generation();
     arrival_.file = path;
+    // A scene that fails opens on the decision that is the cause.
+    if (const FailureScene* failing = galleryScene(path)) {
+        arrival_.goTo = failing->address;
+        arrival_.focus = true;
+    }
     openInput(std::move(spec));
 }
 
@@ -154,13 +187,18 @@ void Filing::takeLooks(const SessionFile& file, const std::string& path) {
     if (file.layout) ui.arrangement = keptLayout_ = *file.layout;
     ui.bookmarks = file.bookmarks;
     ui.notes = file.notes;
+    ui.query.typed = file.query;
+    ui.breakpoints = file.breakpoints;
+    ui.watches = file.watches;
     ui.sessionPath = path;
     original_ = file.original;
     noteSaved();
+    if (file.with.kind != CompareWith::Kind::Nothing) with_ = file.with;
     if (!file.leftOut.empty()) warnLater(file.leftOut);
     arrival_.goTo = file.place.address;
     arrival_.camera = file.place.camera;
     arrival_.selected = file.selected;
+    arrival_.alert = file.alert;
     arrival_.expectedHash = file.inputHash;
 }
 
@@ -187,6 +225,8 @@ void Filing::takeUp() {
 void Filing::arrive() {
     takeUp();
     arrival_.pending = false;
+    alert_ = std::exchange(arrival_.alert, {});
+    placed_ = !arrival_.goTo.empty() || arrival_.camera;
     note(arrival_.file);
     const std::string& hash = c_.session.model().hash;
     if (!arrival_.expectedHash.empty() && arrival_.expectedHash != hash) {
@@ -232,6 +272,7 @@ void Filing::carryOut(UiRequests& requests) {
         leave({LeaveFor::Open, std::exchange(requests.open, {}), {}});
     }
     if (requests.cures) takeCures(*std::exchange(requests.cures, std::nullopt));
+    if (requests.rules) takeRules(*std::exchange(requests.rules, std::nullopt));
     if (requests.openSpec) {
         const InputSpec spec = *std::exchange(requests.openSpec, std::nullopt);
         const bool same = c_.session.ready() && c_.session.spec().source == spec.source;
@@ -279,6 +320,13 @@ void Filing::takeCures(Cures cures) {
     InputSpec spec = c_.session.spec();
     spec.cures = std::move(cures);
     openInput(std::move(spec));
+}
+
+/// Runs what is open anew; nothing that a person noted is touched.
+void Filing::takeRules(const RuleSet& rules) {
+    if (!c_.session.ready() || rules == c_.session.rules()) return;
+    c_.playback.pause();
+    c_.session.runAnew(rules);
 }
 
 void Filing::answer() {

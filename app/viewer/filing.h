@@ -42,8 +42,14 @@ class Filing {
 
     /// The camera that belongs to what has just been opened, once.
     std::optional<CameraPose> takeCamera() { return std::exchange(arrival_.camera, std::nullopt); }
+    /// The alert that the session which has just been opened looked at, once; empty: none.
+    std::string takeAlert() { return std::exchange(alert_, {}); }
+    /// What is open was opened at a place that somebody named.
+    bool placed() const { return placed_; }
     /// True once, after a place was reached that is to be framed.
     bool takeFocus() { return std::exchange(focus_, false); }
+    /// What the session or the command line compares with, once.
+    std::optional<CompareWith> takeComparison() { return std::exchange(with_, std::nullopt); }
     /// Why the place of the command line does not exist, if so.
     const Status& placeStatus() const { return placeStatus_; }
     /// There are bookmarks or notes that no session file holds yet.
@@ -62,6 +68,7 @@ class Filing {
         std::string goTo;
         std::optional<CameraPose> camera;
         Selection selected;
+        std::string alert;
         std::string expectedHash;
         std::string file;  ///< For the list of recent files.
         bool focus = false;
@@ -74,6 +81,8 @@ class Filing {
         std::string original;
         Bookmarks savedBookmarks;
         std::string savedNotes;
+        std::vector<Breakpoint> breakpoints;
+        std::vector<std::string> watches;
     };
 
     /// Goes on at once, or asks first if something would be lost.
@@ -81,6 +90,7 @@ class Filing {
     void go(const Leave& to);
     void reload();
     void takeCures(Cures cures);
+    void takeRules(const RuleSet& rules);
     void openInput(InputSpec spec);
     void spreadOver(const std::string& volume);
     /// Opens an input with its options: the present one prepared in another way, or points that
@@ -112,7 +122,10 @@ class Filing {
     std::string savedNotes_;
     std::string said_;                  ///< Waits until one has arrived.
     std::optional<Leave> afterSaving_;  ///< Where to go once the session is saved.
+    std::optional<CompareWith> with_;
     bool focus_ = false;
+    bool placed_ = false;
+    std::string alert_;
     Status placeStatus_ = success();
     std::filesystem::path kept_;  ///< Empty: nothing is kept.
     Arrangement keptLayout_ = Arrangement::Debug;

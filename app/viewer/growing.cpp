@@ -104,6 +104,7 @@ void Growing::start() {
 
 bool Growing::poll() {
     GrowthPage& page = c_.ui.growth;
+    page.found = growth_.found();
     if (page.open && !before_) before_ = c_.camera.pose();
     if (growth_.poll()) {
         takePicture();

@@ -35,6 +35,7 @@ ViewSettings settingsFor(const Options& options) {
     }
     if (options.theme) settings.theme = *options.theme;
     if (options.meshStyle) settings.meshStyle = *options.meshStyle;
+    if (options.pointTint) settings.pointTint = *options.pointTint;
     if (options.uiScale > 0.0) settings.uiScale = options.uiScale;
     return settings;
 }
@@ -46,6 +47,7 @@ ViewSettings settingsToKeep(const Options& options, const Application& applicati
     const ViewSettings before = read ? read.value() : ViewSettings{};
     if (options.theme) keep.theme = before.theme;
     if (options.meshStyle) keep.meshStyle = before.meshStyle;
+    if (options.pointTint) keep.pointTint = before.pointTint;
     if (options.uiScale > 0.0) keep.uiScale = before.uiScale;
     if (options.session && options.session->layers) keep.layers = before.layers;
     if (options.size) keep.width = before.width;
@@ -191,6 +193,9 @@ int main(int argc, char** argv) {
         Options& options = *parsed.options;
         if (const auto status = adoptSession(options); !status) {
             return fail(kExitInput, status.error().message);
+        }
+        if (const auto status = chooseComparison(options); !status) {
+            return fail(kExitUsage, status.error().message);
         }
         if (options.benchFrames > 0) return runBench(options);
         return options.screenshot.empty() ? runWindow(options) : runPicture(options);

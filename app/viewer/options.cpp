@@ -61,11 +61,13 @@ struct RawOptions {
     std::string size;
     std::string theme;
     std::string meshStyle;
+    std::string pointTint;
     std::string layout;
     std::string place;
     std::vector<std::string> choices;
     std::size_t neighbors = 0;
     double radius = 0.0;
+    double reach = 0.0;
     std::string screenshot;
     std::string shaders;
     std::string stateDump;
@@ -88,6 +90,11 @@ void addPreparing(CLI::App& app, Options& o, RawOptions& raw) {
         app.add_option("-r,--radius", raw.radius, "List the neighbors within R, in scene units")
             ->check(CLI::PositiveNumber);
     k->excludes(r);
+    app.add_option("--reach", raw.reach,
+                   "List the neighbors within X times the mean distance to the nearest")
+        ->check(CLI::PositiveNumber)
+        ->excludes(k)
+        ->excludes(r);
     app.add_flag("--symmetric", o.input.neighbors.symmetric,
                  "Whoever lists a point is listed by it as well");
     app.add_flag("--keep-opposing", o.input.keepOpposing,
@@ -152,10 +159,19 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     addGrowing(app, raw);
     app.add_option("--goto", o.goTo,
                    "Begin at PIVOT[.STAGE[.N]], for example 137.sphere.3, at 50%, or at p812: the "
-                   "first event about point 812");
+                   "first event about point 812; or, with --with, at difference");
+    app.add_option(
+           "--alert", o.alert,
+           "Open on an alert: CLASS or CLASS:N as spiraling-edge why --failures lists them, "
+           "or first; with --goto at that place of the run")
+        ->type_name("CLASS[:N]");
     app.add_option("--place", raw.place,
                    "Begin at an address with a camera: the text that Ctrl+C copies")
         ->type_name("TEXT");
+    app.add_option("--with", o.withText,
+                   "Compare with another run: the options in which it differs, as one word "
+                   "(\"--rules robust\"); or with a mesh, by its path")
+        ->type_name("WHAT");
     app.add_flag("--focus", o.focus, "Begin with the pivot and its neighbors framed");
     app.add_option("--size", raw.size,
                    "Size of the window or picture in pixels, for example 1280x800");
@@ -165,12 +181,16 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_option("--ui-scale", o.uiScale, "Size of text and panels, 0.75 to 3")
         ->check(CLI::Range(0.75, 3.0));
     app.add_option("--theme", raw.theme, "dark or light")->check(CLI::IsMember({"dark", "light"}));
-    app.add_option("--layout", raw.layout, "How the window is arranged: debug, learn or present")
-        ->check(CLI::IsMember({"debug", "learn", "present"}));
+    app.add_option("--layout", raw.layout,
+                   "How the window is arranged: debug, learn, present or compare")
+        ->check(CLI::IsMember({"debug", "learn", "present", "compare"}));
     app.add_flag("--reset-layout", o.resetLayout, "Forget the layout that was chosen last");
     app.add_option("--mesh-style", raw.meshStyle,
                    "How finished triangles look: flat, shaded, wire, birth or component")
         ->check(CLI::IsMember({"flat", "shaded", "wire", "birth", "component"}));
+    app.add_option("--point-tint", raw.pointTint,
+                   "The color of points: status, or margin (the least of any test of them)")
+        ->check(CLI::IsMember({"status", "margin"}));
     app.add_flag("--narrate", o.narrate, "Print one sentence per step to stdout");
     app.add_option("--state-dump", raw.stateDump,
                    "Write what is shown as JSON, whenever it changes")
@@ -229,7 +249,7 @@ void takeOver(const RawOptions& raw, Options& o) {
     }
     if (raw.size.empty()) o.size.reset();
     for (const std::string& text : raw.choices) {
-        const Result<RuleChoice> choice = ruleChoiceFromText(text);
+        const Result<RuleValue> choice = ruleValueFromText(text);
         if (!choice) throw CLI::ValidationError("--rule " + text, choice.error().message);
         o.input.choices.push_back(choice.value());
     }
@@ -239,8 +259,18 @@ void takeOver(const RawOptions& raw, Options& o) {
         o.camera = place.value().camera;
         if (o.goTo.empty()) o.goTo = place.value().address;
     }
-    if (o.input.source.empty() && !o.goTo.empty()) {
-        throw CLI::ValidationError("--goto, --place",
+    if (o.goTo == "difference") {
+        if (o.withText.empty() && o.input.source.empty())
+            throw CLI::ValidationError("--goto difference", "needs something to compare --with");
+        o.atDifference = true;
+        o.goTo.clear();
+    }
+    if (!o.withText.empty()) {
+        const Result<CompareWith> with = compareWithFromText(o.withText, o.input);
+        if (!with) throw CLI::ValidationError("--with", with.error().message);
+    }
+    if (o.input.source.empty() && !(o.goTo.empty() && o.alert.empty())) {
+        throw CLI::ValidationError("--goto, --place, --alert",
                                    "need a FILE or scene:ID to go to a place of");
     }
 }
@@ -270,6 +300,43 @@ void chooseBenchScene(Options& o) {
 
 }  // namespace
 
+Result<CompareWith> compareWithFromText(const std::string& text, const InputSpec& base) {
+    if (!text.starts_with('-')) return CompareWith::otherMesh(text);
+    Options o;
+    RawOptions raw;
+    CLI::App app{"", "--with"};
+    app.set_help_flag();
+    o.input = base;
+    o.input.source.clear();
+    app.add_option("--rules", o.input.rules)->check(CLI::IsMember(ruleSetNames()));
+    app.add_option("--rule", raw.choices)->allow_extra_args(false);
+    addPreparing(app, o, raw);
+    try {
+        app.parse(text, false);
+        if (app.count("--rules") > 0) o.input.choices.clear();
+        takeOver(raw, o);
+        if (raw.orient) o.input.normals = NormalSource::Oriented;
+        if (raw.deriveNormals) o.input.normals = NormalSource::Derived;
+    } catch (const CLI::ParseError& e) {
+        return Error{text + ": " + e.what() + "."};
+    }
+    NeighborOptions& lists = o.input.neighbors;
+    if (raw.neighbors > 0) lists.reach = KNearest{raw.neighbors};
+    if (raw.radius > 0.0) lists.reach = WithinRadius{raw.radius};
+    if (raw.neighbors > 0 || raw.radius > 0.0) lists.recompute = true;
+    if (raw.box == "auto") o.input.walls = {WallChoice::From::Around, {}};
+    o.input.source = base.source;
+    return CompareWith::otherRun(std::move(o.input));
+}
+
+Status chooseComparison(Options& o) {
+    if (o.withText.empty()) return success();
+    Result<CompareWith> with = compareWithFromText(o.withText, o.input);
+    if (!with) return with.error();
+    o.with = std::move(with.value());
+    return success();
+}
+
 Status adoptSession(Options& o) {
     const std::string path = o.input.source;
     if (path.empty() || isScene(path) || isSample(path) || !looksLikeSession(path)) {
@@ -294,6 +361,7 @@ Status adoptSession(Options& o) {
         o.input.rules = kept.rules;
         o.input.choices.insert(o.input.choices.begin(), kept.choices.begin(), kept.choices.end());
     }
+    if (o.input.whatIf.empty()) o.input.whatIf = kept.whatIf;
     return success();
 }
 
@@ -320,10 +388,12 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
     const bool symmetric = o.input.neighbors.symmetric;
     if (raw.neighbors > 0) o.input.neighbors = {KNearest{raw.neighbors}, true, 0, true, symmetric};
     if (raw.radius > 0.0) o.input.neighbors = {WithinRadius{raw.radius}, true, 0, true, symmetric};
+    if (raw.reach > 0.0) o.input.neighbors = {WithinSpacings{raw.reach}, true, 0, true, symmetric};
     o.rulesGiven = app.count("--rules") > 0;
-    o.reachGiven = raw.neighbors > 0 || raw.radius > 0.0;
+    o.reachGiven = raw.neighbors > 0 || raw.radius > 0.0 || raw.reach > 0.0;
     o.theme = themeFromName(raw.theme);
     o.meshStyle = meshStyleFromName(raw.meshStyle);
+    o.pointTint = pointTintFromName(raw.pointTint);
     o.layout = arrangementFromName(raw.layout);
     o.screenshot = raw.screenshot;
     o.shaders = raw.shaders;

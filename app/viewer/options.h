@@ -10,6 +10,7 @@
 #include "run/model.h"
 #include "scene/mesh_style.h"
 #include "scene/palette.h"
+#include "scene/point_tint.h"
 #include "session/arrangement.h"
 #include "session/place.h"
 #include "session/session_file.h"
@@ -37,6 +38,11 @@ struct Options {
     std::optional<SessionFile> session;  ///< What FILE held, if it was one.
     std::string sessionPath;
     std::string goTo;
+    std::string
+        alert;  ///< Class and number of the alert to open on, or "first"; empty: none named.
+    bool atDifference = false;  ///< --goto difference.
+    std::string withText;       ///< --with, as it was typed.
+    std::optional<CompareWith> with;
     std::optional<CameraPose> camera;  ///< Of --place.
     bool resetLayout = false;
     std::optional<glm::ivec2> size;
@@ -45,6 +51,7 @@ struct Options {
     double uiScale = 0.0;              ///< 0: not given.
     std::optional<Theme> theme;
     std::optional<MeshStyle> meshStyle;
+    std::optional<PointTint> pointTint;
     std::optional<Arrangement> layout;
     std::filesystem::path shaders;  ///< Folder to read shaders from; empty: those embedded.
     bool focus = false;             ///< Begin with the pivot framed.
@@ -67,5 +74,11 @@ ParsedOptions parseOptions(int argc, const char* const* argv);
 /// If FILE is a session file: reads it and takes from it what the command line does not say.
 /// Fails with a sentence.
 Status adoptSession(Options& options);
+
+/// What `--with` says of a run of `base`: options as those of the run, "--rules robust -k 16", in
+/// which it differs from it; else the path of a mesh. Fails with a sentence.
+Result<CompareWith> compareWithFromText(const std::string& text, const InputSpec& base);
+/// After adoptSession(): works out Options::with. Fails with a sentence.
+Status chooseComparison(Options& options);
 
 }  // namespace se::view

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "session/questions.h"
 #include "session/session.h"
 
 namespace se::view {
@@ -36,6 +37,23 @@ Index seedBefore(const Session& session) {
     return seed;
 }
 
+/// Not 0 if the points are to be colored by their margins, and those are known.
+std::uint32_t tintOf(const Session& session, PointTint tint) {
+    const bool known = !session.questions().leastMargin().empty();
+    return tint == PointTint::Margin && known ? session.generation() + 1 : 0;
+}
+
+/// Colors what the other mesh has not, and outlines what it has in the region that is shown.
+void addDifference(const DifferenceLook& look, const Model& model, std::size_t finished,
+                   const std::shared_ptr<const std::vector<Triangle>>& mended, DrawList& out) {
+    if (look.shade != nullptr)
+        out.tinted = look.shade->at(finished, mended, look.only, look.turned);
+    for (const Triangle& t : look.ghosts) {
+        for (const auto& [u, v] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}})
+            out.dashed(model.place[u], model.place[v], look.ghost, 0.1F, 0.35F);
+    }
+}
+
 }  // namespace
 
 Status ScenePainter::start(const std::filesystem::path& shaders) {
@@ -59,12 +77,15 @@ const Moment& ScenePainter::lookAtMoment(const CommandContext& context, bool onP
 }
 
 void ScenePainter::upload(const Session& session) {
-    if (std::exchange(uploadedGeneration_, session.generation()) != session.generation()) {
-        renderer_->setModel(session.model());
+    const bool another =
+        std::exchange(uploadedGeneration_, session.generation()) != session.generation();
+    // A what-if moves points from a pivot on.
+    if (std::exchange(uploaded_, &session.shown()) != &session.shown() || another) {
+        renderer_->setModel(session.shown());
         filled_.revision = 0;
     }
-    renderer_->setTriangles(session.model(), session.triangles());
-    renderer_->setMended(session.model(), session.picture().mended);
+    renderer_->setTriangles(session.shown(), session.triangles());
+    renderer_->setMended(session.shown(), session.picture().mended);
 }
 
 MeshColoring ScenePainter::coloringOf(const Session& session, MeshStyle style) {
@@ -77,10 +98,13 @@ MeshColoring ScenePainter::coloringOf(const Session& session, MeshStyle style) {
     return mesh;
 }
 
-void ScenePainter::fill(CommandContext& context, bool onPaper) {
+void ScenePainter::fill(CommandContext& context, bool onPaper, const DifferenceLook* look) {
     const Session& session = context.session;
     particles_ = false;
     if (!session.ready()) return;
+    // A mesh that lies still has been uploaded in between.
+    if (std::exchange(still_, nullptr)) uploadedGeneration_ = 0;
+    model_ = session.sharedModel();
     upload(session);
     const ViewSettings& settings = context.ui.settings;
     shownLayers_ = shownLayers(settings.layers, session.stage());
@@ -90,25 +114,67 @@ void ScenePainter::fill(CommandContext& context, bool onPaper) {
                settings.theme,
                coloringOf(session, settings.meshStyle),
                lookAtMoment(context, onPaper),
-               shapes};
+               shapes,
+               tintOf(session, settings.pointTint),
+               session.noticedHere().size(),
+               look != nullptr ? look->revision : 0U};
     if (now == filled_) return;
-    const LayerInput input{session.model(),
-                           session.picture(),
-                           paletteOf(settings.theme),
-                           session.selected(),
-                           session.litRing(),
-                           session.hovered(),
-                           session.triangles(),
-                           componentBegin(session),
-                           shapeAt(session.overview().shapes, session.record().pivot),
-                           session.selection(),
-                           context.ui.facts.of(session).present,
-                           now.mesh,
-                           session.marked(),
-                           now.moment,
-                           &session.meshIndex(),
-                           seedBefore(session)};
+    const LayerInput input{
+        session.shown(),
+        session.picture(),
+        paletteOf(settings.theme),
+        session.selected(),
+        session.litRing(),
+        session.hovered(),
+        session.triangles(),
+        componentBegin(session),
+        shapeAt(session.overview().shapes, session.record().pivot),
+        session.selection(),
+        context.ui.facts.of(session).present,
+        now.mesh,
+        session.marked(),
+        now.moment,
+        &session.meshIndex(),
+        seedBefore(session),
+        now.tint == 0 ? std::span<const double>{} : session.questions().leastMargin(),
+        now.tint,
+        settings.theme,
+        session.alert(),
+        session.noticedHere()};
     fillDrawList(input, shownLayers_, drawList_);
+    if (look != nullptr)
+        addDifference(*look, session.model(), session.picture().finishedTriangles,
+                      session.picture().mended, drawList_);
+    filled_ = std::move(now);
+    ++fills_;
+}
+
+void ScenePainter::fillStill(const std::shared_ptr<const Model>& model,
+                             const std::vector<Triangle>& triangles, const ViewSettings& settings,
+                             const DifferenceLook* look) {
+    Filled now;
+    now.theme = settings.theme;
+    now.difference = look != nullptr ? look->revision : 0U;
+    now.mesh.style =
+        settings.meshStyle == MeshStyle::Shaded || settings.meshStyle == MeshStyle::Wire
+            ? settings.meshStyle
+            : MeshStyle::Flat;
+    const bool fresh = std::exchange(still_, model) != model || uploadedStill_ != &triangles;
+    if (!fresh && now == filled_) return;
+    if (fresh) {
+        renderer_->setModel(*model);
+        renderer_->setTriangles(*model, triangles);
+        uploadedStill_ = &triangles;
+        model_ = model;
+    }
+    const Palette& palette = paletteOf(settings.theme);
+    drawList_ = {};
+    drawList_.cloudVisible = false;
+    drawList_.finishedTriangles = triangles.size();
+    drawList_.meshColor = palette.mesh;
+    drawList_.meshEdgeColor = now.mesh.style == MeshStyle::Wire ? palette.done : palette.meshEdge;
+    drawList_.meshStyle = now.mesh.style;
+    if (look != nullptr) addDifference(*look, *model, triangles.size(), nullptr, drawList_);
     filled_ = std::move(now);
     ++fills_;
 }
@@ -141,6 +207,7 @@ void ScenePainter::draw(const CommandContext& context, glm::ivec2 size, float em
                     fills_};
     if (key == drawn_) return;
     drawn_ = key;
+    if (model_ && !particles_) renderer_->setTinted(*model_, list());
     const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
     renderer_->draw(list(), context.camera.matrices(aspect), size, em, paletteOf(theme).background);
 }

@@ -8,6 +8,7 @@
 #include "growing.h"
 #include "interface/commands.h"
 #include "layers/layer.h"
+#include "scene/difference.h"
 #include "scene/motion.h"
 
 namespace se::view {
@@ -18,8 +19,13 @@ class ScenePainter {
     Status start(const std::filesystem::path& shaders);
 
     /// Uploads what is new and makes the list of what is to be drawn, if something changed since
-    /// the last time. On paper, what only passes by is there to be seen.
-    void fill(CommandContext& context, bool onPaper);
+    /// the last time. On paper, what only passes by is there to be seen. `look`: what another mesh
+    /// has not is colored; null: nothing is.
+    void fill(CommandContext& context, bool onPaper, const DifferenceLook* look = nullptr);
+    /// A mesh that lies there finished, as it is compared with a run.
+    void fillStill(const std::shared_ptr<const Model>& model,
+                   const std::vector<Triangle>& triangles, const ViewSettings& settings,
+                   const DifferenceLook* look);
     /// The same for new points, until fill() is called again.
     void fillParticles(Growing& growing, Theme theme);
     /// Draws the list, if it, the camera or the size changed since the last time.
@@ -40,7 +46,10 @@ class ScenePainter {
         Theme theme = Theme::Dark;
         MeshColoring mesh;
         Moment moment;
-        std::size_t shapes = 0;  ///< Components that were known.
+        std::size_t shapes = 0;        ///< Components that were known.
+        std::uint32_t tint = 0;        ///< Of the points, see LayerInput.
+        std::size_t noticed = 0;       ///< Failures of this event that were known.
+        std::uint32_t difference = 0;  ///< Revision of the look; 0: none.
         friend bool operator==(const Filled&, const Filled&) = default;
     };
     struct Drawn {
@@ -71,7 +80,11 @@ class ScenePainter {
     DrawList particleList_;
     std::uint32_t filledParticles_ = 0;  ///< Revision of those in the list.
     Theme particleTheme_ = Theme::Dark;
+    const Model* uploaded_ = nullptr;  ///< Only compared.
     std::uint32_t uploadedGeneration_ = 0;
+    std::shared_ptr<const Model> model_;  ///< What is in sight.
+    std::shared_ptr<const Model> still_;  ///< Of the mesh that was uploaded; null: a run was.
+    const void* uploadedStill_ = nullptr;
 };
 
 }  // namespace se::view

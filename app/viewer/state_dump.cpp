@@ -3,6 +3,7 @@
 
 #include "application.h"
 #include "session/place.h"
+#include "session/questions.h"
 #include "session/selection_facts.h"
 #include "spiraling_edge/io.h"
 
@@ -50,6 +51,25 @@ void dumpNavigation(json& out, const Navigation& nav, const Session& session) {
     out["drawer"] = nav.drawerFolded ? "folded" : "open";
 }
 
+/// Lines, and the hits as far as they are known in all; expressions, and their values here.
+void dumpStops(json& out, const UiState& ui, const Session& session) {
+    out["breakpoints"] = out["breakpoint_hits"] = json::array();
+    out["watches"] = out["watch_values"] = json::array();
+    for (const Breakpoint& each : ui.breakpoints) {
+        const LineHits* known = session.hits().of(each.line);
+        out["breakpoints"].push_back(each.line);
+        out["breakpoint_hits"].push_back(
+            known != nullptr && known->complete ? json(known->list.total) : json(nullptr));
+    }
+    for (const std::string& each : ui.watches) {
+        const WatchSeries* series = session.watches().of(each);
+        const std::size_t pivot = session.place().pivot;
+        const bool there = series != nullptr && pivot < series->values.size();
+        out["watches"].push_back(each);
+        out["watch_values"].push_back(there ? json(series->values[pivot]) : json(nullptr));
+    }
+}
+
 /// What was derived, as far as it stands in the panels.
 void dumpDerived(json& out, const PrepareReport& report) {
     out["derived"] = json::array();
@@ -84,11 +104,77 @@ void dumpRun(json& out, const Session& session) {
     for (const Finding& finding : checkup.findings())
         out["findings"].push_back(finding.check->name);
     out["cures"] = session.spec().cures;
+    out["rules"] = session.spec().rules;
+    out["choices"] = json::array();
+    for (const RuleValue& each : session.spec().choices) out["choices"].push_back(lineOf(each));
+    out["what_if"] = json::array();
+    for (const WhatIf& each : session.spec().whatIf) out["what_if"].push_back(lineOf(each));
     out["mended"] = session.model().mended;
     out["marked"] = session.marked().size();
+    const AlertSearch& alerts = session.alerts();
+    out["alert_search"] = alerts.done()      ? "done"
+                          : alerts.busy()    ? "busy"
+                          : alerts.stopped() ? "stopped"
+                                             : "waiting";
+    out["alerts"] = alerts.failures().size();
+    out["alert"] = session.chosenAlert() ? alertName(alerts, *session.chosenAlert()) : "";
+    out["noticed"] = session.noticedHere().size();
     out["hovered"] = indexOrNull(session.hovered());
     out["busy"] = session.busy();
     dumpDerived(out, session.model().report);
+}
+
+/// What was asked about the run, and the answers.
+void dumpQuestions(json& out, const Session& session) {
+    const Questions& questions = session.questions();
+    out["asking"] = questions.busy();
+    out["ledger"] = {{"subject", questions.subjectName()},
+                     {"complaint", questions.ledger().complaint()}};
+    if (const WhyAnswer* ledger = questions.ledger().answer()) {
+        out["ledger"]["answer"] = ledger->answer;
+        out["ledger"]["present"] = ledger->present;
+        out["ledger"]["lines"] = ledger->lines.size();
+        out["ledger"]["cause"] = toString(ledger->lines[ledger->cause].event.address);
+    }
+    out["query"] = {{"line", questions.line()}, {"found", nullptr}};
+    if (const FoundDecisions* found = questions.found().answer()) {
+        out["query"]["found"] = found->total;
+        if (!found->lines.empty())
+            out["query"]["first"] = toString(found->lines.front().event.address);
+    }
+    if (const ClosestAnswer* closest = questions.closest().answer())
+        out["closest"] = closest->lines.size();
+}
+
+/// What the run is compared with, and where both stand.
+void dumpComparison(json& out, const ComparePage& page) {
+    const Comparison* now = page.now;
+    out["compare_with"] = nullptr;
+    if (now == nullptr || !now->chosen()) return;
+    const bool mesh = now->with().kind == CompareWith::Kind::Mesh;
+    out["compare_with"] = mesh ? "mesh" : "run";
+    out["compare_working"] = now->working();
+    out["compare_complaint"] = now->complaint();
+    if (const Session* other = now->other()) {
+        out["other_address"] =
+            other->event() != nullptr ? toString(other->address()) : std::string("start");
+        out["other_rules"] = other->spec().rules;
+    }
+    const Compared* found = now->result();
+    out["compare_done"] = found != nullptr;
+    if (found == nullptr) return;
+    const auto addressOf = [](const DifferenceSide& side) {
+        return side.line ? json(toString(side.line->event.address)) : json(nullptr);
+    };
+    if (found->runs.first) {
+        out["difference_a"] = addressOf(found->runs.first->a);
+        out["difference_b"] = addressOf(found->runs.first->b);
+    }
+    out["only_a"] = found->meshes.onlyA;
+    out["only_b"] = found->meshes.onlyB;
+    out["in_both"] = found->meshes.both;
+    out["regions"] = found->meshes.regions.size();
+    out["region"] = page.region ? json(*page.region + 1) : json(nullptr);
 }
 
 /// New points, while their page is open.
@@ -173,7 +259,9 @@ std::string Application::stateDump() const {
              {"moving", painter_.moving()}};
     out["prepare"] = ui_.prepare.open;
     dumpGrowth(out, ui_.growth);
+    dumpComparison(out, ui_.compare);
     dumpLayers(out, ui_.settings.layers, session_.stage());
+    out["point_tint"] = std::string(rowOf(ui_.settings.pointTint).name);
     out["mesh_style"] = std::string(rowOf(ui_.settings.meshStyle).name);
     out["unlimited"] = playback_.unlimited();
     out["loop"] = {{"from", addressOrNull(playback_.loop.from)},
@@ -183,12 +271,14 @@ std::string Application::stateDump() const {
                               std::lround(rect.size.x), std::lround(rect.size.y)};
     }
     for (const Bookmark& each : ui_.bookmarks) out["bookmarks"].push_back(toString(each.address));
+    dumpStops(out, ui_, session_);
     const Place place{session_.event() != nullptr ? toString(session_.address()) : "",
                       camera_.pose()};
     out.update(json::parse(toText(place)));
     if (session_.ready()) {
         dumpRun(out, session_);
         dumpNavigation(out, ui_.navigation, session_);
+        dumpQuestions(out, session_);
     }
     return out.dump(2) + "\n";
 }

@@ -172,6 +172,8 @@ void Window::run(Application& application, int frames) {
     lastFrame_ = glfwGetTime();
     for (int drawn = 0; frames == 0 || drawn < frames;) {
         if (application.wantsToQuit()) break;
+        // So many are wanted, whether anything moves or not.
+        if (frames > 0) wake_ = std::max(wake_, 1);
         if (glfwWindowShouldClose(window_) == GLFW_TRUE) {
             glfwSetWindowShouldClose(window_, GLFW_FALSE);
             application.requestQuit();

@@ -3,32 +3,64 @@
 #include <algorithm>
 
 #include "ledger_line.h"
-#include "spiraling_edge/run_scan.h"
+#include "spiraling_edge/decision_scan.h"
 
 namespace se {
 
-Result<DecisionQuery> DecisionQuery::parse(std::string_view line) {
-    DecisionQuery query;
-    for (;;) {
-        line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-        if (line.empty()) return query;
-        const std::string_view word = line.substr(0, line.find_first_of(" \t"));
-        line.remove_prefix(word.size());
-        DecisionCondition found;
-        for (const QueryTerm& term : queryTerms()) {
-            Result<DecisionCondition> condition = term.read(word);
-            if (!condition) return condition.error();
-            if (condition.value()) found = std::move(condition.value());
-        }
-        if (!found) {
-            std::string forms;
-            for (const QueryTerm& term : queryTerms())
-                forms += (forms.empty() ? "" : ", ") + std::string(term.form);
-            return Error{"\"" + std::string(word) + "\" is not understood; there are " + forms +
-                         "."};
-        }
-        query.conditions_.push_back(std::move(found));
+namespace {
+
+/// Takes the first word off the line; empty if there is none.
+std::string_view takeWord(std::string_view& line) {
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    const std::string_view word = line.substr(0, line.find_first_of(" \t"));
+    line.remove_prefix(word.size());
+    return word;
+}
+
+/// What a word stands for; an empty condition if it is of no known form.
+struct WordMeaning {
+    DecisionCondition condition;
+    bool asksForFailures = false;
+};
+Result<WordMeaning> meaningOf(std::string_view word) {
+    WordMeaning found;
+    for (const QueryTerm& term : queryTerms()) {
+        Result<DecisionCondition> condition = term.read(word);
+        if (!condition) return condition.error();
+        if (condition.value()) found = {std::move(condition.value()), term.asksForFailures};
     }
+    return found;
+}
+
+}  // namespace
+
+std::optional<QueryMistake> mistakeIn(std::string_view line) {
+    for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
+        const Result<WordMeaning> meaning = meaningOf(word);
+        if (!meaning) return QueryMistake{std::string(word), meaning.error().message, false};
+        if (!meaning.value().condition) {
+            const std::string message = "\"" + std::string(word) + "\" is not understood.";
+            return QueryMistake{std::string(word), message, true};
+        }
+    }
+    return {};
+}
+
+Result<DecisionQuery> DecisionQuery::parse(std::string_view line) {
+    if (const auto mistake = mistakeIn(line)) {
+        if (!mistake->isUnknown) return Error{mistake->message};
+        std::string forms;
+        for (const QueryTerm& term : queryTerms())
+            forms += (forms.empty() ? "" : ", ") + std::string(term.form);
+        return Error{"\"" + mistake->word + "\" is not understood; there are " + forms + "."};
+    }
+    DecisionQuery query;
+    for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
+        WordMeaning meaning = meaningOf(word).value();
+        query.conditions_.push_back(std::move(meaning.condition));
+        query.asksForFailures_ = query.asksForFailures_ || meaning.asksForFailures;
+    }
+    return query;
 }
 
 bool DecisionQuery::matches(const Decision& decision) const {
@@ -40,15 +72,14 @@ Result<FoundDecisions> findDecisions(const PointSet& points, const Params& param
                                      const DecisionQuery& query, std::size_t most,
                                      const Progress& progress) {
     FoundDecisions found;
-    const auto see = [&](const ScannedPivot& pivot) {
-        for (const Event& event : pivot.events) {
-            const LedgerLine line = lineOf(event, {points, params, pivot.point});
-            if (!query.matches({event, pivot.point, line.reading, points})) continue;
-            ++found.total;
-            if (found.lines.size() < most) found.lines.push_back(line);
-        }
+    const auto see = [&](const Decision& decision, RunPlace) {
+        if (!query.matches(decision)) return;
+        ++found.total;
+        if (found.lines.size() < most)
+            found.lines.push_back(lineOf(decision.event, {points, params, decision.pivot}));
     };
-    if (!scanRun(points, params, see, progress)) return Error{"Cancelled."};
+    if (!scanDecisions(points, params, query.asksForFailures(), see, progress))
+        return Error{"Cancelled."};
     return found;
 }
 

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "shape.h"
-#include "spiraling_edge/decision_query.h"
+#include "spiraling_edge/decision_scan.h"
+#include "spiraling_edge/inspection.h"
+#include "spiraling_edge/pivot_tally.h"
 
 namespace se {
 namespace {
@@ -52,6 +54,10 @@ Read readStage(std::string_view word) {
 Read readSection(std::string_view word) {
     const auto section = behind(word, "section=");
     if (!section) return otherForm();
+    bool known = false;
+    for (std::size_t i = 0; i < kStageCount; ++i)
+        known = known || (!section->empty() && stageSection(static_cast<Stage>(i)) == *section);
+    if (!known) return notA(word, "a section with a stage of its own, such as 6.3");
     return Condition([s = std::string(*section)](const Decision& d) {
         return stageSection(d.event.address.stage) == s;
     });
@@ -66,6 +72,10 @@ Read readOutcome(std::string_view word) {
 Read readVerdict(std::string_view word) {
     const auto name = behind(word, "verdict=");
     if (!name) return otherForm();
+    bool known = false;
+    for (int i = 0; i <= static_cast<int>(Verdict::NoThirdPoint); ++i)
+        known = known || hyphened(verdictText(static_cast<Verdict>(i))) == *name;
+    if (!known) return notA(word, "the words of a verdict with hyphens, such as inside-sphere");
     return Condition([n = std::string(*name)](const Decision& d) {
         return std::visit(
             [&](const auto& e) {
@@ -92,18 +102,46 @@ Read readPivot(std::string_view word) {
     return Condition([p = *point](const Decision& d) { return d.pivot == p; });
 }
 
+/// "7" or "3..7", both ends included.
+struct Range {
+    std::uint32_t from = 0;
+    std::uint32_t to = 0;
+    bool has(std::uint32_t number) const { return number >= from && number <= to; }
+};
+std::optional<Range> rangeIn(std::string_view text) {
+    const std::size_t dots = text.find("..");
+    const auto from = numberIn<std::uint32_t>(text.substr(0, dots));
+    const auto to =
+        dots == std::string_view::npos ? from : numberIn<std::uint32_t>(text.substr(dots + 2));
+    if (!from || !to) return {};
+    return Range{*from, *to};
+}
+
 Read readAt(std::string_view word) {
     const auto text = behind(word, "at=");
     if (!text) return otherForm();
-    const std::size_t dots = text->find("..");
-    const auto from = numberIn<std::uint32_t>(text->substr(0, dots));
-    const auto to =
-        dots == std::string_view::npos ? from : numberIn<std::uint32_t>(text->substr(dots + 2));
-    if (!from || !to) return notA(word, "pivot numbers, such as at=137 or at=100..200");
-    return Condition([from = *from, to = *to](const Decision& d) {
-        return d.event.address.pivot >= from && d.event.address.pivot <= to;
-    });
+    const auto range = rangeIn(*text);
+    if (!range) return notA(word, "pivot numbers, such as at=137 or at=100..200");
+    return Condition([r = *range](const Decision& d) { return r.has(d.event.address.pivot); });
 }
+
+/// A number of the pivot as a whole, one or from A to B.
+Read readTally(std::string_view word, std::string_view prefix, std::uint32_t PivotTally::*number) {
+    const auto text = behind(word, prefix);
+    if (!text) return otherForm();
+    const auto range = rangeIn(*text);
+    if (!range) {
+        const std::string name(prefix);
+        return notA(word, "a number or two, such as " + name + "5 or " + name + "10..19");
+    }
+    return Condition(
+        [r = *range, number](const Decision& d) { return r.has(tallyOf(d.events).*number); });
+}
+Read readRing(std::string_view word) { return readTally(word, "ring=", &PivotTally::ringLength); }
+Read readCandidates(std::string_view word) {
+    return readTally(word, "candidates=", &PivotTally::candidates);
+}
+Read readTests(std::string_view word) { return readTally(word, "tests=", &PivotTally::tests); }
 
 /// `name<X` and `name>X` for a number of the reading.
 Read readCompared(std::string_view word, std::string_view name,
@@ -137,19 +175,31 @@ Read readPointTerm(std::string_view word, std::string_view prefix,
     return Condition([p = *point, holds](const Decision& d) { return holds(d, p); });
 }
 
+/// The point had no entry on a ring before (§4): by a seed, as a third point of §7, or in a fan.
+bool becomesUsed(const Decision& d, Index p) {
+    if (const auto* seed = std::get_if<SeedEvidence>(&d.event.evidence))
+        return p == kNone || seed->first == p || seed->second == p;
+    if (const auto* insert = std::get_if<InsertEvidence>(&d.event.evidence))
+        return insert->third != kNone && (p == kNone || insert->third == p);
+    const auto* ring = std::get_if<RingEvidence>(&d.event.evidence);
+    return ring != nullptr && ring->inserted && ring->status == 1 &&
+           (p == kNone || ring->point == p);
+}
 Read readUsed(std::string_view word) {
-    return readPointTerm(word, "used=", [](const Decision& d, Index p) {
-        if (const auto* seed = std::get_if<SeedEvidence>(&d.event.evidence))
-            return seed->first == p || seed->second == p;
-        const auto* ring = std::get_if<RingEvidence>(&d.event.evidence);
-        return ring != nullptr && ring->point == p && ring->inserted;
-    });
+    if (word == "used") return Condition([](const Decision& d) { return becomesUsed(d, kNone); });
+    return readPointTerm(word, "used=", becomesUsed);
+}
+
+/// Its last entry leaves the rings (§6.5, §7), or nothing can be begun with it (§4).
+bool becomesDone(const Decision& d, Index p) {
+    if (const auto* strand = std::get_if<StrandEvidence>(&d.event.evidence))
+        return p == kNone || strand->point == p;
+    const auto* ring = std::get_if<RingEvidence>(&d.event.evidence);
+    return ring != nullptr && ring->status < 0 && (p == kNone || ring->point == p);
 }
 Read readDone(std::string_view word) {
-    return readPointTerm(word, "done=", [](const Decision& d, Index p) {
-        const auto* ring = std::get_if<RingEvidence>(&d.event.evidence);
-        return ring != nullptr && ring->point == p && ring->status < 0;
-    });
+    if (word == "done") return Condition([](const Decision& d) { return becomesDone(d, kNone); });
+    return readPointTerm(word, "done=", becomesDone);
 }
 Read readStranded(std::string_view word) {
     if (word == "stranded") {
@@ -203,6 +253,22 @@ Read readAlert(std::string_view word) {
         [](const Decision& d) { return std::holds_alternative<AlertEvidence>(d.event.evidence); });
 }
 
+/// A class of failures, as a bit of Decision::failures; all of them without a name.
+Read readFailure(std::string_view word) {
+    if (word == "failure") return Condition([](const Decision& d) { return d.failures != 0; });
+    const auto name = behind(word, "failure=");
+    if (!name) return otherForm();
+    const FailureClass* kind = findFailureClass(*name);
+    if (kind == nullptr || !appearsInRun(*kind)) {
+        std::string names;
+        for (const FailureClass& each : failureClasses())
+            if (appearsInRun(each)) names += (names.empty() ? "" : ", ") + std::string(each.name);
+        return notA(word, "a class of failures that shows while the run goes on: " + names);
+    }
+    const std::uint32_t bit = failureBit(*kind);
+    return Condition([bit](const Decision& d) { return (d.failures & bit) != 0; });
+}
+
 Read readLeastAngle(std::string_view word) {
     const auto text = behind(word, "angle<");
     if (!text) return otherForm();
@@ -215,15 +281,23 @@ Read readLeastAngle(std::string_view word) {
     });
 }
 
+/// So that a slip of the finger does not fill the memory.
+constexpr Index kMostInRange = 10'000'000;
+
 Read readAmong(std::string_view word) {
     auto text = behind(word, "among=");
     if (!text) return otherForm();
     std::vector<Index> points;
     while (!text->empty()) {
         const std::size_t comma = std::min(text->find(','), text->size());
-        const auto point = numberIn<Index>(text->substr(0, comma));
-        if (!point) return notA(word, "points, such as among=3,4,5");
-        points.push_back(*point);
+        const std::string_view part = text->substr(0, comma);
+        const std::size_t dots = part.find("..");
+        const auto from = numberIn<Index>(part.substr(0, dots));
+        const auto to =
+            dots == std::string_view::npos ? from : numberIn<Index>(part.substr(dots + 2));
+        if (!from || !to || *to < *from || *to - *from >= kMostInRange)
+            return notA(word, "points, such as among=3,4,5 or among=3..5");
+        for (Index p = *from; p <= *to; ++p) points.push_back(p);
         text->remove_prefix(std::min(comma + 1, text->size()));
     }
     std::sort(points.begin(), points.end());
@@ -242,17 +316,22 @@ constexpr QueryTerm kTerms[] = {
     {"point=N", "About this point.", readPoint},
     {"pivot=N", "While this point was the pivot.", readPivot},
     {"at=A..B", "At these pivots, counted from 1.", readAt},
+    {"ring=A..B", "At pivots on a ring of so many points.", readRing},
+    {"candidates=A..B", "At pivots with so many candidates (6.1).", readCandidates},
+    {"tests=A..B", "At pivots that cost so many tests.", readTests},
     {"margin<X", "This near to going the other way, either side; or margin>X.", readMargin},
     {"value<X", "What was measured, in its own unit; or value>X.", readValue},
-    {"used=N", "The point enters a ring.", readUsed},
-    {"done=N", "The point becomes DONE.", readDone},
+    {"used=N", "The point becomes USED; any point without =N.", readUsed},
+    {"done=N", "The point becomes DONE; any point without =N.", readDone},
     {"stranded", "A point that nothing can be begun with; or stranded=N.", readStranded},
     {"edge=N,M", "The edge becomes a step of the ring.", readEdge},
     {"closes", "A ring is closed or freed.", readCloses},
     {"component", "A component is complete.", readComponent},
     {"alert", "Something a person should look at.", readAlert},
+    {"failure=CLASS", "A failure of the mesh appears; of any class without =CLASS.", readFailure,
+     true},
     {"angle<X", "A triangle with a least angle below X degrees.", readLeastAngle},
-    {"among=N,M,...", "About one of these points, or while one was the pivot.", readAmong},
+    {"among=N,M..", "About one of these points, or while one was the pivot.", readAmong},
 };
 
 }  // namespace

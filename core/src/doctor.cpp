@@ -80,6 +80,10 @@ constexpr std::array kChecks{
     DoctorCheck{"types_off_box", "7.1",
                 "Wall points are passed over, and corners turned, by their types.",
                 "spiraling-edge run IN --box auto -o OUT.ply", Cure::Walls, findTypesOffBox},
+    DoctorCheck{"open_border", "7",
+                "A ring ends at boundary points; without their types an opening looks like a hole, "
+                "and is closed.",
+                "spiraling-edge run IN --derive-rim -o OUT.ply", Cure::Rim, findOpenBorder},
 };
 
 /// Of the work, the search for the nearest points.
@@ -132,6 +136,8 @@ Result<Diagnosis> examine(const PointFile& file, const Progress& progress) {
         finding->check = &kChecks[i];
         diagnosis.push_back(std::move(*finding));
     }
+    std::stable_sort(diagnosis.begin(), diagnosis.end(),
+                     [](const Finding& a, const Finding& b) { return a.severity > b.severity; });
     if (progress) progress(1.0);
     return diagnosis;
 }

@@ -41,4 +41,7 @@ bool isNearestFirst(std::span<const Vec3> position, Index p, std::span<const Ind
 std::optional<Finding> findCornerBits(const Patient& patient);
 std::optional<Finding> findTypesOffBox(const Patient& patient);
 
+// doctor_border.cpp
+std::optional<Finding> findOpenBorder(const Patient& patient);
+
 }  // namespace se

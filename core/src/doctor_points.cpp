@@ -29,8 +29,8 @@ std::optional<Finding> findTooFewPoints(const Patient& patient) {
     // Three make one triangle, which may be meant; a surface it is not.
     constexpr std::size_t kTriangle = 3;
     if (patient.presentCount > kTriangle) return std::nullopt;
-    const std::string text =
-        countText(patient.presentCount, "point") + " with a place of its own: ";
+    const std::string text = countText(patient.presentCount, "point") + " with a place of " +
+                             (patient.presentCount == 1 ? "its" : "their") + " own: ";
     if (patient.presentCount == kTriangle)
         return Finding{nullptr, Severity::Warning, kTriangle, {}, text + "one triangle at most"};
     return Finding{nullptr, Severity::Error, patient.presentCount, {}, text + "no triangle"};

@@ -207,4 +207,11 @@ Index EdgeRings::pop() {
     return rings_[ring].head;
 }
 
+Index EdgeRings::popOldest() {
+    if (stack_.empty()) return kNone;
+    const Index ring = stack_.front();
+    activate(ring);
+    return rings_[ring].head;
+}
+
 }  // namespace se

@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "spiraling_edge/event.h"
+#include "spiraling_edge/reading.h"
 
 namespace se {
 namespace {
@@ -221,6 +222,7 @@ std::string text(const CloseEvidence& e) {
 }
 std::string text(const AdvanceEvidence& e) {
     if (e.to == kNone) return "No ring is left.";
+    if (e.whatIf) return "What if: the next pivot is " + str(e.to) + ".";
     if (e.popped) return "The next ring comes off the stack; the next pivot is " + str(e.to) + ".";
     if (e.circuit == 0) return "The next pivot is " + str(e.to) + ".";
     return "No triangle; the next pivot is " + str(e.to) + " (" + counted(e.circuit, "pivot") +
@@ -250,8 +252,33 @@ std::string text(const AlertEvidence& e) {
 
 }  // namespace
 
+namespace {
+
+/// What a person said counts, whatever the numbers say; empty if nobody did.
+template <typename Evidence>
+std::string whatIfText(const Evidence& e, const Event& event) {
+    if constexpr (requires { e.verdict; }) {
+        const bool kept = e.verdict == Verdict::WhatIfKept;
+        if (!kept && e.verdict != Verdict::WhatIfDropped) return {};
+        if (event.address.stage == Stage::TwoPoint) {
+            return kept ? "What if: the triangle is made." : "What if: no triangle is made.";
+        }
+        const std::string point = "What if: point " + str(testedPoint(event));
+        if (event.address.stage == Stage::Limits) return point + " is not advanced to.";
+        return point + (kept ? " is kept" : " is dropped") + ", whatever the test says.";
+    }
+    return {};
+}
+
+}  // namespace
+
 std::string describe(const Event& event) {
-    return std::visit([](const auto& evidence) { return text(evidence); }, event.evidence);
+    return std::visit(
+        [&](const auto& evidence) {
+            const std::string whatIf = whatIfText(evidence, event);
+            return whatIf.empty() ? text(evidence) : whatIf;
+        },
+        event.evidence);
 }
 
 std::string_view alertName(AlertKind kind) {
@@ -340,6 +367,10 @@ std::string_view verdictText(Verdict verdict) {
             return "after";
         case Verdict::OtherSideOpen:
             return "other side open";
+        case Verdict::WhatIfKept:
+            return "kept: what if";
+        case Verdict::WhatIfDropped:
+            return "dropped: what if";
         case Verdict::NoThirdPoint:
             return "no third point";
     }

@@ -1,134 +1,159 @@
 #include "spiraling_edge/failure_moments.h"
 
 #include <algorithm>
+#include <tuple>
 
+#include "freed_rings.h"
+#include "inspected_run.h"
 #include "ledger_line.h"
+#include "moment_finder.h"
 #include "spiraling_edge/run_scan.h"
 
 namespace se {
 namespace {
 
-bool among(const std::vector<Index>& sorted, Index p) {
-    return std::binary_search(sorted.begin(), sorted.end(), p);
-}
-
-bool sameCorners(const Triangle& a, const Triangle& b) {
-    const auto has = [&](Index p) { return b.a == p || b.b == p || b.c == p; };
-    return has(a.a) && has(a.b) && has(a.c);
-}
-
-/// Goes through the run once and remembers what the failure's kind asks for.
-class MomentFinder {
+/// The finders of several failures, asked only about events at their points.
+class Finders {
   public:
-    MomentFinder(const PointSet& points, const Params& params, const MeshFailure& failure,
-                 const std::vector<Triangle>& triangles)
-        : points_(points), params_(params), failure_(failure), triangles_(triangles) {}
-
-    void see(const ScannedPivot& pivot) {
-        taken_.reset();
-        for (const Event& event : pivot.events) {
-            const LedgerLine line = lineOf(event, {points_, params_, pivot.point});
-            if (!touched_ && touches(event)) touched_ = line;
-            if (triangles_.empty()) {
-                seeForPoint(line);
-            } else if (failure_.kind->name == "holes") {
-                seeForHole(line);
-            } else {
-                seeForTriangle(line);
-            }
+    Finders(const FinderInput& input, std::span<const MeshFailure> failures)
+        : input_(input), failures_(failures), at_(input.points.size()), asked_(failures.size(), 0) {
+        finders_.reserve(failures.size());
+        for (std::size_t i = 0; i < failures.size(); ++i) {
+            finders_.emplace_back(input_, failures[i]);
+            for (const Index p : finders_[i].points()) at_[p].push_back(i);
+            for (const Index p : finders_[i].around()) at_[p].push_back(i);
         }
     }
 
-    Result<FailureMoments> found() const {
-        if (!created_ || !touched_)
-            return Error{"This failure does not come from this run: its points are never touched."};
-        // Nothing was tested where a triangle is the only one possible: then making it decided.
-        return FailureMoments{*created_, unavoidable_.value_or(*created_), *touched_};
+    void see(const ScannedPivot& pivot) {
+        for (const Event& event : pivot.events) {
+            ++event_;
+            concerned_.clear();
+            gather(event, pivot.point);
+            const auto freed = rings_.see(event);
+            if (concerned_.empty() && !freed) continue;
+            const LedgerLine line = lineOf(event, {input_.points, input_.params, pivot.point});
+            for (const std::size_t i : concerned_) finders_[i].see(line);
+            if (freed) seeFreed(*freed, pivot.point);
+        }
+    }
+
+    std::vector<std::optional<FailureMoments>> found() const {
+        std::vector<std::optional<FailureMoments>> all;
+        all.reserve(finders_.size());
+        for (const MomentFinder& each : finders_) all.push_back(each.found());
+        return all;
     }
 
   private:
-    bool touches(const Event& event) const {
-        const auto mine = [&](Index p) { return among(failure_.points, p); };
-        if (const auto* seed = std::get_if<SeedEvidence>(&event.evidence))
-            return mine(seed->first) || mine(seed->second);
-        return testedPoint(event) != kNone && mine(testedPoint(event));
+    void gather(const Event& event, Index pivot) {
+        const auto add = [&](Index p) {
+            if (p == kNone) return;
+            for (const std::size_t i : at_[p]) {
+                if (asked_[i] != event_) concerned_.push_back(i);
+                asked_[i] = event_;
+            }
+        };
+        add(testedPoint(event));
+        add(pivot);
+        if (const auto* seed = std::get_if<SeedEvidence>(&event.evidence)) {
+            add(seed->first);
+            add(seed->second);
+        } else if (const auto* emit = std::get_if<EmitEvidence>(&event.evidence)) {
+            for (const Index p : {emit->corners.a, emit->corners.b, emit->corners.c}) add(p);
+        } else if (const auto* flip = std::get_if<FlipEvidence>(&event.evidence)) {
+            add(flip->x);
+            add(flip->y);
+        } else if (const auto* sphere = std::get_if<SphereEvidence>(&event.evidence)) {
+            add(sphere->t);
+            add(sphere->s);
+        }
+    }
+    void seeFreed(const FreedRing& ring, Index pivot) {
+        for (const std::size_t i : at_[ring.points.front()]) {
+            if (failures_[i].kind->find != nullptr || failures_[i].points != ring.points) continue;
+            finders_[i].seeFreed(lineOf(ring.event, {input_.points, input_.params, pivot}));
+        }
     }
 
-    void seeForPoint(const LedgerLine& line) {
-        const Index p = testedPoint(line.event);
-        const bool ownFan = p == kNone && line.pivot != kNone && among(failure_.points, line.pivot);
-        if (ownFan && line.role == LineRole::Refused) unavoidable_ = line;
-        if (p == kNone || !among(failure_.points, p)) return;
-        const auto* ring = std::get_if<RingEvidence>(&line.event.evidence);
-        const auto* strand = std::get_if<StrandEvidence>(&line.event.evidence);
-        if (strand != nullptr || (ring != nullptr && ring->status < 0)) created_ = line;
-        const bool limit = std::holds_alternative<LimitEvidence>(line.event.evidence);
-        if (line.role == LineRole::Refused && !wasSettledBefore(line.event) && !limit)
-            unavoidable_ = line;
-    }
-
-    /// The loop is there once its last point is done with.
-    void seeForHole(const LedgerLine& line) {
-        const Index tested = testedPoint(line.event);
-        const bool pivots = line.pivot != kNone && among(failure_.points, line.pivot);
-        const auto* ring = std::get_if<RingEvidence>(&line.event.evidence);
-        if (ring != nullptr && ring->status < 0 && among(failure_.points, ring->point))
-            created_ = line;
-        if (!pivots || line.role != LineRole::Refused) return;
-        const bool wholeFan = tested == kNone;
-        if (wholeFan || (!wasSettledBefore(line.event) && among(failure_.points, tested)))
-            unavoidable_ = line;
-    }
-
-    bool isOne(const Triangle& made) const {
-        return std::any_of(triangles_.begin(), triangles_.end(),
-                           [&](const Triangle& t) { return sameCorners(made, t); });
-    }
-
-    /// Of several triangles the one that was made last.
-    void seeForTriangle(const LedgerLine& line) {
-        const Event& event = line.event;
-        if (line.role == LineRole::Taken && testedPoint(event) != kNone &&
-            among(failure_.points, testedPoint(event)))
-            taken_ = line;
-        const auto* emit = std::get_if<EmitEvidence>(&event.evidence);
-        const bool makes =
-            (emit != nullptr && isOne(emit->corners)) || (mendsMesh(event) && touchesFlip(event));
-        if (!makes) return;
-        created_ = line;
-        unavoidable_ = taken_.value_or(line);
-    }
-    bool touchesFlip(const Event& event) const {
-        if (const auto* flip = std::get_if<FlipEvidence>(&event.evidence))
-            return among(failure_.points, flip->x) && among(failure_.points, flip->y);
-        return among(failure_.points, testedPoint(event));
-    }
-
-    const PointSet& points_;
-    const Params& params_;
-    const MeshFailure& failure_;
-    const std::vector<Triangle>& triangles_;
-    std::optional<LedgerLine> created_;
-    std::optional<LedgerLine> unavoidable_;
-    std::optional<LedgerLine> touched_;
-    std::optional<LedgerLine> taken_;  ///< The last test of this pivot that took a corner.
+    FinderInput input_;
+    std::span<const MeshFailure> failures_;
+    std::vector<std::vector<std::size_t>> at_;  ///< Per point: the failures there.
+    std::vector<std::uint64_t> asked_;          ///< Per failure: the last event it was asked about.
+    std::uint64_t event_ = 0;
+    std::vector<MomentFinder> finders_;
+    std::vector<std::size_t> concerned_;
+    FreedRings rings_;
 };
 
+/// A share of all the work.
+Progress partOf(const Progress& progress, double from, double to) {
+    if (!progress) return {};
+    return [&progress, from, to](double share) { return progress(from + (to - from) * share); };
+}
+
+/// Where a failure stands in the list of classes.
+std::size_t rankOf(const MeshFailure& failure) {
+    return static_cast<std::size_t>(failure.kind - failureClasses().data());
+}
+
 }  // namespace
+
+Result<std::vector<std::optional<FailureMoments>>> momentsOfAll(
+    const PointSet& points, const Params& params, std::span<const MeshFailure> failures,
+    const std::vector<Triangle>& mesh, const Progress& progress) {
+    for (const MeshFailure& each : failures) {
+        const bool other = std::any_of(each.triangles.begin(), each.triangles.end(),
+                                       [&](Index i) { return i >= mesh.size(); }) ||
+                           std::any_of(each.points.begin(), each.points.end(),
+                                       [&](Index p) { return p >= points.size(); });
+        if (other) return Error{"This failure is of another mesh."};
+    }
+    Finders finders({points, params, mesh}, failures);
+    const auto end = scanRun(
+        points, params, [&](const ScannedPivot& pivot) { finders.see(pivot); }, progress);
+    if (!end) return Error{"Cancelled."};
+    return finders.found();
+}
 
 Result<FailureMoments> momentsOf(const PointSet& points, const Params& params,
                                  const MeshFailure& failure, const std::vector<Triangle>& mesh,
                                  const Progress& progress) {
-    std::vector<Triangle> triangles;
-    for (const Index i : failure.triangles) {
-        if (i >= mesh.size()) return Error{"This failure is of another mesh."};
-        triangles.push_back(mesh[i]);
+    const auto all = momentsOfAll(points, params, std::span(&failure, 1), mesh, progress);
+    if (!all) return all.error();
+    if (all.value().front()) return *all.value().front();
+    return Error{"This failure does not come from this run: its points are never touched."};
+}
+
+Result<std::vector<RunFailure>> failuresOfRun(const PointSet& points, const Params& params,
+                                              const Progress& progress) {
+    auto run = inspectRun(points, params, partOf(progress, 0.0, 0.4));
+    if (!run) return Error{"Cancelled."};
+    const std::vector<Triangle>& mesh = run->end.mesh();
+    std::vector<MeshFailure>& failures = run->failures;
+    std::stable_sort(failures.begin(), failures.end(),
+                     [](const auto& a, const auto& b) { return rankOf(a) < rankOf(b); });
+    const auto moments = momentsOfAll(points, params, failures, mesh, partOf(progress, 0.5, 1.0));
+    if (!moments) return moments.error();
+    std::vector<RunFailure> all;
+    for (std::size_t i = 0; i < failures.size(); ++i) {
+        if (!moments.value()[i]) continue;
+        std::vector<Triangle> corners;
+        for (const Index number : failures[i].triangles) corners.push_back(mesh[number]);
+        all.push_back({std::move(failures[i]), std::move(corners), *moments.value()[i]});
     }
-    MomentFinder finder(points, params, failure, triangles);
-    const auto end = scanRun(
-        points, params, [&](const ScannedPivot& pivot) { finder.see(pivot); }, progress);
-    if (!end) return Error{"Cancelled."};
-    return finder.found();
+    return all;
+}
+
+std::size_t firstCreated(std::span<const RunFailure> failures) {
+    const auto created = [](const RunFailure& each) {
+        const Address& at = each.moments.created.event.address;
+        return std::tuple(at.pivot, at.stage, at.n);
+    };
+    const auto first = std::min_element(
+        failures.begin(), failures.end(),
+        [&](const RunFailure& a, const RunFailure& b) { return created(a) < created(b); });
+    return static_cast<std::size_t>(first - failures.begin());
 }
 
 }  // namespace se

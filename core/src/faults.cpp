@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "box.h"
+#include "box_cells.h"
 #include "exact.h"
 #include "mesh_sides.h"
 #include "shape.h"
@@ -15,51 +16,6 @@ namespace {
 struct Placed {
     std::uint64_t cell;
     Index triangle;
-};
-
-/// Cells of the size of a typical triangle. Triangles over many cells are kept apart.
-class Grid {
-  public:
-    static constexpr std::uint64_t kManyCells = 512;
-
-    Grid(Vec3 low, double cell) : low_(low), perCell_(1.0 / cell) {}
-
-    template <typename Visit>
-    bool forEachCell(const Vec3& low, const Vec3& high, Visit&& visit) const {
-        const auto from = place(low);
-        const auto to = place(high);
-        std::uint64_t count = 1;
-        for (std::size_t i = 0; i < 3; ++i)
-            count *= std::min<std::uint64_t>(to[i] - from[i] + 1, 1U << 20U);
-        if (count > kManyCells) return false;
-        for (std::uint64_t x = from[0]; x <= to[0]; ++x) {
-            for (std::uint64_t y = from[1]; y <= to[1]; ++y) {
-                for (std::uint64_t z = from[2]; z <= to[2]; ++z) visit((x << 42U) | (y << 21U) | z);
-            }
-        }
-        return true;
-    }
-
-    /// The cell in which two boxes that meet are tested, out of all that both touch.
-    std::uint64_t cellOfPair(const Vec3& lowA, const Vec3& lowB) const {
-        const auto c = place(glm::max(lowA, lowB));
-        return (c[0] << 42U) | (c[1] << 21U) | c[2];
-    }
-
-  private:
-    std::array<std::uint64_t, 3> place(const Vec3& p) const {
-        constexpr double kMost = (1U << 21U) - 1;
-        std::array<std::uint64_t, 3> cell{};
-        for (int i = 0; i < 3; ++i) {
-            const double x = (p[i] - low_[i]) * perCell_;
-            cell[static_cast<std::size_t>(i)] =
-                static_cast<std::uint64_t>(std::min(std::max(x, 0.0), kMost));
-        }
-        return cell;
-    }
-
-    Vec3 low_;
-    double perCell_;
 };
 
 class FaultFinder {
@@ -88,7 +44,7 @@ class FaultFinder {
     void findEdgeFaults();
     void findFold(Index a, Index b);
     void findIntersections();
-    void testCells(const Grid& grid, const std::vector<Placed>& placed);
+    void testCells(const BoxCells& grid, const std::vector<Placed>& placed);
     void testLarge(const std::vector<Index>& large);
     void testPair(Index a, Index b);
     /// Then the search ends: a triangle made 70,000 times, as in a run that was stopped, is more
@@ -151,7 +107,8 @@ void FaultFinder::findIntersections() {
     if (!(meanSize > 0.0)) return;
     Vec3 low = boxes_[0].low;
     for (const Box& box : boxes_) low = glm::min(low, box.low);
-    const Grid grid(low, 1.5 * meanSize);
+    // Of the size of a typical triangle. Triangles over many cells are kept apart.
+    const BoxCells grid(low, 1.5 * meanSize);
     std::vector<Placed> placed;
     std::vector<Index> large;
     for (Index i = 0; i < triangles_.size(); ++i) {
@@ -168,7 +125,7 @@ void FaultFinder::findIntersections() {
     testLarge(large);
 }
 
-void FaultFinder::testCells(const Grid& grid, const std::vector<Placed>& placed) {
+void FaultFinder::testCells(const BoxCells& grid, const std::vector<Placed>& placed) {
     for (std::size_t i = 0; i < placed.size() && !listIsFull(); ++i) {
         const std::uint64_t cell = placed[i].cell;
         const Index a = placed[i].triangle;

@@ -71,8 +71,9 @@ std::string checkRings(const State& s, const Params& params) {
     return {};
 }
 
-/// Invariant 8.
-std::string checkAngles(const State& s) {
+/// Invariant 8, unless a rule that it rests on is off.
+std::string checkAngles(const State& s, const Params& params) {
+    if (params.paper.tie == TieRule::Both || !params.paper.maxAngle) return "";
     double before = s.pivot.startAngle.key;
     for (const Candidate& c : s.pivot.candidates) {
         if (!(c.angle.key > before)) return at("8: angles do not increase", c.point);
@@ -107,7 +108,7 @@ std::uint64_t edgeKey(Index u, Index v) { return (std::uint64_t{u} << 32U) | v; 
 
 std::string checkInvariants(const State& state, const PointSet& points, const Params& params) {
     for (const std::string& problem :
-         {checkRings(state, params), checkAngles(state), checkProgress(state, points)}) {
+         {checkRings(state, params), checkAngles(state, params), checkProgress(state, points)}) {
         if (!problem.empty()) return problem;
     }
     return {};

@@ -83,6 +83,8 @@ bool LedgerBook::isFactOf(const Event& event) const {
                                  [&](const StrandEvidence& e) { return subject.has(e.point); },
                                  [&](const PivotEvidence& e) { return subject.has(e.pivot); },
                                  [&](const SkipEvidence& e) { return subject.has(e.pivot); },
+                                 // The other side of the pivot would be left open (docs/robust.md).
+                                 [&](const InsertEvidence& e) { return subject.has(e.pivot); },
                                  [&](const RingEvidence& e) { return subject.has(e.point); },
                                  [&](const SplitEvidence& e) { return subject.has(e.point); },
                                  [&](const JoinEvidence& e) { return subject.has(e.point); },

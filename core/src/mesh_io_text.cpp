@@ -1,30 +1,12 @@
 /// OBJ and OFF.
 #include <array>
 #include <charconv>
-#include <cstdio>
-#include <cstdlib>
 
 #include "mesh_io_formats.h"
+#include "number_text.h"
 
 namespace se::io {
 namespace {
-
-/// Appends the shortest decimal number that reads back as `value`.
-void append(std::string& text, double value) {
-    std::array<char, 40> out;
-#if defined(__cpp_lib_to_chars)
-    const auto end = std::to_chars(out.data(), out.data() + out.size(), value).ptr;
-    text.append(out.data(), end);
-#else
-    constexpr int kDigits = 17;  // Enough for any double.
-    int length = 0;
-    for (int digits = kDigits - 2; digits <= kDigits; ++digits) {
-        length = std::snprintf(out.data(), out.size(), "%.*g", digits, value);
-        if (std::strtod(out.data(), nullptr) == value) break;
-    }
-    text.append(out.data(), static_cast<std::size_t>(length));
-#endif
-}
 
 void append(std::string& text, Index value) {
     std::array<char, 12> out;
@@ -35,7 +17,7 @@ void append(std::string& text, Index value) {
 void appendRow(std::string& text, const Vec3& v) {
     for (int i = 0; i < 3; ++i) {
         if (i > 0) text += ' ';
-        append(text, v[i]);
+        appendNumber(text, v[i]);
     }
 }
 

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <thread>
 #include <vector>
+
+#include "spiraling_edge/prepare.h"
 
 namespace se {
 
@@ -22,6 +25,32 @@ void forRanges(std::size_t count, unsigned threads, std::size_t least, Work&& wo
     }
     work(std::size_t{0}, count / pieces);
     for (std::thread& other : others) other.join();
+}
+
+/// As forRanges(), but calls work(i) for each item, and `progress` now and then from the thread of
+/// the caller, whose range stands for all. False if it cancelled: then some items are left out.
+template <typename Work>
+bool forEachWatched(std::size_t count, unsigned threads, std::size_t least,
+                    const Progress& progress, Work&& work) {
+    std::atomic<bool> cancelled = false;
+    forRanges(count, threads, least, [&](std::size_t from, std::size_t to) {
+        const std::size_t between = std::clamp<std::size_t>((to - from) / 64, 1, 1024);
+        for (std::size_t i = from; i < to; ++i) {
+            if ((i - from) % between == 0) {
+                const double share = static_cast<double>(i - from) / static_cast<double>(to - from);
+                if (from == 0 && progress && !progress(share)) cancelled = true;
+                if (cancelled) return;
+            }
+            work(i);
+        }
+    });
+    return !cancelled;
+}
+
+/// A piece of the work that goes from share `from` of the whole to share `to`.
+inline Progress partOf(const Progress& progress, double from, double to) {
+    if (!progress) return {};
+    return [progress, from, to](double share) { return progress(from + (to - from) * share); };
 }
 
 }  // namespace se

@@ -86,8 +86,11 @@ bool insertOnRingOfTwo(AnyContext auto& context, Index p, Index second) {
     for (const Index x : points.neighbors[p]) {
         if (!unusedOnSameWall(context, p, x)) continue;
         const ThirdPointPlace place =
-            placeThirdPoint(points.position[p], points.normal[p], points.type[p],
-                            points.position[second], points.position[x]);
+            paperOf(context).stayInside
+                ? placeThirdPoint(points.position[p], points.normal[p], points.type[p],
+                                  points.position[second], points.position[x])
+                : printedThirdPointPlace(points.position[p], points.normal[p], points.type[p],
+                                         points.position[second]);
         putOnRing(context, x, place.before);
         evidence.third = x;
         evidence.cross = place.cross;
@@ -117,7 +120,9 @@ bool insertAtCorner(AnyContext auto& context, const OnRing& at, bool before) {
         if (!unusedOnSameWall(context, p, x)) continue;
         const Vec3& from = before ? points.position[x] : points.position[across];
         const Vec3& to = before ? points.position[across] : points.position[x];
-        if (!sectorStaysInside(position, points.normal[p], points.type[p], from, to)) continue;
+        if (paperOf(context).stayInside &&
+            !sectorStaysInside(position, points.normal[p], points.type[p], from, to))
+            continue;
         putOnRing(context, x, before);
         evidence.third = x;
         evidence.verdict = before ? Verdict::Before : Verdict::After;
@@ -138,10 +143,13 @@ bool admitBoundaryPivot(AnyContext auto& context) {
     const bool onRim = isRimPoint(type[at.p]);
     if (s.rings.length(s.rings.active()) == 2) {
         if (!isBoundary(type[at.next])) return false;
+        // Fig. 14: what the unmodified neighbor ring makes of it.
+        if (!paperOf(context).thirdPoint) return true;
         return onRim ? insertOnRimOfTwo(context, at.p, at.next)
                      : insertOnRingOfTwo(context, at.p, at.next);
     }
     if (onRim) return admitRimPivot(context, at);
+    if (!paperOf(context).corners) return false;
     if (isTransition(type[at.p], type[at.next]) && insertAtCorner(context, at, true)) return true;
     return isTransition(type[at.p], type[at.previous]) && insertAtCorner(context, at, false);
 }

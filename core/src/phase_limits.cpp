@@ -54,10 +54,13 @@ LimitTest testLimit(const StepContext& context, Side side) {
     if (context.openStep(atStart ? to : limit)) return {Verdict::NotAnEdge, to};
     const Vec3& position = context.positionAt(to);
     const Vec3& p = n.frame.origin;
-    const ConcaveTest concave = testConcave(context.positionAt(limit), context.normalAt(limit),
-                                            atStart ? position : p, atStart ? p : position);
+    ConcaveTest concave = testConcave(context.positionAt(limit), context.normalAt(limit),
+                                      atStart ? position : p, atStart ? p : position);
+    if (kEveryTest && context.clockwise()) concave.turn = -concave.turn;
+    // Without a log the paper's rules are as usual (paperOf()).
+    const bool mayMove = concave.concave() || (kEveryTest && !context.params.paper.concave);
     // The cheap test that fails most often comes first, unless someone wants to see the others.
-    if (!kEveryTest && !concave.concave()) return {Verdict::NotConcave, to};
+    if (!kEveryTest && !mayMove) return {Verdict::NotConcave, to};
     const auto list = context.points.neighbors[s.rings.point(n.pivot)];
     if (std::find(list.begin(), list.end(), s.rings.point(to)) == list.end()) {
         return {Verdict::NotListed, to};
@@ -65,7 +68,7 @@ LimitTest testLimit(const StepContext& context, Side side) {
     LimitTest test{Verdict::Moved, to, angleOf(n.frame, position - n.frame.origin), concave.turn};
     if (!strictlyBetween(test.angle, n.startAngle, n.endAngle, context.params.sameAngle)) {
         test.verdict = Verdict::Outside;
-    } else if (!concave.concave()) {
+    } else if (!mayMove) {
         test.verdict = Verdict::NotConcave;
     } else if (context.params.rules.unblocked && isBlocked(context, side, test.angle, position)) {
         test.verdict = Verdict::Blocked;
@@ -95,8 +98,14 @@ bool moveLimit(Context& context, Side side) {
     Index& limit = side == Side::Start ? n.start : n.end;
     Angle& angle = side == Side::Start ? n.startAngle : n.endAngle;
     const LimitTest test = testLimit<kListening<Context>>(context, side);
-    note(context, Stage::Limits, [&] { return explainLimit(context, side); });
-    if (test.verdict != Verdict::Moved) return false;
+    const bool held = test.verdict == Verdict::Moved &&
+                      said(context, Stage::Limits, s.rings.point(test.to)) == false;
+    note(context, Stage::Limits, [&] {
+        LimitEvidence evidence = explainLimit(context, side);
+        if (held) evidence.verdict = Verdict::WhatIfDropped;
+        return evidence;
+    });
+    if (test.verdict != Verdict::Moved || held) return false;
     limit = test.to;
     angle = test.angle;
     return true;
@@ -126,15 +135,20 @@ void dropCandidates(AnyContext auto& context, Stage stage, Test&& test) {
     std::vector<Candidate>& all = context.state.pivot.candidates;
     std::size_t kept = 0;
     for (const Candidate& c : all) {
-        const auto [verdict, side] = test(c);
-        if (verdict == Verdict::Kept) {
+        const auto [found, side] = test(c);
+        const Verdict verdict =
+            stage == Stage::Limits
+                ? found
+                : afterWhatIf(found, said(context, stage, c.point), found == Verdict::Kept);
+        if (verdict != Verdict::Kept) {
+            note(context, stage, [&, sd = side] {
+                return DropEvidence{c.point, sd, c.angle.degrees(), verdict};
+            });
+        }
+        if (verdict == Verdict::Kept || verdict == Verdict::WhatIfKept) {
             if (&all[kept] != &c) all[kept] = c;
             ++kept;
-            continue;
         }
-        note(context, stage, [&, v = verdict, sd = side] {
-            return DropEvidence{c.point, sd, c.angle.degrees(), v};
-        });
     }
     all.resize(kept);
 }
@@ -145,7 +159,7 @@ void phaseLimits(AnyContext auto& context) {
     State& s = context.state;
     NeighborRing& n = s.pivot;
     s.phase = Phase::Convex;
-    if (n.fullTurn()) return;
+    if (n.fullTurn() || !paperOf(context).limits) return;
     moveLimits(context);
     if (n.start == n.first && n.end == n.last) return;
     const Index atStart = s.rings.point(n.start);
@@ -153,8 +167,10 @@ void phaseLimits(AnyContext auto& context) {
     dropCandidates(context, Stage::Limits, [&](const Candidate& c) {
         const bool behindStart =
             c.point == atStart || !(c.angle.key > n.startAngle.key + context.params.sameAngle);
+        const bool hasEnd = paperOf(context).maxAngle || n.end != n.last;
         const bool behindEnd =
-            c.point == atEnd || !(c.angle.key < n.endAngle.key - context.params.sameAngle);
+            c.point == atEnd ||
+            (hasEnd && !(c.angle.key < n.endAngle.key - context.params.sameAngle));
         return std::pair(behindStart || behindEnd ? Verdict::Outside : Verdict::Kept,
                          behindStart ? Side::Start : Side::End);
     });
@@ -166,12 +182,13 @@ void phaseConvex(AnyContext auto& context) {
     State& s = context.state;
     const NeighborRing& n = s.pivot;
     s.phase = Phase::Reciprocal;
-    if (n.fullTurn()) return;
+    if (n.fullTurn() || !paperOf(context).convex) return;
     const Index beyondStart = beyond(s, Side::Start);
     const Index beyondEnd = beyond(s, Side::End);
     // Choice: a point with another entry elsewhere is left to the reciprocal test of that entry.
+    const bool shared = paperOf(context).convexShared;
     const auto isOnly = [&](Index x, Index entry) {
-        return x == s.rings.point(entry) && s.status[x] == 1;
+        return x == s.rings.point(entry) && (s.status[x] == 1 || shared);
     };
     dropCandidates(context, Stage::Convex, [&](const Candidate& c) {
         const bool atStart = isOnly(c.point, beyondStart);
@@ -193,6 +210,18 @@ bool foundBefore(const EdgeRings& rings, Index a, Index b) {
     return rank(a) < rank(b);
 }
 
+}  // namespace
+
+Index firstInstance(const EdgeRings& rings, Index point) {
+    Index found = kNone;
+    for (Index e = rings.firstEntryOf(point); e != kNone; e = rings[e].nextOfPoint) {
+        if (found == kNone || foundBefore(rings, e, found)) found = e;
+    }
+    return found;
+}
+
+namespace {
+
 /// Rules::wallsDone: both ring neighbors of a boundary point share a wall with it, so that what its
 /// sector spans is outside the box.
 bool completeAlongWalls(const StepContext& context, Index entry) {
@@ -205,31 +234,37 @@ bool completeAlongWalls(const StepContext& context, Index entry) {
 /// The entry of the USED candidate whose sector holds the pivot, kNone if none does.
 Index findInstance(AnyContext auto& context, const Candidate& candidate) {
     const State& s = context.state;
+    const PaperRules& paper = paperOf(context);
     const EdgeRings& rings = s.rings;
+    const auto wish = said(context, Stage::Reciprocal, candidate.point);
     Index found = kNone;
     for (Index e = rings.firstEntryOf(candidate.point); e != kNone; e = rings[e].nextOfPoint) {
         const Index before = rings.prev(e);
         const Index after = rings.next(e);
         const bool free = context.params.rules.freeSector;
+        const Vec3& normal = context.points.normal[candidate.point];
+        const bool clockwise = paper.turn == TurnRule::Clockwise;
         const ReciprocalTest test = testReciprocal(
-            context.points.position[candidate.point], context.points.normal[candidate.point],
+            context.points.position[candidate.point], clockwise ? -normal : normal,
             context.positionAt(free ? before : after), context.positionAt(free ? after : before),
             before == after, s.pivot.frame.origin, context.params.sameAngle,
             context.params.rules.tangent);
         const bool complete = context.params.rules.wallsDone && completeAlongWalls(context, e);
+        const bool holds = test.inside && !complete;
         note(context, Stage::Reciprocal, [&] {
-            return ReciprocalEvidence{candidate.point,
-                                      rings.point(before),
-                                      rings.point(after),
-                                      test.pivot.degrees(),
-                                      test.limit.degrees(),
-                                      complete      ? Verdict::WallComplete
-                                      : test.inside ? Verdict::Kept
-                                                    : Verdict::NotReciprocal};
+            const Verdict verdict = complete      ? Verdict::WallComplete
+                                    : test.inside ? Verdict::Kept
+                                                  : Verdict::NotReciprocal;
+            return ReciprocalEvidence{candidate.point,      rings.point(before),
+                                      rings.point(after),   test.pivot.degrees(),
+                                      test.limit.degrees(), afterWhatIf(verdict, wish, holds)};
         });
-        if (test.inside && !complete && (found == kNone || foundBefore(rings, e, found))) found = e;
+        if (holds && (found == kNone || foundBefore(rings, e, found))) found = e;
     }
-    return found;
+    if (wish == false) return kNone;
+    if (found == kNone && wish != true) return kNone;
+    const bool first = found == kNone || paper.instance == InstanceRule::First;
+    return first ? firstInstance(rings, candidate.point) : found;
 }
 
 }  // namespace
@@ -240,7 +275,8 @@ void phaseReciprocal(AnyContext auto& context) {
     std::size_t kept = 0;
     for (Candidate& c : all) {
         if (s.status[c.point] > 0) {
-            c.instance = findInstance(context, c);
+            c.instance = paperOf(context).reciprocal ? findInstance(context, c)
+                                                     : firstInstance(s.rings, c.point);
             if (c.instance == kNone) continue;
         }
         all[kept++] = c;

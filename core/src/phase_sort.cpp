@@ -45,8 +45,9 @@ void keepNearestOfEachAngle(AnyContext auto& context) {
     const auto sameAngle = [&](const Candidate& a, const Candidate& b) {
         return b.angle.key - a.angle.key <= context.params.sameAngle;
     };
+    const TieRule tie = paperOf(context).tie;
     const auto twin = std::adjacent_find(all.begin(), all.end(), sameAngle);
-    if (twin == all.end()) return;
+    if (twin == all.end() || tie == TieRule::Both) return;
     auto kept = static_cast<std::size_t>(twin - all.begin()) + 1;
     for (std::size_t i = kept; i < all.size(); ++i) {
         const bool same = sameAngle(all[kept - 1], all[i]);
@@ -54,7 +55,10 @@ void keepNearestOfEachAngle(AnyContext auto& context) {
             all[kept++] = all[i];
             continue;
         }
-        if (all[i].lengthSq < all[kept - 1].lengthSq) std::swap(all[i], all[kept - 1]);
+        const double farther = all[i].lengthSq - all[kept - 1].lengthSq;
+        if (tie == TieRule::Nearest ? farther < 0.0 : farther > 0.0) {
+            std::swap(all[i], all[kept - 1]);
+        }
         note(context, Stage::Sort, [&] {
             return SortEvidence{all[i].point,
                                 all[i].angle.cosine,
@@ -68,16 +72,35 @@ void keepNearestOfEachAngle(AnyContext auto& context) {
     all.resize(kept);
 }
 
+/// The angle that no candidate may reach: that of last, unless PaperRules::maxAngle is off.
+const Angle& endOf(const AnyContext auto& context) {
+    return paperOf(context).maxAngle ? context.state.pivot.endAngle : kFullTurn;
+}
+
 /// Why a listed neighbor does not enter the neighbor ring; Kept if it does.
-Verdict explainNeighbor(const StepContext& context, Index x, const Angle& angle) {
+Verdict explainNeighbor(const AnyContext auto& context, Index x, const Angle& angle) {
     const State& s = context.state;
     const NeighborRing& n = s.pivot;
     if (s.status[x] == kDone) return Verdict::AlreadyDone;
     if (x == s.rings.point(n.first) || x == s.rings.point(n.last)) return Verdict::OnRingEnd;
     if (!(angle.key > n.startAngle.key + context.params.sameAngle)) return Verdict::NotAfterStart;
-    return strictlyBetween(angle, n.startAngle, n.endAngle, context.params.sameAngle)
+    return strictlyBetween(angle, n.startAngle, endOf(context), context.params.sameAngle)
                ? Verdict::Kept
                : Verdict::NotBeforeEnd;
+}
+
+/// ... and what a person says of it: one that is left out by its angle can not be let in.
+Verdict verdictOn(const AnyContext auto& context, Index x, const Angle& angle) {
+    const Verdict verdict = explainNeighbor(context, x, angle);
+    const bool dropped = verdict == Verdict::Kept && saidOf(context, Stage::Sort, x) == false;
+    return dropped ? Verdict::WhatIfDropped : verdict;
+}
+
+/// Takes out the candidates that a person wants gone.
+void dropUnwanted(LoggedContext& context) {
+    std::erase_if(context.state.pivot.candidates, [&](const Candidate& c) {
+        return saidOf(context, Stage::Sort, c.point) == false;
+    });
 }
 
 void explainNeighbors(AnyContext auto& context, std::span<const Index> list) {
@@ -90,7 +113,7 @@ void explainNeighbors(AnyContext auto& context, std::span<const Index> list) {
                                 angle.key > kHalfTurnKey,
                                 angle.degrees(),
                                 n.endAngle.degrees(),
-                                explainNeighbor(context, x, angle),
+                                verdictOn(context, x, angle),
                                 kNone};
         });
     }
@@ -112,17 +135,18 @@ std::size_t freePoints(const State& s, std::span<const Index> list,
 }
 
 /// Appends the points of `list` that lie between start and end as candidates.
-void addCandidates(StepContext& context, std::span<const Index> list) {
+void addCandidates(AnyContext auto& context, std::span<const Index> list) {
     NeighborRing& n = context.state.pivot;
     std::array<Index, kPiece> free;
     const std::size_t count = freePoints(context.state, list, free);
+    const Angle end = endOf(context);
     for (std::size_t i = 0; i < count; ++i) {
         Candidate c;
         c.point = free[i];
         c.offset = context.points.position[c.point] - n.frame.origin;
         c.lengthSq = glm::dot(c.offset, c.offset);
         c.angle = angleOf(n.frame, c.offset, c.lengthSq);
-        if (strictlyBetween(c.angle, n.startAngle, n.endAngle, context.params.sameAngle)) {
+        if (strictlyBetween(c.angle, n.startAngle, end, context.params.sameAngle)) {
             n.listed.push_back(c);
         }
     }
@@ -142,6 +166,7 @@ void phaseSort(AnyContext auto& context) {
         list = list.subspan(size);
     }
     sortByAngle(n.listed, n.candidates);
+    if constexpr (kListening<std::remove_reference_t<decltype(context)>>) dropUnwanted(context);
     keepNearestOfEachAngle(context);
     s.phase = Phase::Limits;
 }

@@ -86,6 +86,20 @@ Sector sectorAt(const StepContext& context, Index entry) {
             first == last ? kFullTurn : angleOf(frame, context.positionAt(last) - frame.origin)};
 }
 
+/// The same with angles that grow clockwise (PaperRules::turn).
+Sector mirrored(const StepContext& context, Index entry, Sector sector) {
+    sector.frame.n = -sector.frame.n;
+    const Index last = context.state.rings.next(entry);
+    if (last == context.state.rings.prev(entry)) return sector;
+    return {sector.frame, angleOf(sector.frame, context.positionAt(last) - sector.frame.origin)};
+}
+
+/// As the turn is set.
+Sector sectorSeen(const StepContext& context, Index entry) {
+    const Sector sector = sectorAt(context, entry);
+    return context.clockwise() ? mirrored(context, entry, sector) : sector;
+}
+
 }  // namespace
 
 void setPivot(StepContext& context, Index entry) {
@@ -94,7 +108,7 @@ void setPivot(StepContext& context, Index entry) {
     n.pivot = entry;
     n.first = n.start = rings.prev(entry);
     n.last = n.end = rings.next(entry);
-    const Sector sector = sectorAt(context, entry);
+    const Sector sector = sectorSeen(context, entry);
     n.frame = sector.frame;
     n.startAngle = Angle{};
     n.lastAngle = n.endAngle = sector.last;
@@ -109,7 +123,7 @@ void notePivot(AnyContext auto& context) {
         const Index entry = context.state.pivot.pivot;
         return PivotEvidence{rings.point(entry), rings.point(rings.prev(entry)),
                              rings.point(rings.next(entry)), rings.length(rings.active()),
-                             sectorAt(context, entry).last.degrees()};
+                             sectorSeen(context, entry).last.degrees()};
     });
 }
 
@@ -126,7 +140,8 @@ void phasePivot(AnyContext auto& context) {
     n.candidates.clear();
     const Index p = s.rings.point(n.pivot);
     notePivot(context);
-    if (isBoundary(context.points.type[p]) && !admitBoundaryPivot(context)) {
+    if (isBoundary(context.points.type[p]) && paperOf(context).walls &&
+        !admitBoundaryPivot(context)) {
         ++s.counters.skipped;
         note(context, Stage::Skip, [&] { return SkipEvidence{p, context.points.type[p]}; });
         s.phase = Phase::Advance;

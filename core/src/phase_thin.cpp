@@ -9,13 +9,24 @@ namespace se {
 
 namespace {
 
-/// Do p, start and end form a hole of three?
-bool isHoleOfThree(const StepContext& context) {
+/// Do p, start and end form a hole of three, or of as many edges as PaperRules::holeSize says?
+bool isSmallHole(const AnyContext auto& context) {
     const State& s = context.state;
     const NeighborRing& n = s.pivot;
-    if (!context.params.rules.realHole) return s.rings.length(s.rings.active()) == 3;
-    return s.rings.next(n.end) == n.start && !context.openStep(n.end) &&
-           n.endAngle.key - n.startAngle.key < kHalfTurnKey;
+    const Index size = paperOf(context).holeSize;
+    if (!context.params.rules.realHole) {
+        const Index length = s.rings.length(s.rings.active());
+        return length >= 3 && length <= size;
+    }
+    if (!(n.endAngle.key - n.startAngle.key < kHalfTurnKey)) return false;
+    // p, start and end are two edges; so many lead back from end to start.
+    Index e = n.end;
+    for (Index edges = 3; edges <= size; ++edges) {
+        if (context.openStep(e)) return false;
+        e = s.rings.next(e);
+        if (e == n.start) return true;
+    }
+    return false;
 }
 
 }  // namespace
@@ -24,19 +35,22 @@ void phaseHole(AnyContext auto& context) {
     State& s = context.state;
     NeighborRing& n = s.pivot;
     s.phase = Phase::Sphere;
-    if (n.candidates.empty() || n.fullTurn() || !isHoleOfThree(context)) return;
+    if (n.candidates.empty() || n.fullTurn() || !isSmallHole(context)) return;
     const HolePlane plane = makeHolePlane(
         context.positionAt(n.start), context.positionAt(n.end),
         n.frame.normal + context.normalAt(n.start) + context.normalAt(n.end), n.frame.origin);
     std::size_t kept = 0;
     for (const Candidate& c : n.candidates) {
         const Vec3& x = context.points.position[c.point];
-        const bool keeps = plane.keeps(x);
+        const bool onSide = plane.keeps(x);
+        const auto wish = said(context, Stage::Hole, c.point);
+        const bool keeps = wish.value_or(onSide);
         note(context, Stage::Hole, [&] {
             const double length = std::sqrt(glm::dot(plane.normal, plane.normal));
             const double unit = length > 0.0 ? 1.0 / length : 0.0;
-            return HoleEvidence{c.point, plane.normal, plane.side(x) * unit, plane.pivotSide * unit,
-                                keeps ? Verdict::Kept : Verdict::FarSide};
+            return HoleEvidence{
+                c.point, plane.normal, plane.side(x) * unit, plane.pivotSide * unit,
+                afterWhatIf(onSide ? Verdict::Kept : Verdict::FarSide, wish, onSide)};
         });
         if (keeps) n.candidates[kept++] = c;
     }
@@ -73,19 +87,26 @@ SphereEvidence explain(const Candidate& t, const Candidate& q, const Candidate& 
 
 /// §6.3: "If q falls inside the circumsphere or its removal would create an angle difference
 /// between s and t of more than 120 degrees, q must be kept."
-Verdict judge(const Candidate& t, const Candidate& q, const Candidate& s, double maxGapCosine) {
+Verdict judge(const AnyContext auto& context, const Candidate& t, const Candidate& q,
+              const Candidate& s) {
     const SphereTest test = testOf(t, q, s);
     if (test.noCircle) return Verdict::NoCircle;
     if (test.inside()) return Verdict::InsideSphere;
-    return exceedsAngle(t.angle, s.angle, maxGapCosine) ? Verdict::GapTooWide : Verdict::Removed;
+    if (paperOf(context).onSphere == OnSphereRule::Kept && test.onSphere()) {
+        return Verdict::InsideSphere;
+    }
+    const bool wide = exceedsAngle(t.angle, s.angle, context.params.maxGapCosine);
+    return wide ? Verdict::GapTooWide : Verdict::Removed;
 }
 
 bool isRemoved(AnyContext auto& context, const Candidate& t, const Candidate& q,
                const Candidate& s) {
-    const Verdict verdict = judge(t, q, s, context.params.maxGapCosine);
+    Verdict verdict = judge(context, t, q, s);
+    verdict =
+        afterWhatIf(verdict, said(context, Stage::Sphere, q.point), verdict != Verdict::Removed);
     note(context, Stage::Sphere,
          [&, verdict] { return explain(t, q, s, context.state.pivot.frame.origin, verdict); });
-    return verdict == Verdict::Removed;
+    return verdict == Verdict::Removed || verdict == Verdict::WhatIfDropped;
 }
 
 /// §6.3: one pass over the candidates, each looked at once.
@@ -132,7 +153,7 @@ void phaseSphere(AnyContext auto& context) {
     if (context.params.rules.looksAtFan()) {
         context.state.pivot.pool = context.state.pivot.candidates;
     }
-    if (context.state.pivot.candidates.empty()) return;
+    if (context.state.pivot.candidates.empty() || !paperOf(context).sphere) return;
     if (context.params.rules.stepBack) {
         thinWithStepBack(context);
     } else {

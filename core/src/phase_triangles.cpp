@@ -8,17 +8,39 @@ namespace se {
 
 // ---- §6.4: triangles ----------------------------------------------------------------------------
 
+namespace {
+
+/// §6.4, Fig. 9: is a neighbor ring of first and last alone discarded?
+bool isDiscarded(const AnyContext auto& context) {
+    const NeighborRing& n = context.state.pivot;
+    switch (paperOf(context).twoPoint) {
+        case TwoPointRule::Over:
+            return overlapsAsTwoPointRing(n.lastAngle);
+        case TwoPointRule::From:
+            return n.lastAngle.key >= kHalfTurnKey - context.params.sameAngle;
+        case TwoPointRule::None:
+            break;
+    }
+    return n.fullTurn();
+}
+
+}  // namespace
+
 void phaseTwoPoint(AnyContext auto& context) {
     State& s = context.state;
     const NeighborRing& n = s.pivot;
     s.phase = context.params.rules.looksAtFan() ? Phase::Guard : Phase::Emit;
     if (!n.candidates.empty() || n.start != n.first || n.end != n.last) return;
-    const bool overlaps = overlapsAsTwoPointRing(n.lastAngle);
+    const bool overlaps = isDiscarded(context);
+    // The full turn has no triangle that could be wished for.
+    const auto wish =
+        n.fullTurn() ? std::nullopt : said(context, Stage::TwoPoint, s.rings.point(n.pivot));
     note(context, Stage::TwoPoint, [&] {
-        return TwoPointEvidence{n.lastAngle.degrees(),
-                                overlaps ? Verdict::Discarded : Verdict::Hole};
+        return TwoPointEvidence{
+            n.lastAngle.degrees(),
+            afterWhatIf(overlaps ? Verdict::Discarded : Verdict::Hole, wish, !overlaps)};
     });
-    if (!overlaps) return;
+    if (wish.value_or(!overlaps)) return;
     ++s.counters.discarded;
     s.phase = Phase::Advance;
 }

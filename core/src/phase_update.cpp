@@ -64,7 +64,11 @@ namespace {
 
 /// The entry that the traversal goes on from: end; if that went with a closed ring, the last
 /// inserted entry that is left, else start. kNone if nothing is left.
-Index goOnFrom(const State& s) {
+Index goOnFrom(const AnyContext auto& context) {
+    const State& s = context.state;
+    if (paperOf(context).next == NextRule::Start && s.rings.alive(s.pivot.start)) {
+        return s.pivot.start;
+    }
     if (s.rings.alive(s.pivot.end)) return s.pivot.end;
     const auto left = std::find_if(s.insertedEntries.rbegin(), s.insertedEntries.rend(),
                                    [&](Index e) { return s.rings.alive(e); });
@@ -90,6 +94,26 @@ void closeIfFinished(AnyContext auto& context, Index ring) {
     if (!lone) release(context, b, Stage::Ring);
 }
 
+/// §6.5: is it the part with x that goes on the stack? The other holds end, unless
+/// PaperRules::active says otherwise.
+bool pushesX(const AnyContext auto& context, const Exchange& exchange) {
+    const EdgeRings& rings = context.state.rings;
+    const bool endIsElsewhere = rings.ringOf(goOnFrom(context)) != exchange.ringOfX;
+    const Index x = rings.length(exchange.ringOfX);
+    const Index y = rings.length(exchange.ringOfY);
+    switch (paperOf(context).active) {
+        case ActiveRule::End:
+            break;
+        case ActiveRule::Other:
+            return !endIsElsewhere;
+        case ActiveRule::Longer:
+            return x == y ? endIsElsewhere : x < y;
+        case ActiveRule::Shorter:
+            return x == y ? endIsElsewhere : x > y;
+    }
+    return endIsElsewhere;
+}
+
 /// §6.5: the part that holds end stays active, the other goes on the stack.
 void placeSplitRings(AnyContext auto& context, const Exchange& exchange, Index x, Index y) {
     State& s = context.state;
@@ -98,7 +122,7 @@ void placeSplitRings(AnyContext auto& context, const Exchange& exchange, Index x
         exchange.ringOfX == s.rings.active() || exchange.ringOfY == s.rings.active();
     bool pushX = s.rings.depthFromTop(exchange.ringOfX) == kNone;  // Else x's part is stacked.
     if (wasActive) {
-        pushX = s.rings.ringOf(goOnFrom(s)) != exchange.ringOfX;
+        pushX = pushesX(context, exchange);
         s.rings.activate(pushX ? exchange.ringOfY : exchange.ringOfX);
     }
     s.rings.push(pushX ? exchange.ringOfX : exchange.ringOfY, pushX ? x : y);
@@ -191,7 +215,8 @@ void popOrEnd(AnyContext auto& context) {
     State& s = context.state;
     s.circuit = 0;
     s.patience = 0;
-    s.pivot.pivot = s.rings.pop();
+    const bool oldest = paperOf(context).stack == StackRule::First;
+    s.pivot.pivot = oldest ? s.rings.popOldest() : s.rings.pop();
     s.phase = s.pivot.pivot == kNone ? Phase::Seed : Phase::Pivot;
     note(context, Stage::Advance, [&] {
         const bool popped = s.pivot.pivot != kNone;
@@ -216,7 +241,12 @@ void advanceAfterTriangles(AnyContext auto& context) {
     State& s = context.state;
     s.circuit = 0;
     s.patience = 0;
-    const Index entry = goOnFrom(s);
+    Index entry = goOnFrom(context);
+    // Another part than that of end was to stay active.
+    if (paperOf(context).active != ActiveRule::End && s.rings.active() != kNone &&
+        s.rings.ringOf(entry) != s.rings.active()) {
+        entry = s.rings.head(s.rings.active());
+    }
     if (entry == kNone) {
         popOrEnd(context);
         return;
@@ -265,6 +295,7 @@ void phaseAdvance(AnyContext auto& context) {
     } else {
         advanceWithoutTriangles(context);
     }
+    if constexpr (kListening<std::remove_reference_t<decltype(context)>>) redirect(context);
     // The paper's own rules need not end on tangled input; this does.
     const std::size_t cap =
         std::size_t{context.params.maxTrianglesPerPoint} * context.points.size();

@@ -1,6 +1,7 @@
 /// The phases of a pivot, one function each; stepper.cpp calls them in the order of State::phase.
 #pragma once
 
+#include <optional>
 #include <type_traits>
 
 #include "spiraling_edge/event.h"
@@ -8,6 +9,7 @@
 #include "spiraling_edge/point_set.h"
 #include "spiraling_edge/rules.h"
 #include "spiraling_edge/state.h"
+#include "spiraling_edge/stepper.h"
 
 namespace se {
 
@@ -21,6 +23,8 @@ struct StepContext {
     const Vec3& normalAt(Index entry) const { return points.normal[state.rings.point(entry)]; }
     /// The step from `entry` is no mesh edge, as far as the rules know (Rules::openSteps).
     bool openStep(Index entry) const { return params.rules.openSteps && state.rings.open(entry); }
+    /// Angles grow clockwise (PaperRules::turn).
+    bool clockwise() const { return params.paper.turn == TurnRule::Clockwise; }
 };
 
 // Phases are compiled twice, for a context with a log and for one without, so that nobody pays for
@@ -37,6 +41,15 @@ concept AnyContext = std::is_same_v<T, SilentContext> || std::is_same_v<T, Logge
 template <AnyContext Context>
 constexpr bool kListening = std::is_same_v<Context, LoggedContext>;
 
+inline constexpr PaperRules kPlainPaper{};
+/// The paper's rules as they are set. Where nobody listens they are as usual, known when this is
+/// compiled: the stepper has runs with others, like those with what-ifs, go the way of the log.
+template <AnyContext Context>
+constexpr const PaperRules& paperOf(const Context& context) {
+    if constexpr (kListening<Context>) return context.params.paper;
+    return kPlainPaper;
+}
+
 /// Adds the event that `make` returns to those of `pivot`, if someone listens.
 template <AnyContext Context, typename MakeEvidence>
 void noteAt(Context& context, std::uint32_t pivot, Stage stage, const MakeEvidence& make) {
@@ -47,6 +60,27 @@ template <typename MakeEvidence>
 void note(AnyContext auto& context, Stage stage, const MakeEvidence& make) {
     noteAt(context, context.state.counters.pivots, stage, make);
 }
+
+// phase_what_if.cpp
+/// What a person said of a point that is tested at this stage of the present pivot.
+std::optional<bool> saidOf(const StepContext& context, Stage stage, Index point);
+/// ... where anybody can be heard: runs with what-ifs have a log wherever one of them is.
+template <AnyContext Context>
+std::optional<bool> said(const Context& context, Stage stage, Index point) {
+    if constexpr (kListening<Context>) return saidOf(context, stage, point);
+    return std::nullopt;
+}
+/// A verdict as what a person said makes it.
+inline Verdict afterWhatIf(Verdict verdict, std::optional<bool> said, bool keeps) {
+    if (!said || *said == keeps) return verdict;
+    return *said ? Verdict::WhatIfKept : Verdict::WhatIfDropped;
+}
+/// Goes on where a person wants it, after a pivot.
+void redirect(LoggedContext& context);
+
+/// The entry of a point that is found first when the active ring is searched, then the stack from
+/// the top (§6.5); kNone if it stands on no ring.
+Index firstInstance(const EdgeRings& rings, Index point);
 
 // phase_start.cpp: §4
 void phaseSeed(AnyContext auto& context);

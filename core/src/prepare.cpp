@@ -29,7 +29,10 @@ class Preparation {
         if (Status status = makeNormals(); !status) return status.error();
         Result<NeighborLists> lists = makeLists();
         if (!lists) return lists.error();
-        if (options_.neighbors.symmetric) lists = symmetricLists(set_.position, lists.value());
+        if (options_.neighbors.symmetric) {
+            lists = symmetricLists(set_.position, lists.value(), options_.neighbors.threads,
+                                   upTo(0.5 * (1.0 + done_)));
+        }
         if (!lists) return lists.error();
         set_.neighbors = std::move(lists.value());
         if (Status status = takeRim(); !status) return status.error();
@@ -58,7 +61,8 @@ class Preparation {
         for (std::uint8_t& type : set_.type) {
             if (isRimPoint(type)) type = kInterior;
         }
-        Result<Rim> rim = findRim(set_.position, set_.normal, set_.neighbors, set_.type);
+        Result<Rim> rim = findRim(set_.position, set_.normal, set_.neighbors, set_.type,
+                                  options_.neighbors.threads, upTo(1.0));
         if (!rim) return rim.error();
         DerivedPieces& derived = report_.derived;
         derived.rim = true;
@@ -74,7 +78,8 @@ class Preparation {
 
     Status takeGivenRim() {
         if (std::none_of(set_.type.begin(), set_.type.end(), isRimPoint)) return success();
-        auto gaps = gapsOfRimPoints(set_.position, set_.normal, set_.neighbors, set_.type);
+        auto gaps = gapsOfRimPoints(set_.position, set_.normal, set_.neighbors, set_.type,
+                                    options_.neighbors.threads, upTo(1.0));
         if (!gaps) return gaps.error();
         set_.rim = std::move(gaps.value());
         return success();
@@ -163,7 +168,8 @@ class Preparation {
         if (file_.hasNeighbors() && !neighbors.recompute) return cleanLists();
         report_.neighborsComputed = true;
         StopWatch watch;
-        const double listsDone = options_.setNoiseAside ? 0.5 * (1.0 + done_) : 1.0;
+        const double listsDone =
+            options_.setNoiseAside ? 0.5 * (listsShare() + done_) : listsShare();
         Result<NeighborLists> lists =
             findNeighbors(set_.position, set_.normal, usable_, neighbors, upTo(listsDone));
         if (lists && options_.setNoiseAside) lists = withoutNoise(std::move(lists));
@@ -183,8 +189,8 @@ class Preparation {
         const std::vector<bool> usable = usable_;
         const std::vector<Vec3> normal = set_.normal;
         if (Status status = thinOut(); !status) return status.error();
-        Result<NeighborLists> lists =
-            findNeighbors(set_.position, set_.normal, usable_, options_.neighbors, upTo(1.0));
+        Result<NeighborLists> lists = findNeighbors(set_.position, set_.normal, usable_,
+                                                    options_.neighbors, upTo(listsShare()));
         if (!lists || noiseOf(lists) <= kNoisy) return lists;
         usable_ = usable;
         set_.normal = normal;
@@ -199,7 +205,7 @@ class Preparation {
         // How often is not known before: each search takes a third of what is left to tell.
         const auto search = [&] {
             return findNeighbors(set_.position, set_.normal, usable_, wide,
-                                 upTo(done_ + (1.0 - done_) / 3.0));
+                                 upTo(done_ + (listsShare() - done_) / 3.0));
         };
         Result<NeighborLists> lists = search();
         if (!lists) return lists.error();
@@ -244,6 +250,13 @@ class Preparation {
         if (q == p || !usable_[p] || !usable_[q]) return false;
         return !options_.neighbors.dropOpposingNormals ||
                !normalsOppose(set_.normal[p], set_.normal[q]);
+    }
+
+    /// Of the whole work, all up to the lists: rims and lists both ways follow.
+    double listsShare() const {
+        const bool rims =
+            options_.rim || std::any_of(set_.type.begin(), set_.type.end(), isRimPoint);
+        return (rims ? 0.65 : 1.0) * (options_.neighbors.symmetric ? 0.85 : 1.0);
     }
 
     /// Shares of the whole work when normals are derived.

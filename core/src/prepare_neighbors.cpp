@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 
+#include "parallel.h"
 #include "z_curve.h"
 
 namespace se {
@@ -325,6 +326,33 @@ class NeighborSearch {
     std::vector<RangeSearch> ranges_;
 };
 
+/// Mean distance to the nearest, of all points that have one; 1 if none has: then no radius finds
+/// any.
+double meanSpacing(std::span<const Vec3> position, const NeighborLists& nearest) {
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (Index p = 0; p < nearest.size(); ++p) {
+        if (nearest[p].empty()) continue;
+        sum += std::sqrt(distanceSquared(position[p], position[nearest[p].front()]));
+        ++count;
+    }
+    return count > 0 ? sum / static_cast<double>(count) : 1.0;
+}
+
+/// The nearest of each first, to know the spacing.
+Result<NeighborLists> withinSpacings(double spacings, std::span<const Vec3> position,
+                                     std::span<const Vec3> normal, const std::vector<bool>& usable,
+                                     NeighborOptions options, const Progress& progress) {
+    constexpr double kNearestShare = 0.3;
+    options.reach = KNearest{1};
+    const Result<NeighborLists> nearest =
+        NeighborSearch(position, normal, usable, options).run(partOf(progress, 0.0, kNearestShare));
+    if (!nearest) return nearest.error();
+    options.reach = WithinRadius{spacings * meanSpacing(position, nearest.value())};
+    return NeighborSearch(position, normal, usable, options)
+        .run(partOf(progress, kNearestShare, 1.0));
+}
+
 }  // namespace
 
 void sortNearestFirst(std::span<const Vec3> position, Index p, std::vector<Index>& list) {
@@ -344,6 +372,11 @@ Status checkReach(const NeighborOptions& options) {
         return Error{"the radius of neighbor lists must be positive, but is " +
                      std::to_string(reach->radius)};
     }
+    if (const auto* reach = std::get_if<WithinSpacings>(&options.reach)) {
+        if (reach->spacings > 0.0) return success();
+        return Error{"the reach of neighbor lists must be positive, but is " +
+                     std::to_string(reach->spacings) + " spacings"};
+    }
     if (std::get<KNearest>(options.reach).k > 0) return success();
     return Error{"the number of neighbors per point must be positive, but is 0"};
 }
@@ -361,6 +394,8 @@ Result<NeighborLists> findNeighbors(std::span<const Vec3> position, std::span<co
                      std::to_string(usable.size()) + " marks of usable points"};
     }
     if (!options.dropOpposingNormals) normal = {};
+    if (const auto* reach = std::get_if<WithinSpacings>(&options.reach))
+        return withinSpacings(reach->spacings, position, normal, usable, options, progress);
     return NeighborSearch(position, normal, usable, options).run(progress);
 }
 

@@ -92,6 +92,7 @@ Outcome outcomeOf(Verdict verdict) {
         case Verdict::Hole:
         case Verdict::Before:
         case Verdict::After:
+        case Verdict::WhatIfKept:
             return Outcome::Taken;
         default:
             return Outcome::Refused;

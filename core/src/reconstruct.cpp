@@ -118,7 +118,9 @@ Reconstruction reconstruct(const PointSet& points, const Params& params,
         const StopReason reason = stop ? stepper.runUntil(stop) : stepper.run();
         return Reconstruction{stepper.takeState(), reason};
     };
-    if (points.size() < kManyPoints || !areScattered(points)) return run(points);
+    // What-ifs name points by their index.
+    const bool asIs = !params.whatIf.empty() || points.size() < kManyPoints;
+    if (asIs || !areScattered(points)) return run(points);
     const Renumbered renumbered = renumberAlongZCurve(points);
     Reconstruction result = run(renumbered.points);
     restoreIndices(renumbered, result.state);

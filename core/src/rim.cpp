@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "parallel.h"
 #include "ring_shape.h"
-#include "spiraling_edge/prepare.h"
 
 namespace se {
 namespace {
@@ -119,13 +119,14 @@ constexpr std::size_t kNearest = 12;
 constexpr std::size_t kOfThree = 2;
 
 /// The first of each list, and both ways.
-Result<NeighborLists> nearestBothWays(std::span<const Vec3> position, const NeighborLists& lists) {
+Result<NeighborLists> nearestBothWays(std::span<const Vec3> position, const NeighborLists& lists,
+                                      unsigned threads, const Progress& progress) {
     NeighborLists nearest;
     nearest.offset.reserve(lists.offset.size());
     for (Index p = 0; p < lists.size(); ++p) {
         nearest.append(lists[p].first(std::min(kNearest, lists[p].size())));
     }
-    return symmetricLists(position, nearest);
+    return symmetricLists(position, nearest, threads, progress);
 }
 
 /// The widest gap at p, of any width.
@@ -136,14 +137,19 @@ Gap widestGap(std::span<const Vec3> position, std::span<const Vec3> normal,
     return Spokes(position, normal[p], p, list[0], list).widest(kFullTurnOfKeys, kNone);
 }
 
+/// Of the work, bringing the lists both ways; the gaps are the rest.
+constexpr double kListsShare = 0.4;
+/// Fewer points are not worth a thread.
+constexpr std::size_t kPerThread = 2048;
+
 class RimSearch {
   public:
     RimSearch(std::span<const Vec3> position, std::span<const Vec3> normal,
               const NeighborLists& lists, std::span<const std::uint8_t> type)
         : position_(position), normal_(normal), lists_(lists), type_(type) {}
 
-    Rim run() {
-        findCandidates();
+    Result<Rim> run(unsigned threads, const Progress& progress) {
+        if (!findCandidates(threads, progress)) return Error{"the search for rims was cancelled"};
         rim_.gap.assign(position_.size(), {});
         place_.assign(position_.size(), kNone);
         walked_.assign(lists_.ids.size(), false);
@@ -158,12 +164,15 @@ class RimSearch {
     bool candidate(Index p) const { return widest_[p].key > kKey120; }
     bool onWall(Index p) const { return !type_.empty() && isOnWall(type_[p]); }
 
-    void findCandidates() {
+    /// False if cancelled. Each gap is found by itself; the walks from them are short work.
+    bool findCandidates(unsigned threads, const Progress& progress) {
         widest_.resize(position_.size());
-        for (Index p = 0; p < position_.size(); ++p) {
-            widest_[p] = widestGap(position_, normal_, lists_, p);
-            rim_.candidates += candidate(p) ? 1U : 0U;
-        }
+        const auto look = [this](std::size_t p) {
+            widest_[p] = widestGap(position_, normal_, lists_, static_cast<Index>(p));
+        };
+        if (!forEachWatched(widest_.size(), threads, kPerThread, progress, look)) return false;
+        for (Index p = 0; p < position_.size(); ++p) rim_.candidates += candidate(p) ? 1U : 0U;
+        return true;
     }
 
     /// Where a walk goes on at p when it came from `before`; kNone if nowhere.
@@ -268,22 +277,30 @@ std::size_t Rim::points() const {
 }
 
 Result<Rim> findRim(std::span<const Vec3> position, std::span<const Vec3> normal,
-                    const NeighborLists& neighbors, std::span<const std::uint8_t> type) {
-    const Result<NeighborLists> lists = nearestBothWays(position, neighbors);
+                    const NeighborLists& neighbors, std::span<const std::uint8_t> type,
+                    unsigned threads, const Progress& progress) {
+    const Result<NeighborLists> lists =
+        nearestBothWays(position, neighbors, threads, partOf(progress, 0.0, kListsShare));
     if (!lists) return lists.error();
-    return RimSearch(position, normal, lists.value(), type).run();
+    return RimSearch(position, normal, lists.value(), type)
+        .run(threads, partOf(progress, kListsShare, 1.0));
 }
 
 Result<std::vector<RimGap>> gapsOfRimPoints(std::span<const Vec3> position,
                                             std::span<const Vec3> normal,
                                             const NeighborLists& neighbors,
-                                            std::span<const std::uint8_t> type) {
-    const Result<NeighborLists> lists = nearestBothWays(position, neighbors);
+                                            std::span<const std::uint8_t> type, unsigned threads,
+                                            const Progress& progress) {
+    const Result<NeighborLists> lists =
+        nearestBothWays(position, neighbors, threads, partOf(progress, 0.0, kListsShare));
     if (!lists) return lists.error();
     std::vector<RimGap> gap(position.size());
-    for (Index p = 0; p < position.size(); ++p) {
+    const auto look = [&](std::size_t i) {
+        const auto p = static_cast<Index>(i);
         if (isRimPoint(type[p])) gap[p] = widestGap(position, normal, lists.value(), p).ends;
-    }
+    };
+    if (!forEachWatched(gap.size(), threads, kPerThread, partOf(progress, kListsShare, 1.0), look))
+        return Error{"the search for rims was cancelled"};
     return gap;
 }
 

@@ -143,38 +143,44 @@ std::vector<Candidate> roomiest(const Census& census, std::vector<Candidate> all
     return gaps;
 }
 
-/// Takes particles off specks, unless that is most of the surface.
-void leaveSpecks(const Surface& surface, double flatSpacing, unsigned threads,
-                 Particles& particles) {
+/// Takes particles off specks, unless that is most of the surface. False if cancelled.
+bool leaveSpecks(const Surface& surface, double flatSpacing, unsigned threads,
+                 const Progress& progress, Particles& particles) {
     const Census census(surface, flatSpacing, particles);
     std::vector<std::uint8_t> alone(particles.size(), 0);
-    forRanges(alone.size(), threads, kPerThread, [&](std::size_t from, std::size_t to) {
-        for (std::size_t i = std::max(from, particles.onWalls); i < to; ++i)
-            alone[i] = census.isAlone(i) ? 1 : 0;
-    });
+    const bool asked =
+        forEachWatched(alone.size(), threads, kPerThread, progress, [&](std::size_t i) {
+            if (i >= particles.onWalls) alone[i] = census.isAlone(i) ? 1 : 0;
+        });
+    if (!asked) return false;
     const auto leaving = static_cast<std::size_t>(std::count(alone.begin(), alone.end(), 1));
-    if (leaving == 0 || 2 * leaving >= particles.size()) return;
+    if (leaving == 0 || 2 * leaving >= particles.size()) return true;
     std::vector<bool> stays(particles.size());
     std::transform(alone.begin(), alone.end(), stays.begin(), [](auto a) { return a == 0; });
     particles.keep(stays);
+    return true;
 }
 
-std::vector<Candidate> crowds(const Census& census, unsigned threads, const Particles& particles) {
+/// Empty if cancelled.
+std::vector<Candidate> crowds(const Census& census, unsigned threads, const Progress& progress,
+                              const Particles& particles) {
     std::vector<Candidate> all(particles.size());
-    forRanges(all.size(), threads, kPerThread, [&](std::size_t from, std::size_t to) {
-        for (std::size_t i = from; i < to; ++i)
-            all[i] = {census.crowdOf(i), i, particles.position[i]};
-    });
+    const auto look = [&](std::size_t i) {
+        all[i] = {census.crowdOf(i), i, particles.position[i]};
+    };
+    if (!forEachWatched(all.size(), threads, kPerThread, progress, look)) all.clear();
     return all;
 }
 
 }  // namespace
 
-void balance(const Surface& surface, std::size_t count, double flatSpacing, std::size_t most,
-             unsigned threads, Particles& particles) {
-    leaveSpecks(surface, flatSpacing, threads, particles);
+bool balance(const Surface& surface, std::size_t count, double flatSpacing, std::size_t most,
+             unsigned threads, const Progress& progress, Particles& particles) {
+    if (!leaveSpecks(surface, flatSpacing, threads, partOf(progress, 0.0, 0.5), particles))
+        return false;
     const Census census(surface, flatSpacing, particles);
-    std::vector<Candidate> all = crowds(census, threads, particles);
+    std::vector<Candidate> all = crowds(census, threads, partOf(progress, 0.5, 1.0), particles);
+    if (all.empty()) return false;
     std::vector<Candidate> dying(all.begin() + static_cast<std::ptrdiff_t>(particles.onWalls),
                                  all.end());
     std::sort(dying.begin(), dying.end(),
@@ -200,6 +206,7 @@ void balance(const Surface& surface, std::size_t count, double flatSpacing, std:
     for (const Candidate& c : born) particles.add(surface, c.place, kInterior, flatSpacing);
     stays.resize(particles.size(), true);
     particles.keep(stays);
+    return true;
 }
 
 }  // namespace se::sampling

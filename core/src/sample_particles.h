@@ -54,15 +54,17 @@ struct Start {
 /// Finds the surface, divides its curves on the walls evenly, and scatters the rest by area.
 Result<Start> scatter(Surface& surface, const SamplerOptions& options, const Progress& progress);
 
-/// Moves all that may move by one step. Returns the largest move in units of the spacing.
-double relax(const Surface& surface, double flatSpacing, unsigned threads, Particles& particles);
+/// Moves all that may move by one step. This and what follows: false if `progress` cancelled.
+bool relax(const Surface& surface, double flatSpacing, unsigned threads, const Progress& progress,
+           Particles& particles);
 
 /// Brings all, which are near it, onto the surface to the last digits.
-void settleAll(const Surface& surface, unsigned threads, Particles& particles);
+bool settleAll(const Surface& surface, unsigned threads, const Progress& progress,
+               Particles& particles);
 
 /// Crowded particles die, and those on specks too small for triangles; new ones are born where
 /// there is room. At most `most` are exchanged, besides what brings their number to `count`.
-void balance(const Surface& surface, std::size_t count, double flatSpacing, std::size_t most,
-             unsigned threads, Particles& particles);
+bool balance(const Surface& surface, std::size_t count, double flatSpacing, std::size_t most,
+             unsigned threads, const Progress& progress, Particles& particles);
 
 }  // namespace se::sampling

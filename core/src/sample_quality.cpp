@@ -7,12 +7,13 @@
 
 namespace se {
 
-SampleQuality measureSample(const Field& field, const PointFile& points) {
+SampleQuality measureSample(const Field& field, const PointFile& points, const Progress& progress) {
     SampleQuality quality;
     NeighborOptions options;
     options.reach = KNearest{1};
     const std::vector<bool> all(points.position.size(), true);
-    const Result<NeighborLists> lists = findNeighbors(points.position, points.normal, all, options);
+    const Result<NeighborLists> lists =
+        findNeighbors(points.position, points.normal, all, options, progress);
     if (!lists) return quality;
     double sum = 0.0;
     double squares = 0.0;

@@ -23,8 +23,8 @@ class Relaxation {
         for (const Vec3& x : particles.position) grid_.add(x);
     }
 
-    /// Moves particle i of `next`; returns how far, in units of its spacing.
-    double move(std::size_t i, Particles& next) const {
+    /// Moves particle i of `next`.
+    void move(std::size_t i, Particles& next) const {
         const double spacing = old_.spacing[i];
         Vec3 step = without(kInertia * old_.drift[i] + shove(i), heldBy(old_.type[i]));
         const double length = lengthOf(step);
@@ -41,10 +41,9 @@ class Relaxation {
             const Vec3 drift = *to - from;
             next.drift[i] = drift - glm::dot(drift, n) * n;
             if (surface_.followsCurvature()) next.spacing[i] = relaxedSpacing(i, *to);
-            return lengthOf(drift) / spacing;
+            return;
         }
         next.drift[i] = Vec3(0.0);
-        return 0.0;
     }
 
   private:
@@ -187,29 +186,25 @@ void Particles::keep(const std::vector<bool>& stays) {
     arrange(kept);
 }
 
-double relax(const Surface& surface, double flatSpacing, unsigned threads, Particles& particles) {
+bool relax(const Surface& surface, double flatSpacing, unsigned threads, const Progress& progress,
+           Particles& particles) {
     Particles next = particles;
     const double widest = *std::max_element(particles.spacing.begin(), particles.spacing.end());
     const Relaxation relaxation(surface, particles, flatSpacing, widest);
-    std::vector<double> moved(particles.size(), 0.0);
-    forRanges(moved.size(), threads, kPerThread, [&](std::size_t from, std::size_t to) {
-        for (std::size_t i = from; i < to; ++i) {
-            if (!isCorner(particles.type[i])) moved[i] = relaxation.move(i, next);
-        }
+    const bool all = forEachWatched(next.size(), threads, kPerThread, progress, [&](std::size_t i) {
+        if (!isCorner(particles.type[i])) relaxation.move(i, next);
     });
-    particles = std::move(next);
-    return moved.empty() ? 0.0 : *std::max_element(moved.begin(), moved.end());
+    if (all) particles = std::move(next);
+    return all;
 }
 
-void settleAll(const Surface& surface, unsigned threads, Particles& particles) {
-    forRanges(particles.size(), threads, kPerThread, [&](std::size_t from, std::size_t to) {
-        for (std::size_t i = from; i < to; ++i) {
-            const Vec3 x = particles.position[i];
-            const auto place =
-                surface.settle(x, heldBy(particles.type[i]), 0.1 * particles.spacing[i]);
-            particles.position[i] = place.value_or(x);
-            particles.normal[i] = surface.field().normal(particles.position[i]);
-        }
+bool settleAll(const Surface& surface, unsigned threads, const Progress& progress,
+               Particles& particles) {
+    return forEachWatched(particles.size(), threads, kPerThread, progress, [&](std::size_t i) {
+        const Vec3 x = particles.position[i];
+        const auto place = surface.settle(x, heldBy(particles.type[i]), 0.1 * particles.spacing[i]);
+        particles.position[i] = place.value_or(x);
+        particles.normal[i] = surface.field().normal(particles.position[i]);
     });
 }
 

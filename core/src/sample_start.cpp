@@ -1,14 +1,26 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "cell_grid.h"
+#include "parallel.h"
 #include "sample_lattice.h"
 #include "sample_particles.h"
 #include "z_curve.h"
 
 namespace se::sampling {
 namespace {
+
+Error cancelled() { return Error{"sampling was cancelled"}; }
+
+/// As many digits as anybody writes.
+std::string shortNumber(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.6g", value);
+    return text.data();
+}
 
 std::uint8_t facesAt(const Field& field, const Vec3& x) {
     unsigned faces = kInterior;
@@ -46,19 +58,27 @@ struct Extent {
     double length = 0.0;
 };
 
-void followCurvature(Surface& surface, std::vector<Crossing>& crossings) {
-    if (!surface.followsCurvature()) return;
+/// False if cancelled.
+bool followCurvature(Surface& surface, unsigned threads, const Progress& progress,
+                     std::vector<Crossing>& crossings) {
+    if (!surface.followsCurvature()) return true;
+    std::vector<double> bend(crossings.size());
+    const auto look = [&](std::size_t i) { bend[i] = surface.curvature(crossings[i].position); };
+    if (!forEachWatched(bend.size(), threads, kPerThread, partOf(progress, 0.0, 0.5), look))
+        return false;
     double area = 0.0;
     double sum = 0.0;
-    for (const Crossing& c : crossings) {
-        area += c.area;
-        sum += c.area * surface.curvature(c.position);
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+        area += crossings[i].area;
+        sum += crossings[i].area * bend[i];
     }
     surface.setMeanCurvature(sum / area);
-    for (Crossing& c : crossings) {
-        const double spacing = surface.relativeSpacing(c.position);
-        c.area /= spacing * spacing;
-    }
+    const auto spread = [&](std::size_t i) {
+        const double spacing = surface.relativeSpacing(crossings[i].position);
+        crossings[i].area /= spacing * spacing;
+    };
+    return forEachWatched(crossings.size(), threads, kPerThread, partOf(progress, 0.5, 1.0),
+                          spread);
 }
 
 std::vector<Vec3> cornersOf(const std::vector<Measured>& curves) {
@@ -75,15 +95,16 @@ std::vector<Vec3> cornersOf(const std::vector<Measured>& curves) {
 
 Result<Extent> explore(Surface& surface, unsigned threads, const Progress& progress) {
     Extent extent;
-    Result<std::vector<Crossing>> crossings = findCrossings(surface, threads, progress);
+    Result<std::vector<Crossing>> crossings =
+        findCrossings(surface, threads, partOf(progress, 0.0, 0.7));
     if (!crossings) return crossings.error();
     extent.crossings = std::move(crossings.value());
     if (extent.crossings.empty()) {
-        return Error{"there is no surface of the value " +
-                     std::to_string(surface.field().isovalue) +
+        return Error{"there is no surface of the value " + shortNumber(surface.field().isovalue) +
                      " in the box; choose another isovalue or box"};
     }
-    followCurvature(surface, extent.crossings);
+    if (!followCurvature(surface, threads, partOf(progress, 0.7, 1.0), extent.crossings))
+        return cancelled();
     for (WallCurve& curve : findWallCurves(surface))
         extent.curves.push_back(measure(surface, std::move(curve)));
     extent.corners = cornersOf(extent.curves);
@@ -176,8 +197,9 @@ Vec3 around(const Surface& surface, const Vec3& x, SplitMix& random) {
 
 /// Along a Z-curve, one particle whenever another share of the area has gone by: even to begin
 /// with, over large distances exactly so.
-void addInside(const Surface& surface, const Extent& extent, double spacing, std::size_t count,
-               std::uint64_t seed, Particles& particles) {
+/// False if cancelled.
+bool addInside(const Surface& surface, const Extent& extent, double spacing, std::size_t count,
+               std::uint64_t seed, const Progress& progress, Particles& particles) {
     const NearWalls walls(extent, surface.field(), spacing);
     std::vector<Vec3> place;
     std::vector<double> area;
@@ -194,11 +216,16 @@ void addInside(const Surface& surface, const Extent& extent, double spacing, std
     double next = random.unit() * each;
     double passed = 0.0;
     std::size_t made = 0;
+    constexpr std::size_t kBetween = 4096;
     for (const Index i : zCurveOrder(place)) {
         passed += area[i];
-        for (; next < passed && made < count; ++made, next += each)
+        for (; next < passed && made < count; ++made, next += each) {
+            const double share = static_cast<double>(made) / static_cast<double>(count);
+            if (made % kBetween == 0 && progress && !progress(share)) return false;
             particles.add(surface, around(surface, place[i], random), kInterior, spacing);
+        }
     }
+    return true;
 }
 
 Status checkField(const Field& field) {
@@ -234,7 +261,7 @@ Result<Start> scatter(Surface& surface, const SamplerOptions& options, const Pro
     for (const Status& checked : {checkField(surface.field()), checkOptions(options)}) {
         if (!checked) return checked.error();
     }
-    const Result<Extent> explored = explore(surface, options.threads, progress);
+    const Result<Extent> explored = explore(surface, options.threads, partOf(progress, 0.0, 0.5));
     if (!explored) return explored.error();
     const Extent& extent = explored.value();
     Start start;
@@ -262,8 +289,9 @@ Result<Start> scatter(Surface& surface, const SamplerOptions& options, const Pro
         return Error{std::to_string(start.count) + " particles are too few: the walls alone need " +
                      std::to_string(std::max(particles.onWalls, extent.corners.size()))};
     }
-    addInside(surface, extent, start.spacing, start.count - particles.onWalls, options.seed,
-              particles);
+    if (!addInside(surface, extent, start.spacing, start.count - particles.onWalls, options.seed,
+                   partOf(progress, 0.5, 1.0), particles))
+        return cancelled();
     return start;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "parallel.h"
 #include "sample_particles.h"
 #include "z_curve.h"
 
@@ -17,6 +18,10 @@ constexpr int kLastExchange = 150;
 /// Share of the particles that may be exchanged at a time.
 constexpr double kMostExchanged = 0.02;
 constexpr std::size_t kMostExchangedAtOnce = 2000;
+/// Of a step, the relaxation; the rest is for those that split and die.
+constexpr double kRelaxShare = 0.5;
+/// Of all work, finding the surface.
+constexpr double kBeginShare = 0.05;
 
 }  // namespace
 
@@ -49,22 +54,28 @@ int Sampler::allSteps() { return kSteps; }
 
 double Sampler::share() const { return static_cast<double>(content_->steps) / kSteps; }
 
-void Sampler::step() {
-    if (done()) return;
+bool Sampler::step(const Progress& progress) {
+    if (done()) return true;
     Content& c = *content_;
     sampling::Particles& particles = c.start.particles;
-    sampling::relax(c.surface, c.start.spacing, c.options.threads, particles);
+    if (!sampling::relax(c.surface, c.start.spacing, c.options.threads,
+                         partOf(progress, 0.0, kRelaxShare), particles))
+        return false;
     ++c.steps;
+    const Progress rest = partOf(progress, kRelaxShare, 1.0);
     if (c.steps % kBalanceEvery == 0 && c.steps <= kLastExchange) {
         const auto most =
             static_cast<std::size_t>(kMostExchanged * static_cast<double>(particles.size()));
-        sampling::balance(c.surface, c.start.count, c.start.spacing,
-                          std::min(most, kMostExchangedAtOnce), c.options.threads, particles);
+        if (!sampling::balance(c.surface, c.start.count, c.start.spacing,
+                               std::min(most, kMostExchangedAtOnce), c.options.threads, rest,
+                               particles))
+            return false;
     }
-    if (!done()) return;
-    sampling::settleAll(c.surface, c.options.threads, particles);
+    if (!done()) return true;
+    if (!sampling::settleAll(c.surface, c.options.threads, rest, particles)) return false;
     // What is near in space is near in memory, for all who come after.
     particles.arrange(zCurveOrder(particles.position));
+    return true;
 }
 
 std::span<const Vec3> Sampler::positions() const { return content_->start.particles.position; }
@@ -83,12 +94,14 @@ PointFile Sampler::points() const {
 
 Result<PointFile> sample(const Field& field, const SamplerOptions& options,
                          const Progress& progress) {
-    Result<Sampler> begun = Sampler::begin(field, options);
+    Result<Sampler> begun = Sampler::begin(field, options, partOf(progress, 0.0, kBeginShare));
     if (!begun) return begun.error();
     Sampler& sampler = begun.value();
+    const Progress steps = partOf(progress, kBeginShare, 1.0);
     while (!sampler.done()) {
-        if (progress && !progress(sampler.share())) return Error{"sampling was cancelled"};
-        sampler.step();
+        const double done = sampler.share();
+        if (!sampler.step(partOf(steps, done, done + 1.0 / kSteps)))
+            return Error{"sampling was cancelled"};
     }
     return sampler.points();
 }

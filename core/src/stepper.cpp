@@ -1,8 +1,10 @@
 #include "spiraling_edge/stepper.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "phases.h"
+#include "spiraling_edge/what_if_check.h"
 
 namespace se {
 namespace {
@@ -68,17 +70,60 @@ State freshState(const PointSet& points, const Params& params) {
 }  // namespace
 
 Stepper::Stepper(const PointSet& points, const Params& params, EventLog* log)
-    : points_(points), params_(params), state_(freshState(points, params)), log_(log) {}
+    : points_(points),
+      params_(params),
+      edited_(editedPoints(points, params)),
+      altered_(!(params.paper == PaperRules{}) || !params.whatIf.empty()),
+      state_(freshState(points, params)),
+      log_(log) {}
+
+namespace {
+
+/// The pivot that the next phase belongs to.
+std::uint32_t presentPivot(const State& state) {
+    switch (state.phase) {
+        case Phase::Seed:
+        case Phase::Pivot:
+        case Phase::Fill:
+        case Phase::Reinsert:
+        case Phase::Flip:
+        case Phase::Reseat:
+            return state.counters.pivots + 1;
+        default:
+            return state.counters.pivots;
+    }
+}
+
+bool forksAt(const Params& params, std::uint32_t pivot) {
+    return std::any_of(params.whatIf.begin(), params.whatIf.end(),
+                       [&](const WhatIf& each) { return each.pivot == pivot; });
+}
+
+}  // namespace
+
+const PointSet& Stepper::points() const {
+    const PointSet* found = &points_;
+    const std::uint32_t pivot = edited_.empty() ? 0 : presentPivot(state_);
+    for (const EditedPoints& each : edited_) {
+        if (each.from <= pivot) found = &each.points;
+    }
+    return *found;
+}
 
 template <typename Work>
 bool Stepper::inContext(Work&& work) {
 #ifndef SPIRALING_EDGE_WITHOUT_LOG
     if (log_ != nullptr) {
-        LoggedContext context{{points_, params_, state_}, *log_};
+        LoggedContext context{{points(), params_, state_}, *log_};
         return work(context);
     }
 #endif
-    SilentContext context{{points_, params_, state_}};
+    if (altered_ && (!(params_.paper == PaperRules{}) || forksAt(params_, presentPivot(state_)))) {
+        EventLog unheard;
+        LoggedContext context{{points(), params_, state_}, unheard};
+        return work(context);
+    }
+    SilentContext context{{points(), params_, state_}};
     return work(context);
 }
 
@@ -109,6 +154,9 @@ StopReason Stepper::runUntil(const std::function<bool(const State&)>& condition)
 }
 
 StopReason Stepper::run() {
+    // What is asked once per call must be asked for each pivot.
+    while (altered_ && stepPivot()) {
+    }
     inContext([](auto& context) {
         while (!context.state.finished()) runPhase(context);
         return true;

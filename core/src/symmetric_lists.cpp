@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "parallel.h"
 #include "prepare_neighbors.h"
 
 namespace se {
@@ -22,32 +23,69 @@ NeighborLists turnedRound(const NeighborLists& lists) {
     return turned;
 }
 
+/// The rows of points from .. to, one list after the other.
+struct Piece {
+    std::vector<Index> ids;
+    std::vector<std::uint32_t> length;
+};
+
+/// Puts both lists of p together.
+class Joiner {
+  public:
+    Joiner(std::span<const Vec3> position, const NeighborLists& lists,
+           const NeighborLists& listedBy)
+        : position_(position), lists_(lists), listedBy_(listedBy) {}
+
+    void append(Index p, Piece& piece) {
+        row_.clear();
+        add(p, lists_[p]);
+        add(p, listedBy_[p]);
+        std::sort(row_.begin(), row_.end());
+        row_.erase(std::unique(row_.begin(), row_.end()), row_.end());
+        for (const Neighbor& neighbor : row_) piece.ids.push_back(neighbor.id);
+        piece.length.push_back(static_cast<std::uint32_t>(row_.size()));
+    }
+
+  private:
+    void add(Index p, std::span<const Index> others) {
+        for (const Index q : others)
+            row_.push_back({distanceSquared(position_[p], position_[q]), q});
+    }
+
+    std::span<const Vec3> position_;
+    const NeighborLists& lists_;
+    const NeighborLists& listedBy_;
+    std::vector<Neighbor> row_;
+};
+
 }  // namespace
 
-Result<NeighborLists> symmetricLists(std::span<const Vec3> position, const NeighborLists& lists) {
-    const auto n = static_cast<Index>(position.size());
+Result<NeighborLists> symmetricLists(std::span<const Vec3> position, const NeighborLists& lists,
+                                     unsigned threads, const Progress& progress) {
+    const std::size_t n = position.size();
     if (2 * lists.ids.size() >= kNone) {
         return Error{
             "symmetric neighbor lists could hold more than 4294967294 entries in all; "
             "choose a smaller k or radius"};
     }
     const NeighborLists listedBy = turnedRound(lists);
+    constexpr std::size_t kPerPiece = 4096;
+    std::vector<Piece> piece((n + kPerPiece - 1) / kPerPiece);
+    const bool all = forEachWatched(piece.size(), threads, 2, progress, [&](std::size_t i) {
+        Joiner joiner(position, lists, listedBy);
+        for (std::size_t p = i * kPerPiece; p < std::min((i + 1) * kPerPiece, n); ++p)
+            joiner.append(static_cast<Index>(p), piece[i]);
+    });
+    if (!all) return Error{"making neighbor lists symmetric was cancelled"};
     NeighborLists both;
-    both.offset.reserve(std::size_t{n} + 1);
-    std::vector<Neighbor> row;
-    std::vector<Index> ids;
-    const auto add = [&](Index p, std::span<const Index> others) {
-        for (const Index q : others) row.push_back({distanceSquared(position[p], position[q]), q});
-    };
-    for (Index p = 0; p < n; ++p) {
-        row.clear();
-        add(p, lists[p]);
-        add(p, listedBy[p]);
-        std::sort(row.begin(), row.end());
-        row.erase(std::unique(row.begin(), row.end()), row.end());
-        ids.clear();
-        for (const Neighbor& neighbor : row) ids.push_back(neighbor.id);
-        both.append(ids);
+    both.offset.reserve(n + 1);
+    std::size_t entries = 0;
+    for (const Piece& each : piece) entries += each.ids.size();
+    both.ids.reserve(entries);
+    for (const Piece& each : piece) {
+        both.ids.insert(both.ids.end(), each.ids.begin(), each.ids.end());
+        for (const std::uint32_t length : each.length)
+            both.offset.push_back(both.offset.back() + length);
     }
     return both;
 }

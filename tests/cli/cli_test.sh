@@ -58,11 +58,11 @@ cases_are_listed() {
 
 help_and_version() {
     expect 0 --help
-    for verb in run info doctor why check reduce sample table1 scenes view render; do says out "  $verb "; done
+    for verb in run info doctor why check compare reduce sample table1 scenes view render; do says out "  $verb "; done
     empty err
     expect 0 --version
     grep -qE '^spiraling-edge [0-9]+\.[0-9]+\.[0-9]+$' out || fail "version: $(cat out)"
-    for verb in run info doctor why check reduce sample table1 scenes render; do
+    for verb in run info doctor why check compare reduce sample table1 scenes render; do
         expect 0 $verb --help
         says out "Usage: spiraling-edge $verb"
     done
@@ -96,6 +96,12 @@ wrong_values_are_wrong_usage() {
     says err "closetwo=on"
     expect 2 run scene:sphere --rule unknown=on
     says err "there is no such rule"
+    expect 2 run scene:sphere --rule maxgap=200
+    says err "a number from 90 to 180"
+    expect 2 run scene:sphere --rule tie=middle
+    says err "tie=nearest, tie=farthest or tie=both"
+    expect 2 run scene:sphere --what-if "5.sphere hold 3"
+    says err "is no what-if"
     expect 2 run scene:sphere --neighbors 0
     expect 2 run scene:sphere --neighbors many
     expect 2 run scene:sphere --neighbors -3
@@ -222,6 +228,27 @@ report_has_every_field() {
     is "$(number euler_characteristic report.json)" 0 "Euler characteristic of a torus"
     is "$(number boundary_edges report.json)" 0 "boundary edges of a torus"
     says report.json '"stop_reason": "finished"'
+}
+
+rules_can_be_set_and_runs_forked() {
+    expect 0 run scene:torus --report true.json
+    expect 0 run scene:torus --rule maxgap=100 --rule tie=farthest --report set.json
+    says set.json '"maxgap": 100'
+    says set.json '"tie": "farthest"'
+    expect 0 run scene:torus --trace trace.txt -q
+    local line pivot point
+    line=$(grep -m 1 -E '^[0-9]+\.sphere\..*: removed\.' trace.txt)
+    pivot=${line%%.*}
+    point=$(sed -E 's/.*q = ([0-9]+) lies.*/\1/' <<<"$line")
+    expect 0 run scene:torus --what-if "$pivot.sphere keep $point" --report fork.json
+    says fork.json "\"$pivot.sphere keep $point\""
+    [ "$(grep run_hash true.json)" = "$(grep run_hash fork.json)" ] && fail "the fork has the hash of the true run"
+    expect 0 run scene:torus --report again.json
+    is "$(grep run_hash again.json)" "$(grep run_hash true.json)" "hash of the true run"
+    expect 2 run scene:torus --what-if "5 list 7 7"
+    says err "A point is not in its own list"
+    expect 2 run scene:torus --what-if "99999.sphere keep 1"
+    says err "The run has no pivot 99999"
 }
 
 report_to_standard_output_is_all_there() {
@@ -428,6 +455,10 @@ doctor_mends_what_needs_no_guessing() {
     is "$(header_count vertex fixed.ply)" 598 points
     expect 0 doctor fixed.ply
     says out "nothing found"
+    # To standard output the same bytes; words go to standard error.
+    "$program" doctor odd.xyz --fix - >piped.ply 2>err || fail "--fix - ended with $?"
+    cmp fixed.ply piped.ply || fail "--fix - writes other bytes"
+    says err "mended   1 exact copy dropped"
     expect 0 doctor odd.xyz --fix fixed.ply --json
     is "$(grep -A 100 '"fixed"' out | grep -c '"count"')" 4 repairs
     # What would be guessing is left, and said.
@@ -445,6 +476,16 @@ doctor_remedies_help() {
     awk '{ print $1, $2, $3 }' good.xyz >bare.xyz
     { cat good.xyz; awk 'NR == 40 { $1 += 1e-9; print }' good.xyz; } >twin.xyz
     local file command
+    # What ends without a wall is a note, and --derive-rim helps.
+    awk '$3 < 0.6' good.xyz >open.xyz
+    expect 0 doctor open.xyz
+    says out "note     open_border: "
+    says out "along 1 rim "
+    says out "try: spiraling-edge run open.xyz --derive-rim -o OUT.ply"
+    expect 0 run open.xyz --derive-rim -q -o OUT.ply
+    expect 0 doctor OUT.ply
+    says out "nothing found"
+    rm OUT.ply
     for file in patch inside bare twin; do
         expect 1 doctor $file.xyz
         command=$(sed -n 's/^ *try: spiraling-edge \(.*\) OUT.ply\(.*\)$/\1 OUT.ply\2/p' out)
@@ -460,6 +501,7 @@ doctor_checks_its_arguments() {
     expect 2 doctor scene:grid --drop ties
     expect 2 doctor scene:grid --fix out.obj
     says err "only .ply"
+    expect 2 doctor scene:grid --fix - --json
     expect 2 doctor scene:grid --fix nowhere/out.ply
     expect 2 doctor scene:grid --fix out.ply --drop warts
     says err "no such check"
@@ -467,6 +509,35 @@ doctor_checks_its_arguments() {
     printf 'ply\nformat ascii 1.0\nelement vertex 5\n' >cut.ply
     expect 3 doctor cut.ply --fix out.ply
     absent out.ply
+}
+
+what_is_no_set_of_points_is_told() {
+    ball
+    local verb
+    for verb in run info doctor; do
+        expect 3 $verb ball.nhdr
+        says err "is a volume; \`spiraling-edge sample ball.nhdr"
+        expect 3 $verb sample:torus,n=50
+        says err "is for the viewer"
+        expect 3 $verb scan.stl
+        says err "written, not read"
+    done
+}
+
+neighbors_within_spacings() {
+    expect 0 run scene:sphere -q --report near.json --reach 1.6 -o near.ply
+    expect 0 run scene:sphere -q --report far.json --reach 2.6 -o far.ply
+    is "$(number triangles near.json)" 1196 "triangles within 1.6 spacings"
+    grep -q '"neighbors": true' near.json || fail "lists are not marked as derived"
+    cmp -s near.ply far.ply && fail "--reach changes nothing"
+    # As a radius of that many times the spacing that `info` says.
+    expect 0 info scene:sphere
+    spacing=$(sed -n 's/.*nearest point at \([0-9.]*\) on.*/\1/p' out)
+    expect 0 run scene:sphere -q --radius "$(awk -v s="$spacing" 'BEGIN { print 1.6 * s }')" -o radius.ply
+    cmp near.ply radius.ply || fail "it is no radius"
+    for reach in 0 -1 nan many; do expect 2 run scene:sphere "--reach=$reach"; done
+    expect 2 run scene:sphere --reach 1.6 --neighbors 12
+    expect 2 run scene:sphere --reach 1.6 --radius 1
 }
 
 # A ball of radius 2 in 5 x 5 x 5 samples, 4 - r^2, with its header in ball.nhdr.
@@ -524,6 +595,32 @@ why_finds_decisions() {
     says err "the run has 0 failures of class duplicate_triangles"
 }
 
+why_names_what_made_a_ring() {
+    expect 0 why scene:torus --ring 5
+    says out "Active ring at 5 has "
+    grep -q '^> 1.seed.1 ' out || fail "the seed is not the cause"
+    "$program" why scene:torus --find "stage=split" --most 1 -q | sed -n 's/^[> ] \([0-9.a-z]*\) .*/\1/p' >split
+    expect 0 why scene:torus --ring "$(cat split)#1" --json
+    says out "\"cause\": \"$(cat split)\""
+    expect 2 why scene:torus --ring dragon
+    expect 3 why scene:torus --ring 5#9
+    says err "There is no ring #9 at 5"
+    expect 3 why scene:torus --ring 99999
+}
+
+why_draws_charts_whose_bars_are_lists() {
+    expect 0 why scene:torus --charts
+    says out "Refusals by stage"
+    sed -n 's/^  [^ ]* *#* *\([0-9]*\)  \(stage=.*\)$/\1\t\2/p' out >bars
+    [ "$(wc -l <bars)" -gt 10 ] || fail "too few bars: $(cat out)"
+    while IFS=$'\t' read -r count query; do
+        expect 0 why scene:torus --find "$query" --most 0 --json
+        is "$(number total out)" "$count" "$query"
+    done < <(sed -n '1p;8p;$p' bars)
+    expect 0 why scene:torus --charts --json
+    says out '"find": "stage=pivot ring='
+}
+
 why_checks_its_arguments() {
     expect 2 why scene:torus
     expect 2 why scene:torus --point 1 --edge 1,2
@@ -567,6 +664,77 @@ check_says_what_is_wrong_with_a_mesh() {
     says err "has no triangles"
     expect 3 check one.obj --points scene:sphere
     says err "is no point of scene:sphere"
+}
+
+compare_finds_the_first_difference() {
+    expect 0 compare scene:torus --with --rules paper
+    says out "1996 triangles in both, 0 only in A, 0 only in B"
+    says out "No difference: 705 pivots alike."
+    expect 1 compare scene:torus --with --rule freesector=off
+    says out "First difference, after 199 pivots alike:"
+    says out "6.1, reciprocal at point 613: A takes point 384, B refuses point 384."
+    says out "  A  200.reciprocal.1   taken "
+    says out "  B  200.reciprocal.1   refused "
+    says out "1 region of difference"
+    # Every address is one of the trace of that run.
+    expect 0 run scene:torus --rule freesector=off --trace trace.txt -q
+    "$program" compare scene:torus --with --rule freesector=off |
+        sed -n 's/^  B  \([0-9]*[.][a-z]*[.][0-9]*\) .*/\1/p; s/.* B \([0-9]*[.]emit[.][0-9]*\) .*/\1/p' >addresses
+    is "$(wc -l <addresses)" 3 "addresses of B"
+    cut -f1 trace.txt >known
+    while read -r address; do
+        grep -qxF "$address" known || fail "$address is not in the trace"
+    done <addresses
+    # B is A but for what is said: other rules, other neighbors; quoted as well as not.
+    expect 1 compare scene:torus --rules robust -k 10 --with "--rules corrected -r 0.3" --json
+    says out '"title": "--rules robust --neighbors 10"'
+    says out '"title": "--rules corrected --radius 0.3"'
+    says out '"pivots_alike": '
+    says out '"decides": true'
+    expect 1 compare scene:torus --rules robust --with --rule flip=off -q
+    empty out
+    expect 0 compare scene:torus -k 10 --with --rule opensteps=off --json
+    says out '"title": "--rule opensteps=off --neighbors 10"'
+    says out '"first_difference": null'
+}
+
+compare_takes_a_mesh_of_another_program() {
+    expect 0 run scene:torus -q -o torus.ply
+    expect 0 compare torus.ply --mesh torus.ply
+    says out "1996 triangles in both, 0 only in A, 0 only in B"
+    # Vertices the other way round, triangles from another corner on, six digits.
+    expect 0 run scene:torus -q -o torus.off
+    awk 'NR == 2 { n = $1; m = $2 } NR > 2 && NR <= 2 + n { v[NR - 3] = $0 }
+         NR > 2 + n && NF > 3 { t[k++] = $3 " " $4 " " $2 }
+         END { print "OFF"; print n, m, 0
+               for (i = n - 1; i >= 0; --i) { split(v[i], x, " "); printf "%.7g %.7g %.7g\n", x[1], x[2], x[3] }
+               for (i = m - 1; i >= 0; --i) { split(t[i], c, " "); print 3, n - 1 - c[1], n - 1 - c[2], n - 1 - c[3] } }' \
+        torus.off >other.off
+    expect 0 compare torus.ply --mesh other.off
+    says out "1996 triangles in both, 0 only in A, 0 only in B"
+    # Another triangle in place of one, one vertex that is no point.
+    sed '$s/.*/3 5 6 7/' other.off | awk 'NR == 3 { $1 += 5 } { print }' >moved.off
+    expect 1 compare torus.ply --mesh moved.off
+    says out "1 vertex of B on no point of torus.ply, the first 0"
+    says out "says why the run has not this one of B."
+    expect 1 compare torus.ply --mesh moved.off --json
+    says out '"unmatched_vertices": ['
+    number only_a out >count
+    [ "$(cat count)" -ge 2 ] || fail "only_a: $(cat count)"
+}
+
+compare_checks_its_arguments() {
+    expect 2 compare scene:torus
+    says err "--with"
+    expect 2 compare scene:torus --mesh torus.ply --with --rules robust
+    expect 2 compare scene:torus --with --rules dragons
+    expect 2 compare scene:torus --with --goto 1
+    expect 3 compare scene:torus --mesh absent.ply
+    icosahedron >points.xyz
+    expect 3 compare points.xyz --mesh points.xyz
+    says err "has no triangles to compare with"
+    expect 0 compare --help
+    says out "--with"
 }
 
 reduce_keeps_what_fails() {

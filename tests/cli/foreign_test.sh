@@ -74,8 +74,45 @@ admesh_finds_no_fault() {
     done
 }
 
+# Points to PCL and back, as text and as bytes; the mesh made of them is the same.
+pcl_reads_points_and_writes_them() {
+    needs pcl_ply2pcd pcl-tools
+    make sphere.ply
+    local format
+    for format in 0 1; do
+        pcl_ply2pcd -format $format sphere.ply back.pcd >said 2>&1 || fail "PCL refuses PLY: $(tail -3 said)"
+        "$program" info back.pcd >out 2>&1 || fail "PCD $format is refused: $(cat out)"
+        grep -qF ": $points points" out || fail "points of PCD $format: $(head -1 out)"
+        grep -qE '^ +normals +yes' out || fail "normals of PCD $format: $(cat out)"
+        "$program" run back.pcd --rules robust -q -o again.ply || fail "cannot run on PCD $format"
+        "$program" info again.ply | grep -qF "$triangles triangles in 1 component, no boundary" ||
+            fail "the mesh made anew from PCD $format"
+    done
+    # As text: binary PCL 1.13 writes normals as doubles where its header says float.
+    pcl_pcd2ply -format 0 back.pcd pcl.ply >said 2>&1 || fail "PCL cannot write PLY: $(tail -3 said)"
+    "$program" info pcl.ply 2>&1 | grep -qF ": $points points" || fail "the PLY of PCL is refused"
+}
+
+# Not OBJ: the reader of Debian 12's MeshLab fails an assertion on any, even one of four lines.
+meshlab_reads_what_is_written() {
+    needs meshlabserver meshlab
+    needs xvfb-run xvfb
+    local kind
+    for kind in ply off stl; do
+        make "sphere.$kind"
+        xvfb-run -a meshlabserver -i "sphere.$kind" -o "back.ply" >said 2>&1 ||
+            fail "MeshLab refuses $kind: $(tail -3 said)"
+        # It joins the corners of STL that are the same.
+        grep -qF "sphere.$kind loaded has $points vn $triangles fn" said || fail "$kind: $(cat said)"
+        "$program" info back.ply >out 2>&1 || fail "MeshLab's PLY is refused: $(cat out)"
+        grep -qF "$triangles triangles in 1 component, no boundary" out ||
+            fail "MeshLab's PLY of $kind: $(cat out)"
+    done
+}
+
 case $2 in
     assimp_reads_what_is_written | assimp_writes_what_is_read | admesh_finds_no_fault) "$2" ;;
+    pcl_reads_points_and_writes_them | meshlab_reads_what_is_written) "$2" ;;
     *) fail "no case '$2'" ;;
 esac
 exit $failed

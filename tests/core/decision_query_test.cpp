@@ -94,11 +94,49 @@ TEST_CASE("query: points on and off the ring, edges, rings that close, component
 }
 
 TEST_CASE("query: what is not understood is named") {
-    for (const char* bad : {"dragons", "stage=dragon", "point=x", "margin<", "margin<a", "at=3..",
-                            "pivot=-1", "Kept", "used=", "edge=3", "angle<", "among=3,x"}) {
+    for (const char* bad :
+         {"dragons", "stage=dragon", "point=x", "margin<", "margin<a", "at=3..", "pivot=-1", "Kept",
+          "used=", "edge=3", "angle<", "among=3,x", "verdict=dragon", "section=9.9",
+          "ring=", "candidates=x", "tests=3..x"}) {
         CAPTURE(bad);
         const auto query = DecisionQuery::parse(std::string("stage=sort ") + bad);
         REQUIRE_FALSE(query.ok());
         CHECK(query.error().message.find(bad) != std::string::npos);
     }
+}
+
+TEST_CASE("query: a mistake has its word, and says whether there is such a term at all") {
+    CHECK_FALSE(mistakeIn("").has_value());
+    CHECK_FALSE(mistakeIn(" stage=sphere  kept margin<1e-4 point=812 ").has_value());
+    const auto unknown = mistakeIn("kept dragons margin<x");
+    REQUIRE(unknown.has_value());
+    CHECK(unknown->word == "dragons");
+    CHECK(unknown->isUnknown);
+    CHECK(unknown->message == "\"dragons\" is not understood.");
+    const auto wrong = mistakeIn("kept margin<x");
+    REQUIRE(wrong.has_value());
+    CHECK(wrong->word == "margin<x");
+    CHECK_FALSE(wrong->isUnknown);
+}
+
+TEST_CASE("query: terms about the pivot as a whole hold for all of its decisions") {
+    const PointSet points = prepared(closedFamilies()[1].sample(1));
+    const FoundDecisions all = found(points, "stage=pivot");
+    const auto count = [&](auto&& holds) {
+        return static_cast<std::size_t>(std::count_if(all.lines.begin(), all.lines.end(), holds));
+    };
+    const auto ring = [](const LedgerLine& line) {
+        return std::get<PivotEvidence>(line.event.evidence).ringLength;
+    };
+    CHECK(found(points, "stage=pivot ring=0..4294967295").total == all.total);
+    CHECK(found(points, "stage=pivot ring=10..19").total ==
+          count([&](const LedgerLine& line) { return ring(line) >= 10 && ring(line) <= 19; }));
+    CHECK(found(points, "stage=pivot ring=4").total ==
+          count([&](const LedgerLine& line) { return ring(line) == 4; }));
+    // A pivot without tests has one decision, that it is the pivot.
+    const std::size_t some = found(points, "stage=sort kept candidates=3").total;
+    CHECK(some == 3 * found(points, "stage=pivot candidates=3").total);
+    CHECK(found(points, "stage=pivot tests=0..5").total +
+              found(points, "stage=pivot tests=6..100000").total ==
+          all.total);
 }

@@ -110,3 +110,36 @@ TEST_CASE("walls: the tolerance is in units of the largest side; outside is inte
         CHECK(t == kInterior);
     }
 }
+
+TEST_CASE("prepare: a reach in spacings is a radius in units of the mean distance to the nearest") {
+    PointFile file = closedFamilies(2.0)[1].sample(3);
+    PrepareOptions options;
+    options.neighbors.reach = KNearest{1};
+    const PointSet nearest = prepare(file, options).value().points;
+    double sum = 0.0;
+    for (Index p = 0; p < nearest.size(); ++p)
+        sum += glm::length(nearest.position[nearest.neighbors[p].front()] - nearest.position[p]);
+    const double spacing = sum / static_cast<double>(nearest.size());
+    for (const double spacings : {1.2, 1.6, 2.5}) {
+        options.neighbors.reach = WithinRadius{spacings * spacing};
+        const PointSet radius = prepare(file, options).value().points;
+        options.neighbors.reach = WithinSpacings{spacings};
+        const PointSet reach = prepare(file, options).value().points;
+        CHECK(reach.neighbors.offset == radius.neighbors.offset);
+        CHECK(reach.neighbors.ids == radius.neighbors.ids);
+    }
+    // It follows the size of the points.
+    for (Vec3& x : file.position) x *= 1024.0;
+    options.neighbors.reach = WithinSpacings{1.6};
+    const PointSet large = prepare(file, options).value().points;
+    for (Vec3& x : file.position) x /= 1024.0;
+    CHECK(large.neighbors.ids == prepare(file, options).value().points.neighbors.ids);
+    options.neighbors.reach = WithinSpacings{0.0};
+    CHECK_FALSE(prepare(file, options).ok());
+    // One point has no spacing, and no neighbors.
+    options.neighbors.reach = WithinSpacings{1.6};
+    PointFile one;
+    one.position = {Vec3(0.0)};
+    one.normal = {Vec3(0.0, 0.0, 1.0)};
+    CHECK(prepare(one, options).value().points.neighbors[0].empty());
+}

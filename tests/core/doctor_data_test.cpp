@@ -22,6 +22,29 @@ TEST_CASE("doctor: no clean set is accused") {
     }
 }
 
+TEST_CASE("doctor: openings are noted on the sets that have some, and on no closed one") {
+    // As the rims of docs/choices.md.
+    const std::map<std::string, std::string> open{
+        {"bunny", "5 rims"},           {"nefertiti", "1 rim "},
+        {"three_peaks", "1 rim "},     {"blobs", "4 rims"},
+        {"mannequin_devil", "1 rim "}, {"hippo", "4 rims"},
+        {"fin90", "1 rim "},           {"oni", "1 rim "},
+        {"table1_lobster", "3 rims"}};
+    const std::filesystem::path folder = sharedFile("points");
+    if (folder.empty()) return;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().stem().string();
+        const auto file = readPoints(entry.path());
+        REQUIRE_MESSAGE(file.ok(), name);
+        const Diagnosis diagnosis = examined(file.value());
+        const Finding* finding = findingOf(diagnosis, "open_border");
+        CHECK_MESSAGE((finding != nullptr) == (open.count(name) > 0), name);
+        if (finding == nullptr || open.count(name) == 0) continue;
+        CHECK_MESSAGE(finding->text.find(open.at(name)) != std::string::npos, finding->text);
+        CHECK(finding->severity == Severity::Note);
+    }
+}
+
 TEST_CASE("doctor: every planted fault is found, and no other") {
     const std::map<std::string, std::string> planted{
         {"collinear", "in_line "},
@@ -32,7 +55,7 @@ TEST_CASE("doctor: every planted fault is found, and no other") {
         {"not_finite", "non_finite "},
         {"one_point", "too_few_points "},
         {"plane_grid", "ties "},
-        {"same_point", "duplicates too_few_points "},
+        {"same_point", "too_few_points duplicates "},
         {"stray_points", "isolated_points "},
         {"three_points", "too_few_points "},
         {"two_close_sheets", "ties close_sheets "},

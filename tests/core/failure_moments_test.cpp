@@ -91,3 +91,124 @@ TEST_CASE("moments: a failure of another mesh, and a reader who cancels") {
                     return false;
                 }).ok());
 }
+
+namespace {
+
+bool same(const LedgerLine& a, const LedgerLine& b) { return a.event.address == b.event.address; }
+
+}  // namespace
+
+TEST_CASE("moments: all failures at once have the moments that each has alone") {
+    for (const char* scene : {"four-edge-hole", "noise", "stranded-point"}) {
+        CAPTURE(scene);
+        const PointSet points = prepared(findScene(scene)->build());
+        const Run run = runAll(points, paper());
+        const auto all = failuresOfRun(points, paper());
+        REQUIRE(all.ok());
+        const std::vector<MeshFailure> inMesh = inspectMesh(points, run.state.mesh());
+        std::size_t next = 0;
+        for (const RunFailure& each : all.value()) {
+            if (each.failure.kind->find == nullptr) continue;
+            REQUIRE(next < inMesh.size());
+            CHECK(each.failure.points == inMesh[next].points);
+            if (next % 16 == 0) {
+                const FailureMoments alone =
+                    momentsIn(points, paper(), inMesh[next], run.state.mesh());
+                CHECK(same(each.moments.created, alone.created));
+                CHECK(same(each.moments.unavoidable, alone.unavoidable));
+                CHECK(same(each.moments.touched, alone.touched));
+            }
+            ++next;
+        }
+        CHECK(next == inMesh.size());
+    }
+}
+
+TEST_CASE("moments: a ring that is left over is a failure of the run, with the points it had") {
+    // Two points that list only each other: a seed without a third point.
+    PointFile file;
+    file.position = {{0, 0, 0}, {1, 0, 0}, {9, 0, 0}, {10, 0, 0}, {9, 1, 0}};
+    file.normal.assign(5, Vec3(0, 0, 1));
+    const std::vector<std::vector<Index>> lists{{1}, {0}, {3, 4}, {2, 4}, {2, 3}};
+    for (const auto& list : lists) file.neighbors.append(list);
+    const PointSet points = prepared(std::move(file));
+    const auto all = failuresOfRun(points, paper());
+    REQUIRE(all.ok());
+    const auto left = std::find_if(all.value().begin(), all.value().end(), [](const auto& each) {
+        return each.failure.kind->name == "leftover_rings";
+    });
+    REQUIRE(left != all.value().end());
+    CHECK(left->failure.points == std::vector<Index>{0, 1});
+    CHECK(std::holds_alternative<FreeEvidence>(left->moments.created.event.evidence));
+    CHECK(left->moments.touched.event.address.pivot <= left->moments.created.event.address.pivot);
+}
+
+TEST_CASE("moments: as many rings are left over as the run has alerts of them") {
+    for (const FailureScene& each : failureScenes()) {
+        CAPTURE(each.scene.id);
+        const PointSet points = prepared(each.scene.build());
+        const Run run = runAll(points, paper());
+        const auto all = failuresOfRun(points, paper());
+        REQUIRE(all.ok());
+        const auto rings = std::count_if(
+            all.value().begin(), all.value().end(),
+            [](const RunFailure& f) { return f.failure.kind->name == "leftover_rings"; });
+        CHECK(static_cast<std::size_t>(rings) == run.state.alerts.size());
+    }
+}
+
+TEST_CASE("moments: the first failure is the one that was created first") {
+    const PointSet points = prepared(findScene("four-edge-hole")->build());
+    const auto all = failuresOfRun(points, paper());
+    REQUIRE(all.ok());
+    const std::size_t first = firstCreated(all.value());
+    REQUIRE(first < all.value().size());
+    const std::uint32_t pivot = all.value()[first].moments.created.event.address.pivot;
+    for (const RunFailure& each : all.value())
+        CHECK(pivot <= each.moments.created.event.address.pivot);
+    CHECK(firstCreated({}) == 0);
+}
+
+TEST_CASE("moments: a point that no test ever saw was lost with the last of its neighbors") {
+    // The plane of a sheet, and a point above it that lists points of it, but is listed by none.
+    PointFile file = findScene("grid")->build();
+    const auto lone = static_cast<Index>(file.position.size());
+    file.position.emplace_back(0.5, 0.5, 0.3);
+    file.normal.emplace_back(0, 0, 1);
+    file.type.push_back(kInterior);
+    NeighborLists lists;
+    const PointSet plain = prepared(findScene("grid")->build());
+    for (Index p = 0; p < lone; ++p) lists.append(plain.neighbors[p]);
+    const std::vector<Index> mine{40, 41, 49, 50};
+    lists.append(mine);
+    file.neighbors = std::move(lists);
+    const PointSet points = prepared(std::move(file));
+    const auto all = failuresOfRun(points, paper());
+    REQUIRE(all.ok());
+    const auto lost = std::find_if(all.value().begin(), all.value().end(), [&](const auto& each) {
+        return each.failure.points == std::vector<Index>{lone};
+    });
+    REQUIRE(lost != all.value().end());
+    const auto* ring = std::get_if<RingEvidence>(&lost->moments.unavoidable.event.evidence);
+    REQUIRE(ring != nullptr);
+    CHECK(ring->status < 0);
+    CHECK(std::find(mine.begin(), mine.end(), ring->point) != mine.end());
+    CHECK(std::holds_alternative<StrandEvidence>(lost->moments.created.event.evidence));
+}
+
+TEST_CASE("moments: every faulty triangle has a decision that it would not be there without") {
+    for (const FailureScene& each : failureScenes()) {
+        CAPTURE(each.scene.id);
+        const PointSet points = prepared(each.scene.build());
+        const auto all = failuresOfRun(points, paper());
+        REQUIRE(all.ok());
+        for (const RunFailure& failure : all.value()) {
+            // Two corners that are the same point are no choice between candidates.
+            if (failure.corners.empty() || failure.failure.kind->name == "degenerate_triangles")
+                continue;
+            CAPTURE(describe(failure.failure));
+            CHECK_FALSE(
+                std::holds_alternative<EmitEvidence>(failure.moments.unavoidable.event.evidence));
+        }
+    }
+}

@@ -160,6 +160,32 @@ TEST_CASE("rim: the same for any number of threads, and in any place") {
     CHECK(prepare(open.file, options).value().points.rim == one.points.rim);
 }
 
+TEST_CASE("rim: progress ascends over all of preparing, and no ends the search at any share") {
+    const Open open = sphereWithHoles({{1, 0, 0}, {0, 0, 1}}, 0.45, 1);
+    PrepareOptions options;
+    options.rim = true;
+    options.neighbors.symmetric = true;
+    double last = 0.0;
+    std::size_t calls = 0;
+    REQUIRE(prepare(open.file, options, [&](double share) {
+                CHECK(share >= last);
+                last = share;
+                ++calls;
+                return true;
+            }).ok());
+    CHECK(last == 1.0);
+    for (std::size_t until = 0; until + 1 < calls; ++until) {
+        std::size_t seen = 0;
+        const auto cancelled = prepare(open.file, options, [&](double) { return seen++ < until; });
+        REQUIRE_FALSE(cancelled.ok());
+        CHECK(cancelled.error().message.find("cancelled") != std::string::npos);
+    }
+    const PointSet points = prepared(open.file);
+    const auto never = [](double) { return false; };
+    CHECK_FALSE(findRim(points.position, points.normal, points.neighbors, {}, 2, never).ok());
+    CHECK_FALSE(symmetricLists(points.position, points.neighbors, 2, never).ok());
+}
+
 TEST_CASE("rim: rim points of a file keep their type, and get the gap that they look out through") {
     const Prepared found = withRim(cylinder().file);
     PointFile file = cylinder().file;

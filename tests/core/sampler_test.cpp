@@ -274,6 +274,32 @@ TEST_CASE("the sampler goes on by single steps that can be looked at") {
     CHECK(sampled(field, points(500)).position == last.position);
 }
 
+TEST_CASE(
+    "sampling ends soon when it is cancelled, while particles are scattered and in each step") {
+    const Field field = fieldOf(*findShape("torus"));
+    double last = 0.0;
+    REQUIRE(sample(field, points(6000), [&](double share) {
+                CHECK(share >= last);
+                last = share;
+                return true;
+            }).ok());
+    CHECK(last > 0.95);
+    // Scattered by several thousands at a time, and no more than that after a no.
+    std::size_t calls = 0;
+    REQUIRE(Sampler::begin(field, points(60000), [&](double) { return ++calls > 0; }).ok());
+    CHECK(calls > 12);
+    for (std::size_t until = 1; until < calls; ++until) {
+        std::size_t seen = 0;
+        const auto goOn = [&](double) { return ++seen < until; };
+        CHECK_FALSE(Sampler::begin(field, points(60000), goOn).ok());
+        CHECK(seen == until);
+    }
+    Result<Sampler> begun = Sampler::begin(field, points(6000));
+    REQUIRE(begun.ok());
+    CHECK_FALSE(begun.value().step([](double) { return false; }));
+    CHECK(begun.value().steps() == 0);
+}
+
 TEST_CASE("what cannot be sampled is an error in words") {
     const auto problem = [](Field field, const SamplerOptions& options) {
         const Result<PointFile> file = sample(field, options);

@@ -111,9 +111,9 @@ TEST_CASE("Drawn for flip: the old edge dashed, the new one bold, two triangles,
         CHECK(says(list, letter + std::to_string(point)));
     }
     CHECK(says(list, "least angle"));
-    const DrawList mesh = place->drawn(addTriangles);
-    REQUIRE(mesh.faces.size() == 2);
-    for (const Face& face : mesh.faces) CHECK(face.hatched);
+    REQUIRE(list.faces.size() == 2);
+    for (const Face& face : list.faces) CHECK(face.hatched);
+    CHECK(place->drawn(addTriangles).faces.empty());
 }
 
 TEST_CASE("Drawn for reinsert: the point, its new edges and the triangles it is put in") {

@@ -145,6 +145,49 @@ TEST_CASE("What is prepared in another way is opened in another way, and undone 
     CHECK(again.spec(spec.value()).error().message.starts_with("Box:"));
 }
 
+TEST_CASE("The form shows what cures chose; what is chosen there in another way goes before them") {
+    const auto model = test::sphereModel();
+    REQUIRE(model != nullptr);
+    InputSpec cured{"scene:sphere", {}, "paper"};
+    cured.cures = {"zero_normals",  "flipped_normals",   "short_lists",
+                   "types_off_box", "unsymmetric_lists", "open_border"};
+    PrepareForm form;
+    form.take(cured, *model);
+    CHECK(form.normals == NormalSource::Oriented);
+    CHECK(form.reach == PrepareForm::Reach::Nearest);
+    CHECK(form.count == "12");
+    CHECK(form.walls == WallChoice::From::Around);
+    CHECK(form.symmetric);
+    CHECK(form.rim);
+    // Left as it is, all of them stay.
+    CHECK(form.spec(cured).value().cures == cured.cures);
+    form.reach = PrepareForm::Reach::Spacings;
+    form.spacings = "1.5";
+    form.normals = NormalSource::AsGiven;
+    const InputSpec chosen = form.spec(cured).value();
+    CHECK(std::get<WithinSpacings>(chosen.neighbors.reach).spacings == 1.5);
+    CHECK(chosen.cures ==
+          Cures{"zero_normals", "types_off_box", "unsymmetric_lists", "open_border"});
+    form.walls = WallChoice::From::File;
+    form.symmetric = form.rim = false;
+    CHECK(form.spec(cured).value().cures == Cures{"zero_normals"});
+    form.spacings = "-1";
+    CHECK(form.spec(cured).error().message.starts_with("Spacings:"));
+}
+
+TEST_CASE("The box that is proposed is as short as a wall's tolerance allows") {
+    auto model = std::make_shared<Model>(*test::sphereModel());
+    model->points.position.assign({Vec3(0.1F, 0.25, 1.0), Vec3(1.0, 2.0F / 3.0F, 2.0)});
+    PrepareForm form;
+    form.take({"scene:sphere", {}, "paper"}, *model);
+    CHECK(form.box == BoxFields{"0.1", "0.25", "1", "1", "0.6666667", "2"});
+    form.walls = WallChoice::From::Box;
+    const WallBox box = form.spec({"scene:sphere", {}, "paper"}).value().walls.box;
+    const WallBox around = boxAround(model->points.position);
+    CHECK(glm::length(box.low - around.low) < around.tolerance);
+    CHECK(glm::length(box.high - around.high) < around.tolerance);
+}
+
 TEST_CASE("7 the walls of a box that is given make boundary points of a sphere cut in half") {
     LoadProgress progress;
     InputSpec spec{"sample:sphere,n=400,box=0:-2:-2:2:2:2", {}, "paper"};

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <vector>
 
 using namespace se::view;
@@ -42,8 +43,9 @@ TEST_CASE("Panels fill the window without overlap, at every size") {
         CAPTURE(screen.em);
         CAPTURE(rowOf(each.arrangement).name);
         const Layout l = computeLayout(screen.size, screen.em, each.arrangement);
-        const Rect all[] = {l.menu, l.transport, l.left,   l.dial,  l.right,
-                            l.view, l.narration, l.drawer, l.status};
+        const Rect all[] = {l.menu,      l.transport,  l.left,          l.dial,   l.right,
+                            l.view,      l.narration,  l.drawer,        l.status, l.title,
+                            l.otherView, l.otherTitle, l.otherNarration};
         float area = 0.0F;
         for (const Rect& a : all) {
             area += a.size.x * a.size.y;
@@ -61,7 +63,9 @@ TEST_CASE("The view never has less than 40 percent of the width") {
         CAPTURE(screen.size.x);
         CAPTURE(rowOf(arrangement).name);
         const Layout l = computeLayout(screen.size, screen.em, arrangement);
-        CHECK(l.view.size.x >= 0.4F * screen.size.x);
+        // Where there are two, both together.
+        const bool beside = l.otherView.min.y == l.view.min.y;
+        CHECK(l.view.size.x + (beside ? l.otherView.size.x : 0.0F) >= 0.4F * screen.size.x);
         CHECK(l.view.size.y >= 0.2F * screen.size.y);
     }
 }
@@ -120,10 +124,37 @@ TEST_CASE("Arrangements are found by name, and following each other all are seen
         CHECK(arrangementFromName(row.name) == row.id);
         CHECK(&rowOf(row.id) == &row);
     }
-    CHECK(arrangementFromName("compare") == std::nullopt);
+    CHECK(arrangementFromName("wide") == std::nullopt);
+    // Compare has a key of its own.
     Arrangement at = Arrangement::Debug;
-    for (std::size_t i = 0; i < arrangements().size(); ++i) at = following(at);
-    CHECK(at == Arrangement::Debug);
+    std::size_t seen = 0;
+    do {
+        CHECK(at != Arrangement::Compare);
+        at = following(at);
+        ++seen;
+    } while (at != Arrangement::Debug);
+    CHECK(seen == arrangements().size() - 1);
+    CHECK(following(Arrangement::Compare) == Arrangement::Debug);
+}
+
+TEST_CASE("Compare has two views of the same size, with the column beside them") {
+    for (const Screen& screen : kScreens) {
+        CAPTURE(screen.size.x);
+        CAPTURE(screen.em);
+        const Layout l = computeLayout(screen.size, screen.em, Arrangement::Compare);
+        CHECK(std::abs(l.view.size.x - l.otherView.size.x) <= 1.0F);
+        CHECK(std::abs(l.view.size.y - l.otherView.size.y) <= 1.0F);
+        CHECK(l.title.size.y == l.otherTitle.size.y);
+        CHECK(l.left.size.x > 0.0F);
+        CHECK(l.right.size.x == 0.0F);
+        // They stand so that each has as much room as can be.
+        const bool beside = l.otherView.min.y == l.view.min.y;
+        const glm::vec2 both(l.status.size.x - l.left.size.x, l.narration.min.y - l.title.min.y);
+        CHECK(beside == (std::min(0.5F * both.x, both.y) >= std::min(both.x, 0.5F * both.y)));
+    }
+    const Layout debug = computeLayout({1280, 800}, 16);
+    CHECK(debug.otherView.size == glm::vec2(0.0F));
+    CHECK(debug.title.size == glm::vec2(0.0F));
 }
 
 TEST_CASE("Where no status bar has the address, a line above the caption has it") {

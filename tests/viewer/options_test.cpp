@@ -49,7 +49,7 @@ TEST_CASE("Rules, layout and place are read; what they cannot be is wrong usage"
     const Options& o = *parsed.options;
     CHECK(o.input.rules == "printed");
     REQUIRE(o.input.choices.size() == 2);
-    CHECK(o.input.choices[1] == RuleChoice{"closetwo", false});
+    CHECK(o.input.choices[1] == RuleValue{"closetwo", false});
     CHECK(o.layout == Arrangement::Present);
     CHECK(o.goTo == "12.sort.2");
     REQUIRE(o.camera.has_value());
@@ -57,11 +57,39 @@ TEST_CASE("Rules, layout and place are read; what they cannot be is wrong usage"
     for (const std::vector<const char*>& bad :
          std::vector<std::vector<const char*>>{{"scene:torus", "--rule", "nosuch=on"},
                                                {"scene:torus", "--rule", "fill"},
-                                               {"scene:torus", "--layout", "compare"},
+                                               {"scene:torus", "--layout", "wide"},
                                                {"scene:torus", "--place", "nowhere"}}) {
         CAPTURE(bad.back());
         CHECK(parse(bad).exitCode == kExitUsage);
     }
+}
+
+TEST_CASE("--with says in what another run differs, or names a mesh") {
+    const auto chosen = [](std::vector<const char*> words) {
+        ParsedOptions parsed = parse(words);
+        REQUIRE(parsed.options.has_value());
+        REQUIRE(chooseComparison(*parsed.options).ok());
+        return *parsed.options;
+    };
+    const Options run = chosen({"scene:torus", "-k", "16", "--rule", "flip=on", "--with",
+                                "--rules robust -r 0.3 --rule rim=off", "--goto", "difference"});
+    REQUIRE(run.with.has_value());
+    CHECK(run.atDifference);
+    CHECK(run.goTo.empty());
+    CHECK(run.with->kind == CompareWith::Kind::Run);
+    CHECK(run.with->run.source == "scene:torus");
+    CHECK(run.with->run.rules == "robust");
+    // A set of rules takes the place of single rules.
+    CHECK(run.with->run.choices == std::vector<RuleValue>{{"rim", 0.0}});
+    CHECK(std::get<WithinRadius>(run.with->run.neighbors.reach).radius == 0.3);
+    const Options same = chosen({"scene:torus", "-k", "16", "--with", "--rule flip=on"});
+    CHECK(std::get<KNearest>(same.with->run.neighbors.reach).k == 16);
+    CHECK(same.with->run.rules == "paper");
+    const Options mesh = chosen({"scene:torus", "--with", "other.ply"});
+    CHECK(mesh.with->kind == CompareWith::Kind::Mesh);
+    CHECK(mesh.with->mesh == "other.ply");
+    CHECK(parse({"scene:torus", "--with", "--rules dragons"}).exitCode == kExitUsage);
+    CHECK(parse({"scene:torus", "--with", "--goto 3"}).exitCode == kExitUsage);
 }
 
 TEST_CASE("Neighbors asked for are computed, whatever lists the file has") {
@@ -127,14 +155,14 @@ TEST_CASE("The command line comes before the session, the session before the def
     REQUIRE(plain.session.has_value());
     CHECK(plain.input.source == "scene:torus");
     CHECK(plain.input.rules == "printed");
-    CHECK(plain.input.choices == std::vector<RuleChoice>{{"fill", true}});
+    CHECK(plain.input.choices == std::vector<RuleValue>{{"fill", true}});
     CHECK(std::get<KNearest>(plain.input.neighbors.reach).k == 16);
     Options given =
         *parse({kept.path.c_str(), "--rules", "paper", "--rule", "gap=on", "--neighbors", "9"})
              .options;
     REQUIRE(adoptSession(given).ok());
     CHECK(given.input.rules == "paper");
-    CHECK(given.input.choices == std::vector<RuleChoice>{{"gap", true}});
+    CHECK(given.input.choices == std::vector<RuleValue>{{"gap", true}});
     CHECK(std::get<KNearest>(given.input.neighbors.reach).k == 9);
 }
 

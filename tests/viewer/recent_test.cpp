@@ -1,5 +1,6 @@
 #include "interface/recent.h"
 #include "rig.h"
+#include "run/text.h"
 
 #include <doctest/doctest.h>
 
@@ -26,6 +27,24 @@ TEST_CASE("Scenes and nothing are no recent files; relative paths become absolut
     remember(state, "here.ply");
     REQUIRE(state.recent.size() == 1);
     CHECK(std::filesystem::path(state.recent[0]).is_absolute());
+}
+
+TEST_CASE("Points that were made are remembered by how, and named for a person") {
+    KeptState state;
+    remember(state, "sample:torus,n=4000");
+    remember(state, "/data/a.ply");
+    remember(state, "sample:torus,n=4000");
+    REQUIRE(state.recent.size() == 2);
+    CHECK(state.recent[0] == "sample:torus,n=4000");
+    CHECK(recentName(state.recent[0]) == "torus, " + grouped(4000) + " points");
+    CHECK(recentName("/data/a.ply") == "a.ply");
+    CHECK(recentName("sample:gyroid,spacing=0.25,steps=9") == "gyroid, 0.25 apart, step 9");
+    // From any folder.
+    remember(state, "sample:scans/lobster.nhdr,n=500");
+    CHECK(state.recent[0].starts_with("sample:/"));
+    CHECK(recentName(state.recent[0]) == "lobster, 500 points");
+    remember(state, "sample:");
+    CHECK(state.recent.size() == 3);
 }
 
 TEST_CASE("Layout and recent files are read as they were written") {

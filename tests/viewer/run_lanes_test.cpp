@@ -1,4 +1,4 @@
-#include "run/run_lanes.h"
+#include "spiraling_edge/ring_lanes.h"
 
 #include <doctest/doctest.h>
 

@@ -33,7 +33,9 @@ SessionFile fullSession() {
     SessionFile s;
     s.input.source = "/data/scans/kitten.xyz";
     s.input.rules = "robust";
-    s.input.choices = {{"closetwo", false}, {"fill", true}};
+    s.input.choices = {{"closetwo", false}, {"fill", true}, {"maxgap", 100.5}, {"tie", 1.0}};
+    s.input.whatIf = {whatIfFromText("137.sphere keep 812").value(),
+                      whatIfFromText("9 move 4 0.1 0.2 1e-07").value()};
     s.input.neighbors = {KNearest{16}, true, 0, true};
     s.inputHash = "fnv1a64:0123456789abcdef";
     s.place.address = "137.sphere.3";
@@ -45,7 +47,11 @@ SessionFile fullSession() {
     s.selected = Selection::ofPoint(812);
     insertBookmark(s.bookmarks, {*addressFromString("12.sort.2"), "the first \"odd\" one"});
     insertBookmark(s.bookmarks, {*addressFromString("40.sphere.1"), ""});
+    s.breakpoints = {{"far out", "stage=sphere refused", 3, 7, false, false},
+                     {"", "stage=dragon", 0, 1, true, true}};
+    s.watches = {"ring", "status=812"};
     s.notes = "Two lines,\nwith \xC3\xA4 sign.";
+    s.query = "stage=sphere kept margin<1e-4";
     return s;
 }
 
@@ -71,16 +77,20 @@ TEST_CASE("A session file is read as it was written, the path relative to the fi
     CHECK(r.input.source == s.input.source);
     CHECK(r.input.rules == s.input.rules);
     CHECK(r.input.choices == s.input.choices);
+    CHECK(r.input.whatIf == s.input.whatIf);
     CHECK(r.input.neighbors.recompute);
     CHECK(std::get<KNearest>(r.input.neighbors.reach).k == 16);
     CHECK(r.inputHash == s.inputHash);
     CHECK(r.place.address == s.place.address);
     CHECK(r.place.camera == s.place.camera);
+    CHECK(r.breakpoints == s.breakpoints);
+    CHECK(r.watches == s.watches);
     CHECK(r.layers == s.layers);
     CHECK(r.layout == s.layout);
     CHECK(r.selected == s.selected);
     CHECK(r.bookmarks == s.bookmarks);
     CHECK(r.notes == s.notes);
+    CHECK(r.query == s.query);
     CHECK(sessionToJson(r, "/data/sessions") == text);
 }
 
@@ -183,6 +193,10 @@ TEST_CASE("A bad session file is refused with its name and what was expected") {
         {minimal(R"(, "options": {"rules": "best"})"), "options.rules"},
         {minimal(R"(, "options": {"switches": {"nosuch": true}})"), "nosuch"},
         {minimal(R"(, "options": {"switches": {"fill": "yes"}})"), "options.switches.fill"},
+        {minimal(R"(, "options": {"switches": {"maxgap": 300}})"), "a number from 90 to 180"},
+        {minimal(R"(, "options": {"switches": {"tie": true}})"), "nearest, farthest or both"},
+        {minimal(R"(, "options": {"what_if": "5.sphere keep 3"})"), "a list of texts"},
+        {minimal(R"(, "options": {"what_if": ["5.sphere hold 3"]})"), "is no what-if"},
         {minimal(R"(, "options": {"neighbors": 0})"), "1 to 1000"},
         {minimal(R"(, "options": {"neighbors": 2.5})"), "1 to 1000"},
         {minimal(R"(, "options": {"radius": -1})"), "above 0"},
@@ -193,7 +207,7 @@ TEST_CASE("A bad session file is refused with its name and what was expected") {
         {minimal(R"(, "address": "137.nowhere.3")"), "\"address\""},
         {minimal(R"(, "address": 137)"), "\"address\""},
         {minimal(R"(, "camera": {"distance": 1})"), "\"camera\""},
-        {minimal(R"(, "layout": "compare")"), "\"layout\""},
+        {minimal(R"(, "layout": "wide")"), "\"layout\""},
         {minimal(R"(, "selected": -4)"), "\"selected\""},
         {minimal(R"(, "selected": [])"), "\"selected\""},
         {minimal(R"(, "selected": [3, 3])"), "\"selected\""},
@@ -201,6 +215,13 @@ TEST_CASE("A bad session file is refused with its name and what was expected") {
         {minimal(R"(, "bookmarks": {})"), "\"bookmarks\""},
         {minimal(R"(, "bookmarks": [{"note": "x"}])"), "\"bookmarks\""},
         {minimal(R"(, "notes": 1)"), "\"notes\""},
+        {minimal(R"(, "query": 1)"), "\"query\""},
+        {minimal(R"(, "breakpoints": {})"), "\"breakpoints\""},
+        {minimal(R"(, "breakpoints": [{"name": "x"}])"), "\"breakpoints\""},
+        {minimal(R"(, "breakpoints": [{"line": "closes", "every": 0}])"), "\"breakpoints\""},
+        {minimal(R"(, "breakpoints": [{"line": "closes", "skip": -1}])"), "\"breakpoints\""},
+        {minimal(R"(, "watches": "ring")"), "\"watches\""},
+        {minimal(R"(, "watches": [1])"), "\"watches\""},
     };
     for (const Bad& bad : all) {
         CAPTURE(bad.text);
@@ -247,14 +268,39 @@ TEST_CASE("The hash of an input is FNV-1a of its bytes") {
 }
 
 TEST_CASE("Rule choices are read from NAME=on and NAME=off, and nothing else") {
-    REQUIRE(ruleChoiceFromText("fill=on").ok());
-    CHECK(ruleChoiceFromText("closetwo=off").value() == RuleChoice{"closetwo", false});
+    REQUIRE(ruleValueFromText("fill=on").ok());
+    CHECK(ruleValueFromText("closetwo=off").value() == RuleValue{"closetwo", false});
     for (const char* bad : {"", "fill", "fill=", "fill=yes", "nosuch=on", "=on"}) {
         CAPTURE(bad);
-        CHECK_FALSE(ruleChoiceFromText(bad).ok());
+        CHECK_FALSE(ruleValueFromText(bad).ok());
     }
-    Rules rules;
-    REQUIRE(applyChoices({{"fill", true}, {"closetwo", false}}, rules).ok());
-    CHECK(rules.fill);
-    CHECK_FALSE(rules.closeTwo);
+    Params params;
+    const std::vector<RuleValue> values{{"fill", true}, {"closetwo", false}};
+    REQUIRE(applyRuleValues(values, params).ok());
+    CHECK(params.rules.fill);
+    CHECK_FALSE(params.rules.closeTwo);
+}
+
+TEST_CASE("What is compared is kept: another run by its options, a mesh by its path") {
+    const Folder folder;
+    SessionFile s = fullSession();
+    s.with = CompareWith::otherRun(s.input);
+    s.with.run.rules = "paper";
+    s.with.run.choices = {{"flip", true}};
+    s.with.run.neighbors = {WithinRadius{0.25}, true, 0, true};
+    const auto run = sessionFromJson(sessionToJson(s, folder.path), "a.sesession", folder.path);
+    REQUIRE(run.ok());
+    CHECK(run.value().with.kind == CompareWith::Kind::Run);
+    CHECK(run.value().with.run.rules == "paper");
+    CHECK(run.value().with.run.choices == s.with.run.choices);
+    CHECK(std::get<WithinRadius>(run.value().with.run.neighbors.reach).radius == 0.25);
+    s.with = CompareWith::otherMesh((folder.path / "meshes" / "other.ply").string());
+    const std::string text = sessionToJson(s, folder.path);
+    CHECK(text.find("\"mesh\": \"meshes/other.ply\"") != std::string::npos);
+    const auto mesh = sessionFromJson(text, "a.sesession", folder.path);
+    REQUIRE(mesh.ok());
+    CHECK(mesh.value().with.mesh == s.with.mesh);
+    CHECK(complaintOf(minimal(R"(, "compare": 3)")).find("compare") != std::string::npos);
+    CHECK(complaintOf(minimal(R"(, "compare": {"options": {"rules": "x"}})")).find("rules") !=
+          std::string::npos);
 }

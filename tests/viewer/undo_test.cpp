@@ -125,3 +125,20 @@ TEST_CASE("Every kind of change has a name") {
     noted.bookmarks[0].note = "look";
     CHECK(describeChange(to, noted) == "note of a bookmark");
 }
+
+TEST_CASE("Breakpoints and watches are undone and made again") {
+    Bench b;
+    b.now.breakpoints.push_back({"", "stage=split"});
+    b.look();
+    b.now.breakpoints[0].on = false;
+    b.look();
+    b.now.watches.push_back("ring");
+    b.look();
+    CHECK(b.undo() == "watches");
+    CHECK(b.undo() == "breakpoints");
+    CHECK(b.now.breakpoints[0].on);
+    CHECK(b.undo() == "breakpoints");
+    CHECK(b.now.breakpoints.empty());
+    CHECK(b.redo() == "breakpoints");
+    CHECK(b.now.breakpoints.size() == 1);
+}

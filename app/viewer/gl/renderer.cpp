@@ -160,6 +160,7 @@ void Renderer::setModel(const Model& model) {
     meshTriangles_ = 0;
     uploadedStyles_ = {};
     uploadedMended_ = nullptr;
+    uploadedTinted_ = {};
     spacing_ = model.spacing;
 }
 
@@ -184,6 +185,15 @@ void Renderer::setMended(const Model& model,
         uploadCorners(mended_, model, *triangles, common, triangles->size());
     }
     uploadedMended_ = std::move(triangles);
+}
+
+void Renderer::setTinted(const Model& model, const DrawList& list) {
+    for (std::size_t i = 0; i < tinted_.size(); ++i) {
+        const auto& triangles = list.tinted[i].triangles;
+        if (!triangles || triangles == uploadedTinted_[i]) continue;
+        uploadCorners(tinted_[i], model, *triangles, 0, triangles->size());
+        uploadedTinted_[i] = triangles;
+    }
 }
 
 void Renderer::draw(const DrawList& list, const CameraMatrices& camera, glm::ivec2 size, float em,
@@ -255,6 +265,7 @@ void Renderer::drawMesh(const DrawList& list, const CameraMatrices& camera) {
     if (list.meshVisible && count > 0) {
         mended ? mended_.bind() : mesh_.bind();
         drawStretches(list, count);
+        drawTinted(list);
     }
     meshShader_.set("uSmooth", false);
     meshShader_.set("uWire", false);
@@ -294,6 +305,19 @@ void Renderer::drawStretches(const DrawList& list, std::size_t count) {
     for (std::size_t i = 0; i < stretches.size(); ++i) {
         const std::size_t end = i + 1 < stretches.size() ? stretches[i + 1].first : count;
         draw(stretches[i].first, std::min(count, end), stretches[i].color);
+    }
+}
+
+/// Over the finished triangles, at the very same depth.
+void Renderer::drawTinted(const DrawList& list) {
+    meshShader_.set("uByBirth", false);
+    for (std::size_t i = 0; i < tinted_.size(); ++i) {
+        const TintedTriangles& tinted = list.tinted[i];
+        if (tinted.count == 0 || tinted.triangles != uploadedTinted_[i]) continue;
+        tinted_[i].bind();
+        glVertexAttrib1f(2, 0.0F);
+        glVertexAttrib4f(1, tinted.color.r, tinted.color.g, tinted.color.b, tinted.color.a);
+        glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * tinted.count));
     }
 }
 

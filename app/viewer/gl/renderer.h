@@ -27,6 +27,9 @@ class Renderer {
     /// Uploads those triangles that differ from the mended mesh known already; null is allowed.
     void setMended(const Model& model, std::shared_ptr<const std::vector<Triangle>> triangles);
 
+    /// Uploads those of the list that are not known already.
+    void setTinted(const Model& model, const DrawList& list);
+
     /// Draws. Sizes follow the distance of the points on the screen within limits.
     /// `em` is the size of an em in pixels. The result is texture().
     void draw(const DrawList& list, const CameraMatrices& camera, glm::ivec2 size, float em,
@@ -48,6 +51,7 @@ class Renderer {
     void drawSheets(const DrawList& list, const CameraMatrices& camera);
     void drawSpheres(const DrawList& list, const CameraMatrices& camera);
     void drawSprites(const DrawList& list, const CameraMatrices& camera, const Color& background);
+    void drawTinted(const DrawList& list);
     void drawStretches(const DrawList& list, std::size_t count);
     void drawFaces(std::span<const Face> faces);
 
@@ -61,12 +65,14 @@ class Renderer {
     Batch lines_;
     Batch mesh_;
     Batch mended_;
+    std::array<Batch, 2> tinted_;
     Batch faces_;
     Batch shell_;
     Target target_;
     std::size_t cloudCount_ = 0;
     BlockList<std::uint8_t> uploadedStyles_;
     std::shared_ptr<const std::vector<Triangle>> uploadedMended_;
+    std::array<std::shared_ptr<const std::vector<Triangle>>, 2> uploadedTinted_;
     std::size_t meshTriangles_ = 0;
     std::size_t shellVertices_ = 0;
     float spacing_ = 0.05F;

@@ -44,6 +44,11 @@ bool canBeOpened(const fs::path& path) {
            std::find(kPoints.begin(), kPoints.end(), extension) != kPoints.end();
 }
 
+bool canHoldMesh(const fs::path& path) {
+    const std::string extension = lowerExtension(path);
+    return extension == ".ply" || extension == ".obj" || extension == ".off";
+}
+
 bool isListed(const fs::path& path, BrowserTask task) {
     switch (task) {
         case BrowserTask::Open:
@@ -54,6 +59,8 @@ bool isListed(const fs::path& path, BrowserTask task) {
             return isVolumePath(path.string());
         case BrowserTask::SavePoints:
             return lowerExtension(path) == ".ply";
+        case BrowserTask::Mesh:
+            return canHoldMesh(path);
     }
     return false;
 }

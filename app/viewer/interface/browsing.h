@@ -10,7 +10,7 @@
 namespace se::view {
 
 /// What the file browser is for.
-enum class BrowserTask : std::uint8_t { Open, SaveSession, Volume, SavePoints };
+enum class BrowserTask : std::uint8_t { Open, SaveSession, Volume, SavePoints, Mesh };
 
 struct BrowserEntry {
     std::string name;
@@ -26,6 +26,7 @@ struct FileBrowsing {
     std::string path;  ///< As typed.
     std::string error;
     bool shown = false;
+    int settling = 0;                 ///< Frames in which windows beside it may yet appear.
     bool refocus = false;             ///< The line to type into gets the keyboard back.
     std::filesystem::path overwrite;  ///< The file that was asked about: once more, and it goes.
 
@@ -38,6 +39,8 @@ struct FileBrowsing {
 bool isListed(const std::filesystem::path& path, BrowserTask task);
 /// By extension: points in a format that can be read, a volume, or a session.
 bool canBeOpened(const std::filesystem::path& path);
+/// By extension: what can have triangles.
+bool canHoldMesh(const std::filesystem::path& path);
 /// What a person means by a text typed while `folder` is shown: `~` is the home, `scene:ID` and
 /// `sample:...` are no paths.
 std::string typedSource(const std::filesystem::path& folder, const std::string& text);

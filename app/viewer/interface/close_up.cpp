@@ -32,7 +32,7 @@ void lookDown(const glm::vec3& normal, Camera& camera) {
 
 void closeUp(const Session& session, Camera& camera, glm::vec2 size) {
     if (!session.ready() || session.picture().pivot == kNone) return;
-    const Model& model = session.model();
+    const Model& model = session.shown();
     const Index pivot = session.picture().pivot;
     camera.face(model.normal[pivot]);
     lookDown(model.normal[pivot], camera);

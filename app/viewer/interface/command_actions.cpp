@@ -48,10 +48,11 @@ void escape(C& c) {
         return;
     }
     if (c.session.busySeconds() > kLongMove) return c.session.cancelMove();
-    const bool picked =
-        c.session.selection().kind != SelectionKind::None || !c.session.marked().empty();
+    const bool picked = c.session.selection().kind != SelectionKind::None ||
+                        !c.session.marked().empty() || c.session.chosenAlert().has_value();
     c.session.select(Selection{});
     c.session.mark({});
+    c.session.chooseAlert({});
     if (!picked && ui.arrangement == Arrangement::Present) arrange(c, Arrangement::Debug);
 }
 
@@ -91,6 +92,22 @@ void toggleBookmarkHere(C& c) {
     const Address here = c.session.address();
     const bool there = toggleBookmark(c.ui.bookmarks, here);
     c.session.say((there ? "Bookmark at " : "No bookmark any more at ") + toString(here) + ".");
+}
+
+void resetRules(C& c) {
+    if (!c.session.ready()) return;
+    RuleSet rules = c.session.rules();
+    if (rules.choices.empty()) return c.session.say("All rules are as their set has them.");
+    rules.choices.clear();
+    c.ui.requests.rules = std::move(rules);
+}
+
+void clearWhatIfs(C& c) {
+    if (!c.session.ready()) return;
+    RuleSet rules = c.session.rules();
+    if (rules.whatIf.empty()) return c.session.say("This is the true run.");
+    rules.whatIf.clear();
+    c.ui.requests.rules = std::move(rules);
 }
 
 void openBrowser(C& c) {
@@ -245,7 +262,7 @@ namespace {
 
 /// Of an edge or a triangle: what is around it, too.
 void frameSelection(CommandContext& context) {
-    const Model& model = context.session.model();
+    const Model& model = context.session.shown();
     const std::span<const Index> corners = context.session.selection().corners();
     glm::vec3 middle(0.0F);
     glm::vec3 normal(0.0F);
@@ -263,7 +280,7 @@ void frameSelection(CommandContext& context) {
 
 /// A point and its neighbors.
 void framePoint(CommandContext& context, Index point) {
-    const Model& model = context.session.model();
+    const Model& model = context.session.shown();
     float radius = 2.0F * model.spacing;
     for (const Index q : model.points.neighbors[point]) {
         radius = std::max(radius, glm::distance(model.place[point], model.place[q]));

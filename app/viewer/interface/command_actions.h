@@ -28,6 +28,10 @@ void saveAs(CommandContext& c);
 void savePoints(CommandContext& c);
 /// Asks what is to be derived from the points of the input.
 void openPrepare(CommandContext& c);
+/// All rules as their set has them; what-ifs stay.
+void resetRules(CommandContext& c);
+/// All what-ifs away; rules stay.
+void clearWhatIfs(CommandContext& c);
 void toEnd(CommandContext& c);
 void toStart(CommandContext& c);
 /// To the next (+1) or previous (-1) mark of the run or bookmark.
@@ -56,6 +60,11 @@ void setView(CommandContext& c) {
 template <MeshStyle style>
 void setMeshStyle(CommandContext& c) {
     c.ui.settings.meshStyle = style;
+}
+
+template <PointTint tint>
+void setPointTint(CommandContext& c) {
+    c.ui.settings.pointTint = tint;
 }
 
 template <int direction>

@@ -21,6 +21,8 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"step.event.next", GrowthAsk::Step},
     {"step.pivot.next", GrowthAsk::Step},
     {"run.end", GrowthAsk::Finish},
+    {"run.continue", GrowthAsk::Finish},
+    {"run.continue.back", GrowthAsk::Begin},
     {"run.start", GrowthAsk::Begin},
     {"file.restart", GrowthAsk::Begin},
     {"view.home", GrowthAsk::Home},
@@ -35,6 +37,7 @@ bool isAside(const Command& command) {
     return std::find(kAside.begin(), kAside.end(), command.group) != kAside.end() ||
            command.id == "file.prepare" || command.id.starts_with("view.layout.") ||
            command.id.starts_with("view.mesh.") || command.id == "view.doctor" ||
+           command.id == "view.breakpoints" || command.id == "view.watch" ||
            command.id == "view.drawer" || command.id == "view.legend";
 }
 

@@ -28,6 +28,7 @@ struct GrowthPage {
     std::string savePath;  ///< The points are to be saved there; empty: nothing.
 
     GrowthPhase phase = GrowthPhase::Idle;
+    double found = 0.0;     ///< While the surface is looked for: the share done.
     std::string complaint;  ///< What is wrong with the form, the surface or the file.
     std::string said;       ///< What went well lately.
     SampleSpec made;        ///< Which points these are; of no use while there are none.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 namespace se::view {
 
@@ -36,6 +37,9 @@ constexpr float kDialRoom = 30.0F;
 /// Who learns or looks on from afar reads the caption first.
 constexpr float kLargeCaption = 1.5F;
 
+/// Of each of two views.
+constexpr float kTitle = 1.7F;
+
 /// Of a page with a form: its column, and the controls below the view, wide and narrow.
 constexpr float kPageColumn = 17.0F;
 constexpr float kPageColumnWide = 26.0F;
@@ -51,6 +55,7 @@ struct Columns {
 Columns columnsFor(Arrangement arrangement, float width, bool narrow) {
     if (arrangement == Arrangement::Present) return {};
     if (arrangement == Arrangement::Learn) return {std::clamp(0.32F * width, 14.0F, 28.0F), 0.0F};
+    if (arrangement == Arrangement::Compare) return {std::clamp(0.28F * width, 13.0F, 24.0F), 0.0F};
     if (narrow) return {0.0F, std::clamp(0.48F * width, 12.0F, 20.0F)};
     return {std::clamp(0.225F * width, 15.0F, 22.0F), std::clamp(0.24F * width, 17.0F, 26.0F)};
 }
@@ -70,6 +75,32 @@ void layOutStrips(Layout& l, float run, float pivot) {
     if (l.drawerFolded) return;
     l.pivotStrip = part(run, run + pivot);
     l.stageStrip = part(run + pivot, d.size.y);
+}
+
+/// Cuts view and narration in two, each view with its title.
+void splitInTwo(Layout& l, float title) {
+    const Rect both = l.view;
+    const glm::vec2 half = glm::floor(0.5F * both.size);
+    const bool beside = std::min(half.x, both.size.y) >= std::min(both.size.x, half.y);
+    Rect first{both.min, beside ? glm::vec2(half.x, both.size.y) : glm::vec2(both.size.x, half.y)};
+    Rect second{
+        beside ? glm::vec2(first.max().x, both.min.y) : glm::vec2(both.min.x, first.max().y),
+        beside ? glm::vec2(both.size.x - half.x, both.size.y)
+               : glm::vec2(both.size.x, both.size.y - half.y)};
+    const auto cutTitle = [title](Rect& view) {
+        const Rect bar{view.min, {view.size.x, std::min(title, view.size.y)}};
+        view.min.y += bar.size.y;
+        view.size.y -= bar.size.y;
+        return bar;
+    };
+    l.title = cutTitle(first);
+    l.otherTitle = cutTitle(second);
+    l.view = first;
+    l.otherView = second;
+    l.otherNarration = l.narration;
+    l.narration.size.x = half.x;
+    l.otherNarration.min.x += half.x;
+    l.otherNarration.size.x -= half.x;
 }
 
 }  // namespace
@@ -96,9 +127,11 @@ Layout computeLayout(glm::vec2 size, float em, Arrangement arrangement, DrawerWi
     const glm::vec2 ems = size / em;
     const bool present = arrangement == Arrangement::Present;
     const bool debug = arrangement == Arrangement::Debug;
+    const bool compare = arrangement == Arrangement::Compare;
+    if (compare && wish == DrawerWish::Auto) wish = DrawerWish::Folded;
     Layout l;
     l.arrangement = arrangement;
-    l.caption = debug ? 1.0F : kLargeCaption;
+    l.caption = debug || compare ? 1.0F : kLargeCaption;
     l.narrow = debug && ems.x < kNarrowBelow;
     l.drawerFolded = present || isFolded(ems.y, wish);
     const auto px = [em](float length) { return std::round(length * em); };
@@ -107,7 +140,8 @@ Layout computeLayout(glm::vec2 size, float em, Arrangement arrangement, DrawerWi
     const float right = px(columns.right);
     const float run = px(l.drawerFolded ? kRunFolded : ems.y < kHighFrom ? kRunOpen : kRunHigh);
     const float drawer = run + (l.drawerFolded ? 0.0F : px(kPivotStrip) + px(kStageStrip));
-    const bool wide = size.x - left - right >= px(kWideView);
+    const float shown = size.x - left - right;
+    const bool wide = (compare ? 0.5F * shown : shown) >= px(kWideView);
     l.addressLine = present ? px(kAddressLine) : 0.0F;
     const float wished = l.addressLine + px((wide ? kNarration : kNarrationNarrow) * l.caption);
     float y = 0.0F;
@@ -131,6 +165,7 @@ Layout computeLayout(glm::vec2 size, float em, Arrangement arrangement, DrawerWi
     const float viewWidth = std::max(0.0F, size.x - left - right);
     l.view = {{left, y}, {viewWidth, std::max(0.0F, middle - narration)}};
     l.narration = {{left, y + l.view.size.y}, {viewWidth, std::min(narration, middle)}};
+    if (compare) splitInTwo(l, px(kTitle));
     y = bottom;
     l.drawer = row(drawer);
     layOutStrips(l, run, px(kPivotStrip));

@@ -39,6 +39,12 @@ struct Layout {
     float addressLine = 0.0F;
     float caption = 1.0F;  ///< Size of the text below the view, over that of the Debug arrangement.
 
+    // Compare: `view` and `narration` are those of the run that is open.
+    Rect title;  ///< Above the view.
+    Rect otherView;
+    Rect otherTitle;
+    Rect otherNarration;
+
     // Parts of the drawer; the last two are empty if it is folded.
     Rect runStrip;
     Rect pivotStrip;
@@ -51,6 +57,7 @@ Layout computePageLayout(glm::vec2 size, float em);
 
 /// The view never gets less than 40 % of the width. Learn has all side panels in the left column;
 /// Present has no panel but view, caption and the strip of the run: the other areas are empty.
+/// Compare has two views, beside or above each other, whichever leaves them more.
 Layout computeLayout(glm::vec2 size, float em, Arrangement arrangement = Arrangement::Debug,
                      DrawerWish drawer = DrawerWish::Auto);
 

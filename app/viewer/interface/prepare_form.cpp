@@ -1,5 +1,7 @@
 #include "prepare_form.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "run/exact_text.h"
@@ -19,6 +21,28 @@ double rounded(double value) {
     return numberFromText(text).value_or(value);
 }
 
+/// The fewest digits that are nearer than a tenth of what a wall forgives.
+std::string proposed(double value, const WallBox& box) {
+    const Vec3 sides = box.high - box.low;
+    const double off = 0.1 * box.tolerance * std::max({sides.x, sides.y, sides.z});
+    for (int digits = 4; digits < 17; ++digits) {
+        char text[40];
+        std::snprintf(text, sizeof text, "%.*g", digits, value);
+        const double read = numberFromText(text).value_or(value + 2.0 * off);
+        if (std::abs(read - value) <= off) return exact(read);
+    }
+    return exact(value);
+}
+
+BoxFields proposedFields(const WallBox& box) {
+    BoxFields fields;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        const Vec3& corner = i < 3 ? box.low : box.high;
+        fields[i] = proposed(corner[static_cast<int>(i % 3)], box);
+    }
+    return fields;
+}
+
 }  // namespace
 
 void PrepareForm::take(const InputSpec& spec, const Model& model) {
@@ -30,34 +54,83 @@ void PrepareForm::take(const InputSpec& spec, const Model& model) {
     rim = spec.rim;
     normals = spec.normals;
     walls = spec.walls.from;
-    box = boxFields(walls == WallChoice::From::Box ? spec.walls.box
-                                                   : boxAround(model.points.position));
+    box = walls == WallChoice::From::Box ? boxFields(spec.walls.box)
+                                         : proposedFields(boxAround(model.points.position));
     radius = exact(rounded(kRadiusInSpacings * double{model.spacing} / model.scale));
-    if (const auto* nearest = std::get_if<KNearest>(&spec.neighbors.reach)) {
+    const NeighborOptions& lists = spec.neighbors;
+    if (const auto* nearest = std::get_if<KNearest>(&lists.reach)) {
         count = std::to_string(nearest->k);
-        if (spec.neighbors.recompute) reach = Reach::Nearest;
+        if (lists.recompute) reach = Reach::Nearest;
+    } else if (const auto* within = std::get_if<WithinSpacings>(&lists.reach)) {
+        spacings = exact(within->spacings);
+        if (lists.recompute) reach = Reach::Spacings;
     } else {
-        radius = exact(std::get<WithinRadius>(spec.neighbors.reach).radius);
-        if (spec.neighbors.recompute) reach = Reach::Radius;
+        radius = exact(std::get<WithinRadius>(lists.reach).radius);
+        if (lists.recompute) reach = Reach::Radius;
+    }
+    showCures(spec.cures);
+}
+
+void PrepareForm::showCures(const Cures& cures) {
+    for (const std::string& name : cures) {
+        const DoctorCheck* check = findDoctorCheck(name);
+        if (check == nullptr) continue;
+        if (check->cure == Cure::Orient) normals = NormalSource::Oriented;
+        if (check->cure == Cure::Symmetric) symmetric = true;
+        if (check->cure == Cure::Walls) walls = WallChoice::From::Around;
+        if (check->cure == Cure::Rim) rim = true;
+        if (check->cure != Cure::NewLists) continue;
+        reach = Reach::Nearest;
+        count = std::to_string(KNearest{}.k);
     }
 }
 
-Result<InputSpec> PrepareForm::spec(InputSpec base) const {
-    base.neighbors = {};
-    base.neighbors.symmetric = symmetric;
-    base.neighbors.recompute = reach != Reach::File;
+bool PrepareForm::agreesWith(Cure cure) const {
+    switch (cure) {
+        case Cure::Orient:
+            return normals == NormalSource::Oriented;
+        case Cure::NewLists:
+            return reach == Reach::Nearest && count == std::to_string(KNearest{}.k);
+        case Cure::Symmetric:
+            return symmetric;
+        case Cure::Walls:
+            return walls == WallChoice::From::Around;
+        case Cure::Rim:
+            return rim;
+        case Cure::None:
+        case Cure::Mend:
+        case Cure::Drop:
+            break;
+    }
+    return true;
+}
+
+Status PrepareForm::setReach(NeighborOptions& neighbors) const {
+    neighbors = {};
+    neighbors.symmetric = symmetric;
+    neighbors.recompute = reach != Reach::File;
     if (reach == Reach::Nearest) {
         const auto number = wholeFromText(count);
         if (!number || *number == 0 || *number > kMostNeighbors) {
             return Error{"Nearest: expected a whole number from 1 to 1000."};
         }
-        base.neighbors.reach = KNearest{static_cast<std::size_t>(*number)};
+        neighbors.reach = KNearest{static_cast<std::size_t>(*number)};
     }
     if (reach == Reach::Radius) {
         const auto number = numberFromText(radius);
         if (!number || !(*number > 0.0)) return Error{"Radius: expected a number above 0."};
-        base.neighbors.reach = WithinRadius{*number};
+        neighbors.reach = WithinRadius{*number};
     }
+    if (reach == Reach::Spacings) {
+        const auto number = numberFromText(spacings);
+        if (!number || !(*number > 0.0)) return Error{"Spacings: expected a number above 0."};
+        neighbors.reach = WithinSpacings{*number};
+    }
+    return success();
+}
+
+Result<InputSpec> PrepareForm::spec(InputSpec base) const {
+    if (const Status set = setReach(base.neighbors); !set) return set.error();
     base.normals = normals;
     base.walls = {walls, {}};
     if (walls == WallChoice::From::Box) {
@@ -68,6 +141,11 @@ Result<InputSpec> PrepareForm::spec(InputSpec base) const {
     base.keepOpposing = keepOpposing;
     base.keepNoise = keepNoise;
     base.rim = rim;
+    // What is chosen here is what a person wants; a cure chose it before.
+    std::erase_if(base.cures, [this](const std::string& name) {
+        const DoctorCheck* check = findDoctorCheck(name);
+        return check != nullptr && !agreesWith(check->cure);
+    });
     return base;
 }
 

@@ -9,12 +9,13 @@
 namespace se::view {
 
 struct PrepareForm {
-    enum class Reach : std::uint8_t { File, Nearest, Radius };
+    enum class Reach : std::uint8_t { File, Nearest, Radius, Spacings };
 
     bool open = false;
     Reach reach = Reach::File;
     std::string count = "12";
     std::string radius;
+    std::string spacings = "1.6";  ///< That of Table 1.
     bool symmetric = false;
     bool keepOpposing = false;
     NormalSource normals = NormalSource::AsGiven;
@@ -24,10 +25,17 @@ struct PrepareForm {
     bool keepNoise = false;
     std::string complaint;
 
-    /// Begins with what `spec` says; the box with that around the points of `model`.
+    /// Begins with what `spec` says, the doctor's cures included; the box with that around the
+    /// points of `model`.
     void take(const InputSpec& spec, const Model& model);
-    /// `base` with these options. Fails with a sentence about the first field that is wrong.
+    /// `base` with these options; of its cures those that they contradict go. Fails with a sentence
+    /// about the first field that is wrong.
     Result<InputSpec> spec(InputSpec base) const;
+
+  private:
+    Status setReach(NeighborOptions& neighbors) const;
+    void showCures(const Cures& cures);
+    bool agreesWith(Cure cure) const;
 };
 
 }  // namespace se::view

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "run/exact_text.h"
 #include "run/model.h"
+#include "run/sample_spec.h"
 #include "run/text.h"
 #include "settings.h"
 #include "spiraling_edge/io.h"
@@ -15,16 +17,41 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
+std::string absolutePath(const std::string& path) {
+    std::error_code error;
+    return fs::absolute(path, error).lexically_normal().string();
+}
+
+/// As it can be opened from any folder; empty if that cannot be said.
+std::string fromAnywhere(const std::string& source) {
+    if (!isSample(source)) return absolutePath(source);
+    Result<SampleSpec> spec = sampleFromSource(source);
+    if (!spec) return {};
+    if (isVolumePath(spec.value().surface))
+        spec.value().surface = absolutePath(spec.value().surface);
+    return sampleSource(spec.value());
+}
+
 }  // namespace
 
 void remember(KeptState& state, const std::string& path) {
-    if (path.empty() || isScene(path) || isSample(path)) return;
-    std::error_code error;
-    const fs::path whole = fs::absolute(path, error).lexically_normal();
+    if (path.empty() || isScene(path)) return;
+    const std::string whole = fromAnywhere(path);
+    if (whole.empty()) return;
     std::vector<std::string>& list = state.recent;
-    std::erase(list, whole.string());
-    list.insert(list.begin(), whole.string());
+    std::erase(list, whole);
+    list.insert(list.begin(), whole);
     if (list.size() > kMostRecent) list.resize(kMostRecent);
+}
+
+std::string recentName(const std::string& path) {
+    const Result<SampleSpec> spec = sampleFromSource(path);
+    if (!isSample(path) || !spec) return fs::path(path).filename().string();
+    const SampleSpec& made = spec.value();
+    std::string name = made.count > 0 ? sampleTitle(made, made.count)
+                                      : sampleStem(made, 0) + ", " + exact(made.spacing) + " apart";
+    if (made.steps > 0) name += ", step " + std::to_string(made.steps);
+    return name;
 }
 
 fs::path statePath() {

@@ -20,8 +20,11 @@ struct KeptState {
     friend bool operator==(const KeptState&, const KeptState&) = default;
 };
 
-/// Puts a file at the front, once, and forgets the oldest ones. Scenes are not remembered.
+/// Puts a file, or points that were made (sample:...), at the front, once, and forgets the oldest
+/// ones. Scenes are not remembered.
 void remember(KeptState& state, const std::string& path);
+/// What a list of them shows: the name of a file without its folder, "torus, 4 000 points".
+std::string recentName(const std::string& path);
 
 /// $XDG_STATE_HOME/spiraling-edge/state.json, or below ~/.local/state. Empty if there is no home.
 std::filesystem::path statePath();

@@ -69,6 +69,9 @@ Result<ViewSettings> settingsFromJson(std::string_view text) {
     if (const auto style = object.find("meshStyle"); style != object.end() && style->is_string()) {
         s.meshStyle = meshStyleFromName(style->get<std::string>()).value_or(s.meshStyle);
     }
+    if (const auto tint = object.find("pointTint"); tint != object.end() && tint->is_string()) {
+        s.pointTint = pointTintFromName(tint->get<std::string>()).value_or(s.pointTint);
+    }
     if (const auto modes = object.find("layers"); modes != object.end()) {
         const ReadLayers read = layersFromJson(*modes);
         s.layers = read.modes;
@@ -87,6 +90,7 @@ std::string settingsToJson(const ViewSettings& s) {
                    {"layers", layersToJson(s.layers)}};
     if (!s.keys.changes().empty()) object["keys"] = s.keys.changes();
     object["meshStyle"] = rowOf(s.meshStyle).name;
+    object["pointTint"] = rowOf(s.pointTint).name;
     if (s.uiScale > 0.0) object["uiScale"] = s.uiScale;
     return object.dump(2) + "\n";
 }

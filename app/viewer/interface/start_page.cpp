@@ -69,7 +69,11 @@ std::vector<ThumbnailDot> thumbnail(const PointFile& points, std::size_t most) {
 
 void StartPage::prepare() {
     if (!tiles.empty()) return;
-    for (const Scene& scene : scenes()) {
+    std::vector<const Scene*> all;
+    for (const Scene& scene : scenes()) all.push_back(&scene);
+    for (const FailureScene& each : failureScenes()) all.push_back(&each.scene);
+    for (const Scene* const each : all) {
+        const Scene& scene = *each;
         SceneTile tile{scene.id, scene.title, scene.watch, thumbnail(scene.build(), kDots), {}};
         tile.reach = glm::vec2(0.0F);
         for (const ThumbnailDot& dot : tile.dots) {

@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "asking.h"
 #include "browsing.h"
 #include "click_wait.h"
+#include "compare_page.h"
 #include "go_to_box.h"
 #include "growth_page.h"
 #include "key_map.h"
@@ -23,12 +25,16 @@
 #include "scene/mesh_style.h"
 #include "scene/motion.h"
 #include "scene/palette.h"
+#include "scene/point_tint.h"
 #include "session/arrangement.h"
 #include "session/bookmarks.h"
 #include "session/playback.h"
 #include "session/selection_facts.h"
+#include "spiraling_edge/breakpoint.h"
 #include "spiraling_edge/point_set.h"
 #include "start_page.h"
+#include "steps/watch_plot.h"
+#include "what_if_offers.h"
 
 namespace se::view {
 
@@ -46,7 +52,11 @@ struct ViewSettings {
     KeyMap keys;
     std::vector<std::string> complaints;  ///< What the settings say wrongly, one sentence each.
     MeshStyle meshStyle = MeshStyle::Flat;
+    PointTint pointTint = PointTint::Status;
 };
+
+/// What the camera frames once the cursor is where it was sent.
+enum class FrameWish : std::uint8_t { None, Focus, Pivot };
 
 /// Asked for by a command or panel, carried out by the application in the same frame.
 struct UiRequests {
@@ -58,18 +68,32 @@ struct UiRequests {
     int walk = 0;  ///< The keyboard goes to the next panel (+1), or to the one before (-1).
     bool copyPlace = false;
     bool pastePlace = false;
+    bool frameAlert = false;  ///< The camera goes to the alert that is looked at.
     bool saveSession = false;
+    FrameWish frame = FrameWish::None;
     bool undo = false;
     bool redo = false;
-    std::optional<Cures> cures;  ///< To open the input anew with; none at all: as the file is.
-    std::string open;            ///< A path or `scene:ID`; empty: nothing.
-    std::string saveSessionAs;   ///< A path; empty: nothing.
+    std::optional<Cures> cures;    ///< To open the input anew with; none at all: as the file is.
+    std::optional<RuleSet> rules;  ///< To run anew by; see withRule().
+    std::string open;              ///< A path or `scene:ID`; empty: nothing.
+    std::string saveSessionAs;     ///< A path; empty: nothing.
     /// An input with its options: prepared in another way, or points that were made here.
     std::optional<InputSpec> openSpec;
 };
 
 /// The tab that opens by itself when the doctor has found something.
 inline constexpr const char* kDoctorTab = "Doctor";
+inline constexpr const char* kBreakpointsTab = "Breakpoints";
+inline constexpr const char* kWatchTab = "Watch";
+
+/// The tab with what went wrong.
+inline constexpr const char* kAlertsTab = "Alerts";
+
+/// The tab with all rules as switches.
+inline constexpr const char* kRulesTab = "Rules";
+
+/// The tab with what may happen otherwise.
+inline constexpr const char* kWhatIfTab = "What if";
 
 /// The list of actions that one types into.
 struct CommandPalette {
@@ -79,6 +103,12 @@ struct CommandPalette {
     int chosen = 0;
 
     void show() { *this = {true, true, {}, 0}; }
+};
+
+/// The line that is being drawn about points of the view, in pixels of the window.
+struct Lasso {
+    bool drawing = false;
+    std::vector<glm::vec2> path;
 };
 
 struct UiState {
@@ -100,11 +130,19 @@ struct UiState {
     CommandPalette palette;
     PrepareForm prepare;
     GrowthPage growth;
+    ComparePage compare;
     LeaveQuestion leaving;
     bool quitting = false;  ///< Nothing is in the way: the window closes.
     Arrangement arrangement = Arrangement::Debug;
     Bookmarks bookmarks;
+    std::vector<Breakpoint> breakpoints;
+    std::vector<std::string> watches;  ///< Expressions, see core's watch.h.
+    std::map<std::string, PaintedPlot> plots;
+    Lasso lasso;
     Navigation navigation;
+    LedgerPanel ledger;
+    QueryPanel query;
+    SubjectMenu subjectMenu;
     KeyWalk walk;
     bool popupOpen = false;           ///< A menu, say, as last drawn.
     std::string notes;                ///< Free text of the person, kept in the session file.
@@ -121,12 +159,17 @@ struct UiState {
     std::string openTab;
     std::string addressLine;  ///< What stands above the caption; empty: nothing.
     std::string shownCheck;   ///< Of the doctor: the finding whose points are marked.
-    std::string wantedTab;    ///< To be opened in the next frame; empty: as it is.
-    LookBack look;            ///< At the state before the decision.
-    double clock = 0.0;       ///< Seconds, as the frames count them.
-    FactsCache facts;         ///< Of the selection.
-    ClickWait click;          ///< In the view; it may be the first half of a double click.
-    Index pointedAt = kNone;  ///< The point under the pointer, found anew in every frame.
+    /// Classes of alerts that are folded or unfolded by hand.
+    std::map<std::string, bool> alertsOpen;
+    bool revealAlert = false;  ///< The list of alerts is to show the chosen one.
+    std::string wantedTab;     ///< To be opened in the next frame; empty: as it is.
+    LookBack look;             ///< At the state before the decision.
+    double clock = 0.0;        ///< Seconds, as the frames count them.
+    FactsCache facts;          ///< Of the selection.
+    ClickWait click;           ///< In the view; it may be the first half of a double click.
+    Index pointedAt = kNone;   ///< The point under the pointer, found anew in every frame.
+    std::array<char, 64> ruleFilter{};
+    WhatIfForm whatIf;
 };
 
 /// Everything a command may work on.

@@ -1,25 +1,30 @@
 #include "corner.h"
+#include "run/number_text.h"
+#include "run/rule_set.h"
 
 namespace se::view {
 
 namespace {
 
-/// The angle that would be left without q, against its limit of 120 degrees; and the edge from t
-/// to s that would close the rim.
+/// The angle that would be left without q, against its limit, usually 120 degrees; and the edge
+/// from t to s that would close the rim.
 void addGap(const LayerInput& in, const SphereEvidence& test, DrawList& out) {
     const std::optional<Disc> disc = pivotDisc(in);
     if (!disc) return;
     const Palette& c = in.palette;
     const double from = degreesOn(*disc, in.at(test.t));
     const double to = from + test.gapDegrees;
+    const double limit = gapLimitDegrees(in.model.params);
     const float radius = discRadius(in);
     const bool wide = test.verdict == Verdict::GapTooWide;
     const Color& color = wide ? c.rejected : c.used;
     addArc(*disc, {from, to, radius}, color, wide ? 0.34F : 0.2F, out);
-    out.line(disc->at(from + 120.0, 0.88F * radius), disc->at(from + 120.0, 1.12F * radius), c.text,
+    out.line(disc->at(from + limit, 0.88F * radius), disc->at(from + limit, 1.12F * radius), c.text,
              0.12F, Depth::OnTop);
-    out.label(disc->at(0.5 * (from + to), radius),
-              degreesText(test.gapDegrees) + (wide ? " > 120\xC2\xB0: kept" : ""), color, wide);
+    out.label(
+        disc->at(0.5 * (from + to), radius),
+        degreesText(test.gapDegrees) + (wide ? " > " + numberText(limit) + "\xC2\xB0: kept" : ""),
+        color, wide);
     if (test.verdict == Verdict::Removed) {
         out.line(in.at(test.t), in.at(test.s), c.used, 0.26F, Depth::OnTop);
     } else {

@@ -16,6 +16,8 @@
 #include "scene/draw_list.h"
 #include "scene/motion.h"
 #include "scene/palette.h"
+#include "spiraling_edge/failure_moments.h"
+#include "spiraling_edge/live_check.h"
 
 namespace se::view {
 
@@ -37,6 +39,13 @@ struct LayerInput {
     Moment moment{};
     const MeshIndex* meshIndex = nullptr;  ///< Of `triangles`.
     Index seedBefore = kNone;              ///< The point that the ring before this one began with.
+    /// Least margin per point, to color the points by; empty: by status.
+    std::span<const double> leastMargin = {};
+    std::uint32_t tint = 0;  ///< Another number for other margins; 0 for none.
+    Theme theme = Theme::Dark;
+
+    const RunFailure* alert = nullptr;       ///< That is looked at.
+    std::span<const LiveFailure> noticed{};  ///< That go wrong with this event.
 
     const glm::vec3& at(Index point) const { return model.place[point]; }
 };
@@ -73,6 +82,7 @@ void addMending(const LayerInput& in, DrawList& out);
 // What a person chose.
 void addSelection(const LayerInput& in, DrawList& out);
 void addMarked(const LayerInput& in, DrawList& out);
+void addAlerts(const LayerInput& in, DrawList& out);
 
 enum class LayerId : std::uint8_t {
     Points,
@@ -104,8 +114,9 @@ enum class LayerId : std::uint8_t {
     Guard,
     HoleFill,
     Mending,
+    Alerts,
 };
-inline constexpr std::size_t kLayerCount = 29;
+inline constexpr std::size_t kLayerCount = 30;
 
 /// The stages that show a layer by themselves, one bit each.
 using StageMask = std::uint32_t;

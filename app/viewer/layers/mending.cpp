@@ -12,7 +12,7 @@ glm::vec3 middleOf(const LayerInput& in, const MeshEdge& edge) {
     return 0.5F * (in.at(edge[0]) + in.at(edge[1]));
 }
 
-/// Old edges dashed, new ones bold, the rim that stays thin. New triangles are hatched anyway.
+/// Old edges dashed, new ones bold, the rim that stays thin. New triangles are hatched besides.
 void addEdges(const LayerInput& in, const MeshEdges& edges, DrawList& out) {
     const Palette& c = in.palette;
     for (const MeshEdge& e : edges.kept) {
@@ -93,6 +93,10 @@ void addReseat(const LayerInput& in, const ReseatEvidence& e, DrawList& out) {
 
 void addMending(const LayerInput& in, DrawList& out) {
     const Picture& p = in.picture;
+    if (p.mended) {
+        for (const Triangle& t : p.newTriangles)
+            out.faces.push_back({{in.at(t.a), in.at(t.b), in.at(t.c)}, in.palette.test, true});
+    }
     if (const auto* flip = p.evidence<FlipEvidence>(Stage::Flip)) addFlip(in, *flip, out);
     if (const auto* put = p.evidence<ReinsertEvidence>(Stage::Reinsert)) addReinsert(in, *put, out);
     if (const auto* taken = p.evidence<ReseatEvidence>(Stage::Reseat)) addReseat(in, *taken, out);

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <array>
 
 #include "layer.h"
+#include "scene/point_tint.h"
 
 namespace se::view {
 
@@ -11,6 +13,12 @@ constexpr std::size_t kShapesUpTo = 100'000;
 constexpr std::uint8_t kHiddenStyle = 15;
 /// How strong points beyond the neighborhood are.
 constexpr float kBeyondAlpha = 0.35F;
+constexpr float kBeyondTinted = 0.8F;
+
+/// Of one tint: status by type. Those of the steps of margins follow those by status.
+constexpr std::size_t kShapes = 9;
+constexpr std::size_t kTinted = 16;
+static_assert(kTinted + kMarginSteps * kShapes <= CloudStyles::kCount);
 
 /// Rows: UNUSED, USED, DONE. Columns: interior, boundary, corner.
 std::uint8_t styleIndex(PointStatus status, std::uint8_t type) {
@@ -32,12 +40,31 @@ CloudStyles stylesFor(const LayerInput& in) {
     s.styles[7] = {c.done, 0.30F, Shape::Square};
     s.styles[8] = {c.done, 0.36F, Shape::Diamond};
     s.styles[kHiddenStyle].shape = Shape::Hidden;
+    if (in.leastMargin.empty()) return s;
+    for (std::size_t step = 0; step < kMarginSteps; ++step) {
+        for (std::size_t i = 0; i < kShapes; ++i) {
+            PointStyle& style = s.styles[kTinted + step * kShapes + i];
+            style = s.styles[i];
+            style.color = marginColor(step, in.theme);
+            // Color can only be seen on what is large enough.
+            style.size = std::max(style.size, 0.4F);
+        }
+    }
     return s;
+}
+
+std::uint8_t styleOf(const LayerInput& in, PointStatus status, std::size_t point) {
+    const std::uint8_t plain = styleIndex(status, in.model.points.type[point]);
+    const auto step = point < in.leastMargin.size() ? marginStep(in.leastMargin[point])
+                                                    : std::optional<std::size_t>{};
+    return step ? static_cast<std::uint8_t>(kTinted + *step * kShapes + plain) : plain;
 }
 
 /// Makes the styles of the points in blocks that are not as they were.
 void fillStyles(const LayerInput& in, DrawList& out) {
     const BlockList<PointStatus>& status = in.picture.status.blocks();
+    if (out.cloudTintMadeOf != in.tint) out.cloudMadeOf = {};
+    out.cloudTintMadeOf = in.tint;
     out.cloudStyleOf.resize(status.size());
     std::array<std::uint8_t, BlockList<std::uint8_t>::kBlock> styles{};
     for (std::size_t b = 0; b < status.blockCount(); ++b) {
@@ -45,8 +72,7 @@ void fillStyles(const LayerInput& in, DrawList& out) {
         const auto block = status.block(b);
         for (std::size_t i = 0; i < block.size(); ++i) {
             const std::size_t p = b * BlockList<PointStatus>::kBlock + i;
-            styles[i] =
-                in.model.drawable[p] ? styleIndex(block[i], in.model.points.type[p]) : kHiddenStyle;
+            styles[i] = in.model.drawable[p] ? styleOf(in, block[i], p) : kHiddenStyle;
         }
         out.cloudStyleOf.setBlock(b, std::span(styles).first(block.size()));
     }
@@ -58,10 +84,12 @@ void fillStyles(const LayerInput& in, DrawList& out) {
 void addNeighborhood(const LayerInput& in, DrawList& out) {
     for (const Index q : in.model.points.neighbors[in.picture.pivot]) {
         if (!in.model.drawable[q]) continue;
-        const std::uint8_t style = styleIndex(in.picture.status[q], in.model.points.type[q]);
+        const std::uint8_t style = styleOf(in, in.picture.status[q], q);
         out.sprites.push_back({in.at(q), out.cloudStyles.styles[style]});
     }
-    for (PointStyle& style : out.cloudStyles.styles) style.color.a *= kBeyondAlpha;
+    // Margins are looked at everywhere.
+    const float beyond = out.marginTint ? kBeyondTinted : kBeyondAlpha;
+    for (PointStyle& style : out.cloudStyles.styles) style.color.a *= beyond;
 }
 
 }  // namespace
@@ -70,6 +98,7 @@ void addPoints(const LayerInput& in, DrawList& out) {
     const std::size_t count = in.model.points.size();
     out.cloudVisible = true;
     out.cloudStyles = stylesFor(in);
+    out.marginTint = !in.leastMargin.empty();
     if (count > kShapesUpTo) {
         for (PointStyle& style : out.cloudStyles.styles) {
             if (style.shape != Shape::Hidden) style = {style.color, 0.16F, Shape::Dot};

@@ -63,6 +63,8 @@ void addTriangles(const LayerInput& in, DrawList& out) {
     // New ones are among them, too; those below cover them.
     out.mended = in.picture.mended;
     if (ordered && in.mesh.style < MeshStyle::Wire) addFadingFan(in, out);
+    // What mending makes is shown with what it does: mending.cpp.
+    if (!ordered) return;
     for (const Triangle& t : in.picture.newTriangles) {
         out.faces.push_back({{in.at(t.a), in.at(t.b), in.at(t.c)}, in.palette.test, true});
     }

@@ -17,6 +17,7 @@ struct MouseLine {
 constexpr std::array kMouse = {
     MouseLine{"left drag", "Orbit"},
     MouseLine{"right, middle or Shift+left drag", "Pan"},
+    MouseLine{"Ctrl+left drag", "Break at the points within"},
     MouseLine{"wheel", "Zoom to the pointer"},
     MouseLine{"click", "Select a point, edge or triangle; on nothing, none"},
     MouseLine{"double click", "Center the orbit on a point"},

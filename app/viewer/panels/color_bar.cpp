@@ -1,5 +1,9 @@
 #include <algorithm>
+#include <array>
+#include <vector>
 
+#include "interface/corner_place.h"
+#include "sight.h"
 #include "view_parts.h"
 #include "widgets.h"
 
@@ -11,11 +15,18 @@ constexpr int kParts = 48;
 /// More components than these are not named one by one.
 constexpr std::size_t kNamed = 8;
 
-/// Text on a plate in the lower right corner of the view; returns where it begins.
+/// Where a plate may stand, the best first; the axes have the other corner.
+constexpr std::array kCorners = {Corner::BottomRight, Corner::TopLeft, Corner::TopRight};
+
+/// Text on a plate in a corner of the view that hides nothing of the decision, if there is one.
 struct Plate {
-    Plate(const PanelContext& context, glm::vec2 wanted) : em(context.em), size(wanted) {
+    Plate(const PanelContext& context, std::span<const Rect> taken, glm::vec2 wanted)
+        : em(context.em), size(wanted) {
         const Rect& view = context.layout.view;
         at = view.max() - size - glm::vec2(0.7F * em, 0.7F * em);
+        const std::vector<LabelMark> marks = Sight(context).surroundings();
+        if (const auto free = freeCorner({view, 0.7F * em, taken, marks}, size, kCorners))
+            at = free->min;
         fits = size.x < 0.6F * view.size.x && size.y < 0.3F * view.size.y;
         list = ImGui::GetWindowDrawList();
         if (!fits) return;
@@ -29,13 +40,13 @@ struct Plate {
     ImDrawList* list = nullptr;
 };
 
-std::optional<Rect> drawBirth(const PanelContext& context) {
+std::optional<Rect> drawBirth(const PanelContext& context, std::span<const Rect> taken) {
     const float em = context.em;
     const std::string last = grouped(context.drawList.birthEnd);
     const std::string title = "triangle, in order of birth";
     const float width = std::max(12.0F * em, ImGui::CalcTextSize(title.c_str()).x);
     const float line = ImGui::GetTextLineHeight();
-    const Plate plate(context, {width + 1.2F * em, 2.0F * line + 1.7F * em});
+    const Plate plate(context, taken, {width + 1.2F * em, 2.0F * line + 1.7F * em});
     if (!plate.fits) return std::nullopt;
     const glm::vec2 at = plate.at + glm::vec2(0.6F * em, 0.4F * em);
     plate.list->AddText(toVec2(at), toU32(context.palette.text), title.c_str());
@@ -60,7 +71,7 @@ std::optional<Rect> drawBirth(const PanelContext& context) {
     return Rect{plate.at, plate.size};
 }
 
-std::optional<Rect> drawComponents(const PanelContext& context) {
+std::optional<Rect> drawComponents(const PanelContext& context, std::span<const Rect> taken) {
     const float em = context.em;
     const std::size_t count = context.drawList.components;
     const std::string title = count == 1 ? "1 component" : grouped(count) + " components";
@@ -68,7 +79,7 @@ std::optional<Rect> drawComponents(const PanelContext& context) {
     const float line = ImGui::GetTextLineHeight();
     const float width = std::max(ImGui::CalcTextSize(title.c_str()).x,
                                  static_cast<float>(named + (count > named ? 1 : 0)) * 2.0F * em);
-    const Plate plate(context, {width + 1.2F * em, 2.0F * line + 1.2F * em});
+    const Plate plate(context, taken, {width + 1.2F * em, 2.0F * line + 1.2F * em});
     if (!plate.fits) return std::nullopt;
     const glm::vec2 at = plate.at + glm::vec2(0.6F * em, 0.4F * em);
     plate.list->AddText(toVec2(at), toU32(context.palette.text), title.c_str());
@@ -87,14 +98,47 @@ std::optional<Rect> drawComponents(const PanelContext& context) {
     return Rect{plate.at, plate.size};
 }
 
+/// The steps of least margins, from nearest to farthest.
+std::optional<Rect> drawMargins(const PanelContext& context, std::span<const Rect> taken) {
+    const float em = context.em;
+    const std::string title = "points: least margin of any test";
+    const float cell = ImGui::CalcTextSize("< 1e-6").x + 0.4F * em;
+    const float width =
+        std::max(ImGui::CalcTextSize(title.c_str()).x, cell * static_cast<float>(kMarginSteps));
+    const float line = ImGui::GetTextLineHeight();
+    const Plate plate(context, taken, {width + 1.2F * em, 2.0F * line + 1.7F * em});
+    if (!plate.fits) return std::nullopt;
+    const glm::vec2 at = plate.at + glm::vec2(0.6F * em, 0.4F * em);
+    plate.list->AddText(toVec2(at), toU32(context.palette.text), title.c_str());
+    const float top = at.y + line + 0.2F * em;
+    const float step = width / static_cast<float>(kMarginSteps);
+    for (std::size_t i = 0; i < kMarginSteps; ++i) {
+        const float x = at.x + step * static_cast<float>(i);
+        plate.list->AddRectFilled({x, top}, {x + step, top + 0.6F * em},
+                                  toU32(marginColor(i, context.ui().settings.theme)));
+        plate.list->AddText({x, top + 0.75F * em}, toU32(context.palette.textDim),
+                            marginStepText(i).c_str());
+    }
+    return Rect{plate.at, plate.size};
+}
+
 }  // namespace
 
-std::optional<Rect> drawColorBar(const PanelContext& context) {
-    if (!context.session().ready() || !context.drawList.meshVisible) return std::nullopt;
+std::optional<Rect> drawColorBar(const PanelContext& context, std::span<const Rect> taken) {
+    if (!context.session().ready()) return std::nullopt;
     std::optional<Rect> place;
     ImGui::PushFont(context.fonts.small);
-    if (context.drawList.meshStyle == MeshStyle::BirthOrder) place = drawBirth(context);
-    if (context.drawList.meshStyle == MeshStyle::Component) place = drawComponents(context);
+    if (context.drawList.cloudVisible && context.drawList.marginTint) {
+        place = drawMargins(context, taken);
+        ImGui::PopFont();
+        return place;
+    }
+    if (!context.drawList.meshVisible) {
+        ImGui::PopFont();
+        return std::nullopt;
+    }
+    if (context.drawList.meshStyle == MeshStyle::BirthOrder) place = drawBirth(context, taken);
+    if (context.drawList.meshStyle == MeshStyle::Component) place = drawComponents(context, taken);
     ImGui::PopFont();
     return place;
 }

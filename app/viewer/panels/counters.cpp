@@ -30,6 +30,8 @@ std::string neighborNote(const PanelContext& context) {
     char text[64];
     if (const auto* nearest = std::get_if<KNearest>(&options.reach)) {
         std::snprintf(text, sizeof text, ": %zu nearest", nearest->k);
+    } else if (const auto* reach = std::get_if<WithinSpacings>(&options.reach)) {
+        std::snprintf(text, sizeof text, ": within %.4g spacings", reach->spacings);
     } else {
         std::snprintf(text, sizeof text, ": within %.4g",
                       std::get<WithinRadius>(options.reach).radius);

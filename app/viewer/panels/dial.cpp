@@ -73,7 +73,7 @@ void explain(const PanelContext& context, const DialTick& tick) {
     std::snprintf(line, sizeof line, "point %u: %.1f\xC2\xB0", tick.point, tick.degrees);
     ImGui::BeginTooltip();
     ImGui::TextUnformatted(line);
-    const PointSet& points = context.session().model().points;
+    const PointSet& points = context.session().shown().points;
     const Index p = context.session().picture().pivot;
     const double height =
         glm::dot(points.position[tick.point] - points.position[p], points.normal[p]);
@@ -88,7 +88,7 @@ void drawDial(const PanelContext& context) {
     Session& session = context.session();
     if (!session.ready()) return;
     const Picture& picture = session.picture();
-    const Dial dial = makeDial(session.model(), picture, picture.event ? &*picture.event : nullptr);
+    const Dial dial = makeDial(session.shown(), picture, picture.event ? &*picture.event : nullptr);
     heading(context, "Dial",
             dial.empty() ? "" : "tangent plane at p " + std::to_string(dial.pivot));
     if (dial.empty()) {

@@ -52,11 +52,21 @@ std::string markedText(const Session& session, const Finding& finding) {
     return "Marked: " + grouped(marked) + " of " + grouped(finding.points.size()) + " points.";
 }
 
+/// Points that were made here go to a file first; none for those of a step on the way.
+std::string commandForMade(const std::string& source, const DoctorCheck& check) {
+    const Result<SampleSpec> spec = sampleFromSource(source);
+    const std::string making = spec ? sampleCommand(spec.value()) : std::string{};
+    if (making.empty()) return {};
+    const std::string stem = sampleStem(spec.value(), spec.value().count);
+    return making + " && " + remedyFor(check, stem + ".ply", stem + "-mended.ply");
+}
+
 /// The command that helps, ready to be pasted: who does so may stand in another folder.
 std::string commandFor(const PanelContext& context, const DoctorCheck& check) {
     namespace fs = std::filesystem;
     const std::string& source = context.session().spec().source;
     if (isScene(source)) return remedyFor(check, source);
+    if (isSample(source)) return commandForMade(source, check);
     std::error_code error;
     const fs::path whole = fs::absolute(source, error);
     const std::string input = (error ? fs::path(source) : whole).lexically_normal().string();

@@ -32,7 +32,7 @@ void drawEvidence(const PanelContext& context, const Event& event) {
     // While the state before is shown, the values stay those of the decision.
     std::optional<Picture> after;
     if (session.showsBefore()) after = makePicture(session.record(), session.cursor());
-    const EvidenceInput input{session.model(), after ? *after : session.picture(), event,
+    const EvidenceInput input{session.shown(), after ? *after : session.picture(), event,
                               &session.overview()};
     for (const EvidenceRow& row : evidenceRows(input)) {
         valueRow(context, row.name.c_str(), row.value);

@@ -17,6 +17,10 @@ namespace fs = std::filesystem;
 void openSource(const PanelContext& context, const std::string& source) {
     UiState& ui = context.ui();
     ui.fileBrowser = false;
+    if (ui.browser == BrowserTask::Mesh) {
+        ui.compare.begin = CompareWith::otherMesh(source);
+        return;
+    }
     if (ui.browser != BrowserTask::Volume) {
         ui.requests.open = source;
         return;
@@ -73,7 +77,7 @@ fs::path firstFolder(const PanelContext& context) {
                           : file                  ? fs::path(source)
                                                   : fs::path();
     if (near.empty()) return fs::current_path(error);
-    return fs::absolute(near, error).parent_path();
+    return fs::absolute(near, error).lexically_normal().parent_path();
 }
 
 void drawScenes(const PanelContext& context) {
@@ -114,6 +118,9 @@ Words wordsFor(BrowserTask task) {
         case BrowserTask::Volume:
             return {"New from volume###browser", "path of a volume, .nrrd or .nhdr",
                     "No volumes (.nrrd, .nhdr) in this folder."};
+        case BrowserTask::Mesh:
+            return {"Compare with a mesh###browser", "path of a mesh: PLY, OBJ or OFF",
+                    "No files that can hold a mesh in this folder."};
         case BrowserTask::Open:
             break;
     }
@@ -126,7 +133,8 @@ void drawPathLine(const PanelContext& context, FileBrowsing& state) {
     const bool save = saving(context);
     ImGui::SetNextItemWidth(-5.0F * context.em);
     // A click beside the line must not leave the keys to nobody.
-    if (!state.shown || state.refocus) ImGui::SetKeyboardFocusHere();
+    // Nor must a page that opens together with the browser and takes the keyboard.
+    if (state.settling > 0 || state.refocus) ImGui::SetKeyboardFocusHere();
     const bool entered = textField("##path", wordsFor(context.ui().browser).hint, state.path,
                                    ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::SameLine();
@@ -192,6 +200,7 @@ void prepare(const PanelContext& context, FileBrowsing& state) {
     if (state.folder.empty() || saving(context)) state.folder = firstFolder(context);
     state.readFolder(fs::path(state.folder));
     state.path = saving(context) ? proposedName(context) : std::string{};
+    state.settling = 3;
     state.overwrite.clear();
 }
 
@@ -220,6 +229,7 @@ void drawFileBrowser(const PanelContext& context) {
     const bool scenes = context.ui().browser == BrowserTask::Open;
     if (shown) scenes ? drawOpen(context, state) : drawFiles(context, state);
     state.shown = true;
+    state.settling = std::max(0, state.settling - 1);
     state.refocus = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
     ImGui::End();
 }

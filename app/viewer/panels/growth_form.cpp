@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 
 #include "panel.h"
 #include "spiraling_edge/field.h"
@@ -80,6 +81,12 @@ void drawVolume(const PanelContext& context) {
     GrowthForm& form = context.ui().growth.form;
     field(context, "File", "path of a .nrrd or .nhdr", form.volume);
     tooltip(form.volume);
+    // A long path shows its beginning.
+    const std::string file = std::filesystem::path(form.volume).filename().string();
+    if (file != form.volume && !file.empty()) {
+        name(context, "");
+        ImGui::TextUnformatted(fitted(file, ImGui::GetContentRegionAvail().x).c_str());
+    }
     if (ImGui::Button("Choose...", {-1.0F, 0.0F})) {
         context.ui().browser = BrowserTask::Volume;
         context.ui().fileBrowser = true;
@@ -97,7 +104,8 @@ void drawNumber(const PanelContext& context, const char* title, const char* help
     const std::string before = text;
     const std::string id = std::string("##") + title;
     const bool entered = textField(id.c_str(), "", text, kNumber);
-    if (text != before || entered) form.bySpacing = spacing;
+    // Enter begins; only what is typed here chooses this one.
+    if (text != before) form.bySpacing = spacing;
     context.ui().where[std::string("field ") + title] = lastItem();
     if (entered) beginByEnter(context);
 }

@@ -94,12 +94,13 @@ void drawSteppers(const PanelContext& context) {
 void drawProgress(const PanelContext& context, float width) {
     const GrowthPage& page = context.ui().growth;
     const int all = Sampler::allSteps();
+    const bool finding = page.phase == GrowthPhase::Finding;
     const std::string step =
-        page.phase == GrowthPhase::Finding
-            ? "finding the surface"
-            : "step " + std::to_string(page.numbers.step) + " of " + std::to_string(all);
-    ImGui::ProgressBar(static_cast<float>(page.numbers.step) / static_cast<float>(all),
-                       {width, ImGui::GetFrameHeight()}, step.c_str());
+        finding ? "finding the surface"
+                : "step " + std::to_string(page.numbers.step) + " of " + std::to_string(all);
+    const float share = finding ? static_cast<float>(page.found)
+                                : static_cast<float>(page.numbers.step) / static_cast<float>(all);
+    ImGui::ProgressBar(share, {width, ImGui::GetFrameHeight()}, step.c_str());
 }
 
 /// What becomes of the points.

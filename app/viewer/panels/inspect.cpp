@@ -26,7 +26,7 @@ std::string marked(const char* name, bool derived) {
 
 void drawPoint(const PanelContext& context, const char* title, Index point) {
     const Session& session = context.session();
-    const PointSet& points = session.model().points;
+    const PointSet& points = session.shown().points;
     ImGui::Spacing();
     ImGui::Separator();
     ImGui::Spacing();

@@ -1,4 +1,6 @@
+#include "interface/recent.h"
 #include "panel.h"
+#include "spiraling_edge/scenes.h"
 #include "widgets.h"
 
 namespace se::view {
@@ -9,9 +11,27 @@ void drawRecent(const PanelContext& context) {
     const std::vector<std::string>& recent = context.ui().recent;
     if (!ImGui::BeginMenu("Recent", !recent.empty())) return;
     for (const std::string& path : recent) {
-        const std::string name = fitted(path, 30.0F * context.em) + "##" + path;
+        const std::string shown = isSample(path) ? recentName(path) : path;
+        const std::string name = fitted(shown, 30.0F * context.em) + "##" + path;
         if (ImGui::MenuItem(name.c_str())) context.ui().requests.open = path;
     }
+    ImGui::EndMenu();
+}
+
+void drawScene(const PanelContext& context, const Scene& scene) {
+    if (ImGui::MenuItem(std::string(scene.title).c_str()))
+        context.ui().requests.open = sceneSource(scene.id);
+    tooltip(std::string(scene.watch));
+}
+
+/// Built-in inputs: those that work, and those that fail.
+void drawScenes(const PanelContext& context) {
+    if (ImGui::BeginMenu("Scenes")) {
+        for (const Scene& scene : scenes()) drawScene(context, scene);
+        ImGui::EndMenu();
+    }
+    if (!ImGui::BeginMenu("What goes wrong")) return;
+    for (const FailureScene& each : failureScenes()) drawScene(context, each.scene);
     ImGui::EndMenu();
 }
 
@@ -37,9 +57,21 @@ void drawMeshStyles(const PanelContext& context) {
     ImGui::EndMenu();
 }
 
+/// So are the colors of the points.
+void drawPointTints(const PanelContext& context) {
+    if (!ImGui::BeginMenu("Points")) return;
+    for (const PointTintRow& row : pointTints()) {
+        const bool on = context.ui().settings.pointTint == row.id;
+        const std::string command = "view.points." + std::string(row.name);
+        if (ImGui::MenuItem(std::string(row.title).c_str(), nullptr, on)) context.run(command);
+    }
+    ImGui::EndMenu();
+}
+
 /// Stands in a menu within the menu.
 bool isChoice(const Command& command) {
-    return (command.id.starts_with("view.layout.") || command.id.starts_with("view.mesh.")) &&
+    const auto among = [&](std::string_view menu) { return command.id.starts_with(menu); };
+    return (among("view.layout.") || among("view.mesh.") || among("view.points.")) &&
            !command.id.ends_with(".next");
 }
 
@@ -56,9 +88,13 @@ void drawGroup(const PanelContext& context, std::string_view group) {
     for (const Command& command : commands()) {
         if (command.group != group || isChoice(command)) continue;
         drawItem(context, command);
-        if (command.id == "file.open") drawRecent(context);
+        if (command.id == "file.open") {
+            drawRecent(context);
+            drawScenes(context);
+        }
         if (command.id == "view.layout.next") drawLayouts(context);
         if (command.id == "view.mesh.next") drawMeshStyles(context);
+        if (command.id == "view.mesh.next") drawPointTints(context);
     }
     ImGui::EndMenu();
 }

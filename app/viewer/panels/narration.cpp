@@ -64,9 +64,11 @@ void drawAddressLine(const PanelContext& context) {
 
 }  // namespace
 
-void drawNarration(const PanelContext& context) {
+void drawNarration(const PanelContext& context) { drawSentence(context, "##narration"); }
+
+void drawSentence(const PanelContext& context, const char* window) {
     const Session& session = context.session();
-    if (beginRegion("##narration", context.layout.narration)) {
+    if (beginRegion(window, context.layout.narration)) {
         const Event* event = session.event();
         std::string sentence;
         Color color = context.palette.accent;
@@ -74,6 +76,8 @@ void drawNarration(const PanelContext& context) {
         if (event != nullptr) {
             sentence = (session.showsBefore() ? "Before this: " : "") + describe(*event);
             color = outcomeColor(context.palette, *event).value_or(color);
+            if (!session.noticedHere().empty()) color = context.palette.rejected;
+            sentence += session.noticedText();
         } else if (!session.message().empty()) {
             sentence = session.message();
         } else if (session.ready()) {

@@ -43,7 +43,8 @@ void drawLoading(const PanelContext& context) {
     Session& session = context.session();
     if (beginNotice(context, "##loading")) {
         const std::string& source = session.opening().source;
-        heading(context, "Opening", fitted(source, 16.0F * context.em));
+        heading(context, session.runsAnew() ? "Running anew" : "Opening",
+                fitted(source, 16.0F * context.em));
         ImGui::ProgressBar(static_cast<float>(session.loadShare()), {-1.0F, 0.0F},
                            partName(session.loadPart()));
         if (ImGui::Button("Cancel")) session.cancelOpening();
@@ -95,6 +96,11 @@ Progressed goneThrough(const Session& session) {
     return {"pivot " + grouped(run.lastPivot), made / std::max(1.0F, expected)};
 }
 
+/// How far the hits of the breakpoints are known.
+Progressed searched(const Session& session) {
+    return {"hits", static_cast<float>(session.hits().share())};
+}
+
 /// Only for moves that take a while; others are over before this is drawn.
 void drawMove(const PanelContext& context) {
     Session& session = context.session();
@@ -106,7 +112,10 @@ void drawMove(const PanelContext& context) {
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                          ImGuiWindowFlags_AlwaysAutoResize)) {
-        const Progressed move = session.awaitsLength() ? goneThrough(session) : moved(session);
+        const Progressed move = session.awaitsStop()     ? searched(session)
+                                : session.awaitsLength() ? goneThrough(session)
+                                                         : moved(session);
+        if (session.awaitsStop()) ImGui::TextDisabled("Looking for the breakpoint ...");
         if (session.awaitsLength()) {
             ImGui::TextDisabled("How long is the run? It is gone through first.");
         }
@@ -152,7 +161,9 @@ bool viewIsFree(const PanelContext& context) {
 
 void drawNotices(const PanelContext& context) {
     const Session& session = context.session();
-    if (session.phase() == SessionPhase::Loading) drawLoading(context);
+    // A run anew is over before this could be read, as a rule.
+    const bool soon = session.runsAnew() && session.anewSeconds() < kLongMove;
+    if (session.phase() == SessionPhase::Loading && !soon) drawLoading(context);
     if (session.phase() == SessionPhase::Failed) drawError(context);
     if (session.phase() == SessionPhase::Ready && session.busySeconds() > kLongMove)
         drawMove(context);

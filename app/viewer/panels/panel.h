@@ -13,6 +13,14 @@
 
 namespace se::view {
 
+/// The second view of the layout Compare.
+struct OtherView {
+    CommandContext* commands;  ///< Of the other run; null: a mesh that lies there finished.
+    const DrawList& list;
+    const StatusCounts& counts;
+    unsigned texture;
+};
+
 struct PanelContext {
     CommandContext& commands;
     const Palette& palette;
@@ -22,6 +30,7 @@ struct PanelContext {
     const StatusCounts& counts;
     float em;
     unsigned viewTexture;
+    const OtherView* other = nullptr;  ///< Null: there is none.
 
     Session& session() const { return commands.session; }
     Playback& playback() const { return commands.playback; }
@@ -40,7 +49,12 @@ void drawStartPage(const PanelContext& context);
 void drawGrowthPage(const PanelContext& context);
 void drawTransport(const PanelContext& context);
 void drawView(const PanelContext& context);
+/// The column, the titles, the second view and its sentence of the layout Compare.
+void drawCompareColumn(const PanelContext& context);
+void drawComparedViews(const PanelContext& context);
 void drawNarration(const PanelContext& context);
+/// The decision of the context's session, in a window of that name.
+void drawSentence(const PanelContext& context, const char* window);
 void drawDrawer(const PanelContext& context);
 void drawStatusBar(const PanelContext& context);
 void drawCheatSheet(const PanelContext& context);
@@ -63,9 +77,27 @@ void drawDial(const PanelContext& context);
 void drawPaper(const PanelContext& context);
 /// Bookmarks, and the person's own text.
 void drawNotes(const PanelContext& context);
+/// Where the run is to stop, and the log of the places where it is not.
+void drawBreakpoints(const PanelContext& context);
+/// Numbers of the run, and how they change.
+void drawWatch(const PanelContext& context);
 /// What the doctor says of the input.
 void drawDoctor(const PanelContext& context);
+/// What went wrong in the run.
+void drawAlerts(const PanelContext& context);
+/// What may happen otherwise at the cursor, and what does already.
+void drawWhatIf(const PanelContext& context);
+/// Over the view, while the run is not the true one.
+void drawWhatIfBanner(const PanelContext& context);
+/// All rules as switches.
+void drawRules(const PanelContext& context);
 void drawLayerSwitches(const PanelContext& context);
+/// Why something is in the mesh, or why it is not.
+void drawLedger(const PanelContext& context);
+/// Decisions that a line of words finds, and the closest calls.
+void drawQuery(const PanelContext& context);
+/// The whole run as charts.
+void drawCharts(const PanelContext& context);
 
 // Parts of others.
 /// Brings the tree of steps up to the session: at the beginning of a frame, and wherever a click

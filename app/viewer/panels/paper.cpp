@@ -1,6 +1,8 @@
 #include "steps/paper.h"
 
+#include "interface/alert_actions.h"
 #include "panel.h"
+#include "run/gallery.h"
 #include "scene/outcome.h"
 #include "steps/evidence_rows.h"
 #include "widgets.h"
@@ -42,11 +44,38 @@ void drawLine(const PanelContext& context, const std::string& line, bool present
     ImGui::PopStyleColor();
 }
 
+/// Of a scene that fails: what, where, what the paper says of it, and what helps.
+void drawGallery(const PanelContext& context) {
+    Session& session = context.session();
+    const FailureScene* each = galleryScene(session.spec().source);
+    if (each == nullptr) return;
+    heading(context, std::string(each->scene.title).c_str(), "scene that fails");
+    ImGui::TextWrapped("%s", std::string(each->scene.watch).c_str());
+    ImGui::Spacing();
+    if (beginValues("##gallery", context)) {
+        valueRow(context, "failure", titleOf(*findFailureClass(each->failure)),
+                 context.palette.rejected);
+        valueRow(context, "decision", std::string(each->address));
+        valueRow(context, "paper", std::string(each->section) + ": " + std::string(each->sentence));
+        valueRow(context, "what helps", std::string(each->helps));
+        endValues();
+    }
+    if (ImGui::SmallButton(("Go to " + std::string(each->address)).c_str())) {
+        context.playback().pause();
+        if (const auto address = addressFromString(each->address)) session.goTo(*address);
+    }
+    context.ui().where["gallery decision"] = lastItem();
+    ImGui::Spacing();
+    ImGui::Separator();
+    ImGui::Spacing();
+}
+
 }  // namespace
 
 void drawPaper(const PanelContext& context) {
     const Session& session = context.session();
     if (!session.ready()) return;
+    drawGallery(context);
     const Event* event = session.event();
     if (event == nullptr) {
         heading(context, "Paper");

@@ -21,7 +21,7 @@ std::optional<PivotArrow> offerPivotArrow(const PanelContext& context) {
     const Rect& view = context.layout.view;
     const Index pivot = session.picture().pivot;
     const auto arrow = edgeArrow(context.camera().matrices(view.size.x / view.size.y),
-                                 session.model().place[pivot], view.size, kInset * context.em);
+                                 session.shown().place[pivot], view.size, kInset * context.em);
     if (!arrow) return std::nullopt;
     const glm::vec2 half(kTip * context.em);
     PivotArrow found{*arrow, {view.min + arrow->at - half, 2.0F * half}};

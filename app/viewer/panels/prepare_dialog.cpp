@@ -39,14 +39,21 @@ bool valueField(const PanelContext& context, const char* id, std::string& text, 
 
 bool drawNeighbors(const PanelContext& context, PrepareForm& form) {
     using Reach = PrepareForm::Reach;
-    part(context, "Neighbors", context.session().model().report.neighborsComputed);
-    choice(context, "From the input##n", form.reach, Reach::File,
-           "Its lists; if it has none, the 12 nearest");
+    const Session& session = context.session();
+    const bool computed = session.model().report.neighborsComputed;
+    part(context, "Neighbors", computed);
+    const bool none = computed && !session.spec().neighbors.recompute;
+    choice(context, none ? "The 12 nearest, as the input has no lists" : "From the input##n",
+           form.reach, Reach::File, "Its lists; if it has none, the 12 nearest");
     choice(context, "Nearest, so many", form.reach, Reach::Nearest,
            "The k nearest points (--neighbors)");
     bool entered = valueField(context, "##count", form.count, form.reach, Reach::Nearest);
     choice(context, "Within a radius", form.reach, Reach::Radius, "In scene units (--radius)");
     entered = valueField(context, "##radius", form.radius, form.reach, Reach::Radius) || entered;
+    choice(context, "Within spacings", form.reach, Reach::Spacings,
+           "So many times the mean distance to the nearest point (--reach)");
+    entered =
+        valueField(context, "##spacings", form.spacings, form.reach, Reach::Spacings) || entered;
     ImGui::Checkbox("Symmetric", &form.symmetric);
     tooltip("Whoever lists a point is listed by it as well (--symmetric)");
     ImGui::SameLine(kChoice * context.em);
@@ -58,8 +65,9 @@ bool drawNeighbors(const PanelContext& context, PrepareForm& form) {
 void drawNormals(const PanelContext& context, PrepareForm& form) {
     const DerivedPieces& derived = context.session().model().report.derived;
     part(context, "Normals", derived.normals || derived.orientation);
-    choice(context, "From the input##m", form.normals, NormalSource::AsGiven,
-           "Derived from the positions if it has none");
+    const bool none = derived.normals && context.session().spec().normals != NormalSource::Derived;
+    choice(context, none ? "Derived, as the input has none" : "From the input##m", form.normals,
+           NormalSource::AsGiven, "Derived from the positions if it has none");
     choice(context, "Turned to agree with each other", form.normals, NormalSource::Oriented,
            "Those of the input, outward for closed parts (--orient)");
     choice(context, "Derived from the positions", form.normals, NormalSource::Derived,
@@ -114,7 +122,7 @@ void drawPrepareDialog(const PanelContext& context) {
     const glm::vec2 screen(context.layout.status.size.x, context.layout.status.max().y);
     ImGui::SetNextWindowPos({0.5F * screen.x, 0.5F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSize(
-        {std::min(30.0F * em, screen.x - 2.0F * em), std::min(37.5F * em, screen.y - 1.0F * em)});
+        {std::min(30.0F * em, screen.x - 2.0F * em), std::min(39.3F * em, screen.y - 1.0F * em)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
     const bool shown = ImGui::Begin(
         "Prepare", &form.open,
@@ -126,7 +134,8 @@ void drawPrepareDialog(const PanelContext& context) {
             (form.complaint.empty() ? 1.0F : 2.6F) * ImGui::GetFrameHeightWithSpacing() + 0.4F * em;
         bool entered = false;
         // The buttons stay in sight where the window is low.
-        if (ImGui::BeginChild("##fields", {0.0F, -buttons}, false)) {
+        // To keys they and the fields are one.
+        if (ImGui::BeginChild("##fields", {0.0F, -buttons}, false, ImGuiWindowFlags_NavFlattened)) {
             entered = drawNeighbors(context, form);
             drawNormals(context, form);
             entered = drawWalls(context, form) || entered;

@@ -67,7 +67,11 @@ void drawRow(const PanelContext& context, const RingPath& ring) {
     }
     if (ImGui::IsItemHovered()) {
         context.ui().navigation.pointedRing = ring.id;
-        tooltip("Click: keep it lit. Double click: show all of it.");
+        tooltip("Click: keep it lit. Double click: show all of it. Right click: why is it there?");
+        if (ImGui::IsMouseReleased(ImGuiMouseButton_Right) && session.event() != nullptr) {
+            context.ui().subjectMenu.open(
+                RingPlace{session.address(), ring.active ? 0 : ring.depth + 1});
+        }
     }
     const bool first = &ring == &session.picture().rings.front();
     if (first && context.ui().walk.offer(KeyStop::Rings)) takeKeyboard();
@@ -179,6 +183,8 @@ void drawPoint(const RingStrip& strip, std::size_t i) {
     if (ImGui::IsItemFocused() && ImGui::GetIO().NavVisible) context.ui().pointedAt = point;
     if (ImGui::IsItemHovered()) {
         context.ui().pointedAt = point;
+        if (ImGui::IsMouseReleased(ImGuiMouseButton_Right))
+            context.ui().subjectMenu.open(Selection::ofPoint(point));
         const std::string role = roleOf(session.picture(), point);
         tooltip("point " + number + (role.empty() ? "" : ": " + role) +
                 "\nClick selects it; the wheel moves along the ring.");

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "lane_strip.h"
+#include "session/hit_search.h"
 #include "strips.h"
 #include "widgets.h"
 
@@ -70,6 +71,37 @@ void drawAlerts(const RunStrip& strip) {
     }
 }
 
+/// What went wrong on the way: thin strokes along the top of the lanes, one per pixel; and the
+/// three moments of the alert that is looked at.
+void drawNoticed(const RunStrip& strip) {
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const Session& session = strip.context.session();
+    const Palette& palette = strip.context.palette;
+    const float em = strip.context.em;
+    const float top = strip.lanes.min.y;
+    float last = -1.0F;
+    for (const LiveFailure& each : session.overview().failures) {
+        const float x = std::round(strip.xOf(each.address.pivot));
+        if (x == last || x < strip.bars.min.x || x > strip.bars.max().x) continue;
+        last = x;
+        list->AddRectFilled({x, top - 0.1F * em}, {x + 1.0F, top + 0.3F * em},
+                            toU32(palette.rejected));
+    }
+    const RunFailure* alert = session.alert();
+    if (alert == nullptr) return;
+    const FailureMoments& moments = alert->moments;
+    for (const LedgerLine* line : {&moments.created, &moments.unavoidable, &moments.touched}) {
+        const float x = std::round(strip.xOf(line->event.address.pivot));
+        if (x < strip.bars.min.x || x > strip.bars.max().x) continue;
+        const bool created = line == &moments.created;
+        const Color color = created ? palette.rejected : palette.text;
+        list->AddRectFilled({x - 0.04F * em, top}, {x + 0.04F * em + 1.0F, strip.lanes.max().y},
+                            toU32(color.withAlpha(0.8F)));
+        list->AddCircleFilled({x + 0.5F, strip.lanes.max().y - 0.3F * em}, 0.28F * em,
+                              toU32(color));
+    }
+}
+
 /// A flag with the number of the bookmark, as long as there is a key for it.
 void drawBookmarks(const RunStrip& strip) {
     ImDrawList* list = ImGui::GetWindowDrawList();
@@ -88,6 +120,26 @@ void drawBookmarks(const RunStrip& strip) {
         const std::string number = std::to_string((i + 1) % kBookmarkKeys);
         list->AddText(strip.context.fonts.text, 0.75F * em, {x + 0.65F * em, bottom - 0.95F * em},
                       color, number.c_str());
+    }
+}
+
+/// A tick at each pivot where the run stops: upright, from the lower edge of the lanes.
+void drawStops(const RunStrip& strip) {
+    const PanelContext& context = strip.context;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float bottom = strip.lanes.max().y;
+    const float top = bottom - 0.45F * context.em;
+    const auto columns = static_cast<std::size_t>(std::max(1.0F, strip.bars.size.x));
+    const float width = std::max(2.0F, 0.12F * context.em);
+    for (const Breakpoint& each : context.session().hits().wanted()) {
+        const LineHits* known = context.session().hits().of(each.line);
+        if (!each.on || known == nullptr) continue;
+        const ImU32 color = toU32(each.logOnly ? context.palette.textDim : context.palette.test);
+        for (const std::uint32_t pivot :
+             stopPivots(each, known->list, {strip.window().from(), strip.window().to()}, columns)) {
+            const float x = std::round(strip.xOf(pivot));
+            list->AddRectFilled({x - 0.5F * width, top}, {x + 0.5F * width, bottom}, color);
+        }
     }
 }
 
@@ -241,7 +293,9 @@ void drawRunStrip(const PanelContext& context, const Rect& area) {
     if (!folded) drawScale(strip);
     drawLanes(strip);
     drawAlerts(strip);
+    drawNoticed(strip);
     drawLoop(strip);
+    drawStops(strip);
     drawBookmarks(strip);
     drawPlayhead(strip);
     ImGui::PopClipRect();

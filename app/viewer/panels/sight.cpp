@@ -58,7 +58,7 @@ std::vector<LabelMark> Sight::surroundings() const {
     if (!context_.session().ready()) return all;
     const Session& session = context_.session();
     for (const Index point : surroundingsOf(session.picture())) {
-        const auto place = at(session.model().place[point]);
+        const auto place = at(session.shown().place[point]);
         if (!place) continue;
         const bool pivot = point == session.picture().pivot;
         all.push_back({*place, (pivot ? kAboutPivot : kAboutOthers) * context_.em});

@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
+#include "interface/recent.h"
 #include "panel.h"
+#include "run/gallery.h"
 #include "widgets.h"
 
 namespace se::view {
@@ -109,7 +112,14 @@ void drawTiles(const PanelContext& context) {
         const ImVec2 size(std::floor(share), std::round((kPicture + 2.1F) * em + sentence));
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
         int column = 0;
+        bool failing = false;
         for (const SceneTile& tile : page.tiles) {
+            // Scenes that fail stand behind the others, under a heading of their own.
+            if (galleryScene(tile.id) != nullptr && !std::exchange(failing, true)) {
+                column = 0;
+                ImGui::Spacing();
+                heading(context, "What goes wrong, and why");
+            }
             if (column++ % columns != 0) ImGui::SameLine();
             drawTile(context, tile, size);
         }
@@ -177,8 +187,7 @@ void drawRecent(const PanelContext& context) {
     std::string chosen;
     int place = 0;
     for (const std::string& path : recent) {
-        const std::string name = std::filesystem::path(path).filename().string();
-        const std::string label = fitted(name, width) + "##" + path;
+        const std::string label = fitted(recentName(path), width) + "##" + path;
         if (ImGui::Selectable(label.c_str())) chosen = path;
         const std::string what = hasKeyboard() ? "chosen recent " : "recent ";
         context.ui().where[what + std::to_string(++place)] = lastItem();

@@ -24,6 +24,8 @@ std::vector<std::string> partsOf(const PanelContext& context) {
     }
     parts.push_back("triangles " +
                     grouped(picture.finishedTriangles + picture.newTriangles.size()));
+    const std::size_t alerts = noticedUpTo(session.overview(), session.address());
+    if (alerts > 0) parts.push_back("alerts " + grouped(alerts));
     parts.push_back("unused " + grouped(context.counts.unused) + "   used " +
                     grouped(context.counts.used) + "   done " + grouped(context.counts.done));
     return parts;

@@ -71,7 +71,10 @@ RowAction drawRow(const PanelContext& context, std::size_t index, bool here, boo
     }
     if (ImGui::IsItemHovered()) {
         if (row.kind >= StepRowKind::Stage) {
-            context.ui().pointedAt = subjectOf(context.session().record().events[row.event]);
+            const Index subject = subjectOf(context.session().record().events[row.event]);
+            context.ui().pointedAt = subject;
+            if (subject != kNone && ImGui::IsMouseReleased(ImGuiMouseButton_Right))
+                context.ui().subjectMenu.open(Selection::ofPoint(subject));
         }
         tooltip(stepRowTooltip(context, row));
     }

@@ -1,22 +1,33 @@
 #include <array>
+#include <vector>
 
 #include "panel.h"
+#include "subject_menu.h"
+#include "tab_rows.h"
 #include "widgets.h"
 
 namespace se::view {
 
 namespace {
 
-constexpr std::array<SidePanel, 9> kSidePanels = {{
+constexpr std::array<SidePanel, 17> kSidePanels = {{
     {"Steps", true, 0.66F, drawSteps},
     {"Rings", true, 0.34F, drawRings},
     {"Dial", false, 0.0F, drawDial},
     {"Inspect", false, 0.0F, drawInspect},
     {"Paper", false, 0.0F, drawPaper},
+    {kRulesTab, false, 0.0F, drawRules},
+    {kWhatIfTab, false, 0.0F, drawWhatIf},
     {"Counts", false, 0.0F, drawCounters},
     {"Layers", false, 0.0F, drawLayerSwitches},
     {"Notes", false, 0.0F, drawNotes},
+    {kAlertsTab, false, 0.0F, drawAlerts},
+    {kBreakpointsTab, false, 0.0F, drawBreakpoints},
+    {kWatchTab, false, 0.0F, drawWatch},
     {kDoctorTab, false, 0.0F, drawDoctor},
+    {kLedgerTab, false, 0.0F, drawLedger},
+    {kQueryTab, false, 0.0F, drawQuery},
+    {kChartsTab, false, 0.0F, drawCharts},
 }};
 
 void drawLeftColumn(const PanelContext& context) {
@@ -106,6 +117,36 @@ void drawTabs(const PanelContext& context) {
     }
 }
 
+std::vector<const SidePanel*> rightTabs(const PanelContext& context) {
+    std::vector<const SidePanel*> tabs;
+    for (const SidePanel& panel : kSidePanels) {
+        if (isTab(context, panel)) tabs.push_back(&panel);
+    }
+    return tabs;
+}
+
+/// In Learn the rule comes first, and there is no list of steps.
+std::vector<const SidePanel*> learnTabs() {
+    std::vector<const SidePanel*> tabs;
+    for (const bool rule : {true, false}) {
+        for (const SidePanel& panel : kSidePanels) {
+            if (!panel.left && (panel.draw == drawPaper) == rule) tabs.push_back(&panel);
+        }
+    }
+    return tabs;
+}
+
+/// True if that is where there is room for: else their names have to be scrolled.
+bool drawRowsOfTabs(const PanelContext& context, ColumnTabs tabs) {
+    if (!tabRowsFit(context, tabs)) return false;
+    const SidePanel* open = drawTabRows(context, tabs);
+    // Each is scrolled by itself.
+    ImGui::PushID(open->title);
+    drawContent(context, *open);
+    ImGui::PopID();
+    return true;
+}
+
 /// Learn has the panels as tabs on the left, the rule first; no list of steps.
 void drawLearnColumn(const PanelContext& context) {
     const ImGuiStyle& style = ImGui::GetStyle();
@@ -115,25 +156,22 @@ void drawLearnColumn(const PanelContext& context) {
                         {tight ? 0.22F * context.em : usual.x, usual.y});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing,
                         {tight ? 0.1F * context.em : style.ItemInnerSpacing.x, 0.0F});
-    if (beginRegion("##learn", context.layout.left) &&
+    if (beginRegion("##learn", context.layout.left) && !drawRowsOfTabs(context, learnTabs()) &&
         ImGui::BeginTabBar("##learnTabs",
                            tabFlags(!tight || context.layout.left.size.x >= 17.0F * context.em))) {
-        for (const bool rule : {true, false}) {
-            for (const SidePanel& panel : kSidePanels) {
-                if (panel.left || (panel.draw == drawPaper) != rule) continue;
-                ImGui::PushFont(tight ? context.fonts.small : context.fonts.text);
-                const bool open =
-                    ImGui::BeginTabItem(panel.title, nullptr, wantedFlag(context, panel));
-                ImGui::PopFont();
-                noteTab(context, panel, context.layout.left);
-                if (!open) continue;
-                offerTab(context);
-                context.ui().openTab = panel.title;
-                ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, usual);
-                drawContent(context, panel);
-                ImGui::PopStyleVar();
-                ImGui::EndTabItem();
-            }
+        for (const SidePanel* panel : learnTabs()) {
+            ImGui::PushFont(tight ? context.fonts.small : context.fonts.text);
+            const bool open =
+                ImGui::BeginTabItem(panel->title, nullptr, wantedFlag(context, *panel));
+            ImGui::PopFont();
+            noteTab(context, *panel, context.layout.left);
+            if (!open) continue;
+            offerTab(context);
+            context.ui().openTab = panel->title;
+            ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, usual);
+            drawContent(context, *panel);
+            ImGui::PopStyleVar();
+            ImGui::EndTabItem();
         }
         ImGui::EndTabBar();
     }
@@ -149,7 +187,8 @@ void drawDialColumn(const PanelContext& context) {
 }
 
 void drawRightColumn(const PanelContext& context) {
-    if (beginRegion("##right", context.layout.right)) {
+    if (beginRegion("##right", context.layout.right) &&
+        (tabNamesFit(context) || !drawRowsOfTabs(context, rightTabs(context)))) {
         const bool tight = !tabNamesFit(context);
         if (tight) ImGui::PushFont(context.fonts.small);
         const float pad = tight ? 0.22F * context.em : ImGui::GetStyle().FramePadding.x;
@@ -172,6 +211,7 @@ void drawColumns(const PanelContext& context) {
     drawTransport(context);
     drawStatusBar(context);
     if (context.layout.arrangement == Arrangement::Learn) return drawLearnColumn(context);
+    if (context.layout.arrangement == Arrangement::Compare) return drawCompareColumn(context);
     if (!context.layout.narrow) drawLeftColumn(context);
     if (context.layout.dialApart) drawDialColumn(context);
     drawRightColumn(context);
@@ -185,19 +225,22 @@ void drawBorders(const PanelContext& context) {
     const auto horizontal = [&](float y) {
         list->AddRectFilled({0.0F, y}, {l.menu.size.x, y + 1.0F}, color);
     };
+    const float top = l.title.size.y > 0.0F ? l.title.min.y : l.view.min.y;
     const auto vertical = [&](float x) {
-        list->AddRectFilled({x, l.view.min.y}, {x + 1.0F, l.drawer.min.y}, color);
+        list->AddRectFilled({x, top}, {x + 1.0F, l.drawer.min.y}, color);
     };
     horizontal(l.transport.max().y);
     horizontal(l.drawer.min.y);
     horizontal(l.status.min.y);
     if (l.left.size.x > 0.0F) vertical(l.left.max().x);
     if (l.right.size.x > 0.0F) vertical(l.right.min.x);
+    if (l.otherView.min.x > l.view.min.x) vertical(l.otherView.min.x);
     if (l.dialApart) {
         list->AddRectFilled(toVec2(l.right.min), {l.right.max().x, l.right.min.y + 1.0F}, color);
     }
     list->AddRectFilled({l.narration.min.x, l.narration.min.y},
-                        {l.narration.max().x, l.narration.min.y + 1.0F}, color);
+                        {l.narration.max().x + l.otherNarration.size.x, l.narration.min.y + 1.0F},
+                        color);
 }
 
 }  // namespace
@@ -224,6 +267,7 @@ void drawPanels(const PanelContext& context) {
     } else {
         drawColumns(context);
         drawView(context);
+        if (context.layout.arrangement == Arrangement::Compare) drawComparedViews(context);
         drawNarration(context);
         drawDrawer(context);
     }
@@ -233,12 +277,14 @@ void drawPanels(const PanelContext& context) {
         !context.ui().fileBrowser && !context.ui().palette.open && !context.ui().leaving.asked &&
         !context.ui().prepare.open)
         drawBorders(context);
+    if (!growth && !startPage) drawWhatIfBanner(context);
     if (!growth) drawNotices(context);
     drawFileBrowser(context);
     drawCheatSheet(context);
     drawKeyEditor(context);
     drawCommandPalette(context);
     drawPrepareDialog(context);
+    drawSubjectMenu(context);
     drawLeaveQuestion(context);
 }
 

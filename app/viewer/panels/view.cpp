@@ -32,7 +32,7 @@ Pick underMouse(const PanelContext& context) {
     const bool mesh = isOn(context, LayerId::Triangles);
     const bool rings = isOn(context, LayerId::EdgeRing);
     const PickScene scene{
-        session.model(), isOn(context, LayerId::Points),
+        session.shown(), isOn(context, LayerId::Points),
         mesh ? session.shownTriangles() : std::span<const Triangle>{},
         session.picture().mended ? nullptr : &session.meshIndex(),
         rings ? std::span<const RingPath>(session.picture().rings) : std::span<const RingPath>{}};
@@ -64,6 +64,15 @@ void handleClicks(const PanelContext& context) {
     if (const auto picked = click.due(ImGui::GetTime())) context.session().select(*picked);
 }
 
+/// A right click that was no drag opens the menu of what is there.
+void handleRightClick(const PanelContext& context) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (!ImGui::IsItemDeactivated() || !ImGui::IsMouseReleased(ImGuiMouseButton_Right)) return;
+    const float limit = kClickShare * io.DisplaySize.y;
+    if (io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Right] >= limit * limit) return;
+    context.ui().subjectMenu.open(underMouse(context).what);
+}
+
 /// Lights up the neighbor of the pivot that the pointer is on, here and on the dial. Only those: to
 /// look at all points in every frame would take too long.
 void hoverNeighbor(const PanelContext& context) {
@@ -72,15 +81,17 @@ void hoverNeighbor(const PanelContext& context) {
     if (pivot == kNone) return;
     const Rect& view = context.layout.view;
     const CameraMatrices camera = context.camera().matrices(view.size.x / view.size.y);
-    context.ui().pointedAt = pickAmong(session.model(), session.model().points.neighbors[pivot],
+    context.ui().pointedAt = pickAmong(session.shown(), session.shown().points.neighbors[pivot],
                                        camera, view.size, localMouse(view), 0.6F * context.em);
 }
 
 void handleMouse(const PanelContext& context) {
+    if (context.session().ready() && handleLasso(context)) return;
     moveCameraByMouse(context);
     if (!context.session().ready()) return;
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) hoverNeighbor(context);
     handleClicks(context);
+    handleRightClick(context);
 }
 
 /// Which of the two states it is, where somebody looks back.
@@ -115,20 +126,24 @@ void drawOver(const PanelContext& context, const std::optional<PivotArrow>& arro
     if (arrow) note(arrow->rect);
     note(drawShownState(context));
     note(drawAxes(context, taken));
-    note(drawColorBar(context));
-    if (context.ui().settings.legend) note(drawLegend(context, taken));
+    note(drawColorBar(context, taken));
+    // Where two runs are compared the column beside them says what the colors mean.
+    const bool compared = context.layout.arrangement == Arrangement::Compare;
+    if (context.ui().settings.legend && !compared) note(drawLegend(context, taken));
     drawLabels(context, taken);
     if (arrow) drawPivotArrow(context, *arrow);
 }
 
 }  // namespace
 
-void drawView(const PanelContext& context) {
+void drawView(const PanelContext& context) { drawScene(context, "##view"); }
+
+void drawScene(const PanelContext& context, const char* window) {
     const Rect& view = context.layout.view;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::PushStyleColor(ImGuiCol_WindowBg, toVec4(context.palette.background));
     const bool open = beginRegion(
-        "##view", view, ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoScrollWithMouse);
+        window, view, ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
     if (open && view.size.x >= 1.0F && view.size.y >= 1.0F) {
@@ -144,6 +159,7 @@ void drawView(const PanelContext& context) {
         ImGui::GetWindowDrawList()->AddImage(texture, toVec2(view.min), toVec2(view.max()), {0, 1},
                                              {1, 0});
         drawOver(context, arrow);
+        drawLasso(context);
     }
     ImGui::End();
 }

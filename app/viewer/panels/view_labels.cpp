@@ -59,7 +59,7 @@ void drawLabels(const PanelContext& context, std::span<const Rect> taken) {
     const Picture& picture = context.session().picture();
     if (context.session().ready() && picture.pivot != kNone) {
         room.middle =
-            sight.at(context.session().model().place[picture.pivot]).value_or(room.middle);
+            sight.at(context.session().shown().place[picture.pivot]).value_or(room.middle);
     }
     const std::vector<PlacedLabel> placed = placeLabels(room, wishes);
     ImDrawList* list = ImGui::GetWindowDrawList();

@@ -53,6 +53,8 @@ std::string_view cureText(Cure cure) {
             return "Whoever lists a point is listed by it as well.";
         case Cure::Walls:
             return "Takes the walls of the box around all points for those of the file.";
+        case Cure::Rim:
+            return "Takes the points where the surface ends without a wall for boundary points.";
     }
     return "";
 }
@@ -92,6 +94,7 @@ Result<std::vector<std::string>> cure(PointFile& file, const Cures& cures, Prepa
     }
     if (has(cures, Cure::Symmetric)) options.neighbors.symmetric = true;
     if (has(cures, Cure::Walls)) options.walls = boxAround(file.position);
+    if (has(cures, Cure::Rim)) options.rim = true;
     return done;
 }
 
@@ -107,6 +110,11 @@ std::vector<std::string> takeOverCured(const Prepared& prepared, const PrepareOp
     if (has(cures, Cure::Walls)) {
         file.type = points.type;
         done.emplace_back("types taken from the box around all points");
+    }
+    if (has(cures, Cure::Rim)) {
+        file.type = points.type;
+        done.push_back(counted(prepared.report.derived.rimChains, "rim", "rims") +
+                       " taken for boundaries");
     }
     const bool newLists = has(cures, Cure::NewLists);
     if (!newLists && !has(cures, Cure::Symmetric)) return done;

@@ -22,6 +22,7 @@ class Maker {
     Maker(const Model& model, const Picture& picture)
         : points_(model.points),
           picture_(picture),
+          gapLimit_(gapLimitDegrees(model.params)),
           frame_(makeFrame(points_.position[picture.pivot], points_.normal[picture.pivot],
                            points_.position[picture.first], model.params.rules.tangent)) {}
 
@@ -183,14 +184,15 @@ class Maker {
         if (e.t != picture_.start) name(e.t, "t");
         if (e.s != picture_.end) name(e.s, "s");
         const double from = degreesOf(e.t);
-        const bool wide = e.gapDegrees > 120.0;
+        const double limit = gapLimit_;
+        const bool wide = e.gapDegrees > limit;
         dial_.arcs.push_back(
             {wide ? DialArc::Kind::TooWide : DialArc::Kind::Gap, from, from + e.gapDegrees});
-        dial_.marks.push_back({from + 120.0, "120\xC2\xB0"});
-        dial_.caption = e.verdict == Verdict::NoCircle
-                            ? text("gap %.1f\xC2\xB0 of 120\xC2\xB0; no circle", e.gapDegrees)
-                            : text("gap %.1f\xC2\xB0 of 120\xC2\xB0; d \xE2\x88\x92 r = %+.3g",
-                                   e.gapDegrees, e.distance - e.radius);
+        dial_.marks.push_back({from + limit, text("%.4g\xC2\xB0", limit)});
+        const std::string gap = text("gap %.1f\xC2\xB0 of %.4g\xC2\xB0; ", e.gapDegrees, limit);
+        dial_.caption = gap + (e.verdict == Verdict::NoCircle
+                                   ? "no circle"
+                                   : text("d \xE2\x88\x92 r = %+.3g", e.distance - e.radius));
     }
     void show(const TwoPointEvidence& e) {
         const bool over = e.verdict == Verdict::Discarded;
@@ -251,6 +253,7 @@ class Maker {
 
     const PointSet& points_;
     const Picture& picture_;
+    double gapLimit_;  ///< §6.3, degrees.
     Frame frame_;
     Dial dial_;
     Stage stage_ = Stage::Pivot;

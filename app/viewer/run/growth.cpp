@@ -35,6 +35,7 @@ struct Growth::Job {
     std::optional<std::string> error;
     GrowthPhase phase = GrowthPhase::Finding;
 
+    std::atomic<double> found = 0.0;
     std::atomic<bool> ended = false;
     std::jthread thread;  // last: it uses all of the above
 };
@@ -44,11 +45,12 @@ namespace {
 /// Measures as often as it can without holding up the steps.
 class Measurer {
   public:
-    SampleQuality of(const Field& field, const PointFile& points, bool atOnce) {
+    SampleQuality of(const Field& field, const PointFile& points, bool atOnce,
+                     const Progress& goOn) {
         const auto now = Clock::now();
         const std::chrono::duration<double> since = now - last_;
         if (!atOnce && since.count() * kMeasureShare < cost_) return known_;
-        known_ = measureSample(field, points);
+        known_ = measureSample(field, points, goOn);
         last_ = Clock::now();
         cost_ = std::chrono::duration<double>(last_ - now).count();
         return known_;
@@ -61,12 +63,12 @@ class Measurer {
 };
 
 GrowthPicture pictureOf(const Field& field, const Sampler& sampler, Measurer& measurer,
-                        bool resting) {
+                        bool resting, const Progress& goOn) {
     GrowthPicture picture;
     picture.points = std::make_shared<const PointFile>(sampler.points());
     picture.step = sampler.steps();
     picture.wanted = sampler.spacing();
-    picture.quality = measurer.of(field, *picture.points, resting);
+    picture.quality = measurer.of(field, *picture.points, resting, goOn);
     picture.low = field.low;
     picture.high = field.high;
     return picture;
@@ -134,6 +136,8 @@ void Growth::step() {
 }
 void Growth::finish() { tell(kAll, false); }
 
+double Growth::found() const { return job_ ? job_->found.load() : 0.0; }
+
 bool Growth::poll() {
     dropEnded();
     if (!job_) return false;
@@ -178,8 +182,10 @@ class Growth::Worker {
         Result<Field> field = surfaceOf(job_.spec);
         if (!field) return fail(field.error().message);
         field_ = std::move(field.value());
-        Result<Sampler> begun = Sampler::begin(field_, job_.spec.sampler(),
-                                               [this](double) { return !stop_.stop_requested(); });
+        Result<Sampler> begun = Sampler::begin(field_, job_.spec.sampler(), [this](double share) {
+            job_.found = share;
+            return !stop_.stop_requested();
+        });
         if (!begun) return fail(begun.error().message);
         Sampler& sampler = begun.value();
         publish(sampler, GrowthPhase::Spreading);
@@ -191,7 +197,7 @@ class Growth::Worker {
                 rest();
                 continue;
             }
-            sampler.step();
+            if (!sampler.step(goOn_)) return;
             if (turn == Turn::StepAndShow && !sampler.done()) {
                 publish(sampler, GrowthPhase::Spreading);
             }
@@ -211,7 +217,7 @@ class Growth::Worker {
     /// A picture that nobody took gives way to the next one; the last is always the newest.
     void publish(const Sampler& sampler, GrowthPhase phase) {
         const bool resting = phase != GrowthPhase::Spreading;
-        GrowthPicture picture = pictureOf(field_, sampler, measurer_, resting);
+        GrowthPicture picture = pictureOf(field_, sampler, measurer_, resting, goOn_);
         const std::scoped_lock lock(job_.mutex);
         job_.fresh = std::move(picture);
         // Whoever was told to go on meanwhile does not rest.
@@ -242,6 +248,7 @@ class Growth::Worker {
 
     Job& job_;
     std::stop_token stop_;
+    const Progress goOn_ = [this](double) { return !stop_.stop_requested(); };
     Field field_;
     Measurer measurer_;
     Clock::time_point next_ = Clock::now();

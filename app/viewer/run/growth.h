@@ -63,6 +63,8 @@ class Growth {
     GrowthPhase phase() const { return phase_; }
     /// Null before the surface is found, and after a failure or cancel().
     const GrowthPicture* picture() const { return picture_ ? &*picture_ : nullptr; }
+    /// While the surface is searched for and particles are scattered over it: the share done.
+    double found() const;
     const std::string& error() const { return error_; }
     /// What was begun last, up to the step that the picture shows: which points these are.
     SampleSpec spec() const;

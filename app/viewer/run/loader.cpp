@@ -1,6 +1,9 @@
 #include "loader.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "spiraling_edge/what_if_check.h"
 
 namespace se::view {
 
@@ -10,10 +13,17 @@ Loader::~Loader() {
     cancelled_.clear();
 }
 
-void Loader::begin(const InputSpec& spec) {
+void Loader::begin(const InputSpec& spec) { begin(spec, std::nullopt); }
+
+void Loader::begin(const InputSpec& spec, const RunAnew& anew) {
+    begin(spec, std::optional<RunAnew>(anew));
+}
+
+void Loader::begin(const InputSpec& spec, std::optional<RunAnew> anew) {
     cancel();
     job_ = std::make_unique<Job>();
     job_->spec = spec;
+    job_->anew = std::move(anew);
     job_->thread = std::jthread([&job = *job_] {
         job.result = work(job);
         job.done = true;
@@ -38,17 +48,86 @@ void Loader::finish() {
     if (job_ && job_->thread.joinable()) job_->thread.join();
 }
 
-Result<Opened> Loader::work(Job& job) {
-    Result<Loaded> loaded = loadInput(job.spec, job.progress);
+namespace {
+
+Error cancelled() { return Error{"Opening was cancelled."}; }
+
+/// The points would be prepared in the same way.
+bool sameInput(const Params& a, const Params& b) {
+    return a.dropOpposingNormals == b.dropOpposingNormals && a.setNoiseAside == b.setNoiseAside;
+}
+
+Result<Opened> openInput(const InputSpec& spec, LoadProgress& progress) {
+    Result<Loaded> loaded = loadInput(spec, progress);
     if (!loaded) return loaded.error();
-    job.progress.part = LoadPart::Beginning;
-    Opened opened{std::move(loaded.value().model), nullptr, std::move(loaded.value().file)};
-    opened.runner = std::make_unique<Runner>(opened.model);
-    opened.runner->request(0);
-    while (!opened.runner->wait(std::chrono::milliseconds(50))) {
-        if (job.progress.cancelled) return Error{"Opening was cancelled."};
+    return Opened{std::move(loaded.value().model), nullptr, std::move(loaded.value().file)};
+}
+
+/// The same points under other rules.
+Result<Opened> openAnew(const InputSpec& spec, const RunAnew& anew, LoadProgress& progress) {
+    const Result<Params> params = paramsOf(spec);
+    if (!params) return params.error();
+    if (!sameInput(params.value(), anew.model->params)) return openInput(spec, progress);
+    auto model = std::make_shared<Model>(*anew.model);
+    model->params = params.value();
+    return Opened{std::move(model), nullptr, nullptr};
+}
+
+/// Fails if one is refused that the run did not have before.
+Status checkForks(Opened& opened, const std::vector<WhatIf>& known, LoadProgress& progress) {
+    const Model& model = *opened.model;
+    const auto answers = checkWhatIfs(model.points, model.params,
+                                      [&](double) { return !progress.cancelled.load(); });
+    if (!answers) return cancelled();
+    for (std::size_t i = 0; i < answers->size(); ++i) {
+        const WhatIf& what = model.params.whatIf[i];
+        const bool is = std::find(known.begin(), known.end(), what) != known.end();
+        const std::string why = (*answers)[i] ? std::string{} : (*answers)[i].error().message;
+        if (!why.empty() && !is) return Error{lineOf(what) + " is refused. " + why};
+        opened.whatIfs.push_back(why);
     }
-    return {std::move(opened)};
+    return success();
+}
+
+std::vector<MovedModel> movedModels(const Model& model) {
+    std::vector<MovedModel> made;
+    for (EditedPoints& each : editedPoints(model.points, model.params)) {
+        auto moved = std::make_shared<Model>(model);
+        moved->points = std::move(each.points);
+        for (const WhatIf& what : model.params.whatIf) {
+            if (what.kind != WhatIfKind::Move || what.point >= moved->place.size()) continue;
+            moved->place[what.point] = moved->toView(moved->points.position[what.point]);
+        }
+        made.push_back({each.from, std::move(moved)});
+    }
+    return made;
+}
+
+}  // namespace
+
+Result<Opened> Loader::work(Job& job) {
+    Result<Opened> made =
+        job.anew ? openAnew(job.spec, *job.anew, job.progress) : openInput(job.spec, job.progress);
+    if (!made) return made;
+    Opened& opened = made.value();
+    job.progress.part = LoadPart::Beginning;
+    // What a session file holds is open in any case, and says what has no effect.
+    const std::vector<WhatIf>& known = job.anew ? job.anew->spec.whatIf : job.spec.whatIf;
+    if (const Status good = checkForks(opened, known, job.progress); !good) return good.error();
+    opened.moved = movedModels(*opened.model);
+    if (job.anew) {
+        const Model& before = *job.anew->model;
+        opened.place = findSamePlace({before.points, before.params}, job.anew->cursor,
+                                     {opened.model->points, opened.model->params},
+                                     [&job] { return !job.progress.cancelled.load(); });
+        if (!opened.place) return cancelled();
+    }
+    opened.runner = std::make_unique<Runner>(opened.model);
+    opened.runner->request(opened.place ? opened.place->pivot : 0);
+    while (!opened.runner->wait(std::chrono::milliseconds(50))) {
+        if (job.progress.cancelled) return cancelled();
+    }
+    return made;
 }
 
 }  // namespace se::view

@@ -10,14 +10,34 @@
 
 #include "model.h"
 #include "runner.h"
+#include "same_place.h"
 
 namespace se::view {
+
+/// What is to be drawn from a pivot on.
+struct MovedModel {
+    std::uint32_t from = 0;
+    std::shared_ptr<const Model> model;
+};
 
 /// An input, and its run at the start: the runner's first answer is there to be taken.
 struct Opened {
     std::shared_ptr<const Model> model;
     std::unique_ptr<Runner> runner;
-    std::shared_ptr<const PointFile> file;  ///< As it was read.
+    std::shared_ptr<const PointFile> file;  ///< As it was read; null: as it was before.
+    /// Why a what-if has no effect, one for each; empty texts: it has.
+    std::vector<std::string> whatIfs = {};
+    /// The model as what-ifs move its points, each from a pivot on: for drawing.
+    std::vector<MovedModel> moved = {};
+    /// If an open run was begun anew: where its cursor belongs. The runner has gone there.
+    std::optional<SamePlace> place = std::nullopt;
+};
+
+/// What is begun anew, with the place of its cursor.
+struct RunAnew {
+    std::shared_ptr<const Model> model;
+    InputSpec spec;
+    CursorPlace cursor;
 };
 
 class Loader {
@@ -30,6 +50,9 @@ class Loader {
 
     /// Opens another input; what was being opened is cancelled.
     void begin(const InputSpec& spec);
+    /// Opens the same input under other rules or with other what-ifs; points that stay as they are
+    /// are not made again. Fails if a new what-if is refused.
+    void begin(const InputSpec& spec, const RunAnew& anew);
     void cancel();
     /// Something is being opened, or waits to be taken.
     bool busy() const { return job_ != nullptr; }
@@ -43,11 +66,13 @@ class Loader {
   private:
     struct Job {
         InputSpec spec;
+        std::optional<RunAnew> anew;
         LoadProgress progress;
         std::atomic<bool> done = false;
         std::optional<Result<Opened>> result;
         std::jthread thread;  // last: it uses all of the above
     };
+    void begin(const InputSpec& spec, std::optional<RunAnew> anew);
     static Result<Opened> work(Job& job);
 
     std::unique_ptr<Job> job_;

@@ -175,14 +175,9 @@ PrepareOptions prepareOptions(const InputSpec& spec, const Params& params, const
 
 Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress) {
     auto model = std::make_shared<Model>();
-    const std::optional<Params> params = paramsByName(spec.rules);
-    if (!params) return Error{"There is no rule set \"" + spec.rules + "\"."};
-    model->params = *params;
-    if (const Status known = applyChoices(spec.choices, model->params.rules); !known) {
-        return known.error();
-    }
-    if (spec.keepOpposing) model->params.dropOpposingNormals = false;
-    if (spec.keepNoise) model->params.setNoiseAside = false;
+    const Result<Params> params = paramsOf(spec);
+    if (!params) return params.error();
+    model->params = params.value();
     Result<PointFile> file = readSource(spec, *model, progress);
     if (!file) return file.error();
     progress.part = LoadPart::Preparing;

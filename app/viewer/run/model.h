@@ -9,11 +9,12 @@
 #include <vector>
 
 #include "cure.h"
-#include "rule_choice.h"
+#include "rule_set.h"
 #include "sample_spec.h"
 #include "spiraling_edge/io.h"
 #include "spiraling_edge/params.h"
 #include "spiraling_edge/prepare.h"
+#include "spiraling_edge/rule_settings.h"
 
 namespace se::view {
 
@@ -44,8 +45,8 @@ struct InputSpec {
     /// A path, `scene:ID`, or the line of text of a SampleSpec. Empty: the first scene.
     std::string source;
     NeighborOptions neighbors;
-    std::string rules = "paper";           ///< A name that paramsByName() knows.
-    std::vector<RuleChoice> choices = {};  ///< Single rules that differ from that set.
+    std::string rules = "paper";          ///< A name that paramsByName() knows.
+    std::vector<RuleValue> choices = {};  ///< Single rules that differ from that set.
     Cures cures = {};  ///< What the doctor's findings advise, as far as a person followed it.
     NormalSource normals = NormalSource::AsGiven;
     WallChoice walls = {};
@@ -54,6 +55,7 @@ struct InputSpec {
     bool keepNoise = false;     ///< Likewise: no point is set aside for noise.
     /// What `source` means, if it is at hand already: then nothing is read or sampled.
     std::shared_ptr<const PointFile> points = nullptr;
+    std::vector<WhatIf> whatIf = {};  ///< What a person lets happen instead of what the rules say.
 };
 /// What prepare() is to be told, for points of `file`.
 PrepareOptions prepareOptions(const InputSpec& spec, const Params& params, const PointFile& file);

@@ -32,7 +32,9 @@ double secondsSince(std::chrono::steady_clock::time_point began) {
 class Observer {
   public:
     explicit Observer(const Model& model)
-        : model_(model), stepper_(model.points, model.params, &log_) {}
+        : model_(model), stepper_(model.points, model.params, &log_) {
+        if (model.points.size() <= kMostWatched) live_.emplace(model.points);
+    }
 
     const State& state() const { return stepper_.state(); }
 
@@ -49,6 +51,7 @@ class Observer {
         if (complete || !log_.events().empty()) noteEvents(run);
         noteMarks(run, before, alerts);
         noteShape(run);
+        noteFailures(run);
         if (!complete) {
             // What happens behind the last pivot has the next number, if anything does.
             const bool any = !(state().counters == before);
@@ -104,6 +107,15 @@ class Observer {
         }
     }
 
+    void noteFailures(RunOverview& run) {
+        if (!live_) return;
+        for (LiveFailure& each : live_->see(log_.events())) {
+            if (noticed_++ == kMostNoticed) live_.reset();
+            if (!live_) return;
+            run.failures.push_back(std::move(each));
+        }
+    }
+
     /// If this pivot, or a seed, has begun a component or completed one.
     void noteShape(RunOverview& run) {
         for (const Event& event : log_.events()) {
@@ -125,6 +137,8 @@ class Observer {
     EventLog log_;
     Stepper stepper_;
     LaneKeeper lanes_;
+    std::optional<LiveCheck> live_;  ///< Not of very large inputs.
+    std::size_t noticed_ = 0;
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
@@ -178,11 +192,32 @@ void append(RunOverview& overview, const RunOverview& fresh) {
     appendList(overview.marks, fresh.marks);
     appendList(overview.shapes, fresh.shapes);
     appendList(overview.laneChanges, fresh.laneChanges);
+    appendList(overview.failures, fresh.failures);
     overview.lanes = std::max(overview.lanes, fresh.lanes);
     overview.longestRing = std::max(overview.longestRing, fresh.longestRing);
     overview.deepestStack = std::max(overview.deepestStack, fresh.deepestStack);
     overview.lastPivot = std::max(overview.lastPivot, fresh.lastPivot);
     overview.complete = fresh.complete;
+}
+
+std::span<const LiveFailure> failuresAt(const RunOverview& run, const Address& address) {
+    // Within a pivot a strand may come before a seed: only the pivots are in order for sure.
+    const auto begin = std::partition_point(
+        run.failures.begin(), run.failures.end(),
+        [&](const LiveFailure& each) { return each.address.pivot < address.pivot; });
+    const auto first = std::find_if(begin, run.failures.end(), [&](const LiveFailure& each) {
+        return each.address.pivot > address.pivot || each.address == address;
+    });
+    auto last = first;
+    while (last != run.failures.end() && last->address == address) ++last;
+    return {first, last};
+}
+
+std::size_t noticedUpTo(const RunOverview& run, const Address& address) {
+    const auto end = std::partition_point(
+        run.failures.begin(), run.failures.end(),
+        [&](const LiveFailure& each) { return each.address.pivot <= address.pivot; });
+    return static_cast<std::size_t>(end - run.failures.begin());
 }
 
 OverviewThread::OverviewThread(std::shared_ptr<const Model> model)

@@ -4,13 +4,16 @@
 
 #include <atomic>
 #include <mutex>
+#include <optional>
+#include <span>
 #include <thread>
 #include <vector>
 
 #include "component_shape.h"
 #include "model.h"
-#include "run_lanes.h"
 #include "spiraling_edge/event.h"
+#include "spiraling_edge/live_check.h"
+#include "spiraling_edge/ring_lanes.h"
 
 namespace se {
 struct State;
@@ -58,6 +61,12 @@ struct ComponentSummary {
     std::size_t refused = 0;
 };
 
+/// So many failures are kept.
+inline constexpr std::size_t kMostNoticed = 100000;
+/// Runs on more points than this are not watched for failures while they go on: the tables of all
+/// edges and cells would need as much memory as the run.
+inline constexpr std::size_t kMostWatched = 300000;
+
 /// Lists with one element per pivot begin with the first pivot.
 struct RunOverview {
     std::vector<std::uint32_t> ringLength;  ///< Of the active ring, per completed pivot.
@@ -69,12 +78,21 @@ struct RunOverview {
     std::vector<RunMark> marks;
     std::vector<ComponentShape> shapes;  ///< Of the components that are complete.
     std::vector<LaneChange> laneChanges;
+    /// What went wrong, at the decision that brought it about, in the order of the run; of a very
+    /// tangled run the first kMostNoticed.
+    std::vector<LiveFailure> failures;
     std::uint32_t lanes = 0;  ///< Most at a time.
     std::uint32_t longestRing = 0;
     std::uint32_t deepestStack = 0;
     std::uint32_t lastPivot = 0;  ///< Of the whole run if complete, else the farthest so far.
     bool complete = false;
 };
+
+/// Those at an address, in order.
+std::span<const LiveFailure> failuresAt(const RunOverview& run, const Address& address);
+
+/// How many were noticed before the end of the pivot of an address.
+std::size_t noticedUpTo(const RunOverview& run, const Address& address);
 
 class OverviewThread {
   public:

@@ -39,6 +39,7 @@ bool isRejection(Verdict verdict) {
         case Verdict::Meets:
         case Verdict::OtherSideOpen:
         case Verdict::NoThirdPoint:
+        case Verdict::WhatIfDropped:
             return true;
         default:
             return false;

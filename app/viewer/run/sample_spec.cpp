@@ -185,10 +185,11 @@ Result<PointFile> samplePoints(const SampleSpec& spec, const Progress& progress)
     if (!begun) return begun.error();
     Sampler& sampler = begun.value();
     while (sampler.steps() < spec.steps) {
-        if (progress && !progress(static_cast<double>(sampler.steps()) / spec.steps)) {
-            return Error{"sampling was cancelled"};
-        }
-        sampler.step();
+        const double done = sampler.steps();
+        const auto goOn = [&](double share) {
+            return !progress || progress((done + share) / spec.steps);
+        };
+        if (!sampler.step(goOn)) return Error{"sampling was cancelled"};
     }
     return sampler.points();
 }

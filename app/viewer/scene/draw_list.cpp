@@ -10,6 +10,7 @@ void DrawList::clear() {
     DrawList fresh;
     std::swap(fresh.cloudStyleOf, cloudStyleOf);
     std::swap(fresh.cloudMadeOf, cloudMadeOf);
+    fresh.cloudTintMadeOf = cloudTintMadeOf;
     *this = std::move(fresh);
 }
 

@@ -87,13 +87,20 @@ struct Label {
 
 /// Styles of the points of the input, chosen per point by one byte.
 struct CloudStyles {
-    static constexpr std::size_t kCount = 16;
+    static constexpr std::size_t kCount = 80;
     std::array<PointStyle, kCount> styles{};
 };
 
 /// Finished triangles from `first` up to the next stretch.
 struct MeshStretch {
     std::size_t first = 0;
+    Color color;
+};
+
+/// Finished triangles in a color of their own, drawn over the others.
+struct TintedTriangles {
+    std::shared_ptr<const std::vector<Triangle>> triangles;  ///< Null: none.
+    std::size_t count = 0;                                   ///< The first so many of them.
     Color color;
 };
 
@@ -105,6 +112,8 @@ struct DrawList {
     /// What cloudStyleOf was made of: stays when all else is cleared, so that only blocks of points
     /// that changed are made anew.
     BlockList<std::int32_t> cloudMadeOf;
+    std::uint32_t cloudTintMadeOf = 0;  ///< Likewise; 0: by status.
+    bool marginTint = false;            ///< Points have the color of their least margin.
 
     // Finished triangles: uploaded once, drawn up to a count.
     std::size_t finishedTriangles = 0;
@@ -121,6 +130,8 @@ struct DrawList {
 
     /// Triangles to draw instead of the finished ones, if not null.
     std::shared_ptr<const std::vector<Triangle>> mended;
+
+    std::array<TintedTriangles, 2> tinted{};
 
     std::vector<Face> faces;  ///< New triangles: lit, opaque.
     std::vector<Line> lines;

@@ -17,6 +17,7 @@ std::optional<Color> outcomeColor(const Palette& palette, const Event& event) {
         case Verdict::Hole:
         case Verdict::Before:
         case Verdict::After:
+        case Verdict::WhatIfKept:
             return palette.used;
         case Verdict::Moved:
             return palette.test;

@@ -7,12 +7,14 @@ namespace se::view {
 
 namespace {
 
-constexpr std::array<ArrangementRow, 3> kRows = {{
+constexpr std::array<ArrangementRow, 4> kRows = {{
     {Arrangement::Debug, "debug", "Debug", "All panels."},
     {Arrangement::Learn, "learn", "Learn",
      "The rule beside a large view, the decision in large print. F2: next layout."},
     {Arrangement::Present, "present", "Present",
      "View, caption and the run alone. F2 brings the panels back; all keys work."},
+    {Arrangement::Compare, "compare", "Compare",
+     "Two views on one timeline. D: first difference. Ctrl+D, F2: back."},
 }};
 
 }  // namespace
@@ -31,7 +33,9 @@ std::optional<Arrangement> arrangementFromName(std::string_view name) {
 }
 
 Arrangement following(Arrangement arrangement) {
-    return kRows[(static_cast<std::size_t>(arrangement) + 1) % kRows.size()].id;
+    constexpr std::size_t kOnKey = 3;
+    const std::size_t next = static_cast<std::size_t>(arrangement) + 1;
+    return kRows[next < kOnKey ? next : 0].id;
 }
 
 }  // namespace se::view

@@ -29,7 +29,7 @@ bool hasTriangle(const std::vector<Triangle>& mesh, const Selection& triangle) {
 }
 
 void addEdge(const Session& session, const Selection& edge, SelectionFacts& facts) {
-    const PointSet& points = session.model().points;
+    const PointSet& points = session.shown().points;
     const Index a = edge.points[0];
     const Index b = edge.points[1];
     facts.length = glm::length(points.position[b] - points.position[a]);
@@ -47,7 +47,7 @@ void addEdge(const Session& session, const Selection& edge, SelectionFacts& fact
 }
 
 void addTriangle(const Session& session, const Selection& triangle, SelectionFacts& facts) {
-    const PointSet& points = session.model().points;
+    const PointSet& points = session.shown().points;
     facts.degrees = cornerDegrees(points, triangle.triangle());
     facts.area = triangleArea(points, triangle.triangle());
     facts.number = session.meshIndex().find(session.triangles(), triangle.triangle());

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "questions.h"
+
 namespace se::view {
 
 namespace {
@@ -13,17 +15,58 @@ constexpr std::size_t kShortNotice = 80;
 
 }  // namespace
 
+Session::Session() : questions_(std::make_unique<Questions>()) {}
+
+Session::~Session() = default;
+
 void Session::open(InputSpec spec) {
+    anew_ = false;
     opening_ = std::move(spec);
     error_.clear();
     phase_ = SessionPhase::Loading;
     loader_.begin(opening_);
 }
 
+void Session::runAnew(const RuleSet& rules) {
+    if (!ready() || (phase_ == SessionPhase::Loading && !anew_)) return;
+    cancelMove();
+    anew_ = true;
+    anewSince_ = Clock::now();
+    opening_ = withRules(spec_, rules);
+    error_.clear();
+    phase_ = SessionPhase::Loading;
+    const Event* at = event();
+    loader_.begin(opening_,
+                  {model_, spec_, {address(), at != nullptr ? subjectOf(*at) : kNone, atEnd()}});
+}
+
+const std::string& Session::whatIfProblem(std::size_t i) const {
+    static const std::string none;
+    return i < whatIfProblems_.size() ? whatIfProblems_[i] : none;
+}
+
+const Model& Session::shown() const {
+    const Model* found = model_.get();
+    for (const MovedModel& each : moved_) {
+        if (record_ != nullptr && each.from <= record_->pivot) found = each.model.get();
+    }
+    return *found;
+}
+
 void Session::cancelOpening() {
     loader_.cancel();
     dismissError();
-    say("Opening was cancelled.");
+    say(anew_ ? "Cancelled: the run is as it was." : "Opening was cancelled.");
+}
+
+/// The old run stays if a new one is refused.
+void Session::fail(std::string why) {
+    if (anew_) {
+        dismissError();
+        return say(std::move(why));
+    }
+    error_ = std::move(why);
+    phase_ = SessionPhase::Failed;
 }
 
 void Session::adopt(Opened opened) {
@@ -39,21 +82,41 @@ void Session::adopt(Opened opened) {
     moves_.clear();
     waiting_ = false;
     awaitedShare_.reset();
-    selection_ = {};
-    marked_.clear();
-    accused_ = false;
-    checkup_.wait(std::move(opened.file));
+    awaitedStop_ = 0;
+    whatIfProblems_ = std::move(opened.whatIfs);
+    moved_ = std::move(opened.moved);
+    if (!opened.place) {
+        selection_ = {};
+        marked_.clear();
+    }
+    if (opened.file) {
+        accused_ = false;
+        checkup_.wait(std::move(opened.file));
+    }
+    questions_->begin(model_);
+    hits_.open(model_);
+    watches_.open(model_);
+    alerts_.wait(model_);
+    alert_.reset();
+    remedies_.forget();
+    alertNews_ = false;
     highlightedRing_ = hoveredRing_ = kNone;
     ++generation_;
     ++revision_;
     phase_ = SessionPhase::Ready;
     overviewThread_ = std::make_unique<OverviewThread>(model_);
+    const std::string said = notice();
     say(model_->cured ? "Mended: " + mendedText(*model_) + "." : model_->watch);
     missed_ = false;
     // The loader has asked for the start of the run, and has waited for the answer.
-    landing_ = Landing::Last;
+    landing_ = opened.place ? Landing::AtSamePlace : Landing::Last;
+    if (opened.place) samePlace_ = *opened.place;
     target_ = {};
     takeAnswer();
+    if (opened.place) {
+        const bool undone = said.starts_with("Undone:") || said.starts_with("Redone:");
+        say((undone ? said + " " : "") + describe(samePlace_, address()));
+    }
 }
 
 bool Session::poll() {
@@ -62,8 +125,7 @@ bool Session::poll() {
         if (opened->ok()) {
             adopt(std::move(opened->value()));
         } else {
-            error_ = opened->error().message;
-            phase_ = SessionPhase::Failed;
+            fail(opened->error().message);
         }
         changed = true;
     }
@@ -74,14 +136,22 @@ bool Session::poll() {
         changed = overviewThread_->update(overview_) || changed;
         if (gone) goToAwaited();
     }
+    changed = questions_->poll() || changed;
+    changed = hits_.poll() || changed;
+    changed = watches_.poll() || changed;
+    goToAwaitedStop();
     return pollCheckup() || changed;
 }
 
-/// The doctor comes last: neither the first picture nor the run waits for it.
+/// Doctor and alerts come last: neither the first picture nor the run waits for them.
 bool Session::pollCheckup() {
     if (!ready() || !overviewThread_ || !overviewThread_->done()) return false;
     checkup_.begin();
-    if (!checkup_.poll()) return false;
+    alerts_.begin();
+    const bool alerted = alerts_.poll();
+    alertNews_ = alertNews_ || alerted;
+    const bool tried = remedies_.poll();
+    if (!checkup_.poll()) return alerted || tried;
     const auto found = checkup_.findings();
     accused_ =
         std::any_of(found.begin(), found.end(), [](const Finding& f) { return f.accuses(); });
@@ -92,12 +162,18 @@ void Session::settle() {
     loader_.finish();
     poll();
     if (overviewThread_) overviewThread_->finish();
+    hits_.finish();
+    watches_.finish();
     poll();
     while (busy()) {
         if (waiting_) runner_->wait(std::chrono::milliseconds(200));
+        if (awaitsStop()) hits_.finish();
         poll();
     }
     checkup_.finish();
+    questions_->finish();
+    alerts_.finish();
+    remedies_.finish();
     poll();
 }
 
@@ -142,6 +218,25 @@ void Session::mark(std::vector<Index> points) {
     if (marked_ == points) return;
     marked_ = std::move(points);
     ++revision_;
+}
+
+void Session::chooseAlert(std::optional<std::size_t> alert) {
+    if (alert_ == alert) return;
+    alert_ = alert;
+    ++revision_;
+}
+
+void Session::seekRemedies() { remedies_.begin(model_, *alert_, alert()->failure); }
+
+std::span<const LiveFailure> Session::noticedHere() const {
+    if (event() == nullptr || before_) return {};
+    return failuresAt(overview_, address());
+}
+
+std::string Session::noticedText() const {
+    std::string text;
+    for (const LiveFailure& each : noticedHere()) text += " Alert: " + describe(each);
+    return text;
 }
 
 std::span<const Triangle> Session::shownTriangles() const {

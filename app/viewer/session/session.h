@@ -14,8 +14,11 @@
 #include <thread>
 #include <utility>
 
+#include "alert_search.h"
 #include "checkup.h"
 #include "history.h"
+#include "hit_search.h"
+#include "remedy_search.h"
 #include "run/loader.h"
 #include "run/mesh_index.h"
 #include "run/model.h"
@@ -24,23 +27,42 @@
 #include "run/pivot_record.h"
 #include "run/runner.h"
 #include "run/selection.h"
+#include "watch_scan.h"
 
 namespace se::view {
 
 /// A move that takes so many seconds is shown, and can be stopped.
 inline constexpr double kLongMove = 0.15;
 
+class Questions;
+
 enum class SessionPhase : std::uint8_t { Empty, Loading, Ready, Failed };
 
 class Session {
   public:
-    Session() = default;
-    ~Session() = default;
+    using Clock = std::chrono::steady_clock;
+
+    Session();
+    ~Session();
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
     // Opening. What was open before stays until the new input is ready, or failed.
     void open(InputSpec spec);
+    /// Runs what is open anew, by other rules or with other what-ifs, in a thread. The cursor stays
+    /// where it is by state, as findSamePlace() says, and message() says where it landed and why;
+    /// the selection stays. What is refused is told, and all stays as it is. Requires ready().
+    void runAnew(const RuleSet& rules);
+    /// What is open is being run anew.
+    bool runsAnew() const { return anew_ && phase_ == SessionPhase::Loading; }
+    /// For how long.
+    double anewSeconds() const {
+        return std::chrono::duration<double>(Clock::now() - anewSince_).count();
+    }
+    /// The rules of what is open, or of what is about to be.
+    RuleSet rules() const { return rulesOf(runsAnew() ? opening_ : spec_); }
+    /// Why a what-if of spec() has no effect; empty: it has.
+    const std::string& whatIfProblem(std::size_t i) const;
     /// Goes on at once with what was open before, or with nothing.
     void cancelOpening();
     /// After a failure: goes on with what was open before, or with nothing.
@@ -64,13 +86,40 @@ class Session {
     /// Nothing is open and nothing is on its way: the place to choose something.
     bool startPage() const { return !ready() && phase_ != SessionPhase::Loading; }
     const Model& model() const { return *model_; }
+    /// The same with points where what-ifs have moved them, as far as the cursor is: for drawing.
+    const Model& shown() const;
+    /// For who goes on with it in another thread.
+    std::shared_ptr<const Model> sharedModel() const { return model_; }
     const PivotRecord& record() const { return *record_; }
     const Picture& picture() const { return picture_; }
     const RunOverview& overview() const { return overview_; }
     /// What the doctor says of the input; it looks once the run was gone through.
     const Checkup& checkup() const { return checkup_; }
+    /// What is asked about the run.
+    Questions& questions() { return *questions_; }
+    const Questions& questions() const { return *questions_; }
     /// True once, when the doctor has found something to accuse.
     bool takeAccusation() { return std::exchange(accused_, false); }
+    /// Everything that went wrong in the run; looked for once it was gone through.
+    const AlertSearch& alerts() const { return alerts_; }
+    void stopAlerts() { alerts_.stop(); }
+    void resumeAlerts() { alerts_.resume(); }
+    /// True once, when all alerts are known.
+    bool takeAlertNews() { return std::exchange(alertNews_, false); }
+    /// The alert that is looked at; null if none is.
+    const RunFailure* alert() const { return alert_ ? &alerts_.failures()[*alert_] : nullptr; }
+    std::optional<std::size_t> chosenAlert() const { return alert_; }
+    /// Requires a place in alerts().failures(), or nothing.
+    void chooseAlert(std::optional<std::size_t> alert);
+    /// Which rules would have prevented the alert that is looked at; asked for by seekRemedies().
+    const RemedySearch& remedies() const { return remedies_; }
+    /// Requires that an alert is looked at.
+    void seekRemedies();
+    void stopRemedies() { remedies_.stop(); }
+    /// What goes wrong with the event at the cursor.
+    std::span<const LiveFailure> noticedHere() const;
+    /// The same in words, with a blank before them; empty if all is well.
+    std::string noticedText() const;
     /// Triangles seen so far in this run; the first finishedTriangles of the picture are drawn.
     const std::vector<Triangle>& triangles() const { return triangles_; }
     /// Those that are there at the cursor: the first of triangles(), or the mended mesh.
@@ -127,8 +176,29 @@ class Session {
     /// goes to its next event). Fails with a sentence.
     Status goToText(const std::string& text);
 
+    // Watches.
+    void watch(std::span<const std::string> expressions) { watches_.want(expressions); }
+    const WatchScan& watches() const { return watches_; }
+
+    // Breakpoints (session_stops.cpp).
+    /// Those that there are now; to be called whenever they may have changed.
+    void arm(std::span<const Breakpoint> breakpoints) { hits_.want(breakpoints); }
+    const HitSearch& hits() const { return hits_; }
+    HitSearch& hits() { return hits_; }
+    /// To the next (1) or previous (-1) stop, else to the end or the start of the run; waits for
+    /// the search where it has not come that far.
+    void continueRun(int direction);
+    /// A stop is waited for whose place is not known yet.
+    bool awaitsStop() const { return awaitedStop_ != 0; }
+    /// The first stop behind the cursor, as far as is known.
+    HitSearch::Answer stopAhead() const { return hits_.stop(place(), 1); }
+    /// Goes to a stop, says which one it is, and leaves no trace in the history.
+    void playToStop(const Stop& stop);
+    /// Where the cursor stands in the order of the run.
+    RunPlace place() const;
+
     /// A move waits for the runner thread, or for the run to be gone through.
-    bool busy() const { return waiting_ || !moves_.empty() || awaitsLength(); }
+    bool busy() const { return waiting_ || !moves_.empty() || awaitsLength() || awaitsStop(); }
     /// A share of the run was asked for whose length is not known yet.
     bool awaitsLength() const { return awaitedShare_.has_value(); }
     /// How long it has been waited for; 0 if nothing is.
@@ -164,12 +234,11 @@ class Session {
     /// The last move did not find what it looked for; message() says what. False again with the
     /// next move.
     bool missed() const { return missed_; }
-    using Clock = std::chrono::steady_clock;
     /// The message as long as it is news, then nothing: it must not cover the decision.
     std::string notice(Clock::time_point now = Clock::now()) const;
 
   private:
-    enum class Landing : std::uint8_t { First, Last, AtAddress, AtPoint };
+    enum class Landing : std::uint8_t { First, Last, AtAddress, AtPoint, AtSamePlace };
     struct Move {
         enum class Kind : std::uint8_t { Events, Pivots, Finish, Go, Point } kind = Kind::Go;
         int delta = 0;
@@ -182,6 +251,8 @@ class Session {
     void push(Move move);
     void processMoves();
     void goToAwaited();
+    void goToAwaitedStop();
+    std::string nameOf(const Stop& stop) const;
     void perform(Move move);
     void performEvents(int delta);
     void performPoint(Index point);
@@ -192,6 +263,7 @@ class Session {
     void miss(std::string message);
     void setCursor(std::size_t cursor);
     void adopt(Opened opened);
+    void fail(std::string why);
     bool pollCheckup();
 
     InputSpec spec_;
@@ -224,15 +296,28 @@ class Session {
     std::deque<Move> moves_;
     bool waiting_ = false;
     std::optional<double> awaitedShare_;
+    int awaitedStop_ = 0;  ///< 1: the next, -1: the previous one; 0: none.
     std::chrono::steady_clock::time_point waitingSince_;
     std::uint32_t requested_ = 0;
     Landing landing_ = Landing::Last;
     Address target_;
     Index pointWanted_ = kNone;
 
+    HitSearch hits_;
+    WatchScan watches_;
+    Clock::time_point anewSince_;
+    bool anew_ = false;  ///< What was asked for last is run anew.
+    std::vector<std::string> whatIfProblems_;
+    std::vector<MovedModel> moved_;
+    SamePlace samePlace_;
     Checkup checkup_;
+    AlertSearch alerts_;
+    std::optional<std::size_t> alert_;
+    bool alertNews_ = false;
+    RemedySearch remedies_;
     bool accused_ = false;
     std::vector<Index> marked_;
+    std::unique_ptr<Questions> questions_;
 
     std::unique_ptr<Runner> runner_;
     std::unique_ptr<OverviewThread> overviewThread_;

@@ -7,7 +7,9 @@
 
 #include "layer_text.h"
 #include "run/text.h"
+#include "session_options.h"
 #include "spiraling_edge/io.h"
+#include "stop_text.h"
 
 namespace se::view {
 
@@ -18,18 +20,6 @@ using nlohmann::json;
 
 constexpr int kVersion = 1;
 constexpr std::string_view kFormat = "spiraling-edge session";
-
-/// What is wrong with a part of the file; nothing if all is well.
-using Complaint = std::optional<std::string>;
-
-Complaint expected(const std::string& field, const std::string& what) {
-    return "\"" + field + "\": expected " + what;
-}
-
-const json* find(const json& object, const char* name) {
-    const auto found = object.find(name);
-    return found == object.end() ? nullptr : &*found;
-}
 
 Complaint readHeader(const json& object) {
     const json* format = find(object, "format");
@@ -77,106 +67,6 @@ Complaint readInput(const json& object, const fs::path& folder, SessionFile& out
     return std::nullopt;
 }
 
-Complaint readReach(const json& options, NeighborOptions& out) {
-    if (const json* count = find(options, "neighbors"); count != nullptr) {
-        if (!count->is_number_integer() || *count < 1 || *count > 1000) {
-            return expected("options.neighbors", "a whole number from 1 to 1000");
-        }
-        out = {KNearest{count->get<std::size_t>()}, true, 0, true};
-    }
-    if (const json* radius = find(options, "radius"); radius != nullptr) {
-        if (!radius->is_number() || !(radius->get<double>() > 0.0)) {
-            return expected("options.radius", "a number above 0");
-        }
-        out = {WithinRadius{radius->get<double>()}, true, 0, true};
-    }
-    return std::nullopt;
-}
-
-Complaint readCures(const json& options, Cures& out) {
-    const json* cures = find(options, "doctor");
-    if (cures == nullptr) return std::nullopt;
-    const Complaint wrong =
-        expected("options.doctor", "a list of checks of the doctor that can be cured");
-    if (!cures->is_array()) return wrong;
-    for (const json& name : *cures) {
-        const DoctorCheck* check =
-            name.is_string() ? findDoctorCheck(name.get<std::string>()) : nullptr;
-        if (check == nullptr || !canCure(*check)) return wrong;
-        out.push_back(name.get<std::string>());
-    }
-    return std::nullopt;
-}
-
-Complaint readSwitch(const json& options, const std::string& name, bool& out) {
-    const json* on = find(options, name.c_str());
-    if (on == nullptr) return std::nullopt;
-    if (!on->is_boolean()) return expected("options." + name, "true or false");
-    out = on->get<bool>();
-    return std::nullopt;
-}
-
-Complaint readBox(const json& options, WallChoice& out) {
-    const json* box = find(options, "box");
-    if (box == nullptr) return std::nullopt;
-    if (*box == "auto") {
-        out = {WallChoice::From::Around, {}};
-        return std::nullopt;
-    }
-    std::vector<double> at;
-    if (box->is_array()) {
-        for (const json& each : *box) {
-            if (each.is_number()) at.push_back(each.get<double>());
-        }
-    }
-    const bool good =
-        at.size() == 6 && box->size() == 6 && at[0] < at[3] && at[1] < at[4] && at[2] < at[5];
-    if (!good) return expected("options.box", "\"auto\", or six numbers, the lower corner first");
-    out = {WallChoice::From::Box, {{at[0], at[1], at[2]}, {at[3], at[4], at[5]}}};
-    return std::nullopt;
-}
-
-/// What is derived from the points.
-Complaint readPreparing(const json& options, InputSpec& out) {
-    if (const json* normals = find(options, "normals"); normals != nullptr) {
-        if (*normals != "derived" && *normals != "oriented") {
-            return expected("options.normals", "\"derived\" or \"oriented\"");
-        }
-        out.normals = *normals == "derived" ? NormalSource::Derived : NormalSource::Oriented;
-    }
-    if (Complaint c = readBox(options, out.walls)) return c;
-    if (Complaint c = readSwitch(options, "symmetric", out.neighbors.symmetric)) return c;
-    if (Complaint c = readSwitch(options, "rim", out.rim)) return c;
-    if (Complaint c = readSwitch(options, "keep_opposing", out.keepOpposing)) return c;
-    return readSwitch(options, "keep_noise", out.keepNoise);
-}
-
-Complaint readOptions(const json& object, InputSpec& out) {
-    const json* options = find(object, "options");
-    if (options == nullptr) return std::nullopt;
-    if (!options->is_object()) return expected("options", "an object");
-    if (const json* rules = find(*options, "rules"); rules != nullptr) {
-        if (!rules->is_string() || !paramsByName(rules->get<std::string>())) {
-            return expected("options.rules", "the name of a set of rules, such as \"paper\"");
-        }
-        out.rules = rules->get<std::string>();
-    }
-    if (const json* choices = find(*options, "switches"); choices != nullptr) {
-        if (!choices->is_object()) return expected("options.switches", "an object of true, false");
-        for (const auto& [name, on] : choices->items()) {
-            Rules unused;
-            if (!on.is_boolean()) return expected("options.switches." + name, "true or false");
-            out.choices.push_back({name, on.get<bool>()});
-            if (const Status known = applyChoices({out.choices.back()}, unused); !known) {
-                return "\"options.switches\": " + known.error().message;
-            }
-        }
-    }
-    if (Complaint c = readCures(*options, out.cures)) return c;
-    if (Complaint c = readReach(*options, out.neighbors)) return c;
-    return readPreparing(*options, out);
-}
-
 Complaint readPlace(const json& object, SessionFile& out) {
     const json* address = find(object, "address");
     json place{{"address", address != nullptr ? *address : json("0")}};
@@ -210,6 +100,10 @@ Complaint readSelection(const json& object, SessionFile& out) {
 }
 
 Complaint readLooks(const json& object, SessionFile& out) {
+    if (const json* alert = find(object, "alert"); alert != nullptr) {
+        if (!alert->is_string()) return expected("alert", "a class and a number");
+        out.alert = alert->get<std::string>();
+    }
     if (const json* on = find(object, "layers"); on != nullptr) {
         const ReadLayers read = layersFromJson(*on);
         out.layers = read.modes;
@@ -217,15 +111,40 @@ Complaint readLooks(const json& object, SessionFile& out) {
     }
     if (const json* layout = find(object, "layout"); layout != nullptr) {
         if (layout->is_string()) out.layout = arrangementFromName(layout->get<std::string>());
-        if (!out.layout) return expected("layout", "\"debug\", \"learn\" or \"present\"");
+        if (!out.layout)
+            return expected("layout", "\"debug\", \"learn\", \"present\" or \"compare\"");
     }
     return readSelection(object, out);
+}
+
+/// The other run by its options, or a mesh by its path.
+Complaint readComparison(const json& object, const fs::path& folder, SessionFile& out) {
+    const json* with = find(object, "compare");
+    if (with == nullptr || with->is_null()) return std::nullopt;
+    const Complaint wrong = expected("compare", "an object with \"options\" or \"mesh\"");
+    if (!with->is_object()) return wrong;
+    if (const json* mesh = find(*with, "mesh"); mesh != nullptr) {
+        if (!mesh->is_string()) return expected("compare.mesh", "a path");
+        const fs::path path = folder / mesh->get<std::string>();
+        out.with = CompareWith::otherMesh(path.lexically_normal().string());
+        return std::nullopt;
+    }
+    if (find(*with, "options") == nullptr) return wrong;
+    InputSpec spec;
+    spec.source = out.input.source;
+    if (Complaint c = readOptions(*with, spec)) return "\"compare\": " + *c;
+    out.with = CompareWith::otherRun(std::move(spec));
+    return std::nullopt;
 }
 
 Complaint readNotes(const json& object, SessionFile& out) {
     if (const json* notes = find(object, "notes"); notes != nullptr) {
         if (!notes->is_string()) return expected("notes", "a text");
         out.notes = notes->get<std::string>();
+    }
+    if (const json* query = find(object, "query"); query != nullptr) {
+        if (!query->is_string()) return expected("query", "a text");
+        out.query = query->get<std::string>();
     }
     const json* list = find(object, "bookmarks");
     if (list == nullptr) return std::nullopt;
@@ -252,6 +171,8 @@ Complaint readAll(const json& object, const fs::path& folder, SessionFile& out) 
     if (Complaint c = readOptions(object, out.input)) return c;
     if (Complaint c = readPlace(object, out)) return c;
     if (Complaint c = readLooks(object, out)) return c;
+    if (Complaint c = readStops(object, out.breakpoints, out.watches)) return c;
+    if (Complaint c = readComparison(object, folder, out)) return c;
     return readNotes(object, out);
 }
 
@@ -275,40 +196,9 @@ std::string relativeSource(const std::string& source, const fs::path& folder) {
                        [&folder](const std::string& path) { return relativePath(path, folder); });
 }
 
-/// What is derived from the points, as far as it is not as usual.
-void preparingToJson(const InputSpec& input, json& options) {
-    for (const char* name : {"normals", "box", "symmetric", "rim", "keep_opposing", "keep_noise"}) {
-        options.erase(name);
-    }
-    if (input.normals == NormalSource::Derived) options["normals"] = "derived";
-    if (input.normals == NormalSource::Oriented) options["normals"] = "oriented";
-    if (input.walls.from == WallChoice::From::Around) options["box"] = "auto";
-    if (input.walls.from == WallChoice::From::Box) {
-        const WallBox& b = input.walls.box;
-        options["box"] = {b.low.x, b.low.y, b.low.z, b.high.x, b.high.y, b.high.z};
-    }
-    if (input.neighbors.symmetric) options["symmetric"] = true;
-    if (input.rim) options["rim"] = true;
-    if (input.keepOpposing) options["keep_opposing"] = true;
-    if (input.keepNoise) options["keep_noise"] = true;
-}
-
-json optionsToJson(const InputSpec& input, json options) {
-    options["rules"] = input.rules;
-    options.erase("switches");
-    options.erase("neighbors");
-    options.erase("radius");
-    options.erase("doctor");
-    if (!input.cures.empty()) options["doctor"] = input.cures;
-    preparingToJson(input, options);
-    for (const RuleChoice& choice : input.choices) options["switches"][choice.name] = choice.on;
-    if (!input.neighbors.recompute) return options;
-    if (const auto* nearest = std::get_if<KNearest>(&input.neighbors.reach)) {
-        options["neighbors"] = nearest->k;
-    } else {
-        options["radius"] = std::get<WithinRadius>(input.neighbors.reach).radius;
-    }
-    return options;
+json comparisonToJson(const CompareWith& with, const fs::path& folder) {
+    if (with.kind == CompareWith::Kind::Mesh) return {{"mesh", relativePath(with.mesh, folder)}};
+    return {{"options", optionsToJson(with.run, json::object())}};
 }
 
 }  // namespace
@@ -359,15 +249,23 @@ std::string sessionToJson(const SessionFile& session, const fs::path& folder) {
         objectAt(object, "layers").update(layersToJson(*session.layers));
     }
     if (session.layout) object["layout"] = rowOf(*session.layout).name;
+    object.erase("compare");
+    if (session.with.kind != CompareWith::Kind::Nothing)
+        object["compare"] = comparisonToJson(session.with, folder);
     object.erase("selected");
     const auto corners = session.selected.corners();
     if (corners.size() == 1) object["selected"] = corners[0];
     if (corners.size() > 1) object["selected"] = std::vector<Index>(corners.begin(), corners.end());
+    object.erase("alert");
+    if (!session.alert.empty()) object["alert"] = session.alert;
     object["bookmarks"] = json::array();
     for (const Bookmark& each : session.bookmarks) {
         object["bookmarks"].push_back({{"address", toString(each.address)}, {"note", each.note}});
     }
     object["notes"] = session.notes;
+    object.erase("query");
+    if (!session.query.empty()) object["query"] = session.query;
+    stopsToJson(session.breakpoints, session.watches, object);
     return object.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 

@@ -9,10 +9,12 @@
 
 #include "arrangement.h"
 #include "bookmarks.h"
+#include "compare_with.h"
 #include "layers/layer.h"
 #include "place.h"
 #include "run/model.h"
 #include "run/selection.h"
+#include "spiraling_edge/breakpoint.h"
 #include "spiraling_edge/result.h"
 
 namespace se::view {
@@ -26,8 +28,13 @@ struct SessionFile {
     std::optional<LayerModes> layers;
     std::optional<Arrangement> layout;
     Selection selected;
+    std::string alert;  ///< That was looked at, see alertName(); empty: none.
+    CompareWith with;   ///< What the run is compared with.
     Bookmarks bookmarks;
     std::string notes;
+    std::string query;  ///< What stands in the line of the panel Query.
+    std::vector<Breakpoint> breakpoints;
+    std::vector<std::string> watches;
     std::string leftOut;  ///< A sentence about layers that are not known here; empty: none.
     /// What it was read from: fields that we do not know are written back. Empty for a new one.
     std::string original;

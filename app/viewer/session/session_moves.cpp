@@ -41,6 +41,7 @@ bool Session::takeAnswer() {
 void Session::land() {
     std::size_t cursor = record_->events.empty() ? 0 : record_->events.size() - 1;
     if (landing_ == Landing::First) cursor = 0;
+    if (landing_ == Landing::AtSamePlace) cursor = sameStep(*record_, samePlace_);
     if (landing_ == Landing::AtPoint) {
         const auto found =
             std::find_if(record_->events.begin(), record_->events.end(),
@@ -165,7 +166,7 @@ void Session::goToEvent(std::size_t index) {
 }
 
 double Session::busySeconds() const {
-    if (!waiting_ && !awaitedShare_) return 0.0;
+    if (!waiting_ && !awaitedShare_ && !awaitsStop()) return 0.0;
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - waitingSince_;
     return time.count();
 }
@@ -173,6 +174,7 @@ double Session::busySeconds() const {
 void Session::cancelMove() {
     moves_.clear();
     awaitedShare_.reset();
+    awaitedStop_ = 0;
     if (waiting_) runner_->cancel();
 }
 
@@ -181,6 +183,7 @@ void Session::push(Move move) {
     message_.clear();
     missed_ = false;
     awaitedShare_.reset();
+    awaitedStop_ = 0;
     moves_.push_back(move);
     processMoves();
 }

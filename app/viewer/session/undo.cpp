@@ -44,8 +44,11 @@ std::string describeChange(const Edits& from, const Edits& to) {
         add(text, "note of a bookmark");
     }
     if (from.notes != to.notes) add(text, "notes");
+    if (from.breakpoints != to.breakpoints) add(text, "breakpoints");
+    if (from.watches != to.watches) add(text, "watches");
     // What follows from it needs no words.
     if (from.cures != to.cures) return "the doctor's cure";
+    if (from.rules != to.rules) add(text, describeChange(from.rules, to.rules));
     return text;
 }
 

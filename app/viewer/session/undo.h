@@ -9,9 +9,11 @@
 #include "bookmarks.h"
 #include "layers/layer.h"
 #include "run/cure.h"
+#include "run/rule_set.h"
 #include "run/selection.h"
 #include "scene/camera.h"
 #include "scene/palette.h"
+#include "spiraling_edge/breakpoint.h"
 
 namespace se::view {
 
@@ -26,7 +28,10 @@ struct Edits {
     Selection selected;
     Bookmarks bookmarks;
     std::string notes;
-    Cures cures;  ///< Of the input: to change them it is opened anew.
+    std::vector<Breakpoint> breakpoints;
+    std::vector<std::string> watches;
+    Cures cures;    ///< Of the input: to change them it is opened anew.
+    RuleSet rules;  ///< To change them it is run anew.
     friend bool operator==(const Edits&, const Edits&) = default;
 };
 

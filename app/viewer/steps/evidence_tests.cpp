@@ -136,9 +136,12 @@ const char* ruleOf(Verdict verdict) {
         case Verdict::InsideSphere:
             return "d < r: kept, no second rule";
         case Verdict::GapTooWide:
-            return "d \xE2\x89\xA5 r, but the gap is over 120\xC2\xB0: kept";
+            return "d \xE2\x89\xA5 r, but the gap is over its limit: kept";
         case Verdict::NoCircle:
             return "no circle: kept";
+        case Verdict::WhatIfKept:
+        case Verdict::WhatIfDropped:
+            return "a what-if, whatever the test says";
         default:
             return "d \xE2\x89\xA5 r, and the gap is small enough";
     }
@@ -146,7 +149,7 @@ const char* ruleOf(Verdict verdict) {
 
 }  // namespace
 
-void addRows(const SphereEvidence& e, const EvidenceInput&, EvidenceRows& out) {
+void addRows(const SphereEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
     out.row("t, q, s", pointsText({e.t, e.q, e.s}));
     out.row("decided by", ruleOf(e.verdict));
     if (e.verdict != Verdict::NoCircle) {
@@ -157,7 +160,7 @@ void addRows(const SphereEvidence& e, const EvidenceInput&, EvidenceRows& out) {
                 signedText(over) + (over < 0.0 ? ", inside" : ", outside"));
         if (e.radius > 0.0) out.row("of r", percentText(over / e.radius));
     }
-    out.angle("gap t to s", e.gapDegrees, 120.0);
+    out.angle("gap t to s", e.gapDegrees, gapLimitDegrees(in.model.params));
 }
 
 void addRows(const TwoPointEvidence& e, const EvidenceInput& in, EvidenceRows& out) {

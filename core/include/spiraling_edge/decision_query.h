@@ -4,7 +4,9 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +20,10 @@ struct Decision {
     Index pivot;  ///< The point that was the pivot.
     const std::optional<Reading>& reading;
     const PointSet& points;
+    std::span<const Event> events;  ///< All of the pivot, see pivot_tally.h.
+    /// The classes of failures that are there from this decision on (live_check.h), one bit each:
+    /// failureBit(). Always 0 if nobody asked for them.
+    std::uint32_t failures = 0;
 };
 using DecisionCondition = std::function<bool(const Decision&)>;
 
@@ -28,9 +34,18 @@ struct QueryTerm {
     /// The condition that `word` stands for; nothing if it is not of this form; an error if it is,
     /// but says nothing sensible.
     Result<DecisionCondition> (*read)(std::string_view word);
+    bool asksForFailures = false;  ///< It looks at Decision::failures.
 };
 /// All terms, for help and completion.
 std::span<const QueryTerm> queryTerms();
+
+/// What is wrong with a line: the first word that says nothing sensible.
+struct QueryMistake {
+    std::string word;
+    std::string message;     ///< One sentence that names the word.
+    bool isUnknown = false;  ///< It is of the form of no term; else of one, with a wrong value.
+};
+std::optional<QueryMistake> mistakeIn(std::string_view line);
 
 /// All conditions hold together; an empty line holds for everything.
 class DecisionQuery {
@@ -38,9 +53,12 @@ class DecisionQuery {
     /// Words are separated by blanks. Fails with the word that is not understood.
     static Result<DecisionQuery> parse(std::string_view line);
     bool matches(const Decision& decision) const;
+    /// Some term looks at Decision::failures: the run has to be checked while it is scanned.
+    bool asksForFailures() const { return asksForFailures_; }
 
   private:
     std::vector<DecisionCondition> conditions_;
+    bool asksForFailures_ = false;
 };
 
 struct FoundDecisions {

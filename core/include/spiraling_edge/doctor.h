@@ -37,6 +37,7 @@ enum class Cure : std::uint8_t {
     NewLists,   ///< The 12 nearest, whatever the file says.
     Symmetric,  ///< NeighborOptions::symmetric.
     Walls,      ///< Types of the walls of the box around all points.
+    Rim,        ///< PrepareOptions::rim.
 };
 
 /// One row of the table of checks: a new check is one function and one row.
@@ -75,7 +76,7 @@ struct Finding {
 std::string remedyFor(const DoctorCheck& check, std::string_view input,
                       std::string_view output = "OUT.ply");
 
-/// The findings, in the order of doctorChecks().
+/// The findings: errors, then warnings, then notes; equals in the order of doctorChecks().
 using Diagnosis = std::vector<Finding>;
 /// True if some finding accuses.
 bool accuses(const Diagnosis& diagnosis);

@@ -85,6 +85,8 @@ class EdgeRings {
     /// Makes the top of the stack the active ring and returns its head; kNone if the stack is
     /// empty.
     Index pop();
+    /// The same with the bottom of the stack, the ring that lies there longest.
+    Index popOldest();
 
     // For going back in time.
     /// A copy of the rings without the points' sides of it, which follow from the entries: its size

@@ -110,6 +110,9 @@ enum class Verdict : std::uint8_t {
     After,
     OtherSideOpen,  ///< The pivot's other side would be left open (Rules::bothWalls).
     NoThirdPoint,
+    // any test
+    WhatIfKept,     ///< Kept because a person said so (what_if.h).
+    WhatIfDropped,  ///< Dropped because a person said so.
 };
 /// "inside the sphere", ...
 std::string_view verdictText(Verdict verdict);
@@ -241,9 +244,10 @@ struct CloseEvidence {
     Index a, b;  ///< b is kNone for a lone entry.
 };
 struct AdvanceEvidence {
-    Index to;       ///< kNone: no ring is left.
-    Index circuit;  ///< Pivots since the last triangle.
-    bool popped;    ///< The ring came off the stack.
+    Index to;             ///< kNone: no ring is left.
+    Index circuit;        ///< Pivots since the last triangle.
+    bool popped;          ///< The ring came off the stack.
+    bool whatIf = false;  ///< A person said so (what_if.h).
 };
 /// A ring was freed after a full circuit without a triangle (§7).
 struct FreeEvidence {

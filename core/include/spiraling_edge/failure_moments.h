@@ -1,6 +1,10 @@
 /// When a failure of a run came about: three moments, each an address to go to.
 #pragma once
 
+#include <optional>
+#include <span>
+#include <vector>
+
 #include "spiraling_edge/inspection.h"
 #include "spiraling_edge/ledger.h"
 
@@ -16,11 +20,36 @@ struct FailureMoments {
 /// Finds them by running again. `mesh` is that of the run, which `failure` was found in. Fails if
 /// the failure is none of this run's mesh, or if cancelled. Which decision made a failure
 /// unavoidable:
-/// - a faulty triangle: the last test in its pivot that took one of its corners;
-/// - a point in no triangle: the last test that refused it, or the fan that it was the pivot of;
-/// - a hole: the last time that a fan, or a test between two points of the loop, was refused.
+/// - a faulty triangle: the last test in its pivot that took one of its corners, took away what lay
+///   between two of them, or made a triangle of the first and last point alone (§6.4);
+/// - a point in no triangle: the last test that refused it, or the fan that it was the pivot of; of
+///   one that was never tested the moment at which its last neighbor became DONE;
+/// - a hole, a ring left over: the last time that a fan, or a test between two points of the loop,
+///   was refused.
+/// Of an edge of several triangles the third counts, or the second in one direction.
 Result<FailureMoments> momentsOf(const PointSet& points, const Params& params,
                                  const MeshFailure& failure, const std::vector<Triangle>& mesh,
                                  const Progress& progress = {});
+
+/// Of all failures of a run at once, in one go through it: nothing for one that is none of this
+/// run's. Fails if cancelled. O(run + events about their points).
+Result<std::vector<std::optional<FailureMoments>>> momentsOfAll(
+    const PointSet& points, const Params& params, std::span<const MeshFailure> failures,
+    const std::vector<Triangle>& mesh, const Progress& progress = {});
+
+/// One failure of a run.
+struct RunFailure {
+    MeshFailure failure;
+    std::vector<Triangle> corners;  ///< Of failure.triangles, one by one.
+    FailureMoments moments;
+};
+
+/// All that went wrong in a run: what inspectMesh() finds in its mesh, and the rings that it left
+/// over or was stopped at, in the order of failureClasses(). Fails if cancelled. Two runs and an
+/// inspection. Deterministic.
+Result<std::vector<RunFailure>> failuresOfRun(const PointSet& points, const Params& params,
+                                              const Progress& progress = {});
+/// The first of them in the run: the place of the one that was created first; size() of none.
+std::size_t firstCreated(std::span<const RunFailure> failures);
 
 }  // namespace se

@@ -18,6 +18,7 @@ struct InspectedMesh;  // What the checks look at; made by inspectMesh().
 struct FailureClass {
     std::string_view name;     ///< As in the report of a run: `non_manifold_edges`.
     std::string_view meaning;  ///< One sentence.
+    /// Null for what only a run can have, see failuresOfRun().
     void (*find)(const InspectedMesh& mesh, std::vector<MeshFailure>& failures);
 };
 

@@ -5,6 +5,9 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
+
+#include "spiraling_edge/what_if.h"
 
 namespace se {
 
@@ -85,7 +88,65 @@ struct Rules {
     friend bool operator==(const Rules&, const Rules&) = default;
 };
 
-/// One row of the table of rule switches.
+/// §6.1: which of two neighbors at the same angle stays.
+enum class TieRule : std::uint8_t {
+    Nearest,   ///< "the point closest to p is included", as printed.
+    Farthest,  ///< The other one.
+    Both,      ///< Both: no such rule.
+};
+/// §6.1: the side to which angles grow.
+enum class TurnRule : std::uint8_t {
+    Counterclockwise,  ///< n = normal x z, the reading of docs/choices.md.
+    Clockwise,         ///< n = z x normal, "the cross product of z and p's normals".
+};
+/// §6.5: which entry of a point that is already USED is its "other instance".
+enum class InstanceRule : std::uint8_t {
+    Sector,  ///< The first one whose sector holds p.
+    First,   ///< "the first other instance of the point in the edge ring".
+};
+/// §6.3: what becomes of a point exactly on the sphere.
+enum class OnSphereRule : std::uint8_t { Removed, Kept };
+/// §6.4: which neighbor rings of first and last alone are discarded.
+enum class TwoPointRule : std::uint8_t {
+    Over,  ///< Those over 180 degrees, as printed.
+    From,  ///< Those of exactly 180 degrees as well.
+    None,  ///< None but the full turn, which has no triangle.
+};
+/// §6.5: which part of a split ring stays active; the other is pushed.
+enum class ActiveRule : std::uint8_t { End, Other, Longer, Shorter };
+/// §6.5: which stacked ring is taken up next.
+enum class StackRule : std::uint8_t { Last, First };
+/// §6.5: where the traversal goes on after triangles.
+enum class NextRule : std::uint8_t { End, Start };
+
+/// The paper's own rules, which can be turned off or set to see what each of them is for. The
+/// defaults are the paper's, or the readings of docs/choices.md.
+struct PaperRules {
+    TieRule tie = TieRule::Nearest;                 ///< §6.1
+    TurnRule turn = TurnRule::Counterclockwise;     ///< §6.1
+    bool maxAngle = true;                           ///< §6.1, Fig. 3: nothing beyond last.
+    bool limits = true;                             ///< §6.1, Fig. 4: start and end advance,
+    bool concave = true;                            ///< ... only where the ring is concave.
+    bool convex = true;                             ///< §6.1, Fig. 5: the convexity test,
+    bool convexShared = false;                      ///< ... also on points of several entries.
+    bool reciprocal = true;                         ///< §6.1, Fig. 6
+    std::uint32_t holeSize = 3;                     ///< §6.2: largest hole known; 0: none.
+    bool sphere = true;                             ///< §6.3: the test by the circumsphere.
+    OnSphereRule onSphere = OnSphereRule::Removed;  ///< §6.3
+    TwoPointRule twoPoint = TwoPointRule::Over;     ///< §6.4, Fig. 9
+    InstanceRule instance = InstanceRule::Sector;   ///< §6.5
+    ActiveRule active = ActiveRule::End;            ///< §6.5
+    StackRule stack = StackRule::Last;              ///< §6.5
+    NextRule next = NextRule::End;                  ///< §6.5
+    bool walls = true;                              ///< §7: boundary points are passed over.
+    bool thirdPoint = true;                         ///< §7.1
+    bool stayInside = true;                         ///< §7.1, §7.2: no sector out of the box.
+    bool corners = true;                            ///< §7.2
+
+    friend bool operator==(const PaperRules&, const PaperRules&) = default;
+};
+
+/// One row of the table of rule switches: those rows of ruleSettings() that are members of Rules.
 struct RuleSwitch {
     std::string_view name;     ///< As on the command line: `closetwo`.
     std::string_view section;  ///< "6.5"
@@ -99,6 +160,7 @@ std::span<const RuleSwitch> ruleSwitches();
 /// Everything the stepper can be told. Equal points and equal Params give equal steps.
 struct Params {
     Rules rules;
+    PaperRules paper;
     /// §6.3: a point whose removal would leave a gap of more than 120 degrees is kept. Stored as
     /// the cosine of that angle, so that no trigonometry decides; -1/2 is exact. Range (-1, 0].
     double maxGapCosine = -0.5;
@@ -116,6 +178,8 @@ struct Params {
     bool dropOpposingNormals = true;
     /// Points are set aside where noise is as wide as their spacing (see noise.h). On in `robust`.
     bool setNoiseAside = false;
+    /// What a person lets happen instead of what the rules say; none: the true run.
+    std::vector<WhatIf> whatIf = {};
 
     friend bool operator==(const Params&, const Params&) = default;
 };

@@ -23,10 +23,16 @@ struct KNearest {
 struct WithinRadius {
     double radius = 0.0;
 };
+/// All points not farther than `spacings` times the mean distance of a point to its nearest
+/// neighbor, as particles that push each other within a radius have it (§3 and §6.4, "search
+/// range"; docs/table1.md).
+struct WithinSpacings {
+    double spacings = 1.6;
+};
 
 /// How missing neighbor lists are made.
 struct NeighborOptions {
-    std::variant<KNearest, WithinRadius> reach = KNearest{};
+    std::variant<KNearest, WithinRadius, WithinSpacings> reach = KNearest{};
     /// Leave out points whose normal opposes (dot product <= 0), before the k nearest are taken.
     /// The paper is silent; without it, sheets that come close are joined. Of the k nearest only
     /// the first 8 k + 64 points are looked at, so that a flipped normal amid thousands of others
@@ -124,6 +130,8 @@ Result<NeighborLists> findNeighbors(std::span<const Vec3> position, std::span<co
 /// The lists, and with each entry q of p's an entry p of q's: where the spacing changes, points of
 /// the sparse side list some that do not list them. Ordered by distance, ties by index. Fails if
 /// there would be more entries than an Index counts.
-Result<NeighborLists> symmetricLists(std::span<const Vec3> position, const NeighborLists& lists);
+/// `threads` as in NeighborOptions; the result is the same for any. Fails if cancelled.
+Result<NeighborLists> symmetricLists(std::span<const Vec3> position, const NeighborLists& lists,
+                                     unsigned threads = 0, const Progress& progress = {});
 
 }  // namespace se

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "spiraling_edge/point_set.h"
+#include "spiraling_edge/prepare.h"
 #include "spiraling_edge/result.h"
 
 namespace se {
@@ -34,16 +35,19 @@ struct Rim {
 ///
 /// `type` may be empty; points on walls walk along, but do not become rim points, and a chain with
 /// more of them than others is no rim: the wall ends the surface there. Deterministic; positions
-/// and normals decide by + - * / and sqrt alone. O(list entries log longest list). Fails if there
-/// are too many list entries.
+/// and normals decide by + - * / and sqrt alone. O(list entries log longest list). `threads` as in
+/// NeighborOptions; the result is the same for any. Fails if there are too many list entries, or if
+/// cancelled.
 Result<Rim> findRim(std::span<const Vec3> position, std::span<const Vec3> normal,
-                    const NeighborLists& neighbors, std::span<const std::uint8_t> type = {});
+                    const NeighborLists& neighbors, std::span<const std::uint8_t> type = {},
+                    unsigned threads = 0, const Progress& progress = {});
 
 /// The widest gaps of points that were given as rim points (kRimPoint): `type` tells which. All
 /// others get no ends, nor do points with fewer than two neighbors in different directions.
 Result<std::vector<RimGap>> gapsOfRimPoints(std::span<const Vec3> position,
                                             std::span<const Vec3> normal,
                                             const NeighborLists& neighbors,
-                                            std::span<const std::uint8_t> type);
+                                            std::span<const std::uint8_t> type,
+                                            unsigned threads = 0, const Progress& progress = {});
 
 }  // namespace se

@@ -139,6 +139,8 @@ struct SphereTest {
 
     /// Strictly inside. Choice: a point on the sphere up to rounding counts as on it.
     bool inside() const { return power < -1e-12 * scale; }
+    /// On it up to rounding.
+    bool onSphere() const { return std::abs(power) <= 1e-12 * scale; }
     Vec3 center() const { return numerator / (2.0 * denominator); }  ///< Relative to p.
     double radius() const { return std::sqrt(glm::dot(center(), center())); }
     double distance() const { return std::sqrt(glm::dot(q - center(), q - center())); }
@@ -186,6 +188,10 @@ struct ThirdPointPlace {
 /// p has `faces`, `second` is the other point of the ring, `third` the point to insert.
 ThirdPointPlace placeThirdPoint(const Vec3& p, const Vec3& normal, std::uint8_t faces,
                                 const Vec3& second, const Vec3& third);
+
+/// The same by the cross product alone, wherever the sector leads.
+ThirdPointPlace printedThirdPointPlace(const Vec3& p, const Vec3& normal, std::uint8_t faces,
+                                       const Vec3& second);
 
 /// §7 for a rim point: what of the free sector between its ring neighbors is still to be meshed.
 /// Choice: a boundary point without wall bits knows no wall, but the gap that it looks out through.

@@ -2,6 +2,8 @@
 /// answered from. Nothing is stored.
 #pragma once
 
+#include <compare>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -13,6 +15,27 @@
 #include "spiraling_edge/state.h"
 
 namespace se {
+
+/// Which event of which pivot: the order of a run. Addresses alone do not have it, since stages may
+/// come round again within a pivot (docs/robust.md).
+struct RunPlace {
+    std::uint32_t pivot = 0;  ///< As in the address; 0 is the start of the run.
+    std::uint32_t event = 0;  ///< From 0, among all events of that number.
+    friend auto operator<=>(const RunPlace&, const RunPlace&) = default;
+};
+
+/// Gives the events of a run their places; it must be shown all of them, in order.
+class PlaceCounter {
+  public:
+    RunPlace next(const Event& event) {
+        const bool same = event.address.pivot == place_.pivot;
+        place_ = {event.address.pivot, same ? place_.event + 1 : 0};
+        return place_;
+    }
+
+  private:
+    RunPlace place_;
+};
 
 /// One pivot of a run, or one step after the last pivot.
 struct ScannedPivot {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "spiraling_edge/io.h"
+#include "spiraling_edge/prepare.h"
 
 namespace se {
 
@@ -14,7 +15,8 @@ struct SampleQuality {
     double off = 0.0;        ///< The largest distance to the surface, in spacings.
 };
 /// Of points with normals and types, as Sampler::points() has them. Boundary points do not count
-/// for spacing and variation.
-SampleQuality measureSample(const Field& field, const PointFile& points);
+/// for spacing and variation. All 0 if cancelled.
+SampleQuality measureSample(const Field& field, const PointFile& points,
+                            const Progress& progress = {});
 
 }  // namespace se

@@ -54,7 +54,9 @@ class Sampler {
     /// True after the last step: all particles are on the surface and as even as they will be.
     bool done() const;
     /// One step of relaxation; now and then particles split and die in it. No effect when done.
-    void step();
+    /// False if `progress`, which gets the share of this step, cancelled: then the particles are
+    /// no longer of use.
+    bool step(const Progress& progress = {});
     /// Share of the steps that is over, in [0, 1].
     double share() const;
     /// Steps that are over, and all of them.

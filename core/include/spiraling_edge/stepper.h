@@ -19,6 +19,12 @@ enum class StopReason : std::uint8_t {
     Capped,     ///< AlertKind::TriangleCap.
 };
 
+/// Points that a what-if has changed, from a pivot on.
+struct EditedPoints {
+    std::uint32_t from = 0;
+    PointSet points;
+};
+
 /// Runs the Spiraling Edge algorithm on a State. Holds no state of its own but references:
 /// points must outlive it and pass validate(); they are never written.
 ///
@@ -46,7 +52,8 @@ class Stepper {
     /// Gives the state away, e.g. to take the triangles out. The stepper starts over.
     State takeState();
     void setLog(EventLog* log) { log_ = log; }
-    const PointSet& points() const { return points_; }
+    /// At the present place: what-ifs may change them on the way.
+    const PointSet& points() const;
     const Params& params() const { return params_; }
 
   private:
@@ -57,6 +64,10 @@ class Stepper {
 
     const PointSet& points_;
     Params params_;
+    std::vector<EditedPoints> edited_;
+    /// The paper's own rules are not as usual, or something else happens somewhere: such a run is
+    /// heard whether there is a log or not.
+    bool altered_;
     State state_;
     EventLog* log_;
 };

@@ -47,8 +47,11 @@ larger "$(field growth_walls)" 50 || fail "no points on walls"
 larger 0.10 "$(field growth_variation)" || fail "the variation is $(field growth_variation)"
 larger 0.0001 "$(field growth_off)" || fail "off by $(field growth_off)"
 
-# A number typed; Enter begins with it.
+# A number typed; Enter begins with it, also in the next field, if nothing is typed there.
 click_on "shape torus"; says growth_source "sample:torus.*"
+read -r x y < <(inside "field Points" 50 50); click "$x" "$y"
+type_text "700"; press Tab; sleep 0.4; press Return
+says growth_points 700
 read -r x y < <(inside "field Points" 50 50); click "$x" "$y"
 type_text "600"; press Return
 says growth_points 600
@@ -86,6 +89,10 @@ press ctrl+n; says growth_page true; says growth "spreading|done"
 press Escape; says growth_page false; says pivot 2; says points 600
 stop
 start "$work/grown.sesession"; says phase ready; says points 600; says pivot 2; stop
+# They are among the recent files as well, behind their session.
+start; says recent 2; click_on "recent 2"; says input "torus, 600.* points"; says points 600; stop
+# Millions that are being scattered hold nobody up.
+start --new sphere -n 5000000; says growth finding; sleep 0.5; stop
 
 # From the command line, also a volume; one that is cut off is told in core's words.
 printf 'NRRD0004\ntype: uint8\ndimension: 3\nsizes: 9 9 9\nencoding: raw\n\n' >"$work/ball.nrrd"
@@ -96,6 +103,11 @@ start --new "$work/ball.nrrd" -n 300; says growth failed; says growth_complaint 
 start --new "$work/ball.nrrd" --iso 50 -n 300 --steps 12
 says growth paused; says growth_step 12; says growth_points 300
 press space; says growth done; stop
+# From a run, the path of a volume is typed at once.
+start scene:sphere; says phase ready
+press ctrl+shift+n; says file_browser true; sleep 0.5
+type_text "$work/ball.nrrd"; press Return; says file_browser false; says growth_complaint ".*names no isovalue.*"
+press Escape; says growth_page false; says phase ready; stop
 head -c 300 "$work/ball.nrrd" >"$work/cut.nrrd"
 start --new "$work/cut.nrrd" --iso 50; says growth failed; says growth_complaint ".*cut\.nrrd.*expected.*"
 press Escape; says growth_page false; says start_page true; stop

@@ -12,7 +12,7 @@
 #include "spiraling_edge/edge_ring.h"
 #include "spiraling_edge/event.h"
 
-namespace se::view {
+namespace se {
 
 /// What happens to a lane.
 enum class LaneChangeKind : std::uint8_t {
@@ -101,4 +101,4 @@ class LaneKeeper {
     Index closing_ = 0;  ///< Entries of a closed ring that are yet to be told of.
 };
 
-}  // namespace se::view
+}  // namespace se

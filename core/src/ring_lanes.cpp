@@ -1,9 +1,9 @@
-#include "run_lanes.h"
+#include "spiraling_edge/ring_lanes.h"
 
 #include <algorithm>
 #include <utility>
 
-namespace se::view {
+namespace se {
 
 const char* laneChangeText(LaneChangeKind kind) {
     switch (kind) {
@@ -176,4 +176,4 @@ void LaneKeeper::settle(const EdgeRings& rings) {
     activate(freshOfLength(rings.length(rings.active())).value_or(stack_.size() - 1));
 }
 
-}  // namespace se::view
+}  // namespace se

@@ -1,0 +1,32 @@
+/// What `compare` says, for people and for programs.
+#pragma once
+
+#include <string>
+
+#include "spiraling_edge/mesh_compare.h"
+#include "spiraling_edge/run_compare.h"
+
+namespace se::cli {
+
+/// One of the two that were compared.
+struct ComparedSide {
+    std::string title;  ///< "--rules paper", or the name of a file.
+    MadeMesh mesh;      ///< Of a file: `made` is empty.
+};
+
+/// All that was found.
+struct Comparison {
+    std::string input;
+    std::size_t points = 0;
+    ComparedSide a, b;
+    MeshDifference meshes;
+    /// Two runs: how they go. Nothing for a mesh from a file.
+    std::optional<RunComparison> runs;
+    std::vector<Index> strangers;  ///< Vertices of the file that lie on no point.
+};
+
+/// At most `most` regions.
+std::string comparisonText(const Comparison& comparison, std::size_t most);
+std::string comparisonJson(const Comparison& comparison);
+
+}  // namespace se::cli

@@ -1,0 +1,90 @@
+#include "compare_words.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <string_view>
+
+namespace se::cli {
+namespace {
+
+/// What an option in B puts out of force in A, besides itself.
+struct Override {
+    std::string_view option;
+    std::string_view other;
+};
+constexpr std::array kOverrides{
+    Override{"neighbors", "radius"},
+    Override{"radius", "neighbors"},
+    Override{"rules", "rule"},
+    Override{"orient", "derive-normals"},
+    Override{"derive-normals", "orient"},
+};
+
+/// How many words from `i` on are of neither run, wherever they stand.
+std::size_t wordsOfBoth(const Arguments& words, std::size_t i) {
+    const std::string& word = words[i];
+    if (word == "--json" || word == "-q" || word == "--quiet" || word.starts_with("--most="))
+        return 1;
+    return word == "--most" ? std::min<std::size_t>(2, words.size() - i) : 0;
+}
+
+bool overrides(const GivenOption& mine, const GivenOption& theirs) {
+    // --rule adds to those of A.
+    if (mine.name == theirs.name) return mine.name != "rule";
+    return std::any_of(kOverrides.begin(), kOverrides.end(), [&](const Override& row) {
+        return row.option == mine.name && row.other == theirs.name;
+    });
+}
+
+}  // namespace
+
+ComparedWords partedAtWith(const Arguments& words) {
+    ComparedWords parted;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (words[i] == "--with") {
+            parted.hasWith = true;
+            continue;
+        }
+        std::size_t count = parted.hasWith ? wordsOfBoth(words, i) : 1;
+        for (; count > 1; --count) parted.a.push_back(words[i++]);
+        if (count == 1) {
+            parted.a.push_back(words[i]);
+            continue;
+        }
+        std::istringstream parts(words[i]);
+        for (std::string part; parts >> part;) parted.with.push_back(part);
+    }
+    return parted;
+}
+
+ParsedInput::ParsedInput(const Arguments& words) : app_("", "spiraling-edge compare") {
+    input_.addTo(app_);
+    app_.set_help_flag();
+    (void)parseArguments(app_, words);
+}
+
+Arguments wordsOfB(const InputArguments& a, const Arguments& with) {
+    Arguments words{a.input()};
+    words.insert(words.end(), with.begin(), with.end());
+    const ParsedInput change(words);
+    words = {a.input()};
+    for (const GivenOption& theirs : a.given()) {
+        const std::vector<GivenOption> mine = change.input().given();
+        const bool gone = std::any_of(mine.begin(), mine.end(), [&](const GivenOption& option) {
+            return overrides(option, theirs);
+        });
+        if (!gone) words.insert(words.end(), theirs.words.begin(), theirs.words.end());
+    }
+    for (const GivenOption& mine : change.input().given())
+        words.insert(words.end(), mine.words.begin(), mine.words.end());
+    return words;
+}
+
+std::string titleOf(const InputArguments& input) {
+    std::string title;
+    for (const std::string& words : input.options()) title += (title.empty() ? "" : " ") + words;
+    return title.empty() ? "the paper's rules" : title;
+}
+
+}  // namespace se::cli

@@ -1,0 +1,35 @@
+#include "compare_commands.h"
+
+#include "command_actions.h"
+
+namespace se::view::actions {
+
+void toggleCompare(CommandContext& c) {
+    const bool on = c.ui.arrangement == Arrangement::Compare;
+    arrange(c, on ? Arrangement::Debug : Arrangement::Compare);
+}
+
+void compareUsual(CommandContext& c) {
+    if (!c.session.ready()) return c.session.say("There is nothing open to compare.");
+    pause(c);
+    arrange(c, Arrangement::Compare);
+    c.ui.compare.ask = CompareAsk::Usual;
+}
+
+void compareMesh(CommandContext& c) {
+    if (!c.session.ready()) return c.session.say("There is nothing open to compare.");
+    pause(c);
+    arrange(c, Arrangement::Compare);
+    c.ui.browser = BrowserTask::Mesh;
+    c.ui.fileBrowser = true;
+}
+
+void askOfComparison(CommandContext& c, CompareAsk ask) {
+    const Comparison* now = c.ui.compare.now;
+    if (now == nullptr || !now->chosen())
+        return c.session.say("Nothing is compared: Ctrl+D, then choose the other run.");
+    pause(c);
+    c.ui.compare.ask = ask;
+}
+
+}  // namespace se::view::actions

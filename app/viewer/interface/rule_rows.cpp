@@ -1,0 +1,111 @@
+#include "rule_rows.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "run/text.h"
+
+namespace se::view {
+
+namespace {
+
+struct SectionTitle {
+    std::string_view section, title;
+};
+constexpr std::array kTitles{
+    SectionTitle{"3", "Overview"},
+    SectionTitle{"6.1", "Creating the neighbor ring"},
+    SectionTitle{"6.2", "Filling holes"},
+    SectionTitle{"6.3", "Removing neighbors"},
+    SectionTitle{"6.4", "Triangulating the ring"},
+    SectionTitle{"6.5", "Updating the edge ring"},
+    SectionTitle{"7", "Boundary points"},
+    SectionTitle{"7.1", "Ring of two boundary points"},
+    SectionTitle{"7.2", "Corners"},
+};
+constexpr std::string_view kBeyond = "Beyond the paper";
+
+std::string titleOf(const RuleSetting& setting) {
+    if (setting.beyondPaper) return std::string(kBeyond);
+    const auto row = std::find_if(kTitles.begin(), kTitles.end(), [&](const SectionTitle& each) {
+        return each.section == setting.section;
+    });
+    std::string title(setting.section);
+    if (row != kTitles.end()) title += " " + std::string(row->title);
+    return title;
+}
+
+std::string lower(std::string_view text) {
+    std::string made(text);
+    std::transform(made.begin(), made.end(), made.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return made;
+}
+
+std::vector<std::string> wordsOf(std::string_view text) {
+    std::vector<std::string> words;
+    std::string word;
+    for (const char c : lower(text) + " ") {
+        if (c != ' ') {
+            word += c;
+        } else if (!word.empty()) {
+            words.push_back(std::exchange(word, {}));
+        }
+    }
+    return words;
+}
+
+bool matches(const RuleRow& row, const std::vector<std::string>& words) {
+    const RuleSetting& s = *row.setting;
+    std::string text =
+        lower(std::string(s.name) + " " + std::string(s.section) + " " + std::string(s.summary) +
+              " " + std::string(s.paper) + " " + valueText(s, row.value) + " " + titleOf(s));
+    if (row.differs()) text += " differs";
+    return std::all_of(words.begin(), words.end(), [&](const std::string& word) {
+        return text.find(word) != std::string::npos;
+    });
+}
+
+}  // namespace
+
+std::vector<RuleGroup> ruleGroups(const RuleSet& rules, std::string_view filter) {
+    const std::vector<std::string> words = wordsOf(filter);
+    std::vector<RuleGroup> groups;
+    for (const RuleSetting& setting : ruleSettings()) {
+        const RuleRow row{&setting, valueOf(rules, setting), usualValueOf(rules, setting)};
+        if (!matches(row, words)) continue;
+        const std::string title = titleOf(setting);
+        if (groups.empty() || groups.back().title != title) groups.push_back({title, {}});
+        groups.back().rows.push_back(row);
+    }
+    return groups;
+}
+
+std::size_t differingCount(const RuleSet& rules) {
+    const auto rows = ruleSettings();
+    return static_cast<std::size_t>(
+        std::count_if(rows.begin(), rows.end(), [&](const RuleSetting& each) {
+            return valueOf(rules, each) != usualValueOf(rules, each);
+        }));
+}
+
+std::string ruleHelp(const RuleRow& row) {
+    const RuleSetting& s = *row.setting;
+    std::string text(s.summary);
+    if (!text.empty())
+        text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    text += s.kind == SettingKind::Switch ? "." : ": " + valuesText(s) + ".";
+    if (!s.paper.empty()) {
+        text += "\nSection " + std::string(s.section) + ": \xE2\x80\x9C" + std::string(s.paper) +
+                "\xE2\x80\x9D";
+    } else {
+        text += s.beyondPaper ? "\nNot in the paper: docs/robust.md."
+                              : "\nThe paper says nothing of it: docs/choices.md.";
+    }
+    text += "\nThe set of rules has " + valueText(s, row.usual) + ". --rule " +
+            std::string(s.name) + "=" + valueText(s, row.value);
+    return text;
+}
+
+}  // namespace se::view

@@ -1,0 +1,161 @@
+#include "what_if_offers.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "run/exact_text.h"
+#include "session/session.h"
+#include "spiraling_edge/reading.h"
+
+namespace se::view {
+
+namespace {
+
+std::optional<Verdict> verdictIn(const Event& event) {
+    return std::visit(
+        [](const auto& e) -> std::optional<Verdict> {
+            if constexpr (requires { e.verdict; }) return e.verdict;
+            return std::nullopt;
+        },
+        event.evidence);
+}
+
+std::string pointText(Index p) { return "point " + std::to_string(p); }
+
+/// A test at a stage where keeping and dropping is all that can be said.
+std::vector<WhatIfOffer> keepOrDrop(const Event& event, Verdict verdict) {
+    WhatIf what{WhatIfKind::Keep,       event.address.pivot, event.address.stage,
+                se::testedPoint(event), Vec3(0.0),           {}};
+    switch (verdict) {
+        case Verdict::BehindConvex:
+        case Verdict::NotReciprocal:
+        case Verdict::WallComplete:
+        case Verdict::FarSide:
+        case Verdict::Removed:
+            return {{what, "Keep " + pointText(what.point)}};
+        case Verdict::Kept:
+        case Verdict::InsideSphere:
+        case Verdict::GapTooWide:
+        case Verdict::NoCircle:
+            what.kind = WhatIfKind::Drop;
+            return {{what, "Drop " + pointText(what.point)}};
+        default:
+            return {};
+    }
+}
+
+}  // namespace
+
+std::vector<WhatIfOffer> offersAt(const Event& event, Index pivot) {
+    const std::optional<Verdict> verdict = verdictIn(event);
+    if (!verdict) return {};
+    WhatIf drop{WhatIfKind::Drop, event.address.pivot, event.address.stage, kNone, Vec3(0.0), {}};
+    switch (event.address.stage) {
+        case Stage::Sort: {
+            const auto* sort = std::get_if<SortEvidence>(&event.evidence);
+            if (sort == nullptr) return {};
+            drop.point = *verdict == Verdict::SameAngle ? sort->rival : sort->point;
+            if (*verdict == Verdict::SameAngle) {
+                return {{drop, "Drop " + pointText(drop.point) + ", so that " +
+                                   pointText(sort->point) + " stays"}};
+            }
+            if (*verdict != Verdict::Kept) return {};
+            return {{drop, "Drop " + pointText(drop.point)}};
+        }
+        case Stage::Limits: {
+            if (*verdict != Verdict::Moved) return {};
+            drop.point = se::testedPoint(event);
+            return {{drop, "Do not advance to " + pointText(drop.point)}};
+        }
+        case Stage::Convex:
+        case Stage::Reciprocal:
+        case Stage::Hole:
+        case Stage::Sphere:
+            return keepOrDrop(event, *verdict);
+        case Stage::TwoPoint: {
+            drop.point = pivot;
+            if (*verdict == Verdict::Hole) return {{drop, "Make no triangle"}};
+            if (*verdict != Verdict::Discarded) return {};
+            drop.kind = WhatIfKind::Keep;
+            return {{drop, "Make the triangle"}};
+        }
+        default:
+            return {};
+    }
+}
+
+std::vector<WhatIfOffer> offersAbout(const Session& session, Index point) {
+    std::vector<WhatIfOffer> found;
+    for (const Event& event : session.record().events) {
+        for (WhatIfOffer& each : offersAt(event, session.picture().pivot)) {
+            if (each.what.point != point || each.what.stage == Stage::TwoPoint) continue;
+            const bool known = std::any_of(found.begin(), found.end(), [&](const WhatIfOffer& one) {
+                return one.what == each.what;
+            });
+            if (known) continue;
+            each.label += " at " + std::string(stageName(event.address.stage));
+            found.push_back(std::move(each));
+        }
+    }
+    if (session.record().pivot > 0) {
+        found.push_back(
+            {{WhatIfKind::Pivot, session.record().pivot, Stage::Advance, point, Vec3(0.0), {}},
+             "Go on at it behind this pivot"});
+    }
+    return found;
+}
+
+void WhatIfForm::take(const Session& session, Index wanted) {
+    if (wanted == point && generation == session.generation()) return;
+    point = wanted;
+    generation = session.generation();
+    const PointSet& points = session.shown().points;
+    if (wanted >= points.size()) return;
+    for (int i = 0; i < 3; ++i) {
+        to[static_cast<std::size_t>(i)] = exact(points.position[wanted][i]);
+    }
+    list.clear();
+    for (const Index q : points.neighbors[wanted]) {
+        list += (list.empty() ? "" : " ") + std::to_string(q);
+    }
+}
+
+Result<WhatIf> WhatIfForm::move(std::uint32_t pivot) const {
+    const auto what = whatIfFromText(std::to_string(pivot) + " move " + std::to_string(point) +
+                                     " " + to[0] + " " + to[1] + " " + to[2]);
+    if (!what) return Error{"Expected three numbers, in the units of the input."};
+    return what;
+}
+
+Result<WhatIf> WhatIfForm::neighbors(std::uint32_t pivot) const {
+    const auto what =
+        whatIfFromText(std::to_string(pivot) + " list " + std::to_string(point) + " " + list);
+    if (!what) return Error{"Expected numbers of points with blanks between."};
+    return what;
+}
+
+std::uint32_t forkPivot(const Session& session) { return std::max(1U, session.record().pivot); }
+
+RuleSet withWhatIf(const RuleSet& rules, const WhatIf& what) {
+    RuleSet made = rules;
+    const auto decides = [](WhatIfKind kind) {
+        return kind == WhatIfKind::Keep || kind == WhatIfKind::Drop;
+    };
+    std::erase_if(made.whatIf, [&](const WhatIf& each) {
+        const bool place = each.pivot == what.pivot && each.stage == what.stage;
+        const bool kind = each.kind == what.kind || (decides(each.kind) && decides(what.kind));
+        return place && kind && (each.point == what.point || what.kind == WhatIfKind::Pivot);
+    });
+    made.whatIf.push_back(what);
+    return made;
+}
+
+RuleSet withoutWhatIf(const RuleSet& rules, std::size_t i) {
+    RuleSet made = rules;
+    if (i < made.whatIf.size()) {
+        made.whatIf.erase(made.whatIf.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    return made;
+}
+
+}  // namespace se::view

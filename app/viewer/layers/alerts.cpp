@@ -1,0 +1,85 @@
+/// What went wrong: the alert that is looked at, and what goes wrong with this decision.
+#include <algorithm>
+
+#include "layer.h"
+
+namespace se::view {
+
+namespace {
+
+constexpr float kTint = 0.5F;
+/// Of a large failure not all points get a mark.
+constexpr std::size_t kMostMarks = 400;
+
+bool isThere(const LayerInput& in, Index number) {
+    if (in.picture.mended) return true;
+    return number < in.picture.finishedTriangles + in.picture.newTriangles.size();
+}
+
+/// Filled if it is made, else dashed: what is to come.
+void addTriangle(const LayerInput& in, const Triangle& t, bool there, DrawList& out) {
+    const Color& color = in.palette.rejected;
+    if (there) out.sheet(in.at(t.a), in.at(t.b), in.at(t.c), color.withAlpha(kTint));
+    for (const auto& [u, v] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}}) {
+        if (there) {
+            out.line(in.at(u), in.at(v), color, 0.16F, Depth::OnTop);
+        } else {
+            out.dashed(in.at(u), in.at(v), color, 0.16F);
+        }
+    }
+}
+
+void addPoints(const LayerInput& in, std::span<const Index> points, DrawList& out) {
+    for (const Index p : points.first(std::min(points.size(), kMostMarks))) {
+        if (in.model.drawable[p])
+            out.mark(in.at(p), Shape::OpenDiamond, in.palette.rejected, 0.95F);
+    }
+}
+
+/// The triangles along a hole are sound, and so is the fan about a point.
+bool showsTriangles(const MeshFailure& failure) { return failure.kind->name != "holes"; }
+
+void addChosen(const LayerInput& in, const RunFailure& alert, DrawList& out) {
+    const MeshFailure& failure = alert.failure;
+    if (showsTriangles(failure)) {
+        for (std::size_t i = 0; i < alert.corners.size(); ++i)
+            addTriangle(in, alert.corners[i], isThere(in, failure.triangles[i]), out);
+    }
+    const bool edge = failure.points.size() == 2 && !failure.triangles.empty();
+    if (edge) {
+        out.line(in.at(failure.points[0]), in.at(failure.points[1]), in.palette.rejected, 0.5F,
+                 Depth::OnTop);
+    }
+    // Corners of filled triangles need no marks.
+    if (edge || failure.points.size() == 1 || !showsTriangles(failure) || failure.triangles.empty())
+        addPoints(in, failure.points, out);
+}
+
+/// What goes wrong here, in the color of errors, with its name.
+void addNoticed(const LayerInput& in, const LiveFailure& failure, DrawList& out) {
+    for (const Index number : {failure.triangle, failure.other}) {
+        if (number != kNone && number < in.triangles.size())
+            addTriangle(in, in.triangles[number], true, out);
+    }
+    if (failure.triangle == kNone || failure.points.size() == 2) addPoints(in, failure.points, out);
+    if (failure.points.size() == 2) {
+        out.line(in.at(failure.points[0]), in.at(failure.points[1]), in.palette.rejected, 0.5F,
+                 Depth::OnTop);
+    }
+}
+
+}  // namespace
+
+void addAlerts(const LayerInput& in, DrawList& out) {
+    if (in.alert != nullptr) addChosen(in, *in.alert, out);
+    for (const LiveFailure& each : in.noticed) addNoticed(in, each, out);
+    if (in.noticed.empty()) return;
+    const LiveFailure& first = in.noticed.front();
+    glm::vec3 middle(0.0F);
+    for (const Index p : first.points) middle += in.at(p) / static_cast<float>(first.points.size());
+    std::string text(first.kind->name);
+    std::replace(text.begin(), text.end(), '_', ' ');
+    out.label(middle, "! " + text, in.palette.rejected, true);
+}
+
+}  // namespace se::view

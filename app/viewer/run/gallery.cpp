@@ -1,0 +1,18 @@
+#include "gallery.h"
+
+#include <algorithm>
+
+#include "model.h"
+
+namespace se::view {
+
+const FailureScene* galleryScene(std::string_view idOrSource) {
+    if (isScene(idOrSource)) idOrSource.remove_prefix(kScenePrefix.size());
+    const auto all = failureScenes();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const FailureScene& each) {
+        return each.scene.id == idOrSource;
+    });
+    return found == all.end() ? nullptr : &*found;
+}
+
+}  // namespace se::view

@@ -1,0 +1,89 @@
+#include "alert_search.h"
+
+#include <algorithm>
+#include <charconv>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace se::view {
+
+void AlertSearch::wait(std::shared_ptr<const Model> model) {
+    inquiry_.forget();
+    model_ = std::move(model);
+    begun_ = stopped_ = false;
+    groups_.clear();
+    inOrder_.clear();
+}
+
+void AlertSearch::begin() {
+    if (!model_ || begun_ || stopped_) return;
+    begun_ = true;
+    inquiry_.ask([model = model_](const Progress& progress) {
+        return failuresOfRun(model->points, model->params, progress);
+    });
+}
+
+void AlertSearch::stop() {
+    inquiry_.stop();
+    stopped_ = true;
+    begun_ = false;
+}
+
+void AlertSearch::resume() {
+    stopped_ = false;
+    begin();
+}
+
+bool AlertSearch::poll() {
+    if (!inquiry_.poll() || !done()) return false;
+    sortOut();
+    return true;
+}
+
+void AlertSearch::sortOut() {
+    const std::span<const RunFailure> all = failures();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (groups_.empty() || groups_.back().kind != all[i].failure.kind)
+            groups_.push_back({all[i].failure.kind, i, 0});
+        ++groups_.back().count;
+    }
+    inOrder_.resize(all.size());
+    std::iota(inOrder_.begin(), inOrder_.end(), std::size_t{0});
+    std::stable_sort(inOrder_.begin(), inOrder_.end(), [&](std::size_t a, std::size_t b) {
+        const auto created = [&](std::size_t i) {
+            const Address& at = all[i].moments.created.event.address;
+            return std::tuple(at.pivot, at.stage, at.n);
+        };
+        return created(a) < created(b);
+    });
+}
+
+std::string alertName(const AlertSearch& alerts, std::size_t index) {
+    for (const AlertGroup& group : alerts.groups()) {
+        if (index < group.first || index >= group.first + group.count) continue;
+        return std::string(group.kind->name) + ":" + std::to_string(index - group.first + 1);
+    }
+    return {};
+}
+
+std::optional<std::size_t> alertNamed(const AlertSearch& alerts, std::string_view name) {
+    if (name == "first")
+        return alerts.inOrder().empty() ? std::nullopt : std::optional(alerts.inOrder().front());
+    const std::size_t colon = name.find(':');
+    std::size_t number = 1;
+    if (colon != std::string_view::npos) {
+        const std::string_view digits = name.substr(colon + 1);
+        const auto [end, error] =
+            std::from_chars(digits.data(), digits.data() + digits.size(), number);
+        if (error != std::errc() || end != digits.data() + digits.size()) return {};
+    }
+    for (const AlertGroup& group : alerts.groups()) {
+        if (group.kind->name != name.substr(0, colon)) continue;
+        if (number < 1 || number > group.count) return {};
+        return group.first + number - 1;
+    }
+    return {};
+}
+
+}  // namespace se::view

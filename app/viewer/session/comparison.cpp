@@ -1,0 +1,251 @@
+#include "comparison.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace se::view {
+
+namespace {
+
+/// No pivot: the other run was sent to none.
+constexpr std::uint32_t kNowhere = 0xffffffffU;
+
+/// The run on one set of points, and the other on its own.
+std::string compareTwo(Compared& found, const Progress& progress) {
+    Result<RunComparison> runs = compareRuns({found.a->points, found.a->params},
+                                             {found.b->points, found.b->params}, progress);
+    if (!runs) return runs.error().message;
+    found.runs = std::move(runs.value());
+    return {};
+}
+
+/// Where a mesh on the points of `run` is drawn; what it has besides them lies behind them.
+std::shared_ptr<const Model> stillModel(const Model& run, const MatchedMesh& mesh,
+                                        std::string name) {
+    auto model = std::make_shared<Model>();
+    model->name = std::move(name);
+    model->place = run.place;
+    model->normal = run.normal;
+    model->drawable = run.drawable;
+    model->center = run.center;
+    model->scale = run.scale;
+    model->spacing = run.spacing;
+    model->points.position = run.points.position;
+    for (const Vec3& x : mesh.strangers) {
+        model->points.position.push_back(x);
+        model->place.push_back(model->toView(x));
+        model->normal.emplace_back(0.0F);
+        model->drawable.push_back(true);
+    }
+    return model;
+}
+
+/// The run, and a mesh that lies there finished.
+std::string compareMesh(Compared& found, const std::string& path, const Progress& progress) {
+    const Result<PointFile> file = readPoints(std::filesystem::path(path));
+    if (!file) return file.error().message;
+    if (file.value().faces.empty()) return path + " has no triangles to compare with.";
+    MatchedMesh matched = matchMesh(found.a->points.position, file.value());
+    found.b = stillModel(*found.a, matched, std::filesystem::path(path).filename().string());
+    Result<MadeMesh> run = makeMesh({found.a->points, found.a->params}, progress);
+    if (!run) return run.error().message;
+    found.runs.a = std::move(run.value());
+    found.runs.b.triangles = std::move(matched.triangles);
+    found.strangers = std::move(matched.strangerVertices);
+    return {};
+}
+
+}  // namespace
+
+Comparison::~Comparison() {
+    cancelJob();
+    // All know of it before the first is waited for.
+    cancelled_.clear();
+}
+
+bool Comparison::fits(const Session& run) const {
+    return with_.kind != CompareWith::Kind::Run || with_.run.source == run.spec().source;
+}
+
+void Comparison::begin(const Session& run, CompareWith with) {
+    stop();
+    with_ = std::move(with);
+    if (with_.kind != CompareWith::Kind::Run) return;
+    with_.run.source = run.spec().source;
+    with_.run.points = run.spec().points;
+    other_ = std::make_unique<Session>();
+    other_->open(with_.run);
+}
+
+void Comparison::stop() {
+    cancelJob();
+    with_ = {};
+    other_.reset();
+    result_.reset();
+    comparedA_.reset();
+    comparedB_.reset();
+    complaint_.clear();
+    held_.reset();
+    followed_.reset();
+    asked_ = kNowhere;
+    ++revision_;
+}
+
+void Comparison::cancelJob() {
+    std::erase_if(cancelled_, [](const auto& job) { return job->ended.load(); });
+    if (!job_) return;
+    job_->cancelled = true;
+    cancelled_.push_back(std::move(job_));
+}
+
+bool Comparison::working() const {
+    if (job_ != nullptr) return true;
+    return runs() && other_->phase() == SessionPhase::Loading;
+}
+
+double Comparison::share() const {
+    constexpr double kOpening = 0.4;
+    if (job_) return runs() ? kOpening + (1.0 - kOpening) * job_->share : job_->share.load();
+    return runs() ? kOpening * other_->loadShare() : 0.0;
+}
+
+void Comparison::startJob(const Session& run) {
+    cancelJob();
+    result_.reset();
+    complaint_.clear();
+    ++revision_;
+    comparedA_ = run.sharedModel();
+    comparedB_ = runs() ? other_->sharedModel() : nullptr;
+    job_ = std::make_unique<Job>();
+    job_->a = comparedA_;
+    job_->b = comparedB_;
+    job_->mesh = with_.mesh;
+    job_->thread = std::jthread([&job = *job_] {
+        auto found = std::make_shared<Compared>();
+        found->a = job.a;
+        found->b = job.b;
+        const Progress progress = [&job](double share) {
+            job.share = share;
+            return !job.cancelled.load();
+        };
+        job.complaint =
+            job.b ? compareTwo(*found, progress) : compareMesh(*found, job.mesh, progress);
+        if (job.complaint.empty()) {
+            const std::span<const Triangle> a = found->runs.a.triangles;
+            const std::span<const Triangle> b = found->runs.b.triangles;
+            found->meshes = compareMeshes(found->b->points.position, a, b);
+            found->setA = TriangleSet(a);
+            found->setB = TriangleSet(b);
+            job.found = std::move(found);
+        }
+        job.ended = true;
+    });
+}
+
+bool Comparison::takeJob() {
+    if (!job_ || !job_->ended) return false;
+    const std::unique_ptr<Job> job = std::move(job_);
+    if (job->thread.joinable()) job->thread.join();
+    result_ = job->found;
+    complaint_ = job->complaint;
+    followed_.reset();
+    asked_ = kNowhere;
+    ++revision_;
+    return true;
+}
+
+bool Comparison::poll(const Session& run) {
+    if (!chosen() || !run.ready()) return false;
+    if (!fits(run)) {
+        stop();
+        return true;
+    }
+    bool changed = false;
+    if (runs()) {
+        changed = other_->poll();
+        if (other_->phase() == SessionPhase::Failed) complaint_ = other_->error();
+    }
+    const bool there = !runs() || other_->ready();
+    const auto mine = run.sharedModel();
+    const auto theirs = runs() && there ? other_->sharedModel() : nullptr;
+    if (there && (mine != comparedA_ || theirs != comparedB_)) startJob(run);
+    changed = takeJob() || changed;
+    if (runs() && there) {
+        const std::uint32_t before = other_->revision();
+        follow(run);
+        changed = changed || other_->revision() != before;
+    }
+    return changed;
+}
+
+void Comparison::settle(Session& run) {
+    if (!chosen()) return;
+    poll(run);
+    if (runs()) other_->settle();
+    poll(run);
+    if (job_ && job_->thread.joinable()) job_->thread.join();
+    // Twice: to the pivot, and to the event in it.
+    for (int i = 0; i < 3; ++i) {
+        poll(run);
+        if (runs()) other_->settle();
+    }
+}
+
+Comparison::Stand Comparison::standOf(const Session& run) {
+    return {run.generation(), run.record().pivot, run.cursor()};
+}
+
+/// Where the other run is held; or where the counterpart of a decision at which they part is.
+std::optional<Address> Comparison::wantedPlace(const Session& run) const {
+    if (held_) return held_;
+    if (!result_ || !result_->runs.first || run.event() == nullptr) return {};
+    const RunDifference& first = *result_->runs.first;
+    const bool here = first.a.line && first.a.line->event.address == run.address();
+    return here && first.b.line ? std::optional(first.b.line->event.address) : std::nullopt;
+}
+
+void Comparison::follow(const Session& run) {
+    Session& other = *other_;
+    other.showBefore(run.showsBefore());
+    if (run.busy() || other.busy()) return;
+    const Stand here = standOf(run);
+    if (held_) {
+        if (!heldBy_) heldBy_ = here;
+        if (!(*heldBy_ == here)) held_.reset();
+    }
+    if (followed_ == here) return;
+    const std::optional<Address> wanted = wantedPlace(run);
+    if (!wanted && run.atEnd()) {
+        // Behind the last pivot there may be more: both ends belong together.
+        followed_ = here;
+        asked_ = kNowhere;
+        return other.atEnd() ? void() : other.toEnd();
+    }
+    const TwinTimes times = result_ ? result_->times() : TwinTimes{};
+    const std::uint32_t pivot = wanted ? wanted->pivot : twinPivot(times, here.pivot);
+    if (other.record().pivot != pivot && asked_ != pivot) {
+        asked_ = pivot;
+        return other.playTo({pivot, Stage::Pivot, 0});
+    }
+    followed_ = here;
+    asked_ = pivot;
+    const std::vector<Event>& events = other.record().events;
+    if (events.empty()) return;
+    std::size_t cursor = events.size() - 1;
+    if (wanted) {
+        cursor = other.record().find(*wanted).value_or(cursor);
+    } else if (inStep(times, here.pivot) && other.record().pivot == here.pivot) {
+        cursor = twinCursor(run.record().events, run.cursor(), events);
+    }
+    if (cursor != other.cursor()) other.goToEvent(cursor);
+}
+
+void Comparison::goTo(Session& run, const ComparedPlace& place) {
+    held_ = place.b;
+    heldBy_.reset();
+    followed_.reset();
+    asked_ = kNowhere;
+    place.a ? run.goTo(*place.a) : run.toEnd();
+}
+
+}  // namespace se::view

@@ -1,0 +1,181 @@
+#include "hit_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace se::view {
+
+namespace {
+
+/// A line that says nothing yet would hold everywhere.
+bool isSought(const Breakpoint& breakpoint) {
+    return breakpoint.on && breakpoint.line.find_first_not_of(" \t") != std::string::npos;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> stopPivots(const Breakpoint& breakpoint, const HitList& list,
+                                      std::pair<double, double> window, std::size_t columns) {
+    std::vector<std::uint32_t> pivots;
+    Breakpoint every = breakpoint;
+    every.logOnly = false;
+    every.on = true;
+    const ArmedBreakpoint armed{&every, &list};
+    const double width = (window.second - window.first) / static_cast<double>(columns);
+    // The last place before the window.
+    double at = std::max(0.0, std::ceil(window.first) - 1.0);
+    constexpr std::uint32_t kEndOfPivot = std::numeric_limits<std::uint32_t>::max();
+    while (pivots.size() <= columns) {
+        const auto next = nextStop({&armed, 1}, {static_cast<std::uint32_t>(at), kEndOfPivot});
+        if (!next || next->hit.place.pivot > window.second) break;
+        pivots.push_back(next->hit.place.pivot);
+        at = std::max<double>(pivots.back(), std::floor(pivots.back() + width));
+    }
+    return pivots;
+}
+
+void HitSearch::open(std::shared_ptr<const Model> model) {
+    errand_.drop();
+    model_ = std::move(model);
+    known_.clear();
+    givenUp_ = false;
+    beginNext();
+}
+
+void HitSearch::want(std::span<const Breakpoint> breakpoints) {
+    if (std::equal(wanted_.begin(), wanted_.end(), breakpoints.begin(), breakpoints.end())) return;
+    wanted_.assign(breakpoints.begin(), breakpoints.end());
+    givenUp_ = false;
+    beginNext();
+}
+
+void HitSearch::cancel() {
+    if (!busy()) return;
+    for (const Line& line : sought_) known_.erase(line.text);
+    errand_.drop();
+    givenUp_ = true;
+}
+
+void HitSearch::resume() {
+    givenUp_ = false;
+    beginNext();
+}
+
+std::vector<HitSearch::Line> HitSearch::missing() const {
+    std::vector<Line> lines;
+    for (const Breakpoint& each : wanted_) {
+        const LineHits* known = of(each.line);
+        const bool listed = known != nullptr && !known->sentences.empty();
+        const bool enough = known != nullptr && known->complete &&
+                            (!each.logOnly || listed || known->list.total == 0);
+        const auto same = std::find_if(lines.begin(), lines.end(),
+                                       [&](const Line& line) { return line.text == each.line; });
+        if (!isSought(each) || enough) continue;
+        if (same != lines.end()) {
+            same->listed = same->listed || each.logOnly;
+            continue;
+        }
+        auto query = DecisionQuery::parse(each.line);
+        if (query) lines.push_back({each.line, std::move(query.value()), each.logOnly});
+    }
+    return lines;
+}
+
+/// Looks for all lines that are wanted and not known, in one run, unless that is under way.
+void HitSearch::beginNext() {
+    if (!model_ || givenUp_) return;
+    std::vector<Line> lines = missing();
+    const auto among = [](const std::vector<Line>& all, const Line& line) {
+        return std::any_of(all.begin(), all.end(), [&](const Line& each) {
+            return each.text == line.text && each.listed == line.listed;
+        });
+    };
+    if (busy() && std::all_of(lines.begin(), lines.end(),
+                              [&](const Line& line) { return among(sought_, line); }))
+        return;
+    errand_.drop();
+    if (lines.empty()) return;
+    for (const Line& line : lines) known_[line.text] = {};
+    sought_ = lines;
+    errand_.begin(
+        [model = model_, lines = std::move(lines)](auto& basket) { work(*model, lines, basket); });
+}
+
+void HitSearch::work(const Model& model, const std::vector<Line>& lines,
+                     RunErrand<Found>::Basket& basket) {
+    std::vector<DecisionQuery> queries;
+    for (const Line& line : lines) queries.push_back(line.query);
+    std::vector<std::size_t> told(lines.size(), 0);
+    const auto found = [&](std::size_t line, const Hit& hit, const Decision& decision) {
+        const bool tells = lines[line].listed && told[line] < kMostLogged;
+        if (tells) ++told[line];
+        basket.add({line, hit, tells ? describe(decision.event) : std::string()});
+    };
+    scanHits(model.points, model.params, queries, found,
+             [&](double share) { return basket.report(share); });
+}
+
+/// Takes over what the thread has found so far.
+bool HitSearch::take() {
+    std::vector<Found> found = errand_.take();
+    for (Found& each : found) {
+        LineHits& line = known_[sought_[each.line].text];
+        line.list.add(each.hit);
+        if (!each.sentence.empty()) line.sentences.push_back(std::move(each.sentence));
+    }
+    if (found.empty()) return false;
+    // The run has come to that pivot, and may not be done with it.
+    const std::uint32_t pivot = found.back().hit.place.pivot;
+    for (const Line& line : sought_) known_[line.text].knownTo = pivot - 1;
+    return true;
+}
+
+bool HitSearch::poll() {
+    if (!busy()) return false;
+    const bool ended = errand_.ended();
+    const bool news = take();
+    if (!ended) return news;
+    for (const Line& line : sought_) {
+        known_[line.text].knownTo = std::numeric_limits<std::uint32_t>::max();
+        known_[line.text].complete = true;
+    }
+    errand_.close();
+    beginNext();
+    return true;
+}
+
+void HitSearch::finish() {
+    while (busy()) {
+        errand_.wait();
+        poll();
+    }
+}
+
+const LineHits* HitSearch::of(const std::string& line) const {
+    const auto found = known_.find(line);
+    return found == known_.end() ? nullptr : &found->second;
+}
+
+HitSearch::Answer HitSearch::stop(RunPlace here, int direction) const {
+    static const HitList kNothing;
+    std::vector<ArmedBreakpoint> armed;
+    std::uint32_t knownTo = std::numeric_limits<std::uint32_t>::max();
+    for (const Breakpoint& each : wanted_) {
+        const LineHits* known = of(each.line);
+        armed.push_back({&each, known != nullptr ? &known->list : &kNothing});
+        if (each.logOnly || !isSought(each)) continue;
+        if (known != nullptr) knownTo = std::min(knownTo, known->knownTo);
+        if (known == nullptr && DecisionQuery::parse(each.line)) knownTo = 0;
+    }
+    Answer answer;
+    answer.stop = direction > 0 ? nextStop(armed, here) : previousStop(armed, here);
+    const std::uint32_t needed = direction < 0 ? here.pivot
+                                 : answer.stop ? answer.stop->hit.place.pivot
+                                               : std::numeric_limits<std::uint32_t>::max();
+    if (knownTo >= needed) return answer;
+    return {givenUp_ ? Known::GivenUp : Known::NotYet, std::nullopt};
+}
+
+}  // namespace se::view

@@ -1,0 +1,24 @@
+/// Where the cursor stands among decisions in the order of the run.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "session.h"
+#include "spiraling_edge/ledger.h"
+
+namespace se::view {
+
+struct LinePlace {
+    std::optional<std::size_t> here;  ///< The one that the cursor stands on.
+    std::size_t before = 0;  ///< So many lie before the cursor; it is on the next or above.
+
+    /// The next (+1) or previous (-1) of `count` as seen from the cursor; nothing if there is none.
+    std::optional<std::size_t> step(int direction, std::size_t count) const;
+};
+
+/// Requires session.ready(). `lines` are in the order of the run. O(log lines + events of a pivot).
+LinePlace placeAmong(std::span<const LedgerLine> lines, const Session& session);
+
+}  // namespace se::view

@@ -1,0 +1,53 @@
+/// The values of what a person watches, over the whole run: got by one run in a thread of its own
+/// for all expressions that are new.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "run/model.h"
+#include "run_errand.h"
+#include "spiraling_edge/watch.h"
+
+namespace se::view {
+
+/// A watched number, pivot by pivot.
+struct WatchSeries {
+    std::vector<double> values;  ///< [pivot], from 0, the start; as far as is known.
+    bool complete = false;
+};
+
+class WatchScan {
+  public:
+    /// Another run: nothing is known of it.
+    void open(std::shared_ptr<const Model> model);
+    /// The expressions there are. Cheap if nothing is new.
+    void want(std::span<const std::string> expressions);
+    /// Takes over what was found. True if that is news.
+    bool poll();
+    /// Blocks until everything that is wanted is known.
+    void finish();
+
+    bool busy() const { return errand_.busy(); }
+    double share() const { return errand_.share(); }
+    /// Null if the expression is not understood.
+    const WatchSeries* of(const std::string& expression) const;
+
+  private:
+    struct Values {
+        std::uint32_t pivot;
+        std::vector<double> values;  ///< One for each that is sought.
+    };
+    void beginNext();
+
+    std::shared_ptr<const Model> model_;
+    std::vector<std::string> wanted_;
+    std::map<std::string, WatchSeries> known_;
+    std::vector<std::string> sought_;  ///< What is under way.
+    RunErrand<Values> errand_;
+};
+
+}  // namespace se::view

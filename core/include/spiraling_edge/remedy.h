@@ -1,0 +1,43 @@
+/// Which rule beyond the paper would have prevented a failure: found by running again with that one
+/// rule on.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "spiraling_edge/inspection.h"
+#include "spiraling_edge/params.h"
+#include "spiraling_edge/prepare.h"
+#include "spiraling_edge/result.h"
+
+namespace se {
+
+/// What a rule that is off now, or a whole set of rules, would do.
+struct Remedy {
+    const RuleSwitch* rule = nullptr;  ///< Null: the whole set.
+    std::string_view set;              ///< Of a whole set: its name.
+    bool prevents = false;             ///< The failure is gone.
+    std::size_t ofClass = 0;           ///< Failures of its class that the run has then.
+    std::size_t all = 0;               ///< Failures of the mesh that it has then.
+};
+/// The name of the rule or the set.
+std::string_view nameOf(const Remedy& remedy);
+
+struct Remedies {
+    /// Each rule of `robust` that is off, by itself, and then the sets `corrected` and `robust`:
+    /// those that prevent the failure first, of these those that leave the fewest failures.
+    std::vector<Remedy> tried;
+    std::size_t ofClass = 0;  ///< As the run is.
+    std::size_t all = 0;
+};
+
+/// Is the failure still among `failures`? One of its class that shares two points with it, or the
+/// only one, is taken for the same: a hole that has become smaller is still there.
+bool isStillThere(const MeshFailure& failure, const std::vector<MeshFailure>& failures);
+
+/// Tries them all, a run and an inspection each. Fails if cancelled. Deterministic. Points that
+/// `robust` would set aside for noise stay: the points are the same in all runs.
+Result<Remedies> findRemedies(const PointSet& points, const Params& params,
+                              const MeshFailure& failure, const Progress& progress = {});
+
+}  // namespace se

@@ -1,0 +1,36 @@
+/// Why there is an edge ring: the sub-step that made it (a seed, a split, a join, §4 and §6.5) and
+/// those that led there.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "spiraling_edge/ledger.h"
+
+namespace se {
+
+/// A ring by where it is. Rings have no names of their own: splits and joins make others of them.
+struct RingPlace {
+    Address at;       ///< Just after this decision; a pivot alone: after its last.
+    Index place = 0;  ///< 0: the active ring; else counted from the top of the stack, from 1.
+    friend bool operator==(const RingPlace&, const RingPlace&) = default;
+};
+/// "active ring at 137", "ring #2 at 137.ring.4".
+std::string nameOf(const RingPlace& ring);
+/// Reads "137", "137#2", "137.ring.4#2". Fails with a sentence.
+Result<RingPlace> ringPlaceFromString(std::string_view text);
+
+struct RingHistory {
+    RingPlace ring;
+    Index length = 0;               ///< Points of the ring there.
+    std::vector<LedgerLine> lines;  ///< Seeds, splits and joins that it came of, in order.
+    std::size_t cause = 0;          ///< The last of them, which made the ring as it is.
+    std::string answer;             ///< Ends with the address of the cause.
+};
+
+/// Fails if the run has no such address, or no such ring there, or if cancelled. O(run up to it).
+Result<RingHistory> whyRing(const PointSet& points, const Params& params, const RingPlace& ring,
+                            const Progress& progress = {});
+
+}  // namespace se

@@ -1,0 +1,55 @@
+/// Numbers of a run that are watched from pivot to pivot: the length of the ring, the status of a
+/// point, any counter.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "spiraling_edge/run_scan.h"
+
+namespace se {
+
+/// What a watch looks at, between two pivots.
+struct WatchedRun {
+    const State& state;
+    std::uint64_t tests = 0;    ///< Decisions so far that took or refused something.
+    std::uint64_t refused = 0;  ///< Of those.
+    std::size_t used = 0;       ///< Points that are USED.
+};
+
+/// One row of the table of what can be watched: a new one is one row.
+struct WatchTerm {
+    std::string_view form;                                ///< "ring", "status=N"
+    std::string_view meaning;                             ///< One sentence.
+    double (*value)(const WatchedRun& run, Index point);  ///< `point` where the form ends in =N.
+};
+std::span<const WatchTerm> watchTerms();
+
+class WatchExpression {
+  public:
+    /// One of the terms, such as `ring` or `status=812`. Fails with a sentence.
+    static Result<WatchExpression> parse(std::string_view text);
+    /// Requires a point below the number of points, if it has one.
+    double valueIn(const WatchedRun& run) const { return term_->value(run, point_); }
+    /// The point that it is about; kNone if none.
+    Index point() const { return point_; }
+    const WatchTerm& term() const { return *term_; }
+
+  private:
+    WatchExpression(const WatchTerm& term, Index point) : term_(&term), point_(point) {}
+    const WatchTerm* term_;
+    Index point_;
+};
+
+/// Makes the run and shows the values of all expressions after each pivot to `visit`, in order;
+/// pivot 0 is the start. A step without a number of its own behind the last pivot is shown under
+/// the number before it. An expression about a point that there is not has the value 0. False if
+/// `progress` cancelled. Deterministic.
+bool scanWatches(
+    const PointSet& points, const Params& params, std::span<const WatchExpression> expressions,
+    const std::function<void(std::uint32_t pivot, std::span<const double> values)>& visit,
+    const Progress& progress = {});
+
+}  // namespace se

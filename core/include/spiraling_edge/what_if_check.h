@@ -1,0 +1,33 @@
+/// Which what-ifs of a run can be done, and why the others cannot.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "spiraling_edge/params.h"
+#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/prepare.h"
+#include "spiraling_edge/result.h"
+#include "spiraling_edge/state.h"
+#include "spiraling_edge/stepper.h"
+
+namespace se {
+
+/// One answer for each of params.whatIf, in their order: success, or the reason why it has no
+/// effect or must not have it. A what-if is refused if nothing is tested at its place, if it
+/// changes nothing, or if behind its pivot an invariant of docs/architecture.md would not hold
+/// that holds without it. Nothing if `progress` cancelled. O(run up to the last of them).
+std::optional<std::vector<Status>> checkWhatIfs(const PointSet& points, const Params& params,
+                                                const Progress& progress = {});
+
+/// The first reason among them, with what it is about; success if all can be done.
+Status requireWhatIfs(const PointSet& points, const Params& params);
+
+/// The points as Move and List leave them, each from a pivot on, in the order of the run; empty
+/// without such.
+std::vector<EditedPoints> editedPoints(const PointSet& points, const Params& params);
+
+/// stateHash() with the what-ifs of the run in it; without any it is stateHash().
+std::uint64_t runHash(const State& state, const Params& params);
+
+}  // namespace se

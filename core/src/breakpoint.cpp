@@ -1,0 +1,92 @@
+#include "spiraling_edge/breakpoint.h"
+
+#include <algorithm>
+
+namespace se {
+namespace {
+
+std::uint64_t stepOf(const Breakpoint& breakpoint) {
+    return std::max<std::uint64_t>(1, breakpoint.every);
+}
+
+/// The first hit number >= `from` that is picked.
+std::uint64_t pickedFrom(const Breakpoint& breakpoint, std::uint64_t from) {
+    const std::uint64_t step = stepOf(breakpoint);
+    const std::uint64_t skip = breakpoint.skip;
+    const std::uint64_t behind = from > skip ? from - skip : 1;
+    return skip + (behind + step - 1) / step * step;
+}
+
+/// The last hit number <= `to` that is picked; 0 if there is none.
+std::uint64_t pickedUpTo(const Breakpoint& breakpoint, std::uint64_t to) {
+    const std::uint64_t step = stepOf(breakpoint);
+    const std::uint64_t skip = breakpoint.skip;
+    if (to < skip + step) return 0;
+    return skip + (to - skip) / step * step;
+}
+
+bool stops(const Breakpoint& breakpoint) { return breakpoint.on && !breakpoint.logOnly; }
+
+const Hit* hitNumber(const HitList& list, std::uint64_t number) {
+    return number == 0 || number > list.hits.size() ? nullptr : &list.hits[number - 1];
+}
+
+/// Hits before `here`.
+std::uint64_t countBefore(const HitList& list, RunPlace here) {
+    const auto end =
+        std::lower_bound(list.hits.begin(), list.hits.end(), here,
+                         [](const Hit& hit, const RunPlace& at) { return hit.place < at; });
+    return static_cast<std::uint64_t>(end - list.hits.begin());
+}
+
+}  // namespace
+
+bool picks(const Breakpoint& breakpoint, std::uint64_t hit) {
+    return hit > breakpoint.skip && (hit - breakpoint.skip) % stepOf(breakpoint) == 0;
+}
+
+std::uint64_t HitList::upTo(RunPlace here) const {
+    const auto end =
+        std::upper_bound(hits.begin(), hits.end(), here,
+                         [](const RunPlace& at, const Hit& hit) { return at < hit.place; });
+    return static_cast<std::uint64_t>(end - hits.begin());
+}
+
+bool scanHits(const PointSet& points, const Params& params, std::span<const DecisionQuery> queries,
+              const std::function<void(std::size_t query, const Hit&, const Decision&)>& found,
+              const Progress& progress) {
+    const bool failures = std::any_of(queries.begin(), queries.end(),
+                                      [](const DecisionQuery& q) { return q.asksForFailures(); });
+    const auto see = [&](const Decision& decision, RunPlace place) {
+        for (std::size_t i = 0; i < queries.size(); ++i) {
+            if (queries[i].matches(decision)) found(i, {place, decision.event.address}, decision);
+        }
+    };
+    return scanDecisions(points, params, failures, see, progress);
+}
+
+std::optional<Stop> nextStop(std::span<const ArmedBreakpoint> armed, RunPlace here) {
+    std::optional<Stop> best;
+    for (std::size_t i = 0; i < armed.size(); ++i) {
+        const Breakpoint& breakpoint = *armed[i].breakpoint;
+        if (!stops(breakpoint)) continue;
+        const std::uint64_t number = pickedFrom(breakpoint, armed[i].hits->upTo(here) + 1);
+        const Hit* hit = hitNumber(*armed[i].hits, number);
+        if (hit != nullptr && (!best || hit->place < best->hit.place)) best = Stop{*hit, i, number};
+    }
+    return best;
+}
+
+std::optional<Stop> previousStop(std::span<const ArmedBreakpoint> armed, RunPlace here) {
+    std::optional<Stop> best;
+    for (std::size_t i = 0; i < armed.size(); ++i) {
+        const Breakpoint& breakpoint = *armed[i].breakpoint;
+        if (!stops(breakpoint)) continue;
+        const std::uint64_t number = pickedUpTo(breakpoint, countBefore(*armed[i].hits, here));
+        const Hit* hit = hitNumber(*armed[i].hits, number);
+        if (hit != nullptr && (!best || best->hit.place < hit->place)) best = Stop{*hit, i, number};
+    }
+    return best;
+}
+
+}  // namespace se

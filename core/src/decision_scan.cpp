@@ -1,0 +1,68 @@
+#include "spiraling_edge/decision_scan.h"
+
+#include <algorithm>
+#include <array>
+
+#include "shape.h"
+#include "spiraling_edge/live_check.h"
+
+namespace se {
+namespace {
+
+/// Seen with a single decision: by LiveCheck, the last two here.
+constexpr std::array<std::string_view, 10> kInRun = {"non_manifold_edges",
+                                                     "inconsistent_edges",
+                                                     "duplicate_triangles",
+                                                     "degenerate_triangles",
+                                                     "intersecting_triangles",
+                                                     "folded_edges",
+                                                     "flipped_triangles",
+                                                     "unused_points",
+                                                     "slivers",
+                                                     "holes"};
+
+std::uint32_t bitOf(std::string_view name) { return failureBit(*findFailureClass(name)); }
+
+/// What one decision brings about by itself.
+std::uint32_t plainFailures(const Event& event, const PointSet& points) {
+    if (const auto* emit = std::get_if<EmitEvidence>(&event.evidence)) {
+        const bool thin = leastAngleCosine(points, emit->corners) > kSliverCosine;
+        return thin && !isDegenerate(points, emit->corners) ? bitOf("slivers") : 0;
+    }
+    const auto* alert = std::get_if<AlertEvidence>(&event.evidence);
+    return alert != nullptr && alert->kind == AlertKind::Hole ? bitOf("holes") : 0;
+}
+
+std::uint32_t failuresOf(const Event& event, const PointSet& points, LiveCheck& live) {
+    std::uint32_t bits = plainFailures(event, points);
+    for (const LiveFailure& each : live.see(event)) bits |= failureBit(*each.kind);
+    return bits;
+}
+
+}  // namespace
+
+std::uint32_t failureBit(const FailureClass& kind) {
+    return std::uint32_t{1} << static_cast<unsigned>(&kind - failureClasses().data());
+}
+
+bool appearsInRun(const FailureClass& kind) {
+    return std::find(kInRun.begin(), kInRun.end(), kind.name) != kInRun.end();
+}
+
+bool scanDecisions(const PointSet& points, const Params& params, bool failures,
+                   const std::function<void(const Decision&, RunPlace)>& visit,
+                   const Progress& progress) {
+    std::optional<LiveCheck> live;
+    if (failures) live.emplace(points);
+    PlaceCounter places;
+    const auto see = [&](const ScannedPivot& pivot) {
+        for (const Event& event : pivot.events) {
+            const auto reading = readingOf(event, {points, params, pivot.point});
+            const std::uint32_t bits = live ? failuresOf(event, points, *live) : 0;
+            visit({event, pivot.point, reading, points, pivot.events, bits}, places.next(event));
+        }
+    };
+    return scanRun(points, params, see, progress).has_value();
+}
+
+}  // namespace se

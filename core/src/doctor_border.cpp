@@ -1,0 +1,52 @@
+#include <algorithm>
+
+#include "doctor_checks.h"
+#include "spiraling_edge/rim.h"
+
+namespace se {
+namespace {
+
+/// As the normals of the surface look when flipped ones are put right.
+std::vector<Vec3> sidesOfPoints(const Patient& patient) {
+    std::vector<Vec3> side(patient.size(), Vec3(0.0));
+    for (Index p = 0; p < patient.size(); ++p) {
+        if (patient.hasSide(p)) side[p] = patient.side(p);
+    }
+    return side;
+}
+
+bool isMarked(const PointFile& file, Index p) {
+    return file.hasTypes() && isRimPoint(file.type[p]);
+}
+
+}  // namespace
+
+std::optional<Finding> findOpenBorder(const Patient& patient) {
+    const PointFile& file = patient.file;
+    if (!file.hasNormals()) return std::nullopt;
+    const std::vector<Vec3> side = sidesOfPoints(patient);
+    std::vector<bool> usable(patient.size());
+    for (Index p = 0; p < patient.size(); ++p) usable[p] = patient.hasSide(p);
+    const Result<NeighborLists> lists = findNeighbors(file.position, side, usable, {});
+    if (!lists) return std::nullopt;
+    const Result<Rim> rim = findRim(file.position, side, lists.value(), file.type);
+    if (!rim) return std::nullopt;
+    // A rim that the file brings is none without types.
+    const auto& chains = rim.value().chains;
+    const auto rims = static_cast<std::size_t>(
+        std::count_if(chains.begin(), chains.end(), [&](const std::vector<Index>& chain) {
+            return std::none_of(chain.begin(), chain.end(),
+                                [&](Index p) { return isMarked(file, p); });
+        }));
+    if (rims == 0) return std::nullopt;
+    std::vector<Index> points;
+    for (Index p = 0; p < patient.size(); ++p) {
+        if (rim.value().gap[p].known() && !isMarked(file, p)) points.push_back(p);
+    }
+    const std::string text = countText(points.size(), "point") + " along " +
+                             countText(rims, "rim") +
+                             " where the surface ends without a wall, and without types";
+    return findingAt(std::move(points), Severity::Note, text);
+}
+
+}  // namespace se

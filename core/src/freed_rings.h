@@ -1,0 +1,63 @@
+/// Rings that a run gives up (§7), put together from its events.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "spiraling_edge/event.h"
+#include "spiraling_edge/inspection.h"
+
+namespace se {
+
+/// A ring that was freed, with an alert.
+struct FreedRing {
+    AlertEvidence alert;
+    std::vector<Index> points;  ///< Ascending.
+    Event event;                ///< That tells of it.
+};
+
+/// Collects the points of a ring while they leave it.
+class FreedRings {
+  public:
+    /// A ring with an alert, at the event of the alert.
+    std::optional<FreedRing> see(const Event& event) {
+        if (event.address.stage != Stage::Done) {
+            leaving_.clear();
+            freed_.reset();
+            return {};
+        }
+        if (const auto* ring = std::get_if<RingEvidence>(&event.evidence)) {
+            if (freed_) leaving_.clear();
+            freed_.reset();
+            leaving_.push_back(ring->point);
+        } else if (std::holds_alternative<FreeEvidence>(event.evidence)) {
+            freed_ = event;
+        } else if (const auto* alert = std::get_if<AlertEvidence>(&event.evidence)) {
+            if (alert->kind == AlertKind::TriangleCap)
+                return FreedRing{*alert, {alert->point}, event};
+            std::vector<Index> points = leaving_;
+            std::sort(points.begin(), points.end());
+            points.erase(std::unique(points.begin(), points.end()), points.end());
+            return FreedRing{*alert, std::move(points), freed_.value_or(event)};
+        }
+        return {};
+    }
+
+  private:
+    std::vector<Index> leaving_;
+    std::optional<Event> freed_;
+};
+
+/// A ring that was given up, or the place where the run was stopped.
+inline MeshFailure failureOf(const PointSet& points, const FreedRing& ring) {
+    MeshFailure failure;
+    const bool stopped = ring.alert.kind == AlertKind::TriangleCap;
+    failure.kind = findFailureClass(stopped ? "triangle_cap" : "leftover_rings");
+    failure.points = ring.points;
+    for (const Index p : failure.points) failure.place += points.position[p];
+    failure.place /= static_cast<double>(failure.points.size());
+    return failure;
+}
+
+}  // namespace se

@@ -1,0 +1,219 @@
+#include "spiraling_edge/live_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_map>
+#include <utility>
+
+#include "box.h"
+#include "box_cells.h"
+#include "exact.h"
+#include "shape.h"
+
+namespace se {
+namespace {
+
+/// Cells are as wide as this many mean distances of neighbors.
+constexpr double kCell = 1.5;
+/// The lists of so many points tell the mean distance.
+constexpr std::size_t kSampled = 512;
+
+double usualDistance(const PointSet& points) {
+    double sum = 0.0;
+    std::size_t count = 0;
+    const std::size_t stride = std::max<std::size_t>(1, points.size() / kSampled);
+    for (std::size_t p = 0; p < points.size(); p += stride) {
+        for (const Index q : points.neighbors[static_cast<Index>(p)]) {
+            const Vec3 d = points.position[q] - points.position[p];
+            sum += std::sqrt(glm::dot(d, d));
+            ++count;
+        }
+    }
+    return sum > 0.0 ? sum / static_cast<double>(count) : 1.0;
+}
+
+Vec3 lowerCorner(const PointSet& points) {
+    Vec3 low(0.0);
+    bool any = false;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        if (points.neighbors[static_cast<Index>(p)].empty()) continue;  // maybe not finite
+        low = any ? glm::min(low, points.position[p]) : points.position[p];
+        any = true;
+    }
+    return low;
+}
+
+std::uint64_t pairKey(Index u, Index v) {
+    return (std::uint64_t{std::min(u, v)} << 32U) | std::max(u, v);
+}
+
+std::array<Index, 3> sortedCorners(const Triangle& t) {
+    std::array<Index, 3> corners{t.a, t.b, t.c};
+    std::sort(corners.begin(), corners.end());
+    return corners;
+}
+
+struct CornersHash {
+    std::size_t operator()(const std::array<Index, 3>& c) const {
+        const std::uint64_t low = (std::uint64_t{c[0]} << 32U) | c[1];
+        return std::hash<std::uint64_t>()(low * 0x9e3779b97f4a7c15U + c[2]);
+    }
+};
+
+/// What is known of an edge.
+struct EdgeUse {
+    Index first = kNone;                          ///< The first triangle at it.
+    std::array<Index, 2> firstWay{kNone, kNone};  ///< The first of each direction.
+    std::uint32_t triangles = 0;
+};
+
+}  // namespace
+
+class LiveCheck::Watch {
+  public:
+    explicit Watch(const PointSet& points)
+        : points_(points),
+          cells_(lowerCorner(points), kCell * usualDistance(points)),
+          used_(points.size(), false) {}
+
+    void see(const Event& event, std::vector<LiveFailure>& found) {
+        found_ = &found;
+        address_ = event.address;
+        if (const auto* emit = std::get_if<EmitEvidence>(&event.evidence)) {
+            seeTriangle(emit->corners);
+        } else if (const auto* strand = std::get_if<StrandEvidence>(&event.evidence)) {
+            seeDone(strand->point);
+        } else if (const auto* ring = std::get_if<RingEvidence>(&event.evidence)) {
+            if (ring->status < 0) seeDone(ring->point);
+        }
+    }
+
+  private:
+    void seeDone(Index p) {
+        if (!used_[p]) add("unused_points", kNone, kNone, {p});
+    }
+
+    void seeTriangle(const Triangle& made) {
+        const auto number = static_cast<Index>(triangles_.size());
+        triangles_.push_back(made);
+        boxes_.push_back(boxOf(points_, made));
+        used_[made.a] = used_[made.b] = used_[made.c] = true;
+        const bool area = !isDegenerate(points_, made);
+        hasArea_.push_back(area);
+        seeEdges(number);
+        const auto [same, fresh] = byCorners_.try_emplace(sortedCorners(made), number);
+        if (!fresh) addPair("duplicate_triangles", number, same->second);
+        if (!area) return addPair("degenerate_triangles", number, number);
+        seeCrossing(number, fresh);
+        if (isFlipped(points_, made)) addPair("flipped_triangles", number, number);
+    }
+
+    void seeEdges(Index number) {
+        const Triangle& t = triangles_[number];
+        Index fold = kNone;
+        bool manyTold = false;
+        bool wayTold = false;
+        for (const auto& [u, v] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}}) {
+            EdgeUse& use = edges_[pairKey(u, v)];
+            const std::size_t way = u < v ? 0 : 1;
+            const std::vector<Index> edge{std::min(u, v), std::max(u, v)};
+            if (use.triangles == 2 && !std::exchange(manyTold, true))
+                add("non_manifold_edges", number, use.first, edge);
+            if (use.firstWay[way] != kNone && !std::exchange(wayTold, true))
+                add("inconsistent_edges", number, use.firstWay[way], edge);
+            if (use.triangles == 1 && use.firstWay[way] == kNone && fold == kNone &&
+                hasArea_[number] && hasArea_[use.first] &&
+                folded(points_, triangles_[use.first], t))
+                fold = use.first;
+            if (use.triangles++ == 0) use.first = number;
+            if (use.firstWay[way] == kNone) use.firstWay[way] = number;
+        }
+        if (fold != kNone) addPair("folded_edges", number, fold);
+    }
+
+    /// Against all earlier triangles nearby, until one is met; then the new one joins them. A copy
+    /// (not `fresh`) does not: what it crosses, the first of its kind crosses too.
+    void seeCrossing(Index number, bool fresh) {
+        const Box& box = boxes_[number];
+        near_ = large_;
+        const bool fits = cells_.forEachCell(box.low, box.high, [&](std::uint64_t cell) {
+            std::vector<Index>& there = inCell_[cell];
+            near_.insert(near_.end(), there.begin(), there.end());
+            if (fresh) there.push_back(number);
+        });
+        if (!fits) {
+            for (Index i = 0; i < number; ++i) near_.push_back(i);
+            if (fresh) large_.push_back(number);
+        }
+        std::sort(near_.begin(), near_.end());
+        near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
+        for (const Index other : near_) {
+            if (!hasArea_[other] || !boxes_[other].meets(box)) continue;
+            if (!trianglesShareMore(points_.position, triangles_[other], triangles_[number]))
+                continue;
+            return addPair("intersecting_triangles", number, other);
+        }
+    }
+
+    void addPair(std::string_view kind, Index number, Index other) {
+        std::vector<Index> points;
+        for (const Index i : {number, other}) {
+            const Triangle& t = triangles_[i];
+            points.insert(points.end(), {t.a, t.b, t.c});
+        }
+        std::sort(points.begin(), points.end());
+        points.erase(std::unique(points.begin(), points.end()), points.end());
+        add(kind, number, other == number ? kNone : other, std::move(points));
+    }
+    void add(std::string_view kind, Index number, Index other, std::vector<Index> points) {
+        found_->push_back({findFailureClass(kind), address_, number, other, std::move(points)});
+    }
+
+    const PointSet& points_;
+    BoxCells cells_;
+    std::vector<bool> used_;
+    std::vector<Triangle> triangles_;
+    std::vector<Box> boxes_;
+    std::vector<bool> hasArea_;
+    std::unordered_map<std::uint64_t, EdgeUse> edges_;
+    std::unordered_map<std::array<Index, 3>, Index, CornersHash> byCorners_;
+    std::unordered_map<std::uint64_t, std::vector<Index>> inCell_;
+    std::vector<Index> large_;  ///< Triangles over too many cells.
+    std::vector<Index> near_;   ///< Of one triangle; kept for its memory.
+    std::vector<LiveFailure>* found_ = nullptr;
+    Address address_;
+};
+
+LiveCheck::LiveCheck(const PointSet& points) : watch_(std::make_unique<Watch>(points)) {}
+LiveCheck::~LiveCheck() = default;
+LiveCheck::LiveCheck(LiveCheck&&) noexcept = default;
+LiveCheck& LiveCheck::operator=(LiveCheck&&) noexcept = default;
+
+std::vector<LiveFailure> LiveCheck::see(std::span<const Event> events) {
+    std::vector<LiveFailure> found;
+    for (const Event& event : events) watch_->see(event, found);
+    return found;
+}
+
+std::string describe(const LiveFailure& failure) {
+    const std::vector<Index>& p = failure.points;
+    std::string names;
+    for (const Index each : p) names += (names.empty() ? "" : ", ") + std::to_string(each);
+    const std::string_view kind = failure.kind->name;
+    const std::string made = "Triangle " + std::to_string(failure.triangle);
+    const std::string other = std::to_string(failure.other);
+    if (kind == "unused_points") return "Point " + names + " is DONE and in no triangle.";
+    if (kind == "non_manifold_edges")
+        return made + " is the third at the edge " + names + ": non-manifold.";
+    if (kind == "inconsistent_edges")
+        return made + " passes the edge " + names + " in the same direction as " + other + ".";
+    if (kind == "duplicate_triangles")
+        return made + " has the points of " + other + ": a duplicate.";
+    if (kind == "degenerate_triangles") return made + " has no area.";
+    if (kind == "flipped_triangles") return made + " faces away from the normals of its points.";
+    if (kind == "folded_edges") return made + " lies folded onto " + other + ".";
+    return made + " overlaps " + other + ": they share more than their common corners.";
+}
+
+}  // namespace se

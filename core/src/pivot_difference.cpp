@@ -1,0 +1,321 @@
+#include "pivot_difference.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "overloaded.h"
+#include "spiraling_edge/reading.h"
+
+namespace se {
+namespace {
+
+/// What an event is about, without its numbers: equal keys are the same question.
+using Key = std::array<Index, 6>;
+
+Key keyOf(const Event& event) {
+    const auto kind = static_cast<Index>(event.evidence.index());
+    const auto key = [&](auto... ids) { return Key{kind, static_cast<Index>(ids)...}; };
+    return std::visit(
+        Overloaded{
+            [&](const SeedEvidence& e) { return key(e.first, e.second); },
+            [&](const StrandEvidence& e) { return key(e.point); },
+            [&](const PivotEvidence& e) { return key(e.pivot, e.first, e.last, e.ringLength); },
+            [&](const SkipEvidence& e) { return key(e.pivot); },
+            [&](const InsertEvidence& e) { return key(e.other); },
+            [&](const SortEvidence& e) { return key(e.point); },
+            [&](const LimitEvidence& e) { return key(e.side, e.from, e.to); },
+            [&](const DropEvidence& e) { return key(e.point); },
+            [&](const ReciprocalEvidence& e) { return key(e.point, e.pred, e.succ); },
+            [&](const HoleEvidence& e) { return key(e.point); },
+            [&](const SphereEvidence& e) { return key(e.q); },
+            [&](const TwoPointEvidence&) { return key(); },
+            [&](const GuardEvidence& e) { return key(e.a, e.b, e.dropped); },
+            [&](const FillEvidence& e) { return key(e.pivot, e.first, e.last); },
+            [&](const ReinsertEvidence& e) { return key(e.point); },
+            [&](const FlipEvidence& e) { return key(e.u, e.v, e.x, e.y); },
+            [&](const ReseatEvidence& e) { return key(e.point); },
+            [&](const EmitEvidence& e) {
+                return key(e.triangle, e.corners.a, e.corners.b, e.corners.c);
+            },
+            [&](const RingEvidence& e) { return key(e.point, e.inserted, e.status); },
+            [&](const SplitEvidence& e) {
+                return key(e.point, e.activeLength, e.stackedLength, e.stackDepth);
+            },
+            [&](const JoinEvidence& e) { return key(e.point, e.depthFromTop, e.length); },
+            [&](const CloseEvidence& e) { return key(e.a, e.b); },
+            [&](const AdvanceEvidence& e) { return key(e.to, e.circuit, e.popped); },
+            [&](const FreeEvidence& e) { return key(e.length, e.interior); },
+            [&](const ComponentEvidence& e) { return key(e.component, e.triangles); },
+            [&](const AlertEvidence& e) { return key(e.kind, e.point); },
+        },
+        event.evidence);
+}
+
+/// The answer to the question: equal answers have the same consequence.
+struct Answer {
+    Outcome outcome;
+    Index third = kNone;  ///< §7: the point that was inserted, and where.
+    Verdict place = Verdict::Kept;
+    friend bool operator==(const Answer&, const Answer&) = default;
+};
+Answer answerOf(const Event& event) {
+    if (const auto* insert = std::get_if<InsertEvidence>(&event.evidence))
+        return {outcomeOf(event), insert->third, insert->verdict};
+    return {outcomeOf(event)};
+}
+
+/// A rule's answer to a question; the others state what was done.
+bool isTest(const Event& event) { return outcomeOf(event) != Outcome::None; }
+bool isSort(const Event& event) { return std::holds_alternative<SortEvidence>(event.evidence); }
+
+/// The events of one run at the pivot, in the order in which they are compared.
+class PivotEvents {
+  public:
+    explicit PivotEvents(std::span<const Event> events) : events_(events) {
+        // A rule that looks at the whole fan sends the pivot back to §6.3: what comes behind it is
+        // compared behind it, stage by stage.
+        std::uint32_t pass = 0;
+        for (std::size_t i = 0; i < events.size(); ++i) {
+            order_.push_back({pass, events[i].address.stage, i, keyOf(events[i])});
+            if (std::holds_alternative<GuardEvidence>(events[i].evidence)) ++pass;
+        }
+        std::stable_sort(order_.begin(), order_.end(),
+                         [](const Place& x, const Place& y) { return x.rank() < y.rank(); });
+    }
+
+    struct Place {
+        std::uint32_t pass;
+        Stage stage;
+        std::size_t event;
+        Key key;
+        std::pair<std::uint32_t, Stage> rank() const { return {pass, stage}; }
+    };
+    const std::vector<Place>& order() const { return order_; }
+    const Event& at(const Place& place) const { return events_[place.event]; }
+    std::size_t size() const { return events_.size(); }
+    bool sorts(Index point) const {
+        return std::any_of(events_.begin(), events_.end(),
+                           [&](const Event& e) { return isSort(e) && testedPoint(e) == point; });
+    }
+    bool sortsAny() const { return std::any_of(events_.begin(), events_.end(), isSort); }
+    bool emits(Index point) const {
+        return std::any_of(events_.begin(), events_.end(), [&](const Event& e) {
+            const auto* emit = std::get_if<EmitEvidence>(&e.evidence);
+            return emit != nullptr && (emit->corners.a == point || emit->corners.b == point ||
+                                       emit->corners.c == point);
+        });
+    }
+    /// The same question at the same place of the order; null if this run does not come to it.
+    const Place* counterpart(const Place& place, const PivotEvents& from) const {
+        std::size_t number = 0;  // a question may be asked twice in a stage
+        for (const Place& p : from.order_) {
+            if (p.event == place.event) break;
+            if (p.rank() == place.rank() && p.key == place.key) ++number;
+        }
+        for (const Place& p : order_) {
+            if (p.rank() == place.rank() && p.key == place.key && number-- == 0) return &p;
+        }
+        return nullptr;
+    }
+    /// The last time that the question was asked at that place of the order; null if never.
+    const Place* lastOf(const Place& place) const {
+        const auto found = std::find_if(order_.rbegin(), order_.rend(), [&](const Place& p) {
+            return p.rank() == place.rank() && p.key == place.key;
+        });
+        return found == order_.rend() ? nullptr : &*found;
+    }
+    /// What happens here where the other run is at `rank`: size() if nothing more.
+    std::size_t instead(const std::pair<std::uint32_t, Stage>& rank) const {
+        for (const Place& p : order_) {
+            if (p.rank() >= rank) return p.event;
+        }
+        return order_.empty() ? 0 : order_.back().event;
+    }
+
+  private:
+    std::span<const Event> events_;
+    std::vector<Place> order_;
+};
+
+/// Both runs at the pivot.
+class PivotPair {
+  public:
+    PivotPair(std::span<const Event> a, std::span<const Event> b) : a_(a), b_(b) {}
+
+    std::optional<Mismatch> otherTest() const {
+        return firstWhere([&](const PivotEvents& mine, const PivotEvents& other,
+                              const PivotEvents::Place& place) {
+            return isTest(mine.at(place)) && differs(mine, other, place);
+        });
+    }
+    std::optional<Mismatch> otherList() const {
+        auto found = firstWhere([&](const PivotEvents& mine, const PivotEvents& other,
+                                    const PivotEvents::Place& place) {
+            const Event& event = mine.at(place);
+            return isSort(event) && onlyListed(mine, other, event) &&
+                   mine.emits(testedPoint(event));
+        });
+        if (found) found->listsDiffer = true;
+        return found;
+    }
+    std::optional<Mismatch> otherDeed() const {
+        return firstWhere(
+            [](const PivotEvents& mine, const PivotEvents& other, const PivotEvents::Place& place) {
+                return !isTest(mine.at(place)) && other.counterpart(place, mine) == nullptr;
+            });
+    }
+
+    Mismatch withLists(Mismatch found) const {
+        found.onlyInA = onlyListedPoint(a_, b_);
+        found.onlyInB = onlyListedPoint(b_, a_);
+        return found;
+    }
+
+  private:
+    using Place = PivotEvents::Place;
+
+    static Index onlyListedPoint(const PivotEvents& mine, const PivotEvents& other) {
+        for (const Place& place : mine.order()) {
+            const Event& event = mine.at(place);
+            if (isSort(event) && outcomeOf(event) == Outcome::Taken &&
+                onlyListed(mine, other, event))
+                return testedPoint(event);
+        }
+        return kNone;
+    }
+
+    /// Only one of the lists has the tested point, and both runs do look at lists.
+    static bool onlyListed(const PivotEvents& mine, const PivotEvents& other, const Event& event) {
+        const Index point = testedPoint(event);
+        return point != kNone && mine.sorts(point) && other.sortsAny() && !other.sorts(point);
+    }
+    /// Answered otherwise; or not asked there, and the answer changes something.
+    static bool differs(const PivotEvents& mine, const PivotEvents& other, const Place& place) {
+        const Event& event = mine.at(place);
+        if (const Place* const there = other.counterpart(place, mine))
+            return answerOf(other.at(*there)) != answerOf(event);
+        if (onlyListed(mine, other, event)) return false;
+        // Candidates go on unless refused; start, end and the ring stay unless moved.
+        const bool changes = std::holds_alternative<LimitEvidence>(event.evidence) ||
+                             std::holds_alternative<InsertEvidence>(event.evidence);
+        return (outcomeOf(event) == Outcome::Taken) == changes;
+    }
+
+    /// The first place, of either run, where the condition holds.
+    template <typename Condition>
+    std::optional<Mismatch> firstWhere(const Condition& holds) const {
+        const auto find = [&](const PivotEvents& mine, const PivotEvents& other) {
+            return std::find_if(mine.order().begin(), mine.order().end(),
+                                [&](const Place& place) { return holds(mine, other, place); });
+        };
+        const auto i = find(a_, b_);
+        const auto j = find(b_, a_);
+        const bool inA = i != a_.order().end();
+        const bool inB = j != b_.order().end();
+        if (!inA && !inB) return {};
+        const bool takeA = inA && (!inB || i->rank() <= j->rank());
+        if (takeA) return mismatchAt(a_, b_, *i);
+        Mismatch found = mismatchAt(b_, a_, *j);
+        std::swap(found.a, found.b);
+        std::swap(found.aDecides, found.bDecides);
+        return found;
+    }
+    static Mismatch mismatchAt(const PivotEvents& mine, const PivotEvents& other,
+                               const Place& place) {
+        const Place* there = other.counterpart(place, mine);
+        // Asked more than once here: against the last word that fell there.
+        if (there == nullptr && isTest(mine.at(place))) there = other.lastOf(place);
+        const bool decides =
+            there != nullptr && answerOf(other.at(*there)) != answerOf(mine.at(place));
+        if (decides) return {place.event, there->event, true, true, false};
+        return {place.event, other.instead(place.rank()), true, false, false};
+    }
+
+    PivotEvents a_, b_;
+};
+
+std::string pointName(Index point) { return "point " + std::to_string(point); }
+
+std::string placeName(const Event& event, Index pivot) {
+    std::string text;
+    if (const auto section = stageSection(event.address.stage); !section.empty())
+        text = std::string(section) + ", ";
+    text += stageName(event.address.stage);
+    if (pivot != kNone) text += " at point " + std::to_string(pivot);
+    return text;
+}
+
+std::string deed(const Event& event) {
+    const bool takes = outcomeOf(event) == Outcome::Taken;
+    if (const auto* limit = std::get_if<LimitEvidence>(&event.evidence)) {
+        const std::string side = limit->side == Side::Start ? "start" : "end";
+        return takes ? "moves " + side + " on to " + pointName(limit->to)
+                     : "leaves " + side + " at " + pointName(limit->from);
+    }
+    if (const Index point = testedPoint(event); isTest(event) && point != kNone)
+        return (takes ? "takes " : "refuses ") + pointName(point);
+    if (isTest(event)) return takes ? "makes the triangle" : "makes no triangle";
+    std::string text = describe(event);
+    while (text.ends_with('.')) text.pop_back();
+    return "goes on: \"" + text + "\"";
+}
+
+}  // namespace
+
+bool makesTheSame(std::span<const Event> a, std::span<const Event> b) {
+    const auto nextDeed = [](std::span<const Event> events, std::size_t i) {
+        while (i < events.size() && isTest(events[i])) ++i;
+        return i;
+    };
+    std::size_t i = 0;
+    std::size_t j = 0;
+    for (;; ++i, ++j) {
+        i = nextDeed(a, i);
+        j = nextDeed(b, j);
+        if (i == a.size() || j == b.size()) return i == a.size() && j == b.size();
+        if (keyOf(a[i]) != keyOf(b[j])) return false;
+    }
+}
+
+std::optional<Mismatch> firstOtherTest(std::span<const Event> a, std::span<const Event> b) {
+    const bool alike =
+        std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Event& x, const Event& y) {
+            return x.address == y.address && keyOf(x) == keyOf(y) && answerOf(x) == answerOf(y);
+        });
+    if (alike) return {};  // most pivots, at once
+    return PivotPair(a, b).otherTest();
+}
+
+Mismatch firstDifference(std::span<const Event> a, std::span<const Event> b) {
+    const PivotPair pair(a, b);
+    if (const auto test = pair.otherTest()) return pair.withLists(*test);
+    if (const auto list = pair.otherList()) return *list;
+    return pair.otherDeed().value_or(Mismatch{});
+}
+
+std::string wordsFor(const Mismatch& mismatch, std::span<const Event> a, std::span<const Event> b,
+                     Index pivot) {
+    if (mismatch.a >= a.size()) return "A is over, B goes on.";
+    if (mismatch.b >= b.size()) return "B is over, A goes on.";
+    const Event& inA = a[mismatch.a];
+    const Event& inB = b[mismatch.b];
+    const Event& asked = mismatch.aDecides ? inA : inB;
+    const std::string place = placeName(asked, pivot) + ": ";
+    if (mismatch.listsDiffer) {
+        return place + (mismatch.aDecides ? "A" : "B") + " lists " + pointName(testedPoint(asked)) +
+               ", " + (mismatch.aDecides ? "B" : "A") + " does not.";
+    }
+    const char* const who = mismatch.aDecides ? "A " : "B ";
+    const char* const other = mismatch.aDecides ? "B" : "A";
+    const bool oneAsks = isTest(asked) && mismatch.aDecides != mismatch.bDecides;
+    std::string text = oneAsks ? place + who + deed(asked) + ", " + other + " does not ask."
+                               : place + "A " + deed(inA) + ", B " + deed(inB) + ".";
+    if (mismatch.onlyInA != kNone)
+        text += " Only A lists " + pointName(mismatch.onlyInA) + " here.";
+    if (mismatch.onlyInB != kNone)
+        text += " Only B lists " + pointName(mismatch.onlyInB) + " here.";
+    return text;
+}
+
+}  // namespace se

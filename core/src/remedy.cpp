@@ -1,0 +1,96 @@
+#include "spiraling_edge/remedy.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "inspected_run.h"
+
+namespace se {
+namespace {
+
+/// A rule or a set to try, with all params as they would be.
+struct Trial {
+    Remedy remedy;
+    Params params;
+};
+
+std::vector<Trial> trialsFor(const Params& params) {
+    std::vector<Trial> trials;
+    const Rules robust = paramsByName("robust")->rules;
+    for (const RuleSwitch& each : ruleSwitches()) {
+        if (!(robust.*each.member) || params.rules.*each.member) continue;
+        Trial trial{{&each, {}, false, 0, 0}, params};
+        trial.params.rules.*each.member = true;
+        trials.push_back(trial);
+    }
+    for (const std::string_view set : {"corrected", "robust"}) {
+        Trial trial{{nullptr, set, false, 0, 0}, params};
+        trial.params.rules = paramsByName(set)->rules;
+        if (!(trial.params == params)) trials.push_back(trial);
+    }
+    return trials;
+}
+
+std::size_t countOf(const std::vector<MeshFailure>& failures, const FailureClass* kind) {
+    return static_cast<std::size_t>(
+        std::count_if(failures.begin(), failures.end(),
+                      [&](const MeshFailure& each) { return each.kind == kind; }));
+}
+
+/// A point in no triangle is the same trouble near the surface and far from it.
+bool sameTrouble(const FailureClass& a, const FailureClass& b) {
+    const auto unused = [](const FailureClass& c) {
+        return c.name == "unused_points" || c.name == "isolated_points";
+    };
+    return &a == &b || (unused(a) && unused(b));
+}
+
+}  // namespace
+
+std::string_view nameOf(const Remedy& remedy) {
+    return remedy.rule != nullptr ? remedy.rule->name : remedy.set;
+}
+
+bool isStillThere(const MeshFailure& failure, const std::vector<MeshFailure>& failures) {
+    const std::size_t enough = std::min<std::size_t>(2, failure.points.size());
+    return std::any_of(failures.begin(), failures.end(), [&](const MeshFailure& each) {
+        if (!sameTrouble(*each.kind, *failure.kind)) return false;
+        const auto shared = std::count_if(each.points.begin(), each.points.end(), [&](Index p) {
+            return std::binary_search(failure.points.begin(), failure.points.end(), p);
+        });
+        return static_cast<std::size_t>(shared) >= enough;
+    });
+}
+
+Result<Remedies> findRemedies(const PointSet& points, const Params& params,
+                              const MeshFailure& failure, const Progress& progress) {
+    std::vector<Trial> trials = trialsFor(params);
+    const double steps = static_cast<double>(trials.size() + 1);
+    double begun = 0.0;
+    const auto part = [&](double share) { return !progress || progress((begun + share) / steps); };
+    Remedies remedies;
+    const auto present = inspectRun(points, params, part);
+    if (!present) return Error{"Cancelled."};
+    remedies.ofClass = countOf(present->failures, failure.kind);
+    remedies.all = present->failures.size();
+    for (Trial& trial : trials) {
+        begun += 1.0;
+        const auto run = inspectRun(points, trial.params, part);
+        if (!run) return Error{"Cancelled."};
+        trial.remedy.prevents = !isStillThere(failure, run->failures);
+        trial.remedy.ofClass = countOf(run->failures, failure.kind);
+        trial.remedy.all = run->failures.size();
+        remedies.tried.push_back(trial.remedy);
+    }
+    std::stable_sort(remedies.tried.begin(), remedies.tried.end(),
+                     [](const Remedy& a, const Remedy& b) {
+                         // Single rules come before whole sets.
+                         const auto rank = [](const Remedy& r) {
+                             return std::tuple(!r.prevents, r.rule == nullptr, r.all);
+                         };
+                         return rank(a) < rank(b);
+                     });
+    return remedies;
+}
+
+}  // namespace se

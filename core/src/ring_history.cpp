@@ -1,0 +1,181 @@
+#include "spiraling_edge/ring_history.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+
+#include "spiraling_edge/ring_lanes.h"
+#include "spiraling_edge/run_scan.h"
+
+namespace se {
+
+namespace {
+
+std::string addressOf(const RingPlace& ring) {
+    const bool whole = ring.at.stage == Stage::Pivot && ring.at.n == 0;
+    return whole ? std::to_string(ring.at.pivot) : toString(ring.at);
+}
+
+}  // namespace
+
+std::string nameOf(const RingPlace& ring) {
+    return (ring.place == 0 ? "active ring" : "ring #" + std::to_string(ring.place)) + " at " +
+           addressOf(ring);
+}
+
+Result<RingPlace> ringPlaceFromString(std::string_view text) {
+    const Error expected{"\"" + std::string(text) +
+                         "\": expected an address, such as 137 for the active ring there, or "
+                         "137#2 for the second on the stack."};
+    const std::size_t sign = text.find('#');
+    const auto at = addressFromString(text.substr(0, sign));
+    if (!at) return expected;
+    if (sign == std::string_view::npos) return RingPlace{*at, 0};
+    const std::string_view number = text.substr(sign + 1);
+    Index place = 0;
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), place);
+    if (error != std::errc() || end != number.data() + number.size() || place == 0) return expected;
+    return RingPlace{*at, place};
+}
+
+namespace {
+
+/// What made a ring, and the makings of the rings that it was made of.
+struct Making {
+    LedgerLine line;
+    std::vector<std::size_t> of;  ///< Earlier makings.
+};
+
+/// Follows the rings of a run by their lanes.
+class RingGenealogy {
+  public:
+    void take(const ScannedPivot& pivot, const Event& event) {
+        lanes_.take(event);
+        for (const LaneChange& change : lanes_.takeChanges()) note(pivot.point, event, change);
+    }
+    void settle(const State& after) {
+        lanes_.settle(after.rings);
+        lanes_.takeChanges();
+    }
+
+    std::size_t rings() const { return lanes_.live(); }
+    const LaneKeeper::Ring* ringAt(Index place) const {
+        if (place == 0) return lanes_.active() ? &*lanes_.active() : nullptr;
+        const auto& stack = lanes_.stack();
+        return place <= stack.size() ? &stack[stack.size() - place] : nullptr;
+    }
+    /// All makings that the ring of a lane came of, in the order of the run.
+    std::vector<LedgerLine> linesOf(std::uint32_t lane) const {
+        std::vector<bool> wanted(makings_.size(), false);
+        wanted[made_.at(lane)] = true;
+        std::vector<LedgerLine> lines;
+        for (std::size_t i = makings_.size(); i-- > 0;) {
+            if (!wanted[i]) continue;
+            lines.push_back(makings_[i].line);
+            for (const std::size_t parent : makings_[i].of) wanted[parent] = true;
+        }
+        std::reverse(lines.begin(), lines.end());
+        return lines;
+    }
+
+  private:
+    void note(Index pivot, const Event& event, const LaneChange& change) {
+        Making making{{event, pivot, LineRole::Made, {}}, {}};
+        switch (change.kind) {
+            case LaneChangeKind::Seed:
+                break;
+            case LaneChangeKind::Split:
+                making.of = {made_.at(change.other)};
+                break;
+            case LaneChangeKind::Join:
+                making.of = {made_.at(change.lane), made_.at(change.other)};
+                break;
+            case LaneChangeKind::Activated:
+            case LaneChangeKind::Closed:
+            case LaneChangeKind::Freed:
+            case LaneChangeKind::Hole:
+                return;
+        }
+        // A split makes both of its rings, a join the one that goes on.
+        if (change.kind != LaneChangeKind::Join) made_[change.lane] = makings_.size();
+        if (change.kind != LaneChangeKind::Seed) made_[change.other] = makings_.size();
+        makings_.push_back(std::move(making));
+    }
+
+    LaneKeeper lanes_;
+    std::vector<Making> makings_;
+    std::map<std::uint32_t, std::size_t> made_;  ///< Per lane: the making of its ring.
+};
+
+/// Stops at the wanted place and keeps what there is to say of it.
+class RingFinder {
+  public:
+    explicit RingFinder(const RingPlace& ring) : ring_(ring) {}
+
+    void see(const ScannedPivot& pivot) {
+        if (found_) return;
+        for (const Event& event : pivot.events) {
+            genealogy_.take(pivot, event);
+            if (isThere(event.address)) return stop();
+        }
+        genealogy_.settle(pivot.after);
+        const std::uint32_t number = pivot.events.back().address.pivot;
+        if (number == ring_.at.pivot && wholePivot()) stop();
+    }
+    bool found() const { return found_; }
+
+    Result<RingHistory> history() const {
+        if (!found_) return Error{"The run has no " + addressOf(ring_) + "."};
+        if (!length_) {
+            return Error{"There is no " + nameOf(ring_) + ": " +
+                         (rings_ == 1 ? "1 ring is" : std::to_string(rings_) + " rings are") +
+                         " there."};
+        }
+        RingHistory history{ring_, *length_, lines_, lines_.size() - 1, {}};
+        std::string name = nameOf(ring_);
+        name[0] = static_cast<char>(name[0] - 'a' + 'A');
+        const Event& cause = lines_.back().event;
+        history.answer = name + " has " + std::to_string(*length_) + " points. " + describe(cause) +
+                         " (" + toString(cause.address) + ")";
+        return history;
+    }
+
+  private:
+    bool wholePivot() const { return ring_.at.stage == Stage::Pivot && ring_.at.n == 0; }
+    bool isThere(const Address& address) const {
+        if (wholePivot() || address.pivot != ring_.at.pivot) return false;
+        return address.stage == ring_.at.stage && (ring_.at.n == 0 || address.n == ring_.at.n);
+    }
+    void stop() {
+        found_ = true;
+        rings_ = genealogy_.rings();
+        const LaneKeeper::Ring* ring = genealogy_.ringAt(ring_.place);
+        if (ring == nullptr) return;
+        length_ = ring->length;
+        lines_ = genealogy_.linesOf(ring->lane);
+    }
+
+    RingPlace ring_;
+    RingGenealogy genealogy_;
+    bool found_ = false;
+    std::size_t rings_ = 0;
+    std::optional<Index> length_;
+    std::vector<LedgerLine> lines_;
+};
+
+}  // namespace
+
+Result<RingHistory> whyRing(const PointSet& points, const Params& params, const RingPlace& ring,
+                            const Progress& progress) {
+    RingFinder finder(ring);
+    // What comes behind the place makes no difference.
+    const auto goOn = [&](double share) {
+        return !finder.found() && (!progress || progress(share));
+    };
+    const auto end = scanRun(
+        points, params, [&](const ScannedPivot& pivot) { finder.see(pivot); }, goOn);
+    if (!end && !finder.found()) return Error{"Cancelled."};
+    return finder.history();
+}
+
+}  // namespace se

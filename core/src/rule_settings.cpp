@@ -1,0 +1,300 @@
+#include "spiraling_edge/rule_settings.h"
+
+#include <array>
+#include <cmath>
+
+#include "rule_table.h"
+
+namespace se {
+namespace {
+
+using table::option;
+using table::reading;
+using table::rule;
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// The cosine of an angle from 0 to 180 degrees by + - * / alone, so that it is the same on every
+/// machine; exact at 60, 90, 120 and 180 degrees.
+double cosineOfDegrees(double degrees) {
+    if (degrees == 60.0) return 0.5;
+    if (degrees == 90.0) return 0.0;
+    if (degrees == 120.0) return -0.5;
+    if (degrees == 180.0) return -1.0;
+    // About 90 degrees: cos(90 + x) = -sin(x), |x| <= pi / 2, where the series is short.
+    const double x = (degrees - 90.0) * kPi / 180.0;
+    double term = x;
+    double sine = x;
+    for (int n = 1; n <= 12; ++n) {
+        term *= -x * x / (2.0 * n * (2.0 * n + 1.0));
+        sine += term;
+    }
+    return -sine;
+}
+
+/// Back again, to the digits that a person would write.
+double degreesOfCosine(double cosine) {
+    constexpr double kDigits = 1e9;
+    return std::round(std::acos(cosine) * 180.0 / kPi * kDigits) / kDigits;
+}
+
+constexpr std::string_view kTies[] = {"nearest", "farthest", "both"};
+constexpr std::string_view kTurns[] = {"counterclockwise", "clockwise"};
+constexpr std::string_view kOnSphere[] = {"removed", "kept"};
+constexpr std::string_view kTwoPoints[] = {"over", "from", "off"};
+constexpr std::string_view kInstances[] = {"sector", "first"};
+constexpr std::string_view kActives[] = {"end", "other", "longer", "shorter"};
+constexpr std::string_view kStacks[] = {"last", "first"};
+constexpr std::string_view kNexts[] = {"end", "start"};
+
+// The paper's words, where several rows have them.
+constexpr std::string_view kLimitsWords =
+    "The algorithm then advances the start pointer to point to q. ... Similarly, the algorithm "
+    "moves the end pointer when it adds t to the neighbor ring.";
+constexpr std::string_view kSplitWords =
+    "If the other instance is in the active edge ring, the edge ring is split into two rings and "
+    "one of the rings is pushed onto a stack.";
+
+constexpr auto kSettings = std::to_array<RuleSetting>({
+    {"opposing", "3", false, "neighbors with an opposing normal are left out of computed lists", "",
+     SettingKind::Switch, 0.0, 1.0, "", table::kOnOff,
+     [](const Params& p) { return p.dropOpposingNormals ? 1.0 : 0.0; },
+     [](Params& p, double value) { p.dropOpposingNormals = value != 0.0; }, nullptr},
+
+    option<&PaperRules::tie>(
+        "tie", "6.1", "which of two neighbors at the same angle stays",
+        "If two neighboring points are found to have the same angle, the point closest to p is "
+        "included in the ring and the other point is eliminated from consideration.",
+        kTies),
+    {"sameangle",
+     "6.1",
+     false,
+     "angles nearer than this are the same",
+     "",
+     SettingKind::Number,
+     0.0,
+     0.01,
+     "1 - cos",
+     {},
+     [](const Params& p) { return p.sameAngle; },
+     [](Params& p, double value) { p.sameAngle = value; },
+     nullptr},
+    option<&PaperRules::turn>(
+        "turn", "6.1", "the side to which angles grow: n = normal x z, or z x normal",
+        "... taking the cross product of z and p's normals, producing the normal of the plane "
+        "slicing the ring at 180 degrees.",
+        kTurns),
+    rule<&PaperRules::maxAngle>(
+        "maxangle", "6.1", "no neighbor beyond the angle of last",
+        "The algorithm uses the angle between z and the vector between the pivot point and the "
+        "last point as the maximum allowable angle."),
+    rule<&PaperRules::limits>("limits", "6.1", "start and end advance along the edge ring",
+                              kLimitsWords),
+    reading<&Rules::limitsFirst>("limitsfirst", "6.1", false,
+                                 "start and end advance before other neighbors are looked at",
+                                 "If as the algorithm adds in q, it finds that q is already on the "
+                                 "edge ring ..."),
+    rule<&PaperRules::concave>(
+        "concave", "6.1", "start and end advance only where the edge ring is concave",
+        "... q is adjacent to the point pointed to by start, and the edge ring is concave at this "
+        "point. The algorithm then advances the start pointer to point to q."),
+    rule<&PaperRules::convex>(
+        "convex", "6.1", "a ring point next to a convex start or end is dropped",
+        "The convexity test eliminates point 2 from the neighbor ring because point 2 is the next "
+        "point on the edge list after the point pointed to by start (point 1) and 1 is convex."),
+    rule<&PaperRules::convexShared>(
+        "convexshared", "6.1", "the convexity test also drops points with several ring entries",
+        "The convexity test only applies to points in the edge ring that are adjacent to the "
+        "points pointed to by start or end."),
+    rule<&PaperRules::reciprocal>(
+        "reciprocal", "6.1", "a USED point stays only if p could be in its neighbor ring",
+        "If p could be included in e's hypothetical neighbor ring, then e is included in p's "
+        "neighbor ring."),
+    reading<&Rules::freeSector>("freesector", "6.1", false,
+                                "the reciprocal test looks at the free side of the ring",
+                                "... the angles formed by the preceding and succeeding points on "
+                                "the edge list (elast and efirst) are calculated."),
+    {"holesize",
+     "6.2",
+     false,
+     "holes of up to so many edges are known; below 3: none",
+     "Note that the algorithm will not recognize a hole formed by more than three points. ... "
+     "Although checks for larger holes could be made, it would be a case of diminishing returns.",
+     SettingKind::Whole,
+     0.0,
+     8.0,
+     "edges",
+     {},
+     [](const Params& p) { return static_cast<double>(p.paper.holeSize); },
+     [](Params& p, double value) { p.paper.holeSize = static_cast<std::uint32_t>(value); },
+     nullptr},
+    reading<&Rules::realHole>("realhole", "6.2", false,
+                              "a hole of three has three mesh edges and under 180 degrees",
+                              "First the algorithm checks for the special case of filling a hole "
+                              "formed by p, first, and last."),
+    rule<&PaperRules::sphere>(
+        "sphere", "6.3", "neighbors outside the circumsphere are removed",
+        "If q falls inside the circumsphere or its removal would create an angle difference "
+        "between s and t of more than 120 degrees, q must be kept. Otherwise, q is removed from "
+        "the neighbor ring."),
+    {"maxgap",
+     "6.3",
+     false,
+     "a neighbor is kept if without it the gap would exceed this",
+     "... or its removal would create an angle difference between s and t of more than 120 "
+     "degrees, q must be kept.",
+     SettingKind::Number,
+     90.0,
+     180.0,
+     "degrees",
+     {},
+     [](const Params& p) { return degreesOfCosine(p.maxGapCosine); },
+     [](Params& p, double value) { p.maxGapCosine = cosineOfDegrees(value); },
+     nullptr},
+    option<&PaperRules::onSphere>(
+        "onsphere", "6.3", "what becomes of a neighbor exactly on the sphere",
+        "If q falls inside the circumsphere ... q must be kept.", kOnSphere),
+    option<&PaperRules::twoPoint>(
+        "twopoint", "6.4", "two-point rings are discarded over 180 degrees, from 180 on, or never",
+        "... if the neighbor ring consists of only two points and the angle they form around the "
+        "pivot point is greater than 180 degrees, the resulting triangle will overlap existing "
+        "triangles. In this case, the neighbor ring will be discarded.",
+        kTwoPoints),
+    reading<&Rules::closeTwo>("closetwo", "6.5", false, "a ring of two finished edges is closed",
+                              "Each time the edge ring becomes empty, a disconnected surface "
+                              "component has finished triangulation."),
+    option<&PaperRules::instance>(
+        "instance", "6.5",
+        "the other instance: the first whose sector holds p, or the first at all",
+        "If a point is encountered that is already USED, the first other instance of the point in "
+        "the edge ring is located.",
+        kInstances),
+    option<&PaperRules::active>("active", "6.5",
+                                "which part of a split ring stays active; the other is pushed",
+                                kSplitWords, kActives),
+    option<&PaperRules::stack>("stack", "6.5", "which stacked ring is taken up next",
+                               "... the stack of edge rings is searched in top down order so that "
+                               "the most recently split edge ring will be found first.",
+                               kStacks),
+    option<&PaperRules::next>("next", "6.5", "where the traversal goes on after triangles",
+                              "Once the edge ring is finished being updated, the new point is the "
+                              "point that had been the end particle in the neighbor ring.",
+                              kNexts),
+    rule<&PaperRules::walls>(
+        "walls", "7", "boundary points are passed over as pivots",
+        "First, we avoid using boundary points as pivot points with only a few exceptions."),
+    reading<&Rules::openSteps>("opensteps", "7", false,
+                               "ring steps that are no mesh edges are known as open",
+                               "If the algorithm does remove p, the removal would either fragment "
+                               "the edge ring or cause nonadjacent points to be adjacent in the "
+                               "edge ring."),
+    rule<&PaperRules::thirdPoint>(
+        "thirdpoint", "7.1", "a third point joins an edge ring of two boundary points",
+        "So prior to calling the neighbor ring routine, the algorithm searches p's neighbors for a "
+        "third point that is UNUSED and has a boundary edge in common with p."),
+    rule<&PaperRules::stayInside>(
+        "stayinside", "7.1", "a third point never opens a sector that leads out of the box",
+        "The algorithm needs to insert q after p so that the range of allowable angles will "
+        "include points inside the volume boundary."),
+    rule<&PaperRules::corners>(
+        "corners", "7.2", "a third point joins the ring where it passes from wall to wall",
+        "The algorithm uses the same approach as before, inserting another UNUSED boundary point "
+        "into the edge ring either before or after p."),
+
+    {"cap",
+     "8",
+     true,
+     "the run stops above so many triangles per point",
+     "",
+     SettingKind::Whole,
+     2.0,
+     64.0,
+     "per point",
+     {},
+     [](const Params& p) { return static_cast<double>(p.maxTrianglesPerPoint); },
+     [](Params& p, double value) { p.maxTrianglesPerPoint = static_cast<std::uint32_t>(value); },
+     nullptr},
+    {"noise", "3", true, "points are set aside where noise is as wide as their spacing", "",
+     SettingKind::Switch, 0.0, 1.0, "", table::kOnOff,
+     [](const Params& p) { return p.setNoiseAside ? 1.0 : 0.0; },
+     [](Params& p, double value) { p.setNoiseAside = value != 0.0; }, nullptr},
+    reading<&Rules::tangent>("tangent", "6.1", true,
+                             "angles are measured in the tangent plane of the pivot", ""),
+    reading<&Rules::unblocked>("unblocked", "6.1", true,
+                               "start and end do not pass over an UNUSED neighbor", ""),
+    reading<&Rules::stepBack>("stepback", "6.3", true,
+                              "after a removal the point before it is looked at again", ""),
+    reading<&Rules::wallsDone>("wallsdone", "7", true,
+                               "boundary points complete along their walls are no candidates", ""),
+    reading<&Rules::bothWalls>("bothwalls", "7.2", true,
+                               "no third point beside a boundary point open at its other side", ""),
+    reading<&Rules::guard>("guard", "6.4", true,
+                           "no directed edge twice: always an oriented manifold", ""),
+    reading<&Rules::gap>("gap", "6.4", true, "no fan with a gap of 180 degrees or more", ""),
+    reading<&Rules::noPillow>("nopillow", "6.4", true,
+                              "no second triangle on the same three points", ""),
+    reading<&Rules::noCross>("nocross", "6.4", true, "no new edge across a ring edge nearby", ""),
+    reading<&Rules::noFold>("nofold", "6.4", true,
+                            "no triangle against its normals or folded onto another", ""),
+    reading<&Rules::noMeet>("nomeet", "6.4", true, "no triangle that meets a finished one nearby",
+                            ""),
+    reading<&Rules::rim>("rim", "7", true, "the surface ends where neighbors leave a wide gap", ""),
+    reading<&Rules::delay>("delay", "6.5", true, "fans with steep triangles wait for a circuit",
+                           ""),
+    reading<&Rules::fill>("fill", "6.5", true, "rings with interior points are closed by ears", ""),
+    {"filllength",
+     "6.5",
+     true,
+     "fill closes rings of at most so many entries",
+     "",
+     SettingKind::Whole,
+     3.0,
+     4096.0,
+     "entries",
+     {},
+     [](const Params& p) { return static_cast<double>(p.maxFillLength); },
+     [](Params& p, double value) { p.maxFillLength = static_cast<std::uint32_t>(value); },
+     nullptr},
+    {"fillwidth",
+     "6.5",
+     true,
+     "... and of at most this width",
+     "",
+     SettingKind::Number,
+     1.0,
+     4096.0,
+     "spacings",
+     {},
+     [](const Params& p) { return p.maxFillWidth; },
+     [](Params& p, double value) { p.maxFillWidth = value; },
+     nullptr},
+    reading<&Rules::reinsert>("reinsert", "4", true,
+                              "stranded points go into the triangle they lie over", ""),
+    reading<&Rules::flip>("flip", "6.3", true,
+                          "edges that are better the other way round are flipped", ""),
+    reading<&Rules::reseat>("reseat", "4", true,
+                            "points at flipped triangles are taken out where that mends", ""),
+});
+
+constexpr std::size_t kSwitchCount = [] {
+    std::size_t count = 0;
+    for (const RuleSetting& each : kSettings) count += each.member != nullptr ? 1 : 0;
+    return count;
+}();
+
+constexpr auto kSwitches = [] {
+    std::array<RuleSwitch, kSwitchCount> rows{};
+    std::size_t i = 0;
+    for (const RuleSetting& each : kSettings) {
+        if (each.member != nullptr)
+            rows[i++] = {each.name, each.section, each.summary, each.member};
+    }
+    return rows;
+}();
+
+}  // namespace
+
+std::span<const RuleSetting> ruleSettings() { return kSettings; }
+std::span<const RuleSwitch> ruleSwitches() { return kSwitches; }
+
+}  // namespace se

@@ -1,0 +1,62 @@
+/// How the rows of the table of settings are written down (rule_settings.cpp).
+#pragma once
+
+#include "spiraling_edge/rule_settings.h"
+
+namespace se::table {
+
+inline constexpr std::string_view kOnOff[] = {"off", "on"};
+
+/// A switch, on or off.
+constexpr RuleSetting onOff(std::string_view name, std::string_view section, bool beyond,
+                            std::string_view summary, std::string_view paper,
+                            double (*get)(const Params&), void (*set)(Params&, double),
+                            bool Rules::*member) {
+    return {name, section, beyond, summary, paper, SettingKind::Switch, 0.0, 1.0,
+            "",   kOnOff,  get,    set,     member};
+}
+
+/// A switch among Rules: a reading of the paper, or a rule beyond it.
+template <bool Rules::*member>
+constexpr RuleSetting reading(std::string_view name, std::string_view section, bool beyond,
+                              std::string_view summary, std::string_view paper) {
+    return onOff(
+        name, section, beyond, summary, paper,
+        [](const Params& p) { return p.rules.*member ? 1.0 : 0.0; },
+        [](Params& p, double value) { p.rules.*member = value != 0.0; }, member);
+}
+
+/// A switch of the paper's own.
+template <bool PaperRules::*member>
+constexpr RuleSetting rule(std::string_view name, std::string_view section,
+                           std::string_view summary, std::string_view paper) {
+    return onOff(
+        name, section, false, summary, paper,
+        [](const Params& p) { return p.paper.*member ? 1.0 : 0.0; },
+        [](Params& p, double value) { p.paper.*member = value != 0.0; }, nullptr);
+}
+
+/// One of several ways to read the paper.
+template <auto member>
+constexpr RuleSetting option(std::string_view name, std::string_view section,
+                             std::string_view summary, std::string_view paper,
+                             std::span<const std::string_view> options) {
+    return {name,
+            section,
+            false,
+            summary,
+            paper,
+            SettingKind::Option,
+            0.0,
+            static_cast<double>(options.size()) - 1.0,
+            "",
+            options,
+            [](const Params& p) { return static_cast<double>(p.paper.*member); },
+            [](Params& p, double value) {
+                using Option = std::remove_reference_t<decltype(p.paper.*member)>;
+                p.paper.*member = static_cast<Option>(static_cast<int>(value));
+            },
+            nullptr};
+}
+
+}  // namespace se::table

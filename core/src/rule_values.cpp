@@ -1,0 +1,122 @@
+/// The values of settings as text.
+#include <algorithm>
+#include <cmath>
+
+#include "number_text.h"
+#include "spiraling_edge/rule_settings.h"
+#include "text_scan.h"
+
+namespace se {
+namespace {
+
+std::string numberText(double value) {
+    std::string text;
+    appendNumber(text, value);
+    return text;
+}
+
+/// "on or off", "a, b or c".
+template <typename Texts>
+std::string alternatives(const Texts& options) {
+    std::string text;
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        text += i == 0 ? "" : i + 1 == options.size() ? " or " : ", ";
+        text += options[i];
+    }
+    return text;
+}
+
+std::string noSuchRule(std::string_view name) {
+    std::string known;
+    for (const RuleSetting& each : ruleSettings()) {
+        known += (known.empty() ? "" : ", ") + std::string(each.name);
+    }
+    return "There is no rule \"" + std::string(name) + "\"; there are " + known + ".";
+}
+
+}  // namespace
+
+const RuleSetting* findRuleSetting(std::string_view name) {
+    const auto rows = ruleSettings();
+    const auto row = std::find_if(rows.begin(), rows.end(),
+                                  [&](const RuleSetting& each) { return each.name == name; });
+    return row == rows.end() ? nullptr : &*row;
+}
+
+std::string valueText(const RuleSetting& setting, double value) {
+    if (setting.options.empty()) return numberText(value);
+    return std::string(setting.options[static_cast<std::size_t>(value)]);
+}
+
+std::string valuesText(const RuleSetting& setting) {
+    if (setting.kind == SettingKind::Switch) return "on or off";
+    if (!setting.options.empty()) return alternatives(setting.options);
+    const std::string unit = setting.unit.empty() ? "" : " (" + std::string(setting.unit) + ")";
+    return (setting.kind == SettingKind::Whole ? "a whole number from " : "a number from ") +
+           numberText(setting.low) + " to " + numberText(setting.high) + unit;
+}
+
+bool isValue(const RuleSetting& setting, double value) {
+    const bool whole = setting.kind == SettingKind::Number || value == std::floor(value);
+    return whole && value >= setting.low && value <= setting.high;
+}
+
+Result<double> valueFromText(const RuleSetting& setting, std::string_view text) {
+    const auto option = std::find(setting.options.begin(), setting.options.end(), text);
+    if (option != setting.options.end()) {
+        return static_cast<double>(option - setting.options.begin());
+    }
+    double value = 0.0;
+    if (setting.options.empty() && io::parseDouble(text, value) && isValue(setting, value)) {
+        return value;
+    }
+    if (setting.options.empty()) {
+        return Error{"Write " + std::string(setting.name) + "=VALUE with " + valuesText(setting) +
+                     "."};
+    }
+    std::vector<std::string> ways;
+    for (const std::string_view each : setting.options) {
+        ways.push_back(std::string(setting.name) + "=" + std::string(each));
+    }
+    // "on" first, as one says it.
+    if (setting.kind == SettingKind::Switch) std::reverse(ways.begin(), ways.end());
+    return Error{"Write " + alternatives(ways) + "."};
+}
+
+Result<RuleValue> ruleValueFromText(std::string_view text) {
+    const std::size_t equals = std::min(text.find('='), text.size());
+    const std::string_view name = text.substr(0, equals);
+    const RuleSetting* setting = findRuleSetting(name);
+    if (setting == nullptr) return Error{noSuchRule(name)};
+    const auto value = valueFromText(*setting, text.substr(std::min(equals + 1, text.size())));
+    if (!value) return value.error();
+    return RuleValue{std::string(name), value.value()};
+}
+
+std::string lineOf(const RuleValue& value) {
+    const RuleSetting* setting = findRuleSetting(value.name);
+    return value.name + "=" + (setting == nullptr ? "" : valueText(*setting, value.value));
+}
+
+Status applyRuleValues(std::span<const RuleValue> values, Params& params) {
+    for (const RuleValue& each : values) {
+        const RuleSetting* setting = findRuleSetting(each.name);
+        if (setting == nullptr) return Error{noSuchRule(each.name)};
+        if (!isValue(*setting, each.value)) {
+            return Error{each.name + ": expected " + valuesText(*setting) + "."};
+        }
+        setting->set(params, each.value);
+    }
+    return success();
+}
+
+std::vector<RuleValue> differingRules(const Params& params, const Params& base) {
+    std::vector<RuleValue> values;
+    for (const RuleSetting& each : ruleSettings()) {
+        const double value = each.get(params);
+        if (value != each.get(base)) values.push_back({std::string(each.name), value});
+    }
+    return values;
+}
+
+}  // namespace se

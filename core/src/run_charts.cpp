@@ -1,0 +1,98 @@
+#include "spiraling_edge/run_charts.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "spiraling_edge/pivot_tally.h"
+#include "spiraling_edge/reading.h"
+#include "spiraling_edge/run_scan.h"
+
+namespace se {
+namespace {
+
+constexpr std::uint32_t kMostBars = 16;
+
+/// How often each number came up.
+using Histogram = std::map<std::uint32_t, std::uint64_t>;
+
+/// The least of 1, 2, 5, 10, 20 ... that `most` bars of it hold everything from `low` to `high`.
+std::uint32_t widthFor(std::uint32_t low, std::uint32_t high) {
+    std::uint64_t width = 1;
+    for (std::size_t i = 0; high / width - low / width >= kMostBars; ++i)
+        width = i % 3 == 1 ? width / 2 * 5 : width * 2;
+    return static_cast<std::uint32_t>(width);
+}
+
+/// Bars of equal width from the first to the last number that came up.
+std::vector<ChartBar> barsOf(const Histogram& histogram, std::string_view term) {
+    std::vector<ChartBar> bars;
+    if (histogram.empty()) return bars;
+    const std::uint32_t width = widthFor(histogram.begin()->first, histogram.rbegin()->first);
+    const std::uint32_t first = histogram.begin()->first / width;
+    const std::uint32_t last = histogram.rbegin()->first / width;
+    for (std::uint32_t i = first; i <= last; ++i) {
+        const std::string from = std::to_string(i * width);
+        ChartBar bar;
+        bar.label = from;
+        bar.query = "stage=pivot ";
+        bar.query.append(term).append("=").append(from);
+        if (width > 1) {
+            const std::string to = std::to_string(i * width + width - 1);
+            bar.label.append("-").append(to);
+            bar.query.append("..").append(to);
+        }
+        bars.push_back(bar);
+    }
+    for (const auto& [number, count] : histogram) bars[number / width - first].count += count;
+    return bars;
+}
+
+class ChartCounter {
+  public:
+    void add(const ScannedPivot& pivot) {
+        bool looked = false;
+        for (const Event& event : pivot.events) {
+            if (outcomeOf(event) == Outcome::Refused)
+                ++refused_[static_cast<std::size_t>(event.address.stage)];
+            looked = looked || event.address.stage == Stage::Pivot;
+        }
+        if (!looked) return;
+        const PivotTally tally = tallyOf(pivot.events);
+        ++ring_[tally.ringLength];
+        ++candidates_[tally.candidates];
+        ++tests_[tally.tests];
+    }
+
+    std::vector<RunChart> charts() const {
+        std::vector<ChartBar> refusals;
+        for (std::size_t i = 0; i < kStageCount; ++i) {
+            if (refused_[i] == 0) continue;
+            const std::string name(stageName(static_cast<Stage>(i)));
+            refusals.push_back({name, refused_[i], "stage=" + name + " refused"});
+        }
+        return {
+            {"refusals", "Refusals by stage", "decisions", std::move(refusals)},
+            {"ring", "Length of the ring", "pivots", barsOf(ring_, "ring")},
+            {"candidates", "Candidates of a pivot", "pivots", barsOf(candidates_, "candidates")},
+            {"tests", "Cost: tests of a pivot", "pivots", barsOf(tests_, "tests")}};
+    }
+
+  private:
+    std::array<std::uint64_t, kStageCount> refused_{};
+    Histogram ring_;
+    Histogram candidates_;
+    Histogram tests_;
+};
+
+}  // namespace
+
+Result<std::vector<RunChart>> runCharts(const PointSet& points, const Params& params,
+                                        const Progress& progress) {
+    ChartCounter counter;
+    const auto see = [&](const ScannedPivot& pivot) { counter.add(pivot); };
+    if (!scanRun(points, params, see, progress)) return Error{"Cancelled."};
+    return counter.charts();
+}
+
+}  // namespace se

@@ -1,0 +1,184 @@
+#include "spiraling_edge/run_compare.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <tuple>
+
+#include "ledger_line.h"
+#include "pivot_difference.h"
+#include "spiraling_edge/stepper.h"
+
+namespace se {
+namespace {
+
+/// Between two calls of Progress.
+constexpr std::uint32_t kPivotsPerReport = 1024;
+
+/// A triangle from its least corner on.
+std::array<Index, 3> turnedToLeast(const Triangle& t) {
+    if (t.a <= t.b && t.a <= t.c) return {t.a, t.b, t.c};
+    if (t.b <= t.c) return {t.b, t.c, t.a};
+    return {t.c, t.a, t.b};
+}
+
+bool has(const Triangle& t, Index p) { return t.a == p || t.b == p || t.c == p; }
+
+/// Where each triangle of a run came from, as it goes along.
+class Births {
+  public:
+    void see(const Event& event) {
+        if (std::holds_alternative<EmitEvidence>(event.evidence)) {
+            emitted_.push_back(event.address);
+        } else if (mendsMesh(event)) {
+            mending_.push_back(event);
+        }
+    }
+    MadeMesh take(State end) const {
+        MadeMesh mesh;
+        mesh.pivots = end.counters.pivots;
+        if (end.mend.empty()) {
+            mesh.triangles = std::move(end.triangles);
+            mesh.made = emitted_;
+            mesh.made.resize(mesh.triangles.size());
+            return mesh;
+        }
+        std::map<std::array<Index, 3>, Address> byCorners;
+        for (std::size_t i = 0; i < emitted_.size(); ++i)
+            byCorners[turnedToLeast(end.triangles[i])] = emitted_[i];
+        mesh.triangles = std::move(end.mend.triangles);
+        for (const Triangle& t : mesh.triangles) {
+            const auto found = byCorners.find(turnedToLeast(t));
+            mesh.made.push_back(found != byCorners.end() ? found->second : mended(t));
+        }
+        mesh.emitted = std::move(end.triangles);
+        return mesh;
+    }
+
+  private:
+    /// The last step after the pivots that can have left this triangle.
+    Address mended(const Triangle& t) const {
+        const auto leaves = [&](const Event& event) {
+            if (const auto* flip = std::get_if<FlipEvidence>(&event.evidence))
+                return has(t, flip->x) && has(t, flip->y);
+            const auto* point = std::get_if<ReinsertEvidence>(&event.evidence);
+            return point != nullptr && has(t, point->point);
+        };
+        const auto found = std::find_if(mending_.rbegin(), mending_.rend(), leaves);
+        if (found != mending_.rend()) return found->address;
+        // What is left closed the hole of a point that was taken out: the events do not say which.
+        const auto taken = std::find_if(mending_.rbegin(), mending_.rend(), [](const Event& e) {
+            return std::holds_alternative<ReseatEvidence>(e.evidence);
+        });
+        return taken != mending_.rend() ? taken->address : Address{};
+    }
+
+    std::vector<Address> emitted_;
+    std::vector<Event> mending_;
+};
+
+/// One of the two runs, a pivot at a time.
+class Walker {
+  public:
+    explicit Walker(const ComparedRun& run) : run_(run), stepper_(run.points, run.params, &log_) {}
+    Walker(const Walker&) = delete;
+    Walker& operator=(const Walker&) = delete;
+
+    void step() {
+        log_.clear();
+        if (over_) return;
+        over_ = !stepper_.stepPivot();
+        for (const Event& event : log_.events()) births_.see(event);
+    }
+    bool over() const { return over_; }
+    std::span<const Event> events() const { return log_.events(); }
+    Index pivot() const {
+        for (const Event& event : log_.events()) {
+            if (const auto* p = std::get_if<PivotEvidence>(&event.evidence)) return p->pivot;
+            if (const auto* fill = std::get_if<FillEvidence>(&event.evidence)) return fill->pivot;
+        }
+        return kNone;
+    }
+    DifferenceSide side(std::size_t event, bool decides) const {
+        if (event >= log_.events().size()) return {false, {}};
+        return {decides, lineOf(log_.events()[event], {run_.points, run_.params, pivot()})};
+    }
+    double share() const {
+        const auto all = static_cast<double>(std::max<std::size_t>(run_.points.size(), 1));
+        return over_ ? 1.0 : static_cast<double>(stepper_.state().done.size()) / all;
+    }
+    MadeMesh take() { return births_.take(stepper_.takeState()); }
+
+  private:
+    ComparedRun run_;
+    EventLog log_;
+    Stepper stepper_;
+    Births births_;
+    bool over_ = false;
+};
+
+RunDifference differenceAt(const Mismatch& mismatch, const Walker& a, const Walker& b) {
+    const Index pivot = a.pivot() != kNone ? a.pivot() : b.pivot();
+    return {a.side(mismatch.a, mismatch.aDecides), b.side(mismatch.b, mismatch.bDecides),
+            wordsFor(mismatch, a.events(), b.events(), pivot)};
+}
+
+/// Looks at the pivot that both have just gone through in step.
+void comparePivot(const Walker& a, const Walker& b, RunComparison& found) {
+    if (!makesTheSame(a.events(), b.events())) {
+        found.first = differenceAt(firstDifference(a.events(), b.events()), a, b);
+        return;
+    }
+    if (const auto other = firstOtherTest(a.events(), b.events())) {
+        if (found.harmlessPivots++ == 0) found.harmless = differenceAt(*other, a, b);
+    }
+    if (!a.over() && !b.over()) ++found.pivotsAlike;
+}
+
+}  // namespace
+
+std::optional<Address> firstMade(const MadeMesh& mesh, std::span<const Index> triangles) {
+    std::optional<Address> first;
+    for (const Index t : triangles) {
+        if (t >= mesh.made.size()) continue;
+        const Address& made = mesh.made[t];
+        const bool earlier = first && (made.pivot < first->pivot ||
+                                       (made.pivot == first->pivot && made.n < first->n));
+        if (!first || earlier) first = made;
+    }
+    return first;
+}
+
+Result<MadeMesh> makeMesh(const ComparedRun& run, const Progress& progress) {
+    Walker walker(run);
+    for (std::uint32_t count = 0; !walker.over(); ++count) {
+        walker.step();
+        if (count % kPivotsPerReport == 0 && progress && !progress(walker.share()))
+            return Error{"Cancelled."};
+    }
+    return walker.take();
+}
+
+Result<RunComparison> compareRuns(const ComparedRun& a, const ComparedRun& b,
+                                  const Progress& progress) {
+    if (a.points.size() != b.points.size()) {
+        return Error{"The runs have not the same points: A has " + std::to_string(a.points.size()) +
+                     ", B has " + std::to_string(b.points.size()) + "."};
+    }
+    RunComparison found;
+    Walker left(a);
+    Walker right(b);
+    for (std::uint32_t count = 0; !left.over() || !right.over(); ++count) {
+        left.step();
+        right.step();
+        if (!found.first) comparePivot(left, right, found);
+        if (count % kPivotsPerReport == 0 && progress &&
+            !progress((left.share() + right.share()) / 2.0))
+            return Error{"Cancelled."};
+    }
+    found.a = left.take();
+    found.b = right.take();
+    return found;
+}
+
+}  // namespace se

@@ -1,0 +1,154 @@
+#include "spiraling_edge/watch.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "spiraling_edge/reading.h"
+
+namespace se {
+namespace {
+
+template <std::uint32_t Counters::*counter>
+double counted(const WatchedRun& run, Index) {
+    return run.state.counters.*counter;
+}
+
+double usedPoints(const WatchedRun& run, Index) { return static_cast<double>(run.used); }
+double donePoints(const WatchedRun& run, Index) {
+    return static_cast<double>(run.state.done.size());
+}
+double unusedPoints(const WatchedRun& run, Index) {
+    return static_cast<double>(run.state.status.size() - run.state.done.size()) -
+           static_cast<double>(run.used);
+}
+double ringLength(const WatchedRun& run, Index) {
+    const EdgeRings& rings = run.state.rings;
+    return rings.active() == kNone ? 0.0 : rings.length(rings.active());
+}
+
+constexpr WatchTerm kTerms[] = {
+    {"ring", "Length of the active ring.", ringLength},
+    {"stack", "Rings on the stack.",
+     [](const WatchedRun& run, Index) {
+         return static_cast<double>(run.state.rings.stack().size());
+     }},
+    {"status=N", "Status of a point: 0 UNUSED, n > 0 USED with n places on rings, -1 DONE.",
+     [](const WatchedRun& run, Index point) {
+         return point < run.state.status.size() ? static_cast<double>(run.state.status[point])
+                                                : 0.0;
+     }},
+    {"triangles", "Triangles made.",
+     [](const WatchedRun& run, Index) { return static_cast<double>(run.state.triangles.size()); }},
+    {"unused", "Points that are UNUSED.", unusedPoints},
+    {"used", "Points that are USED.", usedPoints},
+    {"done", "Points that are DONE.", donePoints},
+    {"tests", "Decisions that took or refused something.",
+     [](const WatchedRun& run, Index) { return static_cast<double>(run.tests); }},
+    {"refused", "Those that refused it.",
+     [](const WatchedRun& run, Index) { return static_cast<double>(run.refused); }},
+    {"circuit", "Pivots since the last triangle.",
+     [](const WatchedRun& run, Index) { return static_cast<double>(run.state.circuit); }},
+    {"alerts", "Alerts.",
+     [](const WatchedRun& run, Index) { return static_cast<double>(run.state.alerts.size()); }},
+    {"skipped", "Boundary points passed over.", counted<&Counters::skipped>},
+    {"seeds", "Rings that were begun.", counted<&Counters::seeds>},
+    {"inserted", "Third boundary points that led to triangles.", counted<&Counters::inserted>},
+    {"discarded", "Two-point rings over 180 degrees.", counted<&Counters::discarded>},
+    {"refused_fans", "Fans that a rule beyond the paper refused.", counted<&Counters::refused>},
+    {"stranded", "Stranded points.", counted<&Counters::stranded>},
+    {"splits", "Splits.", counted<&Counters::splits>},
+    {"joins", "Joins.", counted<&Counters::joins>},
+    {"closed", "Rings that were closed.", counted<&Counters::closedRings>},
+    {"freed", "Rings that were freed.", counted<&Counters::freedRings>},
+    {"holes", "Freed rings with interior points.", counted<&Counters::holes>},
+};
+
+std::string allForms() {
+    std::string forms;
+    for (const WatchTerm& term : kTerms)
+        forms += (forms.empty() ? "" : ", ") + std::string(term.form);
+    return forms;
+}
+
+/// How many points are USED, from the points that the events of each pivot are about.
+class UsedCounter {
+  public:
+    explicit UsedCounter(std::size_t points) : used_(points, false) {}
+
+    std::size_t count() const { return count_; }
+    void see(const ScannedPivot& pivot) {
+        for (const Event& event : pivot.events) {
+            if (const auto* seed = std::get_if<SeedEvidence>(&event.evidence)) {
+                look(seed->first, pivot.after);
+                look(seed->second, pivot.after);
+            } else if (const auto* insert = std::get_if<InsertEvidence>(&event.evidence)) {
+                look(insert->third, pivot.after);
+            } else if (const auto* ring = std::get_if<RingEvidence>(&event.evidence)) {
+                look(ring->point, pivot.after);
+            }
+        }
+    }
+
+  private:
+    void look(Index p, const State& state) {
+        if (p == kNone || used_[p] == (state.status[p] > 0)) return;
+        used_[p] = !used_[p];
+        used_[p] ? ++count_ : --count_;
+    }
+
+    std::vector<bool> used_;
+    std::size_t count_ = 0;
+};
+
+}  // namespace
+
+std::span<const WatchTerm> watchTerms() { return kTerms; }
+
+Result<WatchExpression> WatchExpression::parse(std::string_view text) {
+    text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+    while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+    for (const WatchTerm& term : kTerms) {
+        if (text == term.form && !term.form.ends_with("=N")) return WatchExpression(term, kNone);
+        if (!term.form.ends_with("=N")) continue;
+        const std::string_view head = term.form.substr(0, term.form.size() - 1);
+        if (!text.starts_with(head)) continue;
+        const std::string_view number = text.substr(head.size());
+        Index point = kNone;
+        const auto [end, error] =
+            std::from_chars(number.data(), number.data() + number.size(), point);
+        if (error != std::errc() || end != number.data() + number.size() || point == kNone)
+            return Error{"\"" + std::string(text) + "\": expected the number of a point, such as " +
+                         std::string(head) + "812."};
+        return WatchExpression(term, point);
+    }
+    return Error{"\"" + std::string(text) + "\" cannot be watched; there are " + allForms() + "."};
+}
+
+bool scanWatches(
+    const PointSet& points, const Params& params, std::span<const WatchExpression> expressions,
+    const std::function<void(std::uint32_t pivot, std::span<const double> values)>& visit,
+    const Progress& progress) {
+    std::vector<double> values(expressions.size());
+    std::uint64_t tests = 0;
+    std::uint64_t refused = 0;
+    UsedCounter used(points.size());
+    const auto show = [&](std::uint32_t pivot, const State& state) {
+        const WatchedRun run{state, tests, refused, used.count()};
+        std::transform(expressions.begin(), expressions.end(), values.begin(),
+                       [&](const WatchExpression& each) { return each.valueIn(run); });
+        visit(pivot, values);
+    };
+    show(0, State(points.size()));
+    const auto see = [&](const ScannedPivot& pivot) {
+        for (const Event& event : pivot.events) {
+            const Outcome outcome = outcomeOf(event);
+            tests += outcome != Outcome::None ? 1 : 0;
+            refused += outcome == Outcome::Refused ? 1 : 0;
+        }
+        used.see(pivot);
+        show(pivot.events.front().address.pivot, pivot.after);
+    };
+    return scanRun(points, params, see, progress).has_value();
+}
+
+}  // namespace se

@@ -1,0 +1,145 @@
+#include "spiraling_edge/what_if.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "number_text.h"
+#include "text_scan.h"
+
+namespace se {
+namespace {
+
+struct KindRow {
+    WhatIfKind kind;
+    std::string_view verb;
+};
+constexpr std::array kKinds{
+    KindRow{WhatIfKind::Keep, "keep"},   KindRow{WhatIfKind::Drop, "drop"},
+    KindRow{WhatIfKind::Pivot, "pivot"}, KindRow{WhatIfKind::Move, "move"},
+    KindRow{WhatIfKind::List, "list"},
+};
+
+Error expected(std::string_view text) {
+    return Error{"\"" + std::string(text) +
+                 "\" is no what-if. Write 137.sphere keep 812, 137.sphere drop 812, 137.advance "
+                 "pivot 640, 137 move 812 X Y Z, or 137 list 812 5 7 9."};
+}
+
+std::vector<std::string_view> words(std::string_view text) {
+    std::vector<std::string_view> found;
+    while (true) {
+        const std::size_t from = text.find_first_not_of(" \t,");
+        if (from == std::string_view::npos) return found;
+        const std::size_t to = std::min(text.find_first_of(" \t,", from), text.size());
+        found.push_back(text.substr(from, to - from));
+        text.remove_prefix(to);
+    }
+}
+
+bool readIndex(std::string_view word, Index& out) {
+    std::int64_t value = 0;
+    if (!io::parseInteger(word, value) || value < 0 || value >= kNone) return false;
+    out = static_cast<Index>(value);
+    return true;
+}
+
+bool readPosition(const std::vector<std::string_view>& parts, Vec3& out) {
+    if (parts.size() != 6) return false;
+    std::size_t word = 3;
+    for (double* value : {&out.x, &out.y, &out.z}) {
+        if (!io::parseDouble(parts[word++], *value) || !std::isfinite(*value)) return false;
+    }
+    return true;
+}
+
+bool readList(const std::vector<std::string_view>& parts, std::vector<Index>& out) {
+    for (std::size_t i = 3; i < parts.size(); ++i) {
+        if (!readIndex(parts[i], out.emplace_back())) return false;
+    }
+    return true;
+}
+
+/// A test can be decided at these stages.
+bool decides(Stage stage) {
+    constexpr std::array kStages{Stage::Sort, Stage::Limits, Stage::Convex,  Stage::Reciprocal,
+                                 Stage::Hole, Stage::Sphere, Stage::TwoPoint};
+    return std::find(kStages.begin(), kStages.end(), stage) != kStages.end();
+}
+
+/// What stands behind the verb, and does the place go with it?
+bool readRest(const std::vector<std::string_view>& parts, Stage stage, WhatIf& out) {
+    switch (out.kind) {
+        case WhatIfKind::Keep:
+        case WhatIfKind::Drop:
+            out.stage = stage;
+            return parts.size() == 3 && decides(stage);
+        case WhatIfKind::Pivot:
+            out.stage = Stage::Advance;
+            return parts.size() == 3 && (stage == Stage::Advance || stage == Stage::Pivot);
+        case WhatIfKind::Move:
+            return stage == Stage::Pivot && readPosition(parts, out.to);
+        case WhatIfKind::List:
+            return stage == Stage::Pivot && readList(parts, out.list);
+    }
+    return false;
+}
+
+std::string pointText(const WhatIf& what) { return "point " + std::to_string(what.point); }
+
+}  // namespace
+
+std::string lineOf(const WhatIf& what) {
+    std::string text = std::to_string(what.pivot);
+    if (what.stage != Stage::Pivot) text += "." + std::string(stageName(what.stage));
+    const std::size_t kind = static_cast<std::size_t>(what.kind);
+    text += " " + std::string(kKinds[kind].verb) + " " + std::to_string(what.point);
+    for (int i = 0; what.kind == WhatIfKind::Move && i < 3; ++i) {
+        text += ' ';
+        appendNumber(text, what.to[i]);
+    }
+    for (const Index q : what.list) text += " " + std::to_string(q);
+    return text;
+}
+
+std::string describe(const WhatIf& what) {
+    const std::string pivot = "pivot " + std::to_string(what.pivot);
+    const std::string stage(stageName(what.stage));
+    switch (what.kind) {
+        case WhatIfKind::Keep:
+            if (what.stage == Stage::TwoPoint) return "At " + pivot + " the triangle is made.";
+            return "At " + pivot + ", " + stage + ": " + pointText(what) + " is kept.";
+        case WhatIfKind::Drop:
+            if (what.stage == Stage::TwoPoint) return "At " + pivot + " no triangle is made.";
+            return "At " + pivot + ", " + stage + ": " + pointText(what) +
+                   (what.stage == Stage::Limits ? " is not advanced to." : " is dropped.");
+        case WhatIfKind::Pivot:
+            return "Behind " + pivot + " the run goes on at " + pointText(what) + ".";
+        case WhatIfKind::Move:
+            return "From " + pivot + " on " + pointText(what) + " is elsewhere.";
+        case WhatIfKind::List:
+            return "From " + pivot + " on " + pointText(what) + " has another list, of " +
+                   std::to_string(what.list.size()) + ".";
+    }
+    return {};
+}
+
+Result<WhatIf> whatIfFromText(std::string_view text) {
+    const std::vector<std::string_view> parts = words(text);
+    if (parts.size() < 3) return expected(text);
+    const auto place = addressFromString(parts[0]);
+    const auto row = std::find_if(kKinds.begin(), kKinds.end(),
+                                  [&](const KindRow& each) { return each.verb == parts[1]; });
+    WhatIf what;
+    if (!place || place->pivot == 0 || row == kKinds.end() || !readIndex(parts[2], what.point)) {
+        return expected(text);
+    }
+    what.kind = row->kind;
+    what.pivot = place->pivot;
+    if (!readRest(parts, place->stage, what)) return expected(text);
+    return what;
+}
+
+Address placeOf(const WhatIf& what) { return {what.pivot, what.stage, 0}; }
+
+}  // namespace se

@@ -1,0 +1,141 @@
+#include "spiraling_edge/live_check.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "../support/clouds.h"
+#include "../support/rig.h"
+#include "spiraling_edge/failure_moments.h"
+#include "spiraling_edge/run_scan.h"
+#include "spiraling_edge/scenes.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+struct Watched {
+    std::vector<LiveFailure> failures;
+    std::vector<Triangle> mesh;
+};
+
+Watched watch(const PointSet& points, const Params& params) {
+    Watched result;
+    LiveCheck check(points);
+    const auto end = scanRun(points, params, [&](const ScannedPivot& pivot) {
+        for (LiveFailure& each : check.see(pivot.events)) result.failures.push_back(each);
+    });
+    result.mesh = end->mesh();
+    return result;
+}
+
+/// The classes that are there with a triangle or a point, as soon as it is.
+bool isLive(const MeshFailure& failure) {
+    constexpr std::array<std::string_view, 8> kLive{
+        "non_manifold_edges",   "inconsistent_edges",     "duplicate_triangles",
+        "degenerate_triangles", "intersecting_triangles", "folded_edges",
+        "flipped_triangles",    "unused_points"};
+    return std::find(kLive.begin(), kLive.end(), failure.kind->name) != kLive.end();
+}
+
+/// Triangles by hand, as a run would make them.
+std::vector<LiveFailure> seeAll(const PointSet& points, const std::vector<Triangle>& triangles) {
+    LiveCheck check(points);
+    std::vector<LiveFailure> all;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const auto n = static_cast<Index>(i);
+        const Event event{{1, Stage::Emit, n + 1}, EmitEvidence{n, triangles[i]}};
+        for (LiveFailure& each : check.see(event)) all.push_back(std::move(each));
+    }
+    return all;
+}
+
+PointSet flat(std::vector<Vec3> position) {
+    PointSet points;
+    points.position = std::move(position);
+    points.normal.assign(points.size(), Vec3(0, 0, 1));
+    points.type.assign(points.size(), kInterior);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        const Index other = p == 0 ? 1 : 0;
+        points.neighbors.append(std::span(&other, 1));
+    }
+    return points;
+}
+
+}  // namespace
+
+TEST_CASE("live: what the inspection finds at the end was noticed when it was created") {
+    for (const FailureScene& each : failureScenes()) {
+        CAPTURE(each.scene.id);
+        const PointSet points = prepared(each.scene.build());
+        const Watched run = watch(points, paper());
+        std::size_t asked = 0;
+        for (const MeshFailure& failure : inspectMesh(points, run.mesh)) {
+            if (!isLive(failure) || ++asked > (kSanitized ? 5U : 60U)) continue;
+            CAPTURE(describe(failure));
+            const auto moments = momentsOf(points, paper(), failure, run.mesh);
+            REQUIRE(moments.ok());
+            const Address created = moments.value().created.event.address;
+            CAPTURE(toString(created));
+            const bool noticed =
+                std::any_of(run.failures.begin(), run.failures.end(), [&](const LiveFailure& live) {
+                    return live.kind == failure.kind && live.address == created;
+                });
+            CHECK(noticed);
+        }
+        CHECK(asked > 0);
+    }
+}
+
+TEST_CASE("live: what is noticed is still there at the end, if no rule mends") {
+    for (const FailureScene& each : failureScenes()) {
+        CAPTURE(each.scene.id);
+        const PointSet points = prepared(each.scene.build());
+        const Watched run = watch(points, paper());
+        const auto failures = inspectMesh(points, run.mesh);
+        for (const LiveFailure& live : run.failures) {
+            // A fold is one of an edge of two triangles, which a third may join.
+            if (live.kind->name == "folded_edges" || live.triangle == kNone) continue;
+            CAPTURE(describe(live));
+            CHECK(std::any_of(failures.begin(), failures.end(), [&](const MeshFailure& failure) {
+                return failure.kind == live.kind &&
+                       std::binary_search(failure.triangles.begin(), failure.triangles.end(),
+                                          live.triangle);
+            }));
+        }
+    }
+}
+
+TEST_CASE("live: a sound run has nothing to tell") {
+    const PointSet points = prepared(findScene("sphere")->build());
+    CHECK(watch(points, *paramsByName("robust")).failures.empty());
+}
+
+TEST_CASE("live: the third triangle at an edge, not the fourth") {
+    const PointSet points =
+        flat({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}});
+    const auto found = seeAll(points, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {1, 0, 5}});
+    const auto many = [](const LiveFailure& f) { return f.kind->name == "non_manifold_edges"; };
+    REQUIRE(std::count_if(found.begin(), found.end(), many) == 1);
+    const LiveFailure& first = *std::find_if(found.begin(), found.end(), many);
+    CHECK(first.triangle == 2);
+    CHECK(first.points == std::vector<Index>{0, 1});
+    CHECK(describe(first) == "Triangle 2 is the third at the edge 0, 1: non-manifold.");
+}
+
+TEST_CASE("live: a crossing is told of the later triangle, however far apart they began") {
+    // The large one lies over more cells than are kept.
+    const PointSet points =
+        flat({{0, 0, 0}, {1e-3, 0, 0}, {0, 1e-3, 0}, {-9, -9, 1e-4}, {9, -9, 1e-4}, {0, 9, -2e-4}});
+    const auto found = seeAll(points, {{3, 4, 5}, {0, 1, 2}});
+    const auto crosses = [](const LiveFailure& f) {
+        return f.kind->name == "intersecting_triangles";
+    };
+    const auto failures = inspectMesh(points, std::vector<Triangle>{{3, 4, 5}, {0, 1, 2}});
+    const bool meets = std::any_of(failures.begin(), failures.end(), [](const MeshFailure& f) {
+        return f.kind->name == "intersecting_triangles";
+    });
+    CHECK(meets == std::any_of(found.begin(), found.end(), crosses));
+}

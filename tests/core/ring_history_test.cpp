@@ -1,0 +1,120 @@
+#include "spiraling_edge/ring_history.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "../support/clouds.h"
+#include "../support/rig.h"
+#include "spiraling_edge/decision_query.h"
+#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/timeline.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+std::vector<LedgerLine> found(const PointSet& points, const char* line) {
+    const auto query = DecisionQuery::parse(line);
+    REQUIRE(query.ok());
+    return findDecisions(points, paper(), query.value(), 1'000'000).value().lines;
+}
+
+RingHistory historyOf(const PointSet& points, const RingPlace& ring) {
+    const auto history = whyRing(points, paper(), ring);
+    REQUIRE(history.ok());
+    return history.value();
+}
+
+bool has(const RingHistory& history, const Event& event) {
+    return std::any_of(history.lines.begin(), history.lines.end(),
+                       [&](const LedgerLine& line) { return line.event.address == event.address; });
+}
+
+}  // namespace
+
+TEST_CASE("ring: places are written and read") {
+    CHECK((ringPlaceFromString("137").value() == RingPlace{{137, Stage::Pivot, 0}, 0}));
+    CHECK((ringPlaceFromString("137#2").value() == RingPlace{{137, Stage::Pivot, 0}, 2}));
+    CHECK((ringPlaceFromString("137.ring.4#1").value() == RingPlace{{137, Stage::Ring, 4}, 1}));
+    for (const char* bad : {"", "#1", "137#", "137#0", "137#x", "dragon"}) {
+        CAPTURE(bad);
+        CHECK_FALSE(ringPlaceFromString(bad).ok());
+    }
+    CHECK(nameOf(RingPlace{{137, Stage::Pivot, 0}, 0}) == "active ring at 137");
+    CHECK(nameOf(RingPlace{{137, Stage::Ring, 4}, 2}) == "ring #2 at 137.ring.4");
+}
+
+TEST_CASE("ring: the first ring comes of its seed alone, before and after it grows") {
+    const PointSet points = prepared(findScene("torus")->build());
+    for (const std::uint32_t pivot : {1U, 5U}) {
+        const RingHistory history = historyOf(points, {{pivot, Stage::Pivot, 0}, 0});
+        REQUIRE(history.lines.size() == 1);
+        CHECK(toString(history.lines[0].event.address) == "1.seed.1");
+        CHECK(history.answer.ends_with("(1.seed.1)"));
+        CHECK(history.length >= 3);
+    }
+}
+
+TEST_CASE("ring: a split makes both of its rings, and each came of all that made the one before") {
+    const PointSet points = prepared(findScene("torus")->build());
+    const std::vector<LedgerLine> splits = found(points, "stage=split");
+    REQUIRE_FALSE(splits.empty());
+    for (const LedgerLine& split : splits) {
+        const Address at = split.event.address;
+        const auto* e = std::get_if<SplitEvidence>(&split.event.evidence);
+        REQUIRE(e != nullptr);
+        const RingHistory active = historyOf(points, {at, 0});
+        const RingHistory stacked = historyOf(points, {at, 1});
+        CAPTURE(active.answer);
+        CHECK((active.lines.back().event.address == at));
+        CHECK((stacked.lines.back().event.address == at));
+        CHECK(active.length == e->activeLength);
+        CHECK(stacked.length == e->stackedLength);
+        CHECK(toString(active.lines.front().event.address) == "1.seed.1");
+        CHECK(active.cause + 1 == active.lines.size());
+    }
+}
+
+TEST_CASE("ring: a join makes one ring that came of what made either") {
+    const PointSet points = prepared(findScene("torus")->build());
+    const std::vector<LedgerLine> joins = found(points, "stage=join");
+    REQUIRE_FALSE(joins.empty());
+    const Event& join = joins.front().event;
+    const RingHistory joined = historyOf(points, {join.address, 0});
+    CHECK((joined.lines.back().event.address == join.address));
+    const auto* e = std::get_if<JoinEvidence>(&join.evidence);
+    REQUIRE(e != nullptr);
+    CHECK(joined.length == e->length);
+    const RingHistory before = historyOf(points, {{join.address.pivot - 1, Stage::Pivot, 0}, 0});
+    for (const LedgerLine& line : before.lines) CHECK(has(joined, line.event));
+    CHECK(joined.lines.size() > before.lines.size());
+}
+
+TEST_CASE("ring: lengths and number of rings are those of the run at every pivot") {
+    const PointSet points = prepared(findScene("stranded-point")->build());
+    Timeline timeline(points, paper());
+    for (const std::uint32_t pivot : {3U, 25U, 50U, 80U, 90U}) {
+        timeline.seek(pivot);
+        const EdgeRings& rings = timeline.state().rings;
+        const Address at{pivot, Stage::Pivot, 0};
+        const auto& stack = rings.stack();
+        for (std::size_t k = 1; k <= stack.size(); ++k) {
+            const RingHistory history = historyOf(points, {at, static_cast<Index>(k)});
+            CHECK(history.length == rings.length(stack[stack.size() - k]));
+        }
+        if (rings.active() != kNone)
+            CHECK(historyOf(points, {at, 0}).length == rings.length(rings.active()));
+        CHECK_FALSE(whyRing(points, paper(), {at, static_cast<Index>(stack.size() + 1)}).ok());
+    }
+}
+
+TEST_CASE("ring: an address that the run has not got is named") {
+    const PointSet points = prepared(findScene("torus")->build());
+    const auto history = whyRing(points, paper(), {{99999, Stage::Ring, 1}, 0});
+    REQUIRE_FALSE(history.ok());
+    CHECK(history.error().message.find("99999") != std::string::npos);
+    CHECK_FALSE(
+        whyRing(points, paper(), {{3, Stage::Pivot, 0}, 0}, [](double) { return false; }).ok());
+}

@@ -1,0 +1,145 @@
+// What the rules beyond the paper decide stands in the ledger of the points that it is about.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include "../support/clouds.h"
+#include "../support/rig.h"
+#include "spiraling_edge/ledger.h"
+#include "spiraling_edge/run_scan.h"
+#include "spiraling_edge/scenes.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+/// A rule, and how one knows its decision.
+struct Sign {
+    std::string_view rule;
+    std::function<bool(const Event&)> is;
+};
+
+template <typename E>
+bool has(const Event& event, Verdict verdict) {
+    const auto* e = std::get_if<E>(&event.evidence);
+    if constexpr (requires { e->verdict; }) return e != nullptr && e->verdict == verdict;
+    return false;
+}
+std::function<bool(const Event&)> objects(std::initializer_list<Verdict> verdicts) {
+    return [all = std::vector<Verdict>(verdicts)](const Event& event) {
+        return std::any_of(all.begin(), all.end(),
+                           [&](Verdict v) { return has<GuardEvidence>(event, v); });
+    };
+}
+template <typename E>
+std::function<bool(const Event&)> of() {
+    return [](const Event& event) { return std::holds_alternative<E>(event.evidence); };
+}
+
+/// Rules that only change the numbers of other tests, tangent and stepback, have no event.
+std::vector<Sign> signs() {
+    return {
+        {"unblocked", [](const Event& e) { return has<LimitEvidence>(e, Verdict::Blocked); }},
+        {"wallsdone",
+         [](const Event& e) { return has<ReciprocalEvidence>(e, Verdict::WallComplete); }},
+        {"bothwalls",
+         [](const Event& e) { return has<InsertEvidence>(e, Verdict::OtherSideOpen); }},
+        {"guard", objects({Verdict::EdgeTaken, Verdict::EntryMissed})},
+        {"gap", objects({Verdict::WideGap})},
+        {"nopillow", objects({Verdict::Pillow})},
+        {"nocross", objects({Verdict::Crosses})},
+        {"nofold", objects({Verdict::AgainstNormal, Verdict::FoldsOver})},
+        {"nomeet", objects({Verdict::Meets})},
+        {"rim", objects({Verdict::OverRim})},
+        {"delay", objects({Verdict::Steep})},
+        {"fill", of<FillEvidence>()},
+        {"reinsert", of<ReinsertEvidence>()},
+        {"flip", of<FlipEvidence>()},
+        {"reseat", of<ReseatEvidence>()},
+    };
+}
+
+/// What one would ask about.
+Subject subjectOf(const Event& event) {
+    if (const auto* flip = std::get_if<FlipEvidence>(&event.evidence))
+        return Subject::edge(flip->x, flip->y);
+    if (const auto* fill = std::get_if<FillEvidence>(&event.evidence))
+        return Subject::point(fill->pivot);
+    if (const auto* insert = std::get_if<InsertEvidence>(&event.evidence))
+        return Subject::point(insert->pivot);
+    const auto* guard = std::get_if<GuardEvidence>(&event.evidence);
+    if (guard != nullptr && guard->dropped == kNone) return Subject::point(guard->a);
+    return Subject::point(testedPoint(event));
+}
+
+std::vector<PointSet> inputs() {
+    std::vector<PointSet> all;
+    for (const FailureScene& each : failureScenes()) all.push_back(prepared(each.scene.build()));
+    for (const Scene& each : scenes()) all.push_back(prepared(each.build()));
+    return all;
+}
+
+/// The first decision of the rule in one of the runs.
+struct Found {
+    const PointSet* points = nullptr;
+    Event event;
+};
+Found firstDecision(const std::vector<PointSet>& all, const Params& params, const Sign& sign) {
+    Found found;
+    for (const PointSet& points : all) {
+        (void)scanRun(points, params, [&](const ScannedPivot& pivot) {
+            if (found.points != nullptr) return;
+            const auto event = std::find_if(pivot.events.begin(), pivot.events.end(), sign.is);
+            if (event != pivot.events.end()) found = {&points, *event};
+        });
+        if (found.points != nullptr) break;
+    }
+    return found;
+}
+
+}  // namespace
+
+TEST_CASE("robust: what each rule decides is a line of the ledger of what it is about") {
+    const std::vector<PointSet> all = inputs();
+    for (const Sign& sign : signs()) {
+        CAPTURE(sign.rule);
+        const auto rows = ruleSwitches();
+        const auto row = std::find_if(rows.begin(), rows.end(), [&](const RuleSwitch& each) {
+            return each.name == sign.rule;
+        });
+        REQUIRE(row != rows.end());
+        Params params = paper();
+        params.rules.*row->member = true;
+        Found found = firstDecision(all, params, sign);
+        if (found.points == nullptr) {
+            // Some have work to do only beside the others.
+            params = *paramsByName("robust");
+            found = firstDecision(all, params, sign);
+        }
+        REQUIRE(found.points != nullptr);
+        const std::string address = toString(found.event.address);
+        CAPTURE(address);
+        const auto ledger = why(*found.points, params, subjectOf(found.event));
+        REQUIRE(ledger.ok());
+        const auto& lines = ledger.value().lines;
+        CHECK(std::any_of(lines.begin(), lines.end(), [&](const LedgerLine& line) {
+            return toString(line.event.address) == address;
+        }));
+    }
+}
+
+TEST_CASE("robust: every rule of the set has such a line, or only changes numbers") {
+    const Rules robust = paramsByName("robust")->rules;
+    const Rules plain = paper().rules;
+    const std::vector<Sign> known = signs();
+    for (const RuleSwitch& each : ruleSwitches()) {
+        if (!(robust.*each.member) || plain.*each.member) continue;
+        CAPTURE(each.name);
+        const bool has = std::any_of(known.begin(), known.end(),
+                                     [&](const Sign& sign) { return sign.rule == each.name; });
+        CHECK((has || each.name == "tangent" || each.name == "stepback"));
+    }
+}

@@ -1,0 +1,232 @@
+/// The table of everything about the rules that can be set, and what each of them is for.
+#include "spiraling_edge/rule_settings.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "../support/clouds.h"
+#include "../support/open_surfaces.h"
+#include "../support/random_points.h"
+#include "../support/rig.h"
+#include "spiraling_edge/run_scan.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+using Level = InvariantChecker::Level;
+
+/// Values to try: all of a switch or option, both ends and something between of a number.
+std::vector<double> valuesOf(const RuleSetting& setting) {
+    if (setting.kind == SettingKind::Number || setting.kind == SettingKind::Whole) {
+        const double middle = 0.5 * (setting.low + setting.high);
+        return {setting.low, setting.kind == SettingKind::Whole ? std::floor(middle) : middle,
+                setting.high};
+    }
+    std::vector<double> values;
+    for (double value = 0.0; value <= setting.high; ++value) values.push_back(value);
+    return values;
+}
+
+Params with(std::string_view text, std::string_view set = "paper") {
+    Params params = *paramsByName(set);
+    const auto value = ruleValueFromText(text);
+    REQUIRE_MESSAGE(value.ok(), text);
+    CHECK(applyRuleValues({&value.value(), 1}, params).ok());
+    return params;
+}
+
+/// How many events of a run are as `matches` says.
+template <typename Matches>
+std::size_t count(const PointSet& points, const Params& params, const Matches& matches) {
+    std::size_t found = 0;
+    scanRun(points, params, [&](const ScannedPivot& pivot) {
+        found += static_cast<std::size_t>(
+            std::count_if(pivot.events.begin(), pivot.events.end(), matches));
+    });
+    return found;
+}
+auto at(Stage stage) {
+    return [stage](const Event& event) { return event.address.stage == stage; };
+}
+
+PointSet closedPoints() { return prepared(closedFamilies(0.45)[1].sample(3)); }
+PointSet boxedPoints() { return prepared(sampleSheet(wavySheet(), 8, 80, 2)); }
+
+}  // namespace
+
+TEST_CASE("settings have names of their own, a section, a sentence, and a usual value in range") {
+    std::set<std::string_view> names;
+    for (const RuleSetting& each : ruleSettings()) {
+        names.insert(each.name);
+        CHECK(findRuleSetting(each.name) == &each);
+        CHECK_FALSE(each.section.empty());
+        CHECK(each.summary.size() > 10);
+        for (const std::string_view set : paramSetNames()) {
+            CHECK_MESSAGE(isValue(each, each.get(*paramsByName(set))), each.name);
+        }
+        const bool isPaper = !each.paper.empty();
+        const bool silent = each.name == "opposing" || each.name == "sameangle";
+        CHECK_MESSAGE(isPaper != (each.beyondPaper || silent), each.name);
+    }
+    CHECK(names.size() == ruleSettings().size());
+}
+
+TEST_CASE("every value of a setting reads back from its text, and sets nothing else") {
+    const Params usual;
+    for (const RuleSetting& each : ruleSettings()) {
+        for (const double value : valuesOf(each)) {
+            const auto read = valueFromText(each, valueText(each, value));
+            REQUIRE_MESSAGE(read.ok(), each.name);
+            CHECK(read.value() == value);
+            Params params = usual;
+            each.set(params, value);
+            CHECK_MESSAGE(each.get(params) == doctest::Approx(value), each.name);
+            for (const RuleValue& differing : differingRules(params, usual)) {
+                CHECK(differing.name == each.name);
+            }
+            each.set(params, each.get(usual));
+            CHECK_MESSAGE(params == usual, each.name);
+        }
+        CHECK_FALSE(valueFromText(each, "").ok());
+        CHECK_FALSE(valueFromText(each, "nonsense").ok());
+        CHECK_FALSE(isValue(each, each.high + 1.0));
+        CHECK_FALSE(isValue(each, each.low - 1.0));
+    }
+    CHECK_FALSE(ruleValueFromText("nosuchrule=on").ok());
+    CHECK_FALSE(ruleValueFromText("hole").ok());
+    CHECK_FALSE(ruleValueFromText("holesize=2.5").ok());
+    CHECK(lineOf(ruleValueFromText("tie=farthest").value()) == "tie=farthest");
+}
+
+TEST_CASE("the angle of 6.3 is exact at 120 degrees, and a cosine elsewhere") {
+    CHECK(with("maxgap=120").maxGapCosine == -0.5);
+    CHECK(with("maxgap=120") == Params{});
+    for (const double degrees : {90.0, 100.0, 133.3, 171.25, 180.0}) {
+        Params params;
+        findRuleSetting("maxgap")->set(params, degrees);
+        CHECK(params.maxGapCosine ==
+              doctest::Approx(std::cos(degrees * 3.14159265358979323846 / 180.0)).epsilon(1e-15));
+    }
+}
+
+TEST_CASE("every run ends and keeps the invariants of any input, whatever is set") {
+    const PointSet closed = closedPoints();
+    const PointSet boxed = boxedPoints();
+    for (const RuleSetting& each : ruleSettings()) {
+        for (const double value : valuesOf(each)) {
+            Params params;
+            each.set(params, value);
+            const std::string what = lineOf(RuleValue{std::string(each.name), value});
+            CHECK_MESSAGE(firstBreach(closed, params, Level::AnyInput) == "", what);
+            CHECK_MESSAGE(firstBreach(boxed, params, Level::AnyInput) == "", what);
+            for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+                CHECK_MESSAGE(firstBreach(randomPoints(seed), params, Level::AnyInput) == "", what);
+            }
+        }
+    }
+}
+
+TEST_CASE("what is off does not happen") {
+    const PointSet points = closedPoints();
+    const auto moved = [](const Event& event) {
+        const auto* limit = std::get_if<LimitEvidence>(&event.evidence);
+        return limit != nullptr && limit->verdict == Verdict::Moved;
+    };
+    CHECK(count(points, Params{}, moved) > 0);
+    CHECK(count(points, with("limits=off"), moved) == 0);
+    CHECK(count(points, Params{}, at(Stage::Sphere)) > 0);
+    CHECK(count(points, with("sphere=off"), at(Stage::Sphere)) == 0);
+    CHECK(count(points, Params{}, at(Stage::Reciprocal)) > 0);
+    CHECK(count(points, with("reciprocal=off"), at(Stage::Reciprocal)) == 0);
+    CHECK(count(points, with("convex=off"), at(Stage::Convex)) == 0);
+    CHECK(count(points, with("holesize=0"), at(Stage::Hole)) == 0);
+    const PointSet boxed = boxedPoints();
+    CHECK(count(boxed, Params{}, at(Stage::Skip)) > 0);
+    CHECK(count(boxed, with("walls=off"), at(Stage::Skip)) == 0);
+    const auto inserted = [](bool corner) {
+        return [corner](const Event& event) {
+            const auto* insert = std::get_if<InsertEvidence>(&event.evidence);
+            return insert != nullptr && insert->corner == corner;
+        };
+    };
+    CHECK(count(boxed, Params{}, inserted(true)) > 0);
+    CHECK(count(boxed, with("corners=off"), inserted(true)) == 0);
+    CHECK(count(boxed, with("thirdpoint=off"), inserted(false)) == 0);
+}
+
+TEST_CASE("6.3 matters most: without it fans hold more points, and thin triangles") {
+    const PointSet points = closedPoints();
+    // Triangles with an angle below 15 degrees.
+    const auto thin = [&](const Params& params) {
+        const Run run = runAll(points, params);
+        std::size_t found = 0;
+        for (const Triangle& t : run.state.triangles) {
+            for (const auto [a, b, c] :
+                 {std::array{t.a, t.b, t.c}, {t.b, t.c, t.a}, {t.c, t.a, t.b}}) {
+                const Vec3 u = glm::normalize(points.position[b] - points.position[a]);
+                const Vec3 v = glm::normalize(points.position[c] - points.position[a]);
+                found += glm::dot(u, v) > std::cos(15.0 * 3.14159265358979323846 / 180.0) ? 1 : 0;
+            }
+        }
+        return found;
+    };
+    const std::size_t usual = thin(Params{});
+    CHECK(thin(with("sphere=off")) > 2 * usual);
+    // A wider gap lets more be removed than the sphere keeps, never less.
+    CHECK(thin(with("maxgap=180")) <= thin(with("sphere=off")));
+}
+
+TEST_CASE("convexity off: the reciprocal test drops the same points, the mesh is as it was") {
+    for (const Family& family : closedFamilies(0.45)) {
+        const PointSet points = prepared(family.sample(3));
+        const Run usual = runAll(points, Params{});
+        const Run without = runAll(points, with("convex=off"));
+        CHECK_MESSAGE(without.mesh.boundaryEdges == usual.mesh.boundaryEdges, family.name);
+    }
+}
+
+TEST_CASE("which ring goes on first has no effect on whether a surface closes") {
+    for (const Family& family : closedFamilies(0.45)) {
+        const PointSet points = prepared(family.sample(3));
+        const Run usual = runAll(points, Params{});
+        for (const char* rule :
+             {"stack=first", "active=other", "active=longer", "active=shorter"}) {
+            const Run other = runAll(points, with(rule));
+            CHECK_MESSAGE(other.mesh.boundaryEdges == usual.mesh.boundaryEdges, family.name, rule);
+        }
+    }
+}
+
+TEST_CASE("the other sign of n makes the mirror image: triangles that turn the other way") {
+    const PointSet points = closedPoints();
+    const Run mirrored = runAll(points, with("turn=clockwise"));
+    std::size_t against = 0;
+    for (const Triangle& t : mirrored.state.triangles) {
+        const Vec3 u = points.position[t.b] - points.position[t.a];
+        const Vec3 v = points.position[t.c] - points.position[t.a];
+        against += glm::dot(glm::cross(u, v), points.normal[t.a]) < 0 ? 1 : 0;
+    }
+    CHECK(against * 100 > mirrored.state.triangles.size() * 99);
+    CHECK(mirrored.mesh.boundaryEdges == 0);
+}
+
+TEST_CASE("6.1 a tie keeps the nearest, the farthest or both") {
+    // Seen from point 0 with point 1 as reference, 3 and 4 lie in one direction.
+    const auto sorted = [](TieRule tie) {
+        Params params;
+        params.paper.tie = tie;
+        Rig rig({{0, 0, 0}, {1, 0, 0}, {0, -1, 0}, {-0.5, 0.5, 0}, {-1, 1, 0}}, params);
+        rig.listAll().ring({0, 2, 1});
+        REQUIRE(rig.runTo(Phase::Limits));
+        return rig.candidates();
+    };
+    CHECK(sorted(TieRule::Nearest) == std::vector<Index>{3});
+    CHECK(sorted(TieRule::Farthest) == std::vector<Index>{4});
+    CHECK(sorted(TieRule::Both) == std::vector<Index>{3, 4});
+}

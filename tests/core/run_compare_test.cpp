@@ -1,0 +1,215 @@
+#include "spiraling_edge/run_compare.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "../support/clouds.h"
+#include "../support/rig.h"
+#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/timeline.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+PointSet sceneNamed(const char* id) { return prepared(findScene(id)->build()); }
+
+PointSet withNearest(const char* id, std::size_t k) {
+    PrepareOptions options;
+    options.neighbors.reach = KNearest{k};
+    options.neighbors.recompute = true;
+    const auto made = prepare(findScene(id)->build(), options);
+    REQUIRE(made.ok());
+    return made.value().points;
+}
+
+RunComparison compared(const ComparedRun& a, const ComparedRun& b) {
+    const auto found = compareRuns(a, b);
+    REQUIRE(found.ok());
+    return found.value();
+}
+
+/// The side's line is an event of its run, found at its address.
+void checkAddress(const ComparedRun& run, const DifferenceSide& side) {
+    REQUIRE(side.line);
+    Timeline timeline(run.points, run.params);
+    const std::vector<Event> events = timeline.eventsOf(side.line->event.address.pivot);
+    const auto found = std::find_if(events.begin(), events.end(), [&](const Event& e) {
+        return e.address == side.line->event.address;
+    });
+    REQUIRE(found != events.end());
+    CHECK(describe(*found) == describe(side.line->event));
+}
+
+struct Planted {
+    bool Rules::*rule;
+    const char* scene;
+    Stage stage;
+};
+
+}  // namespace
+
+TEST_CASE("run comparison: equal params on equal points give no difference, on every scene") {
+    for (const Scene& scene : scenes()) {
+        CAPTURE(scene.id);
+        const PointSet points = prepared(scene.build());
+        const Params params = paper();
+        const RunComparison found = compared({points, params}, {points, params});
+        CHECK_FALSE(found.first);
+        CHECK_FALSE(found.harmless);
+        CHECK(found.harmlessPivots == 0);
+        Stepper stepper(points, params);
+        stepper.run();
+        CHECK(found.a.triangles == stepper.state().mesh());
+        CHECK(found.b.triangles == stepper.state().mesh());
+    }
+}
+
+TEST_CASE("run comparison: one rule turned over is found at the stage of that rule") {
+    for (const Planted& planted : {Planted{&Rules::limitsFirst, "torus", Stage::Limits},
+                                   {&Rules::freeSector, "torus", Stage::Reciprocal},
+                                   {&Rules::realHole, "sheet", Stage::Hole},
+                                   {&Rules::closeTwo, "torus", Stage::Ring},
+                                   {&Rules::tangent, "torus", Stage::Sort},
+                                   {&Rules::unblocked, "torus", Stage::Limits},
+                                   {&Rules::stepBack, "torus", Stage::Sphere},
+                                   {&Rules::bothWalls, "close-sheets", Stage::Insert},
+                                   {&Rules::guard, "four-edge-hole", Stage::Guard},
+                                   {&Rules::gap, "figure-9", Stage::Guard},
+                                   {&Rules::noPillow, "noise", Stage::Guard},
+                                   {&Rules::noCross, "torus", Stage::Guard},
+                                   {&Rules::noFold, "torus", Stage::Guard},
+                                   {&Rules::noMeet, "four-edge-hole", Stage::Guard},
+                                   {&Rules::reinsert, "torus", Stage::Reinsert},
+                                   {&Rules::flip, "torus", Stage::Flip}}) {
+        CAPTURE(planted.scene);
+        CAPTURE(stageName(planted.stage));
+        const PointSet points = sceneNamed(planted.scene);
+        const Params a = paper();
+        const Params b = paperBut(planted.rule);
+        const RunComparison found = compared({points, a}, {points, b});
+        REQUIRE(found.first);
+        const DifferenceSide& asked = found.first->a.decides ? found.first->a : found.first->b;
+        REQUIRE(asked.line);
+        CHECK(asked.line->event.address.stage == planted.stage);
+        if (found.first->a.line) checkAddress({points, a}, found.first->a);
+        if (found.first->b.line) checkAddress({points, b}, found.first->b);
+    }
+}
+
+TEST_CASE("run comparison: before the first difference both runs are in the same state") {
+    const PointSet points = sceneNamed("torus");
+    const Params a = paper();
+    const Params b = paperBut(&Rules::freeSector);
+    const RunComparison found = compared({points, a}, {points, b});
+    REQUIRE(found.first);
+    Stepper left(points, a);
+    Stepper right(points, b);
+    for (std::uint32_t i = 0; i < found.pivotsAlike; ++i) {
+        left.stepPivot();
+        right.stepPivot();
+    }
+    CHECK(stateHash(left.state()) == stateHash(right.state()));
+    left.stepPivot();
+    right.stepPivot();
+    CHECK(stateHash(left.state()) != stateHash(right.state()));
+    CHECK(found.first->a.line->event.address.pivot == found.pivotsAlike + 1);
+    // 6.1, Fig. 6: the free side of the ring takes the pivot, the finished side does not.
+    CHECK(found.first->a.line->role == LineRole::Taken);
+    CHECK(found.first->b.line->role == LineRole::Refused);
+    CHECK(found.first->a.line->reading->margin > 0.0);
+    CHECK(found.first->b.line->reading->margin < 0.0);
+}
+
+TEST_CASE("run comparison: A against B is B against A") {
+    const PointSet points = sceneNamed("torus");
+    const Params a = paper();
+    const Params b = *paramsByName("robust");
+    const RunComparison there = compared({points, a}, {points, b});
+    const RunComparison back = compared({points, b}, {points, a});
+    REQUIRE(there.first);
+    REQUIRE(back.first);
+    CHECK(there.pivotsAlike == back.pivotsAlike);
+    CHECK(there.harmlessPivots == back.harmlessPivots);
+    CHECK((there.first->a.line->event.address == back.first->b.line->event.address));
+    CHECK((there.first->b.line->event.address == back.first->a.line->event.address));
+    CHECK(there.a.triangles == back.b.triangles);
+    CHECK((there.a.made == back.b.made));
+}
+
+TEST_CASE("run comparison: decisions without a consequence come before the first difference") {
+    const PointSet points = sceneNamed("torus");
+    const Params a = paper();
+    const Params b = paperBut(&Rules::freeSector);
+    const RunComparison found = compared({points, a}, {points, b});
+    REQUIRE(found.first);
+    REQUIRE(found.harmless);
+    CHECK(found.harmlessPivots > 0);
+    CHECK(found.harmless->a.line->event.address.pivot <= found.pivotsAlike);
+    CHECK(found.harmless->a.line->role != found.harmless->b.line->role);
+}
+
+TEST_CASE("run comparison: other neighbor lists part at a decision about what only one lists") {
+    const PointSet a = sceneNamed("torus");
+    const Params params = paper();
+    SUBCASE("a point that the mesh needs is taken out of one list") {
+        const RunComparison alone = compared({a, params}, {a, params});
+        // The seed's first pivot makes triangles with its neighbors; one of them goes.
+        const Triangle& fan = alone.a.triangles.front();
+        PointSet b = a;
+        std::vector<Index>& ids = b.neighbors.ids;
+        const auto list = b.neighbors[fan.a];
+        const auto at = std::find(list.begin(), list.end(), fan.c) - list.begin();
+        REQUIRE(static_cast<std::size_t>(at) < list.size());
+        ids.erase(ids.begin() + b.neighbors.offset[fan.a] + at);
+        for (std::size_t i = fan.a + 1; i < b.neighbors.offset.size(); ++i) --b.neighbors.offset[i];
+        const RunComparison found = compared({a, params}, {b, params});
+        REQUIRE(found.first);
+        CHECK(found.pivotsAlike == 0);
+        const std::string lists = "A lists point " + std::to_string(fan.c);
+        CAPTURE(found.first->words);
+        CHECK(found.first->words.find(lists) != std::string::npos);
+    }
+    SUBCASE("k of 16 instead of 12") {
+        const PointSet b = withNearest("torus", 16);
+        const RunComparison found = compared({a, params}, {b, params});
+        REQUIRE(found.first);
+        checkAddress({a, params}, found.first->a);
+        checkAddress({b, params}, found.first->b);
+    }
+}
+
+TEST_CASE("run comparison: each triangle is made at its address") {
+    const PointSet points = sceneNamed("torus");
+    const Params robust = *paramsByName("robust");
+    const auto made = makeMesh({points, robust});
+    REQUIRE(made.ok());
+    const MadeMesh& mesh = made.value();
+    REQUIRE(mesh.triangles.size() == mesh.made.size());
+    Timeline timeline(points, robust);
+    std::size_t emitted = 0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); i += 37) {
+        const Triangle& t = mesh.triangles[i];
+        const auto has = [&](Index p) { return t.a == p || t.b == p || t.c == p; };
+        const std::vector<Event> events = timeline.eventsOf(mesh.made[i].pivot);
+        const auto found = std::find_if(events.begin(), events.end(),
+                                        [&](const Event& e) { return e.address == mesh.made[i]; });
+        REQUIRE(found != events.end());
+        const auto* emit = std::get_if<EmitEvidence>(&found->evidence);
+        if (emit == nullptr) continue;
+        ++emitted;
+        CHECK((has(emit->corners.a) && has(emit->corners.b) && has(emit->corners.c)));
+    }
+    CHECK(emitted > 10);
+}
+
+TEST_CASE("run comparison: other numbers of points and cancelling are errors") {
+    const PointSet torus = sceneNamed("torus");
+    const PointSet sphere = sceneNamed("sphere");
+    const Params params = paper();
+    CHECK_FALSE(compareRuns({torus, params}, {sphere, params}).ok());
+    CHECK_FALSE(compareRuns({torus, params}, {torus, params}, [](double) { return false; }).ok());
+    CHECK_FALSE(makeMesh({torus, params}, [](double) { return false; }).ok());
+}

@@ -1,0 +1,304 @@
+/// Forks: what a person lets happen at one place instead of what the rules say.
+#include "spiraling_edge/what_if.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "../support/clouds.h"
+#include "../support/open_surfaces.h"
+#include "spiraling_edge/reading.h"
+#include "spiraling_edge/run_scan.h"
+#include "spiraling_edge/timeline.h"
+#include "spiraling_edge/what_if_check.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+using Level = InvariantChecker::Level;
+
+Params with(std::vector<WhatIf> whatIf, std::string_view set = "paper") {
+    Params params = *paramsByName(set);
+    params.whatIf = std::move(whatIf);
+    return params;
+}
+
+WhatIf said(const std::string& text) {
+    const auto what = whatIfFromText(text);
+    REQUIRE_MESSAGE(what.ok(), text);
+    return what.value();
+}
+
+Status answer(const PointSet& points, const Params& params) {
+    const auto answers = checkWhatIfs(points, params);
+    REQUIRE(answers.has_value());
+    return answers->back();
+}
+
+std::vector<Event> eventsOf(const PointSet& points, const Params& params) {
+    std::vector<Event> all;
+    scanRun(points, params, [&](const ScannedPivot& pivot) {
+        all.insert(all.end(), pivot.events.begin(), pivot.events.end());
+    });
+    return all;
+}
+
+template <typename Matches>
+Event firstEvent(const PointSet& points, const Params& params, const Matches& matches) {
+    const auto all = eventsOf(points, params);
+    const auto found = std::find_if(all.begin(), all.end(), matches);
+    REQUIRE(found != all.end());
+    return *found;
+}
+
+template <typename Evidence>
+auto verdictIs(Verdict verdict) {
+    return [verdict](const Event& event) {
+        const auto* evidence = std::get_if<Evidence>(&event.evidence);
+        return evidence != nullptr && evidence->verdict == verdict;
+    };
+}
+
+std::string at(const Event& event, const char* verb, Index point) {
+    return std::to_string(event.address.pivot) + "." + std::string(stageName(event.address.stage)) +
+           " " + verb + " " + std::to_string(point);
+}
+
+PointSet sphere() { return prepared(closedFamilies(0.45)[0].sample(3)); }
+
+std::uint64_t hashOf(const PointSet& points, const Params& params) {
+    return runHash(runAll(points, params).state, params);
+}
+
+/// Any what-if about an event, sensible or not.
+WhatIf anyWhatIf(const PointSet& points, const Event& event, std::mt19937& random) {
+    const auto number = [&](std::size_t below) { return static_cast<Index>(random() % below); };
+    WhatIf what{static_cast<WhatIfKind>(number(5)),
+                event.address.pivot,
+                event.address.stage,
+                testedPoint(event),
+                Vec3(0.0),
+                {}};
+    if (what.point == kNone) what.point = number(points.size());
+    if (what.kind >= WhatIfKind::Pivot) {
+        what.stage = what.kind == WhatIfKind::Pivot ? Stage::Advance : Stage::Pivot;
+        what.point = number(points.size());
+    }
+    if (what.kind == WhatIfKind::Move) {
+        what.to = points.position[what.point] + 0.1 * points.normal[what.point];
+    }
+    for (Index i = 0; what.kind == WhatIfKind::List && i < 7; ++i) {
+        const Index q = number(points.size());
+        const bool twice = std::find(what.list.begin(), what.list.end(), q) != what.list.end();
+        if (q != what.point && !twice) what.list.push_back(q);
+    }
+    return what;
+}
+
+}  // namespace
+
+TEST_CASE("what-ifs read back from their text") {
+    for (const char* text : {"137.sphere keep 812", "137.reciprocal drop 812", "12.limits drop 3",
+                             "9.twopoint keep 4", "137.advance pivot 640",
+                             "137 move 812 0.1 -2 3.5e-05", "1 list 812 5 7 9", "1 list 812"}) {
+        CHECK(lineOf(said(text)) == text);
+        CHECK_FALSE(describe(said(text)).empty());
+    }
+    CHECK(said("137.sphere.3 keep 812") == said("137.sphere keep 812"));
+    CHECK(said("137 move 1 1,2,3") == said("137 move 1 1 2 3"));
+    for (const char* text : {"", "137", "137 keep 812", "0.sphere keep 1", "137.emit keep 3",
+                             "137.sphere keep", "137.sphere keep -1", "137 move 812 1 2",
+                             "137 move 812 1 2 nan", "137.sphere push 4", "137 list 812 x"}) {
+        const auto what = whatIfFromText(text);
+        CHECK_MESSAGE(!what.ok(), text);
+    }
+}
+
+TEST_CASE("a fork changes the run, and taking it back gives the same hash") {
+    const PointSet points = sphere();
+    const std::uint64_t before = hashOf(points, Params{});
+    CHECK(before == stateHash(runAll(points, Params{}).state));
+    const Event removed = firstEvent(points, Params{}, verdictIs<SphereEvidence>(Verdict::Removed));
+    const Params fork = with({said(at(removed, "keep", testedPoint(removed)))});
+    CHECK(answer(points, fork).ok());
+    CHECK(hashOf(points, fork) != before);
+    CHECK(hashOf(points, fork) == hashOf(points, fork));
+    CHECK(stateHash(runAll(points, fork).state) != before);
+    CHECK(hashOf(points, with({})) == before);
+}
+
+TEST_CASE("a kept neighbor is in the fan, a dropped one is not, and nothing before it changes") {
+    const PointSet points = sphere();
+    const auto usual = eventsOf(points, Params{});
+    const auto inFan = [&](const std::vector<Event>& events, std::uint32_t pivot, Index point) {
+        return std::any_of(events.begin(), events.end(), [&](const Event& event) {
+            const auto* made = std::get_if<EmitEvidence>(&event.evidence);
+            return made != nullptr && event.address.pivot == pivot &&
+                   (made->corners.b == point || made->corners.c == point);
+        });
+    };
+    const auto fork = [&](Verdict verdict, const char* verb, bool expected) {
+        const Event event = firstEvent(points, Params{}, verdictIs<SphereEvidence>(verdict));
+        const Index point = testedPoint(event);
+        const std::uint32_t pivot = event.address.pivot;
+        CHECK(inFan(usual, pivot, point) != expected);
+        const auto events = eventsOf(points, with({said(at(event, verb, point))}));
+        CHECK(inFan(events, pivot, point) == expected);
+        for (std::size_t i = 0; i < usual.size() && usual[i].address.pivot < pivot; ++i) {
+            CHECK(describe(events[i]) == describe(usual[i]));
+        }
+    };
+    fork(Verdict::Removed, "keep", true);
+    fork(Verdict::InsideSphere, "drop", false);
+}
+
+TEST_CASE("start and end do not advance to a point that is held off") {
+    const PointSet points = sphere();
+    const Event moved = firstEvent(points, Params{}, verdictIs<LimitEvidence>(Verdict::Moved));
+    const Params fork = with({said(at(moved, "drop", testedPoint(moved)))});
+    CHECK(answer(points, fork).ok());
+    const auto events = eventsOf(points, fork);
+    CHECK(std::none_of(events.begin(), events.end(), [&](const Event& event) {
+        return event.address.pivot == moved.address.pivot &&
+               verdictIs<LimitEvidence>(Verdict::Moved)(event) &&
+               testedPoint(event) == testedPoint(moved);
+    }));
+}
+
+TEST_CASE("the traversal goes on where it was told to") {
+    const PointSet points = sphere();
+    Stepper stepper(points, Params{});
+    for (int i = 0; i < 5; ++i) stepper.stepPivot();
+    const State& state = stepper.state();
+    const Index entry = state.rings.next(state.rings.next(state.pivot.pivot));
+    const Index point = state.rings.point(entry);
+    const Params fork = with({said("5.advance pivot " + std::to_string(point))});
+    CHECK(answer(points, fork).ok());
+    Stepper forked(points, fork);
+    for (int i = 0; i < 5; ++i) forked.stepPivot();
+    CHECK(forked.state().rings.point(forked.state().pivot.pivot) == point);
+    CHECK(firstBreach(points, fork, Level::AnyInput) == "");
+    // A point that is DONE stands on no ring.
+    const Index done = state.done.front();
+    const Status refused = answer(points, with({said("5.advance pivot " + std::to_string(done))}));
+    REQUIRE_FALSE(refused.ok());
+    CHECK(refused.error().message.find("no edge ring") != std::string::npos);
+}
+
+TEST_CASE("moved from the first pivot on, a point is as if it had been there") {
+    const PointSet points = sphere();
+    PointSet moved = points;
+    moved.position[20] += 0.3 * (points.position[points.neighbors[20][0]] - points.position[20]);
+    WhatIf what{WhatIfKind::Move, 1, Stage::Pivot, 20, moved.position[20], {}};
+    CHECK(said(lineOf(what)) == what);
+    // Its list, and those it stands in, are by distance again.
+    const auto edited = editedPoints(points, with({what}));
+    REQUIRE(edited.size() == 1);
+    CHECK(validate(edited[0].points).ok());
+    moved.neighbors = edited[0].points.neighbors;
+    CHECK(stateHash(runAll(points, with({what})).state) ==
+          stateHash(runAll(moved, Params{}).state));
+    // Later on, what came before stays as it was.
+    what.pivot = 30;
+    Stepper plain(points, Params{});
+    Stepper fork(points, with({what}));
+    for (int i = 0; i < 29; ++i) {
+        plain.stepPivot();
+        fork.stepPivot();
+    }
+    CHECK(stateHash(plain.state()) == stateHash(fork.state()));
+}
+
+TEST_CASE("a list that is edited from the first pivot on is the list") {
+    const PointSet points = sphere();
+    WhatIf what{WhatIfKind::List, 1, Stage::Pivot, 20, Vec3(0.0), {}};
+    const auto list = points.neighbors[20];
+    what.list.assign(list.begin(), list.begin() + 6);
+    std::reverse(what.list.begin(), what.list.end());
+    const auto edited = editedPoints(points, with({what}));
+    REQUIRE(edited.size() == 1);
+    const auto made = edited[0].points.neighbors[20];
+    CHECK(std::equal(made.begin(), made.end(), list.begin(), list.begin() + 6));
+    CHECK(stateHash(runAll(points, with({what})).state) ==
+          stateHash(runAll(edited[0].points, Params{}).state));
+}
+
+TEST_CASE("what would break an invariant is refused, and it is said which") {
+    const PointSet points = sphere();
+    const auto reason = [&](const Event& event) {
+        const Status status = answer(points, with({said(at(event, "keep", testedPoint(event)))}));
+        REQUIRE_FALSE(status.ok());
+        return status.error().message;
+    };
+    const auto sorted = [&](Verdict verdict) {
+        return firstEvent(points, Params{}, verdictIs<SortEvidence>(verdict));
+    };
+    CHECK(reason(sorted(Verdict::AlreadyDone)).find("invariant 7") != std::string::npos);
+    CHECK(reason(sorted(Verdict::NotBeforeEnd)).find("invariant 8") != std::string::npos);
+    CHECK_FALSE(answer(points, with({said("99999.sphere keep 1")})).ok());
+    CHECK_FALSE(answer(points, with({said("5.sphere keep 99999")})).ok());
+    CHECK_FALSE(answer(points, with({said("5 list 20 20")})).ok());
+    const Vec3 taken = points.position[7];
+    const WhatIf onto{WhatIfKind::Move, 3, Stage::Pivot, 20, taken, {}};
+    const Status there = answer(points, with({onto}));
+    REQUIRE_FALSE(there.ok());
+    CHECK(there.error().message.find("section 3") != std::string::npos);
+    CHECK_FALSE(requireWhatIfs(points, with({onto})).ok());
+}
+
+TEST_CASE("forks are the same with a log and without, stepped, run, and gone back to") {
+    const PointSet points = sphere();
+    const Event removed = firstEvent(points, Params{}, verdictIs<SphereEvidence>(Verdict::Removed));
+    WhatIf moved{WhatIfKind::Move, 12, Stage::Pivot, 20, points.position[20] * 1.01, {}};
+    const Params fork = with({said(at(removed, "keep", testedPoint(removed))), moved});
+    const std::uint64_t hash = stateHash(runAll(points, fork).state);
+    EventLog log;
+    CHECK(stateHash(runAll(points, fork, &log).state) == hash);
+    Stepper phases(points, fork);
+    while (phases.advance()) {
+    }
+    CHECK(stateHash(phases.state()) == hash);
+    Timeline timeline(points, fork);
+    timeline.seek(40);
+    const std::uint64_t there = stateHash(timeline.state());
+    timeline.seek(0xffffffffU);
+    CHECK(stateHash(timeline.state()) == hash);
+    timeline.seek(3);
+    timeline.seek(40);
+    CHECK(stateHash(timeline.state()) == there);
+}
+
+TEST_CASE(
+    "every fork that is not refused keeps the invariants and ends; taken back, all is as before") {
+    std::mt19937 random(20);
+    std::size_t accepted = 0;
+    std::size_t refused = 0;
+    const PointSet sheet = prepared(sampleSheet(wavySheet(), 8, 80, 2));
+    for (const PointSet& points : {sphere(), sheet}) {
+        for (const std::string_view set : {"paper", "robust"}) {
+            const auto events = eventsOf(points, *paramsByName(set));
+            const std::uint64_t hash = hashOf(points, with({}, set));
+            for (int i = 0; i < 40; ++i) {
+                const Event& event = events[random() % events.size()];
+                const Params fork = with({anyWhatIf(points, event, random)}, set);
+                const std::string what = lineOf(fork.whatIf[0]);
+                const Status status = answer(points, fork);
+                if (!status) {
+                    ++refused;
+                    CHECK_MESSAGE(status.error().message.size() > 10, what);
+                    continue;
+                }
+                ++accepted;
+                const Level level = set == "robust" ? Level::Guarded : Level::AnyInput;
+                CHECK_MESSAGE(firstBreach(points, fork, level) == "", what);
+                CHECK_MESSAGE(hashOf(points, fork) != hash, what);
+            }
+            CHECK(hashOf(points, with({}, set)) == hash);
+        }
+    }
+    CHECK(accepted > 30);
+    CHECK(refused > 20);
+}

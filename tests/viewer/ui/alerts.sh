@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# What went wrong: the panel of alerts, their moments, and the rule that would have prevented one.
+. "$(dirname "$0")/harness.sh"
+failing=${TMPDIR:-/tmp}/failing-$$.xyz
+trap 'rm -f "$failing"; cleanup' EXIT
+
+# reach NAME: turns the wheel over the panel until that is in sight.
+reach() {
+    local x y rx ry rw rh
+    for _ in $(seq 40); do
+        read -r x y < <(center "$1") || exit 1
+        read -r rx ry rw rh < <(field "region right" | tr -d '[],')
+        [ "$y" -gt $((ry + 60)) ] && [ "$y" -lt $((ry + rh - 12)) ] && return 0
+        click $((rx + rw / 2)) $((ry + rh - 40)) "$([ "$y" -gt $((ry + 60)) ] && echo 5 || echo 4)"
+        sleep 0.15
+    done
+    fail "$1 does not come into sight"
+}
+
+# A scene of how the run goes opens at its start, with no panel in the way.
+start scene:torus
+says alert_search done; says alerts "[0-9]+"; says pivot 0
+denies open_tab Alerts
+stop
+
+# A scene that fails opens on its decision, with its alert.
+size=1600x980 start scene:four-edge-hole
+says alert_search done; says address 81.sphere.1; says alert "intersecting_triangles:[0-9]+"
+says open_tab Paper
+click_on "tab Alerts"; says open_tab Alerts; sleep 0.3
+# The moments of the alert, by the mouse; each says why below its address.
+reach "alert created"; click_on "alert created"; says address 81.emit.[12]; says noticed "[1-9]"
+reach "alert unavoidable"; click_on "alert unavoidable"; says address 81.sphere.1
+reach "alert first touched"; click_on "alert first touched"; says pivot "[0-9]|[1-7][0-9]"
+# Another alert: one goes to where it came about, and it is selected and framed.
+picture before
+press F8; says noticed "[1-9]"; sleep 0.5
+picture after
+[ "$(differing before after)" -gt 500 ] || fail "the next alert is not framed"
+says selection "triangle|edge|point"
+# Esc puts the selection and the alert away.
+press Escape; says alert ""; says selection none
+
+# Which rule would have prevented it, and one click that turns it on.
+press F8; says alert ".+:[0-9]+"
+alerts=$(field alerts)
+reach "alert remedies"; click_on "alert remedies"
+says "remedy [a-z]+" "\[.*"
+rule=$(grep -oE '"remedy [a-z]+"' "$state" | head -n 1 | tr -d '"')
+# First beside the run as it is, at the same place; then in its stead.
+at=$(field address)
+sleep 0.3; reach "beside ${rule#remedy }"; click_on "beside ${rule#remedy }"
+says compare_with run; says compare_done true; says address "$at"
+press ctrl+d; says compare_done true
+sleep 0.3; reach "$rule"; click_on "$rule"
+leaves alerts "$alerts"; says phase ready; says alert_search done
+[ "$(field alerts)" -lt "$alerts" ] || fail "the rule does not help: $(field alerts) alerts, $alerts before"
+stop
+
+# An input of one's own that fails opens on the first alert, and F8 leads on.
+awk 'BEGIN { srand(3); for (y = 0; y < 14; ++y) for (x = 0; x < 14; ++x)
+         if ((x - 7) ^ 2 + (y - 7) ^ 2 > 2) print x + 0.3 * sin(7 * x + 3 * y), y + 0.3 * sin(5 * x + 11 * y), 0, 0, 0, 1
+     }' >"$failing"
+size=1600x980 start "$failing"
+says alert_search done; says alerts "[1-9][0-9]*"
+says alert ".+:[0-9]+"
+denies pivot 0
+press Home; says pivot 0
+stop
+well

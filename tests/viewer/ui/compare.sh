@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# Two runs side by side: chosen by a click, the first difference and the regions on their keys, one
+# timeline, another run taken over, a session that keeps it, and a mesh from a file.
+. "$(dirname "$0")/harness.sh"
+start scene:torus
+says phase ready
+press d; says notice "Nothing is compared.*"
+press ctrl+d; says layout compare
+click_on "compare usual"
+says compare_done true
+says difference_a "7\.sphere\.1"; says difference_b "7\.sphere\.3"
+denies only_a 0
+# One timeline: in step up to the difference, both at their ends in the end.
+go_to 5.sort.3; says address "5\.sort\.3"; says other_address "5\.sort\.3"
+press Right; says address "5\.sort\.4"; says other_address "5\.sort\.4"
+press End; denies address "5\.sort\.4"; denies other_address "5\.sort\.4"
+end=$(field other_address)
+press d; says address "7\.sphere\.1"; says other_address "7\.sphere\.3"
+press Right; denies address "7\.sphere\.1"; says other_address "7\.sphere\.[0-9]+"
+# Regions, in the finished meshes.
+press shift+d; says region 1; says other_address "$end"
+press shift+d; says region 2
+press ctrl+shift+d; says region 1
+sleep 0.8  # its rows have moved
+click_on "compare region 2"; says region 2
+# A click in the other view selects in both; a drag there turns both.
+press Return; sleep 0.5
+camera=$(field camera)
+read -r x y < <(inside "region other view" 50 50)
+drag "$x" "$y" 80 20 1
+leaves camera "$camera"
+# It is kept.
+press ctrl+s; says file_browser true; sleep 0.3
+type_text "$work/kept"; sleep 0.2; press Return; says file_browser false
+grep -q '"compare"' "$work/kept.sesession" || fail "the session forgets the comparison"
+# The other run taken over: then the first one is beside it.
+click_on "compare swap"
+says phase ready; says compare_done true; says other_rules paper
+says difference_a "7\.sphere\.3"; says difference_b "7\.sphere\.1"
+click_on "compare stop"; says compare_with null
+press ctrl+d; says layout debug
+stop
+start "$work/kept.sesession"
+says layout compare; says compare_done true; says other_rules robust
+stop
+# A mesh of another program; also in a small window in large print.
+"$viewer" scene:torus --with "$work/nothing.ply" --screenshot "$work/none.png" >/dev/null 2>&1 &&
+    fail "a mesh that is not there is no error"
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >"$work/other.off"
+scale=2 size=1024x640 start scene:torus --layout compare --with "$work/other.off"
+says compare_done true; says compare_with mesh; says only_b 1
+press d; says address "1\.emit\.1"
+stop
+well

@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# A rule is switched while one looks: the cursor stays by state, undo and the session file know of
+# it. A fork at a test, and the way back.
+. "$(dirname "$0")/harness.sh"
+
+size=1600x980 start scene:torus --goto 60.sphere.1
+says pivot 60
+says choices '\[\]'
+address=$(field address)
+press ctrl+p; type_text "rules switches"; press Return
+says open_tab Rules
+
+# The filter finds the rule; a switch runs anew, and a second click takes it back.
+sleep 0.3; click_on "rules filter"; type_text "walls passed"; sleep 0.3
+click_on "rule walls"
+says choices '\[ "walls=off" \]'; says phase ready
+says address "$address" # there are no walls here
+says message "Same place: nothing before it differs\..*"
+sleep 0.3; click_on "reset walls"
+says choices '\[\]'
+
+# One that matters: the same pivot, wherever it is now, or what both runs share.
+click_on "rules filter"; press ctrl+a; type_text "maxgap"; sleep 0.3
+click_on "rule maxgap"; press ctrl+a; type_text "95"; press Return
+says choices '\[ "maxgap=95" \]'; says phase ready
+says message "(Same (place|pivot).*runs part at pivot [0-9]+\.|The new run has no pivot.*)"
+press Escape; press ctrl+z; says choices '\[\]'; says message "Undone: rule maxgap\..*"
+press ctrl+y; says choices '\[ "maxgap=95" \]'
+
+# The session file keeps it.
+press ctrl+s; says file_browser true; sleep 0.3
+type_text "$work/rules"; sleep 0.2; press Return; says session_file ".*rules.sesession"
+sleep 0.3; click_on "rules reset all"; says choices '\[\]'
+stop
+size=1600x980 start "$work/rules.sesession"
+says choices '\[ "maxgap=95" \]'
+stop
+
+# A fork: what was removed is kept.
+size=1600x980 start scene:torus --goto 60.sphere.1
+says pivot 60
+press ctrl+p; type_text "what if forks"; press Return
+says open_tab "What if"
+for _ in $(seq 40); do
+    [ -n "$(field "what if here")" ] && break
+    press F11; sleep 0.1
+done
+address=$(field address)
+click_on "what if here"
+says what_if '\[ "[0-9]+\.[a-z]+ (keep|drop) [0-9]+" \]'; says phase ready
+says address "$address"
+press Escape; press ctrl+z; says what_if '\[\]'; says message "Undone: what-if\..*"
+press ctrl+y; says what_if '\[ "[0-9]+\.[a-z]+ (keep|drop) [0-9]+" \]'
+sleep 0.4; click_on "true run"; says what_if '\[\]'; says phase ready
+says address "$address"
+# Refused, with the reason: a point in its own list.
+sleep 0.3; click_on "what if list"; press ctrl+a; type_text "1 1"; sleep 0.2
+click_on "what if neighbors"
+says message ".*is refused\. Point 1 is in the list twice\..*"
+says what_if '\[\]'
+stop
+well
