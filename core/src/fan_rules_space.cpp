@@ -10,24 +10,24 @@ namespace {
 
 // ---- nocross ------------------------------------------------------------------------------------
 
-struct Flat {
+struct Spot {
     double x, y;
 };
 
-double turn(const Flat& a, const Flat& b, const Flat& c) {
+double turn(const Spot& a, const Spot& b, const Spot& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
 /// In line but for rounding.
-bool inLine(const Flat& a, const Flat& b, const Flat& c) {
+bool inLine(const Spot& a, const Spot& b, const Spot& c) {
     const double t = turn(a, b, c);
-    const Flat u{b.x - a.x, b.y - a.y};
-    const Flat v{c.x - a.x, c.y - a.y};
+    const Spot u{b.x - a.x, b.y - a.y};
+    const Spot v{c.x - a.x, c.y - a.y};
     return t * t <= 1e-24 * (u.x * u.x + u.y * u.y) * (v.x * v.x + v.y * v.y);
 }
 
 /// Along a straight border all four points are in line, and the signs those of rounding errors.
-bool properlyCross(const Flat& a, const Flat& b, const Flat& c, const Flat& d) {
+bool properlyCross(const Spot& a, const Spot& b, const Spot& c, const Spot& d) {
     return turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0 &&
            !(inLine(a, b, c) && inLine(a, b, d));
 }
@@ -56,7 +56,7 @@ class CrossingSearch {
     }
 
   private:
-    Flat flat(const Vec3& offset) const { return {glm::dot(x_, offset), glm::dot(y_, offset)}; }
+    Spot flat(const Vec3& offset) const { return {glm::dot(x_, offset), glm::dot(y_, offset)}; }
 
     Objection againstStep(Index from, Index to) const {
         const State& s = context_.state;
@@ -67,11 +67,11 @@ class CrossingSearch {
         if (u == p || v == p || s.rings.open(from)) return {};
         const Vec3 du = context_.points.position[u] - frame_.origin;
         const Vec3 dv = context_.points.position[v] - frame_.origin;
-        const Flat fu = flat(du);
-        const Flat fv = flat(dv);
+        const Spot fu = flat(du);
+        const Spot fv = flat(dv);
         for (std::size_t i = 0; i < fan.size(); ++i) {
             if (fan[i].point == u || fan[i].point == v) continue;
-            const Flat a = flat(fan[i].offset);
+            const Spot a = flat(fan[i].offset);
             // Also to ring points that start and end have passed: they may have left out one.
             const bool isNew = i > 0 && i + 1 < fan.size();
             if (isNew && properlyCross({0.0, 0.0}, a, fu, fv)) {

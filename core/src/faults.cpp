@@ -76,7 +76,7 @@ void FaultFinder::findFold(Index a, Index b) {
 }
 
 void FaultFinder::findEdgeFaults() {
-    const std::vector<Side> sides = sortedSides(triangles_);
+    const std::vector<TriangleSide> sides = sortedSides(triangles_);
     for (std::size_t i = 0; i < sides.size();) {
         const std::size_t end = endOfEdge(sides, i);
         for (std::size_t j = i + 1; j < end; ++j) {

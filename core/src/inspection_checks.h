@@ -13,7 +13,7 @@ struct InspectedMesh {
 
     PointSet points;  ///< Without lists.
     std::span<const Triangle> triangles;
-    std::vector<Side> sides;
+    std::vector<TriangleSide> sides;
     std::vector<Fault> faults;
     std::vector<bool> used;  ///< Per point: in some triangle.
     double meanEdge = 0.0;   ///< Length, scene units.

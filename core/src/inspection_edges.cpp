@@ -76,17 +76,17 @@ void holes(const InspectedMesh& mesh, Failures& failures) {
     struct Loop {
         std::vector<Index> points;
         std::vector<Index> triangles;
-        std::vector<Side> steps;
+        std::vector<TriangleSide> steps;
     };
     DisjointSets joined(mesh.points.size());
-    std::vector<Side> border;
+    std::vector<TriangleSide> border;
     forEachEdge(mesh, [&](std::size_t begin, std::size_t end) {
         if (end - begin != 1) return;
         border.push_back(mesh.sides[begin]);
         joined.unite(border.back().low, border.back().high);
     });
     std::map<Index, Loop> loops;  // by least point
-    for (const Side& side : border) {
+    for (const TriangleSide& side : border) {
         Loop& loop = loops[joined.find(side.low)];
         loop.points.insert(loop.points.end(), {side.low, side.high});
         loop.triangles.push_back(side.triangle);
@@ -99,7 +99,7 @@ void holes(const InspectedMesh& mesh, Failures& failures) {
         if (alongWalls) continue;
         MeshFailure failure = mesh.at(std::move(loop.points), std::move(loop.triangles));
         Vec3 area(0.0);
-        for (const Side& step : loop.steps) {
+        for (const TriangleSide& step : loop.steps) {
             const Vec3 u = mesh.points.position[step.ascending ? step.low : step.high];
             const Vec3 v = mesh.points.position[step.ascending ? step.high : step.low];
             failure.length += std::sqrt(glm::dot(v - u, v - u));

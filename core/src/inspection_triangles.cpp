@@ -17,7 +17,7 @@ InspectedMesh::InspectedMesh(const PointSet& input, std::span<const Triangle> me
     faults = findFaults(points, mesh);
     for (const Triangle& t : mesh) used[t.a] = used[t.b] = used[t.c] = true;
     double sum = 0.0;
-    for (const Side& side : sides) {
+    for (const TriangleSide& side : sides) {
         const Vec3 d = points.position[side.high] - points.position[side.low];
         sum += std::sqrt(glm::dot(d, d));
     }

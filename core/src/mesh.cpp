@@ -10,7 +10,7 @@ namespace se {
 namespace {
 
 /// Counts the edges by how many triangles share them, and the loops of the boundary.
-void countEdges(const std::vector<Side>& sides, std::size_t points, MeshReport& report) {
+void countEdges(const std::vector<TriangleSide>& sides, std::size_t points, MeshReport& report) {
     DisjointSets boundary(points);
     std::vector<bool> onBoundary(points, false);
     std::size_t joined = 0;
@@ -47,7 +47,7 @@ void countShapes(const PointSet& points, std::span<const Triangle> triangles, Me
 }  // namespace
 
 std::vector<Index> nonManifoldPoints(std::span<const Triangle> triangles,
-                                     const std::vector<Side>& sides, std::size_t points) {
+                                     const std::vector<TriangleSide>& sides, std::size_t points) {
     // A corner is one triangle at one of its points; corners at a point are joined across edges.
     const auto cornerOf = [&](Index triangle, Index point) {
         const Triangle& t = triangles[triangle];
@@ -92,7 +92,7 @@ MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangle
     report.usedPoints = static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
     report.unusedPoints = report.points - report.usedPoints;
     report.components = report.usedPoints - joined;
-    const std::vector<Side> sides = sortedSides(triangles);
+    const std::vector<TriangleSide> sides = sortedSides(triangles);
     countEdges(sides, points.size(), report);
     report.nonManifoldVertices = nonManifoldPoints(triangles, sides, points.size()).size();
     countShapes(points, triangles, report);

@@ -8,7 +8,7 @@
 namespace se::io {
 namespace {
 
-void append(std::string& text, Index value) {
+void appendIndex(std::string& text, Index value) {
     std::array<char, 12> out;
     const auto end = std::to_chars(out.data(), out.data() + out.size(), value).ptr;
     text.append(out.data(), end);
@@ -39,10 +39,10 @@ std::string objBytes(const PointFile& points, std::span<const Triangle> triangle
         text += 'f';
         for (const Index corner : {t.a, t.b, t.c}) {
             text += ' ';
-            append(text, corner + 1);
+            appendIndex(text, corner + 1);
             if (!points.hasNormals()) continue;
             text += "//";
-            append(text, corner + 1);
+            appendIndex(text, corner + 1);
         }
         text += '\n';
     }
@@ -65,7 +65,7 @@ std::string offBytes(const PointFile& points, std::span<const Triangle> triangle
         text += '3';
         for (const Index corner : {t.a, t.b, t.c}) {
             text += ' ';
-            append(text, corner);
+            appendIndex(text, corner);
         }
         text += '\n';
     }

@@ -12,17 +12,19 @@
 namespace se {
 
 /// One side of a triangle, named by its points in ascending order.
-struct Side {
+struct TriangleSide {
     Index low, high;
     Index triangle;
     bool ascending;  ///< Passed from low to high.
 
-    bool sameEdge(const Side& other) const { return low == other.low && high == other.high; }
+    bool sameEdge(const TriangleSide& other) const {
+        return low == other.low && high == other.high;
+    }
 };
 
 /// All sides, sorted by edge and then by triangle.
-inline std::vector<Side> sortedSides(std::span<const Triangle> triangles) {
-    std::vector<Side> sides;
+inline std::vector<TriangleSide> sortedSides(std::span<const Triangle> triangles) {
+    std::vector<TriangleSide> sides;
     sides.reserve(3 * triangles.size());
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const Triangle& t = triangles[i];
@@ -30,14 +32,14 @@ inline std::vector<Side> sortedSides(std::span<const Triangle> triangles) {
             sides.push_back({std::min(u, v), std::max(u, v), static_cast<Index>(i), u < v});
         }
     }
-    std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
+    std::sort(sides.begin(), sides.end(), [](const TriangleSide& x, const TriangleSide& y) {
         return std::tie(x.low, x.high, x.triangle) < std::tie(y.low, y.high, y.triangle);
     });
     return sides;
 }
 
 /// One past the last side of the edge whose first side is at `begin`.
-inline std::size_t endOfEdge(const std::vector<Side>& sides, std::size_t begin) {
+inline std::size_t endOfEdge(const std::vector<TriangleSide>& sides, std::size_t begin) {
     std::size_t end = begin + 1;
     while (end < sides.size() && sides[end].sameEdge(sides[begin])) ++end;
     return end;
@@ -46,6 +48,6 @@ inline std::size_t endOfEdge(const std::vector<Side>& sides, std::size_t begin) 
 /// Points whose triangles form more than one fan, ascending: they do not hang together by edges at
 /// that point. `sides` are those of the triangles. In mesh.cpp.
 std::vector<Index> nonManifoldPoints(std::span<const Triangle> triangles,
-                                     const std::vector<Side>& sides, std::size_t points);
+                                     const std::vector<TriangleSide>& sides, std::size_t points);
 
 }  // namespace se

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <thread>
 #include <vector>
 
@@ -46,6 +47,9 @@ bool forEachWatched(std::size_t count, unsigned threads, std::size_t least,
     });
     return !cancelled;
 }
+
+/// A run tells of its progress once in so many pivots.
+inline constexpr std::uint32_t kPivotsPerReport = 1024;
 
 /// A piece of the work that goes from share `from` of the whole to share `to`.
 inline Progress partOf(const Progress& progress, double from, double to) {

@@ -6,14 +6,12 @@
 #include <tuple>
 
 #include "ledger_line.h"
+#include "parallel.h"
 #include "pivot_difference.h"
 #include "spiraling_edge/stepper.h"
 
 namespace se {
 namespace {
-
-/// Between two calls of Progress.
-constexpr std::uint32_t kPivotsPerReport = 1024;
 
 /// A triangle from its least corner on.
 std::array<Index, 3> turnedToLeast(const Triangle& t) {

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 
+#include "parallel.h"
 #include "spiraling_edge/stepper.h"
 
 namespace se {
 namespace {
-
-/// Between two calls of Progress.
-constexpr std::uint32_t kPivotsPerReport = 1024;
 
 Index pivotPoint(std::span<const Event> events) {
     for (const Event& event : events) {

@@ -11,7 +11,7 @@ namespace se {
 
 namespace {
 
-constexpr int kSteps = 160;
+constexpr int kAllSteps = 160;
 /// Particles split and die every so many steps, but not in the last of them.
 constexpr int kBalanceEvery = 10;
 constexpr int kLastExchange = 150;
@@ -46,13 +46,13 @@ Result<Sampler> Sampler::begin(Field field, const SamplerOptions& options,
         std::make_unique<Content>(Content{std::move(surface), options, std::move(start.value())}));
 }
 
-bool Sampler::done() const { return content_->steps >= kSteps; }
+bool Sampler::done() const { return content_->steps >= kAllSteps; }
 
 int Sampler::steps() const { return content_->steps; }
 
-int Sampler::allSteps() { return kSteps; }
+int Sampler::allSteps() { return kAllSteps; }
 
-double Sampler::share() const { return static_cast<double>(content_->steps) / kSteps; }
+double Sampler::share() const { return static_cast<double>(content_->steps) / kAllSteps; }
 
 bool Sampler::step(const Progress& progress) {
     if (done()) return true;
@@ -100,7 +100,7 @@ Result<PointFile> sample(const Field& field, const SamplerOptions& options,
     const Progress steps = partOf(progress, kBeginShare, 1.0);
     while (!sampler.done()) {
         const double done = sampler.share();
-        if (!sampler.step(partOf(steps, done, done + 1.0 / kSteps)))
+        if (!sampler.step(partOf(steps, done, done + 1.0 / kAllSteps)))
             return Error{"sampling was cancelled"};
     }
     return sampler.points();

@@ -4,13 +4,12 @@
 #include <cmath>
 #include <set>
 
+#include "parallel.h"
 #include "spiraling_edge/invariants.h"
 #include "spiraling_edge/reading.h"
 
 namespace se {
 namespace {
-
-constexpr std::uint32_t kPivotsPerReport = 1024;
 
 std::string pointText(Index p) { return "Point " + std::to_string(p); }
 

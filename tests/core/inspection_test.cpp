@@ -23,7 +23,7 @@ Counts countsOf(const PointSet& points, const Mesh& triangles) {
     return counts;
 }
 
-PointSet pointsAt(std::vector<Vec3> position) {
+PointSet positionsOnly(std::vector<Vec3> position) {
     PointSet points;
     points.position = std::move(position);
     return points;
@@ -32,7 +32,7 @@ PointSet pointsAt(std::vector<Vec3> position) {
 /// Six points and eight triangles, closed, outwards.
 PointSet octahedron() {
     PointSet points =
-        pointsAt({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}});
+        positionsOnly({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}});
     points.normal = points.position;
     return points;
 }
@@ -104,14 +104,14 @@ TEST_CASE("inspection: a border along the walls is no hole, one that leaves them
 }
 
 TEST_CASE("inspection: a third triangle at an edge") {
-    PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}});
+    PointSet points = positionsOnly({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}});
     const Counts counts = countsOf(points, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
     CHECK(counts.at("non_manifold_edges") == 1);
     CHECK(counts.at("inconsistent_edges") == 1);
 }
 
 TEST_CASE("inspection: two fans at a point") {
-    PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}});
+    PointSet points = positionsOnly({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}});
     const std::vector<MeshFailure> failures = inspectMesh(points, Mesh{{0, 1, 2}, {0, 3, 4}});
     const auto found = std::find_if(failures.begin(), failures.end(), [](const MeshFailure& f) {
         return f.kind->name == "non_manifold_vertices";
@@ -137,7 +137,8 @@ TEST_CASE("inspection: the same three points twice, in either winding") {
 }
 
 TEST_CASE("inspection: triangles without area, and slivers") {
-    const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0.01, 0}, {1, 0.02, 0}});
+    const PointSet points =
+        positionsOnly({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0.01, 0}, {1, 0.02, 0}});
     CHECK(countsOf(points, {{0, 1, 2}}).at("degenerate_triangles") == 1);
     CHECK(countsOf(points, {{0, 1, 1}}).at("degenerate_triangles") == 1);
     // The least angles are atan(0.01) = 0.57 and atan(0.02) = 1.15 degrees.
@@ -146,13 +147,13 @@ TEST_CASE("inspection: triangles without area, and slivers") {
 }
 
 TEST_CASE("inspection: a triangle through another, and one folded onto it") {
-    const PointSet points = pointsAt({{0, 0, 0},
-                                      {2, 0, 0},
-                                      {0, 2, 0},
-                                      {0.5, 0.5, -1},
-                                      {0.5, 0.5, 1},
-                                      {3, 3, 0},
-                                      {0.1, 1.9, 0.01}});
+    const PointSet points = positionsOnly({{0, 0, 0},
+                                           {2, 0, 0},
+                                           {0, 2, 0},
+                                           {0.5, 0.5, -1},
+                                           {0.5, 0.5, 1},
+                                           {3, 3, 0},
+                                           {0.1, 1.9, 0.01}});
     CHECK(countsOf(points, {{0, 1, 2}, {3, 4, 5}}).at("intersecting_triangles") == 1);
     CHECK(countsOf(points, {{0, 1, 2}, {1, 0, 6}}).at("folded_edges") == 1);
 }

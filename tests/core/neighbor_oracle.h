@@ -1,4 +1,4 @@
-/// Points for the tests of the neighbor search, and lists found by looking at all pairs.
+/// OraclePoints for the tests of the neighbor search, and lists found by looking at all pairs.
 #pragma once
 
 #include <algorithm>
@@ -31,14 +31,14 @@ class Numbers {
     std::mt19937 engine_{7};
 };
 
-struct Points {
+struct OraclePoints {
     std::vector<Vec3> position;
     std::vector<Vec3> normal;
     std::vector<bool> usable;
 };
 
-inline Points makeRandom(std::size_t count) {
-    Points points;
+inline OraclePoints makeRandom(std::size_t count) {
+    OraclePoints points;
     Numbers numbers;
     for (std::size_t i = 0; i < count; ++i) {
         points.position.push_back(numbers.nextVector());
@@ -49,8 +49,8 @@ inline Points makeRandom(std::size_t count) {
 }
 
 /// An exact lattice: every distance occurs many times. Normals point up and down in stripes.
-inline Points makeLattice(int side) {
-    Points points;
+inline OraclePoints makeLattice(int side) {
+    OraclePoints points;
     for (int i = 0; i < side * side * side; ++i) {
         points.position.emplace_back(i % side, i / side % side, i / side / side);
         points.normal.emplace_back(0, 0, i % 3 == 0 ? -1 : 1);
@@ -67,7 +67,7 @@ inline NeighborOptions within(double radius, bool dropOpposing) {
 }
 
 /// What the header of findNeighbors() promises, by looking at all pairs.
-inline Lists bruteForce(const Points& points, const NeighborOptions& options) {
+inline Lists bruteForce(const OraclePoints& points, const NeighborOptions& options) {
     Lists lists;
     for (Index p = 0; p < points.position.size(); ++p) {
         const auto squared = [&](Index q) {

@@ -18,7 +18,7 @@ namespace {
 const double kNan = std::numeric_limits<double>::quiet_NaN();
 const double kInf = std::numeric_limits<double>::infinity();
 
-Lists find(const Points& points, const NeighborOptions& options) {
+Lists find(const OraclePoints& points, const NeighborOptions& options) {
     const auto lists = findNeighbors(points.position, points.normal, points.usable, options);
     REQUIRE_MESSAGE(lists.ok(), lists.error().message);
     return toVectors(lists.value());
@@ -56,7 +56,7 @@ bool isSetAside(const PointSet& points, Index p) {
 }  // namespace
 
 TEST_CASE("findNeighbors: the k nearest are those that looking at all pairs finds") {
-    const Points points = makeRandom(700);
+    const OraclePoints points = makeRandom(700);
     for (const std::size_t k : {1U, 2U, 12U, 40U, 699U, 5000U}) {
         CHECK(find(points, nearest(k, false)) == bruteForce(points, nearest(k, false)));
         CHECK(find(points, nearest(k, true)) == bruteForce(points, nearest(k, true)));
@@ -64,7 +64,7 @@ TEST_CASE("findNeighbors: the k nearest are those that looking at all pairs find
 }
 
 TEST_CASE("findNeighbors: ties on a lattice fall to the lower index") {
-    const Points points = makeLattice(8);
+    const OraclePoints points = makeLattice(8);
     for (const std::size_t k : {1U, 4U, 6U, 7U, 12U, 30U}) {
         CHECK(find(points, nearest(k, false)) == bruteForce(points, nearest(k, false)));
         CHECK(find(points, nearest(k, true)) == bruteForce(points, nearest(k, true)));
@@ -74,7 +74,7 @@ TEST_CASE("findNeighbors: ties on a lattice fall to the lower index") {
 
 TEST_CASE("symmetricLists: who lists a point is listed by it, nearest first, and nobody is lost") {
     // Dense on one side, sparse on the other: sparse points list dense ones that do not list them.
-    Points points = makeRandom(400);
+    OraclePoints points = makeRandom(400);
     for (Vec3& x : points.position) x.x = x.x * x.x * x.x;
     const auto lists = findNeighbors(points.position, {}, points.usable, nearest(6, false));
     REQUIRE(lists.ok());
@@ -120,8 +120,8 @@ TEST_CASE("prepare: symmetric lists on request, computed or from the file") {
 }
 
 TEST_CASE("findNeighbors: a radius takes all points up to and at its length") {
-    const Points lattice = makeLattice(6);
-    const Points cloud = makeRandom(500);
+    const OraclePoints lattice = makeLattice(6);
+    const OraclePoints cloud = makeRandom(500);
     for (const double radius : {0.05, 0.2, 1.0, 1.5, 2.0, 1e200, kInf}) {
         for (const bool drop : {false, true}) {
             CHECK(find(lattice, within(radius, drop)) == bruteForce(lattice, within(radius, drop)));
@@ -133,10 +133,10 @@ TEST_CASE("findNeighbors: a radius takes all points up to and at its length") {
 
 TEST_CASE("findNeighbors: none, one and two points") {
     CHECK(find({}, nearest(3, true)).empty());
-    const Points one{{{1, 2, 3}}, {{0, 0, 1}}, {true}};
+    const OraclePoints one{{{1, 2, 3}}, {{0, 0, 1}}, {true}};
     CHECK(find(one, nearest(3, true)) == Lists{{}});
     CHECK(find(one, within(3, true)) == Lists{{}});
-    Points two{{{1, 2, 3}, {0, 0, 0}}, {{0, 0, 1}, {0, 0, 1}}, {true, true}};
+    OraclePoints two{{{1, 2, 3}, {0, 0, 0}}, {{0, 0, 1}, {0, 0, 1}}, {true, true}};
     CHECK(find(two, nearest(3, true)) == Lists{{1}, {0}});
     two.usable[1] = false;
     CHECK(find(two, nearest(3, true)) == Lists{{}, {}});
@@ -145,8 +145,8 @@ TEST_CASE("findNeighbors: none, one and two points") {
 }
 
 TEST_CASE("findNeighbors: points at one place are no neighbors of each other") {
-    Points points{std::vector<Vec3>(30, Vec3(1)), std::vector<Vec3>(30, Vec3(0, 0, 1)),
-                  std::vector<bool>(30, true)};
+    OraclePoints points{std::vector<Vec3>(30, Vec3(1)), std::vector<Vec3>(30, Vec3(0, 0, 1)),
+                        std::vector<bool>(30, true)};
     CHECK(find(points, nearest(3, true)) == Lists(30));
     points.position.emplace_back(2, 1, 1);
     points.normal.emplace_back(0, 0, 1);
@@ -155,7 +155,7 @@ TEST_CASE("findNeighbors: points at one place are no neighbors of each other") {
 }
 
 TEST_CASE("findNeighbors: a move without rounding changes nothing") {
-    Points points = makeRandom(600);
+    OraclePoints points = makeRandom(600);
     constexpr double kUnit = 1.0 / 1048576.0;
     for (Vec3& p : points.position) p = glm::floor(p * 1024.0) * kUnit;  // many ties, tiny extent
     const Lists atOrigin = find(points, nearest(12, true));
@@ -167,10 +167,10 @@ TEST_CASE("findNeighbors: a move without rounding changes nothing") {
 }
 
 TEST_CASE("findNeighbors: the order of the points changes names only") {
-    const Points points = makeRandom(300);
+    const OraclePoints points = makeRandom(300);
     std::vector<Index> order(300);
     std::iota(order.rbegin(), order.rend(), 0);
-    Points reversed;
+    OraclePoints reversed;
     for (const Index p : order) {
         reversed.position.push_back(points.position[p]);
         reversed.normal.push_back(points.normal[p]);
@@ -186,7 +186,7 @@ TEST_CASE("findNeighbors: the order of the points changes names only") {
 }
 
 TEST_CASE("findNeighbors: a flipped normal among many looks at the 8 k + 64 nearest only") {
-    Points points = makeRandom(500);
+    OraclePoints points = makeRandom(500);
     points.usable.assign(500, true);
     points.normal.assign(500, Vec3(0, 0, 1));
     points.normal[0] = Vec3(0, 0, -1);
@@ -204,7 +204,7 @@ TEST_CASE("findNeighbors: a flipped normal among many looks at the 8 k + 64 near
 }
 
 TEST_CASE("findNeighbors: extreme but finite coordinates do not confuse it") {
-    Points points = makeRandom(100);
+    OraclePoints points = makeRandom(100);
     points.usable.assign(100, true);
     Lists expected = find(points, nearest(5, true));
     points.position.emplace_back(1e300, -1e308, 1e308);
@@ -216,7 +216,7 @@ TEST_CASE("findNeighbors: extreme but finite coordinates do not confuse it") {
 }
 
 TEST_CASE("findNeighbors: progress grows from 0 to 1, and false cancels") {
-    const Points points = makeRandom(10000);
+    const OraclePoints points = makeRandom(10000);
     std::vector<double> shares;
     const auto run = [&](std::size_t most) {
         shares.clear();
@@ -237,7 +237,7 @@ TEST_CASE("findNeighbors: progress grows from 0 to 1, and false cancels") {
 }
 
 TEST_CASE("findNeighbors: what does not fit together is refused") {
-    const Points p = makeRandom(5);
+    const OraclePoints p = makeRandom(5);
     CHECK_FALSE(findNeighbors(p.position, p.normal, {true}, {}).ok());
     CHECK_FALSE(findNeighbors(p.position, {}, p.usable, {}).ok());
     CHECK(findNeighbors(p.position, {}, p.usable, nearest(3, false)).ok());

@@ -4,13 +4,12 @@
 
 #include "../support/boxed.h"
 #include "../support/clouds.h"
+#include "../support/rig.h"
 
 using namespace se;
 using namespace se::test;
 
 namespace {
-
-Params robust() { return *paramsByName("robust"); }
 
 /// What a mesh of a whole surface must amount to.
 struct Topology {
@@ -73,7 +72,7 @@ double scaleFor(const Family& family, double points) {
 }
 
 /// A surface in a box, to be sampled at any size.
-struct Shape {
+struct NamedShape {
     std::string name;
     ImplicitSurface surface;
     Vec3 low, high;
@@ -83,12 +82,13 @@ struct Shape {
     }
 };
 
-Shape closed(const std::string& name, const ImplicitSurface& surface, const Topology& topology) {
+NamedShape closed(const std::string& name, const ImplicitSurface& surface,
+                  const Topology& topology) {
     return {name, surface, surface.low, surface.high, topology};
 }
-Shape gyroidInBox() { return {"gyroid", gyroid(), Vec3(-2.7), Vec3(3.1), {-3, 1, 1}}; }
+NamedShape gyroidInBox() { return {"gyroid", gyroid(), Vec3(-2.7), Vec3(3.1), {-3, 1, 1}}; }
 
-std::vector<Shape> shapes() {
+std::vector<NamedShape> shapes() {
     return {closed("sphere", unitSphere(), {2, 1, 0}),
             closed("torus", torus(), {0, 1, 0}),
             closed("linked tori", linkedRings(), {0, 2, 0}),
@@ -98,7 +98,7 @@ std::vector<Shape> shapes() {
 }
 
 /// Checks a cloud of each size for every seed.
-void checkSizes(const Shape& shape, std::initializer_list<double> sizes, std::uint64_t seeds) {
+void checkSizes(const NamedShape& shape, std::initializer_list<double> sizes, std::uint64_t seeds) {
     for (const double size : sizes) {
         for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
             const PointSet points = shape.sample(size, seed);
@@ -157,7 +157,7 @@ TEST_CASE("robust: open sheets in a box end at their walls and nowhere else") {
 // ---- at any size --------------------------------------------------------------------------------
 
 TEST_CASE("robust: clean clouds of 215 to 3,700 points come out sound and of the ideal number") {
-    for (const Shape& shape : shapes()) {
+    for (const NamedShape& shape : shapes()) {
         // The pieces of a gyroid this large need more points than 215.
         if (shape.name == "gyroid") continue;
         checkSizes(shape, {215.0, 1400.0}, 2);
@@ -190,7 +190,7 @@ TEST_CASE("robust: clean clouds of 43,000 points come out sound and of the ideal
         MESSAGE("skipped: too large for a build with sanitizers");
         return;
     }
-    for (const Shape& shape : shapes()) checkSizes(shape, {43000.0}, 1);
+    for (const NamedShape& shape : shapes()) checkSizes(shape, {43000.0}, 1);
 }
 
 TEST_CASE("robust: a sphere cut by a box ends at its six windows and nowhere else") {
@@ -237,13 +237,13 @@ TEST_CASE("nocross: edges of one straight border do not cross, however it lies")
 }
 
 TEST_CASE("robust: no point of a straight border is passed over") {
-    const Shape sheet{"flat sheet", flatSheet(), Vec3(-1.0), Vec3(1.0), {1, 1, 1}};
+    const NamedShape sheet{"flat sheet", flatSheet(), Vec3(-1.0), Vec3(1.0), {1, 1, 1}};
     checkSizes(sheet, {100.0, 215.0}, 12);
     checkSizes(sheet, {1400.0}, 1);
 }
 
 TEST_CASE("robust: no triangle over three points in line stands on a curved surface") {
-    for (const Shape& shape : shapes()) {
+    for (const NamedShape& shape : shapes()) {
         const PointSet points = shape.sample(3700.0, 2);
         const Run run = runAll(points, robust());
         CHECK_MESSAGE(leastAngles(points, run.state.mesh()).least > 15.0, shape.name);

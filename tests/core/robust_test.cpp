@@ -4,14 +4,13 @@
 
 #include "../support/clouds.h"
 #include "../support/random_points.h"
+#include "../support/rig.h"
 #include "../support/shared_data.h"
 
 using namespace se;
 using namespace se::test;
 
 namespace {
-
-Params robust() { return *paramsByName("robust"); }
 
 /// The shared points, or none, saying so.
 std::optional<PointSet> shared(const std::string& name) {

@@ -15,12 +15,12 @@ std::vector<Vec3> fan(double lastDegrees, std::vector<Vec3> more) {
     position.insert(position.end(), more.begin(), more.end());
     return position;
 }
-const Points kRing{0, 2, 3, 4, 1};
+const Points kRingOfFive{0, 2, 3, 4, 1};
 
 /// What 6.3 leaves of the candidates.
 Points thinned(double lastDegrees, const std::vector<Vec3>& more, const Params& params = paper()) {
     Rig rig(fan(lastDegrees, more), params);
-    rig.listAll().ring(kRing).runTo(Phase::TwoPoint);
+    rig.listAll().ring(kRingOfFive).runTo(Phase::TwoPoint);
     return rig.candidates();
 }
 
@@ -60,7 +60,7 @@ TEST_CASE("6.3 the distance is taken in three dimensions") {
 
 TEST_CASE("6.3 a point exactly on the sphere is removed") {
     Rig rig({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-9, -9, 0}, {9, -9, 0}, {1, 1, 0}});
-    rig.listAll().ring(kRing).runTo(Phase::TwoPoint);
+    rig.listAll().ring(kRingOfFive).runTo(Phase::TwoPoint);
     CHECK(rig.candidates().empty());
     CHECK(rig.verdictOn<SphereEvidence>(5) == Verdict::Removed);
 }
@@ -81,13 +81,13 @@ TEST_CASE("6.3 the gap is measured between the points beside the evaluated one")
 TEST_CASE("6.3 without a circle a point is kept") {
     CHECK(thinned(180, {polar(90, 9)}) == Points{5});
     Rig rig(fan(180, {polar(90, 9)}));
-    rig.listAll().ring(kRing).runTo(Phase::TwoPoint);
+    rig.listAll().ring(kRingOfFive).runTo(Phase::TwoPoint);
     CHECK(rig.verdictOn<SphereEvidence>(5) == Verdict::NoCircle);
 }
 
 TEST_CASE("6.3 Figure 8: after a removal the evaluation moves on, with the last kept point as t") {
     Rig rig(fan(100, {polar(30, 9), polar(50, 9), polar(70, 9)}));
-    rig.listAll().ring(kRing).runTo(Phase::TwoPoint);
+    rig.listAll().ring(kRingOfFive).runTo(Phase::TwoPoint);
     const auto looks = rig.all<SphereEvidence>();
     REQUIRE(looks.size() == 3);
     CHECK(looks[0].t == 1);
@@ -111,7 +111,7 @@ TEST_CASE("6.3 one pass: a point is not looked at again when its neighbor went")
 
 TEST_CASE("6.4 Figure 9: two points over 180 degrees apart are discarded, the pivot stays") {
     Rig rig(fan(200, {}));
-    rig.listAll().ring(kRing).pivot();
+    rig.listAll().ring(kRingOfFive).pivot();
     CHECK(rig.triangles().empty());
     CHECK(rig.status(0) == 1);
     CHECK(rig.state().counters.discarded == 1);
@@ -121,7 +121,7 @@ TEST_CASE("6.4 Figure 9: two points over 180 degrees apart are discarded, the pi
 TEST_CASE("6.4 two points under 180 degrees apart are a hole being filled") {
     for (const double last : {30.0, 90.0, 179.0}) {
         Rig rig(fan(last, {}));
-        rig.list(0, {1, 2}).ring(kRing).pivot();
+        rig.list(0, {1, 2}).ring(kRingOfFive).pivot();
         CHECK(rig.triangles() == Triangles{{0, 1, 2}});
         CHECK(rig.status(0) == kDone);
         CHECK(rig.activeRing() == Points{2, 3, 4, 1});
@@ -130,7 +130,7 @@ TEST_CASE("6.4 two points under 180 degrees apart are a hole being filled") {
 
 TEST_CASE("6.4 180 degrees are not greater than 180") {
     Rig rig({{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {-9, -9, 0}, {9, -9, 0}});
-    rig.list(0, {1, 2}).ring(kRing).pivot();
+    rig.list(0, {1, 2}).ring(kRingOfFive).pivot();
     CHECK(rig.triangles().size() == 1);
 }
 
@@ -140,13 +140,13 @@ TEST_CASE("6.4 the test is for rings of two points only") {
     rig.list(0, {1, 2, 5}).ring({0, 2, 3, 4, 5, 1}).pivot();
     CHECK(rig.triangles() == Triangles{{0, 1, 5}, {0, 5, 2}});
     Rig one(fan(190, {polar(90)}));
-    one.list(0, {5}).ring(kRing).pivot();
+    one.list(0, {5}).ring(kRingOfFive).pivot();
     CHECK(one.triangles() == Triangles{{0, 1, 5}, {0, 5, 2}});
 }
 
 TEST_CASE("6.4 Figure 10: triangles run p, first, t; counterclockwise about the normal") {
     Rig rig(fan(170, {polar(40), polar(80), polar(120)}));
-    rig.listAll().ring(kRing).pivot();
+    rig.listAll().ring(kRingOfFive).pivot();
     CHECK(rig.triangles() == Triangles{{0, 1, 5}, {0, 5, 6}, {0, 6, 7}, {0, 7, 2}});
     for (const Triangle& t : rig.triangles()) {
         const auto& x = rig.points().position;

@@ -16,6 +16,7 @@
 namespace se::test {
 
 inline Params paper() { return *paramsByName("paper"); }
+inline Params robust() { return *paramsByName("robust"); }
 inline Params printed() { return *paramsByName("printed"); }
 /// `paper` with one rule turned over.
 inline Params paperBut(bool Rules::*rule) {

@@ -138,17 +138,18 @@ denies() {
 # inside NAME PERCENT_X PERCENT_Y: "X Y", that place of something that the program says it has drawn,
 # e.g. "tab Dial"; center NAME: its middle.
 inside() {
-    local x y w h
-    # In the first frames tabs have no size yet.
+    local x y w h place before=
+    # In the first frames tabs have no size yet, and tabs and lists slide to where they belong.
     for _ in $(seq 100); do
-        read -r x y w h < <(field "$1" | tr -d '[],' )
-        [ "${w:-0}" -gt 0 ] && break
+        place=$(field "$1" | tr -d '[],')
+        read -r x y w h <<<"$place"
+        [ "${w:-0}" -gt 0 ] && [ "$place" = "$before" ] && break
+        before=$place
         sleep 0.05
     done
     [ -n "${h:-}" ] || fail "nothing is drawn that is called '$1'"
     echo "$((x + w * $2 / 100)) $((y + h * $3 / 100))"
 }
-center() { inside "$1" 50 50; }
 # click_on NAME [BUTTON]
 click_on() {
     local x y
