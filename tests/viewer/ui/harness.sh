@@ -150,6 +150,7 @@ inside() {
     [ -n "${h:-}" ] || fail "nothing is drawn that is called '$1'"
     echo "$((x + w * $2 / 100)) $((y + h * $3 / 100))"
 }
+center() { inside "$1" 50 50; }
 # click_on NAME [BUTTON]
 click_on() {
     local x y
