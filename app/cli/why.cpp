@@ -1,6 +1,7 @@
 // spiraling-edge why: why a point, an edge or a triangle is in the mesh, or why it is not.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -10,6 +11,7 @@
 #include "output.h"
 #include "prepared_input.h"
 #include "progress_work.h"
+#include "proof_text.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -48,6 +50,7 @@ struct WhyArguments {
     std::string failure;
     bool failures = false;
     bool remedy = false;
+    bool prove = false;
     std::size_t closest = 0;
     std::size_t most = 100;
     bool json = false;
@@ -89,7 +92,12 @@ struct WhyArguments {
         app.add_flag("--remedy", remedy,
                      "With --failure: also which rules of --rules robust would have prevented it, "
                      "by running again with each of them on");
-        app.add_option("--most", most, "With --find and --failures: list N of them, of each class")
+        app.add_flag("--prove", prove,
+                     "With --failures: turns the decision that made each of them unavoidable, and "
+                     "tells which failures are gone then");
+        app.add_option("--most", most,
+                       "With --find and --failures: list N of them, of each class; with --prove "
+                       "try N of each, spread over all")
             ->type_name("N");
         app.add_flag("--json", json, "As JSON");
         app.add_flag("-q,--quiet", quiet, "No line of progress");
@@ -149,9 +157,30 @@ std::string askFailure(const WhyArguments& arguments, const FailureChoice& choic
                           : momentsText(failure) + remediesText(remedies);
 }
 
+/// Are the decisions the causes? Of large classes a sample is tried.
+std::string askProofs(const WhyArguments& arguments, const PreparedInput& run,
+                      const std::vector<RunFailure>& all, ProgressLine& line) {
+    const std::string& input = arguments.input.input();
+    const std::vector<std::size_t> chosen = sampleOfEach(all, arguments.most);
+    const auto proofs = workedOut("turning", input, line, [&](const Progress& progress) {
+        return proveCauses(run.points, run.params, all, chosen, progress);
+    });
+    std::vector<ProvenFailure> proven;
+    proven.reserve(chosen.size());
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        const auto at = all.begin() + static_cast<std::ptrdiff_t>(chosen[i]);
+        const auto before = std::count_if(all.begin(), at, [&](const RunFailure& each) {
+            return each.failure.kind == at->failure.kind;
+        });
+        proven.push_back({&*at, static_cast<std::size_t>(before) + 1, proofs[i]});
+    }
+    return arguments.json ? proofsJson(input, proven) : proofsText(proven);
+}
+
 std::string askFailures(const WhyArguments& arguments, const PreparedInput& run,
                         ProgressLine& line) {
     const std::vector<RunFailure> all = failuresIn(arguments, run, line);
+    if (arguments.prove) return askProofs(arguments, run, all, line);
     return arguments.json ? failuresJson(arguments.input.input(), all)
                           : failuresText(all, arguments.most);
 }
@@ -194,6 +223,8 @@ ExitCode whyVerb(const Arguments& words) {
     const auto query = DecisionQuery::parse(arguments.query);
     if (arguments.remedy && arguments.failure.empty())
         throw Failure(ExitCode::Usage, "--remedy: needs --failure CLASS[:N]");
+    if (arguments.prove && !arguments.failures)
+        throw Failure(ExitCode::Usage, "--prove: needs --failures");
     if (!query) throw Failure(ExitCode::Usage, "--find: " + query.error().message);
     const bool asksFailure = !arguments.failure.empty();
     const auto choice =

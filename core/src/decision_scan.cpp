@@ -9,17 +9,20 @@
 namespace se {
 namespace {
 
-/// Seen with a single decision: by LiveCheck, the last two here.
-constexpr std::array<std::string_view, 10> kInRun = {"non_manifold_edges",
+/// Seen with a single decision: by LiveCheck, and those of plainFailures().
+constexpr std::array<std::string_view, 13> kInRun = {"non_manifold_edges",
+                                                     "non_manifold_vertices",
                                                      "inconsistent_edges",
                                                      "duplicate_triangles",
                                                      "degenerate_triangles",
                                                      "intersecting_triangles",
                                                      "folded_edges",
                                                      "flipped_triangles",
-                                                     "unused_points",
                                                      "slivers",
-                                                     "holes"};
+                                                     "holes",
+                                                     "unused_points",
+                                                     "leftover_rings",
+                                                     "triangle_cap"};
 
 std::uint32_t bitOf(std::string_view name) { return failureBit(*findFailureClass(name)); }
 
@@ -30,7 +33,9 @@ std::uint32_t plainFailures(const Event& event, const PointSet& points) {
         return thin && !isDegenerate(points, emit->corners) ? bitOf("slivers") : 0;
     }
     const auto* alert = std::get_if<AlertEvidence>(&event.evidence);
-    return alert != nullptr && alert->kind == AlertKind::Hole ? bitOf("holes") : 0;
+    if (alert == nullptr) return 0;
+    if (alert->kind == AlertKind::TriangleCap) return bitOf("triangle_cap");
+    return bitOf("leftover_rings") | (alert->kind == AlertKind::Hole ? bitOf("holes") : 0);
 }
 
 std::uint32_t failuresOf(const Event& event, const PointSet& points, LiveCheck& live) {

@@ -263,6 +263,11 @@ Read readFailure(std::string_view word) {
         std::string names;
         for (const FailureClass& each : failureClasses())
             if (appearsInRun(each)) names += (names.empty() ? "" : ", ") + std::string(each.name);
+        if (kind != nullptr)
+            return Error{
+                "\"" + std::string(word) +
+                "\": that is known only when the run has ended; while it goes on there are " +
+                names + "."};
         return notA(word, "a class of failures that shows while the run goes on: " + names);
     }
     const std::uint32_t bit = failureBit(*kind);

@@ -1,12 +1,14 @@
 #include "spiraling_edge/failure_moments.h"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 
 #include "freed_rings.h"
 #include "inspected_run.h"
 #include "ledger_line.h"
 #include "moment_finder.h"
+#include "root_decisions.h"
 #include "spiraling_edge/run_scan.h"
 
 namespace se {
@@ -15,8 +17,12 @@ namespace {
 /// The finders of several failures, asked only about events at their points.
 class Finders {
   public:
-    Finders(const FinderInput& input, std::span<const MeshFailure> failures)
-        : input_(input), failures_(failures), at_(input.points.size()), asked_(failures.size(), 0) {
+    Finders(const PointSet& points, const Params& params, const std::vector<Triangle>& mesh,
+            std::span<const MeshFailure> failures)
+        : input_{points, params, mesh, moves_},
+          failures_(failures),
+          at_(points.size()),
+          asked_(failures.size(), 0) {
         finders_.reserve(failures.size());
         for (std::size_t i = 0; i < failures.size(); ++i) {
             finders_.emplace_back(input_, failures[i]);
@@ -26,9 +32,13 @@ class Finders {
     }
 
     void see(const ScannedPivot& pivot) {
+        moves_.clear();
         for (const Event& event : pivot.events) {
             ++event_;
             concerned_.clear();
+            const auto* limit = std::get_if<LimitEvidence>(&event.evidence);
+            if (limit != nullptr && limit->verdict == Verdict::Moved)
+                moves_.push_back(lineOf(event, {input_.points, input_.params, pivot.point}));
             gather(event, pivot.point);
             const auto freed = rings_.see(event);
             if (concerned_.empty() && !freed) continue;
@@ -42,6 +52,13 @@ class Finders {
         std::vector<std::optional<FailureMoments>> all;
         all.reserve(finders_.size());
         for (const MomentFinder& each : finders_) all.push_back(each.found());
+        return all;
+    }
+    /// Of each failure the triangle that is a whole fan and brought it about, or kNone.
+    std::vector<Index> alone() const {
+        std::vector<Index> all;
+        all.reserve(finders_.size());
+        for (const MomentFinder& each : finders_) all.push_back(each.alone());
         return all;
     }
 
@@ -76,6 +93,7 @@ class Finders {
         }
     }
 
+    std::vector<LedgerLine> moves_;
     FinderInput input_;
     std::span<const MeshFailure> failures_;
     std::vector<std::vector<std::size_t>> at_;  ///< Per point: the failures there.
@@ -97,6 +115,23 @@ std::size_t rankOf(const MeshFailure& failure) {
     return static_cast<std::size_t>(failure.kind - failureClasses().data());
 }
 
+/// What fills the gap between three points comes from the decision that made the last of its
+/// edges. False if cancelled.
+bool traceBack(const PointSet& points, const Params& params, const std::vector<Index>& alone,
+               std::vector<std::optional<FailureMoments>>& found, const Progress& progress) {
+    std::vector<Index> asked;
+    std::copy_if(alone.begin(), alone.end(), std::back_inserter(asked),
+                 [](Index triangle) { return triangle != kNone; });
+    if (asked.empty()) return true;
+    const auto roots = rootDecisions(points, params, asked, progress);
+    if (!roots) return false;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const auto root = roots->find(alone[i]);
+        if (found[i] && root != roots->end()) found[i]->unavoidable = root->second;
+    }
+    return true;
+}
+
 }  // namespace
 
 Result<std::vector<std::optional<FailureMoments>>> momentsOfAll(
@@ -109,11 +144,15 @@ Result<std::vector<std::optional<FailureMoments>>> momentsOfAll(
                                        [&](Index p) { return p >= points.size(); });
         if (other) return Error{"This failure is of another mesh."};
     }
-    Finders finders({points, params, mesh}, failures);
+    Finders finders(points, params, mesh, failures);
     const auto end = scanRun(
-        points, params, [&](const ScannedPivot& pivot) { finders.see(pivot); }, progress);
+        points, params, [&](const ScannedPivot& pivot) { finders.see(pivot); },
+        partOf(progress, 0.0, 0.6));
     if (!end) return Error{"Cancelled."};
-    return finders.found();
+    auto found = finders.found();
+    if (!traceBack(points, params, finders.alone(), found, partOf(progress, 0.6, 1.0)))
+        return Error{"Cancelled."};
+    return found;
 }
 
 Result<FailureMoments> momentsOf(const PointSet& points, const Params& params,

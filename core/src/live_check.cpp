@@ -8,6 +8,7 @@
 
 #include "box.h"
 #include "box_cells.h"
+#include "disjoint_sets.h"
 #include "exact.h"
 #include "shape.h"
 
@@ -75,7 +76,8 @@ class LiveCheck::Watch {
     explicit Watch(const PointSet& points)
         : points_(points),
           cells_(lowerCorner(points), kCell * usualDistance(points)),
-          used_(points.size(), false) {}
+          used_(points.size(), false),
+          trianglesAt_(points.size()) {}
 
     void see(const Event& event, std::vector<LiveFailure>& found) {
         found_ = &found;
@@ -92,6 +94,28 @@ class LiveCheck::Watch {
   private:
     void seeDone(Index p) {
         if (!used_[p]) add("unused_points", kNone, kNone, {p});
+        if (!isOneFan(p)) add("non_manifold_vertices", kNone, kNone, {p});
+        trianglesAt_[p] = {};  // A DONE point gets no more (§4).
+    }
+
+    /// Do the triangles at a point hang together by edges? One with that point twice does not.
+    bool isOneFan(Index p) const {
+        const std::vector<Index>& all = trianglesAt_[p];
+        DisjointSets fans(all.size());
+        std::size_t joined = 0;
+        std::unordered_map<Index, std::size_t> firstAt;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const Triangle& t = triangles_[all[i]];
+            if ((t.a == p) + (t.b == p) + (t.c == p) != 1) return false;
+            for (const Index q : {t.a, t.b, t.c}) {
+                if (q == p) continue;
+                const auto [at, fresh] = firstAt.try_emplace(q, i);
+                const bool other =
+                    !fresh && fans.unite(static_cast<Index>(at->second), static_cast<Index>(i));
+                joined += other ? 1U : 0U;
+            }
+        }
+        return joined + 1 >= all.size();
     }
 
     void seeTriangle(const Triangle& made) {
@@ -99,6 +123,7 @@ class LiveCheck::Watch {
         triangles_.push_back(made);
         boxes_.push_back(boxOf(points_, made));
         used_[made.a] = used_[made.b] = used_[made.c] = true;
+        for (const Index p : {made.a, made.b, made.c}) trianglesAt_[p].push_back(number);
         const bool area = !isDegenerate(points_, made);
         hasArea_.push_back(area);
         seeEdges(number);
@@ -173,6 +198,7 @@ class LiveCheck::Watch {
     const PointSet& points_;
     BoxCells cells_;
     std::vector<bool> used_;
+    std::vector<std::vector<Index>> trianglesAt_;  ///< Of points that are not DONE.
     std::vector<Triangle> triangles_;
     std::vector<Box> boxes_;
     std::vector<bool> hasArea_;
@@ -204,6 +230,8 @@ std::string describe(const LiveFailure& failure) {
     const std::string made = "Triangle " + std::to_string(failure.triangle);
     const std::string other = std::to_string(failure.other);
     if (kind == "unused_points") return "Point " + names + " is DONE and in no triangle.";
+    if (kind == "non_manifold_vertices")
+        return "The triangles about point " + names + " are more than one fan.";
     if (kind == "non_manifold_edges")
         return made + " is the third at the edge " + names + ": non-manifold.";
     if (kind == "inconsistent_edges")

@@ -3,26 +3,32 @@
 #include <algorithm>
 
 #include "ledger_line.h"
+#include "pivot_tests.h"
 
 namespace se {
 namespace {
-
-bool hasCorner(const Triangle& t, Index p) { return t.a == p || t.b == p || t.c == p; }
 
 bool sameCorners(const Triangle& a, const Triangle& b) {
     return hasCorner(b, a.a) && hasCorner(b, a.b) && hasCorner(b, a.c);
 }
 
-/// The pivot's first and last are the only corners that are left, and make a triangle (§6.4).
-bool fillsHole(const Event& event) {
-    const auto* two = std::get_if<TwoPointEvidence>(&event.evidence);
-    return two != nullptr && two->verdict == Verdict::Hole;
+/// Left out for its angle alone: it lies where the pivot has triangles, or will never have any.
+bool liesOutside(const Event& event) {
+    const auto* sort = std::get_if<SortEvidence>(&event.evidence);
+    return sort != nullptr &&
+           (sort->verdict == Verdict::NotAfterStart || sort->verdict == Verdict::NotBeforeEnd);
 }
 
-/// A candidate between two others went: they are neighbors on the rim of the fan now.
-const SphereEvidence* closedGap(const Event& event) {
-    const auto* sphere = std::get_if<SphereEvidence>(&event.evidence);
-    return sphere != nullptr && sphere->verdict == Verdict::Removed ? sphere : nullptr;
+/// Two points that find only each other (§6.4): no triangle could have come of it.
+bool isFullTurn(const Event& event) {
+    const auto* two = std::get_if<TwoPointEvidence>(&event.evidence);
+    return two != nullptr && two->degrees > 359.9;
+}
+
+/// A candidate that start or end was moved over (Fig. 4).
+const DropEvidence* passedBy(const Event& event) {
+    const auto* drop = std::get_if<DropEvidence>(&event.evidence);
+    return drop != nullptr && drop->verdict == Verdict::Outside ? drop : nullptr;
 }
 
 }  // namespace
@@ -65,10 +71,12 @@ void MomentFinder::see(const LedgerLine& line) {
 
 std::optional<FailureMoments> MomentFinder::found() const {
     if (!created_ || !touched_) return {};
-    if (unavoidable_) return FailureMoments{*created_, *unavoidable_, *touched_};
     // A point that was never tested was lost with its last neighbor. Where nothing was decided at
     // all, making it was.
-    return FailureMoments{*created_, deserted_.value_or(*created_), *touched_};
+    for (const auto& decision : {unavoidable_, alonePair_, outside_, deserted_}) {
+        if (decision) return FailureMoments{*created_, *decision, *touched_};
+    }
+    return FailureMoments{*created_, *created_, *touched_};
 }
 
 bool MomentFinder::mine(Index p) const {
@@ -84,15 +92,30 @@ bool MomentFinder::touches(const Event& event) const {
 void MomentFinder::seeForPoint(const LedgerLine& line) {
     const Index p = testedPoint(line.event);
     const bool ownFan = p == kNone && line.pivot != kNone && mine(line.pivot);
-    if (ownFan && line.role == LineRole::Refused) unavoidable_ = line;
+    if (ownFan && line.role == LineRole::Refused)
+        (isFullTurn(line.event) ? alonePair_ : unavoidable_) = line;
     const auto* ring = std::get_if<RingEvidence>(&line.event.evidence);
     if (ring != nullptr && ring->status < 0 && !mine(p) && !created_) deserted_ = line;
     if (p == kNone || !mine(p)) return;
     const auto* strand = std::get_if<StrandEvidence>(&line.event.evidence);
     if (strand != nullptr || (ring != nullptr && ring->status < 0)) created_ = line;
     const bool limit = std::holds_alternative<LimitEvidence>(line.event.evidence);
-    if (line.role == LineRole::Refused && !wasSettledBefore(line.event) && !limit)
-        unavoidable_ = line;
+    if (line.role != LineRole::Refused || wasSettledBefore(line.event) || limit) return;
+    const auto* drop = passedBy(line.event);
+    (liesOutside(line.event) ? outside_ : unavoidable_) =
+        drop != nullptr ? moveOver(*drop).value_or(line) : line;
+}
+
+/// The first move of start or end that left the candidate behind.
+std::optional<LedgerLine> MomentFinder::moveOver(const DropEvidence& drop) const {
+    const auto passes = [&](const LedgerLine& line) {
+        const auto& move = std::get<LimitEvidence>(line.event.evidence);
+        if (move.side != drop.side) return false;
+        return move.side == Side::Start ? move.toDegrees >= drop.degrees
+                                        : move.toDegrees <= drop.degrees;
+    };
+    const auto found = std::find_if(input_.moves.begin(), input_.moves.end(), passes);
+    return found == input_.moves.end() ? std::nullopt : std::optional(*found);
 }
 
 /// A loop is there once its last point is done with, a ring once it is freed.
@@ -105,7 +128,8 @@ void MomentFinder::seeForRing(const LedgerLine& line) {
     if (kind_ == Kind::Ring && created_) return;
     if (!pivots || line.role != LineRole::Refused) return;
     const bool wholeFan = tested == kNone;
-    if (wholeFan || (!wasSettledBefore(line.event) && mine(tested))) unavoidable_ = line;
+    if (wholeFan || (!wasSettledBefore(line.event) && mine(tested)))
+        (liesOutside(line.event) ? outside_ : unavoidable_) = line;
 }
 
 /// By its number, and by its corners where a step after the last pivot has put another triangle
@@ -156,22 +180,23 @@ void MomentFinder::remember(const LedgerLine& line) {
     if (taken || closed || fillsHole(line.event)) decided_.push_back(line);
 }
 
-/// The last test that took a corner, or took away what lay between two of them. That first and last
-/// alone are filled (§6.4) counts where nothing else was decided.
+/// Where an edge or a point is at fault, what made that: the last test that took an end of it.
+std::optional<LedgerLine> MomentFinder::decisionForPart(const Triangle& made) const {
+    const std::string_view kind = failure_.kind->name;
+    const bool edge = kind == "non_manifold_edges" || kind == "inconsistent_edges";
+    if (!edge && kind != "non_manifold_vertices") return {};
+    const auto end = [&](Index p) { return p == made.a ? kNone : p; };
+    return lastDecision(decided_, end(failure_.points.front()), end(failure_.points.back()));
+}
+
+/// What made the triangle. That first and last alone are filled (§6.4) counts where nothing else
+/// was decided.
 std::optional<LedgerLine> MomentFinder::decisionFor(const Triangle& made) const {
-    const auto lastOf = [&](const auto& decides) {
-        const auto found = std::find_if(decided_.rbegin(), decided_.rend(), decides);
-        return found == decided_.rend() ? std::nullopt : std::optional(*found);
-    };
-    const auto tested = lastOf([&](const LedgerLine& line) {
-        const SphereEvidence* gap = closedGap(line.event);
-        if (gap != nullptr) return hasCorner(made, gap->t) && hasCorner(made, gap->s);
-        return !fillsHole(line.event) && hasCorner(made, testedPoint(line.event));
-    });
-    if (tested) return tested;
-    return lastOf([&](const LedgerLine& line) {
+    if (const auto tested = lastDecision(decided_, made)) return tested;
+    const auto found = std::find_if(decided_.rbegin(), decided_.rend(), [&](const auto& line) {
         return fillsHole(line.event) && hasCorner(made, line.pivot);
     });
+    return found == decided_.rend() ? std::nullopt : std::optional(*found);
 }
 
 /// Of several triangles the one that completes the failure: of an edge of five the third, of two
@@ -180,6 +205,7 @@ void MomentFinder::seeForTriangle(const LedgerLine& line) {
     remember(line);
     if (mends(line.event)) {
         created_ = unavoidable_ = line;
+        alone_ = kNone;
         return;
     }
     const auto* emit = std::get_if<EmitEvidence>(&line.event.evidence);
@@ -187,7 +213,10 @@ void MomentFinder::seeForTriangle(const LedgerLine& line) {
     made_.push_back(emit->corners);
     complete_ = isEarlyFailure() && isThere();
     created_ = line;
-    unavoidable_ = decisionFor(emit->corners).value_or(line);
+    // Without a test of that edge it was there before, and had to get this triangle.
+    if (const auto part = decisionForPart(emit->corners)) part_ = part;
+    unavoidable_ = part_ ? *part_ : decisionFor(emit->corners).value_or(line);
+    alone_ = fillsHole(unavoidable_->event) ? emit->triangle : kNone;
 }
 
 }  // namespace se

@@ -13,6 +13,7 @@ struct FinderInput {
     const PointSet& points;
     const Params& params;
     const std::vector<Triangle>& mesh;
+    const std::vector<LedgerLine>& moves;  ///< Of start and end in the present pivot so far.
 };
 
 class MomentFinder {
@@ -28,6 +29,8 @@ class MomentFinder {
     void see(const LedgerLine& line);
     /// The ring of the failure is freed.
     void seeFreed(const LedgerLine& line) { created_ = line; }
+    /// The triangle that is the whole fan of its pivot, if such a one brought the failure about.
+    Index alone() const { return alone_; }
     /// Nothing if the failure does not come from this run.
     std::optional<FailureMoments> found() const;
 
@@ -39,6 +42,7 @@ class MomentFinder {
     bool mine(Index p) const;
     bool touches(const Event& event) const;
     void seeForPoint(const LedgerLine& line);
+    std::optional<LedgerLine> moveOver(const DropEvidence& drop) const;
     void seeForRing(const LedgerLine& line);
     bool isOne(const EmitEvidence& made) const;
     bool isThere() const;
@@ -46,6 +50,7 @@ class MomentFinder {
     bool mends(const Event& event) const;
     void seeForTriangle(const LedgerLine& line);
     void remember(const LedgerLine& line);
+    std::optional<LedgerLine> decisionForPart(const Triangle& made) const;
     std::optional<LedgerLine> decisionFor(const Triangle& made) const;
 
     const FinderInput& input_;
@@ -56,12 +61,16 @@ class MomentFinder {
     std::vector<Index> around_;  ///< Of a point in no triangle: those that it lists.
     std::optional<LedgerLine> created_;
     std::optional<LedgerLine> unavoidable_;
+    std::optional<LedgerLine> outside_;    ///< The last refusal of a point outside of the sector.
+    std::optional<LedgerLine> alonePair_;  ///< Found only one other point, which finds only it.
+    std::optional<LedgerLine> part_;       ///< What made the edge or point that is at fault.
     std::optional<LedgerLine> touched_;
     std::optional<LedgerLine> deserted_;  ///< The last of the neighbors became DONE.
-    std::vector<Triangle> made_;          ///< Of the failure, in the order of the run.
-    bool complete_ = false;               ///< Enough of them: those that follow are no cause.
-    std::uint32_t pivot_ = 0;             ///< That `decided_` is about.
-    std::vector<LedgerLine> decided_;     ///< Tests of this pivot that a triangle may come from.
+    Index alone_ = kNone;
+    std::vector<Triangle> made_;       ///< Of the failure, in the order of the run.
+    bool complete_ = false;            ///< Enough of them: those that follow are no cause.
+    std::uint32_t pivot_ = 0;          ///< That `decided_` is about.
+    std::vector<LedgerLine> decided_;  ///< Tests of this pivot that a triangle may come from.
 };
 
 }  // namespace se

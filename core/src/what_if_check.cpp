@@ -145,6 +145,12 @@ class Check {
         return std::move(answers_);
     }
 
+    Status last(const State& before) {
+        stepper_.setState(before);
+        look(params_.whatIf.back().pivot);
+        return std::move(answers_.back());
+    }
+
   private:
     void look(std::uint32_t pivot) {
         const State before = stepper_.state();
@@ -204,6 +210,10 @@ class Check {
 std::optional<std::vector<Status>> checkWhatIfs(const PointSet& points, const Params& params,
                                                 const Progress& progress) {
     return Check(points, params).run(progress);
+}
+
+Status checkLastWhatIf(const PointSet& points, const Params& params, const State& before) {
+    return params.whatIf.empty() ? success() : Check(points, params).last(before);
 }
 
 std::uint64_t runHash(const State& state, const Params& params) {

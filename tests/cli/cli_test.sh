@@ -595,6 +595,20 @@ why_finds_decisions() {
     says err "the run has 0 failures of class duplicate_triangles"
 }
 
+why_turns_the_causes() {
+    expect 0 why scene:stranded-point --failures --prove
+    says out "cannot be turned"
+    grep -qE '^unused_points +3 +3 +0 +0 +0 +0$' out || fail "three lost points come back: $(cat out)"
+    expect 0 why scene:noise --failures --prove --most 1 --json
+    says out '"what_if": ['
+    is "$(grep -c '"proof": ' out)" "$(grep -c '"number": 1,' out)" "failures tried"
+    # A what-if of the list is one that runs take.
+    "$program" why scene:stranded-point --failures --prove --json -q | sed -n 's/^ *"\([0-9].* drop [0-9]*\)",\{0,1\}$/\1/p' | head -1 >turn
+    expect 0 run scene:stranded-point --what-if "$(cat turn)" -o turned.ply
+    expect 2 why scene:torus --point 3 --prove
+    says err "--prove: needs --failures"
+}
+
 why_names_what_made_a_ring() {
     expect 0 why scene:torus --ring 5
     says out "Active ring at 5 has "

@@ -108,6 +108,27 @@ TEST_CASE("live: what is noticed is still there at the end, if no rule mends") {
     }
 }
 
+TEST_CASE("live: a point whose triangles are more than one fan is noticed when it is DONE") {
+    std::size_t looked = 0;
+    for (const FailureScene& each : failureScenes()) {
+        CAPTURE(each.scene.id);
+        const PointSet points = prepared(each.scene.build());
+        const Watched run = watch(points, paper());
+        std::vector<Index> noticed;
+        for (const LiveFailure& live : run.failures) {
+            if (live.kind->name == "non_manifold_vertices") noticed.push_back(live.points[0]);
+        }
+        std::sort(noticed.begin(), noticed.end());
+        std::vector<Index> found;
+        for (const MeshFailure& failure : inspectMesh(points, run.mesh)) {
+            if (failure.kind->name == "non_manifold_vertices") found.push_back(failure.points[0]);
+        }
+        CHECK(noticed == found);
+        looked += found.size();
+    }
+    CHECK(looked > 0);
+}
+
 TEST_CASE("live: a sound run has nothing to tell") {
     const PointSet points = prepared(findScene("sphere")->build());
     CHECK(watch(points, *paramsByName("robust")).failures.empty());

@@ -25,7 +25,8 @@ std::string describe(const LiveFailure& failure);
 /// Follows a run event by event. Of each triangle that is made it tells at most one failure of each
 /// class: an edge of three triangles, an edge passed twice in one direction, three points that have
 /// a triangle, no area, a crossing or a fold with an earlier triangle, a face against the normals;
-/// and of each point that becomes DONE whether it is in no triangle. The same predicates as
+/// and of each point that becomes DONE whether it is in no triangle, or its triangles are more than
+/// one fan. The same predicates as
 /// inspectMesh(), exact where that is. Rules that edit the mesh after the last pivot are not
 /// followed: what they mend was a failure when it was made. Deterministic.
 class LiveCheck {

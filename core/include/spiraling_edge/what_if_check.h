@@ -20,6 +20,9 @@ namespace se {
 std::optional<std::vector<Status>> checkWhatIfs(const PointSet& points, const Params& params,
                                                 const Progress& progress = {});
 
+/// The same for the last of params.whatIf alone, at a state before its pivot. O(points).
+Status checkLastWhatIf(const PointSet& points, const Params& params, const State& before);
+
 /// The first reason among them, with what it is about; success if all can be done.
 Status requireWhatIfs(const PointSet& points, const Params& params);
 

@@ -1,0 +1,47 @@
+/// Whether the decision that made a failure unavoidable is its cause: the run forks there, with the
+/// decision the other way, and goes on to its end.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "spiraling_edge/failure_moments.h"
+#include "spiraling_edge/what_if.h"
+
+namespace se {
+
+/// What became of a failure once the decision went the other way.
+enum class Proof : std::uint8_t {
+    Gone,      ///< No failure of its class is left there.
+    Later,     ///< The same test is made again at a later pivot; gone once it is turned there, too.
+    Replaced,  ///< It is gone, but another of its class has two of its points.
+    Stays,     ///< Another decision brings the same about: one of its class has the same points.
+    NotTurned,  ///< The decision cannot go the other way.
+};
+/// "gone", "gone, asked again", "another in its place", "stays", "cannot be turned".
+std::string_view proofName(Proof proof);
+
+struct FailureProof {
+    Proof proof = Proof::NotTurned;
+    std::vector<WhatIf> turns;  ///< What was done instead; several where a test is made again.
+    std::string reason;         ///< NotTurned: why. Stays: what brings it about then.
+};
+
+/// The what-if that turns a decision: keep what was refused, drop what was taken, list no third
+/// point that was inserted. Nothing where a decision has no other way, or is no decision.
+std::optional<WhatIf> turnOf(const PointSet& points, const LedgerLine& decision);
+
+/// One proof for each of the `chosen` among all failures of this run, in their order. Fails if
+/// cancelled. A run from the decision to the end and an inspection each. Deterministic.
+Result<std::vector<FailureProof>> proveCauses(const PointSet& points, const Params& params,
+                                              std::span<const RunFailure> failures,
+                                              std::span<const std::size_t> chosen,
+                                              const Progress& progress = {});
+
+/// Of each class at most `most`, spread evenly over all of it; their places, ascending.
+std::vector<std::size_t> sampleOfEach(std::span<const RunFailure> failures, std::size_t most);
+
+}  // namespace se

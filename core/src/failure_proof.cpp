@@ -1,0 +1,259 @@
+#include "spiraling_edge/failure_proof.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "freed_rings.h"
+#include "inspected_run.h"
+#include "spiraling_edge/remedy.h"
+#include "spiraling_edge/stepper.h"
+#include "spiraling_edge/what_if_check.h"
+
+namespace se {
+namespace {
+
+std::optional<Verdict> verdictOf(const Event& event) {
+    return std::visit(
+        [](const auto& e) -> std::optional<Verdict> {
+            if constexpr (requires { e.verdict; }) return e.verdict;
+            return std::nullopt;
+        },
+        event.evidence);
+}
+
+/// What is done instead of a test; nothing if a person has no say in it.
+std::optional<WhatIfKind> otherWay(Verdict verdict) {
+    switch (verdict) {
+        case Verdict::BehindConvex:
+        case Verdict::NotReciprocal:
+        case Verdict::WallComplete:
+        case Verdict::FarSide:
+        case Verdict::Removed:
+        case Verdict::Discarded:
+            return WhatIfKind::Keep;
+        case Verdict::Kept:
+        case Verdict::Moved:
+        case Verdict::InsideSphere:
+        case Verdict::GapTooWide:
+        case Verdict::NoCircle:
+        case Verdict::Hole:
+            return WhatIfKind::Drop;
+        default:
+            return std::nullopt;
+    }
+}
+
+/// Why a decision without a what-if cannot be turned.
+std::string reasonFor(const LedgerLine& decision) {
+    switch (verdictOf(decision.event).value_or(Verdict::Kept)) {
+        case Verdict::NotAfterStart:
+        case Verdict::NotBeforeEnd:
+        case Verdict::Outside:
+            return "The point lies outside of the free sector.";
+        case Verdict::AlreadyDone:
+            return "The point is DONE.";
+        default:
+            return decision.role == LineRole::Fact ? "Nothing is tested there."
+                                                   : "There is no what-if for such a decision.";
+    }
+}
+
+/// The run that `stepper` ends, and the failures of one class in it.
+InspectedRun endOf(Stepper& stepper, const PointSet& points, const FailureClass& kind) {
+    if (kind.find != nullptr) {
+        stepper.run();
+        return {stepper.state(), inspectMesh(points, stepper.state().mesh())};
+    }
+    std::vector<MeshFailure> found;
+    FreedRings rings;
+    EventLog log;
+    stepper.setLog(&log);
+    for (bool more = true; more;) {
+        log.clear();
+        more = stepper.stepPivot();
+        for (const Event& event : log.events()) {
+            if (const auto ring = rings.see(event)) found.push_back(failureOf(points, *ring));
+        }
+    }
+    stepper.setLog(nullptr);
+    return {stepper.state(), std::move(found)};
+}
+
+/// The same point is asked about, maybe by another pivot or test; of a fan, the same pivot. All
+/// that is asked about a lost point is about it.
+bool asksAgain(const LedgerLine& a, const LedgerLine& b, const MeshFailure& failure) {
+    const Index point = testedPoint(a.event);
+    return failure.points.size() == 1 ||
+           (point == testedPoint(b.event) && (point != kNone || a.pivot == b.pivot));
+}
+
+bool isSame(const MeshFailure& a, const MeshFailure& b) {
+    return a.kind == b.kind && a.points == b.points;
+}
+
+/// Goes through the run once and forks it where it is asked to.
+class Prover {
+  public:
+    Prover(const PointSet& points, const Params& params, std::span<const RunFailure> known)
+        : points_(points), params_(params), known_(known), stepper_(points, params) {}
+
+    /// Requires pivots that do not go back from call to call.
+    FailureProof prove(const RunFailure& failure) {
+        const LedgerLine& decision = failure.moments.unavoidable;
+        FailureProof result;
+        const auto turn = turnOf(points_, decision);
+        if (!turn) {
+            result.reason = reasonFor(decision);
+            return result;
+        }
+        while (stepper_.state().counters.pivots + 1 < turn->pivot && stepper_.stepPivot()) {
+        }
+        result.turns.push_back(*turn);
+        FailureProof best = result;
+        for (LedgerLine asked = decision; turnOnce(failure.failure, asked, result);) {
+            if (result.turns.size() == 2 || result.proof < best.proof) best = result;
+        }
+        return result.proof <= best.proof ? result : best;
+    }
+
+  private:
+    /// A point can be tested again by each of its neighbors; so many times it is followed.
+    static constexpr std::size_t kMostTurns = 12;
+
+    /// Just before the last of the turns. From the start if that is before the first of them.
+    Stepper forkedAt(const Params& forked, const std::vector<WhatIf>& turns) const {
+        Stepper fork(points_, forked);
+        const std::uint32_t pivot = turns.back().pivot;
+        if (pivot >= turns.front().pivot) fork.setState(stepper_.state());
+        while (fork.state().counters.pivots + 1 < pivot && fork.stepPivot()) {
+        }
+        return fork;
+    }
+
+    /// Runs on with the turns of `result`. True if the last of them only put the decision off:
+    /// then the same point is `asked` about again, and that turn is added.
+    bool turnOnce(const MeshFailure& failure, LedgerLine& asked, FailureProof& result) const {
+        Params forked = params_;
+        forked.whatIf.insert(forked.whatIf.end(), result.turns.begin(), result.turns.end());
+        Stepper fork = forkedAt(forked, result.turns);
+        if (Status can = checkLastWhatIf(points_, forked, fork.state()); !can) {
+            if (result.turns.size() == 1) result.proof = Proof::NotTurned;
+            result.reason = can.error().message;
+            result.turns.resize(std::max<std::size_t>(1, result.turns.size() - 1));
+            return false;
+        }
+        const InspectedRun run = endOf(fork, points_, *failure.kind);
+        const MeshFailure* heir = heirOf(failure, run.failures);
+        result.reason.clear();
+        if (heir == nullptr) {
+            result.proof = result.turns.size() > 1 ? Proof::Later : Proof::Gone;
+            return false;
+        }
+        result.proof = isSame(*heir, failure) ? Proof::Stays : Proof::Replaced;
+        const auto moments = momentsOf(points_, forked, *heir, run.end.mesh());
+        if (!moments) return false;
+        const LedgerLine& next = moments.value().unavoidable;
+        result.reason = "Then " + toString(next.event.address) + ": " + describe(next.event);
+        const auto turn = turnOf(points_, next);
+        const bool again =
+            turn && (failure.points.size() == 1 || turn->kind == result.turns.front().kind) &&
+            asksAgain(asked, next, failure) &&
+            std::find(result.turns.begin(), result.turns.end(), *turn) == result.turns.end();
+        if (!again || result.turns.size() == kMostTurns) return false;
+        result.turns.push_back(*turn);
+        asked = next;
+        return true;
+    }
+
+    /// The failure itself, if it is left, or a new one of its class in its place.
+    const MeshFailure* heirOf(const MeshFailure& failure,
+                              const std::vector<MeshFailure>& left) const {
+        const MeshFailure* heir = nullptr;
+        for (const MeshFailure& each : left) {
+            if (isSame(each, failure)) return &each;
+            if (heir == nullptr && each.kind == failure.kind && isStillThere(failure, {each}) &&
+                !isKnown(each))
+                heir = &each;
+        }
+        return heir;
+    }
+    bool isKnown(const MeshFailure& failure) const {
+        return std::any_of(known_.begin(), known_.end(),
+                           [&](const RunFailure& each) { return isSame(each.failure, failure); });
+    }
+
+    const PointSet& points_;
+    const Params& params_;
+    std::span<const RunFailure> known_;
+    Stepper stepper_;
+};
+
+std::uint32_t pivotOf(const RunFailure& failure) {
+    return failure.moments.unavoidable.event.address.pivot;
+}
+
+}  // namespace
+
+std::string_view proofName(Proof proof) {
+    constexpr std::array<std::string_view, 5> kNames{
+        "gone", "gone, asked again", "another in its place", "stays", "cannot be turned"};
+    return kNames[static_cast<std::size_t>(proof)];
+}
+
+std::optional<WhatIf> turnOf(const PointSet& points, const LedgerLine& decision) {
+    const Address& at = decision.event.address;
+    if (const auto* insert = std::get_if<InsertEvidence>(&decision.event.evidence)) {
+        if (insert->third == kNone) return {};
+        WhatIf what{WhatIfKind::List, at.pivot, Stage::Pivot, insert->pivot, Vec3(0.0), {}};
+        for (const Index q : points.neighbors[insert->pivot]) {
+            if (q != insert->third) what.list.push_back(q);
+        }
+        return what;
+    }
+    const auto* sort = std::get_if<SortEvidence>(&decision.event.evidence);
+    if (sort != nullptr && sort->verdict == Verdict::SameAngle)
+        return WhatIf{WhatIfKind::Drop, at.pivot, at.stage, sort->rival, Vec3(0.0), {}};
+    const auto verdict = verdictOf(decision.event);
+    const auto kind = verdict ? otherWay(*verdict) : std::nullopt;
+    if (!kind || at.stage == Stage::Guard) return {};
+    const bool fan = at.stage == Stage::TwoPoint;
+    return WhatIf{*kind,     at.pivot, at.stage, fan ? decision.pivot : testedPoint(decision.event),
+                  Vec3(0.0), {}};
+}
+
+Result<std::vector<FailureProof>> proveCauses(const PointSet& points, const Params& params,
+                                              std::span<const RunFailure> failures,
+                                              std::span<const std::size_t> chosen,
+                                              const Progress& progress) {
+    std::vector<std::size_t> order(chosen.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return pivotOf(failures[chosen[a]]) < pivotOf(failures[chosen[b]]);
+    });
+    std::vector<FailureProof> proofs(chosen.size());
+    Prover prover(points, params, failures);
+    std::size_t count = 0;
+    for (const std::size_t i : order) {
+        if (progress && !progress(double(count++) / double(order.size())))
+            return Error{"Cancelled."};
+        proofs[i] = prover.prove(failures[chosen[i]]);
+    }
+    return proofs;
+}
+
+std::vector<std::size_t> sampleOfEach(std::span<const RunFailure> failures, std::size_t most) {
+    std::vector<std::size_t> chosen;
+    for (const FailureClass& kind : failureClasses()) {
+        std::vector<std::size_t> all;
+        for (std::size_t i = 0; i < failures.size(); ++i) {
+            if (failures[i].failure.kind == &kind) all.push_back(i);
+        }
+        const std::size_t count = std::min(most, all.size());
+        for (std::size_t i = 0; i < count; ++i) chosen.push_back(all[i * all.size() / count]);
+    }
+    std::sort(chosen.begin(), chosen.end());
+    return chosen;
+}
+
+}  // namespace se

@@ -1,0 +1,123 @@
+#include "root_decisions.h"
+
+#include <algorithm>
+
+#include "ledger_line.h"
+#include "pivot_tests.h"
+#include "spiraling_edge/run_scan.h"
+
+namespace se {
+namespace {
+
+/// A triangle as it was made; the pivot is its first corner.
+struct Made {
+    Triangle corners;
+    Address decision;  ///< Pivot 0: there is none.
+    bool alone = false;
+};
+
+/// All triangles of a run with their decisions.
+class Book {
+  public:
+    Book(const PointSet& points, const Params& params) : points_(points), params_(params) {}
+
+    bool read(const Progress& progress) {
+        const auto see = [&](const ScannedPivot& pivot) {
+            decided_.clear();
+            for (const Event& event : pivot.events) note(event, pivot.point);
+        };
+        if (!scanRun(points_, params_, see, progress)) return false;
+        sortByCorner();
+        return true;
+    }
+
+    /// Pivot 0 if there is none.
+    Address rootOf(Index triangle) const {
+        while (triangle < made_.size() && made_[triangle].alone) {
+            const Index before = lastAtEdges(triangle);
+            if (before == kNone) return {};
+            triangle = before;
+        }
+        return triangle < made_.size() ? made_[triangle].decision : Address{};
+    }
+
+  private:
+    void note(const Event& event, Index pivot) {
+        const LedgerLine line{event, pivot,
+                              outcomeOf(event) == Outcome::Taken ? LineRole::Taken : LineRole::Fact,
+                              std::nullopt};
+        const bool taken = line.role == LineRole::Taken && testedPoint(event) != kNone;
+        if (taken || closedGap(event) != nullptr || fillsHole(event)) decided_.push_back(line);
+        const auto* emit = std::get_if<EmitEvidence>(&event.evidence);
+        if (emit == nullptr || emit->triangle != made_.size()) return;
+        const auto decision = lastDecision(decided_, emit->corners);
+        const bool alone =
+            !decision && std::any_of(decided_.begin(), decided_.end(),
+                                     [](const LedgerLine& each) { return fillsHole(each.event); });
+        made_.push_back({emit->corners, decision ? decision->event.address : Address{}, alone});
+    }
+
+    void sortByCorner() {
+        from_.assign(points_.size() + 1, 0);
+        for (const Made& each : made_) {
+            for (const Index p : {each.corners.a, each.corners.b, each.corners.c}) ++from_[p + 1];
+        }
+        for (std::size_t p = 0; p < points_.size(); ++p) from_[p + 1] += from_[p];
+        at_.resize(3 * made_.size());
+        std::vector<std::size_t> next = from_;
+        for (std::size_t i = 0; i < made_.size(); ++i) {
+            const Triangle& t = made_[i].corners;
+            for (const Index p : {t.a, t.b, t.c}) at_[next[p]++] = static_cast<Index>(i);
+        }
+    }
+
+    /// The last triangle before this one that has an edge of it at its pivot.
+    Index lastAtEdges(Index triangle) const {
+        const Triangle& t = made_[triangle].corners;
+        Index last = kNone;
+        for (std::size_t k = from_[t.a]; k < from_[t.a + 1] && at_[k] < triangle; ++k) {
+            const Triangle& other = made_[at_[k]].corners;
+            if (hasCorner(other, t.b) || hasCorner(other, t.c)) last = at_[k];
+        }
+        return last;
+    }
+
+    const PointSet& points_;
+    const Params& params_;
+    std::vector<LedgerLine> decided_;  ///< Of the present pivot.
+    std::vector<Made> made_;           ///< By number.
+    std::vector<std::size_t> from_;    ///< Per point: where its triangles begin in at_.
+    std::vector<Index> at_;
+};
+
+}  // namespace
+
+std::optional<std::map<Index, LedgerLine>> rootDecisions(const PointSet& points,
+                                                         const Params& params,
+                                                         std::span<const Index> triangles,
+                                                         const Progress& progress) {
+    std::map<Index, LedgerLine> found;
+    Book book(points, params);
+    if (!book.read(progress)) return {};
+    std::multimap<std::string, Index> wanted;
+    for (const Index each : triangles) {
+        const Address root = book.rootOf(each);
+        if (root.pivot != 0) wanted.emplace(toString(root), each);
+    }
+    std::vector<std::uint32_t> pivots;
+    pivots.reserve(wanted.size());
+    for (const auto& [address, each] : wanted) pivots.push_back(addressFromString(address)->pivot);
+    std::sort(pivots.begin(), pivots.end());
+    const auto see = [&](const ScannedPivot& pivot) {
+        for (const Event& event : pivot.events) {
+            if (!std::binary_search(pivots.begin(), pivots.end(), event.address.pivot)) continue;
+            const auto [begin, end] = wanted.equal_range(toString(event.address));
+            for (auto at = begin; at != end; ++at)
+                found.emplace(at->second, lineOf(event, {points, params, pivot.point}));
+        }
+    };
+    if (!wanted.empty() && !scanRun(points, params, see, progress)) return {};
+    return found;
+}
+
+}  // namespace se

@@ -1,0 +1,128 @@
+#include "spiraling_edge/failure_proof.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "../support/clouds.h"
+#include "../support/rig.h"
+#include "spiraling_edge/scenes.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+std::vector<RunFailure> failuresIn(const PointSet& points) {
+    auto all = failuresOfRun(points, paper());
+    REQUIRE(all.ok());
+    return all.value();
+}
+
+bool isGone(const FailureProof& proof) {
+    return proof.proof == Proof::Gone || proof.proof == Proof::Later ||
+           proof.proof == Proof::Replaced;
+}
+
+}  // namespace
+
+TEST_CASE("proof: turning the decision called unavoidable makes the failure go away") {
+    std::size_t all = 0;
+    std::size_t gone = 0;
+    std::size_t stays = 0;
+    for (const FailureScene& each : failureScenes()) {
+        CAPTURE(each.scene.id);
+        const PointSet points = prepared(each.scene.build());
+        const std::vector<RunFailure> failures = failuresIn(points);
+        const auto chosen = sampleOfEach(failures, kSanitized ? 2 : 30);
+        const auto proofs = proveCauses(points, paper(), failures, chosen);
+        REQUIRE(proofs.ok());
+        for (std::size_t i = 0; i < chosen.size(); ++i) {
+            const RunFailure& failure = failures[chosen[i]];
+            const FailureProof& proof = proofs.value()[i];
+            CAPTURE(describe(failure.failure));
+            CHECK((isGone(proof) || !proof.reason.empty()));
+            // What the scene is about.
+            if (failure.failure.kind->name == each.failure &&
+                toString(failure.moments.unavoidable.event.address) == each.address)
+                CHECK(proof.proof != Proof::Stays);
+            // A lost point that can be kept is a point that is used.
+            if (failure.failure.kind->name == "unused_points") CHECK(proof.proof != Proof::Stays);
+            gone += isGone(proof) ? 1 : 0;
+            stays += proof.proof == Proof::Stays ? 1 : 0;
+            ++all;
+        }
+    }
+    CHECK(gone * 10 > all * 8);
+    CHECK(stays * 50 < all);
+}
+
+TEST_CASE("proof: the hole of four takes the point behind it wherever it is asked") {
+    const PointSet points = prepared(findScene("four-edge-hole")->build());
+    const std::vector<RunFailure> failures = failuresIn(points);
+    for (const RunFailure& each : failures) {
+        if (each.failure.kind->name != "intersecting_triangles") continue;
+        CHECK(toString(each.moments.unavoidable.event.address) == "81.sphere.1");
+        const auto turn = turnOf(points, each.moments.unavoidable);
+        REQUIRE(turn.has_value());
+        CHECK(lineOf(*turn) == "81.sphere drop 50");
+    }
+}
+
+TEST_CASE("proof: with a decision that is not the cause the failure stays") {
+    const PointSet points = prepared(findScene("noise")->build());
+    std::vector<RunFailure> failures = failuresIn(points);
+    const auto flipped = std::find_if(failures.begin(), failures.end(), [](const auto& each) {
+        return each.failure.kind->name == "flipped_triangles";
+    });
+    REQUIRE(flipped != failures.end());
+    // A decision of the very last pivots, long after the triangle was made.
+    const auto late = std::find_if(failures.begin(), failures.end(), [&](const auto& each) {
+        return each.moments.unavoidable.event.address.pivot >
+                   flipped->moments.created.event.address.pivot &&
+               turnOf(points, each.moments.unavoidable).has_value();
+    });
+    REQUIRE(late != failures.end());
+    flipped->moments.unavoidable = late->moments.unavoidable;
+    const std::vector<std::size_t> chosen{static_cast<std::size_t>(flipped - failures.begin())};
+    const auto proofs = proveCauses(points, paper(), failures, chosen);
+    REQUIRE(proofs.ok());
+    CHECK(proofs.value()[0].proof == Proof::Stays);
+    CHECK_FALSE(proofs.value()[0].reason.empty());
+}
+
+TEST_CASE("proof: a point that no sector ever held cannot be kept, and the reason is told") {
+    const PointSet points = prepared(findScene("flipped-patch")->build());
+    const std::vector<RunFailure> failures = failuresIn(points);
+    const auto proofs = proveCauses(points, paper(), failures, sampleOfEach(failures, 100));
+    REQUIRE(proofs.ok());
+    for (std::size_t i = 0; i < failures.size(); ++i) {
+        if (failures[i].failure.kind->name != "unused_points") continue;
+        CHECK(proofs.value()[i].proof == Proof::NotTurned);
+        CHECK(proofs.value()[i].reason == "The point lies outside of the free sector.");
+    }
+}
+
+TEST_CASE("proof: a sample is spread over each class") {
+    const PointSet points = prepared(findScene("sharp-crease")->build());
+    const std::vector<RunFailure> failures = failuresIn(points);
+    const auto few = sampleOfEach(failures, 3);
+    CHECK(std::is_sorted(few.begin(), few.end()));
+    CHECK(sampleOfEach(failures, failures.size()).size() == failures.size());
+    for (const FailureClass& kind : failureClasses()) {
+        const auto ofKind = [&](std::size_t i) { return failures[i].failure.kind == &kind; };
+        const auto count = std::count_if(few.begin(), few.end(), ofKind);
+        const auto all =
+            std::count_if(failures.begin(), failures.end(),
+                          [&](const RunFailure& each) { return each.failure.kind == &kind; });
+        CHECK(count == std::min<std::ptrdiff_t>(all, 3));
+    }
+}
+
+TEST_CASE("proof: a reader who cancels") {
+    const PointSet points = prepared(findScene("four-edge-hole")->build());
+    const std::vector<RunFailure> failures = failuresIn(points);
+    CHECK_FALSE(proveCauses(points, paper(), failures, sampleOfEach(failures, 1), [](double) {
+                    return false;
+                }).ok());
+}
