@@ -80,11 +80,16 @@ InspectedRun endOf(Stepper& stepper, const PointSet& points, const FailureClass&
     return {stepper.state(), std::move(found)};
 }
 
+/// A point that nobody took, or two that found only each other.
+bool isLost(const MeshFailure& failure) {
+    return failure.triangles.empty() && failure.points.size() <= 2;
+}
+
 /// The same point is asked about, maybe by another pivot or test; of a fan, the same pivot. All
 /// that is asked about a lost point is about it.
 bool asksAgain(const LedgerLine& a, const LedgerLine& b, const MeshFailure& failure) {
     const Index point = testedPoint(a.event);
-    return failure.points.size() == 1 ||
+    return isLost(failure) ||
            (point == testedPoint(b.event) && (point != kNone || a.pivot == b.pivot));
 }
 
@@ -157,7 +162,7 @@ class Prover {
         result.reason = "Then " + toString(next.event.address) + ": " + describe(next.event);
         const auto turn = turnOf(points_, next);
         const bool again =
-            turn && (failure.points.size() == 1 || turn->kind == result.turns.front().kind) &&
+            turn && (isLost(failure) || turn->kind == result.turns.front().kind) &&
             asksAgain(asked, next, failure) &&
             std::find(result.turns.begin(), result.turns.end(), *turn) == result.turns.end();
         if (!again || result.turns.size() == kMostTurns) return false;

@@ -52,7 +52,9 @@ MomentFinder::MomentFinder(const FinderInput& input, const MeshFailure& failure)
 
 MomentFinder::Kind MomentFinder::kindOf(const MeshFailure& failure) {
     if (failure.kind->name == "holes") return Kind::Hole;
-    if (failure.kind->find == nullptr) return Kind::Ring;
+    // Two points are left over when nobody else took either of them.
+    const bool pair = failure.points.size() == 2;
+    if (failure.kind->find == nullptr) return pair ? Kind::Point : Kind::Ring;
     return failure.triangles.empty() ? Kind::Point : Kind::Triangle;
 }
 

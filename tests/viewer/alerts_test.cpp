@@ -275,3 +275,10 @@ TEST_CASE("A session keeps the alert that is looked at") {
     CHECK(alertName(desk.session.alerts(), *desk.session.chosenAlert()) == "duplicate_triangles:2");
     CHECK(desk.place() == "285.emit.2");
 }
+
+TEST_CASE("alerts: it is said where a run is too large to be watched while one steps") {
+    CHECK(watchNote(kMostWatched, 0).empty());
+    CHECK(watchNote(kMostWatched + 1, 0).find("300,000 points") != std::string::npos);
+    CHECK(watchNote(20, kMostNoticed - 1).empty());
+    CHECK(watchNote(20, kMostNoticed).find("100,000 failures") != std::string::npos);
+}

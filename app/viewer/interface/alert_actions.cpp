@@ -4,7 +4,9 @@
 #include <tuple>
 
 #include "command_actions.h"
+#include "run/overview.h"
 #include "run/rule_set.h"
+#include "run/text.h"
 #include "session/questions.h"
 
 namespace se::view {
@@ -87,6 +89,16 @@ std::string pointsText(const MeshFailure& failure, std::size_t most) {
     if (failure.points.size() > most)
         text += ", ... (" + std::to_string(failure.points.size()) + ")";
     return text;
+}
+
+std::string watchNote(std::size_t points, std::size_t noticed) {
+    if (points > kMostWatched)
+        return "Runs on more than " + grouped(kMostWatched) +
+               " points are not watched while one steps: their failures are only listed here.";
+    if (noticed >= kMostNoticed)
+        return "While one steps, only the first " + grouped(kMostNoticed) +
+               " failures are told: the others are only listed here.";
+    return {};
 }
 
 void showAlert(CommandContext& context, std::size_t alert, std::optional<AlertMoment> moment) {

@@ -26,6 +26,9 @@ std::string titleOf(const FailureClass& kind);
 /// "21, 50, 77, ..."
 std::string pointsText(const MeshFailure& failure, std::size_t most);
 
+/// Why nothing, or nothing more, is said of failures while one steps; empty if everything is.
+std::string watchNote(std::size_t points, std::size_t noticed);
+
 /// Chooses an alert, goes to one of its moments if there is one, selects what it is about and
 /// frames it. Requires a place in session.alerts().failures().
 void showAlert(CommandContext& context, std::size_t alert, std::optional<AlertMoment> moment);

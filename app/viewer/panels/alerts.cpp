@@ -326,6 +326,9 @@ void drawAlerts(const PanelContext& context) {
     }
     const AlertSearch& alerts = session.alerts();
     heading(context, "Alerts", headingNote(alerts));
+    const std::string note =
+        watchNote(session.shown().points.size(), session.overview().failures.size());
+    if (!note.empty()) dimText(note);
     if (!alerts.done()) return drawSearch(context);
     if (alerts.failures().empty()) return drawNothing();
     if (!session.chosenAlert()) {

@@ -25,7 +25,11 @@ std::vector<std::string> partsOf(const PanelContext& context) {
     parts.push_back("triangles " +
                     grouped(picture.finishedTriangles + picture.newTriangles.size()));
     const std::size_t alerts = noticedUpTo(session.overview(), session.address());
-    if (alerts > 0) parts.push_back("alerts " + grouped(alerts));
+    if (session.shown().points.size() > kMostWatched) {
+        parts.push_back("alerts not watched");
+    } else if (alerts > 0) {
+        parts.push_back("alerts " + grouped(alerts));
+    }
     parts.push_back("unused " + grouped(context.counts.unused) + "   used " +
                     grouped(context.counts.used) + "   done " + grouped(context.counts.done));
     return parts;
