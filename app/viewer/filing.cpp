@@ -100,19 +100,12 @@ void Filing::keepIn(const std::filesystem::path& path, bool resetLayout) {
 void Filing::changeNotebook(const std::string& source) {
     UiState& ui = c_.ui;
     if (source == notebookOf_) return;
-    Notebook mine{std::move(ui.bookmarks),   std::move(ui.notes),        std::move(ui.sessionPath),
-                  std::move(original_),      std::move(savedBookmarks_), std::move(savedNotes_),
-                  std::move(ui.breakpoints), std::move(ui.watches)};
-    notebooks_[std::exchange(notebookOf_, source)] = std::move(mine);
-    Notebook& other = notebooks_[source];
-    ui.bookmarks = other.bookmarks;
-    ui.notes = other.notes;
+    notebooks_[std::exchange(notebookOf_, source)] = {noted(), saved_, ui.sessionPath, original_};
+    const Notebook& other = notebooks_[source];
+    putBack(other.noted);
+    saved_ = other.saved;
     ui.sessionPath = other.sessionPath;
     original_ = other.original;
-    savedBookmarks_ = other.savedBookmarks;
-    savedNotes_ = other.savedNotes;
-    ui.breakpoints = other.breakpoints;
-    ui.watches = other.watches;
 }
 
 /// The page with new points gives way to what is being opened.
@@ -185,11 +178,8 @@ void Filing::takeLooks(const SessionFile& file, const std::string& path) {
     UiState& ui = c_.ui;
     if (file.layers) ui.settings.layers = *file.layers;
     if (file.layout) ui.arrangement = keptLayout_ = *file.layout;
-    ui.bookmarks = file.bookmarks;
-    ui.notes = file.notes;
+    putBack({file.bookmarks, file.notes, file.breakpoints, file.watches});
     ui.query.typed = file.query;
-    ui.breakpoints = file.breakpoints;
-    ui.watches = file.watches;
     ui.sessionPath = path;
     original_ = file.original;
     noteSaved();
@@ -266,7 +256,7 @@ void Filing::carryOut(UiRequests& requests) {
     // Nobody named a file, or it could not be written: one stays.
     if (afterSaving_ && !c_.ui.fileBrowser) {
         const Leave to = *std::exchange(afterSaving_, std::nullopt);
-        if (!unsaved()) go(to);
+        if (unsaved().empty()) go(to);
     }
     if (!requests.open.empty()) {
         leave({LeaveFor::Open, std::exchange(requests.open, {}), {}});
@@ -285,9 +275,10 @@ void Filing::carryOut(UiRequests& requests) {
 void Filing::leave(Leave to) {
     if (c_.ui.leaving.asked) return;
     const bool stays = to.what == LeaveFor::Open && !to.spec && isVolumePath(to.path);
-    if (!unsaved() || stays) return go(to);
+    const std::string atStake = unsaved();
+    if (atStake.empty() || stays) return go(to);
     c_.playback.pause();
-    c_.ui.leaving.ask(std::move(to));
+    c_.ui.leaving.ask(std::move(to), atStake);
 }
 
 void Filing::go(const Leave& to) {
@@ -339,8 +330,7 @@ void Filing::answer() {
         save();
     }
     if (answer == LeaveAnswer::Discard) {
-        c_.ui.bookmarks = savedBookmarks_;
-        c_.ui.notes = savedNotes_;
+        putBack(Noted(saved_));
         go(question.leave);
     }
 }
@@ -377,14 +367,20 @@ void Filing::saveAs(const std::string& path) {
     c_.session.say("Saved " + path + ".");
 }
 
-void Filing::noteSaved() {
-    savedBookmarks_ = c_.ui.bookmarks;
-    savedNotes_ = c_.ui.notes;
+Noted Filing::noted() const {
+    return {c_.ui.bookmarks, c_.ui.notes, c_.ui.breakpoints, c_.ui.watches};
 }
 
-bool Filing::unsaved() const {
-    return c_.ui.bookmarks != savedBookmarks_ || c_.ui.notes != savedNotes_;
+void Filing::putBack(const Noted& noted) {
+    c_.ui.bookmarks = noted.bookmarks;
+    c_.ui.notes = noted.notes;
+    c_.ui.breakpoints = noted.breakpoints;
+    c_.ui.watches = noted.watches;
 }
+
+void Filing::noteSaved() { saved_ = noted(); }
+
+std::string Filing::unsaved() const { return differenceOf(noted(), saved_); }
 
 void Filing::note(const std::string& file) {
     if (kept_.empty() || file.empty()) return;

@@ -10,6 +10,7 @@
 #include "interface/recent.h"
 #include "interface/ui_state.h"
 #include "options.h"
+#include "session/noted.h"
 #include "session/session.h"
 #include "session/undo.h"
 
@@ -52,8 +53,8 @@ class Filing {
     std::optional<CompareWith> takeComparison() { return std::exchange(with_, std::nullopt); }
     /// Why the place of the command line does not exist, if so.
     const Status& placeStatus() const { return placeStatus_; }
-    /// There are bookmarks or notes that no session file holds yet.
-    bool unsaved() const;
+    /// What was noted and is in no session file yet, in words: "bookmarks and watches"; else empty.
+    std::string unsaved() const;
     /// Says what is odd about the input: it is not the one that the session was saved with.
     void warn();
 
@@ -73,17 +74,16 @@ class Filing {
         std::string file;  ///< For the list of recent files.
         bool focus = false;
     };
-    /// What a person noted about an input.
+    /// What a person noted about an input, and the session file that it belongs to.
     struct Notebook {
-        Bookmarks bookmarks;
-        std::string notes;
+        Noted noted;
+        Noted saved;
         std::string sessionPath;
         std::string original;
-        Bookmarks savedBookmarks;
-        std::string savedNotes;
-        std::vector<Breakpoint> breakpoints;
-        std::vector<std::string> watches;
     };
+
+    Noted noted() const;
+    void putBack(const Noted& noted);
 
     /// Goes on at once, or asks first if something would be lost.
     void leave(Leave to);
@@ -116,10 +116,9 @@ class Filing {
     CommandContext& c_;
     Arrival arrival_;
     std::map<std::string, Notebook> notebooks_;
-    std::string notebookOf_;    ///< The source that the notes on the table are about.
-    std::string original_;      ///< The session file that is open, as it was read.
-    Bookmarks savedBookmarks_;  ///< As the session file has them.
-    std::string savedNotes_;
+    std::string notebookOf_;            ///< The source that the notes on the table are about.
+    std::string original_;              ///< The session file that is open, as it was read.
+    Noted saved_;                       ///< As the session file has it.
     std::string said_;                  ///< Waits until one has arrived.
     std::optional<Leave> afterSaving_;  ///< Where to go once the session is saved.
     std::optional<CompareWith> with_;

@@ -55,6 +55,7 @@ void dumpNavigation(json& out, const Navigation& nav, const Session& session) {
 void dumpStops(json& out, const UiState& ui, const Session& session) {
     out["breakpoints"] = out["breakpoint_hits"] = json::array();
     out["watches"] = out["watch_values"] = json::array();
+    out["watch_stopped"] = session.watches().cancelled();
     for (const Breakpoint& each : ui.breakpoints) {
         const LineHits* known = session.hits().of(each.line);
         out["breakpoints"].push_back(each.line);
@@ -235,7 +236,7 @@ std::string Application::stateDump() const {
              {"session_file", ui_.sessionPath},
              {"bookmarks", json::array()},
              {"notes", ui_.notes},
-             {"unsaved", ui_.unsaved},
+             {"unsaved", !ui_.unsaved.empty()},
              {"title", title()},
              {"undo", undo_.undoDepth()},
              {"redo", undo_.redoDepth()},

@@ -8,6 +8,7 @@
 
 #include "../support/clouds.h"
 #include "../support/rig.h"
+#include "spiraling_edge/named_points.h"
 
 using namespace se;
 using namespace se::test;
@@ -103,6 +104,19 @@ TEST_CASE("query: what is not understood is named") {
         REQUIRE_FALSE(query.ok());
         CHECK(query.error().message.find(bad) != std::string::npos);
     }
+}
+
+TEST_CASE("query: a point that the set has not got is named, wherever a line names points") {
+    for (const char* line :
+         {"point=10", "stage=sphere pivot=10", "used=10", "done=10 kept", "stranded=10",
+          "edge=3,10", "among=3..5,10", "among=8..10", "status=10"})
+        CHECK(missingPointIn(line, 10) == "There is no point 10: the points are 0 to 9.");
+    CHECK(missingPointIn("point=99999999999999999999999", 10) ==
+          "There is no point 99999999999999999999999: the points are 0 to 9.");
+    for (const char* line :
+         {"", "  ", "stage=sphere", "point=9 edge=0,9 among=1..3,9", "used",
+          "point=", "at=100..200", "ring=10..19", "margin<1e-20", "tests=12", "dragons"})
+        CHECK(missingPointIn(line, 10).empty());
 }
 
 TEST_CASE("query: a mistake has its word, and says whether there is such a term at all") {

@@ -229,6 +229,33 @@ TEST_CASE("A watched number is that of the state, at every pivot") {
     CHECK(status->values.back() == -1.0);
 }
 
+TEST_CASE("Going through the run for a watch can be stopped, and goes on when it is asked for") {
+    Bench b;
+    b.ui.watches = {"ring"};
+    b.session.watch(b.ui.watches);
+    WatchScan& scan = b.session.watches();
+    REQUIRE(scan.busy());
+    scan.cancel();
+    // It may have come to its end before.
+    const bool complete = scan.of("ring") != nullptr && scan.of("ring")->complete;
+    CHECK(scan.cancelled() == !complete);
+    CHECK_FALSE(scan.busy());
+    b.settle();
+    CHECK(scan.cancelled() == !complete);
+    scan.resume();
+    b.settle();
+    CHECK_FALSE(scan.cancelled());
+    CHECK(scan.of("ring")->complete);
+    // Another expression is looked for at once, and so is what was given up.
+    b.ui.watches = {"ring", "stack"};
+    b.session.watch(b.ui.watches);
+    scan.cancel();
+    b.ui.watches = {"ring", "stack", "used"};
+    b.session.watch(b.ui.watches);
+    b.settle();
+    for (const std::string& each : b.ui.watches) CHECK(scan.of(each)->complete);
+}
+
 TEST_CASE("A plot keeps every peak, however many pivots share a column") {
     std::vector<double> values(10000, 5.0);
     values[4321] = 99.0;

@@ -163,17 +163,17 @@ TEST_CASE("An edge or a triangle that is selected is kept, and comes back by und
 TEST_CASE("Bookmarks and notes are unsaved until a session file holds them") {
     Desk desk;
     desk.open("scene:sphere");
-    CHECK_FALSE(desk.filing.unsaved());
+    CHECK(desk.filing.unsaved().empty());
     desk.ui.notes = "odd";
-    CHECK(desk.filing.unsaved());
+    CHECK_FALSE(desk.filing.unsaved().empty());
     desk.save(desk.folder / "noted.sesession");
-    CHECK_FALSE(desk.filing.unsaved());
+    CHECK(desk.filing.unsaved().empty());
     toggleBookmark(desk.ui.bookmarks, desk.session.address());
-    CHECK(desk.filing.unsaved());
+    CHECK_FALSE(desk.filing.unsaved().empty());
     desk.open("scene:torus");
-    CHECK_FALSE(desk.filing.unsaved());
+    CHECK(desk.filing.unsaved().empty());
     desk.open("scene:sphere");
-    CHECK(desk.filing.unsaved());
+    CHECK_FALSE(desk.filing.unsaved().empty());
     desk.open((desk.folder / "noted.sesession").string());
-    CHECK_FALSE(desk.filing.unsaved());
+    CHECK(desk.filing.unsaved().empty());
 }

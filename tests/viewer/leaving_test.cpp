@@ -66,6 +66,34 @@ TEST_CASE("Quitting with notes asks; cancelling stays, discarding goes") {
     CHECK(desk.ui.quitting);
 }
 
+TEST_CASE("Breakpoints and watches that no file holds are asked about as notes are, by name") {
+    Desk desk;
+    desk.ui.breakpoints.push_back({"", "stage=split"});
+    desk.ui.watches = {"ring"};
+    desk.quit();
+    REQUIRE(desk.ui.leaving.asked);
+    CHECK(desk.ui.leaving.atStake == "breakpoints and watches");
+    desk.answer(LeaveAnswer::Cancel);
+    CHECK(desk.ui.breakpoints.size() == 1);
+    desk.ui.requests.saveSessionAs = (desk.folder / "a.sesession").string();
+    desk.frame();
+    CHECK(desk.filing.unsaved().empty());
+
+    // Discarding goes back to what the file has.
+    desk.ui.breakpoints.front().logOnly = true;
+    desk.ui.watches.clear();
+    desk.ui.notes = "odd";
+    desk.ui.requests.reload = true;
+    desk.frame();
+    REQUIRE(desk.ui.leaving.asked);
+    CHECK(desk.ui.leaving.atStake == "notes, breakpoints and watches");
+    desk.answer(LeaveAnswer::Discard);
+    REQUIRE(desk.ui.breakpoints.size() == 1);
+    CHECK_FALSE(desk.ui.breakpoints.front().logOnly);
+    CHECK(desk.ui.watches == std::vector<std::string>{"ring"});
+    CHECK(desk.ui.notes.empty());
+}
+
 TEST_CASE("Opening and reloading ask likewise; what is discarded is as the file has it") {
     Desk desk;
     desk.ui.notes = "saved";

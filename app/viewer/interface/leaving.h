@@ -1,4 +1,4 @@
-/// What a person is asked before notes and bookmarks that no file holds are left. Plain values.
+/// What a person is asked before something noted that no file holds is left. Plain values.
 #pragma once
 
 #include <cstdint>
@@ -25,9 +25,12 @@ struct LeaveQuestion {
     bool asked = false;
     bool justAsked = false;  ///< The first button gets the keyboard.
     Leave leave;
+    std::string atStake;                     ///< What no file holds: "bookmarks and watches".
     LeaveAnswer answer = LeaveAnswer::None;  ///< Carried out in the same frame.
 
-    void ask(Leave to) { *this = {true, true, std::move(to), LeaveAnswer::None}; }
+    void ask(Leave to, std::string unsaved) {
+        *this = {true, true, std::move(to), std::move(unsaved), LeaveAnswer::None};
+    }
 };
 
 }  // namespace se::view

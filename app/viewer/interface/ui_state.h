@@ -147,7 +147,7 @@ struct UiState {
     bool popupOpen = false;           ///< A menu, say, as last drawn.
     std::string notes;                ///< Free text of the person, kept in the session file.
     std::string sessionPath;          ///< What Ctrl+S writes to; empty: not known yet.
-    bool unsaved = false;             ///< Bookmarks or notes are in no session file yet.
+    std::string unsaved;              ///< What is in no session file yet, see Filing::unsaved().
     std::vector<std::string> recent;  ///< Files opened lately, the latest first.
     StartPage startPage;
     float scale = 1.0F;       ///< Of text and panels, as drawn.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "break_log.h"
 #include "interface/break_commands.h"
 #include "panel.h"
 #include "query_field.h"
@@ -12,7 +13,9 @@ namespace se::view {
 
 namespace {
 
-constexpr std::size_t kLongestText = 120;
+/// In em: a small button, and the least that a line is to have beside the rest of its row.
+constexpr float kButton = 1.7F;
+constexpr float kLeastLine = 9.5F;
 
 void dimText(const std::string& text) {
     ImGui::PushTextWrapPos(0.0F);
@@ -47,63 +50,108 @@ void numberField(const PanelContext& context, const char* label, std::uint32_t& 
     number = std::max(number, least);
 }
 
-/// Name, hit count and log-only, in a popup.
-void drawOptions(const PanelContext& context, Breakpoint& breakpoint, float width) {
-    if (ImGui::Button("...", {width, 0.0F})) ImGui::OpenPopup("##options");
+/// Name, hit count and log-only, in a popup. True if the breakpoint is to go.
+bool drawOptions(const PanelContext& context, Breakpoint& breakpoint, const std::string& name) {
+    if (ImGui::Button("...", {kButton * context.em, 0.0F})) ImGui::OpenPopup("##options");
+    context.ui().where[name + " options"] = lastItem();
     tooltip("Name, hit count, log only");
-    if (!ImGui::BeginPopup("##options")) return;
+    if (!ImGui::BeginPopup("##options")) return false;
     ImGui::SetNextItemWidth(14.0F * context.em);
     textField("name", "a name of your own", breakpoint.name);
     numberField(context, "hits passed over first", breakpoint.skip, 0);
     numberField(context, "then one hit in so many", breakpoint.every, 1);
     ImGui::Checkbox("log only: list the hits, do not stop", &breakpoint.logOnly);
     ImGui::TextDisabled("Hits count from the start of the run, in both directions.");
+    const bool gone = ImGui::Button("Take this breakpoint away");
+    context.ui().where[name + " away"] = lastItem();
+    if (gone) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
-}
-
-/// Below the line: hits, what is not as usual, and the buttons. True if it is to go.
-bool drawFooter(const PanelContext& context, Breakpoint& breakpoint, const std::string& name) {
-    const float em = context.em;
-    const float button = 1.7F * em;
-    const float end = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
-    const float buttons = end - 2.0F * button - ImGui::GetStyle().ItemSpacing.x;
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetFrameHeight() +
-                         ImGui::GetStyle().ItemSpacing.x);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(countText(context.session(), breakpoint).c_str());
-    tooltip("Hits up to the cursor, and in all");
-    ImGui::SameLine();
-    const std::string summary = summaryOf(breakpoint);
-    ImGui::TextDisabled("%s", fitted(summary, buttons - ImGui::GetCursorPosX()).c_str());
-    tooltip(summary);
-    ImGui::SameLine(buttons);
-    drawOptions(context, breakpoint, button);
-    context.ui().where[name + " options"] = lastItem();
-    ImGui::SameLine(end - button);
-    const bool gone = ImGui::Button("x", {button, 0.0F});
-    tooltip("Take this breakpoint away");
     return gone;
 }
 
+/// What has room in the row of a breakpoint, the same for all.
+struct RowFit {
+    float count = 0.0F;  ///< Width of the hits; 0: they stand below.
+    bool cross = false;  ///< A button of its own takes one away; else the menu "..." does.
+};
+
+RowFit rowFit(const PanelContext& context) {
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float em = context.em;
+    const float button = kButton * em + gap;
+    // So that it does not move while they are counted.
+    float count = ImGui::CalcTextSize("88 / 88").x;
+    for (const Breakpoint& each : context.ui().breakpoints) {
+        const std::string text = countText(context.session(), each);
+        count = std::max(count, ImGui::CalcTextSize(text.c_str()).x);
+    }
+    const float room =
+        ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - gap - button - kLeastLine * em;
+    if (room >= count + gap + button) return {count, true};
+    if (room >= count + gap) return {count, false};
+    return {0.0F, room >= button};
+}
+
+/// Hits, name, condition, log only: what is not as usual, and all that has no room above.
+void drawBelow(const PanelContext& context, const Breakpoint& breakpoint, const RowFit& fit) {
+    std::string text = fit.count > 0.0F ? "" : countText(context.session(), breakpoint);
+    const std::string summary = summaryOf(breakpoint);
+    if (!summary.empty()) text += (text.empty() ? "" : "   ") + summary;
+    if (text.empty()) return;
+    // Nearer to its line than to the next one.
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - 0.6F * ImGui::GetStyle().ItemSpacing.y);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetFrameHeight() +
+                         ImGui::GetStyle().ItemSpacing.x);
+    ImGui::PushFont(context.fonts.small);
+    ImGui::TextDisabled("%s", fitted(text, ImGui::GetContentRegionAvail().x).c_str());
+    ImGui::PopFont();
+    tooltip(text);
+}
+
+void drawComplaint(const PanelContext& context, const std::string& line) {
+    const std::string complaint = queryComplaint(context, line);
+    if (complaint.empty()) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(complaint.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
 /// One breakpoint. True if it is to go.
-bool drawRow(const PanelContext& context, Breakpoint& breakpoint, std::size_t number) {
+bool drawRow(const PanelContext& context, Breakpoint& breakpoint, std::size_t number,
+             const RowFit& fit) {
     const std::string name = "breakpoint " + std::to_string(number);
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float button = kButton * context.em + gap;
     ImGui::Checkbox("##on", &breakpoint.on);
     context.ui().where[name + " on"] = lastItem();
     tooltip("On or off");
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(-1.0F);
+    const float count = fit.count > 0.0F ? fit.count + gap : 0.0F;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - count - button -
+                            (fit.cross ? button : 0.0F));
     queryField(context, "##line", "stage=sphere refused", breakpoint.line);
     context.ui().where[name] = lastItem();
-    const std::string complaint = queryComplaint(breakpoint.line);
-    if (!complaint.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
-        ImGui::PushTextWrapPos(0.0F);
-        ImGui::TextUnformatted(complaint.c_str());
-        ImGui::PopTextWrapPos();
-        ImGui::PopStyleColor();
+    ImGui::SameLine();
+    const float behind = ImGui::GetCursorPosX() + count;
+    if (fit.count > 0.0F) {
+        const std::string hits = countText(context.session(), breakpoint);
+        ImGui::SetCursorPosX(behind - gap - ImGui::CalcTextSize(hits.c_str()).x);
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(hits.c_str());
+        tooltip("Hits up to the cursor, and in all");
+        ImGui::SameLine(behind);
     }
-    return drawFooter(context, breakpoint, name);
+    bool gone = drawOptions(context, breakpoint, name);
+    if (fit.cross) {
+        ImGui::SameLine();
+        gone = ImGui::Button("x", {kButton * context.em, 0.0F}) || gone;
+        tooltip("Take this breakpoint away");
+    }
+    drawBelow(context, breakpoint, fit);
+    drawComplaint(context, breakpoint.line);
+    return gone;
 }
 
 void drawPresets(const PanelContext& context) {
@@ -126,7 +174,29 @@ void drawPresets(const PanelContext& context) {
     ImGui::EndPopup();
 }
 
+/// With the words of a line behind the title, and how many breakpoints there are.
+void drawTitle(const PanelContext& context) {
+    heading(context, "Breakpoints", "");
+    ImGui::SameLine();
+    queryHelp(context);
+    const std::size_t count = context.ui().breakpoints.size();
+    if (count == 0) return;
+    const std::string text = std::to_string(count);
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(text.c_str()).x);
+    ImGui::TextDisabled("%s", text.c_str());
+}
+
+/// Room for the buttons side by side, with words on all of them.
+bool buttonsFit() {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    float width = 3.0F * style.ItemSpacing.x;
+    for (const char* each : {"Add...", "Here", "< Back", "Go on >"})
+        width += ImGui::CalcTextSize(each).x + 2.0F * style.FramePadding.x;
+    return width <= ImGui::GetContentRegionAvail().x;
+}
+
 void drawButtons(const PanelContext& context) {
+    const bool words = buttonsFit();
     if (ImGui::Button("Add...")) ImGui::OpenPopup("##presets");
     context.ui().where["add breakpoint"] = lastItem();
     drawPresets(context);
@@ -135,13 +205,11 @@ void drawButtons(const PanelContext& context) {
     context.ui().where["breakpoint here"] = lastItem();
     tooltip("What is selected, else this kind of decision (" + context.key("run.break") + ")");
     ImGui::SameLine();
-    if (ImGui::Button("< Back")) context.run("run.continue.back");
+    if (ImGui::Button(words ? "< Back" : "<")) context.run("run.continue.back");
     tooltip("The breakpoint before (" + context.key("run.continue.back") + ")");
     ImGui::SameLine();
-    if (ImGui::Button("Go on >")) context.run("run.continue");
+    if (ImGui::Button(words ? "Go on >" : ">")) context.run("run.continue");
     tooltip("The next breakpoint (" + context.key("run.continue") + ")");
-    ImGui::SameLine();
-    queryHelp(context);
 }
 
 void drawSearch(const PanelContext& context) {
@@ -160,73 +228,6 @@ void drawSearch(const PanelContext& context) {
     }
 }
 
-/// A hit of a log-only breakpoint.
-struct LogRow {
-    Hit hit;
-    const Breakpoint* breakpoint;
-    const std::string* sentence;  ///< Null beyond the first kMostLogged.
-};
-
-std::vector<LogRow> logRows(const PanelContext& context) {
-    std::vector<LogRow> rows;
-    for (const Breakpoint& each : context.ui().breakpoints) {
-        const LineHits* known = context.session().hits().of(each.line);
-        if (!each.on || !each.logOnly || known == nullptr) continue;
-        for (std::size_t i = 0; i < known->list.hits.size() && rows.size() < kMostLogged; ++i) {
-            if (!picks(each, i + 1)) continue;
-            const bool told = i < known->sentences.size();
-            rows.push_back({known->list.hits[i], &each, told ? &known->sentences[i] : nullptr});
-        }
-    }
-    std::stable_sort(rows.begin(), rows.end(),
-                     [](const LogRow& a, const LogRow& b) { return a.hit.place < b.hit.place; });
-    return rows;
-}
-
-void drawLogRow(const PanelContext& context, const LogRow& row) {
-    Session& session = context.session();
-    const RunPlace here = session.place();
-    const bool ahead = here < row.hit.place;
-    const std::string address = toString(row.hit.address);
-    ImGui::PushFont(context.fonts.mono);
-    if (ahead) ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.textDim));
-    if (ImGui::Selectable(address.c_str(), here == row.hit.place)) {
-        context.playback().pause();
-        session.goTo(row.hit.address);
-    }
-    ImGui::PopFont();
-    const std::string& what = row.sentence != nullptr ? *row.sentence : row.breakpoint->line;
-    tooltip(what);
-    ImGui::SameLine(10.0F * context.em);
-    ImGui::TextUnformatted(
-        fitted(what.substr(0, kLongestText), ImGui::GetContentRegionAvail().x).c_str());
-    if (ahead) ImGui::PopStyleColor();
-}
-
-void drawLog(const PanelContext& context) {
-    const auto& all = context.ui().breakpoints;
-    if (std::none_of(all.begin(), all.end(),
-                     [](const Breakpoint& each) { return each.on && each.logOnly; }))
-        return;
-    const std::vector<LogRow> rows = logRows(context);
-    ImGui::Spacing();
-    heading(context, "Log", grouped(rows.size()));
-    if (ImGui::BeginChild("##log",
-                          {0.0F, std::max(8.0F * context.em, ImGui::GetContentRegionAvail().y)})) {
-        ImGuiListClipper clipper;
-        clipper.Begin(static_cast<int>(rows.size()));
-        while (clipper.Step()) {
-            for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-                ImGui::PushID(i);
-                drawLogRow(context, rows[static_cast<std::size_t>(i)]);
-                if (i == clipper.DisplayStart) context.ui().where["log row"] = lastItem();
-                ImGui::PopID();
-            }
-        }
-    }
-    ImGui::EndChild();
-}
-
 }  // namespace
 
 void drawBreakpoints(const PanelContext& context) {
@@ -235,22 +236,24 @@ void drawBreakpoints(const PanelContext& context) {
         return;
     }
     std::vector<Breakpoint>& all = context.ui().breakpoints;
-    heading(context, "Breakpoints", all.empty() ? "" : std::to_string(all.size()));
+    drawTitle(context);
     drawButtons(context);
     drawSearch(context);
     if (all.empty()) {
-        dimText(context.key("run.break") +
-                " sets one on what is selected, or on this kind of "
-                "decision, and takes it away again.");
+        dimText("The run stops where one holds: " + context.key("run.continue") + " goes on, " +
+                context.key("run.continue.back") + " back. " + context.key("run.break") +
+                " sets one on what is selected, else on this kind of decision; again takes it "
+                "away. Add... lists all kinds.");
     }
+    const RowFit fit = rowFit(context);
     std::optional<std::size_t> gone;
     for (std::size_t i = 0; i < all.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
-        if (drawRow(context, all[i], i + 1)) gone = i;
+        if (drawRow(context, all[i], i + 1, fit)) gone = i;
         ImGui::PopID();
     }
     if (gone) all.erase(all.begin() + static_cast<std::ptrdiff_t>(*gone));
-    drawLog(context);
+    drawBreakLog(context);
 }
 
 }  // namespace se::view

@@ -76,7 +76,9 @@ void drawLeaveQuestion(const PanelContext& context) {
     if (!open) return;
     heading(context, headline(question.leave.what));
     ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted("There are notes or bookmarks that no session file holds yet.");
+    const std::string sentence =
+        "There are " + question.atStake + " that no session file holds yet.";
+    ImGui::TextUnformatted(sentence.c_str());
     ImGui::PopTextWrapPos();
     ImGui::Spacing();
     drawChoices(context, question);

@@ -6,6 +6,7 @@
 #include "interface/ask_actions.h"
 #include "interface/break_commands.h"
 #include "interface/query_words.h"
+#include "query_field.h"
 #include "session/questions.h"
 #include "steps/line_text.h"
 #include "text_field.h"
@@ -17,7 +18,7 @@ namespace {
 
 /// Ready to be asked; each shows something on most inputs.
 constexpr const char* kExamples[] = {"stage=sphere kept margin<1e-3", "refused section=6.1",
-                                     "alert", "angle<10", "stage=split"};
+                                     "failure", "angle<10", "stage=split"};
 
 void dimParagraph(const std::string& text) {
     ImGui::PushTextWrapPos(0.0F);
@@ -60,11 +61,11 @@ void drawMistake(const PanelContext& context) {
     const QueryPanel& panel = context.ui().query;
     const std::string& asked = context.session().questions().line();
     const bool done = !panel.typing || panel.typed.ends_with(' ') || panel.typed == asked;
-    const auto mistake = mistakeIn(panel.typed);
-    if (!mistake || !done) return;
+    const std::string complaint = queryComplaint(context, panel.typed);
+    if (complaint.empty() || !done) return;
     ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
     ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(mistake->message.c_str());
+    ImGui::TextUnformatted(complaint.c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
 }

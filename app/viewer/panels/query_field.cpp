@@ -1,18 +1,20 @@
 #include "query_field.h"
 
 #include "spiraling_edge/decision_query.h"
+#include "spiraling_edge/named_points.h"
 #include "text_field.h"
 #include "widgets.h"
 
 namespace se::view {
 
-std::string queryComplaint(const std::string& line) {
+std::string queryComplaint(const PanelContext& context, const std::string& line) {
     const auto mistake = mistakeIn(line);
-    return mistake ? mistake->message : std::string();
+    if (mistake) return mistake->message;
+    return missingPointIn(line, context.session().model().points.size());
 }
 
 bool queryField(const PanelContext& context, const char* id, const char* hint, std::string& line) {
-    const std::string complaint = queryComplaint(line);
+    const std::string complaint = queryComplaint(context, line);
     ImGui::PushFont(context.fonts.mono);
     if (!complaint.empty()) ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
     const bool changed = textField(id, hint, line);

@@ -11,7 +11,7 @@ namespace se::view {
 /// red where a word is not understood.
 bool queryField(const PanelContext& context, const char* id, const char* hint, std::string& line);
 /// What is wrong with a line, without the list of all terms; empty if nothing is.
-std::string queryComplaint(const std::string& line);
+std::string queryComplaint(const PanelContext& context, const std::string& line);
 /// A dim "?" that lists all terms with what they mean, while it is pointed at.
 void queryHelp(const PanelContext& context);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "panel.h"
+#include "spiraling_edge/named_points.h"
 #include "text_field.h"
 #include "widgets.h"
 
@@ -78,9 +79,14 @@ void drawPlot(const PanelContext& context, const std::string& expression, const 
                         toU32(context.palette.pivot));
     list->PopClipRect();
     const std::string most = valueText(expression, plot.high);
-    list->AddText(context.fonts.small, 0.78F * context.em,
-                  {at.min.x + 0.3F * context.em, at.min.y + 0.1F * context.em},
-                  toU32(context.palette.textDim), most.c_str());
+    const float print = 0.78F * context.em;
+    const ImVec2 label(at.min.x + 0.3F * context.em, at.min.y + 0.1F * context.em);
+    const ImVec2 size = context.fonts.small->CalcTextSizeA(print, 1e9F, 0.0F, most.c_str());
+    // Readable over what is plotted.
+    list->AddRectFilled({label.x - 0.1F * context.em, label.y},
+                        {label.x + size.x + 0.1F * context.em, label.y + size.y},
+                        toU32(context.palette.background.withAlpha(0.8F)), 0.15F * context.em);
+    list->AddText(context.fonts.small, print, label, toU32(context.palette.textDim), most.c_str());
     ImGui::InvisibleButton("##plot", toVec2(at.size));
     context.ui().where["watch plot " + std::to_string(number)] = at;
     const float place = (ImGui::GetIO().MousePos.x - at.min.x) / std::max(1.0F, at.size.x - 1.0F);
@@ -101,7 +107,8 @@ bool drawRow(const PanelContext& context, std::string& expression, std::size_t n
     const WatchSeries* series = session.watches().of(expression);
     const std::size_t pivot = session.record().pivot;
     std::string value;
-    if (series != nullptr && pivot < series->values.size())
+    const bool known = missingPointIn(expression, session.model().points.size()).empty();
+    if (known && series != nullptr && pivot < series->values.size())
         value = valueText(expression, series->values[pivot]);
     ImGui::PushFont(context.fonts.mono);
     ImGui::SetNextItemWidth(9.0F * em);
@@ -120,10 +127,12 @@ bool drawRow(const PanelContext& context, std::string& expression, std::size_t n
     const bool gone = ImGui::Button("x", {button, 0.0F});
     tooltip("Watch this no more");
     const auto parsed = WatchExpression::parse(expression);
-    if (!parsed) {
+    const std::string complaint =
+        parsed ? missingPointIn(expression, session.model().points.size()) : parsed.error().message;
+    if (!complaint.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
         ImGui::PushTextWrapPos(0.0F);
-        ImGui::TextUnformatted(parsed.error().message.c_str());
+        ImGui::TextUnformatted(complaint.c_str());
         ImGui::PopTextWrapPos();
         ImGui::PopStyleColor();
     } else if (series != nullptr) {
@@ -146,7 +155,7 @@ void drawTerms(const PanelContext& context) {
         const bool ofPoint = expression.ends_with("=N");
         if (ofPoint && point != kNone)
             expression = expression.substr(0, expression.size() - 1) + std::to_string(point);
-        const std::string meaning(term.meaning.substr(0, term.meaning.find(':')));
+        const std::string meaning(term.meaning.substr(0, term.meaning.find_first_of(":.")));
         if (ImGui::MenuItem(expression.c_str(), meaning.c_str(), false,
                             !ofPoint || point != kNone)) {
             context.ui().watches.push_back(expression);
@@ -154,6 +163,28 @@ void drawTerms(const PanelContext& context) {
         context.ui().where["watch term " + std::string(term.form)] = lastItem();
     }
     ImGui::EndPopup();
+}
+
+/// How far the values are known, and the way to stop that.
+void drawScan(const PanelContext& context) {
+    WatchScan& scan = context.session().watches();
+    if (scan.busy()) {
+        const float button = 4.0F * context.em;
+        ImGui::SameLine();
+        ImGui::ProgressBar(static_cast<float>(scan.share()),
+                           {ImGui::GetContentRegionAvail().x - button, 0.0F},
+                           "going through the run");
+        ImGui::SameLine();
+        if (ImGui::Button("Stop")) scan.cancel();
+        context.ui().where["stop watching"] = lastItem();
+    } else if (scan.cancelled()) {
+        ImGui::SameLine();
+        if (ImGui::Button("Go on")) scan.resume();
+        context.ui().where["watch on"] = lastItem();
+        ImGui::SameLine();
+        ImGui::TextDisabled("Stopped.");
+        tooltip("The values are known up to where the run was gone through.");
+    }
 }
 
 }  // namespace
@@ -170,11 +201,7 @@ void drawWatch(const PanelContext& context) {
     if (ImGui::Button("Add...")) ImGui::OpenPopup("##terms");
     context.ui().where["add watch"] = lastItem();
     drawTerms(context);
-    if (session.watches().busy()) {
-        ImGui::SameLine();
-        ImGui::ProgressBar(static_cast<float>(session.watches().share()), {-1.0F, 0.0F},
-                           "going through the run");
-    }
+    drawScan(context);
     if (all.empty()) {
         ImGui::PushTextWrapPos(0.0F);
         ImGui::TextDisabled(

@@ -179,6 +179,7 @@ class Session {
     // Watches.
     void watch(std::span<const std::string> expressions) { watches_.want(expressions); }
     const WatchScan& watches() const { return watches_; }
+    WatchScan& watches() { return watches_; }
 
     // Breakpoints (session_stops.cpp).
     /// Those that there are now; to be called whenever they may have changed.

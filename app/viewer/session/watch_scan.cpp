@@ -9,12 +9,28 @@ void WatchScan::open(std::shared_ptr<const Model> model) {
     errand_.drop();
     model_ = std::move(model);
     known_.clear();
+    givenUp_ = false;
     beginNext();
 }
 
 void WatchScan::want(std::span<const std::string> expressions) {
     if (std::equal(wanted_.begin(), wanted_.end(), expressions.begin(), expressions.end())) return;
     wanted_.assign(expressions.begin(), expressions.end());
+    givenUp_ = false;
+    if (!busy()) beginNext();
+}
+
+void WatchScan::cancel() {
+    if (!busy()) return;
+    poll();
+    // It may just have ended.
+    if (!busy()) return;
+    errand_.drop();
+    givenUp_ = true;
+}
+
+void WatchScan::resume() {
+    givenUp_ = false;
     if (!busy()) beginNext();
 }
 

@@ -30,7 +30,12 @@ class WatchScan {
     bool poll();
     /// Blocks until everything that is wanted is known.
     void finish();
+    /// Gives up, until something else is wanted or resume() is called. What is known stays.
+    void cancel();
+    void resume();
 
+    /// Given up by cancel() before all was known.
+    bool cancelled() const { return givenUp_; }
     bool busy() const { return errand_.busy(); }
     double share() const { return errand_.share(); }
     /// Null if the expression is not understood.
@@ -46,6 +51,7 @@ class WatchScan {
     std::shared_ptr<const Model> model_;
     std::vector<std::string> wanted_;
     std::map<std::string, WatchSeries> known_;
+    bool givenUp_ = false;
     std::vector<std::string> sought_;  ///< What is under way.
     RunErrand<Values> errand_;
 };

@@ -54,6 +54,13 @@ press Escape
 press Home; says pivot 0
 press F5; says address "[0-9]+\.join\.1"
 
+# Its menu takes one away.
+go_to p40; says selected 40; press F9
+says breakpoints '\[ "stage=join", "point=40" \]'
+click_on "breakpoint 2 options"; sleep 0.3; click_on "breakpoint 2 away"
+says breakpoints '\[ "stage=join" \]'
+press Escape Escape; says selected null
+
 # Ctrl and a left drag around points.
 read -r x y < <(inside "region view" 35 35)
 move_to "$x" "$y"

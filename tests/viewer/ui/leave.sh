@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Notes and bookmarks that no file holds are asked about before they are left.
+# Notes, bookmarks, breakpoints and watches that no file holds are asked about before they are left.
 . "$(dirname "$0")/harness.sh"
 # What the close button of a window does: a message, not an end by force.
 ask_to_close() {
@@ -39,6 +39,15 @@ press ctrl+r; says asks true; press Escape; says asks false; says unsaved true
 press ctrl+o; says file_browser true; sleep 0.3
 type_text "scene:torus"; sleep 0.2; press Return; says asks true; says input scene:sphere
 press Escape; says asks false; says input scene:sphere; says bookmarks '.*"1\.advance\.1".*'
+
+# A breakpoint counts as much, and is named; taken away again nothing is asked.
+press ctrl+b; says unsaved false
+go_to 5.sphere.1; says address "5\.sphere\.1"; press F9; says unsaved true
+for _ in $(seq 100); do [[ $(title) == *"(unsaved breakpoints)"* ]] && break; sleep 0.05; done
+[[ $(title) == *"(unsaved breakpoints)"* ]] || fail "the title says $(title)"
+press ctrl+q; says asks true; press Escape; says asks false
+press F9; says unsaved false
+go_to 1; says pivot 1; press ctrl+b; says unsaved true
 
 # Saving asks for a name; without one all stays.
 press ctrl+q; says asks true; sleep 0.3
