@@ -1,6 +1,8 @@
 #include "tab_rows.h"
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "widgets.h"
 
@@ -8,15 +10,18 @@ namespace se::view {
 
 namespace {
 
-constexpr int kMostRows = 3;
-/// Of the height of the column.
+constexpr int kMostRows = 4;
+/// Of the height of the column: what all names may take, and what some of them may where that is
+/// not enough.
 constexpr float kMostShare = 0.3F;
+constexpr float kShareOfSome = 0.2F;
+constexpr const char* kMorePopup = "##moreTabs";
 /// In em: beside a name, and from one tab to the next.
 constexpr float kPad = 0.36F;
 constexpr float kGap = 0.12F;
 
-float widthOf(const PanelContext& context, const SidePanel& panel) {
-    return ImGui::CalcTextSize(panel.title).x + 2.0F * kPad * context.em;
+float widthOf(const PanelContext& context, const std::string& title) {
+    return ImGui::CalcTextSize(title.c_str()).x + 2.0F * kPad * context.em;
 }
 
 float rowHeight(const PanelContext& context) {
@@ -42,54 +47,123 @@ const SidePanel* openTab(const PanelContext& context, ColumnTabs tabs) {
     return found == tabs.end() ? tabs.front() : *found;
 }
 
-}  // namespace
-
-bool tabRowsFit(const PanelContext& context, ColumnTabs tabs) {
-    ImGui::PushFont(context.fonts.small);
-    const ImVec2 room = ImGui::GetContentRegionAvail();
-    int rows = 1;
-    float x = 0.0F;
-    for (const SidePanel* panel : tabs) {
-        const float width = widthOf(context, *panel);
-        if (x > 0.0F && x + width > room.x) {
-            ++rows;
-            x = 0.0F;
+/// Names side by side in rows that are filled one after the other.
+class RowFill {
+  public:
+    RowFill(const PanelContext& context, float room) : gap_(kGap * context.em), room_(room) {}
+    /// True if what is so wide stands in the row of the one before.
+    bool add(float width) {
+        const bool beside = x_ > 0.0F && x_ + width <= room_;
+        if (!beside) {
+            ++rows_;
+            x_ = 0.0F;
         }
-        x += width + kGap * context.em;
+        x_ += width + gap_;
+        return beside;
     }
-    const float height = static_cast<float>(rows) * rowHeight(context);
-    ImGui::PopFont();
-    return rows <= kMostRows && height <= kMostShare * room.y;
+    int rows() const { return rows_; }
+
+  private:
+    float gap_;
+    float room_;
+    float x_ = 0.0F;
+    int rows_ = 0;
+};
+
+/// The tabs of a column: those with a name in the rows, and those behind the button at their end.
+struct SortedTabs {
+    std::vector<const SidePanel*> shown;
+    std::vector<const SidePanel*> more;
+};
+
+std::string moreText(std::size_t count) { return std::to_string(count) + " more..."; }
+
+int rowsOf(const PanelContext& context, const SortedTabs& tabs) {
+    RowFill fill(context, ImGui::GetContentRegionAvail().x);
+    for (const SidePanel* panel : tabs.shown) fill.add(widthOf(context, panel->title));
+    if (!tabs.more.empty()) fill.add(widthOf(context, moreText(tabs.more.size())));
+    return fill.rows();
 }
 
+/// The first `count` have a name in the rows, and the open one.
+SortedTabs sortedAt(ColumnTabs tabs, std::size_t count, const SidePanel& open) {
+    SortedTabs sorted;
+    for (std::size_t i = 0; i < tabs.size(); ++i) {
+        (i < count || tabs[i] == &open ? sorted.shown : sorted.more).push_back(tabs[i]);
+    }
+    return sorted;
+}
+
+/// All in the rows if there is room, else as many as there is room for: no name is ever cut.
+SortedTabs sorted(const PanelContext& context, ColumnTabs tabs, const SidePanel& open) {
+    const float height = ImGui::GetContentRegionAvail().y;
+    SortedTabs all = sortedAt(tabs, tabs.size(), open);
+    const int needed = rowsOf(context, all);
+    if (needed <= kMostRows &&
+        static_cast<float>(needed) * rowHeight(context) <= kMostShare * height)
+        return all;
+    const int rows = std::max(1, static_cast<int>(kShareOfSome * height / rowHeight(context)));
+    std::size_t count = tabs.size();
+    while (count > 0 && rowsOf(context, sortedAt(tabs, count, open)) > rows) --count;
+    return sortedAt(tabs, count, open);
+}
+
+/// A name; true if it was clicked. `lit`: it is that of the open tab.
+bool drawName(const PanelContext& context, const std::string& title, bool lit) {
+    const Palette& palette = context.palette;
+    ImGui::PushStyleColor(ImGuiCol_Button,
+                          toVec4(lit ? palette.panelRaised : palette.panel.withAlpha(0.0F)));
+    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(lit ? palette.text : palette.textDim));
+    const bool clicked =
+        ImGui::Button(title.c_str(), {widthOf(context, title), rowHeight(context)});
+    ImGui::PopStyleColor(2);
+    return clicked;
+}
+
+/// The names that have no room, in a list.
+void drawMore(const PanelContext& context, const std::vector<const SidePanel*>& more,
+              const SidePanel*& chosen) {
+    if (drawName(context, moreText(more.size()), false)) ImGui::OpenPopup(kMorePopup);
+    context.ui().where["more tabs"] = lastItem();
+    tooltip("The panels that there is no room for here");
+    ImGui::PushFont(context.fonts.text);
+    if (ImGui::BeginPopup(kMorePopup)) {
+        for (const SidePanel* panel : more) {
+            if (ImGui::MenuItem(panel->title)) chosen = panel;
+            context.ui().where[std::string("more ") + panel->title] = lastItem();
+        }
+        ImGui::EndPopup();
+    }
+    ImGui::PopFont();
+}
+
+void drawTabs(const PanelContext& context, const SortedTabs& tabs, const SidePanel*& chosen) {
+    const SidePanel* open = chosen;
+    RowFill fill(context, ImGui::GetContentRegionAvail().x);
+    for (const SidePanel* panel : tabs.shown) {
+        if (fill.add(widthOf(context, panel->title))) ImGui::SameLine();
+        if (drawName(context, panel->title, panel == open)) chosen = panel;
+        const Rect place = lastItem();
+        context.ui().where[std::string("tab ") + panel->title] = place;
+        if (panel != open) continue;
+        ImGui::GetWindowDrawList()->AddRectFilled({place.min.x, place.max().y - 0.12F * context.em},
+                                                  toVec2(place.max()),
+                                                  toU32(context.palette.accent));
+        if (context.ui().walk.offer(KeyStop::Tabs)) takeKeyboard();
+    }
+    if (tabs.more.empty()) return;
+    if (fill.add(widthOf(context, moreText(tabs.more.size())))) ImGui::SameLine();
+    drawMore(context, tabs.more, chosen);
+}
+
+}  // namespace
+
 const SidePanel* drawTabRows(const PanelContext& context, ColumnTabs tabs) {
-    const SidePanel* open = openTab(context, tabs);
-    const SidePanel* chosen = open;
+    const SidePanel* chosen = openTab(context, tabs);
     ImGui::PushFont(context.fonts.small);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {kGap * context.em, 0.0F});
     const float room = ImGui::GetContentRegionAvail().x;
-    float x = 0.0F;
-    for (const SidePanel* panel : tabs) {
-        const float width = widthOf(context, *panel);
-        if (x > 0.0F && x + width <= room) ImGui::SameLine();
-        if (x + width > room) x = 0.0F;
-        x += width + kGap * context.em;
-        const bool on = panel == open;
-        ImGui::PushStyleColor(ImGuiCol_Button, toVec4(on ? context.palette.panelRaised
-                                                         : context.palette.panel.withAlpha(0.0F)));
-        ImGui::PushStyleColor(ImGuiCol_Text,
-                              toVec4(on ? context.palette.text : context.palette.textDim));
-        if (ImGui::Button(panel->title, {width, rowHeight(context)})) chosen = panel;
-        ImGui::PopStyleColor(2);
-        const Rect place = lastItem();
-        context.ui().where[std::string("tab ") + panel->title] = place;
-        if (on) {
-            ImGui::GetWindowDrawList()->AddRectFilled(
-                {place.min.x, place.max().y - 0.12F * context.em}, toVec2(place.max()),
-                toU32(context.palette.accent));
-            if (context.ui().walk.offer(KeyStop::Tabs)) takeKeyboard();
-        }
-    }
+    drawTabs(context, sorted(context, tabs, *chosen), chosen);
     ImGui::PopStyleVar();
     ImGui::PopFont();
     const ImVec2 end = ImGui::GetCursorScreenPos();

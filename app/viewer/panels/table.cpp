@@ -66,12 +66,6 @@ bool tabNamesFit(const PanelContext& context) {
     return width <= ImGui::GetContentRegionAvail().x;
 }
 
-/// Tabs whose names do not fit are scrolled, and listed behind a button.
-ImGuiTabBarFlags tabFlags(bool fit) {
-    return fit ? ImGuiTabBarFlags_None
-               : ImGuiTabBarFlags_FittingPolicyScroll | ImGuiTabBarFlags_TabListPopupButton;
-}
-
 /// Opens the tab that was asked for, once.
 ImGuiTabItemFlags wantedFlag(const PanelContext& context, const SidePanel& panel) {
     if (context.ui().wantedTab != panel.title) return ImGuiTabItemFlags_None;
@@ -93,20 +87,11 @@ void drawContent(const PanelContext& context, const SidePanel& panel) {
     ImGui::EndChild();
 }
 
-/// Those that are scrolled out of sight, or lie below the buttons that scroll, are not there.
-void noteTab(const PanelContext& context, const SidePanel& panel, const Rect& column) {
-    const Rect tab = lastItem();
-    const float end = column.max().x - 2.5F * context.em;
-    const bool last = &panel == &kSidePanels.back() && tab.max().x <= column.max().x;
-    if (tab.min.x < column.min.x + 0.5F * context.em || (tab.max().x > end && !last)) return;
-    context.ui().where[std::string("tab ") + panel.title] = tab;
-}
-
 void drawTabs(const PanelContext& context) {
     for (const SidePanel& panel : kSidePanels) {
         if (!isTab(context, panel)) continue;
         const bool open = ImGui::BeginTabItem(panel.title, nullptr, wantedFlag(context, panel));
-        noteTab(context, panel, context.layout.right);
+        context.ui().where[std::string("tab ") + panel.title] = lastItem();
         if (!open) continue;
         offerTab(context);
         context.ui().openTab = panel.title;
@@ -136,47 +121,18 @@ std::vector<const SidePanel*> learnTabs() {
     return tabs;
 }
 
-/// True if that is where there is room for: else their names have to be scrolled.
-bool drawRowsOfTabs(const PanelContext& context, ColumnTabs tabs) {
-    if (!tabRowsFit(context, tabs)) return false;
+void drawRowsOfTabs(const PanelContext& context, ColumnTabs tabs) {
     const SidePanel* open = drawTabRows(context, tabs);
     // Each is scrolled by itself.
     ImGui::PushID(open->title);
     drawContent(context, *open);
     ImGui::PopID();
-    return true;
 }
 
 /// Learn has the panels as tabs on the left, the rule first; no list of steps.
 void drawLearnColumn(const PanelContext& context) {
-    const ImGuiStyle& style = ImGui::GetStyle();
-    const bool tight = context.layout.left.size.x < 26.0F * context.em;
-    const ImVec2 usual = style.FramePadding;
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
-                        {tight ? 0.22F * context.em : usual.x, usual.y});
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing,
-                        {tight ? 0.1F * context.em : style.ItemInnerSpacing.x, 0.0F});
-    if (beginRegion("##learn", context.layout.left) && !drawRowsOfTabs(context, learnTabs()) &&
-        ImGui::BeginTabBar("##learnTabs",
-                           tabFlags(!tight || context.layout.left.size.x >= 17.0F * context.em))) {
-        for (const SidePanel* panel : learnTabs()) {
-            ImGui::PushFont(tight ? context.fonts.small : context.fonts.text);
-            const bool open =
-                ImGui::BeginTabItem(panel->title, nullptr, wantedFlag(context, *panel));
-            ImGui::PopFont();
-            noteTab(context, *panel, context.layout.left);
-            if (!open) continue;
-            offerTab(context);
-            context.ui().openTab = panel->title;
-            ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, usual);
-            drawContent(context, *panel);
-            ImGui::PopStyleVar();
-            ImGui::EndTabItem();
-        }
-        ImGui::EndTabBar();
-    }
+    if (beginRegion("##learn", context.layout.left)) drawRowsOfTabs(context, learnTabs());
     ImGui::End();
-    ImGui::PopStyleVar(2);
 }
 
 void drawDialColumn(const PanelContext& context) {
@@ -187,19 +143,13 @@ void drawDialColumn(const PanelContext& context) {
 }
 
 void drawRightColumn(const PanelContext& context) {
-    if (beginRegion("##right", context.layout.right) &&
-        (tabNamesFit(context) || !drawRowsOfTabs(context, rightTabs(context)))) {
-        const bool tight = !tabNamesFit(context);
-        if (tight) ImGui::PushFont(context.fonts.small);
-        const float pad = tight ? 0.22F * context.em : ImGui::GetStyle().FramePadding.x;
-        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {pad, ImGui::GetStyle().FramePadding.y});
-        if (tight) ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {0.1F * context.em, 0.0F});
-        if (ImGui::BeginTabBar("##tabs", tabFlags(tabNamesFit(context)))) {
+    if (beginRegion("##right", context.layout.right)) {
+        if (!tabNamesFit(context)) {
+            drawRowsOfTabs(context, rightTabs(context));
+        } else if (ImGui::BeginTabBar("##tabs")) {
             drawTabs(context);
             ImGui::EndTabBar();
         }
-        ImGui::PopStyleVar(tight ? 2 : 1);
-        if (tight) ImGui::PopFont();
     }
     ImGui::End();
 }
@@ -217,11 +167,22 @@ void drawColumns(const PanelContext& context) {
     drawRightColumn(context);
 }
 
+/// A window before those of the regions and behind menus and tooltips, which nothing can touch.
+ImDrawList* beginOverRegions(const PanelContext& context) {
+    ImGui::SetNextWindowPos({0.0F, 0.0F});
+    ImGui::SetNextWindowSize({context.layout.menu.size.x, context.layout.status.max().y});
+    ImGui::Begin("##borders", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                     ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
+    return ImGui::GetWindowDrawList();
+}
+
 /// Hairlines between the regions.
 void drawBorders(const PanelContext& context) {
     const Layout& l = context.layout;
     const ImU32 color = toU32(context.palette.border);
-    ImDrawList* list = ImGui::GetForegroundDrawList();
+    ImDrawList* list = beginOverRegions(context);
     const auto horizontal = [&](float y) {
         list->AddRectFilled({0.0F, y}, {l.menu.size.x, y + 1.0F}, color);
     };
@@ -241,6 +202,7 @@ void drawBorders(const PanelContext& context) {
     list->AddRectFilled({l.narration.min.x, l.narration.min.y},
                         {l.narration.max().x + l.otherNarration.size.x, l.narration.min.y + 1.0F},
                         color);
+    ImGui::End();
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ each_tab() {
     # In the first frames they have no place yet.
     for _ in $(seq 100); do grep -q '"tab ' "$state" && break; sleep 0.05; done
     while IFS= read -r name; do
-        # Where tabs are scrolled, another one may have pushed it out of sight.
+        # Where there is no room for all, another one may have taken its place.
         [ -n "$(field "$name")" ] || continue
         click_on "$name"
         sleep 0.3
@@ -16,6 +16,23 @@ each_tab() {
         seen=$((seen + 1))
     done < <(grep -oE '"tab [^"]+"' "$state" | tr -d '"')
     [ "$seen" -ge "$1" ] || fail "only $seen tabs"
+}
+
+# each_more: those that have no room in the rows are opened from the list at their end, each by its
+# name; then it has a name in the rows.
+each_more() {
+    local name
+    click_on "more tabs"; sleep 0.3
+    grep -oE '"more [A-Z][^"]*"' "$state" | tr -d '"' | sed 's/^more //' >"$work/more"
+    [ -s "$work/more" ] || fail "no panel is in the list"
+    press Escape
+    while IFS= read -r name; do
+        # Another one that was opened may have made room for it.
+        [ -n "$(field "tab $name")" ] || { click_on "more tabs"; sleep 0.3; click_on "more $name"; }
+        [ "$(field open_tab)" = "$name" ] || { sleep 0.3; click_on "tab $name"; }
+        says open_tab "$name"
+        [ -n "$(field "tab $name")" ] || fail "$name is open and has no tab"
+    done <"$work/more"
 }
 
 # everything_inside WIDTH HEIGHT: no region leaves the window, and the view keeps its share.
@@ -39,14 +56,15 @@ resize 1600 900
 everything_inside 1600 900
 resize 1024 640
 everything_inside 1024 640
-each_tab 3
+each_tab 15
 says address "137\.sphere\.[0-9]+"
 stop
 
 size=1280x800 scale=2 start scene:torus --goto 137.sphere
 says em 32.0
 everything_inside 1280 800
-each_tab 3
+each_tab 8
+each_more
 stop
 size=1024x640 theme=light start scene:torus --goto 137.sphere
 says theme light
