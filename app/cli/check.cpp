@@ -193,8 +193,12 @@ ExitCode checkVerb(const Arguments& words) {
     const PointFile mesh = readInput(arguments.mesh);
     // A run that made nothing is a mesh as well, if the points are given.
     if (mesh.faces.empty() && arguments.cloud.empty())
-        throw Failure(ExitCode::Input,
-                      arguments.mesh + ": has no triangles; check looks at meshes");
+        throw Failure(
+            ExitCode::Input,
+            fmt::format("{0}: has no triangles; check looks at meshes: spiraling-edge run {0} -o "
+                        "mesh.ply makes one, spiraling-edge why {0} --failures says what "
+                        "goes wrong in the run",
+                        arguments.mesh));
     const bool alone = arguments.cloud.empty();
     const PointFile cloud = alone ? PointFile{} : readInput(arguments.cloud);
     const PointFile& file = alone ? mesh : cloud;

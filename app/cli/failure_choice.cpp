@@ -9,14 +9,23 @@
 
 namespace se::cli {
 
+namespace {
+
+std::string classNames() {
+    std::string names;
+    for (const FailureClass& each : failureClasses()) appendPart(names, std::string(each.name));
+    return names;
+}
+
+}  // namespace
+
 FailureChoice failureChoiceFrom(const std::string& text) {
     const std::size_t colon = text.find(':');
     FailureChoice wanted{findFailureClass(text.substr(0, colon)), 1};
     if (wanted.kind == nullptr) {
-        throw Failure(ExitCode::Usage,
-                      fmt::format("--failure {}: there is no such class; see spiraling-edge check "
-                                  "--help",
-                                  text));
+        throw Failure(
+            ExitCode::Usage,
+            fmt::format("--failure {}: there is no such class; there are {}", text, classNames()));
     }
     if (colon == std::string::npos) return wanted;
     const std::string digits = text.substr(colon + 1);

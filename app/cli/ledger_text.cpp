@@ -19,7 +19,7 @@ std::string linesText(const std::vector<LedgerLine>& lines, std::size_t marked) 
         text += fmt::format("{} {:<18} {:<8} {:<12} {:<4} {}\n", i == marked ? '>' : ' ',
                             toString(line.event.address), roleName(line.role), pivot,
                             stageSection(line.event.address.stage), describe(line.event));
-        if (line.reading) text += fmt::format("{:49}{}\n", "", readingText(*line.reading));
+        if (line.reading) text += fmt::format("{:48}{}\n", "", readingText(*line.reading));
     }
     return text;
 }
@@ -163,7 +163,7 @@ std::string momentsText(const RunFailure& failure) {
     const auto row = [](const char* name, const LedgerLine& line) {
         std::string text = fmt::format("  {:<16} {:<18} {}\n", name, toString(line.event.address),
                                        describe(line.event));
-        if (line.reading) text += fmt::format("{:37}{}\n", "", readingText(*line.reading));
+        if (line.reading) text += fmt::format("{:38}{}\n", "", readingText(*line.reading));
         return text;
     };
     const FailureMoments& moments = failure.moments;

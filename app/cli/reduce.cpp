@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <tuple>
 
 #include "failure_choice.h"
@@ -61,8 +62,33 @@ std::string optionText(const InputArguments& input) {
     return text;
 }
 
+/// "auto", or the six numbers of "X0,Y0,Z0,X1,Y1,Z1".
+nlohmann::ordered_json boxJson(const std::string& text) {
+    if (text == "auto") return text;
+    nlohmann::ordered_json numbers = nlohmann::ordered_json::array();
+    std::istringstream words(text);
+    for (std::string word; std::getline(words, word, ',');) numbers.push_back(std::stod(word));
+    return numbers;
+}
+
+/// How the points are prepared, by the names that sessions have for it.
+void addPreparing(nlohmann::ordered_json& options, const InputArguments& input) {
+    for (const GivenOption& each : input.given()) {
+        const std::string& value = each.words.back();
+        if (each.name == "neighbors") options["neighbors"] = std::stoul(value);
+        if (each.name == "radius" || each.name == "reach") options[each.name] = std::stod(value);
+        if (each.name == "symmetric") options["symmetric"] = true;
+        if (each.name == "keep-opposing") options["keep_opposing"] = true;
+        if (each.name == "keep-noise") options["keep_noise"] = true;
+        if (each.name == "orient") options["normals"] = "oriented";
+        if (each.name == "derive-normals") options["normals"] = "derived";
+        if (each.name == "derive-rim") options["rim"] = true;
+        if (each.name == "box") options["box"] = boxJson(value);
+    }
+}
+
 std::string sessionText(const std::string& points, const PreparedInput& run,
-                        const InputArguments& input) {
+                        const InputArguments& input, const FailureChoice& wanted) {
     nlohmann::ordered_json json;
     json["format"] = "spiraling-edge session";
     json["version"] = 1;
@@ -72,7 +98,9 @@ std::string sessionText(const std::string& points, const PreparedInput& run,
     for (const RuleValue& each : differingRules(run.params, plain)) {
         json["options"]["switches"][each.name] = ruleJson(*findRuleSetting(each.name), each.value);
     }
+    addPreparing(json["options"], input);
     json["address"] = "0";
+    json["alert"] = std::string(wanted.kind->name) + ":1";
     json["notes"] = "Reduced from " + input.input() + ".";
     return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
@@ -85,6 +113,10 @@ std::string testText(const std::string& points, const ReduceArguments& arguments
         "# Usage: [SPIRALING_EDGE=path/to/spiraling-edge] sh {2}\n"
         "here=$(dirname \"$0\")\n"
         "program=${{SPIRALING_EDGE:-spiraling-edge}}\n"
+        "command -v \"$program\" >/dev/null || {{\n"
+        "    echo \"$0: there is no $program; say where it is by SPIRALING_EDGE=PATH\" >&2\n"
+        "    exit 2\n"
+        "}}\n"
         "mesh=$(mktemp --suffix=.ply) || exit 5\n"
         "trap 'rm -f \"$mesh\"' EXIT\n"
         "\"$program\" run \"$here/{3}\"{4} -q -o \"$mesh\" || exit $?\n"
@@ -145,7 +177,7 @@ ExitCode reduceVerb(const Arguments& words) {
     };
     const Status status = writeMeshPly(arguments.output, reduced.file, {});
     if (!status) throw Failure(ExitCode::Internal, status.error().message);
-    writeOutput(beside(".sesession"), sessionText(arguments.output, run, arguments.input));
+    writeOutput(beside(".sesession"), sessionText(arguments.output, run, arguments.input, wanted));
     writeOutput(beside(".sh"), testText(arguments.output, arguments, wanted));
     if (!arguments.quiet) {
         fmt::print(stderr, "{}: {} of {} still end in {}; session {}, test {}\n", arguments.output,

@@ -12,6 +12,8 @@
 #include "prepared_input.h"
 #include "progress_work.h"
 #include "proof_text.h"
+#include "spiraling_edge/decision_query.h"
+#include "spiraling_edge/named_points.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -37,6 +39,13 @@ std::array<Index, 3> pointsFrom(const std::string& option, const std::string& te
                                                count == 1   ? "the number of a point, such as 812"
                                                : count == 2 ? "two points, such as 812,640"
                                                             : "three points, such as 812,640,77"));
+}
+
+std::string wordList() {
+    std::string text;
+    for (const QueryTerm& term : queryTerms())
+        text += fmt::format("  {:<18} {}\n", term.form, term.meaning);
+    return text;
 }
 
 struct WhyArguments {
@@ -84,7 +93,7 @@ struct WhyArguments {
         subject
             ->add_option("--failure", failure,
                          "No subject: when the first failure of a class, or the N-th, came about; "
-                         "classes: spiraling-edge check --help")
+                         "classes: spiraling-edge check --help, and leftover_rings, triangle_cap")
             ->type_name("CLASS[:N]");
         subject->add_flag("--failures", failures,
                           "No subject: everything that went wrong, with its three moments");
@@ -101,9 +110,9 @@ struct WhyArguments {
             ->type_name("N");
         app.add_flag("--json", json, "As JSON");
         app.add_flag("-q,--quiet", quiet, "No line of progress");
-        app.footer(
-            "\nEvery line begins with an address: spiraling-edge-viewer IN --goto ADDRESS "
-            "shows it.\nThe line marked > settled the question.");
+        app.footer("\nThe words of a LINE; all of them must hold:\n" + wordList() +
+                   "\nEvery line begins with an address: spiraling-edge-viewer IN --goto ADDRESS "
+                   "shows it.\nThe line marked > settled the question.");
     }
 
     Subject subject() const {
@@ -215,8 +224,11 @@ std::string askClosest(const WhyArguments& arguments, const PreparedInput& run,
 
 ExitCode whyVerb(const Arguments& words) {
     WhyArguments arguments;
-    CLI::App app("Says why a point, an edge or a triangle is in the mesh, or why it is not.",
-                 "spiraling-edge why");
+    CLI::App app(
+        "Says why a point, an edge or a triangle is in the mesh, or why it is not, and what went "
+        "wrong. Exactly one option asks: --point, --edge, --triangle, --ring, --charts, --closest, "
+        "--find, --failure or --failures, listed at the end of the options.",
+        "spiraling-edge why");
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     // Mistakes in the question come before long work.
@@ -241,6 +253,8 @@ ExitCode whyVerb(const Arguments& words) {
     catchInterrupts();
     ProgressLine line(!arguments.quiet);
     const PreparedInput run = arguments.input.prepare(line);
+    const std::string missing = missingPointIn(arguments.query, run.points.size());
+    if (!missing.empty()) throw Failure(ExitCode::Input, arguments.input.input() + ": " + missing);
     const std::string answer = arguments.failures ? askFailures(arguments, run, line)
                                : choice           ? askFailure(arguments, *choice, run, line)
                                : asksSubject      ? askWhy(arguments, run, line)

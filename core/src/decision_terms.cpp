@@ -332,7 +332,7 @@ constexpr QueryTerm kTerms[] = {
     {"edge=N,M", "The edge becomes a step of the ring.", readEdge},
     {"closes", "A ring is closed or freed.", readCloses},
     {"component", "A component is complete.", readComponent},
-    {"alert", "Something a person should look at.", readAlert},
+    {"alert", "The run gives something up: a ring with points in it, a seed, itself.", readAlert},
     {"failure=CLASS", "A failure of the mesh appears; of any class without =CLASS.", readFailure,
      true},
     {"angle<X", "A triangle with a least angle below X degrees.", readLeastAngle},

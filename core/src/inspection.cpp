@@ -62,8 +62,12 @@ const FailureClass* findFailureClass(std::string_view name) {
 
 std::string describe(const MeshFailure& failure) {
     std::string text(failure.kind->name);
-    text += ": points " + list(failure.points);
-    if (!failure.triangles.empty()) text += "; triangles " + list(failure.triangles);
+    text += failure.points.size() == 1 ? ": point " : ": points ";
+    text += list(failure.points);
+    if (!failure.triangles.empty()) {
+        text += failure.triangles.size() == 1 ? "; triangle " : "; triangles ";
+        text += list(failure.triangles);
+    }
     if (failure.length > 0.0)
         text += "; length " + num(failure.length) + ", area " + num(failure.area);
     return text + "; at (" + num(failure.place.x) + ", " + num(failure.place.y) + ", " +

@@ -119,13 +119,17 @@ class RingFinder {
             if (isThere(event.address)) return stop();
         }
         genealogy_.settle(pivot.after);
-        const std::uint32_t number = pivot.events.back().address.pivot;
-        if (number == ring_.at.pivot && wholePivot()) stop();
+        last_ = pivot.events.back().address.pivot;
+        if (last_ == ring_.at.pivot && wholePivot()) stop();
     }
     bool found() const { return found_; }
 
     Result<RingHistory> history() const {
-        if (!found_) return Error{"The run has no " + addressOf(ring_) + "."};
+        if (!found_)
+            return Error{"The run has no " + addressOf(ring_) +
+                         (ring_.at.pivot > last_
+                              ? ": it ends with pivot " + std::to_string(last_) + "."
+                              : ".")};
         if (!length_) {
             return Error{"There is no " + nameOf(ring_) + ": " +
                          (rings_ == 1 ? "1 ring is" : std::to_string(rings_) + " rings are") +
@@ -158,6 +162,7 @@ class RingFinder {
     RingPlace ring_;
     RingGenealogy genealogy_;
     bool found_ = false;
+    std::uint32_t last_ = 0;  ///< The pivot that was seen last.
     std::size_t rings_ = 0;
     std::optional<Index> length_;
     std::vector<LedgerLine> lines_;

@@ -48,7 +48,7 @@ constexpr WatchTerm kTerms[] = {
      [](const WatchedRun& run, Index) { return static_cast<double>(run.refused); }},
     {"circuit", "Pivots since the last triangle.",
      [](const WatchedRun& run, Index) { return static_cast<double>(run.state.circuit); }},
-    {"alerts", "Alerts.",
+    {"alerts", "Rings with points in them, or seeds, that were given up.",
      [](const WatchedRun& run, Index) { return static_cast<double>(run.state.alerts.size()); }},
     {"skipped", "Boundary points passed over.", counted<&Counters::skipped>},
     {"seeds", "Rings that were begun.", counted<&Counters::seeds>},

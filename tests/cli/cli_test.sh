@@ -620,6 +620,7 @@ why_names_what_made_a_ring() {
     expect 3 why scene:torus --ring 5#9
     says err "There is no ring #9 at 5"
     expect 3 why scene:torus --ring 99999
+    says err "The run has no 99999: it ends with pivot 706."
 }
 
 why_draws_charts_whose_bars_are_lists() {
@@ -760,6 +761,14 @@ reduce_keeps_what_fails() {
     says small.sesession '"source": "small.ply"'
     SPIRALING_EDGE=$program sh small.sh >out 2>err && fail "the test passes"
     says out "still fails: non_manifold_edges"
+    # Without the program the test says what is missing, and does not pass.
+    SPIRALING_EDGE=/nowhere/spiraling-edge sh small.sh >out 2>err && fail "it passes without the program"
+    says err "SPIRALING_EDGE=PATH"
+    # The session prepares the points as the run did, and opens on the failure.
+    expect 0 reduce scene:four-edge-hole -k 16 --box auto --failure intersecting_triangles -q -o k16.ply
+    says k16.sesession '"neighbors": 16'
+    says k16.sesession '"box": "auto"'
+    says k16.sesession '"alert": "intersecting_triangles:1"'
     # With other rules the same test passes.
     expect 0 reduce scene:stranded-point --failure unused_points:2 --rules paper -q -o stranded.ply
     sed -i 's/--rules paper/--rules robust/' stranded.sh

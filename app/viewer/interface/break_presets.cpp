@@ -72,7 +72,7 @@ constexpr std::array kPresets = {
     BreakPreset{"Close decision", "", plain<kMargin>},
     BreakPreset{"Thin triangle", "", plain<kAngle>},
     BreakPreset{"A failure appears", "", plain<kFailure>},
-    BreakPreset{"Alert", "", plain<kAlert>},
+    BreakPreset{"The run gives something up", "", plain<kAlert>},
 };
 
 }  // namespace
