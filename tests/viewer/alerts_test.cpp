@@ -199,7 +199,15 @@ TEST_CASE("--alert opens on any alert, at a place if one is named too, and compl
     CHECK(there.session.record().pivot == 5);
     CHECK(there.session.chosenAlert());
     AlertDesk none("scene:sphere", "slivers");
-    CHECK_FALSE(none.alerting.status());
+    REQUIRE_FALSE(none.alerting.status());
+    // The number that it names is that of the class.
+    AlertDesk other("scene:stranded-point", "holes:1");
+    REQUIRE_FALSE(other.alerting.status());
+    CHECK(other.alerting.status().error().message.find("0 of this class and 3 in all") !=
+          std::string::npos);
+    AlertDesk unknown("scene:sphere", "dragons:1");
+    REQUIRE_FALSE(unknown.alerting.status());
+    CHECK(unknown.alerting.status().error().message.find("no such class") != std::string::npos);
 }
 
 TEST_CASE("A scene that fails opens on the decision that is the cause, with its alert") {

@@ -152,6 +152,9 @@ TEST_CASE("The palette finds actions by words, those in the title first") {
     const auto pivots = matchingCommands("PIVOT next");
     REQUIRE_FALSE(pivots.empty());
     CHECK(pivots.front()->id == "step.pivot.next");
+    // Whoever types the name of a panel gets the panel, not something about it.
+    CHECK(matchingCommands("rules").front()->id == "view.rules");
+    CHECK(matchingCommands("Watch").front()->id == "view.watch");
     for (const Command* command : matchingCommands("normals")) {
         CAPTURE(std::string(command->id));
         CHECK(command->id == "layer.normals");

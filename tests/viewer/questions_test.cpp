@@ -190,6 +190,39 @@ TEST_CASE("A query line finds what the library finds, and its decisions are walk
     CHECK(desk.session().message() == "Nothing before is like that.");
 }
 
+TEST_CASE(
+    "Where the list of hits ends before the run does, F3 says so, and which line has the rest") {
+    AskDesk desk("scene:torus");
+    REQUIRE(desk.session().questions().find("at=1..99999").ok());
+    desk.session().settle();
+    const FoundDecisions* found = desk.session().questions().found().answer();
+    REQUIRE(found != nullptr);
+    REQUIRE(found->lines.size() == Questions::kMostFound);
+    REQUIRE(found->total > found->lines.size());
+    const Address last = found->lines.back().event.address;
+    desk.session().goTo(last);
+    desk.session().settle();
+    desk.run("ask.hit.next");
+    desk.session().settle();
+    CHECK(toString(desk.session().address()) == toString(last));
+    const std::string rest = "at=" + std::to_string(last.pivot) + ".." +
+                             std::to_string(desk.session().overview().lastPivot);
+    CHECK(desk.session().message().find(rest) != std::string::npos);
+    CHECK(DecisionQuery::parse(rest).ok());
+    // Coming back from behind the list is no step to the one before, and that is said.
+    desk.session().toEnd();
+    desk.session().settle();
+    desk.run("ask.hit.previous");
+    desk.session().settle();
+    CHECK(toString(desk.session().address()) == toString(last));
+    CHECK(desk.session().message().find(rest) != std::string::npos);
+    // Within the list nothing is said.
+    desk.session().say("");
+    desk.run("ask.hit.previous");
+    desk.session().settle();
+    CHECK(desk.session().message().empty());
+}
+
 TEST_CASE("A line with a mistake asks nothing, and what was found stays") {
     AskDesk desk;
     CHECK(desk.session().questions().find("stage=split").ok());

@@ -1,6 +1,7 @@
 #include "ask_actions.h"
 
 #include "command_actions.h"
+#include "run/text.h"
 #include "session/line_place.h"
 #include "session/questions.h"
 
@@ -12,6 +13,14 @@ namespace {
 void openTab(CommandContext& c, const char* tab) {
     if (c.ui.arrangement == Arrangement::Present) actions::arrange(c, Arrangement::Debug);
     c.ui.wantedTab = tab;
+}
+
+/// What to say where a list is at its end, but the run has more.
+std::string behindTheList(const FoundDecisions& found, const Session& session) {
+    const std::string from = std::to_string(found.lines.back().event.address.pivot);
+    const std::string to = std::to_string(session.overview().lastPivot);
+    return "The list ends here, with " + grouped(found.lines.size()) + " of " +
+           grouped(found.total) + ": add at=" + from + ".." + to + " to the line for the rest.";
 }
 
 }  // namespace
@@ -117,16 +126,18 @@ void toHit(CommandContext& c, int direction) {
     if (!c.session.ready()) return;
     const FoundDecisions* found = c.session.questions().found().answer();
     if (found == nullptr) return openQuery(c);
-    const auto hit = placeAmong(found->lines, c.session).step(direction, found->lines.size());
+    const LinePlace place = placeAmong(found->lines, c.session);
+    const auto hit = place.step(direction, found->lines.size());
+    const bool cut = found->total > found->lines.size();
     if (!hit) {
-        const bool cut = direction > 0 && found->total > found->lines.size();
-        return c.session.say(
-            cut             ? "That is the last one listed; at=A..B in the line lists those behind."
-            : direction > 0 ? "Nothing more of the run is like that."
-                            : "Nothing before is like that.");
+        return c.session.say(cut && direction > 0 ? behindTheList(*found, c.session)
+                             : direction > 0      ? "Nothing more of the run is like that."
+                                                  : "Nothing before is like that.");
     }
     pause(c);
     c.session.goTo(found->lines[*hit].event.address);
+    // From behind the list one comes back over what is not in it.
+    if (cut && place.before == found->lines.size()) c.session.say(behindTheList(*found, c.session));
 }
 
 }  // namespace actions

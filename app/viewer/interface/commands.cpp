@@ -338,20 +338,24 @@ bool hasAll(const std::string& text, const std::vector<std::string_view>& words)
 std::vector<const Command*> matchingCommands(std::string_view filter) {
     const std::string low = lowerCase(filter);
     const std::vector<std::string_view> words = wordsOf(low);
+    std::vector<const Command*> named;
     std::vector<const Command*> inTitle;
     std::vector<const Command*> elsewhere;
     for (const Command& command : kCommands) {
         const std::string title = lowerCase(command.title);
         const std::string all = title + " " + lowerCase(command.group) + " " +
                                 lowerCase(command.id) + " " + lowerCase(command.help);
-        if (hasAll(title, words)) {
+        if (title == low) {
+            named.push_back(&command);
+        } else if (hasAll(title, words)) {
             inTitle.push_back(&command);
         } else if (hasAll(all, words)) {
             elsewhere.push_back(&command);
         }
     }
-    inTitle.insert(inTitle.end(), elsewhere.begin(), elsewhere.end());
-    return inTitle;
+    named.insert(named.end(), inTitle.begin(), inTitle.end());
+    named.insert(named.end(), elsewhere.begin(), elsewhere.end());
+    return named;
 }
 
 std::string firstKey(const Command& command) {

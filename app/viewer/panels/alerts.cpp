@@ -52,8 +52,7 @@ std::vector<AlertRow> rowsOf(const PanelContext& context) {
 }
 
 /// Down at what is unfolded, else to the right.
-void drawArrow(const PanelContext& context, bool open) {
-    const ImVec2 at = ImGui::GetCursorScreenPos();
+void drawArrow(const PanelContext& context, ImVec2 at, bool open) {
     const float r = 0.3F * context.em;
     const ImVec2 c(at.x + 0.5F * context.em, at.y + 0.5F * ImGui::GetTextLineHeight());
     const ImVec2 right[3] = {{c.x - 0.7F * r, c.y - r}, {c.x + r, c.y}, {c.x - 0.7F * r, c.y + r}};
@@ -67,15 +66,15 @@ void drawHead(const PanelContext& context, const AlertGroup& group) {
     ImGui::PushID(group.kind);
     ImGui::PushFont(context.fonts.strong);
     ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
     const float left = ImGui::GetCursorPosX();
     const bool clicked = ImGui::Selectable("##head");
     const std::string name(group.kind->name);
     context.ui().where["alerts " + name] = lastItem();
     tooltip(std::string(group.kind->meaning) + (open ? "\nFold" : "\nUnfold"));
     if (clicked) context.ui().alertsOpen[name] = !open;
-    ImGui::SameLine(left);
-    drawArrow(context, open);
-    ImGui::SetCursorPosX(left + 1.3F * context.em);
+    drawArrow(context, at, open);
+    ImGui::SameLine(left + 1.3F * context.em);
     const std::string count = grouped(group.count);
     const float end = ImGui::GetContentRegionMax().x;
     const float room =

@@ -56,12 +56,15 @@ void drawLasso(const PanelContext& context) {
     const std::vector<glm::vec2>& path = context.ui().lasso.path;
     if (path.size() < 2) return;
     ImDrawList* list = ImGui::GetWindowDrawList();
-    const ImU32 color = toU32(context.palette.accent);
-    for (const glm::vec2& corner : path) list->PathLineTo(toVec2(corner));
-    list->PathStroke(color, 0, std::max(1.5F, 0.13F * context.em));
+    // In the color of text, with a rim of the background: no ring looks like that.
+    const auto stroke = [&](const Color& color, float width) {
+        for (const glm::vec2& corner : path) list->PathLineTo(toVec2(corner));
+        list->PathStroke(toU32(color), 0, width);
+    };
+    stroke(context.palette.background, std::max(3.5F, 0.3F * context.em));
+    stroke(context.palette.text, std::max(1.5F, 0.12F * context.em));
     list->AddLine(toVec2(path.back()), toVec2(path.front()),
-                  toU32(context.palette.accent.withAlpha(0.45F)),
-                  std::max(1.0F, 0.08F * context.em));
+                  toU32(context.palette.text.withAlpha(0.5F)), std::max(1.0F, 0.08F * context.em));
 }
 
 }  // namespace se::view

@@ -125,6 +125,8 @@ void followCursor(const PanelContext& context, float pitch) {
     if (!nav.stepsWatch.moved(session.generation(), session.record().pivot, session.cursor())) {
         return;
     }
+    // The start has no row: it lies above the first.
+    if (session.event() == nullptr) return ImGui::SetScrollY(0.0F);
     const auto row = nav.steps.rowOfCursor();
     if (!row) return;
     const float top = static_cast<float>(*row) * pitch;
