@@ -647,6 +647,12 @@ why_checks_its_arguments() {
     expect 2 why scene:torus --failure holes:0
     expect 3 why scene:torus --point 100000
     says err "There is no point 100000"
+    expect 3 why scene:torus --find "stage=sphere point=100000"
+    says err "There is no point 100000: the points are 0 to 999."
+    expect 2 why scene:torus --failure hole
+    says err "intersecting_triangles"
+    expect 3 check scene:torus
+    says err "spiraling-edge why scene:torus --failures"
     expect 3 why scene:torus --edge 5,5
     expect 3 why missing.ply --point 1
 }
