@@ -10,8 +10,8 @@
 namespace se::cli {
 namespace {
 
-constexpr std::array kProofs{Proof::Gone, Proof::Later, Proof::Replaced, Proof::Stays,
-                             Proof::NotTurned};
+constexpr std::array kProofs{Proof::Gone,     Proof::Later, Proof::Earlier,
+                             Proof::Replaced, Proof::Stays, Proof::NotTurned};
 
 std::size_t countOf(const std::vector<ProvenFailure>& proven, const FailureClass& kind,
                     std::optional<Proof> proof = {}) {

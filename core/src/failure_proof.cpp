@@ -105,33 +105,63 @@ class Prover {
 
     /// Requires pivots that do not go back from call to call.
     FailureProof prove(const RunFailure& failure) {
-        const LedgerLine& decision = failure.moments.unavoidable;
-        FailureProof result;
-        const auto turn = turnOf(points_, decision);
-        if (!turn) {
-            result.reason = reasonFor(decision);
-            return result;
+        const std::uint32_t pivot = failure.moments.unavoidable.event.address.pivot;
+        while (stepper_.state().counters.pivots + 1 < pivot && stepper_.stepPivot()) {
         }
-        while (stepper_.state().counters.pivots + 1 < turn->pivot && stepper_.stepPivot()) {
-        }
-        result.turns.push_back(*turn);
-        FailureProof best = result;
-        for (LedgerLine asked = decision; turnOnce(failure.failure, asked, result);) {
-            if (result.turns.size() == 2 || result.proof < best.proof) best = result;
-        }
-        return result.proof <= best.proof ? result : best;
+        FailureProof proof = turned(failure.failure, failure.moments.unavoidable);
+        if (proof.proof != Proof::Replaced || failure.failure.triangles.size() != 2) return proof;
+        // It takes two to cross: maybe the later one only runs into what should not be there.
+        const auto earlier = decisionBehind(failure.failure.triangles.front());
+        if (!earlier) return proof;
+        FailureProof other = turned(failure.failure, *earlier);
+        if (other.proof > Proof::Later) return proof;
+        other.proof = Proof::Earlier;
+        other.reason = toString(earlier->event.address) + ": " + describe(earlier->event);
+        return other;
     }
 
   private:
     /// A point can be tested again by each of its neighbors; so many times it is followed.
     static constexpr std::size_t kMostTurns = 12;
 
-    /// Just before the last of the turns. From the start if that is before the first of them.
+    /// Turns a decision, and the same again where it is only put off.
+    FailureProof turned(const MeshFailure& failure, const LedgerLine& decision) const {
+        FailureProof result;
+        const auto turn = turnOf(points_, decision);
+        if (!turn) {
+            result.reason = reasonFor(decision);
+            return result;
+        }
+        result.turns.push_back(*turn);
+        FailureProof best = result;
+        for (LedgerLine asked = decision; turnOnce(failure, asked, result);) {
+            if (result.turns.size() == 2 || result.proof < best.proof) best = result;
+        }
+        return result.proof <= best.proof ? result : best;
+    }
+
+    /// The decision that a triangle comes from.
+    std::optional<LedgerLine> decisionBehind(Index triangle) {
+        if (mesh_.empty()) {
+            Stepper whole(points_, params_);
+            whole.run();
+            mesh_ = whole.state().mesh();
+        }
+        MeshFailure alone;
+        alone.kind = findFailureClass("flipped_triangles");
+        alone.triangles = {triangle};
+        const auto moments = momentsOf(points_, params_, alone, mesh_);
+        return moments ? std::optional(moments.value().unavoidable) : std::nullopt;
+    }
+
+    /// Just before the last of the turns. From the start if the run is past one of them.
     Stepper forkedAt(const Params& forked, const std::vector<WhatIf>& turns) const {
         Stepper fork(points_, forked);
-        const std::uint32_t pivot = turns.back().pivot;
-        if (pivot >= turns.front().pivot) fork.setState(stepper_.state());
-        while (fork.state().counters.pivots + 1 < pivot && fork.stepPivot()) {
+        const std::uint32_t here = stepper_.state().counters.pivots;
+        const bool ahead = std::all_of(turns.begin(), turns.end(),
+                                       [&](const WhatIf& each) { return each.pivot > here; });
+        if (ahead) fork.setState(stepper_.state());
+        while (fork.state().counters.pivots + 1 < turns.back().pivot && fork.stepPivot()) {
         }
         return fork;
     }
@@ -192,6 +222,7 @@ class Prover {
     const Params& params_;
     std::span<const RunFailure> known_;
     Stepper stepper_;
+    std::vector<Triangle> mesh_;  ///< Of the run, once it is asked for.
 };
 
 std::uint32_t pivotOf(const RunFailure& failure) {
@@ -201,8 +232,9 @@ std::uint32_t pivotOf(const RunFailure& failure) {
 }  // namespace
 
 std::string_view proofName(Proof proof) {
-    constexpr std::array<std::string_view, 5> kNames{
-        "gone", "gone, asked again", "another in its place", "stays", "cannot be turned"};
+    constexpr std::array<std::string_view, 6> kNames{
+        "gone",  "gone, asked again", "gone with the earlier", "another in its place",
+        "stays", "cannot be turned"};
     return kNames[static_cast<std::size_t>(proof)];
 }
 

@@ -15,19 +15,21 @@ namespace se {
 
 /// What became of a failure once the decision went the other way.
 enum class Proof : std::uint8_t {
-    Gone,      ///< No failure of its class is left there.
-    Later,     ///< The same test is made again at a later pivot; gone once it is turned there, too.
-    Replaced,  ///< It is gone, but another of its class has two of its points.
-    Stays,     ///< Another decision brings the same about: one of its class has the same points.
+    Gone,       ///< It is gone, and no new one of its class is there.
+    Later,      ///< The same point is tested again later; gone once that is turned, too.
+    Earlier,    ///< Of two triangles: gone, without a new one, if the earlier is not made.
+    Replaced,   ///< It is gone, but a new one of its class has two of its points.
+    Stays,      ///< Another decision brings the same about: one of its class has the same points.
     NotTurned,  ///< The decision cannot go the other way.
 };
-/// "gone", "gone, asked again", "another in its place", "stays", "cannot be turned".
+/// "gone", "gone, asked again", "gone with the earlier", "another in its place", "stays", "cannot
+/// be turned".
 std::string_view proofName(Proof proof);
 
 struct FailureProof {
     Proof proof = Proof::NotTurned;
     std::vector<WhatIf> turns;  ///< What was done instead; several where a test is made again.
-    std::string reason;         ///< NotTurned: why. Stays: what brings it about then.
+    std::string reason;  ///< NotTurned: why. Stays: what does it then. Earlier: the decision.
 };
 
 /// The what-if that turns a decision: keep what was refused, drop what was taken, list no third
