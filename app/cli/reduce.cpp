@@ -87,8 +87,22 @@ void addPreparing(nlohmann::ordered_json& options, const InputArguments& input) 
     }
 }
 
+/// Where the failure comes about among the points that are left; the start if there is no saying.
+std::string addressIn(const PointFile& file, const InputArguments& input, const Params& params,
+                      const FailureChoice& wanted) {
+    const auto prepared = prepare(file, input.prepareOptions(file));
+    if (!prepared) return "0";
+    const auto failures = failuresOfRun(prepared.value().points, params);
+    if (!failures) return "0";
+    for (const RunFailure& each : failures.value()) {
+        if (each.failure.kind == wanted.kind) return toString(each.moments.created.event.address);
+    }
+    return "0";
+}
+
 std::string sessionText(const std::string& points, const PreparedInput& run,
-                        const InputArguments& input, const FailureChoice& wanted) {
+                        const InputArguments& input, const FailureChoice& wanted,
+                        const std::string& address) {
     nlohmann::ordered_json json;
     json["format"] = "spiraling-edge session";
     json["version"] = 1;
@@ -99,7 +113,7 @@ std::string sessionText(const std::string& points, const PreparedInput& run,
         json["options"]["switches"][each.name] = ruleJson(*findRuleSetting(each.name), each.value);
     }
     addPreparing(json["options"], input);
-    json["address"] = "0";
+    json["address"] = address;
     json["alert"] = std::string(wanted.kind->name) + ":1";
     json["notes"] = "Reduced from " + input.input() + ".";
     return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
@@ -128,6 +142,24 @@ std::string testText(const std::string& points, const ReduceArguments& arguments
         arguments.input.input(), wanted.kind->name,
         std::filesystem::path(points).replace_extension(".sh").filename().string(),
         std::filesystem::path(points).filename().string(), optionText(arguments.input));
+}
+
+/// Points, session and test, and the line that names them.
+void writeReduced(const ReduceArguments& arguments, const FailureChoice& wanted,
+                  const PreparedInput& run, const Reduced& reduced) {
+    const std::string& output = arguments.output;
+    const auto beside = [&](const char* extension) {
+        return std::filesystem::path(output).replace_extension(extension).string();
+    };
+    const Status status = writeMeshPly(output, reduced.file, {});
+    if (!status) throw Failure(ExitCode::Internal, status.error().message);
+    const std::string address = addressIn(reduced.file, arguments.input, run.params, wanted);
+    writeOutput(beside(".sesession"), sessionText(output, run, arguments.input, wanted, address));
+    writeOutput(beside(".sh"), testText(output, arguments, wanted));
+    if (arguments.quiet) return;
+    fmt::print(stderr, "{}: {} of {} still end in {}; session {}, test {}\n", output,
+               counted(reduced.kept.size(), "point"), run.file.position.size(), wanted.kind->name,
+               beside(".sesession"), beside(".sh"));
 }
 
 }  // namespace
@@ -172,18 +204,7 @@ ExitCode reduceVerb(const Arguments& words) {
         workedOut("reducing", arguments.input.input(), line, [&](const Progress& progress) {
             return reduceInput(run.file, failure.place, fails, progress);
         });
-    const auto beside = [&](const char* extension) {
-        return std::filesystem::path(arguments.output).replace_extension(extension).string();
-    };
-    const Status status = writeMeshPly(arguments.output, reduced.file, {});
-    if (!status) throw Failure(ExitCode::Internal, status.error().message);
-    writeOutput(beside(".sesession"), sessionText(arguments.output, run, arguments.input, wanted));
-    writeOutput(beside(".sh"), testText(arguments.output, arguments, wanted));
-    if (!arguments.quiet) {
-        fmt::print(stderr, "{}: {} of {} still end in {}; session {}, test {}\n", arguments.output,
-                   counted(reduced.kept.size(), "point"), run.file.position.size(),
-                   wanted.kind->name, beside(".sesession"), beside(".sh"));
-    }
+    writeReduced(arguments, wanted, run, reduced);
     return ExitCode::Good;
 }
 

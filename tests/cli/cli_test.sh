@@ -765,6 +765,8 @@ reduce_keeps_what_fails() {
     expect 1 check mesh.ply --points small.ply --json
     [ "$(number non_manifold_edges out)" -gt 0 ] || fail "it does not fail any more"
     says small.sesession '"source": "small.ply"'
+    "$program" why small.ply --failure non_manifold_edges >moments
+    says small.sesession "\"address\": \"$(sed -nE 's/^ +created +([^ ]+) .*/\1/p' moments)\""
     SPIRALING_EDGE=$program sh small.sh >out 2>err && fail "the test passes"
     says out "still fails: non_manifold_edges"
     # Without the program the test says what is missing, and does not pass.
