@@ -99,7 +99,8 @@ std::string text(const SortEvidence& e) {
         case Verdict::NotBeforeEnd:
             return at + " is not before last at " + deg(e.endDegrees) + ": left out.";
         case Verdict::SameAngle:
-            return at + " has the same angle as " + str(e.rival) + ", which is nearer: dropped.";
+            return at + " has the same angle as " + str(e.rival) + ", which is " +
+                   (e.farther ? "nearer" : "farther") + ": dropped.";
         default:
             return at + " of " + deg(e.endDegrees) + ": a candidate.";
     }
@@ -109,9 +110,11 @@ std::string text(const LimitEvidence& e) {
         "Point " + str(e.to) + " beyond " + sideName(e.side) + " = " + str(e.from);
     switch (e.verdict) {
         case Verdict::Moved:
-            return point + " is listed, inside the limits, and the ring is concave there (turn " +
-                   num(e.turn) + "): " + sideName(e.side) + " moves from " + deg(e.fromDegrees) +
-                   " to " + deg(e.toDegrees) + ".";
+            return point + " is listed, inside the limits, and the ring is " +
+                   (e.turn > 0.0 ? "concave there (turn " + num(e.turn) + "): "
+                                 : "convex there (turn " + num(e.turn) + "), no obstacle now: ") +
+                   sideName(e.side) + " moves from " + deg(e.fromDegrees) + " to " +
+                   deg(e.toDegrees) + ".";
         case Verdict::OtherLimit:
             return point + " is the other end: " + sideName(e.side) + " stays.";
         case Verdict::NotAnEdge:
@@ -140,14 +143,21 @@ std::string text(const DropEvidence& e) {
 }
 std::string text(const ReciprocalEvidence& e) {
     return "Seen from ring point " + str(e.point) + " (between " + str(e.pred) + " and " +
-           str(e.succ) + ") the pivot is at " + deg(e.degrees) + ", its free sector " +
+           str(e.succ) + ") the pivot is at " + deg(e.degrees) +
+           (e.printed ? ", the sector from efirst to elast " : ", its free sector ") +
            deg(e.limitDegrees) +
            (e.verdict == Verdict::Kept           ? ": inside, kept."
             : e.verdict == Verdict::WallComplete ? "; it is complete along its walls: refused."
                                                  : ": outside, refused.");
 }
+/// "three", "12".
+std::string spelled(Index count) {
+    constexpr std::array<std::string_view, 9> kWords{"none", "one", "two",   "three", "four",
+                                                     "five", "six", "seven", "eight"};
+    return count < kWords.size() ? str(kWords[count]) : std::to_string(count);
+}
 std::string text(const HoleEvidence& e) {
-    return "Hole of three: point " + str(e.point) + " is " + num(e.side) +
+    return "Hole of " + spelled(e.edges) + ": point " + str(e.point) + " is " + num(e.side) +
            " from the plane through start and end, the pivot " + num(e.pivotSide) +
            (e.verdict == Verdict::Kept ? ": same side, kept." : ": far side, removed.");
 }
@@ -158,6 +168,8 @@ std::string text(const SphereEvidence& e) {
         return q + " is kept: there is no circle " + circle + ", they lie in line.";
     }
     const double d = e.distance - e.radius;
+    if (e.verdict == Verdict::InsideSphere && !(d < 0.0))
+        return q + " lies on the sphere " + circle + " (r = " + num(e.radius) + "): kept.";
     const std::string place = q + " lies " + num(d < 0 ? -d : d) +
                               (d < 0 ? " inside" : " outside") + " the sphere " + circle +
                               " (d = " + num(e.distance) + ", r = " + num(e.radius) + ")";
@@ -167,9 +179,13 @@ std::string text(const SphereEvidence& e) {
            (e.verdict == Verdict::GapTooWide ? ", more than the limit: kept." : ": removed.");
 }
 std::string text(const TwoPointEvidence& e) {
-    return "Only first and last are left, " + deg(e.degrees) + " apart" +
-           (e.verdict == Verdict::Discarded ? ": over 180, the ring is discarded."
-                                            : ": under 180, one triangle closes the gap.");
+    const std::string text = "Only first and last are left, " + deg(e.degrees) + " apart";
+    const bool over = e.degrees > 180.0;
+    if (e.verdict == Verdict::Discarded)
+        return text + (over ? ": over 180, the ring is discarded."
+                            : ": not under 180, the ring is discarded.");
+    return text + (over ? ": over 180, one triangle is made all the same."
+                        : ": under 180, one triangle closes the gap.");
 }
 std::string text(const GuardEvidence& e) {
     const std::string what =
@@ -254,6 +270,13 @@ std::string text(const AlertEvidence& e) {
 
 namespace {
 
+std::string fanText(const GuardEvidence& e, bool kept) {
+    if (!kept) return "What if: no triangle is made.";
+    return (e.b == kNone ? "What if: the spoke to " + str(e.a)
+                         : "What if: the triangle over " + str(e.a) + " and " + str(e.b)) +
+           " is made, whatever the rules on fans say.";
+}
+
 /// What a person said counts, whatever the numbers say; empty if nobody did.
 template <typename Evidence>
 std::string whatIfText(const Evidence& e, const Event& event) {
@@ -264,7 +287,10 @@ std::string whatIfText(const Evidence& e, const Event& event) {
             return kept ? "What if: the triangle is made." : "What if: no triangle is made.";
         }
         const std::string point = "What if: point " + str(testedPoint(event));
-        if (event.address.stage == Stage::Limits) return point + " is not advanced to.";
+        if constexpr (std::is_same_v<Evidence, LimitEvidence>)
+            return point +
+                   (kept ? " is advanced to, whatever the test says." : " is not advanced to.");
+        if constexpr (std::is_same_v<Evidence, GuardEvidence>) return fanText(e, kept);
         return point + (kept ? " is kept" : " is dropped") + ", whatever the test says.";
     }
     return {};
@@ -302,7 +328,7 @@ std::string_view verdictText(Verdict verdict) {
         case Verdict::NotBeforeEnd:
             return "beyond last";
         case Verdict::SameAngle:
-            return "same angle, farther";
+            return "same angle";
         case Verdict::AlreadyDone:
             return "DONE";
         case Verdict::OnRingEnd:

@@ -10,9 +10,6 @@ namespace {
 
 // ---- nofold -------------------------------------------------------------------------------------
 
-/// Cosine of the largest angle between the normals of two triangles at an edge: 150 degrees.
-constexpr double kSharpestFold = -0.8660254037844386;
-
 /// Is the old triangle across u -> v folded onto one with the area vector `area`?
 bool foldsOver(const StepContext& context, Index u, Index v, const Vec3& area) {
     const State& s = context.state;
@@ -20,7 +17,7 @@ bool foldsOver(const StepContext& context, Index u, Index v, const Vec3& area) {
     if (h == kNone) return false;
     const std::vector<Vec3>& position = context.points.position;
     const Vec3 old = areaVector(position[u], position[v], position[s.edges.opposite(h)]);
-    return encloseMore(old, area, kSharpestFold);
+    return encloseMore(old, area, context.params.limits.foldCosine);
 }
 
 /// Is a triangle of the pivot, a and b against the normal of a corner, or, once that is allowed, of
@@ -59,9 +56,6 @@ Objection fold(const StepContext& context) {
 
 namespace {
 
-/// Cosine of the angle at the pivot above which a triangle over the rim is too wide: 120 degrees.
-constexpr double kWide = -0.5;
-
 /// The spacing at p: the squared distance of its sixth neighbor, or of the last if there are fewer.
 /// On an even surface a point has six others about it.
 double spacingSq(const PointSet& points, Index p) {
@@ -87,9 +81,12 @@ Objection overRim(const StepContext& context) {
     const Index p = context.state.rings.point(context.state.pivot.pivot);
     if (points.neighbors[p].empty()) return {};
     const double spacing = spacingSq(points, p);
-    const auto endsHere = [&](Index x) { return !isOnWall(points.type[x]) && isRim(points, x); };
+    const RobustLimits& limits = context.params.limits;
+    const auto endsHere = [&](Index x) {
+        return !isOnWall(points.type[x]) && isRim(points, x, limits.rimGapCosine);
+    };
     for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
-        const bool wide = exceedsAngle(fan[i].angle, fan[i + 1].angle, kWide) ||
+        const bool wide = exceedsAngle(fan[i].angle, fan[i + 1].angle, limits.rimAngleCosine) ||
                           isLarge(fan[i], fan[i + 1], spacing);
         if (wide && endsHere(p) && endsHere(fan[i].point) && endsHere(fan[i + 1].point)) {
             return {Verdict::OverRim, i, true};
@@ -98,21 +95,14 @@ Objection overRim(const StepContext& context) {
     return {};
 }
 
-namespace {
-
 // ---- delay --------------------------------------------------------------------------------------
-
-/// Cosine of the angle between a triangle's normal and a corner's, beyond which it waits.
-constexpr double kSteep = 0.5;
-
-}  // namespace
 
 Objection steep(const StepContext& context) {
     const Fan& fan = context.state.pivot.fan;
     if (context.state.patience >= kDelayedAllowed) return {};
     for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
         const Vec3 area = glm::cross(fan[i].offset, fan[i + 1].offset);
-        const double limit = kSteep * std::sqrt(glm::dot(area, area));
+        const double limit = context.params.limits.steepCosine * std::sqrt(glm::dot(area, area));
         if (glm::dot(area, context.points.normal[fan[i].point]) < limit ||
             glm::dot(area, context.points.normal[fan[i + 1].point]) < limit ||
             glm::dot(area, context.state.pivot.frame.normal) < limit) {

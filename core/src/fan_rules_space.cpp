@@ -99,14 +99,12 @@ namespace {
 
 // ---- nomeet -------------------------------------------------------------------------------------
 
-/// Neighborhoods whose normals all lie within 45 degrees of the pivot's are flat enough for
-/// Rules::noCross to see every overlap.
-constexpr double kFlat = 0.70710678118654752;
-
-bool isFlat(const PointSet& points, Index p) {
+/// Neighborhoods whose normals all lie within 45 degrees of the pivot's, as is usual, are flat
+/// enough for Rules::noCross to see every overlap.
+bool isFlat(const PointSet& points, Index p, double cosine) {
     const auto list = points.neighbors[p];
     return std::all_of(list.begin(), list.end(), [&](Index x) {
-        return glm::dot(points.normal[x], points.normal[p]) > kFlat;
+        return glm::dot(points.normal[x], points.normal[p]) > cosine;
     });
 }
 
@@ -117,7 +115,7 @@ Objection meetsFinished(const StepContext& context) {
     const Fan& fan = s.pivot.fan;
     const PointSet& points = context.points;
     const Index p = s.rings.point(s.pivot.pivot);
-    if (isFlat(points, p)) return {};
+    if (isFlat(points, p, context.params.limits.flatCosine)) return {};
     Box all(points.position[p]);
     for (const FanPoint& x : fan) all.add(points.position[x.point]);
     for (const Index x : points.neighbors[p]) {

@@ -98,34 +98,32 @@ double worstCosine(const PointSet& points, const Triangle& a, const Triangle& b)
     return std::max(leastAngleCosine(points, a), leastAngleCosine(points, b));
 }
 
-/// Normals within 26 degrees of one another are those of a flat piece.
-constexpr double kFlat = 0.9;
-
 /// The two triangles lie nearly in one plane.
-bool isFlat(const PointSet& points, const Quad& q) {
-    return normalsCosine(points, q.left(), q.right()) > kFlat;
+bool isFlat(const PointSet& points, const RobustLimits& limits, const Quad& q) {
+    return normalsCosine(points, q.left(), q.right()) > limits.flipFlatCosine;
 }
 
 /// One of the triangles is so narrow, three points almost in line, that it may stand on a flat
 /// surface like a wall. The surface is flat there if the normals of the four points say so.
-bool standsOnFlat(const PointSet& points, const Quad& q) {
-    constexpr double kNarrow = 0.94;  // 20 degrees.
-    if (worstCosine(points, q.left(), q.right()) < kNarrow) return false;
+bool standsOnFlat(const PointSet& points, const RobustLimits& limits, const Quad& q) {
+    if (worstCosine(points, q.left(), q.right()) < limits.flipNarrowCosine) return false;
     const std::array corners{q.u, q.v, q.x, q.y};
     Vec3 sum(0.0);
     for (const Index p : corners) sum += points.normal[p];
-    return std::none_of(corners.begin(), corners.end(),
-                        [&](Index p) { return encloseMore(points.normal[p], sum, kFlat); });
+    return std::none_of(corners.begin(), corners.end(), [&](Index p) {
+        return encloseMore(points.normal[p], sum, limits.flipFlatCosine);
+    });
 }
 
 /// Two sound triangles: flip for the angles only, and only where the surface is flat.
-bool givesBetterAngles(const PointSet& points, const FlipScore& score) {
+bool givesBetterAngles(const PointSet& points, const RobustLimits& limits, const FlipScore& score) {
     const Quad& q = score.quad();
     const bool better = worstCosine(points, q.flippedU(), q.flippedV()) <
                         worstCosine(points, q.left(), q.right()) - 1e-9;
-    if (!better || normalsCosine(points, q.flippedU(), q.flippedV()) <= kFlat) return false;
-    if (isFlat(points, q)) return score.after() == 0;
-    return standsOnFlat(points, q) && score.after() == 0 &&
+    if (!better || normalsCosine(points, q.flippedU(), q.flippedV()) <= limits.flipFlatCosine)
+        return false;
+    if (isFlat(points, limits, q)) return score.after() == 0;
+    return standsOnFlat(points, limits, q) && score.after() == 0 &&
            !score.meetNearby(q.flippedU(), q.flippedV());
 }
 
@@ -137,7 +135,8 @@ bool givesFewerFaults(const FlipScore& score) {
                                   before + score.meetings(q.left(), q.right());
 }
 
-bool isBetterFlipped(const PointSet& points, const MendState& m, HalfEdge h) {
+bool isBetterFlipped(const PointSet& points, const RobustLimits& limits, const MendState& m,
+                     HalfEdge h) {
     // Rules::reseat makes the list shorter, so that a side in the queue may be gone.
     if (h >= m.twin.size() || m.twin[h] == kNone) return false;
     const FlipScore score(points, m, h);
@@ -145,8 +144,8 @@ bool isBetterFlipped(const PointSet& points, const MendState& m, HalfEdge h) {
     if (q.x == q.y || m.pinched[q.u] || m.pinched[q.v] || m.pinched[q.x] || m.pinched[q.y]) {
         return false;
     }
-    const bool sound = score.own() == 0 && (isFlat(points, q) || score.before() == 0);
-    const bool better = sound ? givesBetterAngles(points, score) : givesFewerFaults(score);
+    const bool sound = score.own() == 0 && (isFlat(points, limits, q) || score.before() == 0);
+    const bool better = sound ? givesBetterAngles(points, limits, score) : givesFewerFaults(score);
     return better && !joined(m, q.x, q.y);
 }
 
@@ -175,10 +174,10 @@ void flipEdge(MendState& m, HalfEdge h) {
 
 }  // namespace
 
-bool flipNext(const PointSet& points, MendState& m, Flip& flip) {
+bool flipNext(const PointSet& points, const RobustLimits& limits, MendState& m, Flip& flip) {
     while (m.queueFront < m.queue.size()) {
         const HalfEdge h = m.queue[m.queueFront++];
-        if (!isBetterFlipped(points, m, h)) continue;
+        if (!isBetterFlipped(points, limits, m, h)) continue;
         const Quad q = quadAt(m, h);
         flipEdge(m, h);
         ++m.flipped;

@@ -69,7 +69,7 @@ bool isOpening(const StepContext& context, const RingShape& shape) {
         const Index point = rings.point(entry);
         boundary += isBoundary(context.points.type[point]) ? 1U : 0U;
         flagged += isRimPoint(context.points.type[point]) ? 1U : 0U;
-        rim += isRim(context.points, point) ? 1U : 0U;
+        rim += isRim(context.points, point, context.params.limits.rimGapCosine) ? 1U : 0U;
     }
     const auto most = [length](Index count) { return 3 * count > 2 * length; };
     if (most(flagged)) return true;
@@ -77,7 +77,7 @@ bool isOpening(const StepContext& context, const RingShape& shape) {
     if (most(boundary)) return true;
     const std::size_t triangles = context.state.triangles.size() - context.state.componentBegin;
     return (length > kNeverAnOpening && runsRoundPatch(shape, triangles)) ||
-           (most(rim) && shape.widthInEdges() >= kNarrowestOpening);
+           (most(rim) && shape.widthInEdges() >= context.params.limits.openingWidth);
 }
 
 /// May an ear have a fault? Not where the surface may end, nor where a wide ring turns as if it ran

@@ -58,6 +58,34 @@ std::size_t culprit(const Fan& fan, const Objection& objection) {
     return fan[i + 1].candidate ? i + 1 : kNone;
 }
 
+/// What a rule objects to, and what follows.
+GuardEvidence evidenceOf(const Fan& fan, const FanRule& rule, const Objection& objection) {
+    const std::size_t drop = rule.remedy == Remedy::Refuse ? kNone : culprit(fan, objection);
+    return {objection.verdict, fan[objection.at].point,
+            objection.triangle ? fan[objection.at + 1].point : kNone,
+            drop == kNone ? kNone : fan[drop].point};
+}
+
+/// The first finding that counts: a rule that a person overrules for the point that would go, or
+/// for the pivot if the fan would be refused, is silent on this fan.
+template <AnyContext Context, std::size_t N>
+std::optional<GuardEvidence> firstHeard(Context& context, const std::array<FanRule, N>& rules) {
+    const NeighborRing& n = context.state.pivot;
+    for (const FanRule& rule : rules) {
+        if (!(context.params.rules.*rule.on)) continue;
+        const Objection objection = rule.find(context);
+        if (!objection) continue;
+        GuardEvidence found = evidenceOf(n.fan, rule, objection);
+        const Index subject =
+            found.dropped == kNone ? context.state.rings.point(n.pivot) : found.dropped;
+        if (said(context, Stage::Guard, subject) != true) return found;
+        found.verdict = Verdict::WhatIfKept;
+        found.dropped = subject;
+        note(context, Stage::Guard, [&] { return found; });
+    }
+    return std::nullopt;
+}
+
 void refuse(StepContext& context) {
     ++context.state.counters.refused;
     context.state.phase = Phase::Advance;
@@ -76,25 +104,25 @@ void tryWithout(StepContext& context, Index point) {
 
 void phaseGuard(AnyContext auto& context) {
     layOutFan(context);
-    const Fan& fan = context.state.pivot.fan;
-    Objection objection;
-    const FanRule* rule = firstObjecting(context, kWaitingRules, objection);
-    if (rule == nullptr) rule = firstObjecting(context, kManifoldRules, objection);
-    if (rule == nullptr) rule = firstObjecting(context, kShapeRules, objection);
-    if (rule == nullptr) {
+    const Index pivot = context.state.rings.point(context.state.pivot.pivot);
+    if (said(context, Stage::Guard, pivot) == false) {
+        note(context, Stage::Guard, [&] {
+            return GuardEvidence{Verdict::WhatIfDropped, kNone, kNone, pivot};
+        });
+        return refuse(context);
+    }
+    std::optional<GuardEvidence> found = firstHeard(context, kWaitingRules);
+    if (!found) found = firstHeard(context, kManifoldRules);
+    if (!found) found = firstHeard(context, kShapeRules);
+    if (!found) {
         context.state.phase = Phase::Emit;
         return;
     }
-    const std::size_t drop = rule->remedy == Remedy::Refuse ? kNone : culprit(fan, objection);
-    const Index dropped = drop == kNone ? kNone : fan[drop].point;
-    note(context, Stage::Guard, [&] {
-        return GuardEvidence{objection.verdict, fan[objection.at].point,
-                             objection.triangle ? fan[objection.at + 1].point : kNone, dropped};
-    });
-    if (dropped == kNone) {
+    note(context, Stage::Guard, [&] { return *found; });
+    if (found->dropped == kNone) {
         refuse(context);
     } else {
-        tryWithout(context, dropped);
+        tryWithout(context, found->dropped);
     }
 }
 

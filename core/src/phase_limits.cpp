@@ -98,14 +98,18 @@ bool moveLimit(Context& context, Side side) {
     Index& limit = side == Side::Start ? n.start : n.end;
     Angle& angle = side == Side::Start ? n.startAngle : n.endAngle;
     const LimitTest test = testLimit<kListening<Context>>(context, side);
-    const bool held = test.verdict == Verdict::Moved &&
-                      said(context, Stage::Limits, s.rings.point(test.to)) == false;
+    // Where it may not be for another reason than these two, nobody can wish for it.
+    const bool open = test.verdict == Verdict::Moved || test.verdict == Verdict::NotConcave ||
+                      test.verdict == Verdict::Blocked;
+    const auto wish =
+        open ? said(context, Stage::Limits, s.rings.point(test.to)) : std::optional<bool>{};
+    const bool moves = wish.value_or(test.verdict == Verdict::Moved);
     note(context, Stage::Limits, [&] {
         LimitEvidence evidence = explainLimit(context, side);
-        if (held) evidence.verdict = Verdict::WhatIfDropped;
+        evidence.verdict = afterWhatIf(evidence.verdict, wish, evidence.verdict == Verdict::Moved);
         return evidence;
     });
-    if (test.verdict != Verdict::Moved || held) return false;
+    if (!moves) return false;
     limit = test.to;
     angle = test.angle;
     return true;
@@ -255,9 +259,13 @@ Index findInstance(AnyContext auto& context, const Candidate& candidate) {
             const Verdict verdict = complete      ? Verdict::WallComplete
                                     : test.inside ? Verdict::Kept
                                                   : Verdict::NotReciprocal;
-            return ReciprocalEvidence{candidate.point,      rings.point(before),
-                                      rings.point(after),   test.pivot.degrees(),
-                                      test.limit.degrees(), afterWhatIf(verdict, wish, holds)};
+            return ReciprocalEvidence{candidate.point,
+                                      rings.point(before),
+                                      rings.point(after),
+                                      test.pivot.degrees(),
+                                      test.limit.degrees(),
+                                      afterWhatIf(verdict, wish, holds),
+                                      !free};
         });
         if (holds && (found == kNone || foundBefore(rings, e, found))) found = e;
     }

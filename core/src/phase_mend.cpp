@@ -62,7 +62,7 @@ void phaseReinsert(AnyContext auto& context) {
 void phaseFlip(AnyContext auto& context) {
     State& s = context.state;
     Flip flip{};
-    if (!flipNext(context.points, s.mend, flip)) return enterNext(context);
+    if (!flipNext(context.points, context.params.limits, s.mend, flip)) return enterNext(context);
     ++s.counters.pivots;
     note(context, Stage::Flip, [&] { return FlipEvidence{flip.u, flip.v, flip.x, flip.y}; });
 }

@@ -66,7 +66,8 @@ void keepNearestOfEachAngle(AnyContext auto& context) {
                                 all[i].angle.degrees(),
                                 context.state.pivot.endAngle.degrees(),
                                 Verdict::SameAngle,
-                                all[kept - 1].point};
+                                all[kept - 1].point,
+                                !(all[i].lengthSq < all[kept - 1].lengthSq)};
         });
     }
     all.resize(kept);

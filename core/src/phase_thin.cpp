@@ -9,24 +9,25 @@ namespace se {
 
 namespace {
 
-/// Do p, start and end form a hole of three, or of as many edges as PaperRules::holeSize says?
-bool isSmallHole(const AnyContext auto& context) {
+/// The edges of the hole that p, start and end form, if it has three, or up to as many as
+/// PaperRules::holeSize says; 0 if they form none.
+Index edgesOfHole(const AnyContext auto& context) {
     const State& s = context.state;
     const NeighborRing& n = s.pivot;
     const Index size = paperOf(context).holeSize;
     if (!context.params.rules.realHole) {
         const Index length = s.rings.length(s.rings.active());
-        return length >= 3 && length <= size;
+        return length >= 3 && length <= size ? length : 0;
     }
-    if (!(n.endAngle.key - n.startAngle.key < kHalfTurnKey)) return false;
+    if (!(n.endAngle.key - n.startAngle.key < kHalfTurnKey)) return 0;
     // p, start and end are two edges; so many lead back from end to start.
     Index e = n.end;
     for (Index edges = 3; edges <= size; ++edges) {
-        if (context.openStep(e)) return false;
+        if (context.openStep(e)) return 0;
         e = s.rings.next(e);
-        if (e == n.start) return true;
+        if (e == n.start) return edges;
     }
-    return false;
+    return 0;
 }
 
 }  // namespace
@@ -35,7 +36,9 @@ void phaseHole(AnyContext auto& context) {
     State& s = context.state;
     NeighborRing& n = s.pivot;
     s.phase = Phase::Sphere;
-    if (n.candidates.empty() || n.fullTurn() || !isSmallHole(context)) return;
+    if (n.candidates.empty() || n.fullTurn()) return;
+    const Index edges = edgesOfHole(context);
+    if (edges == 0) return;
     const HolePlane plane = makeHolePlane(
         context.positionAt(n.start), context.positionAt(n.end),
         n.frame.normal + context.normalAt(n.start) + context.normalAt(n.end), n.frame.origin);
@@ -49,8 +52,12 @@ void phaseHole(AnyContext auto& context) {
             const double length = std::sqrt(glm::dot(plane.normal, plane.normal));
             const double unit = length > 0.0 ? 1.0 / length : 0.0;
             return HoleEvidence{
-                c.point, plane.normal, plane.side(x) * unit, plane.pivotSide * unit,
-                afterWhatIf(onSide ? Verdict::Kept : Verdict::FarSide, wish, onSide)};
+                c.point,
+                plane.normal,
+                plane.side(x) * unit,
+                plane.pivotSide * unit,
+                afterWhatIf(onSide ? Verdict::Kept : Verdict::FarSide, wish, onSide),
+                edges};
         });
         if (keeps) n.candidates[kept++] = c;
     }

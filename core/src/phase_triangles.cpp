@@ -29,12 +29,13 @@ bool isDiscarded(const AnyContext auto& context) {
 void phaseTwoPoint(AnyContext auto& context) {
     State& s = context.state;
     const NeighborRing& n = s.pivot;
-    s.phase = context.params.rules.looksAtFan() ? Phase::Guard : Phase::Emit;
+    const Index p = s.rings.point(n.pivot);
+    const bool unwanted = said(context, Stage::Guard, p) == false;
+    s.phase = context.params.rules.looksAtFan() || unwanted ? Phase::Guard : Phase::Emit;
     if (!n.candidates.empty() || n.start != n.first || n.end != n.last) return;
     const bool overlaps = isDiscarded(context);
     // The full turn has no triangle that could be wished for.
-    const auto wish =
-        n.fullTurn() ? std::nullopt : said(context, Stage::TwoPoint, s.rings.point(n.pivot));
+    const auto wish = n.fullTurn() ? std::nullopt : said(context, Stage::TwoPoint, p);
     note(context, Stage::TwoPoint, [&] {
         return TwoPointEvidence{
             n.lastAngle.degrees(),

@@ -1,42 +1,18 @@
 #include "spiraling_edge/rule_settings.h"
 
 #include <array>
-#include <cmath>
 
+#include "degrees.h"
 #include "rule_table.h"
 
 namespace se {
 namespace {
 
+using table::angle;
+using table::number;
 using table::option;
 using table::reading;
 using table::rule;
-
-constexpr double kPi = 3.14159265358979323846;
-
-/// The cosine of an angle from 0 to 180 degrees by + - * / alone, so that it is the same on every
-/// machine; exact at 60, 90, 120 and 180 degrees.
-double cosineOfDegrees(double degrees) {
-    if (degrees == 60.0) return 0.5;
-    if (degrees == 90.0) return 0.0;
-    if (degrees == 120.0) return -0.5;
-    if (degrees == 180.0) return -1.0;
-    // About 90 degrees: cos(90 + x) = -sin(x), |x| <= pi / 2, where the series is short.
-    const double x = (degrees - 90.0) * kPi / 180.0;
-    double term = x;
-    double sine = x;
-    for (int n = 1; n <= 12; ++n) {
-        term *= -x * x / (2.0 * n * (2.0 * n + 1.0));
-        sine += term;
-    }
-    return -sine;
-}
-
-/// Back again, to the digits that a person would write.
-double degreesOfCosine(double cosine) {
-    constexpr double kDigits = 1e9;
-    return std::round(std::acos(cosine) * 180.0 / kPi * kDigits) / kDigits;
-}
 
 constexpr std::string_view kTies[] = {"nearest", "farthest", "both"};
 constexpr std::string_view kTurns[] = {"counterclockwise", "clockwise"};
@@ -236,11 +212,24 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
     reading<&Rules::noCross>("nocross", "6.4", true, "no new edge across a ring edge nearby", ""),
     reading<&Rules::noFold>("nofold", "6.4", true,
                             "no triangle against its normals or folded onto another", ""),
+    angle<&RobustLimits::foldCosine>(
+        "foldangle", "6.4", "nofold: normals of two triangles at an edge are no farther apart", 90),
     reading<&Rules::noMeet>("nomeet", "6.4", true, "no triangle that meets a finished one nearby",
                             ""),
+    angle<&RobustLimits::flatCosine>(
+        "flatangle", "6.4", "nomeet looks only where normals about the pivot are farther apart", 0),
     reading<&Rules::rim>("rim", "7", true, "the surface ends where neighbors leave a wide gap", ""),
+    angle<&RobustLimits::rimGapCosine>("rimgap", "7",
+                                       "rim: the surface ends where neighbors leave more", 60),
+    angle<&RobustLimits::rimAngleCosine>(
+        "rimangle", "7", "rim: no triangle over more than this where the surface ends", 60),
+    number<&RobustLimits::openingWidth>(
+        "openingwidth", "7", "rim: a ring where the surface ends is an opening from this width on",
+        0.0, 64.0, "of its edges"),
     reading<&Rules::delay>("delay", "6.5", true, "fans with steep triangles wait for a circuit",
                            ""),
+    angle<&RobustLimits::steepCosine>("steepangle", "6.5",
+                                      "delay: steep is farther than this off a corner's normal", 0),
     reading<&Rules::fill>("fill", "6.5", true, "rings with interior points are closed by ears", ""),
     {"filllength",
      "6.5",
@@ -272,6 +261,13 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
                               "stranded points go into the triangle they lie over", ""),
     reading<&Rules::flip>("flip", "6.3", true,
                           "edges that are better the other way round are flipped", ""),
+    number<&RobustLimits::flipFlatCosine>(
+        "flipflat", "6.3", "flip: two triangles are flat if their normals agree more than this",
+        -1.0, 1.0, "cosine"),
+    number<&RobustLimits::flipNarrowCosine>(
+        "flipnarrow", "6.3",
+        "flip: a triangle is narrow if its least angle has this cosine or more", 0.5, 1.0,
+        "cosine"),
     reading<&Rules::reseat>("reseat", "4", true,
                             "points at flipped triangles are taken out where that mends", ""),
 });
@@ -294,6 +290,7 @@ constexpr auto kSwitches = [] {
 
 }  // namespace
 
+double degreesOf(double cosine) { return degreesOfCosine(cosine); }
 std::span<const RuleSetting> ruleSettings() { return kSettings; }
 std::span<const RuleSwitch> ruleSwitches() { return kSwitches; }
 

@@ -1,6 +1,7 @@
 /// How the rows of the table of settings are written down (rule_settings.cpp).
 #pragma once
 
+#include "degrees.h"
 #include "spiraling_edge/rule_settings.h"
 
 namespace se::table {
@@ -57,6 +58,36 @@ constexpr RuleSetting option(std::string_view name, std::string_view section,
                 p.paper.*member = static_cast<Option>(static_cast<int>(value));
             },
             nullptr};
+}
+
+/// A number of a rule beyond the paper.
+template <double RobustLimits::*member>
+constexpr RuleSetting number(std::string_view name, std::string_view section,
+                             std::string_view summary, double low, double high,
+                             std::string_view unit) {
+    return {name,
+            section,
+            true,
+            summary,
+            "",
+            SettingKind::Number,
+            low,
+            high,
+            unit,
+            {},
+            [](const Params& p) { return p.limits.*member; },
+            [](Params& p, double value) { p.limits.*member = value; },
+            nullptr};
+}
+
+/// An angle of a rule beyond the paper, from `low` to 180 degrees; held as its cosine.
+template <double RobustLimits::*member>
+constexpr RuleSetting angle(std::string_view name, std::string_view section,
+                            std::string_view summary, double low) {
+    RuleSetting row = number<member>(name, section, summary, low, 180.0, "degrees");
+    row.get = [](const Params& p) { return degreesOfCosine(p.limits.*member); };
+    row.set = [](Params& p, double value) { p.limits.*member = cosineOfDegrees(value); };
+    return row;
 }
 
 }  // namespace se::table

@@ -9,10 +9,6 @@ namespace {
 /// points lie along their wall only up to the sampling.
 constexpr double kStraightSlack = 1e-3;
 
-/// Rules::rim: cosine of 120 degrees. On scans, nine in ten interior points have no gap above 100
-/// degrees, three in four points of true rims one above 110 (docs/robust.md).
-constexpr double kRimGapCosine = -0.5;
-
 struct Wall {
     std::uint8_t bit;
     Vec3 outward;
@@ -105,7 +101,7 @@ RimSector testRimSector(const Vec3& p, const Vec3& normal, const Vec3& first, co
             !lastInGap && strictlyBetween(gapEnd, holdsMiddle ? middle : Angle{}, end, kSame)};
 }
 
-bool isRim(const PointSet& points, Index p) {
+bool isRim(const PointSet& points, Index p, double gapCosine) {
     if (isBoundary(points.type[p])) return true;
     const auto list = points.neighbors[p];
     if (list.size() < 3) return true;
@@ -118,7 +114,7 @@ bool isRim(const PointSet& points, Index p) {
               [](const Angle& a, const Angle& b) { return a.key < b.key; });
     angles.push_back({angles.front().cosine, angles.front().key + kFullTurn.key});
     for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
-        if (exceedsAngle(angles[i], angles[i + 1], kRimGapCosine)) return true;
+        if (exceedsAngle(angles[i], angles[i + 1], gapCosine)) return true;
     }
     return false;
 }

@@ -62,8 +62,8 @@ bool readList(const std::vector<std::string_view>& parts, std::vector<Index>& ou
 
 /// A test can be decided at these stages.
 bool decides(Stage stage) {
-    constexpr std::array kStages{Stage::Sort, Stage::Limits, Stage::Convex,  Stage::Reciprocal,
-                                 Stage::Hole, Stage::Sphere, Stage::TwoPoint};
+    constexpr std::array kStages{Stage::Sort, Stage::Limits, Stage::Convex,   Stage::Reciprocal,
+                                 Stage::Hole, Stage::Sphere, Stage::TwoPoint, Stage::Guard};
     return std::find(kStages.begin(), kStages.end(), stage) != kStages.end();
 }
 
@@ -108,9 +108,15 @@ std::string describe(const WhatIf& what) {
     switch (what.kind) {
         case WhatIfKind::Keep:
             if (what.stage == Stage::TwoPoint) return "At " + pivot + " the triangle is made.";
+            if (what.stage == Stage::Limits)
+                return "At " + pivot + " start or end advances to " + pointText(what) + ".";
+            if (what.stage == Stage::Guard)
+                return "At " + pivot + " the rules on fans are not heard on " + pointText(what) +
+                       ".";
             return "At " + pivot + ", " + stage + ": " + pointText(what) + " is kept.";
         case WhatIfKind::Drop:
-            if (what.stage == Stage::TwoPoint) return "At " + pivot + " no triangle is made.";
+            if (what.stage == Stage::TwoPoint || what.stage == Stage::Guard)
+                return "At " + pivot + " no triangle is made.";
             return "At " + pivot + ", " + stage + ": " + pointText(what) +
                    (what.stage == Stage::Limits ? " is not advanced to." : " is dropped.");
         case WhatIfKind::Pivot:

@@ -56,29 +56,6 @@ bool isAbout(const Event& event, const WhatIf& what) {
     return what.stage == Stage::TwoPoint || testedPoint(event) == what.point;
 }
 
-/// Why a point that was tested cannot be kept.
-std::string reasonAgainst(Verdict verdict, Index point) {
-    switch (verdict) {
-        case Verdict::AlreadyDone:
-            return pointText(point) + " is DONE: triangles surround it (invariant 7).";
-        case Verdict::OnRingEnd:
-            return pointText(point) + " is first or last, and in the neighbor ring anyway.";
-        case Verdict::NotAfterStart:
-        case Verdict::NotBeforeEnd:
-        case Verdict::Outside:
-            return pointText(point) +
-                   " lies outside of the free sector: its triangle would cover finished ones "
-                   "(invariant 8).";
-        case Verdict::SameAngle:
-            return pointText(point) +
-                   " has the same angle as a nearer one (invariant 8): drop that one instead.";
-        case Verdict::Discarded:
-            return "The full turn of a fresh ring has no triangle.";
-        default:
-            return "It is so anyway.";
-    }
-}
-
 /// Keep and Drop: what the log of the pivot says of them.
 Status checkTest(const std::vector<Event>& events, const WhatIf& what) {
     std::optional<Verdict> verdict;
@@ -93,7 +70,8 @@ Status checkTest(const std::vector<Event>& events, const WhatIf& what) {
     if (!stageSeen) return Error{"Nothing is tested at " + place + "."};
     if (!verdict) return Error{pointText(what.point) + " is not tested at " + place + "."};
     if (what.kind == WhatIfKind::Drop) return Error{"It is so anyway."};
-    return Error{reasonAgainst(*verdict, what.point)};
+    const std::string reason = reasonAgainst(*verdict, what.point);
+    return Error{reason.empty() ? "It is so anyway." : reason};
 }
 
 Status checkPivot(const std::vector<Event>& events, const WhatIf& what) {
@@ -206,6 +184,37 @@ class Check {
 };
 
 }  // namespace
+
+std::string reasonAgainst(Verdict verdict, Index point) {
+    switch (verdict) {
+        case Verdict::AlreadyDone:
+            return pointText(point) + " is DONE: triangles surround it (invariant 7).";
+        case Verdict::OnRingEnd:
+            return pointText(point) + " is first or last, and in the neighbor ring anyway.";
+        case Verdict::NotAfterStart:
+        case Verdict::NotBeforeEnd:
+        case Verdict::Outside:
+            return pointText(point) +
+                   " lies outside of the free sector: its triangle would cover finished ones "
+                   "(invariant 8).";
+        case Verdict::SameAngle:
+            return pointText(point) +
+                   " has the same angle as a nearer one (invariant 8): drop that one instead.";
+        case Verdict::NotListed:
+            return pointText(point) +
+                   " is not among the pivot's neighbors (section 6.1): give the pivot another list "
+                   "first.";
+        case Verdict::NotAnEdge:
+            return "No edge leads to " + pointText(point) +
+                   " along the ring: start and end advance over finished triangles only.";
+        case Verdict::OtherLimit:
+            return pointText(point) + " is the other limit: start and end would meet.";
+        case Verdict::Discarded:
+            return "The full turn of a fresh ring has no triangle.";
+        default:
+            return {};
+    }
+}
 
 std::optional<std::vector<Status>> checkWhatIfs(const PointSet& points, const Params& params,
                                                 const Progress& progress) {

@@ -183,7 +183,7 @@ TEST_CASE("rim: the surface ends where neighbors leave a gap of more than 120 de
         }
         Rig rig(position);
         rig.list(0, all);
-        return isRim(rig.points(), 0);
+        return isRim(rig.points(), 0, RobustLimits{}.rimGapCosine);
     };
     CHECK_FALSE(endsWith({0, 60, 120, 180, 240, 300}));
     CHECK_FALSE(endsWith({0, 100, 200, 281}));

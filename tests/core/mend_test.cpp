@@ -105,7 +105,7 @@ Points reinsertAll(const PointSet& points, MendState& m) {
 std::size_t flipAll(const PointSet& points, MendState& m) {
     std::size_t count = 0;
     Flip flip{};
-    while (flipNext(points, m, flip)) {
+    while (flipNext(points, RobustLimits{}, m, flip)) {
         ++count;
         CHECK(manifoldFault(m) == "");
     }
@@ -242,12 +242,12 @@ TEST_CASE("flip: the diagonal of a flat quad that makes the least angle larger")
     const PointSet points = flatPoints({{-3, 0, 0}, {0, -1, 0}, {3, 0, 0}, {0, 1, 0}});
     MendState m = beginMending(4, kSquare);
     Flip flip{};
-    REQUIRE(flipNext(points, m, flip));
+    REQUIRE(flipNext(points, RobustLimits{}, m, flip));
     CHECK(asSet(m.triangles) == asSet({{0, 1, 3}, {1, 2, 3}}));
     CHECK(std::set<Index>{flip.u, flip.v} == std::set<Index>{0, 2});
     CHECK(std::set<Index>{flip.x, flip.y} == std::set<Index>{1, 3});
     CHECK(manifoldFault(m) == "");
-    CHECK_FALSE(flipNext(points, m, flip));
+    CHECK_FALSE(flipNext(points, RobustLimits{}, m, flip));
     CHECK(m.flipped == 1);
 }
 
@@ -482,7 +482,7 @@ TEST_CASE("mending: neighbors agree after every step, on triangles that are no s
                 fault = adjacencyFault(m);
                 ++steps;
             }
-            while (fault.empty() && flipNext(points, m, flip)) {
+            while (fault.empty() && flipNext(points, RobustLimits{}, m, flip)) {
                 fault = adjacencyFault(m);
                 ++steps;
             }

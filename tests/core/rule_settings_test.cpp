@@ -12,7 +12,9 @@
 #include "../support/open_surfaces.h"
 #include "../support/random_points.h"
 #include "../support/rig.h"
+#include "spiraling_edge/rules.h"
 #include "spiraling_edge/run_scan.h"
+#include "spiraling_edge/scenes.h"
 
 using namespace se;
 using namespace se::test;
@@ -229,4 +231,92 @@ TEST_CASE("6.1 a tie keeps the nearest, the farthest or both") {
     CHECK(sorted(TieRule::Nearest) == std::vector<Index>{3});
     CHECK(sorted(TieRule::Farthest) == std::vector<Index>{4});
     CHECK(sorted(TieRule::Both) == std::vector<Index>{3, 4});
+}
+
+TEST_CASE(
+    "the limits of the rules beyond the paper are settings, with the values of docs/robust.md") {
+    const Params robust = *paramsByName("robust");
+    for (const char* usual :
+         {"foldangle=150", "steepangle=60", "rimgap=120", "rimangle=120", "openingwidth=2.5",
+          "flatangle=45", "flipflat=0.9", "flipnarrow=0.94"}) {
+        CHECK_MESSAGE(with(usual, "robust") == robust, usual);
+    }
+    CHECK(with("foldangle=150").limits.foldCosine == -0.8660254037844386);
+    CHECK(with("flatangle=45").limits.flatCosine == 0.70710678118654752);
+    CHECK(with("steepangle=60").limits.steepCosine == 0.5);
+    CHECK(with("rimgap=120").limits.rimGapCosine == -0.5);
+}
+
+TEST_CASE(
+    "a rule beyond the paper objects more where its limit is narrower, never where it has none") {
+    const auto objections = [](const PointSet& points, const char* rule, Verdict verdict) {
+        return count(points, with(rule, "robust"), [verdict](const Event& event) {
+            const auto* guard = std::get_if<GuardEvidence>(&event.evidence);
+            return guard != nullptr && guard->verdict == verdict;
+        });
+    };
+    const PointSet closed = closedPoints();
+    const std::size_t usual = objections(closed, "steepangle=60", Verdict::Steep);
+    CHECK(objections(closed, "steepangle=20", Verdict::Steep) > usual);
+    CHECK(objections(closed, "steepangle=180", Verdict::Steep) == 0);
+    const PointSet random = randomPoints(5);
+    CHECK(objections(random, "foldangle=150", Verdict::FoldsOver) > 0);
+    CHECK(objections(random, "foldangle=180", Verdict::FoldsOver) == 0);
+    const auto ends = [&](const char* rule) {
+        std::size_t found = 0;
+        for (Index p = 0; p < random.size(); ++p)
+            found += isRim(random, p, with(rule).limits.rimGapCosine) ? 1 : 0;
+        return found;
+    };
+    CHECK(ends("rimgap=60") > ends("rimgap=120"));
+    CHECK(ends("rimgap=120") > ends("rimgap=180"));
+}
+
+TEST_CASE("the robust rules keep the mesh a manifold, whatever their limits") {
+    const PointSet closed = closedPoints();
+    const PointSet boxed = boxedPoints();
+    for (const RuleSetting& each : ruleSettings()) {
+        if (!each.beyondPaper || each.kind != SettingKind::Number) continue;
+        for (const double value : valuesOf(each)) {
+            Params params = *paramsByName("robust");
+            each.set(params, value);
+            const std::string what = lineOf(RuleValue{std::string(each.name), value});
+            CHECK_MESSAGE(firstBreach(closed, params, Level::Guarded) == "", what);
+            CHECK_MESSAGE(firstBreach(boxed, params, Level::Guarded) == "", what);
+        }
+    }
+}
+
+TEST_CASE("sentences say what the rule in force did") {
+    const PointSet points = closedPoints();
+    const PointSet uneven = prepared(findScene("figure-7")->build());
+    const auto saysOf = [&](const PointSet& on, const char* rule, std::string_view words) {
+        return count(on, with(rule), [&](const Event& event) {
+            return describe(event).find(words) != std::string::npos;
+        });
+    };
+    const auto says = [&](const char* rule, std::string_view words) {
+        return saysOf(points, rule, words);
+    };
+    CHECK(saysOf(uneven, "holesize=3", "Hole of three") > 0);
+    CHECK(saysOf(uneven, "holesize=3", "Hole of four") == 0);
+    CHECK(saysOf(uneven, "holesize=4", "Hole of four") > 0);
+    CHECK(says("concave=on", "no obstacle now") == 0);
+    CHECK(says("concave=off", "no obstacle now") > 0);
+    CHECK(says("freesector=on", "its free sector") > 0);
+    CHECK(says("freesector=off", "its free sector") == 0);
+    CHECK(says("freesector=off", "the sector from efirst to elast") > 0);
+    const auto tied = [](TieRule tie) {
+        Params params;
+        params.paper.tie = tie;
+        Rig rig({{0, 0, 0}, {1, 0, 0}, {0, -1, 0}, {-0.5, 0.5, 0}, {-1, 1, 0}}, params);
+        rig.listAll().ring({0, 2, 1});
+        REQUIRE(rig.runTo(Phase::Limits));
+        for (const auto& e : rig.all<SortEvidence>()) {
+            if (e.verdict == Verdict::SameAngle) return describe({{1, Stage::Sort, 1}, e});
+        }
+        return std::string{};
+    };
+    CHECK(tied(TieRule::Nearest).find("as 3, which is nearer: dropped.") != std::string::npos);
+    CHECK(tied(TieRule::Farthest).find("as 4, which is farther: dropped.") != std::string::npos);
 }

@@ -8,6 +8,7 @@
 
 #include "../support/clouds.h"
 #include "../support/open_surfaces.h"
+#include "../support/random_points.h"
 #include "spiraling_edge/reading.h"
 #include "spiraling_edge/run_scan.h"
 #include "spiraling_edge/timeline.h"
@@ -101,9 +102,10 @@ WhatIf anyWhatIf(const PointSet& points, const Event& event, std::mt19937& rando
 }  // namespace
 
 TEST_CASE("what-ifs read back from their text") {
-    for (const char* text : {"137.sphere keep 812", "137.reciprocal drop 812", "12.limits drop 3",
-                             "9.twopoint keep 4", "137.advance pivot 640",
-                             "137 move 812 0.1 -2 3.5e-05", "1 list 812 5 7 9", "1 list 812"}) {
+    for (const char* text :
+         {"137.sphere keep 812", "137.reciprocal drop 812", "12.limits drop 3", "9.twopoint keep 4",
+          "12.limits keep 3", "7.guard keep 5", "7.guard drop 2", "137.advance pivot 640",
+          "137 move 812 0.1 -2 3.5e-05", "1 list 812 5 7 9", "1 list 812"}) {
         CHECK(lineOf(said(text)) == text);
         CHECK_FALSE(describe(said(text)).empty());
     }
@@ -224,6 +226,97 @@ TEST_CASE("a list that is edited from the first pivot on is the list") {
     CHECK(std::equal(made.begin(), made.end(), list.begin(), list.begin() + 6));
     CHECK(stateHash(runAll(points, with({what})).state) ==
           stateHash(runAll(edited[0].points, Params{}).state));
+}
+
+namespace {
+
+/// The events of one pivot.
+std::vector<Event> eventsAt(const PointSet& points, const Params& params, std::uint32_t pivot) {
+    std::vector<Event> all = eventsOf(points, params);
+    std::erase_if(all, [&](const Event& event) { return event.address.pivot != pivot; });
+    return all;
+}
+
+template <typename Evidence>
+std::size_t countOf(const std::vector<Event>& events) {
+    return static_cast<std::size_t>(std::count_if(
+        events.begin(), events.end(),
+        [](const Event& event) { return std::holds_alternative<Evidence>(event.evidence); }));
+}
+
+Index pivotOf(const std::vector<Event>& events) {
+    for (const Event& event : events) {
+        if (const auto* e = std::get_if<PivotEvidence>(&event.evidence)) return e->pivot;
+    }
+    return kNone;
+}
+
+}  // namespace
+
+TEST_CASE("a pivot makes no triangle where a person wants none, by any rules") {
+    const PointSet points = sphere();
+    for (const char* set : {"paper", "robust"}) {
+        const Params usual = *paramsByName(set);
+        const auto before = eventsAt(points, usual, 20);
+        REQUIRE(countOf<EmitEvidence>(before) > 0);
+        const std::string line = "20.guard drop " + std::to_string(pivotOf(before));
+        const Params fork = with({said(line)}, set);
+        CHECK(answer(points, fork).ok());
+        const auto after = eventsAt(points, fork, 20);
+        CHECK(countOf<EmitEvidence>(after) == 0);
+        const auto guard = std::find_if(after.begin(), after.end(), [](const Event& event) {
+            return event.address.stage == Stage::Guard;
+        });
+        REQUIRE(guard != after.end());
+        CHECK(describe(*guard) == "What if: no triangle is made.");
+        CHECK_FALSE(answer(points, with({said("20.guard drop 99")}, set)).ok());
+    }
+}
+
+TEST_CASE("start or end advances against a convex ring if a person wants it") {
+    const PointSet points = sphere();
+    std::size_t advanced = 0;
+    for (const Event& event : eventsOf(points, Params{})) {
+        const auto* limit = std::get_if<LimitEvidence>(&event.evidence);
+        if (limit == nullptr || limit->verdict != Verdict::NotConcave) continue;
+        const Params fork = with({said(at(event, "keep", limit->to))});
+        if (!answer(points, fork)) continue;
+        for (const Event& now : eventsAt(points, fork, event.address.pivot)) {
+            const auto* moved = std::get_if<LimitEvidence>(&now.evidence);
+            if (moved == nullptr || moved->verdict != Verdict::WhatIfKept) continue;
+            CHECK(moved->to == limit->to);
+            CHECK(moved->moves());
+            ++advanced;
+        }
+        if (advanced > 3) break;
+    }
+    CHECK(advanced > 0);
+}
+
+TEST_CASE("a rule on fans can be overruled, and the mesh stays a manifold") {
+    std::size_t made = 0;
+    for (const PointSet& points : {sphere(), randomPoints(3), randomPoints(5)}) {
+        const auto events = eventsOf(points, *paramsByName("robust"));
+        std::size_t tried = 0;
+        for (const Event& event : events) {
+            const auto* guard = std::get_if<GuardEvidence>(&event.evidence);
+            if (guard == nullptr || ++tried > 12) continue;
+            const std::uint32_t pivot = event.address.pivot;
+            std::vector<Event> here = events;
+            std::erase_if(here, [&](const Event& each) { return each.address.pivot != pivot; });
+            const Index subject = guard->dropped == kNone ? pivotOf(here) : guard->dropped;
+            const Params fork = with({said(at(event, "keep", subject))}, "robust");
+            const std::string what = lineOf(fork.whatIf[0]);
+            if (!answer(points, fork)) continue;
+            const auto after = eventsAt(points, fork, pivot);
+            CHECK_MESSAGE(std::any_of(after.begin(), after.end(),
+                                      verdictIs<GuardEvidence>(Verdict::WhatIfKept)),
+                          what);
+            CHECK_MESSAGE(firstBreach(points, fork, Level::Guarded) == "", what);
+            made += countOf<EmitEvidence>(after) > countOf<EmitEvidence>(here) ? 1 : 0;
+        }
+    }
+    CHECK(made > 5);
 }
 
 TEST_CASE("what would break an invariant is refused, and it is said which") {

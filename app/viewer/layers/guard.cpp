@@ -67,13 +67,14 @@ void addTriangle(const LayerInput& in, const Disc& disc, const GuardEvidence& e,
     out.sheet(in.at(t.a), in.at(t.b), in.at(t.c), color.withAlpha(0.22F));
     out.hatch(in.at(t.b), in.at(t.c), in.at(t.a), color, 9);
     out.dashed(in.at(t.b), in.at(t.c), color, 0.2F, 0.35F);
+    const RobustLimits& limits = in.model.params.limits;
     switch (e.verdict) {
         case Verdict::WideGap:
             return addWidth(in, disc, e, 180.0, out);
         case Verdict::OverRim:
-            return addWidth(in, disc, e, 120.0, out);
+            return addWidth(in, disc, e, degreesOf(limits.rimAngleCosine), out);
         case Verdict::Steep:
-            return addTilt(in, t, 60.0, out);
+            return addTilt(in, t, degreesOf(limits.steepCosine), out);
         case Verdict::AgainstNormal:
             return addTilt(in, t, 90.0, out);
         case Verdict::EdgeTaken:
@@ -102,8 +103,9 @@ void addGuard(const LayerInput& in, DrawList& out) {
     const glm::vec3 far = e->b == kNone ? in.at(e->a) : 0.5F * (in.at(e->a) + in.at(e->b));
     out.label(far,
               std::string(verdictText(e->verdict)) +
-                  (e->dropped == kNone ? ": fan refused"
-                                       : ": " + std::to_string(e->dropped) + " dropped"),
+                  (e->verdict == Verdict::WhatIfKept ? ""
+                   : e->dropped == kNone             ? ": fan refused"
+                                         : ": " + std::to_string(e->dropped) + " dropped"),
               color, true);
 }
 

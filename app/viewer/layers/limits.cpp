@@ -9,7 +9,7 @@ void addMove(const LayerInput& in, const LimitEvidence& e, DrawList& out) {
     const Palette& c = in.palette;
     const bool start = e.side == Side::Start;
     const Color& color = start ? c.first : c.last;
-    if (e.verdict != Verdict::Moved) {
+    if (!e.moves()) {
         out.dashed(in.at(e.from), in.at(e.to), c.rejected, 0.12F);
         out.label(in.at(e.to), std::string(verdictText(e.verdict)), c.rejected, true);
         return;

@@ -58,7 +58,8 @@ void addTested(const LayerInput& in, const Disc& disc, const SortEvidence& e, Dr
     if (e.verdict == Verdict::SameAngle && e.rival != kNone) {
         out.mark(in.at(e.rival), Shape::Circle, c.used, 1.1F);
         out.label(in.at(e.rival), "nearer: stays", c.used);
-        out.label(in.at(e.point), "same angle, farther", c.rejected);
+        out.label(in.at(e.point), e.farther ? "same angle, farther" : "same angle, nearer",
+                  c.rejected);
     }
 }
 

@@ -154,7 +154,7 @@ class Maker {
     }
     void show(const LimitEvidence& e) {
         const std::string side = e.side == Side::Start ? "start" : "end";
-        if (e.verdict == Verdict::Moved) {
+        if (e.moves()) {
             dial_.caption =
                 side + text(" moved from %.1f\xC2\xB0 to %.1f\xC2\xB0", e.fromDegrees, e.toDegrees);
             return;
@@ -218,7 +218,9 @@ class Maker {
             if (to <= from) to += 360.0;
             dial_.arcs.push_back({DialArc::Kind::TooWide, from, to});
         }
-        dial_.caption = e.dropped == kNone
+        dial_.caption = e.verdict == Verdict::WhatIfKept      ? std::string("made: what if")
+                        : e.verdict == Verdict::WhatIfDropped ? std::string("no triangle: what if")
+                        : e.dropped == kNone
                             ? std::string("the fan is refused")
                             : std::to_string(e.dropped) + " is dropped, 6.3 is done again";
     }

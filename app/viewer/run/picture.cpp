@@ -85,7 +85,7 @@ class Painter {
     }
     void on(const SortEvidence& e) { mark(e.point, e.degrees, e.verdict); }
     void on(const LimitEvidence& e) {
-        if (e.verdict != Verdict::Moved) return;
+        if (!e.moves()) return;
         const bool start = e.side == Side::Start;
         (start ? picture_.start : picture_.end) = e.to;
         (start ? picture_.startDegrees : picture_.endDegrees) = e.toDegrees;
@@ -98,7 +98,7 @@ class Painter {
     }
     void on(const SphereEvidence& e) { mark(e.q, {}, e.verdict); }
     void on(const GuardEvidence& e) {
-        if (e.dropped != kNone) mark(e.dropped, {}, e.verdict);
+        if (e.dropped != kNone && e.dropped != picture_.pivot) mark(e.dropped, {}, e.verdict);
     }
     void on(const FillEvidence& e) {
         picture_.pivot = e.pivot;

@@ -96,7 +96,7 @@ void RingReplay::on(const InsertEvidence& e) {
 }
 
 void RingReplay::on(const LimitEvidence& e) {
-    if (e.verdict != Verdict::Moved) return;
+    if (!e.moves()) return;
     const bool start = e.side == Side::Start;
     Index& limit = start ? start_ : end_;
     limit = start ? rings_.prev(limit) : rings_.next(limit);

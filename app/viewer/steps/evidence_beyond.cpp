@@ -11,13 +11,15 @@ namespace {
 /// What a guard measured, where it is a number.
 void addMeasured(const GuardEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
     const PointSet& points = in.model.points;
+    const RobustLimits& limits = in.model.params.limits;
     const Triangle t{in.picture.pivot, e.a, e.b};
     switch (e.verdict) {
         case Verdict::WideGap:
             out.angle("gap at p", freeDegrees(points, e.a, t.a, e.b), 180.0);
             break;
         case Verdict::OverRim: {
-            out.angle("angle at p", freeDegrees(points, e.a, t.a, e.b), 120.0);
+            out.angle("angle at p", freeDegrees(points, e.a, t.a, e.b),
+                      degreesOf(limits.rimAngleCosine));
             const auto list = points.neighbors[t.a];
             const Index sixth = list[std::min<std::size_t>(5, list.size() - 1)];
             const double limit = glm::length(points.position[sixth] - points.position[t.a]);
@@ -28,7 +30,7 @@ void addMeasured(const GuardEvidence& e, const EvidenceInput& in, EvidenceRows& 
             break;
         }
         case Verdict::Steep:
-            out.angle("off a normal", tiltDegrees(points, t), 60.0, 180.0);
+            out.angle("off a normal", tiltDegrees(points, t), degreesOf(limits.steepCosine), 180.0);
             break;
         case Verdict::AgainstNormal:
             out.angle("off a normal", tiltDegrees(points, t), 90.0, 180.0);
@@ -41,11 +43,13 @@ void addMeasured(const GuardEvidence& e, const EvidenceInput& in, EvidenceRows& 
 }  // namespace
 
 void addRows(const GuardEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
+    if (e.a == kNone) return out.row("fan", "not wanted: what if");
     const bool spoke = e.b == kNone;
     out.row(spoke ? "spoke to" : "triangle",
             spoke ? pointsText({e.a}) : pointsText({in.picture.pivot, e.a, e.b}));
     out.row("against it", std::string(verdictText(e.verdict)));
     if (!spoke) addMeasured(e, in, out);
+    if (e.verdict == Verdict::WhatIfKept) return out.row("dropped", "nothing: what if");
     out.row("dropped", e.dropped == kNone ? "nothing: the fan is refused"
                                           : std::to_string(e.dropped) + ", 6.3 is done again");
 }

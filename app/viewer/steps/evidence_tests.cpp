@@ -60,7 +60,7 @@ void addRows(const LimitEvidence& e, const EvidenceInput& in, EvidenceRows& out)
     const std::string from = degreesText(e.fromDegrees);
     if (!isMeasured(e.verdict)) {
         out.row("angle of " + side, from + ", stays");
-    } else if (e.verdict == Verdict::Moved) {
+    } else if (e.moves()) {
         out.row("angle of " + side, from + " \xE2\x86\x92 " + degreesText(e.toDegrees));
     } else {
         out.row("angle of " + side, from + ", stays; next " + degreesText(e.toDegrees));
@@ -118,7 +118,8 @@ void addRows(const ReciprocalEvidence& e, const EvidenceInput&, EvidenceRows& ou
 }
 
 void addRows(const HoleEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
-    out.row("hole of three", pointsText({in.picture.pivot, in.picture.start, in.picture.end}));
+    out.row("hole of " + std::to_string(e.edges),
+            pointsText({in.picture.pivot, in.picture.start, in.picture.end}));
     if (e.point != kNone) out.row("point", pointsText({e.point}));
     const bool near = e.verdict == Verdict::Kept;
     out.sign("off the plane", signedText(e.side) + (near ? ", side of p" : ", far side"), e.side,

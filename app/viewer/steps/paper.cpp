@@ -221,7 +221,7 @@ struct Line {
         return e.verdict == Verdict::AlreadyDone || e.verdict == Verdict::OnRingEnd ? 1 : 3;
     }
     std::size_t operator()(const LimitEvidence& e) const {
-        if (e.verdict == Verdict::Moved) return 4;
+        if (e.moves()) return 4;
         return e.verdict == Verdict::NotConcave || e.verdict == Verdict::Blocked ? 3 : 2;
     }
     std::size_t operator()(const DropEvidence&) const { return stage == Stage::Convex ? 1 : 5; }

@@ -68,7 +68,7 @@ enum class Verdict : std::uint8_t {
     // sort
     NotAfterStart,  ///< Not strictly after the starting angle.
     NotBeforeEnd,   ///< Not strictly before the ending angle (Fig. 3).
-    SameAngle,      ///< The same angle as a nearer point.
+    SameAngle,      ///< The same angle as a nearer point, or by PaperRules::tie as a farther one.
     AlreadyDone,    ///< DONE (§4).
     OnRingEnd,      ///< The point at first or last itself.
     // limits
@@ -148,12 +148,13 @@ struct InsertEvidence {
 };
 struct SortEvidence {
     Index point;
-    double cosine;      ///< z . v
-    bool secondHalf;    ///< n . v < 0
-    double degrees;     ///< The angle.
-    double endDegrees;  ///< The limit.
-    Verdict verdict;    ///< Kept, NotAfterStart, NotBeforeEnd, SameAngle, AlreadyDone, OnRingEnd
-    Index rival;        ///< SameAngle: the nearer point.
+    double cosine;        ///< z . v
+    bool secondHalf;      ///< n . v < 0
+    double degrees;       ///< The angle.
+    double endDegrees;    ///< The limit.
+    Verdict verdict;      ///< Kept, NotAfterStart, NotBeforeEnd, SameAngle, AlreadyDone, OnRingEnd
+    Index rival;          ///< SameAngle: the point that stays.
+    bool farther = true;  ///< SameAngle: than the rival, or as far.
 };
 /// A look at the ring neighbor behind start or end (Fig. 4).
 struct LimitEvidence {
@@ -162,6 +163,8 @@ struct LimitEvidence {
     double turn;  ///< ((before - s) x (after - s)) . N_s; > 0: concave.
     double fromDegrees, toDegrees;
     Verdict verdict;  ///< Moved, NotListed, NotConcave, NotAnEdge, Outside, OtherLimit
+    /// start or end is at `to` afterwards.
+    bool moves() const { return verdict == Verdict::Moved || verdict == Verdict::WhatIfKept; }
 };
 /// A candidate that the new limits leave outside, or the convexity rule drops.
 struct DropEvidence {
@@ -175,13 +178,15 @@ struct ReciprocalEvidence {
     Index pred, succ;  ///< Of the tested entry of `point`.
     double degrees;    ///< Angle of p at the point.
     double limitDegrees;
-    Verdict verdict;  ///< Kept, NotReciprocal
+    Verdict verdict;       ///< Kept, NotReciprocal
+    bool printed = false;  ///< The sector is that of elast and efirst (Rules::freeSector is off).
 };
 struct HoleEvidence {
     Index point;
     Vec3 planeNormal;        ///< Not unit.
     double side, pivotSide;  ///< Signed distances (scene units) of the point and of p.
     Verdict verdict;         ///< Kept, FarSide
+    Index edges = 3;         ///< Of the hole.
 };
 struct SphereEvidence {
     Index t, q, s;
@@ -198,7 +203,8 @@ struct TwoPointEvidence {
 struct GuardEvidence {
     Verdict verdict;
     Index a, b;     ///< The spoke to a (b is kNone), or the triangle pivot, a, b.
-    Index dropped;  ///< The candidate that goes; kNone: the fan is refused.
+    Index dropped;  ///< The candidate that goes; kNone: the fan is refused. Of a what-if: the
+                    ///< candidate that stays, or the pivot.
 };
 /// The next ear of a hole (Rules::fill).
 struct FillEvidence {

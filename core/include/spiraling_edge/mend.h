@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "spiraling_edge/edge_table.h"
+#include "spiraling_edge/params.h"
 #include "spiraling_edge/point_set.h"
 
 namespace se {
@@ -49,7 +50,7 @@ struct Flip {
 /// Rules::flip: flips the next edge that is better flipped: fewer faults, or the same and a larger
 /// least angle where the surface is flat. False if none is left. Every flip lessens the faults, or
 /// leaves them and makes the least angle of its two triangles larger, so that it ends.
-bool flipNext(const PointSet& points, MendState& mend, Flip& flip);
+bool flipNext(const PointSet& points, const RobustLimits& limits, MendState& mend, Flip& flip);
 
 /// Rules::reseat: takes out a point at the next flipped triangle, if the hole of its triangles can
 /// be closed without a fault. False if none is left. Every point taken out leaves two triangles

@@ -146,6 +146,22 @@ struct PaperRules {
     friend bool operator==(const PaperRules&, const PaperRules&) = default;
 };
 
+/// From where on the rules beyond the paper object (docs/robust.md). Angles are stored as their
+/// cosines, so that no trigonometry decides.
+struct RobustLimits {
+    double foldCosine = -0.8660254037844386;  ///< Rules::noFold: two triangles at an edge, 150.
+    double steepCosine = 0.5;                 ///< Rules::delay: off a corner's normal, 60.
+    double rimGapCosine = -0.5;               ///< Rules::rim: between neighbors, 120.
+    double rimAngleCosine = -0.5;             ///< Rules::rim: of a triangle at the pivot, 120.
+    double openingWidth = 2.5;                ///< Rules::rim: of an opening, in its edges.
+    double flatCosine = 0.70710678118654752;  ///< Rules::noMeet: is looked at where normals are
+                                              ///< farther apart, 45.
+    double flipFlatCosine = 0.9;              ///< Rules::flip: two triangles of a flat piece.
+    double flipNarrowCosine = 0.94;           ///< Rules::flip: the least angle of a narrow one.
+
+    friend bool operator==(const RobustLimits&, const RobustLimits&) = default;
+};
+
 /// One row of the table of rule switches: those rows of ruleSettings() that are members of Rules.
 struct RuleSwitch {
     std::string_view name;     ///< As on the command line: `closetwo`.
@@ -174,6 +190,7 @@ struct Params {
     std::uint32_t maxFillLength = 64;
     /// ... and of at most this width, in mean distances of its points to their nearest neighbor.
     double maxFillWidth = 48.0;
+    RobustLimits limits;
     /// Opposing normals are left out of neighbor lists that are computed (see prepare.h).
     bool dropOpposingNormals = true;
     /// Points are set aside where noise is as wide as their spacing (see noise.h). On in `robust`.

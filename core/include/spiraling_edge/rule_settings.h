@@ -39,6 +39,8 @@ struct RuleSetting {
 
 /// All settings: those of the paper in its order, then those beyond it.
 std::span<const RuleSetting> ruleSettings();
+/// An angle that is held as its cosine, in degrees.
+double degreesOf(double cosine);
 /// Null if there is none of that name.
 const RuleSetting* findRuleSetting(std::string_view name);
 

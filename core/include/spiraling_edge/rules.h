@@ -208,8 +208,8 @@ RimSector testRimSector(const Vec3& p, const Vec3& normal, const Vec3& first, co
                         bool sameEntry, const Vec3& from, const Vec3& to);
 
 /// Rules::rim: does the surface end at p? True for a boundary point, and where the directions to
-/// its neighbors, as seen along its normal, leave a gap of more than 120 degrees.
-bool isRim(const PointSet& points, Index p);
+/// its neighbors, as seen along its normal, leave a gap wider than the angle of this cosine.
+bool isRim(const PointSet& points, Index p, double gapCosine);
 
 /// §7.2: is there a transition from one wall to another between two ring neighbors?
 inline bool isTransition(std::uint8_t a, std::uint8_t b) {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "spiraling_edge/event.h"
 #include "spiraling_edge/params.h"
 #include "spiraling_edge/point_set.h"
 #include "spiraling_edge/prepare.h"
@@ -22,6 +24,10 @@ std::optional<std::vector<Status>> checkWhatIfs(const PointSet& points, const Pa
 
 /// The same for the last of params.whatIf alone, at a state before its pivot. O(points).
 Status checkLastWhatIf(const PointSet& points, const Params& params, const State& before);
+
+/// Why a test that ended like this cannot end otherwise; empty if it can, or if there is nothing to
+/// say.
+std::string reasonAgainst(Verdict verdict, Index point);
 
 /// The first reason among them, with what it is about; success if all can be done.
 Status requireWhatIfs(const PointSet& points, const Params& params);
