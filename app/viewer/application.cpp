@@ -179,9 +179,17 @@ void Application::drawUserInterface(const Layout& layout) {
     if (comparing_.shows())
         view.emplace(OtherView{other != nullptr ? &beside : nullptr, comparing_.list(),
                                beside.session.picture().status.counts(), comparing_.texture()});
-    const PanelContext context{commands_,    palette(),          imgui_->fonts(),
-                               layout,       painter_.list(),    counts,
-                               imgui_->em(), painter_.texture(), view ? &*view : nullptr};
+    const PanelContext context{commands_,
+                               palette(),
+                               imgui_->fonts(),
+                               layout,
+                               painter_.list(),
+                               counts,
+                               imgui_->em(),
+                               painter_.texture(),
+                               view ? &*view : nullptr,
+                               false,
+                               view ? other : nullptr};
     // What is asked for in this frame is drawn in the next one, and has no window yet.
     const bool page = ui_.growth.open;
     drawPanels(context);

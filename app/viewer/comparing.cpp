@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "session/checkup.h"
+#include "session/questions.h"
 
 namespace se::view {
 
@@ -18,7 +19,7 @@ Comparing::Comparing(CommandContext& context) : c_(context) { c_.ui.compare.now 
 
 bool Comparing::otherBusy() const {
     const Session* other = comparison_.other();
-    return other != nullptr && other->busy();
+    return other != nullptr && (other->busy() || other->questions().busy());
 }
 
 /// The same input opened anew with other options: what it was before can be compared with.
@@ -26,12 +27,14 @@ void Comparing::rememberBefore() {
     const Session& run = c_.session;
     if (!run.ready() || std::exchange(generation_, run.generation()) == run.generation()) return;
     ComparePage& page = c_.ui.compare;
+    page.why.reset();
     const bool same = spec_ && spec_->source == run.spec().source;
     if (!same) {
         page.before.reset();
-        page.form.take(run.spec());
+        page.form.take(run.spec(), run.model());
     } else if (differenceText(*spec_, run.spec()) != "the same") {
         page.before = spec_;
+        page.form.follow(*spec_, run.spec(), run.model());
     }
     spec_ = run.spec();
 }
@@ -120,8 +123,16 @@ void Comparing::draw(glm::ivec2 size, float em) {
     painter_->draw(context, size, em);
 }
 
+/// Points have the same numbers in both.
+void Comparing::askWhy(const Selection& what) {
+    c_.ui.compare.why = what;
+    c_.session.questions().askWhy(what);
+    if (Session* other = comparison_.other()) other->questions().askWhy(what);
+}
+
 void Comparing::begin(CompareWith with) {
     c_.ui.compare.choosing = false;
+    c_.ui.compare.why.reset();
     comparison_.begin(c_.session, std::move(with));
 }
 
@@ -131,6 +142,7 @@ void Comparing::carryOut() {
     if (const CompareAsk ask = std::exchange(page.ask, CompareAsk::Nothing);
         ask != CompareAsk::Nothing)
         carryOut(ask);
+    if (page.wantsWhy) askWhy(*std::exchange(page.wantsWhy, std::nullopt));
     if (page.goTo) comparison_.goTo(c_.session, *std::exchange(page.goTo, std::nullopt));
     if (page.show) showRegion(*std::exchange(page.show, std::nullopt));
 }

@@ -47,6 +47,7 @@ class Comparing {
     void shareSelection();
     void makeShades();
     void begin(CompareWith with);
+    void askWhy(const Selection& what);
     void carryOut(CompareAsk ask);
     void goTo(const std::optional<RunDifference>& difference, const char* nothing);
     void showRegion(std::size_t number);

@@ -148,18 +148,24 @@ void dumpQuestions(json& out, const Session& session) {
 }
 
 /// What the run is compared with, and where both stand.
-void dumpComparison(json& out, const ComparePage& page) {
+void dumpComparison(json& out, const Session& run, const ComparePage& page) {
     const Comparison* now = page.now;
     out["compare_with"] = nullptr;
     if (now == nullptr || !now->chosen()) return;
     const bool mesh = now->with().kind == CompareWith::Kind::Mesh;
     out["compare_with"] = mesh ? "mesh" : "run";
+    if (!mesh && run.ready()) out["compare_other"] = differenceText(run.spec(), now->with().run);
     out["compare_working"] = now->working();
     out["compare_complaint"] = now->complaint();
     if (const Session* other = now->other()) {
         out["other_address"] =
             other->event() != nullptr ? toString(other->address()) : std::string("start");
         out["other_rules"] = other->spec().rules;
+    }
+    if (page.why) out["compare_why"] = selectionText(*page.why);
+    if (page.why && now->other() != nullptr) {
+        const WhyAnswer* answer = now->other()->questions().ledger().answer();
+        out["compare_why_other"] = answer != nullptr ? answer->answer : std::string{};
     }
     const Compared* found = now->result();
     out["compare_done"] = found != nullptr;
@@ -260,7 +266,7 @@ std::string Application::stateDump() const {
              {"moving", painter_.moving()}};
     out["prepare"] = ui_.prepare.open;
     dumpGrowth(out, ui_.growth);
-    dumpComparison(out, ui_.compare);
+    dumpComparison(out, session_, ui_.compare);
     dumpLayers(out, ui_.settings.layers, session_.stage());
     out["point_tint"] = std::string(rowOf(ui_.settings.pointTint).name);
     out["mesh_style"] = std::string(rowOf(ui_.settings.meshStyle).name);

@@ -160,23 +160,79 @@ TEST_CASE("Colors follow the time of the run: what the other mesh has not, as fa
     CHECK(shade.at(3, nullptr, only, turned)[0].count == 1);
 }
 
-TEST_CASE("The form of the other run begins with what says most, and knows what was turned over") {
-    CompareForm form;
-    form.take({"scene:torus", {}, "paper"});
-    CHECK(form.rules == "robust");
-    CHECK(form.turnedOver() == 0);
-    form.switches.flip = false;
-    form.reach = CompareForm::Reach::Nearest;
-    form.count = "16";
+TEST_CASE("The form of the other run begins with what says most, and takes every setting") {
+    LoadProgress progress;
     const InputSpec base{"scene:torus", {}, "paper"};
+    const auto model = loadModel(base, progress);
+    REQUIRE(model.ok());
+    CompareForm form;
+    form.take(base, *model.value());
+    CHECK(form.rules.name == "robust");
+    CHECK(form.spec(base).value().choices.empty());
+    CHECK(differenceText(base, form.spec(base).value()) == "robust rules");
+    // Not only what is on or off.
+    for (const RuleSetting& setting : ruleSettings()) {
+        CompareForm other = form;
+        const double usual = usualValueOf(other.rules, setting);
+        const double value = usual == setting.low ? setting.high : setting.low;
+        other.rules = withRule(other.rules, setting.name, value);
+        const auto spec = other.spec(base);
+        REQUIRE(spec.ok());
+        CHECK_MESSAGE(valueOf(rulesOf(spec.value()), setting) == doctest::Approx(value),
+                      setting.name);
+    }
+    form.rules = withRule(form.rules, "flip", 0.0);
+    form.prepare.reach = PrepareForm::Reach::Nearest;
+    form.prepare.count = "16";
+    form.prepare.symmetric = true;
+    form.prepare.normals = NormalSource::Oriented;
+    form.prepare.walls = WallChoice::From::Around;
+    form.prepare.rim = true;
     const auto spec = form.spec(base);
     REQUIRE(spec.ok());
-    CHECK(spec.value().choices == std::vector<RuleValue>{{"flip", 0.0}});
-    CHECK(differenceText(base, spec.value()) == "robust rules, flip off, 16 nearest");
-    form.count = "many";
+    CHECK(differenceText(base, spec.value()) ==
+          "robust rules, flip off, 16 nearest, symmetric, normals turned, other walls, rims found");
+    form.prepare.count = "many";
     CHECK_FALSE(form.spec(base).ok());
-    form.chooseRules("paper");
-    CHECK(form.turnedOver() == 0);
+}
+
+TEST_CASE("The form of the other run takes what-ifs, and offers the true run of a fork") {
+    LoadProgress progress;
+    InputSpec fork{"scene:torus", {}, "paper"};
+    fork.whatIf = {whatIfFromText("9.sphere keep 4").value()};
+    const auto model = loadModel(fork, progress);
+    REQUIRE(model.ok());
+    CompareForm form;
+    form.take(fork, *model.value());
+    CHECK(form.rules.whatIf == fork.whatIf);
+    CHECK(differenceText(fork, trueRunOf(fork)) == "the true run");
+    form.whatIf = "nonsense";
+    form.addWhatIf();
+    CHECK_FALSE(form.complaint.empty());
+    form.whatIf = "12.sphere drop 7";
+    form.addWhatIf();
+    CHECK(form.complaint.empty());
+    CHECK(form.rules.whatIf.size() == 2);
+    CHECK(form.spec(fork).value().whatIf.size() == 2);
+}
+
+TEST_CASE("What the run that is open changes itself counts for the form of the other one") {
+    LoadProgress progress;
+    const InputSpec before{"scene:torus", {}, "paper"};
+    const auto model = loadModel(before, progress);
+    REQUIRE(model.ok());
+    CompareForm form;
+    form.take(before, *model.value());
+    form.rules = withRule(form.rules, "maxgap", 100.0);
+    InputSpec now = before;
+    now.choices = {{"tie", 1.0}};
+    form.prepare.rim = true;
+    form.follow(before, now, *model.value());
+    CHECK(form.prepare.rim);  // other rules: nothing of the input
+    now.neighbors = {KNearest{16}, true, 0, false};
+    form.follow(before, now, *model.value());
+    CHECK_FALSE(form.prepare.rim);
+    CHECK(differenceText(now, form.spec(now).value()) == "robust rules, maxgap 100");
 }
 
 TEST_CASE("What is different in the other run is said in words") {

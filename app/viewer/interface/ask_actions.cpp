@@ -9,12 +9,6 @@ namespace se::view {
 
 namespace {
 
-/// The panel is in no sight where no panel is.
-void openTab(CommandContext& c, const char* tab) {
-    if (c.ui.arrangement == Arrangement::Present) actions::arrange(c, Arrangement::Debug);
-    c.ui.wantedTab = tab;
-}
-
 /// What to say where a list is at its end, but the run has more.
 std::string behindTheList(const FoundDecisions& found, const Session& session) {
     const std::string from = std::to_string(found.lines.back().event.address.pivot);
@@ -25,9 +19,16 @@ std::string behindTheList(const FoundDecisions& found, const Session& session) {
 
 }  // namespace
 
+using actions::openTab;
+
 void askWhy(CommandContext& c, const Selection& what) {
     if (!c.session.ready() || what.kind == SelectionKind::None) return;
     c.session.select(what);
+    if (c.ui.arrangement == Arrangement::Compare) {
+        // Of both runs; the column beside the views has the answers.
+        c.ui.compare.wantsWhy = what;
+        return;
+    }
     c.ui.ledger.seen = what;
     c.ui.ledger.complaint.clear();
     openTab(c, kLedgerTab);
@@ -83,6 +84,8 @@ namespace actions {
 void askWhySelected(CommandContext& c) {
     if (!c.session.ready()) return c.session.say("There is nothing open to ask about.");
     if (c.session.selection().kind != SelectionKind::None) return askWhy(c, c.session.selection());
+    if (c.ui.arrangement == Arrangement::Compare)
+        return c.session.say("Select a point, an edge or a triangle to ask both runs about.");
     openTab(c, kLedgerTab);
     c.ui.ledger.wantsKeyboard = true;
 }

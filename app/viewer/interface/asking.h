@@ -48,10 +48,13 @@ struct SubjectMenu {
     Selection what;
     std::optional<RingPlace> ring;  ///< Instead of a selection.
     bool wanted = false;            ///< To be opened in this frame.
+    bool other = false;             ///< In the view of the run beside (layout Compare).
 
     void open(const Selection& subject) {
         *this = {subject, std::nullopt, subject.kind != SelectionKind::None};
     }
+    /// In the view of the other run, or of a finished mesh, which has nothing to be asked.
+    void openBeside(const Selection& subject) { *this = {subject, std::nullopt, true, true}; }
     void open(const RingPlace& place) { *this = {Selection{}, place, true}; }
 };
 

@@ -194,6 +194,13 @@ void arrange(C& c, Arrangement arrangement) {
     c.session.say("Layout " + std::string(row.title) + ". " + std::string(row.help));
 }
 
+void openTab(C& c, const char* tab) {
+    const bool none =
+        c.ui.arrangement == Arrangement::Present || c.ui.arrangement == Arrangement::Compare;
+    if (none) arrange(c, Arrangement::Debug);
+    c.ui.wantedTab = tab;
+}
+
 void goToBirth(C& c) {
     if (!c.session.ready()) return;
     if (c.session.selection().corners().size() < 2) {

@@ -42,6 +42,8 @@ void stepByUnit(CommandContext& c, int direction);
 void setLoopStart(CommandContext& c);
 void setLoopEnd(CommandContext& c);
 void arrange(CommandContext& c, Arrangement arrangement);
+/// Opens a panel; where no panels are in sight, in the layout that has all of them.
+void openTab(CommandContext& c, const char* tab);
 /// To the decision that made the selected edge or triangle.
 void goToBirth(CommandContext& c);
 

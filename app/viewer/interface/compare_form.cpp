@@ -1,57 +1,57 @@
 #include "compare_form.h"
 
-#include "run/exact_text.h"
+#include <utility>
+
 #include "session/compare_with.h"
+#include "what_if_offers.h"
 
 namespace se::view {
 
 namespace {
 
-constexpr std::uint64_t kMostNeighbors = 1000;
+/// `spec` with the rules of `other`: what is left to differ is how it is prepared.
+InputSpec ruledAs(const InputSpec& spec, const InputSpec& other) {
+    return withRules(spec, rulesOf(other));
+}
 
 }  // namespace
 
-void CompareForm::take(const InputSpec& spec) {
-    *this = {};
-    chooseRules(usualOther(spec).rules);
+void CompareForm::takeOther(const InputSpec& other, const Model& model) {
+    rules = rulesOf(other);
+    prepare.take(other, model);
+    prepare.open = false;
+    whatIf.clear();
+    complaint.clear();
 }
 
-void CompareForm::chooseRules(const std::string& name) {
-    rules = name;
-    switches = paramsByName(name).value_or(Params{}).rules;
+void CompareForm::take(const InputSpec& spec, const Model& model) {
+    takeOther(usualOther(spec), model);
+    ruleFilter = {};
 }
 
-int CompareForm::turnedOver() const {
-    const Rules plain = paramsByName(rules).value_or(Params{}).rules;
-    int turned = 0;
-    for (const RuleSwitch& rule : ruleSwitches())
-        turned += switches.*rule.member != plain.*rule.member ? 1 : 0;
-    return turned;
+void CompareForm::follow(const InputSpec& before, const InputSpec& now, const Model& model) {
+    if (differenceText(ruledAs(before, now), now) != "the same") {
+        prepare.take(now, model);
+        prepare.open = false;
+    }
+    if (before.whatIf != now.whatIf) rules.whatIf = now.whatIf;
 }
 
-Result<InputSpec> CompareForm::spec(InputSpec base) const {
-    base.rules = rules;
-    base.choices.clear();
-    const Rules plain = paramsByName(rules).value_or(Params{}).rules;
-    for (const RuleSwitch& rule : ruleSwitches()) {
-        const bool on = switches.*rule.member;
-        if (on != plain.*rule.member)
-            base.choices.push_back({std::string(rule.name), on ? 1.0 : 0.0});
-    }
-    if (reach == Reach::Nearest) {
-        const auto number = wholeFromText(count);
-        if (!number || *number == 0 || *number > kMostNeighbors)
-            return Error{"Nearest: expected a whole number from 1 to 1000."};
-        base.neighbors.reach = KNearest{static_cast<std::size_t>(*number)};
-        base.neighbors.recompute = true;
-    }
-    if (reach == Reach::Radius) {
-        const auto number = numberFromText(radius);
-        if (!number || !(*number > 0.0)) return Error{"Radius: expected a number above 0."};
-        base.neighbors.reach = WithinRadius{*number};
-        base.neighbors.recompute = true;
-    }
-    return base;
+void CompareForm::addWhatIf() {
+    const Result<WhatIf> read = whatIfFromText(whatIf);
+    complaint = read ? std::string{} : read.error().message;
+    if (!read) return;
+    rules = withWhatIf(rules, read.value());
+    whatIf.clear();
+}
+
+Result<InputSpec> CompareForm::spec(const InputSpec& base) const {
+    return prepare.spec(withRules(base, rules));
+}
+
+InputSpec trueRunOf(InputSpec spec) {
+    spec.whatIf.clear();
+    return spec;
 }
 
 }  // namespace se::view

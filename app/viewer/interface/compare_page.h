@@ -30,6 +30,8 @@ struct ComparePage {
     std::optional<std::size_t> show;    ///< The region to be shown.
     std::optional<std::size_t> region;  ///< The one that is shown.
     std::optional<ComparedPlace> goTo;
+    std::optional<Selection> wantsWhy;  ///< Both runs are to be asked why.
+    std::optional<Selection> why;       ///< What they were asked.
     /// The run as it was before it was opened anew with other options.
     std::optional<InputSpec> before;
 

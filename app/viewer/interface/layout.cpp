@@ -14,6 +14,10 @@ constexpr float kStatus = 1.7F;
 /// Of the narration: two lines of a wide view, three of one narrower than kWideView.
 constexpr float kNarration = 3.6F;
 constexpr float kNarrationNarrow = 4.7F;
+/// Below half of a view: sentences take three lines there.
+constexpr float kNarrationHalf = 5.6F;
+/// ... but no more than this share of the height: titles take some of it as well.
+constexpr float kMostHalf = 0.42F;
 constexpr float kWideView = 40.0F;
 /// In a low window the view comes first: a large caption gets this share of the height at most.
 constexpr float kMostNarration = 0.5F;
@@ -143,7 +147,10 @@ Layout computeLayout(glm::vec2 size, float em, Arrangement arrangement, DrawerWi
     const float shown = size.x - left - right;
     const bool wide = (compare ? 0.5F * shown : shown) >= px(kWideView);
     l.addressLine = present ? px(kAddressLine) : 0.0F;
-    const float wished = l.addressLine + px((wide ? kNarration : kNarrationNarrow) * l.caption);
+    const float wished = l.addressLine + px((wide      ? kNarration
+                                             : compare ? kNarrationHalf
+                                                       : kNarrationNarrow) *
+                                            l.caption);
     float y = 0.0F;
     const auto row = [&](float height) {
         const Rect r{{0.0F, y}, {size.x, height}};
@@ -155,8 +162,9 @@ Layout computeLayout(glm::vec2 size, float em, Arrangement arrangement, DrawerWi
     const float status = present ? 0.0F : px(kStatus);
     const float bottom = size.y - status - drawer;
     const float middle = std::max(0.0F, bottom - y);
-    const float narration = std::min(
-        wished, std::max(l.addressLine + px(kNarration), std::round(kMostNarration * middle)));
+    const float narration =
+        std::min(wished, std::max(l.addressLine + px(kNarration),
+                                  std::round((compare ? kMostHalf : kMostNarration) * middle)));
     l.left = {{0.0F, y}, {left, middle}};
     l.dialApart = debug && !l.narrow && ems.x >= kDialFrom && middle >= px(kDialRoom);
     const float dial = l.dialApart ? std::min(right + px(1.0F), 0.45F * middle) : 0.0F;

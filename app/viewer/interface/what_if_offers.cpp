@@ -6,6 +6,7 @@
 #include "run/exact_text.h"
 #include "session/session.h"
 #include "spiraling_edge/reading.h"
+#include "spiraling_edge/what_if_check.h"
 
 namespace se::view {
 
@@ -44,6 +45,39 @@ std::vector<WhatIfOffer> keepOrDrop(const Event& event, Verdict verdict) {
     }
 }
 
+/// start or end is moved, or not.
+std::vector<WhatIfOffer> advanceOrNot(const Event& event, Verdict verdict) {
+    WhatIf what{WhatIfKind::Drop,       event.address.pivot, Stage::Limits,
+                se::testedPoint(event), Vec3(0.0),           {}};
+    if (verdict == Verdict::Moved) return {{what, "Do not advance to " + pointText(what.point)}};
+    if (verdict != Verdict::NotConcave && verdict != Verdict::Blocked) return {};
+    what.kind = WhatIfKind::Keep;
+    return {{what, "Advance to " + pointText(what.point)}};
+}
+
+/// The rules on fans are not heard on the point that goes, or on the whole fan.
+std::vector<WhatIfOffer> overrule(const Event& event, Verdict verdict, Index pivot) {
+    if (verdict == Verdict::WhatIfKept || verdict == Verdict::WhatIfDropped) return {};
+    const Index dropped = se::testedPoint(event);
+    const bool whole = dropped == kNone;
+    const WhatIf what{WhatIfKind::Keep,        event.address.pivot, Stage::Guard,
+                      whole ? pivot : dropped, Vec3(0.0),           {}};
+    return {{what, whole ? std::string("Make these triangles all the same")
+                         : "Keep " + pointText(dropped)}};
+}
+
+bool saysWhatIf(const Event& event) {
+    const std::optional<Verdict> verdict = verdictIn(event);
+    return verdict == Verdict::WhatIfKept || verdict == Verdict::WhatIfDropped;
+}
+
+/// The triangle of this pivot is an ear that fill closes: no fan is looked at.
+bool isEar(const Session& session) {
+    const std::vector<Event>& events = session.record().events;
+    return std::any_of(events.begin(), events.end(),
+                       [](const Event& each) { return each.address.stage == Stage::Fill; });
+}
+
 }  // namespace
 
 std::vector<WhatIfOffer> offersAt(const Event& event, Index pivot) {
@@ -62,11 +96,8 @@ std::vector<WhatIfOffer> offersAt(const Event& event, Index pivot) {
             if (*verdict != Verdict::Kept) return {};
             return {{drop, "Drop " + pointText(drop.point)}};
         }
-        case Stage::Limits: {
-            if (*verdict != Verdict::Moved) return {};
-            drop.point = se::testedPoint(event);
-            return {{drop, "Do not advance to " + pointText(drop.point)}};
-        }
+        case Stage::Limits:
+            return advanceOrNot(event, *verdict);
         case Stage::Convex:
         case Stage::Reciprocal:
         case Stage::Hole:
@@ -79,14 +110,66 @@ std::vector<WhatIfOffer> offersAt(const Event& event, Index pivot) {
             drop.kind = WhatIfKind::Keep;
             return {{drop, "Make the triangle"}};
         }
+        case Stage::Guard:
+            return overrule(event, *verdict, pivot);
         default:
             return {};
+    }
+}
+
+std::vector<WhatIfOffer> offersHere(const Session& session) {
+    const Event* event = session.event();
+    if (event == nullptr) return {};
+    const Index pivot = session.picture().pivot;
+    std::vector<WhatIfOffer> offers = offersAt(*event, pivot);
+    const Stage stage = event->address.stage;
+    if ((stage == Stage::Emit || stage == Stage::Guard) && pivot != kNone && !isEar(session) &&
+        !saysWhatIf(*event)) {
+        offers.push_back(
+            {{WhatIfKind::Drop, event->address.pivot, Stage::Guard, pivot, Vec3(0.0), {}},
+             "Make no triangle at this pivot"});
+    }
+    return offers;
+}
+
+std::string noOfferText(const Event& event) {
+    if (const std::optional<Verdict> verdict = verdictIn(event)) {
+        const std::string reason = reasonAgainst(*verdict, se::testedPoint(event));
+        if (!reason.empty()) return "This cannot turn out otherwise. " + reason;
+    }
+    switch (event.address.stage) {
+        case Stage::Pivot:
+        case Stage::Advance:
+            return "Select a point of a ring to go on at another one; what is tested at this "
+                   "pivot follows.";
+        case Stage::Insert:
+        case Stage::Skip:
+            return "Boundary points follow the walls of section 7: turn walls, thirdpoint or "
+                   "corners off in Rules, or move the point.";
+        case Stage::Fill:
+        case Stage::Reinsert:
+        case Stage::Flip:
+        case Stage::Reseat:
+            return "Chosen as the best of the whole ring or mesh, not by a test: turn " +
+                   std::string(stageName(event.address.stage)) + " off in Rules.";
+        case Stage::Seed:
+        case Stage::Strand:
+        case Stage::Emit:
+        case Stage::Ring:
+        case Stage::Split:
+        case Stage::Join:
+        case Stage::Done:
+            return "No choice was made here: it follows from the tests before it. Turn one of "
+                   "those.";
+        default:
+            return "Nothing is tested here that could turn out otherwise.";
     }
 }
 
 std::vector<WhatIfOffer> offersAbout(const Session& session, Index point) {
     std::vector<WhatIfOffer> found;
     for (const Event& event : session.record().events) {
+        if (saysWhatIf(event)) continue;
         for (WhatIfOffer& each : offersAt(event, session.picture().pivot)) {
             if (each.what.point != point || each.what.stage == Stage::TwoPoint) continue;
             const bool known = std::any_of(found.begin(), found.end(), [&](const WhatIfOffer& one) {

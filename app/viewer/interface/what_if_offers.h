@@ -20,6 +20,11 @@ struct WhatIfOffer {
 /// What the test that the event is about could say instead; `pivot` is the point of the pivot.
 std::vector<WhatIfOffer> offersAt(const Event& event, Index pivot);
 
+/// What may happen otherwise at the cursor.
+std::vector<WhatIfOffer> offersHere(const Session& session);
+/// Why nothing may, or what decides it instead.
+std::string noOfferText(const Event& event);
+
 /// What the tests of a point in this pivot could say instead, each once; then that the run goes on
 /// at it behind the pivot. For the menu of a right click.
 std::vector<WhatIfOffer> offersAbout(const Session& session, Index point);

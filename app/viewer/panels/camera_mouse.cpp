@@ -9,6 +9,14 @@
 
 namespace se::view {
 
+bool rightClicked() {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (!ImGui::IsItemDeactivated() || !ImGui::IsMouseReleased(ImGuiMouseButton_Right))
+        return false;
+    const float limit = kClickShare * io.DisplaySize.y;
+    return io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Right] < limit * limit;
+}
+
 void moveCameraByMouse(const PanelContext& context) {
     const Rect& view = context.layout.view;
     const ImGuiIO& io = ImGui::GetIO();

@@ -2,15 +2,12 @@
 // regions.
 #include <algorithm>
 
-#include "panel.h"
-#include "text_field.h"
+#include "compare_parts.h"
+#include "session/questions.h"
 #include "widgets.h"
 
 namespace se::view {
 
-namespace {
-
-/// Broken at blanks only, never inside of a number.
 void wrappedText(const std::string& text) {
     for (const std::string& line : wrapped(text, ImGui::GetContentRegionAvail().x))
         ImGui::TextUnformatted(line.c_str());
@@ -22,87 +19,15 @@ void dimText(const std::string& text) {
     ImGui::PopTextWrapPos();
 }
 
-/// A button that scripts find as "compare NAME".
-bool button(const PanelContext& context, const char* label, const char* name,
-            const std::string& help) {
+bool compareButton(const PanelContext& context, const char* label, const char* name,
+                   const std::string& help) {
     const bool pressed = ImGui::Button(label);
     context.ui().where[std::string("compare ") + name] = lastItem();
     tooltip(help);
     return pressed;
 }
 
-void drawRulesChoice(const PanelContext& context, CompareForm& form) {
-    ImGui::SetNextItemWidth(-1.0F);
-    const std::string shown = form.rules + " rules";
-    if (ImGui::BeginCombo("##rules", shown.c_str())) {
-        for (const std::string_view name : paramSetNames()) {
-            const std::string text(name);
-            if (ImGui::Selectable((text + " rules").c_str(), form.rules == text))
-                form.chooseRules(text);
-        }
-        ImGui::EndCombo();
-    }
-    context.ui().where["compare rules"] = lastItem();
-    const int turned = form.turnedOver();
-    const std::string title = "Single rules (" + std::to_string(turned) + " turned over)###single";
-    const bool open = ImGui::TreeNode(title.c_str());
-    context.ui().where["compare single"] = lastItem();
-    if (!open) return;
-    for (const RuleSwitch& rule : ruleSwitches()) {
-        const std::string name(rule.name);
-        ImGui::Checkbox(name.c_str(), &(form.switches.*rule.member));
-        context.ui().where["compare rule " + name] = lastItem();
-        tooltip(std::string(rule.section) + ": " + std::string(rule.summary));
-    }
-    ImGui::TreePop();
-}
-
-void drawReachChoice(const PanelContext& context, CompareForm& form) {
-    using Reach = CompareForm::Reach;
-    constexpr const char* kNames[] = {"neighbors as in A", "nearest, so many", "within a radius"};
-    ImGui::SetNextItemWidth(form.reach == Reach::AsHere ? -1.0F : -5.0F * context.em);
-    if (ImGui::BeginCombo("##reach", kNames[static_cast<std::size_t>(form.reach)])) {
-        for (const Reach reach : {Reach::AsHere, Reach::Nearest, Reach::Radius}) {
-            if (ImGui::Selectable(kNames[static_cast<std::size_t>(reach)], form.reach == reach))
-                form.reach = reach;
-        }
-        ImGui::EndCombo();
-    }
-    if (form.reach == Reach::AsHere) return;
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(-1.0F);
-    textField("##reachValue", "", form.reach == Reach::Nearest ? form.count : form.radius,
-              ImGuiInputTextFlags_AutoSelectAll);
-}
-
-/// What the other run is to be.
-void drawForm(const PanelContext& context) {
-    ComparePage& page = context.ui().compare;
-    CompareForm& form = page.form;
-    dimText("B, beside the run that is open:");
-    drawRulesChoice(context, form);
-    drawReachChoice(context, form);
-    ImGui::Spacing();
-    if (button(context, "Compare", "begin", "Run it in the background and compare")) {
-        const Result<InputSpec> spec = form.spec(context.session().spec());
-        form.complaint = spec ? std::string{} : spec.error().message;
-        if (spec) page.begin = CompareWith::otherRun(spec.value());
-    }
-    ImGui::SameLine();
-    if (button(context, "Mesh from file...", "mesh",
-               "A mesh that another program made on the same points"))
-        context.run("run.compare.mesh");
-    if (page.before &&
-        button(context, "The run before my last change", "before",
-               "This run as it was: " + differenceText(context.session().spec(), *page.before)))
-        page.begin = CompareWith::otherRun(*page.before);
-    if (page.choosing && button(context, "Back", "back", "Leave the comparison as it is"))
-        page.choosing = false;
-    if (form.complaint.empty()) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
-    wrappedText("! " + form.complaint);
-    ImGui::PopStyleColor();
-}
+namespace {
 
 /// A color, what it means, and how many triangles have it.
 void countRow(const PanelContext& context, const Color& color, const char* text,
@@ -156,10 +81,10 @@ void drawFirstDifference(const PanelContext& context, const Compared& found) {
             mesh ? "" : "after " + grouped(found.runs.pivotsAlike) + " pivots");
     if (!mesh && !found.runs.first) {
         dimText("None: the runs do the same from the first pivot to the last.");
-    } else if (button(context, "First difference", "first",
-                      mesh ? "To the first triangle of the run that the mesh has not"
-                           : "Both go to the decision at which they part (" +
-                                 context.key("step.difference") + ")")) {
+    } else if (compareButton(context, "First difference", "first",
+                             mesh ? "To the first triangle of the run that the mesh has not"
+                                  : "Both go to the decision at which they part (" +
+                                        context.key("step.difference") + ")")) {
         page.ask = CompareAsk::FirstDifference;
     }
     if (found.runs.first) {
@@ -173,10 +98,49 @@ void drawFirstDifference(const PanelContext& context, const Compared& found) {
         dimText("At " + grouped(found.runs.harmlessPivots) +
                 (one ? " earlier pivot" : " earlier pivots") +
                 " a decision fell differently without a consequence.");
-        if (button(context, one ? "Go there" : "The first of them", "harmless",
-                   found.runs.harmless->words))
+        if (compareButton(context, one ? "Go there" : "The first of them", "harmless",
+                          found.runs.harmless->words))
             page.ask = CompareAsk::FirstHarmless;
     }
+    ImGui::Spacing();
+}
+
+/// What one run answers.
+void drawAnswer(const PanelContext& context, const char* letter, const Color& color,
+                const Session* run) {
+    ImGui::PushFont(context.fonts.strong);
+    ImGui::TextColored(toVec4(color), "%s", letter);
+    ImGui::PopFont();
+    ImGui::SameLine();
+    if (run == nullptr) return dimText("a finished mesh, without decisions");
+    const Inquiry<WhyAnswer>& asked = run->questions().ledger();
+    if (asked.answer() != nullptr) return wrappedText(asked.answer()->answer);
+    dimText(asked.busy() ? "looking ..." : "not asked");
+}
+
+std::optional<Address> causeIn(const Session* run) {
+    const WhyAnswer* answer = run != nullptr ? run->questions().ledger().answer() : nullptr;
+    if (answer == nullptr) return std::nullopt;
+    return answer->lines[answer->cause].event.address;
+}
+
+/// What both runs answer to the same question.
+void drawWhy(const PanelContext& context) {
+    ComparePage& page = context.ui().compare;
+    if (!page.why) return;
+    const Session& run = context.session();
+    const Session* other = page.now->other();
+    heading(context, "Why", selectionText(*page.why));
+    drawAnswer(context, "A", context.palette.used, &run);
+    drawAnswer(context, "B", context.palette.last, other);
+    const std::optional<Address> a = causeIn(&run);
+    const std::optional<Address> b = causeIn(other);
+    if (a && compareButton(
+                 context, "Go there", "cause",
+                 other == nullptr ? "To what settled it in A" : "Each to what settled it there"))
+        page.goTo = ComparedPlace{a, b};
+    if (a) ImGui::SameLine();
+    if (compareButton(context, "Close", "why close", "Put the answers away")) page.why.reset();
     ImGui::Spacing();
 }
 
@@ -212,12 +176,12 @@ void drawRegions(const PanelContext& context, const Compared& found) {
     const std::size_t count = found.meshes.regions.size();
     heading(context, "Regions of difference", grouped(count));
     if (count == 0) return dimText("None: the meshes are the same.");
-    if (button(context, "Previous", "previous",
-               "Show the region before (" + context.key("step.region.previous") + ")"))
+    if (compareButton(context, "Previous", "previous",
+                      "Show the region before (" + context.key("step.region.previous") + ")"))
         page.ask = CompareAsk::PreviousRegion;
     ImGui::SameLine();
-    if (button(context, "Next", "next",
-               "Show the next region (" + context.key("step.region.next") + ")"))
+    if (compareButton(context, "Next", "next",
+                      "Show the next region (" + context.key("step.region.next") + ")"))
         page.ask = CompareAsk::NextRegion;
     constexpr std::size_t kMostRows = 200;
     for (std::size_t i = 0; i < std::min(count, kMostRows); ++i) drawRegion(context, found, i);
@@ -227,7 +191,7 @@ void drawRegions(const PanelContext& context, const Compared& found) {
 void drawWorking(const PanelContext& context) {
     ImGui::ProgressBar(static_cast<float>(context.ui().compare.now->share()), {-1.0F, 0.0F},
                        "comparing");
-    if (button(context, "Cancel", "cancel", "Forget the other run"))
+    if (compareButton(context, "Cancel", "cancel", "Forget the other run"))
         context.ui().compare.ask = CompareAsk::Stop;
 }
 
@@ -247,14 +211,18 @@ void drawNames(const PanelContext& context) {
     name("B",
          with.kind == CompareWith::Kind::Mesh ? meshTitle(with) : differenceText(run, with.run),
          context.palette.last);
-    if (button(context, "Other...", "other", "Choose something else for B")) page.choosing = true;
+    if (compareButton(context, "Other...", "other", "Choose something else for B")) {
+        page.choosing = true;
+        if (with.kind == CompareWith::Kind::Run)
+            page.form.takeOther(with.run, context.session().model());
+    }
     if (with.kind == CompareWith::Kind::Run) {
         ImGui::SameLine();
-        if (button(context, "Swap", "swap", "B becomes the run that all panels show"))
+        if (compareButton(context, "Swap", "swap", "B becomes the run that all panels show"))
             page.ask = CompareAsk::Swap;
     }
     ImGui::SameLine();
-    if (button(context, "Stop", "stop", "Forget the other run")) page.ask = CompareAsk::Stop;
+    if (compareButton(context, "Stop", "stop", "Forget the other run")) page.ask = CompareAsk::Stop;
     ImGui::Spacing();
 }
 
@@ -263,7 +231,7 @@ void drawContent(const PanelContext& context) {
     if (!context.session().ready() || page.now == nullptr)
         return ImGui::TextDisabled("Nothing is open.");
     heading(context, "Compare");
-    if (!page.now->chosen() || page.choosing) return drawForm(context);
+    if (!page.now->chosen() || page.choosing) return drawCompareForm(context);
     drawNames(context);
     if (!page.now->complaint().empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
@@ -274,6 +242,7 @@ void drawContent(const PanelContext& context) {
     if (page.now->working()) return drawWorking(context);
     const Compared* found = page.result();
     if (found == nullptr) return;
+    drawWhy(context);
     drawCounts(context, *found);
     drawFirstDifference(context, *found);
     drawRegions(context, *found);

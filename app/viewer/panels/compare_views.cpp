@@ -76,6 +76,7 @@ void drawStill(const PanelContext& context) {
                                    ImGuiButtonFlags_MouseButtonRight |
                                    ImGuiButtonFlags_MouseButtonMiddle);
         moveCameraByMouse(context);
+        if (rightClicked()) context.ui().subjectMenu.openBeside({});
         const auto texture =
             reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(context.viewTexture));
         ImGui::GetWindowDrawList()->AddImage(texture, toVec2(view.min), toVec2(view.max()), {0, 1},
@@ -97,7 +98,10 @@ void drawOther(const PanelContext& context) {
                              other.list,
                              other.counts,
                              context.em,
-                             other.texture};
+                             other.texture,
+                             nullptr,
+                             true,
+                             &context.session()};
     if (other.commands == nullptr) return drawStill(there);
     drawScene(there, "##otherView");
     drawSentence(there, "##otherNarration");

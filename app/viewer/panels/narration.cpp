@@ -29,22 +29,33 @@ void shorten(Caption& caption, const ImVec2& room) {
     ImGui::PopFont();
 }
 
-/// In the largest print of the layout that leaves no line out.
-Caption fittingCaption(const PanelContext& context, const std::string& sentence) {
+/// In the largest print of the layout that leaves no line out, nor of the sentence beside it.
+Caption fittingCaption(const PanelContext& context, const std::string& sentence,
+                       const std::string& beside) {
     const Fonts& fonts = context.fonts;
     const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float high = room.y + ImGui::GetStyle().ItemSpacing.y;
     Caption caption;
     for (ImFont* font : {fonts.caption, fonts.large, fonts.text, fonts.small}) {
         if (font == fonts.caption && context.layout.caption <= 1.0F) continue;
         ImGui::PushFont(font);
         caption = {font, wrapped(sentence, room.x), false};
-        const float height =
-            ImGui::GetTextLineHeightWithSpacing() * static_cast<float>(caption.lines.size());
+        const std::size_t lines = std::max(caption.lines.size(), wrapped(beside, room.x).size());
+        const float height = ImGui::GetTextLineHeightWithSpacing() * static_cast<float>(lines);
         ImGui::PopFont();
-        if (height <= room.y + ImGui::GetStyle().ItemSpacing.y) return caption;
+        if (height <= high) return caption;
     }
     shorten(caption, room);
     return caption;
+}
+
+/// What is decided where a run stands; without an event what else there is to say.
+std::string sentenceOf(const Session& session) {
+    if (const Event* event = session.event(); event != nullptr)
+        return (session.showsBefore() ? "Before this: " : "") + describe(*event) +
+               session.noticedText();
+    if (!session.message().empty()) return session.message();
+    return session.ready() ? "Nothing has been done yet: all points are UNUSED." : "";
 }
 
 /// Where nothing else says where one is.
@@ -69,19 +80,12 @@ void drawNarration(const PanelContext& context) { drawSentence(context, "##narra
 void drawSentence(const PanelContext& context, const char* window) {
     const Session& session = context.session();
     if (beginRegion(window, context.layout.narration)) {
-        const Event* event = session.event();
-        std::string sentence;
-        Color color = context.palette.accent;
         // What else there is to say stands in the view for a while: see drawNotices().
-        if (event != nullptr) {
-            sentence = (session.showsBefore() ? "Before this: " : "") + describe(*event);
+        const std::string sentence = sentenceOf(session);
+        Color color = context.palette.accent;
+        if (const Event* event = session.event(); event != nullptr) {
             color = outcomeColor(context.palette, *event).value_or(color);
             if (!session.noticedHere().empty()) color = context.palette.rejected;
-            sentence += session.noticedText();
-        } else if (!session.message().empty()) {
-            sentence = session.message();
-        } else if (session.ready()) {
-            sentence = "Nothing has been done yet: all points are UNUSED.";
         }
         const Rect& area = context.layout.narration;
         ImDrawList* list = ImGui::GetWindowDrawList();
@@ -92,7 +96,8 @@ void drawSentence(const PanelContext& context, const char* window) {
         drawAddressLine(context);
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5F * context.em);
         const float left = ImGui::GetCursorPosX();
-        const Caption caption = fittingCaption(context, sentence);
+        const Caption caption = fittingCaption(
+            context, sentence, context.otherRun != nullptr ? sentenceOf(*context.otherRun) : "");
         ImGui::PushFont(caption.font);
         for (const std::string& line : caption.lines) {
             ImGui::SetCursorPosX(left);

@@ -31,6 +31,8 @@ struct PanelContext {
     float em;
     unsigned viewTexture;
     const OtherView* other = nullptr;  ///< Null: there is none.
+    bool beside = false;               ///< This is the other view of the layout Compare.
+    const Session* otherRun = nullptr;  ///< The run in the other view than this; null: none.
 
     Session& session() const { return commands.session; }
     Playback& playback() const { return commands.playback; }

@@ -143,6 +143,49 @@ void drawStops(const RunStrip& strip) {
     }
 }
 
+/// Where the run and the one beside it part: half in the color of each.
+float differencePlace(const RunStrip& strip) {
+    const Compared* found = strip.context.ui().compare.result();
+    if (found == nullptr || !found->runs.first || !found->runs.first->a.line) return -1.0F;
+    return std::round(strip.xOf(found->runs.first->a.line->event.address.pivot));
+}
+
+/// The diamond that stands there; empty where there is none.
+Rect differenceMark(const RunStrip& strip) {
+    const float x = differencePlace(strip);
+    if (x < strip.bars.min.x || x > strip.bars.max().x) return {};
+    const float half = 0.4F * strip.context.em;
+    return {{x + 0.5F - half, strip.lanes.max().y - 2.0F * half}, glm::vec2(2.0F * half)};
+}
+
+void drawDifference(const RunStrip& strip) {
+    const Rect mark = differenceMark(strip);
+    if (mark.size.x <= 0.0F) return;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const Palette& palette = strip.context.palette;
+    const glm::vec2 at = mark.min + 0.5F * mark.size;
+    list->AddRectFilled({at.x - 0.5F, strip.lanes.min.y}, {at.x + 0.5F, mark.min.y},
+                        toU32(palette.text.withAlpha(0.6F)));
+    list->AddTriangleFilled({mark.min.x, at.y}, {at.x, mark.min.y}, {at.x, mark.max().y},
+                            toU32(palette.used));
+    list->AddTriangleFilled({at.x, mark.min.y}, {mark.max().x, at.y}, {at.x, mark.max().y},
+                            toU32(palette.last));
+    list->AddQuad({mark.min.x, at.y}, {at.x, mark.min.y}, {mark.max().x, at.y},
+                  {at.x, mark.max().y}, toU32(palette.background), 1.0F);
+    strip.context.ui().where["strip difference"] = mark;
+}
+
+/// About the first difference, if the mouse is there.
+std::string differenceText(const RunStrip& strip, ImVec2 mouse) {
+    const float x = differencePlace(strip);
+    if (x < 0.0F || std::abs(mouse.x - x) > 0.5F * strip.context.em) return {};
+    const RunDifference& first = *strip.context.ui().compare.result()->runs.first;
+    const auto at = [](const DifferenceSide& side) {
+        return side.line ? toString(side.line->event.address) : std::string("the run is over");
+    };
+    return "\nfirst difference: A " + at(first.a) + ", B " + at(first.b) + "\n" + first.words;
+}
+
 /// The stretch that is played again and again; a mark alone is a bracket.
 void drawLoop(const RunStrip& strip) {
     const PlayLoop& loop = strip.context.playback().loop;
@@ -195,6 +238,7 @@ std::string tooltipText(const RunStrip& strip, std::uint32_t pivot, ImVec2 mouse
                 grouped(run.stackDepth[pivot - 1]) + " stacked\n" +
                 grouped(run.triangles[pivot - 1]) + " triangles";
     }
+    text += differenceText(strip, mouse);
     text += gatheredText(strip, mouse);
     // The triangle of an alert stands above the lanes, and is as wide as this.
     const LaneAlert* alert =
@@ -224,7 +268,12 @@ void handleMouse(const RunStrip& strip) {
         std::clamp((io.MousePos.x - strip.bars.min.x) / strip.bars.size.x, 0.0F, 1.0F);
     const auto pivot = static_cast<std::uint32_t>(std::llround(window.pivotAt(share)));
     const bool moved = io.MouseDelta.x != 0.0F;
-    if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
+    const bool onMark = differenceMark(strip).contains({io.MousePos.x, io.MousePos.y});
+    if (ImGui::IsItemActivated() && onMark && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        // Each to its own address, as its key does.
+        strip.context.playback().pause();
+        strip.context.ui().compare.ask = CompareAsk::FirstDifference;
+    } else if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
         if (moved) window.pan(-io.MouseDelta.x / strip.bars.size.x);
     } else if (ImGui::IsItemActive() && session.record().pivot != pivot &&
                (ImGui::IsItemActivated() || moved)) {
@@ -298,6 +347,7 @@ void drawRunStrip(const PanelContext& context, const Rect& area) {
     drawStops(strip);
     drawBookmarks(strip);
     drawPlayhead(strip);
+    drawDifference(strip);
     ImGui::PopClipRect();
     drawTotal(strip);
     drawMore(strip);

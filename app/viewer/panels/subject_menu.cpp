@@ -84,6 +84,43 @@ void drawEntries(const PanelContext& context, const Selection& what) {
     }
 }
 
+/// Of a thing in the view of the other run: what can be asked and done there.
+void drawBeside(const PanelContext& context, const Selection& what) {
+    const Comparison* now = context.ui().compare.now;
+    if (what.kind == SelectionKind::None || now == nullptr || now->other() == nullptr) {
+        ImGui::TextDisabled("B is a finished mesh: it has no decisions to ask about.");
+        context.ui().where["menu beside"] = lastItem();
+        return;
+    }
+    ImGui::TextDisabled("B: %s", selectionText(what).c_str());
+    if (ImGui::MenuItem("Why? Why not? In both runs", context.key("ask.why").c_str()))
+        askWhy(context.commands, what);
+    context.ui().where["menu why"] = lastItem();
+    ImGui::Separator();
+    if (ImGui::MenuItem("Select", nullptr, context.session().selection() == what))
+        context.session().select(what);
+    if (ImGui::MenuItem("Frame", context.key("view.frame").c_str())) {
+        context.session().select(what);
+        context.ui().requests.frame = FrameWish::Focus;
+    }
+    ImGui::Separator();
+    ImGui::TextDisabled("Breakpoints and what-ifs are those of A.");
+    if (ImGui::MenuItem("Make B the run A (Swap)")) {
+        context.session().select(what);
+        context.ui().compare.ask = CompareAsk::Swap;
+    }
+    context.ui().where["menu swap"] = lastItem();
+}
+
+void drawMenu(const PanelContext& context, const SubjectMenu& menu) {
+    if (menu.other) return drawBeside(context, menu.what);
+    ImGui::TextDisabled("%s",
+                        menu.ring ? nameOf(*menu.ring).c_str() : selectionText(menu.what).c_str());
+    if (!menu.ring) return drawEntries(context, menu.what);
+    if (ImGui::MenuItem("Why? What made it?")) askWhy(context.commands, *menu.ring);
+    context.ui().where["menu why"] = lastItem();
+}
+
 }  // namespace
 
 void drawSubjectMenu(const PanelContext& context) {
@@ -91,14 +128,7 @@ void drawSubjectMenu(const PanelContext& context) {
     if (!context.session().ready()) return;
     if (std::exchange(menu.wanted, false)) ImGui::OpenPopup("##subjectMenu");
     if (!ImGui::BeginPopup("##subjectMenu")) return;
-    ImGui::TextDisabled("%s",
-                        menu.ring ? nameOf(*menu.ring).c_str() : selectionText(menu.what).c_str());
-    if (!menu.ring) {
-        drawEntries(context, menu.what);
-    } else if (ImGui::MenuItem("Why? What made it?")) {
-        askWhy(context.commands, *menu.ring);
-    }
-    if (menu.ring) context.ui().where["menu why"] = lastItem();
+    drawMenu(context, menu);
     ImGui::EndPopup();
 }
 

@@ -12,9 +12,6 @@ namespace se::view {
 
 namespace {
 
-/// A press that moves by more than this share of the window's height is a drag.
-constexpr float kClickShare = 0.01F;
-
 glm::vec2 localMouse(const Rect& view) {
     const ImVec2 mouse = ImGui::GetMousePos();
     return glm::vec2(mouse.x, mouse.y) - view.min;
@@ -66,11 +63,11 @@ void handleClicks(const PanelContext& context) {
 
 /// A right click that was no drag opens the menu of what is there.
 void handleRightClick(const PanelContext& context) {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (!ImGui::IsItemDeactivated() || !ImGui::IsMouseReleased(ImGuiMouseButton_Right)) return;
-    const float limit = kClickShare * io.DisplaySize.y;
-    if (io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Right] >= limit * limit) return;
-    context.ui().subjectMenu.open(underMouse(context).what);
+    if (!rightClicked()) return;
+    const Selection what = underMouse(context).what;
+    SubjectMenu& menu = context.ui().subjectMenu;
+    if (!context.beside) return menu.open(what);
+    if (what.kind != SelectionKind::None) menu.openBeside(what);
 }
 
 /// Lights up the neighbor of the pivot that the pointer is on, here and on the dial. Only those: to

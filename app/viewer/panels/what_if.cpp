@@ -67,16 +67,15 @@ void drawOffers(const PanelContext& context, const RuleSet& rules) {
         ImGui::TextDisabled("Nothing is decided at the start of the run.");
         return;
     }
-    const auto offers = offersAt(*event, session.picture().pivot);
-    for (const WhatIfOffer& each : offers) {
-        offer(context, rules, each.what, each.label, "here");
+    const auto offers = offersHere(session);
+    for (std::size_t i = 0; i < offers.size(); ++i) {
+        const std::string name = i == 0 ? "here" : "here " + std::to_string(i + 1);
+        offer(context, rules, offers[i].what, offers[i].label, name);
     }
     const bool said = describe(*event).starts_with("What if");
     if (said) wrappedText("A what-if decides here: the cross above takes it back.");
     if (offers.empty() && !said) {
-        wrappedText(
-            "Nothing is tested here that could turn out otherwise. Go to a test: sort, limits, "
-            "convex, reciprocal, hole, sphere, twopoint.");
+        wrappedText(noOfferText(*event));
     }
 }
 
@@ -87,12 +86,13 @@ Index subject(const Session& session) {
 
 void drawMove(const PanelContext& context, const RuleSet& rules, std::uint32_t pivot) {
     WhatIfForm& form = context.ui().whatIf;
-    const float room = ImGui::GetContentRegionAvail().x;
-    const float gap = ImGui::GetStyle().ItemSpacing.x;
     constexpr const char* kNames[] = {"x", "y", "z"};
     for (std::size_t i = 0; i < 3; ++i) {
-        if (i > 0) ImGui::SameLine(0.0F, gap);
-        ImGui::SetNextItemWidth(std::max(1.0F, (room - 2.0F * gap) / 3.0F));
+        // Each has a line of its own: all of its digits count.
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("%s", kNames[i]);
+        ImGui::SameLine();
+        ImGui::SetNextItemWidth(-1.0F);
         ImGui::PushID(kNames[i]);
         textField("##to", kNames[i], form.to[i]);
         ImGui::PopID();

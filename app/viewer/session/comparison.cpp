@@ -225,7 +225,9 @@ void Comparison::follow(const Session& run) {
     const std::uint32_t pivot = wanted ? wanted->pivot : twinPivot(times, here.pivot);
     if (other.record().pivot != pivot && asked_ != pivot) {
         asked_ = pivot;
-        return other.playTo({pivot, Stage::Pivot, 0});
+        other.playTo({pivot, Stage::Pivot, 0});
+        // What is at hand is there at once, and drawn once.
+        if (other.busy()) return;
     }
     followed_ = here;
     asked_ = pivot;

@@ -1,6 +1,7 @@
 #include "selection_facts.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "run/measures.h"
 #include "session.h"
@@ -67,9 +68,11 @@ SelectionFacts factsOf(const Session& session, const Selection& selection) {
 }
 
 const SelectionFacts& FactsCache::of(const Session& session) {
-    if (revision_ != session.revision()) facts_ = factsOf(session, session.selection());
-    revision_ = session.revision();
-    return facts_;
+    if (known_[0].session != &session) std::swap(known_[0], known_[1]);
+    Known& known = known_[0];
+    if (known.session == &session && known.revision == session.revision()) return known.facts;
+    known = {&session, session.revision(), factsOf(session, session.selection())};
+    return known.facts;
 }
 
 std::optional<std::uint32_t> pivotOfTriangle(const RunOverview& run, std::size_t number) {

@@ -32,14 +32,19 @@ struct SelectionFacts {
 /// Requires session.ready(). Costs a walk along the rings for an edge.
 SelectionFacts factsOf(const Session& session, const Selection& selection);
 
-/// The facts of the session's selection, worked out anew only when something changed.
+/// The facts of a session's selection, worked out anew only when something changed; of two
+/// sessions in turn, as two that are compared ask.
 class FactsCache {
   public:
     const SelectionFacts& of(const Session& session);
 
   private:
-    SelectionFacts facts_;
-    std::uint32_t revision_ = 0;
+    struct Known {
+        const Session* session = nullptr;
+        std::uint32_t revision = 0;
+        SelectionFacts facts;
+    };
+    std::array<Known, 2> known_;
 };
 
 /// The pivot that made triangle `number`, if the run is known so far.

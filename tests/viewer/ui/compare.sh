@@ -43,6 +43,48 @@ stop
 start "$work/kept.sesession"
 says layout compare; says compare_done true; says other_rules robust
 stop
+# The form: a number of the paper's rules, another input, a what-if; and once more what B is.
+start scene:torus --layout compare
+says phase ready
+click_on "compare part Rules"; click_on "compare rules filter"; type_text "maxgap"; sleep 0.3
+click_on "compare rule maxgap"; press ctrl+a; type_text "100"; press Return
+click_on "compare part Rules"; sleep 0.3
+click_on "compare part Input"; sleep 0.3
+click_on "compare prepare count"; press ctrl+a; type_text "16"; sleep 0.2
+click_on "compare prepare Symmetric"
+click_on "compare part Input"; sleep 0.3
+click_on "compare part What if"; sleep 0.3
+click_on "compare what if line"; type_text "60.advance pivot 9999"; press Return; sleep 0.2
+click_on "compare what if 1"; sleep 0.2
+click_on "compare begin"
+says compare_done true
+says compare_other "robust rules, maxgap 100, 16 nearest, symmetric"
+# The first difference has a mark on the strip; a click there does what its key does.
+press d; sleep 0.3; difference=$(field address); beside=$(field other_address)
+press End; leaves address "$difference"
+click_on "strip difference"; says address "$difference"; says other_address "$beside"
+# A right click in the other view asks both runs.
+go_to 300.sphere.1; says address "300\.sphere\.1"; press f; sleep 0.8
+read -r x y < <(inside "region other view" 50 50)
+click "$x" "$y" 3; sleep 0.3
+click_on "menu why"
+says compare_why "(point|edge|triangle) .*"; says compare_why_other ".*[0-9]+\..*"
+place=$(field address)
+click_on "compare cause"; leaves address "$place"
+click_on "compare why close"; says compare_done true
+click_on "compare other"; click_on "compare back"; says compare_done true
+# Panels are in another layout.
+press ctrl+p; type_text "rules"; press Return; says layout debug; says open_tab Rules; says choices '\[\]'
+stop
+# A fork beside the true run, by one click.
+size=1600x980 start scene:torus --goto 60.emit.1
+says address "60\.emit\.1"
+press ctrl+p; type_text "what if forks"; press Return; says open_tab "What if"
+sleep 0.4; click_on "what if here"; says what_if '\[ "60\.guard drop [0-9]+" \]'; says phase ready
+press ctrl+d; says layout compare; sleep 0.3
+click_on "compare true run"
+says compare_done true; says compare_other "the true run"
+stop
 # A mesh of another program; also in a small window in large print.
 "$viewer" scene:torus --with "$work/nothing.ply" --screenshot "$work/none.png" >/dev/null 2>&1 &&
     fail "a mesh that is not there is no error"
@@ -50,5 +92,10 @@ printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >"$work/other.off"
 scale=2 size=1024x640 start scene:torus --layout compare --with "$work/other.off"
 says compare_done true; says compare_with mesh; says only_b 1
 press d; says address "1\.emit\.1"
+# It has no decisions, and says so.
+read -r x y < <(inside "region other view" 50 50)
+click "$x" "$y" 3; sleep 0.3
+[ -n "$(field "menu beside")" ] || fail "a right click on the mesh of a file says nothing"
+press Escape
 stop
 well

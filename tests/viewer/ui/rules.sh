@@ -53,6 +53,11 @@ press Escape; press ctrl+z; says what_if '\[\]'; says message "Undone: what-if\.
 press ctrl+y; says what_if '\[ "[0-9]+\.[a-z]+ (keep|drop) [0-9]+" \]'
 sleep 0.4; click_on "true run"; says what_if '\[\]'; says phase ready
 says address "$address"
+# No triangle where nobody wants one.
+go_to 60.emit.1; says address "60\.emit\.1"; sleep 0.3
+click_on "what if here"
+says what_if '\[ "60\.guard drop [0-9]+" \]'; says phase ready
+sleep 0.4; click_on "true run"; says what_if '\[\]'; says phase ready
 # Refused, with the reason: a point in its own list.
 sleep 0.3; click_on "what if list"; press ctrl+a; type_text "1 1"; sleep 0.2
 click_on "what if neighbors"

@@ -1,0 +1,146 @@
+#include "prepare_fields.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "text_field.h"
+#include "widgets.h"
+
+namespace se::view {
+
+namespace {
+
+constexpr float kChoice = 11.0F;  ///< Width of a choice before its field, in em.
+constexpr float kField = 4.5F;    ///< What a field has at least.
+constexpr float kTwo = 22.0F;     ///< From this width on two switches stand side by side.
+
+/// Where a field stands behind its choice.
+float fieldPlace(const PanelContext& context) {
+    const float room = ImGui::GetContentRegionMax().x - kField * context.em;
+    return std::min(kChoice * context.em, room);
+}
+
+void besideIfRoom(const PanelContext& context) {
+    if (ImGui::GetContentRegionMax().x >= kTwo * context.em) ImGui::SameLine(kChoice * context.em);
+}
+
+/// The form, where it is drawn.
+struct Fields {
+    const PanelContext& context;
+    PrepareForm& form;
+    const std::string& prefix;
+
+    /// Scripts find the item drawn last by this name.
+    void name(const char* item) const {
+        if (ImGui::IsItemVisible()) context.ui().where[prefix + item] = lastItem();
+    }
+};
+
+/// One of several; what follows stands beside it.
+template <typename T>
+void choice(const Fields& fields, const char* label, T& value, T mine, const char* help) {
+    if (ImGui::RadioButton(label, value == mine)) value = mine;
+    fields.name(label);
+    tooltip(help);
+}
+
+void toggle(const Fields& fields, const char* label, bool& value, const char* help) {
+    ImGui::Checkbox(label, &value);
+    fields.name(label);
+    tooltip(help);
+}
+
+/// A title, and whether what is there now was derived.
+void part(const PanelContext& context, const char* title, bool derived) {
+    ImGui::Spacing();
+    heading(context, title, derived ? "derived now" : "from the input now");
+}
+
+/// A field that chooses what it belongs to.
+template <typename T>
+bool valueField(const Fields& fields, const char* id, std::string& text, T& value, T mine) {
+    ImGui::SameLine(fieldPlace(fields.context));
+    ImGui::SetNextItemWidth(-1.0F);
+    const std::string before = text;
+    const bool entered = textField(
+        id, "", text, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    if (text != before) value = mine;
+    fields.name(id + 2);
+    return entered;
+}
+
+bool drawNeighbors(const Fields& fields) {
+    const auto& [context, form, prefix] = fields;
+    using Reach = PrepareForm::Reach;
+    const Session& session = context.session();
+    const bool computed = session.model().report.neighborsComputed;
+    part(context, "Neighbors", computed);
+    const bool none = computed && !session.spec().neighbors.recompute;
+    choice(fields, none ? "The 12 nearest, as the input has no lists" : "From the input##n",
+           form.reach, Reach::File, "Its lists; if it has none, the 12 nearest");
+    choice(fields, "Nearest, so many", form.reach, Reach::Nearest,
+           "The k nearest points (--neighbors)");
+    bool entered = valueField(fields, "##count", form.count, form.reach, Reach::Nearest);
+    choice(fields, "Within a radius", form.reach, Reach::Radius, "In scene units (--radius)");
+    entered = valueField(fields, "##radius", form.radius, form.reach, Reach::Radius) || entered;
+    choice(fields, "Within spacings", form.reach, Reach::Spacings,
+           "So many times the mean distance to the nearest point (--reach)");
+    entered =
+        valueField(fields, "##spacings", form.spacings, form.reach, Reach::Spacings) || entered;
+    toggle(fields, "Symmetric", form.symmetric,
+           "Whoever lists a point is listed by it as well (--symmetric)");
+    besideIfRoom(context);
+    toggle(fields, "Keep opposing normals", form.keepOpposing,
+           "Also neighbors whose normal opposes that of the point (--keep-opposing)");
+    return entered;
+}
+
+void drawNormals(const Fields& fields) {
+    const auto& [context, form, prefix] = fields;
+    const DerivedPieces& derived = context.session().model().report.derived;
+    part(context, "Normals", derived.normals || derived.orientation);
+    const bool none = derived.normals && context.session().spec().normals != NormalSource::Derived;
+    choice(fields, none ? "Derived, as the input has none" : "From the input##m", form.normals,
+           NormalSource::AsGiven, "Derived from the positions if it has none");
+    choice(fields, "Turned to agree with each other", form.normals, NormalSource::Oriented,
+           "Those of the input, outward for closed parts (--orient)");
+    choice(fields, "Derived from the positions", form.normals, NormalSource::Derived,
+           "Planes through the nearest points, turned to agree (--derive-normals)");
+}
+
+bool drawWalls(const Fields& fields) {
+    const auto& [context, form, prefix] = fields;
+    using From = WallChoice::From;
+    part(context, "Walls",
+         context.session().model().report.derived.types ||
+             context.session().model().report.derived.rim);
+    choice(fields, "From the input##w", form.walls, From::File,
+           "The types of its points, if it has some");
+    choice(fields, "The box around all points", form.walls, From::Around,
+           "Points on its faces are boundary points (--box auto)");
+    choice(fields, "This box", form.walls, From::Box,
+           "Points on its faces are boundary points (--box)");
+    const BoxFields before = form.box;
+    const bool entered = drawBoxFields(context, form.box);
+    if (form.box != before) form.walls = From::Box;
+    toggle(fields, "Find rims without walls", form.rim,
+           "Points where the surface ends without a wall are boundary points (--derive-rim)");
+    return entered;
+}
+
+}  // namespace
+
+bool drawPrepareFields(const PanelContext& context, PrepareForm& form, const std::string& prefix) {
+    const Fields fields{context, form, prefix};
+    bool entered = drawNeighbors(fields);
+    drawNormals(fields);
+    entered = drawWalls(fields) || entered;
+    ImGui::Spacing();
+    heading(context, "Noise");
+    toggle(fields, "Keep all points of noisy input", form.keepNoise,
+           "Robust rules set points aside that lie over or under others (--keep-noise)");
+    return entered;
+}
+
+}  // namespace se::view
