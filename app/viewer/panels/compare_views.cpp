@@ -17,9 +17,11 @@ void drawTitle(const PanelContext& context, const Rect& bar, const char* letter,
     if (bar.size.x < em) return;
     const std::string window = std::string("##title") + letter;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    // Lower than windows are: else it would cover the top of the view.
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
     const bool open =
         beginRegion(window.c_str(), bar, ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoScrollbar);
-    ImGui::PopStyleVar();
+    ImGui::PopStyleVar(2);
     if (open) {
         ImDrawList* list = ImGui::GetWindowDrawList();
         list->AddRectFilled(toVec2(bar.min), toVec2(bar.max()), toU32(context.palette.panelRaised));
@@ -44,7 +46,10 @@ void drawEmptyView(const PanelContext& context) {
         const Comparison* now = context.ui().compare.now;
         const bool chosen = now != nullptr && now->chosen();
         const float width = std::min(view.size.x - 2.0F * context.em, 20.0F * context.em);
-        ImGui::SetCursorPos({0.5F * (view.size.x - width), 0.35F * view.size.y});
+        // In a low view too the button is in sight.
+        const float top = std::max(0.3F * context.em,
+                                   std::min(0.35F * view.size.y, view.size.y - 5.8F * context.em));
+        ImGui::SetCursorPos({0.5F * (view.size.x - width), top});
         ImGui::BeginGroup();
         ImGui::PushTextWrapPos(0.5F * (view.size.x + width));
         if (chosen) {

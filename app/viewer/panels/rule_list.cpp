@@ -121,7 +121,9 @@ void drawRow(RuleList& list, const RuleRow& row) {
 std::optional<RuleSet> drawRuleSets(const PanelContext& context, const RuleSet& rules,
                                     const RuleListPlace& place) {
     RuleList list{context, rules, place};
-    ImGui::SetNextItemWidth(kControl * context.em);
+    const float reset = ImGui::CalcTextSize("Reset all").x + 2.0F * context.em;
+    ImGui::SetNextItemWidth(std::clamp(ImGui::GetContentRegionAvail().x - reset, 4.0F * context.em,
+                                       kControl * context.em));
     if (ImGui::BeginCombo("##set", rules.name.c_str())) {
         for (const std::string_view name : paramSetNames()) {
             const std::string text(name);
