@@ -229,7 +229,7 @@ TEST_CASE("What the run that is open changes itself counts for the form of the o
     form.prepare.rim = true;
     form.follow(before, now, *model.value());
     CHECK(form.prepare.rim);  // other rules: nothing of the input
-    now.neighbors = {KNearest{16}, true, 0, false};
+    now.neighbors = {KNearest{16}, true, 0, true};
     form.follow(before, now, *model.value());
     CHECK_FALSE(form.prepare.rim);
     CHECK(differenceText(now, form.spec(now).value()) == "robust rules, maxgap 100");
