@@ -126,7 +126,8 @@ std::string Application::title() const {
     if (!ui_.sessionPath.empty()) {
         what = std::filesystem::path(ui_.sessionPath).filename().string() + dash + what;
     }
-    return place + dash + what + (ui_.unsaved.empty() ? "" : " (unsaved " + ui_.unsaved + ")") + dash + "Spiraling Edge";
+    return place + dash + what + (ui_.unsaved.empty() ? "" : " (unsaved " + ui_.unsaved + ")") +
+           dash + "Spiraling Edge";
 }
 
 void Application::rememberSize(glm::ivec2 size) {

@@ -30,8 +30,8 @@ struct PanelContext {
     const StatusCounts& counts;
     float em;
     unsigned viewTexture;
-    const OtherView* other = nullptr;  ///< Null: there is none.
-    bool beside = false;               ///< This is the other view of the layout Compare.
+    const OtherView* other = nullptr;   ///< Null: there is none.
+    bool beside = false;                ///< This is the other view of the layout Compare.
     const Session* otherRun = nullptr;  ///< The run in the other view than this; null: none.
 
     Session& session() const { return commands.session; }
