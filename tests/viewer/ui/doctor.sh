@@ -23,10 +23,10 @@ says findings '\[ "zero_normals", "duplicates", "open_border" \]'
 says open_tab Doctor
 says marked 0
 click_on "finding zero_normals"
-says marked 2; sleep 0.3 # the frame after the click shows them
+says marked 2; sleep 0.8 # the frame after the click shows them
 picture marked
 click_on "finding zero_normals" # again: the marks go out
-says marked 0; sleep 0.3
+says marked 0; sleep 0.8
 picture plain
 [ "$(differing marked plain)" -gt 100 ] || fail "marks cannot be seen"
 click_on "finding duplicates"
