@@ -20,7 +20,7 @@ std::vector<std::string> keysOf(const Command& command) {
     return keys;
 }
 
-struct Desk {
+struct CommandDesk {
     test::OpenSession open;
     Playback playback;
     Camera camera;
@@ -70,7 +70,7 @@ TEST_CASE("Texts that are no keys are refused") {
 }
 
 TEST_CASE("The keys of the conventions do what they say") {
-    Desk desk;
+    CommandDesk desk;
     desk.press("F10");
     desk.press(".");
     CHECK(desk.open.place() == "2.advance.1");
@@ -88,7 +88,7 @@ TEST_CASE("The keys of the conventions do what they say") {
 }
 
 TEST_CASE("Stepping by hand pauses playing") {
-    Desk desk;
+    CommandDesk desk;
     desk.press("Space");
     CHECK(desk.playback.playing());
     desk.press("F11");
@@ -96,7 +96,7 @@ TEST_CASE("Stepping by hand pauses playing") {
 }
 
 TEST_CASE("Esc closes, then clears, then leaves Present, and never quits") {
-    Desk desk;
+    CommandDesk desk;
     desk.press("F1");
     CHECK(desk.ui.cheatSheet);
     desk.open.session.select(3);
@@ -116,7 +116,7 @@ TEST_CASE("Esc closes, then clears, then leaves Present, and never quits") {
 }
 
 TEST_CASE("Layer keys switch their layer") {
-    Desk desk;
+    CommandDesk desk;
     const auto shown = [&] { return shownLayers(desk.ui.settings.layers, std::nullopt); };
     const LayerSwitches before = shown();
     for (const char* key : {"N", "L", "E", "S", "G", "K"}) desk.press(key);
@@ -126,7 +126,7 @@ TEST_CASE("Layer keys switch their layer") {
 }
 
 TEST_CASE("Framing moves the camera to the selection or the pivot; stepping leaves it alone") {
-    Desk desk;
+    CommandDesk desk;
     const Camera before = desk.camera;
     desk.press("F10");
     CHECK(desk.camera == before);
@@ -162,7 +162,7 @@ TEST_CASE("The palette finds actions by words, those in the title first") {
 }
 
 TEST_CASE("Ctrl+P opens the palette, and Esc closes it") {
-    Desk desk;
+    CommandDesk desk;
     desk.press("Ctrl+P");
     CHECK(desk.ui.palette.open);
     desk.press("Esc");

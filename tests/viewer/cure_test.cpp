@@ -48,10 +48,11 @@ void write(const fs::path& path, const PointFile& file) {
 }
 
 /// A flawed sphere is open.
-struct Desk : test::Desk {
+struct CureDesk : test::Desk {
     std::string path;
 
-    explicit Desk(const std::string& name) : test::Desk(name), path((folder / "f.xyz").string()) {
+    explicit CureDesk(const std::string& name)
+        : test::Desk(name), path((folder / "f.xyz").string()) {
         write(path, flawed());
         filing.open(path);
         settle();
@@ -101,7 +102,7 @@ TEST_CASE("A cure that does not exist, or is none, is refused") {
 }
 
 TEST_CASE("The input is opened anew as its cures say, and as the file is without them") {
-    Desk desk("cure-test");
+    CureDesk desk("cure-test");
     const std::size_t all = desk.session.model().points.size();
     CHECK(desk.finds("duplicates"));
     CHECK(desk.finds("zero_normals"));
@@ -124,7 +125,7 @@ TEST_CASE("The input is opened anew as its cures say, and as the file is without
 }
 
 TEST_CASE("Bookmarks and notes stay when the input is mended, and another input is not") {
-    Desk desk("cure-notes-test");
+    CureDesk desk("cure-notes-test");
     desk.ui.notes = "kept";
     desk.follow({"zero_normals"});
     CHECK(desk.ui.notes == "kept");
@@ -136,7 +137,7 @@ TEST_CASE("Bookmarks and notes stay when the input is mended, and another input 
 }
 
 TEST_CASE("A session keeps the cures of its input") {
-    Desk desk("cure-session-test");
+    CureDesk desk("cure-session-test");
     desk.follow({"zero_normals", "flipped_normals"});
     desk.ui.requests.saveSessionAs = (desk.folder / "a.sesession").string();
     desk.filing.carryOut(desk.ui.requests);
@@ -159,7 +160,7 @@ TEST_CASE("A session keeps the cures of its input") {
 }
 
 TEST_CASE("Undo asks for the cures as they were, and selects no point of the other input") {
-    Desk desk("cure-undo-test");
+    CureDesk desk("cure-undo-test");
     desk.session.select(5);
     const Edits before = captureEdits(desk.context);
     desk.follow({"zero_normals"});

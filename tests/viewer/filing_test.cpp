@@ -11,8 +11,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Desk : test::Desk {
-    Desk() : test::Desk("filing-test") {}
+struct FilingDesk : test::Desk {
+    FilingDesk() : test::Desk("filing-test") {}
     void open(const std::string& path) {
         filing.open(path);
         settle();
@@ -27,7 +27,7 @@ struct Desk : test::Desk {
 }  // namespace
 
 TEST_CASE("What was saved comes back: place, camera, layers, layout, selection, notes") {
-    Desk desk;
+    FilingDesk desk;
     desk.open("scene:sphere");
     REQUIRE(desk.session.goToText("12.sort.2").ok());
     desk.settle();
@@ -43,7 +43,7 @@ TEST_CASE("What was saved comes back: place, camera, layers, layout, selection, 
     desk.save(path);
     CHECK(desk.ui.sessionPath == path);
 
-    Desk other;
+    FilingDesk other;
     desk.save(path);  // the second desk has emptied the folder
     other.open(path.string());
     CHECK(other.place() == "12.sort.2");
@@ -60,7 +60,7 @@ TEST_CASE("What was saved comes back: place, camera, layers, layout, selection, 
 }
 
 TEST_CASE("An input that has changed since is a warning, not an error") {
-    Desk desk;
+    FilingDesk desk;
     desk.open("scene:sphere");
     const fs::path path = desk.folder / "a.sesession";
     SessionFile file = captureSession(desk.context);
@@ -73,7 +73,7 @@ TEST_CASE("An input that has changed since is a warning, not an error") {
 }
 
 TEST_CASE("A bad session leaves what is open alone and says why") {
-    Desk desk;
+    FilingDesk desk;
     desk.open("scene:sphere");
     std::ofstream(desk.folder / "bad.sesession") << "{";
     desk.open((desk.folder / "bad.sesession").string());
@@ -83,7 +83,7 @@ TEST_CASE("A bad session leaves what is open alone and says why") {
 }
 
 TEST_CASE("Notes belong to their input, and wait until it is opened again") {
-    Desk desk;
+    FilingDesk desk;
     desk.open("scene:sphere");
     desk.ui.notes = "about the sphere";
     toggleBookmark(desk.ui.bookmarks, {3, Stage::Sort, 1});
@@ -96,7 +96,7 @@ TEST_CASE("Notes belong to their input, and wait until it is opened again") {
 }
 
 TEST_CASE("The first save asks for a name, later ones do not") {
-    Desk desk;
+    FilingDesk desk;
     desk.open("scene:sphere");
     desk.ui.requests.saveSession = true;
     desk.filing.carryOut(desk.ui.requests);
@@ -113,7 +113,7 @@ TEST_CASE("The first save asks for a name, later ones do not") {
 }
 
 TEST_CASE("Recent files and layout are kept in the state file, and only if there is one") {
-    Desk desk;
+    FilingDesk desk;
     const fs::path state = desk.folder / "state" / "state.json";
     desk.open("scene:sphere");
     desk.save(desk.folder / "before.sesession");
@@ -128,7 +128,7 @@ TEST_CASE("Recent files and layout are kept in the state file, and only if there
 }
 
 TEST_CASE("Edits are taken and given back as they were") {
-    Desk desk;
+    FilingDesk desk;
     desk.open("scene:sphere");
     const Edits before = captureEdits(desk.context);
     desk.session.select(5);
@@ -142,14 +142,14 @@ TEST_CASE("Edits are taken and given back as they were") {
 }
 
 TEST_CASE("An edge or a triangle that is selected is kept, and comes back by undo") {
-    Desk desk;
+    FilingDesk desk;
     desk.open("scene:sphere");
     const std::vector<Selection> picked = {Selection::ofEdge(9, 4),
                                            Selection::ofTriangle({7, 5, 6})};
     for (const Selection& each : picked) {
         desk.session.select(each);
         const fs::path path = desk.folder / "picked.sesession";
-        Desk other;  // empties the folder
+        FilingDesk other;  // empties the folder
         desk.save(path);
         other.open(path.string());
         CHECK(other.session.selection() == each);
@@ -161,7 +161,7 @@ TEST_CASE("An edge or a triangle that is selected is kept, and comes back by und
 }
 
 TEST_CASE("Bookmarks and notes are unsaved until a session file holds them") {
-    Desk desk;
+    FilingDesk desk;
     desk.open("scene:sphere");
     CHECK(desk.filing.unsaved().empty());
     desk.ui.notes = "odd";

@@ -2,10 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include "chord.h"
 #include "interface/commands.h"
 #include "interface/settings.h"
 
 using namespace se::view;
+using namespace se::view::test;
 
 namespace {
 
@@ -14,8 +16,6 @@ const Command& command(const char* id) {
     REQUIRE(found != nullptr);
     return *found;
 }
-
-KeyChord chord(const char* text) { return keyFromString(text).value(); }
 
 }  // namespace
 

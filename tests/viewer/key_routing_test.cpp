@@ -4,11 +4,12 @@
 
 #include <vector>
 
+#include "chord.h"
+
 using namespace se::view;
+using namespace se::view::test;
 
 namespace {
-
-KeyChord chord(const char* text) { return *keyFromString(text); }
 
 KeyPress down(const char* text) {
     KeyPress press;

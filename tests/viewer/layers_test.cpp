@@ -42,9 +42,9 @@ TEST_CASE("Points have a style by status and type") {
         CHECK(style.color == color.withAlpha(style.color.a));
         const std::uint8_t type = model.points.type[p];
         if (isCorner(type)) {
-            CHECK((style.shape == Shape::Diamond || style.shape == Shape::OpenDiamond));
+            CHECK((style.shape == view::Shape::Diamond || style.shape == view::Shape::OpenDiamond));
         } else if (isBoundary(type)) {
-            CHECK((style.shape == Shape::Square || style.shape == Shape::OpenSquare));
+            CHECK((style.shape == view::Shape::Square || style.shape == view::Shape::OpenSquare));
         }
     }
 }
@@ -99,13 +99,13 @@ TEST_CASE("The sphere of a test passes through p, s and t, in view space") {
 TEST_CASE("A pivot has its marks while it is worked on, and only its own afterwards") {
     OpenSession open;
     const DrawList during = drawn(open, {30, Stage::Emit, 1}, {LayerId::NeighborRing});
-    CHECK(count(during, Shape::Forward) >= 1);
-    CHECK(count(during, Shape::Back) >= 1);
-    CHECK(count(during, Shape::RingedDisc) >= 1);
+    CHECK(count(during, view::Shape::Forward) >= 1);
+    CHECK(count(during, view::Shape::Back) >= 1);
+    CHECK(count(during, view::Shape::RingedDisc) >= 1);
     const DrawList after = drawn(open, kWhole, {LayerId::NeighborRing});
-    CHECK(count(after, Shape::RingedDisc) == 1);
-    CHECK(count(after, Shape::Forward) == 0);
-    CHECK(count(after, Shape::Cross) == 0);
+    CHECK(count(after, view::Shape::RingedDisc) == 1);
+    CHECK(count(after, view::Shape::Forward) == 0);
+    CHECK(count(after, view::Shape::Cross) == 0);
 }
 
 TEST_CASE("Labels stand only at the pivot, its candidates and the selection, one each") {

@@ -30,7 +30,7 @@ std::vector<Case> allCases() {
     return all;
 }
 
-bool overlap(const Rect& a, const Rect& b) {
+bool overlapping(const Rect& a, const Rect& b) {
     return a.min.x < b.max().x && b.min.x < a.max().x && a.min.y < b.max().y && b.min.y < a.max().y;
 }
 
@@ -52,7 +52,7 @@ TEST_CASE("Panels fill the window without overlap, at every size") {
             CHECK(a.min.x >= 0.0F);
             CHECK(a.max().x <= screen.size.x);
             CHECK(a.max().y <= screen.size.y);
-            for (const Rect& b : all) CHECK((&a == &b || !overlap(a, b)));
+            for (const Rect& b : all) CHECK((&a == &b || !overlapping(a, b)));
         }
         CHECK(area == doctest::Approx(screen.size.x * screen.size.y));
     }

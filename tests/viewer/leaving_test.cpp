@@ -11,8 +11,8 @@ namespace fs = std::filesystem;
 namespace {
 
 /// One in which a scene is open.
-struct Desk : test::Desk {
-    Desk() : test::Desk("leaving-test") {
+struct LeavingDesk : test::Desk {
+    LeavingDesk() : test::Desk("leaving-test") {
         filing.open("scene:sphere");
         frame();
     }
@@ -37,7 +37,7 @@ struct Desk : test::Desk {
 }  // namespace
 
 TEST_CASE("Nothing is asked where a person noted nothing, or took it back") {
-    Desk desk;
+    LeavingDesk desk;
     desk.open("scene:grid");
     CHECK(desk.session.spec().source == "scene:grid");
     const Address here{3, Stage::Sort, 1};
@@ -52,7 +52,7 @@ TEST_CASE("Nothing is asked where a person noted nothing, or took it back") {
 }
 
 TEST_CASE("Quitting with notes asks; cancelling stays, discarding goes") {
-    Desk desk;
+    LeavingDesk desk;
     desk.ui.notes = "odd";
     desk.quit();
     CHECK(desk.ui.leaving.asked);
@@ -95,7 +95,7 @@ TEST_CASE("Breakpoints and watches that no file holds are asked about as notes a
 }
 
 TEST_CASE("Opening and reloading ask likewise; what is discarded is as the file has it") {
-    Desk desk;
+    LeavingDesk desk;
     desk.ui.notes = "saved";
     desk.ui.requests.saveSessionAs = (desk.folder / "a.sesession").string();
     desk.frame();
@@ -121,7 +121,7 @@ TEST_CASE("Opening and reloading ask likewise; what is discarded is as the file 
 }
 
 TEST_CASE("Saving first goes on when the file is written, and stays if no name is given") {
-    Desk desk;
+    LeavingDesk desk;
     desk.ui.notes = "odd";
     desk.open("scene:grid");
     desk.answer(LeaveAnswer::Save);
@@ -152,7 +152,7 @@ TEST_CASE("Saving first goes on when the file is written, and stays if no name i
 }
 
 TEST_CASE("What cannot be saved is not left") {
-    Desk desk;
+    LeavingDesk desk;
     desk.ui.notes = "odd";
     desk.quit();
     desk.answer(LeaveAnswer::Save);
@@ -164,7 +164,7 @@ TEST_CASE("What cannot be saved is not left") {
 }
 
 TEST_CASE("A file that cannot be opened leaves notes and input as they were") {
-    Desk desk;
+    LeavingDesk desk;
     desk.ui.notes = "odd";
     desk.filing.open("missing.ply");
     desk.frame();
@@ -175,7 +175,7 @@ TEST_CASE("A file that cannot be opened leaves notes and input as they were") {
 }
 
 TEST_CASE("Of several files that are dropped the first is opened, and a sentence says so") {
-    Desk desk;
+    LeavingDesk desk;
     desk.filing.drop({"scene:grid", "scene:torus"});
     desk.frame();
     desk.filing.poll();

@@ -2,16 +2,16 @@
 
 #include <doctest/doctest.h>
 
+#include "drawn.h"
 #include "interface/commands.h"
 #include "interface/key_map.h"
 #include "rig.h"
 
 using namespace se;
 using namespace se::view;
+using namespace se::view::test;
 
 namespace {
-
-constexpr Moment kPaper{Moment::Kind::Paper, 0.0, false};
 
 Moment after(double seconds, bool single = false) {
     return {Moment::Kind::Moving, seconds, single};

@@ -20,7 +20,7 @@ TEST_CASE("Drawn for insert: the walls that p touches, their vectors and the pla
     CHECK(says(list, "wall "));
     CHECK(says(list, "N \xC3\x97 v"));
     CHECK(says(list, "after p"));
-    CHECK(count(list, Shape::Circle) >= 1);
+    CHECK(count(list, view::Shape::Circle) >= 1);
 }
 
 TEST_CASE("A wall is a whole face of the box, in the plane of the points that lie on it") {
@@ -229,7 +229,7 @@ TEST_CASE("A point that nothing can be begun with is crossed and says why") {
     open.session.goTo({425, Stage::Strand, 1});
     open.session.settle();
     const DrawList list = drawnAt(open, Moment{}, addSeed);
-    CHECK(count(list, Shape::Cross) == 1);
+    CHECK(count(list, view::Shape::Cross) == 1);
     CHECK(says(list, "no neighbor left"));
 }
 

@@ -15,7 +15,7 @@ namespace {
 constexpr int kFarthest = 48;
 constexpr int kStep = 2;
 /// From this on a line leads back to the rim.
-constexpr int kLeaderFrom = 5;
+constexpr int kLeaderFromRow = 5;
 /// How far the corner of a name may reach over the rim, as a share of the gap.
 constexpr float kTouch = 0.4F;
 
@@ -32,7 +32,7 @@ class NamePlacer {
                     const std::optional<Rect> rect = freeAt(name, side * off, row);
                     if (!rect) continue;
                     taken_.push_back(*rect);
-                    return PlacedName{0, *rect, row > 0 || off >= kLeaderFrom};
+                    return PlacedName{0, *rect, row > 0 || off >= kLeaderFromRow};
                 }
             }
         }

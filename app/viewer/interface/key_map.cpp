@@ -9,9 +9,6 @@ namespace se::view {
 
 namespace {
 
-constexpr int kFirstModifierKey = 340;
-constexpr int kLastModifierKey = 348;
-
 std::vector<std::string> wordsOf(std::string_view text) {
     std::vector<std::string> words;
     while (!text.empty()) {
@@ -117,9 +114,8 @@ void KeyCapture::begin(std::string_view command) {
 }
 
 void KeyCapture::press(const KeyChord& chord, KeyMap& map) {
-    const bool modifier = chord.key >= kFirstModifierKey && chord.key <= kLastModifierKey;
     const Command* command = findCommand(command_);
-    if (modifier || command == nullptr) return;
+    if (isModifierKey(chord.key) || command == nullptr) return;
     if (chord.key == key::kEscape) return cancel();
     const bool none = chord.key == key::kBackspace && chord.mods == 0;
     const std::string name = toString(chord);

@@ -8,20 +8,16 @@ namespace se::view {
 namespace {
 
 constexpr int kFirstNamedKey = key::kEscape;
-constexpr int kFirstModifierKey = 340;
-constexpr int kLastModifierKey = 347;
 constexpr int kLeftShift = 340;
 constexpr int kRightShift = 344;
 constexpr std::string_view kEditLetters = "ACVXYZ";
 
 bool isPlain(const KeyChord& chord) { return (chord.mods & (kCtrl | kAlt)) == 0; }
 
-bool isModifier(int key) { return key >= kFirstModifierKey && key <= kLastModifierKey; }
-
 /// Signs come by themselves; of other keys only the state is looked at.
 bool isLookedAt(const KeyPress& press) {
     const int key = press.rawKey;
-    if (key >= kFirstNamedKey) return key < kFirstModifierKey;
+    if (key >= kFirstNamedKey) return key < key::kFirstModifier;
     return (press.chord.mods & kCtrl) != 0;
 }
 
@@ -37,7 +33,7 @@ class FrameOfKeys {
         }
         if (press.repeated) return true;
         if (isShiftKey(press.rawKey)) return !pressed_;  // A sign has its Shift within it.
-        if (isModifier(press.rawKey)) return !pressed_ && !typed_;
+        if (isModifierKey(press.rawKey)) return !pressed_ && !typed_;
         if (press.released) {
             up_.insert(press.rawKey);
             return !down_.contains(press.rawKey);

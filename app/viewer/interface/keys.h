@@ -28,7 +28,13 @@ inline constexpr int kHome = 268;
 inline constexpr int kEnd = 269;
 inline constexpr int kF1 = 290;
 inline constexpr int kKeypadEnter = 335;
+inline constexpr int kFirstModifier = 340;
+inline constexpr int kLastModifier = 347;
 }  // namespace key
+/// Shift, Ctrl, Alt and Super, left and right.
+inline bool isModifierKey(int key) {
+    return key >= key::kFirstModifier && key <= key::kLastModifier;
+}
 
 struct KeyChord {
     int key = 0;  ///< Upper case letter, digit, sign or one of key::; 0: none.

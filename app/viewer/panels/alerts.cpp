@@ -24,12 +24,6 @@ struct AlertRow {
     std::size_t alert = 0;
 };
 
-void dimText(const std::string& text) {
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextDisabled("%s", text.c_str());
-    ImGui::PopTextWrapPos();
-}
-
 bool isOpen(const PanelContext& context, const AlertGroup& group) {
     const auto& byHand = context.ui().alertsOpen;
     const auto found = byHand.find(std::string(group.kind->name));

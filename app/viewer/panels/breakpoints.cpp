@@ -17,12 +17,6 @@ namespace {
 constexpr float kButton = 1.7F;
 constexpr float kLeastLine = 9.5F;
 
-void dimText(const std::string& text) {
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextDisabled("%s", text.c_str());
-    ImGui::PopTextWrapPos();
-}
-
 /// "3 / 17": hits up to the cursor, and in all.
 std::string countText(const Session& session, const Breakpoint& breakpoint) {
     const LineHits* known = session.hits().of(breakpoint.line);
@@ -212,7 +206,7 @@ void drawButtons(const PanelContext& context) {
     tooltip("The next breakpoint (" + context.key("run.continue") + ")");
 }
 
-void drawSearch(const PanelContext& context) {
+void drawHitSearch(const PanelContext& context) {
     HitSearch& hits = context.session().hits();
     if (hits.busy()) {
         const float button = 4.5F * context.em;
@@ -238,7 +232,7 @@ void drawBreakpoints(const PanelContext& context) {
     std::vector<Breakpoint>& all = context.ui().breakpoints;
     drawTitle(context);
     drawButtons(context);
-    drawSearch(context);
+    drawHitSearch(context);
     if (all.empty()) {
         dimText("The run stops where one holds: " + context.key("run.continue") + " goes on, " +
                 context.key("run.continue.back") + " back. " + context.key("run.break") +

@@ -9,12 +9,6 @@ namespace se::view {
 
 namespace {
 
-void dimParagraph(const std::string& text) {
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextDisabled("%s", text.c_str());
-    ImGui::PopTextWrapPos();
-}
-
 /// Where a chart has its columns, in pixels from its left edge.
 struct ChartColumns {
     float label = 0.0F;  ///< Width of the labels.
@@ -69,7 +63,7 @@ void drawBar(const PanelContext& context, const RunChart& chart, const ChartBar&
 void drawChart(const PanelContext& context, const RunChart& chart) {
     ImGui::Spacing();
     heading(context, std::string(chart.title).c_str(), std::string(chart.unit));
-    if (chart.bars.empty()) return dimParagraph("There are none.");
+    if (chart.bars.empty()) return dimText("There are none.");
     const ChartColumns columns = columnsOf(chart);
     ImGui::PushID(chart.name.data());
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.12F * context.em});
@@ -94,11 +88,11 @@ void drawCharts(const PanelContext& context) {
     }
     const std::vector<RunChart>* answer = charts.answer();
     if (answer == nullptr) {
-        dimParagraph(charts.complaint());
+        dimText(charts.complaint());
         if (ImGui::SmallButton("Ask again")) charts.forget();
         return;
     }
-    dimParagraph("A click on a bar lists its decisions in the panel Query.");
+    dimText("A click on a bar lists its decisions in the panel Query.");
     for (const RunChart& chart : *answer) drawChart(context, chart);
 }
 

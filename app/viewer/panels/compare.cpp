@@ -13,12 +13,6 @@ void wrappedText(const std::string& text) {
         ImGui::TextUnformatted(line.c_str());
 }
 
-void dimText(const std::string& text) {
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextDisabled("%s", text.c_str());
-    ImGui::PopTextWrapPos();
-}
-
 bool compareButton(const PanelContext& context, const char* label, const char* name,
                    const std::string& help) {
     const bool pressed = ImGui::Button(label);

@@ -39,12 +39,6 @@ void show(const PanelContext& context, const Finding& finding, bool shown) {
     session.mark(std::move(points));
 }
 
-void dimText(const std::string& text) {
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextDisabled("%s", text.c_str());
-    ImGui::PopTextWrapPos();
-}
-
 /// How many are lit up, if not all are.
 std::string markedText(const Session& session, const Finding& finding) {
     const std::size_t marked = session.marked().size();

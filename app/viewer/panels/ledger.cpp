@@ -18,14 +18,8 @@ void paragraph(const PanelContext& context, const std::string& text) {
     ImGui::Dummy({0.0F, 0.1F * context.em});
 }
 
-void dimParagraph(const std::string& text) {
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextDisabled("%s", text.c_str());
-    ImGui::PopTextWrapPos();
-}
-
 /// What one can ask about without finding it in the view: also what is not there.
-void drawBox(const PanelContext& context) {
+void drawQuestionBox(const PanelContext& context) {
     LedgerPanel& panel = context.ui().ledger;
     const float button = ImGui::CalcTextSize("Why?").x + 1.5F * context.em;
     if (std::exchange(panel.wantsKeyboard, false)) ImGui::SetKeyboardFocusHere();
@@ -44,16 +38,16 @@ void drawBox(const PanelContext& context) {
 
 void drawEmpty(const PanelContext& context) {
     const std::string key = context.key("ask.why");
-    dimParagraph(
+    dimText(
         "Why is it there? Why is it not? Click a point, an edge or a triangle in the "
         "view and press " +
         key + ", or click it with the right button.");
     ImGui::Spacing();
-    dimParagraph(
+    dimText(
         "For what is not there: type its points above, such as 812,640 for an edge. Or select one "
         "point, and click the other with the right button.");
     ImGui::Spacing();
-    dimParagraph("ring asks what made the active ring, ring #2 the second on the stack.");
+    dimText("ring asks what made the active ring, ring #2 the second on the stack.");
 }
 
 void drawAnswer(const PanelContext& context, const WhyAnswer& ledger) {
@@ -98,13 +92,13 @@ void drawLedger(const PanelContext& context) {
     followSelection(context);
     Questions& questions = session.questions();
     heading(context, "Ledger", questions.subjectName());
-    drawBox(context);
+    drawQuestionBox(context);
     const ScrolledBody body(context, "##ledgerBody");
     Inquiry<WhyAnswer>& ledger = questions.ledger();
     if (ledger.busy()) {
         if (drawAsking(context, "Making the run again ...", ledger.share())) ledger.stop();
     } else if (!ledger.complaint().empty()) {
-        dimParagraph(ledger.complaint());
+        dimText(ledger.complaint());
         if (ImGui::SmallButton("Ask again")) questions.askAgain();
     } else if (const WhyAnswer* answer = ledger.answer()) {
         drawAnswer(context, *answer);

@@ -20,12 +20,6 @@ namespace {
 constexpr const char* kExamples[] = {"stage=sphere kept margin<1e-3", "refused section=6.1",
                                      "failure", "angle<10", "stage=split"};
 
-void dimParagraph(const std::string& text) {
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextDisabled("%s", text.c_str());
-    ImGui::PopTextWrapPos();
-}
-
 /// The two lists of the panel, one of them in sight.
 void drawChoice(const PanelContext& context) {
     QueryPanel& panel = context.ui().query;
@@ -103,7 +97,7 @@ void drawTerms(const PanelContext& context) {
 
 void drawHelp(const PanelContext& context) {
     QueryPanel& panel = context.ui().query;
-    dimParagraph("Finds decisions of the whole run. All words must hold. Such as:");
+    dimText("Finds decisions of the whole run. All words must hold. Such as:");
     for (const char* example : kExamples) {
         if (ImGui::Selectable(example)) {
             panel.typed = example;
@@ -112,7 +106,7 @@ void drawHelp(const PanelContext& context) {
         context.ui().where[std::string("example ") + example] = lastItem();
     }
     ImGui::Spacing();
-    dimParagraph("The words; a click puts one into the line:");
+    dimText("The words; a click puts one into the line:");
     drawTerms(context);
 }
 
@@ -148,7 +142,7 @@ void drawByWords(const PanelContext& context) {
     if (found.busy()) {
         if (drawAsking(context, "Making the run again ...", found.share())) found.stop();
     } else if (!found.complaint().empty()) {
-        dimParagraph(found.complaint());
+        dimText(found.complaint());
     } else if (const FoundDecisions* answer = found.answer()) {
         drawFound(context, *answer);
     } else {
@@ -172,8 +166,8 @@ std::string moveText(const Nudge& nudge) {
 }
 
 void drawCalls(const PanelContext& context, const ClosestAnswer& closest) {
-    if (closest.lines.empty()) return dimParagraph("No decision of this run compared a number.");
-    dimParagraph("The decisions nearest to going the other way, the nearest first.");
+    if (closest.lines.empty()) return dimText("No decision of this run compared a number.");
+    dimText("The decisions nearest to going the other way, the nearest first.");
     bool tinted = context.ui().settings.pointTint == PointTint::Margin;
     if (ImGui::Checkbox("Tint points by margin", &tinted))
         context.run(tinted ? "view.points.margin" : "view.points.status");
@@ -197,7 +191,7 @@ void drawClosest(const PanelContext& context) {
     } else if (const ClosestAnswer* answer = closest.answer()) {
         drawCalls(context, *answer);
     } else {
-        dimParagraph(closest.complaint());
+        dimText(closest.complaint());
         if (ImGui::SmallButton("Ask again")) closest.forget();
     }
 }

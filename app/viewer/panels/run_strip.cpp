@@ -60,7 +60,7 @@ void drawScale(const RunStrip& strip) {
     }
 }
 
-void drawAlerts(const RunStrip& strip) {
+void drawAlertMarks(const RunStrip& strip) {
     ImDrawList* list = ImGui::GetWindowDrawList();
     const float em = strip.context.em;
     const float y = strip.lanes.min.y;
@@ -103,7 +103,7 @@ void drawNoticed(const RunStrip& strip) {
 }
 
 /// A flag with the number of the bookmark, as long as there is a key for it.
-void drawBookmarks(const RunStrip& strip) {
+void drawBookmarkMarks(const RunStrip& strip) {
     ImDrawList* list = ImGui::GetWindowDrawList();
     const float em = strip.context.em;
     const ImU32 color = toU32(strip.context.palette.text);
@@ -341,11 +341,11 @@ void drawRunStrip(const PanelContext& context, const Rect& area) {
     drawRingLengths(strip);
     if (!folded) drawScale(strip);
     drawLanes(strip);
-    drawAlerts(strip);
+    drawAlertMarks(strip);
     drawNoticed(strip);
     drawLoop(strip);
     drawStops(strip);
-    drawBookmarks(strip);
+    drawBookmarkMarks(strip);
     drawPlayhead(strip);
     drawDifference(strip);
     ImGui::PopClipRect();

@@ -11,7 +11,7 @@ namespace {
 
 /// The address has at least this much room, so that what follows it stays where it is.
 constexpr float kAddress = 10.3F;
-constexpr float kGap = 1.2F;
+constexpr float kPartGap = 1.2F;
 
 /// The most important first.
 std::vector<std::string> partsOf(const PanelContext& context) {
@@ -74,13 +74,13 @@ void drawStatusBar(const PanelContext& context) {
             widths.push_back(ImGui::CalcTextSize(part.c_str()).x);
         }
         widths.push_back(ImGui::CalcTextSize(keys.c_str()).x);
-        float x = left + std::max(kAddress * em, width + kGap * em);
-        const std::size_t fits = fittingParts(left + total - x, widths, kGap * em);
+        float x = left + std::max(kAddress * em, width + kPartGap * em);
+        const std::size_t fits = fittingParts(left + total - x, widths, kPartGap * em);
         for (std::size_t i = 0; i < std::min(fits, parts.size()); ++i) {
             ImGui::SameLine(x);
             ImGui::TextUnformatted(parts[i].c_str());
             context.ui().where["status " + std::to_string(i + 1)] = lastItem();
-            x += widths[i] + kGap * em;
+            x += widths[i] + kPartGap * em;
         }
         if (fits > parts.size()) {
             ImGui::SameLine(left + total - widths.back());

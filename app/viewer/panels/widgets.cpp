@@ -126,6 +126,12 @@ void takeKeyboardHere() {
     g.NavDisableHighlight = false;
 }
 
+void dimText(const std::string& text) {
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextDisabled("%s", text.c_str());
+    ImGui::PopTextWrapPos();
+}
+
 void tooltip(const std::string& text) {
     // Who walks by keyboard must see the next rows.
     if (ImGui::GetCurrentContext()->NavDisableMouseHover) return;

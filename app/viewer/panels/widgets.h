@@ -36,6 +36,8 @@ bool iconButton(const char* id, Icon icon, const char* tooltip, bool enabled, bo
 void takeKeyboard();
 /// Gives it to the first item of the window that is being drawn; without one, arrows scroll it.
 void takeKeyboardHere();
+/// A note in the color of what matters less, wrapped.
+void dimText(const std::string& text);
 /// If the item drawn last is pointed at.
 void tooltip(const std::string& text);
 void showTooltip(const std::string& text);

@@ -50,8 +50,6 @@ void Loader::finish() {
 
 namespace {
 
-Error cancelled() { return Error{"Opening was cancelled."}; }
-
 /// The points would be prepared in the same way.
 bool sameInput(const Params& a, const Params& b) {
     return a.dropOpposingNormals == b.dropOpposingNormals && a.setNoiseAside == b.setNoiseAside;
@@ -78,7 +76,7 @@ Status checkForks(Opened& opened, const std::vector<WhatIf>& known, LoadProgress
     const Model& model = *opened.model;
     const auto answers = checkWhatIfs(model.points, model.params,
                                       [&](double) { return !progress.cancelled.load(); });
-    if (!answers) return cancelled();
+    if (!answers) return openingCancelled();
     for (std::size_t i = 0; i < answers->size(); ++i) {
         const WhatIf& what = model.params.whatIf[i];
         const bool is = std::find(known.begin(), known.end(), what) != known.end();
@@ -120,12 +118,12 @@ Result<Opened> Loader::work(Job& job) {
         opened.place = findSamePlace({before.points, before.params}, job.anew->cursor,
                                      {opened.model->points, opened.model->params},
                                      [&job] { return !job.progress.cancelled.load(); });
-        if (!opened.place) return cancelled();
+        if (!opened.place) return openingCancelled();
     }
     opened.runner = std::make_unique<Runner>(opened.model);
     opened.runner->request(opened.place ? opened.place->pivot : 0);
     while (!opened.runner->wait(std::chrono::milliseconds(50))) {
-        if (job.progress.cancelled) return cancelled();
+        if (job.progress.cancelled) return openingCancelled();
     }
     return made;
 }

@@ -22,8 +22,6 @@ constexpr double kReadShare = 0.1;
 constexpr double kParsedShare = 0.25;
 constexpr double kPreparedShare = 0.9;
 
-Error cancelled() { return Error{"Opening was cancelled."}; }
-
 bool isFinite(const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
@@ -66,7 +64,7 @@ Result<PointFile> readSample(const InputSpec& spec, Model& model, LoadProgress& 
             progress.share = kParsedShare * share;
             return !progress.cancelled.load();
         });
-    if (progress.cancelled) return cancelled();
+    if (progress.cancelled) return openingCancelled();
     if (!points) return points;
     model.name = sampleTitle(sample.value(), points.value().position.size());
     model.hash = hashOfPoints(points.value());
@@ -94,7 +92,7 @@ Result<PointFile> readSource(const InputSpec& spec, Model& model, LoadProgress& 
     }
     model.name = fs::path(source).filename().string();
     const std::optional<std::string> bytes = readBytes(source, model.hash, progress);
-    if (progress.cancelled) return cancelled();
+    if (progress.cancelled) return openingCancelled();
     // What cannot be read is told in the words of the library.
     return bytes ? readPoints(*bytes, source) : readPoints(fs::path(source));
 }
@@ -114,6 +112,8 @@ float medianSpacing(const Model& model) {
 }
 
 }  // namespace
+
+Error openingCancelled() { return Error{"Opening was cancelled."}; }
 
 std::string mendedText(const Model& model) {
     if (model.cured && model.mended.empty()) return "nothing had to be done";
@@ -186,13 +186,13 @@ Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress) {
     Result<std::vector<std::string>> mended =
         cure(file.value(), spec.cures, options,
              [&progress](double) { return !progress.cancelled.load(); });
-    if (progress.cancelled) return cancelled();
+    if (progress.cancelled) return openingCancelled();
     if (!mended) return mended.error();
     Result<Prepared> prepared = prepare(file.value(), options, [&](double share) {
         progress.share = kParsedShare + (kPreparedShare - kParsedShare) * share;
         return !progress.cancelled.load();
     });
-    if (progress.cancelled) return cancelled();
+    if (progress.cancelled) return openingCancelled();
     if (!prepared) return prepared.error();
     model->cured = !spec.cures.empty();
     model->mended = std::move(mended.value());
@@ -205,7 +205,7 @@ Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress) {
     model->report = prepared.value().report;
     if (model->points.empty()) return Error{model->name + " holds no points."};
     placeModel(*model);
-    if (progress.cancelled) return cancelled();
+    if (progress.cancelled) return openingCancelled();
     progress.share = 1.0;
     return Loaded{std::move(model), std::make_shared<const PointFile>(std::move(file.value()))};
 }

@@ -18,6 +18,9 @@
 
 namespace se::view {
 
+/// What opening ends with once a person gave it up.
+Error openingCancelled();
+
 /// Sources that are no files: "scene:ID".
 inline constexpr std::string_view kScenePrefix = "scene:";
 inline bool isScene(std::string_view source) { return source.starts_with(kScenePrefix); }

@@ -7,7 +7,7 @@ namespace se::view {
 
 namespace {
 
-constexpr std::array<ArrangementRow, 4> kRows = {{
+constexpr std::array<ArrangementRow, 4> kArrangements = {{
     {Arrangement::Debug, "debug", "Debug", "All panels."},
     {Arrangement::Learn, "learn", "Learn",
      "The rule beside a large view, the decision in large print. F2: next layout."},
@@ -19,23 +19,23 @@ constexpr std::array<ArrangementRow, 4> kRows = {{
 
 }  // namespace
 
-std::span<const ArrangementRow> arrangements() { return kRows; }
+std::span<const ArrangementRow> arrangements() { return kArrangements; }
 
 const ArrangementRow& rowOf(Arrangement arrangement) {
-    return kRows[static_cast<std::size_t>(arrangement)];
+    return kArrangements[static_cast<std::size_t>(arrangement)];
 }
 
 std::optional<Arrangement> arrangementFromName(std::string_view name) {
-    const auto found = std::find_if(kRows.begin(), kRows.end(),
+    const auto found = std::find_if(kArrangements.begin(), kArrangements.end(),
                                     [&](const ArrangementRow& row) { return row.name == name; });
-    if (found == kRows.end()) return std::nullopt;
+    if (found == kArrangements.end()) return std::nullopt;
     return found->id;
 }
 
 Arrangement following(Arrangement arrangement) {
     constexpr std::size_t kOnKey = 3;
     const std::size_t next = static_cast<std::size_t>(arrangement) + 1;
-    return kRows[next < kOnKey ? next : 0].id;
+    return kArrangements[next < kOnKey ? next : 0].id;
 }
 
 }  // namespace se::view

@@ -38,8 +38,8 @@ press Return; sleep 0.3
 read -r x y < <(center "region view")
 camera=$(field camera)
 undo=$(field undo)
-move_to $((x + 40)) $((y + 30)); xdotool click --repeat 2 --delay 60 1; sleep 0.4
-[ "$(field camera)" != "$camera" ] || fail "a double click does not move the center"
+move_to $((x + 40)) $((y + 30)); xdotool click --repeat 2 --delay 60 1
+leaves camera "$camera"  # else the center did not move
 says selected 12
 # It was never another, not even between the two clicks: undo knows of the camera alone.
 says undo "$((undo + 1))"

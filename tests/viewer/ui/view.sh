@@ -33,17 +33,17 @@ says selected null
 # A neighbor of the pivot lights up under the pointer.
 press f; sleep 0.3
 read -r x y < <(center "region view")
-lit() {
+lit() { # SECONDS at each place
     local dx dy
     for dy in 0 40 -40 80 -80 120 -120; do
         for dx in 40 60 80 100 120 140 160 180 200 220; do
             xdotool mousemove --window "$window" $((x + dx)) $((y + dy))
-            sleep 0.05
+            sleep "$1"
             [ "$(field hovered)" != null ] && return 0
         done
     done
     return 1
 }
-lit || fail "no neighbor of the pivot lights up"
+lit 0.05 || lit 0.2 || fail "no neighbor of the pivot lights up"
 stop
 well
