@@ -12,8 +12,6 @@
 namespace se::cli {
 namespace {
 
-constexpr long long kMostNeighbors = 1'000'000;
-
 /// Sets one rule from NAME=VALUE.
 void applyRule(const std::string& text, Params& params) {
     if (findRuleSetting(text.substr(0, text.find('='))) == nullptr) {

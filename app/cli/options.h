@@ -14,6 +14,9 @@
 
 namespace se::cli {
 
+/// A list of more is a slip of the finger.
+inline constexpr long long kMostNeighbors = 1'000'000;
+
 /// Reads `arguments` into what `app` binds. Empty if the verb should go on; else the code to end
 /// with, after the help was printed. Throws Failure on wrong usage.
 std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments);

@@ -140,7 +140,8 @@ Ending triangulate(Stepper& stepper, std::optional<std::uint32_t> maxPivots, Tra
     return reason == StopReason::Capped ? Ending::Capped : ending;
 }
 
-void writeMesh(const std::string& path, const PointFile& file, const std::vector<Triangle>& mesh) {
+void writeMeshFile(const std::string& path, const PointFile& file,
+                   const std::vector<Triangle>& mesh) {
     if (path == "-") return writeOutput(path, meshPlyBytes(file, mesh));
     const Status status = se::writeMesh(path, file, mesh);
     if (!status) throw Failure(ExitCode::Internal, status.error().message);
@@ -213,7 +214,7 @@ ExitCode runVerb(const Arguments& words) {
     outcome.seconds.triangulate = watch.lap();
     if (outcome.ending != Ending::Interrupted) {
         trace.commit();
-        if (!arguments.output.empty()) writeMesh(arguments.output, file, outcome.state.mesh());
+        if (!arguments.output.empty()) writeMeshFile(arguments.output, file, outcome.state.mesh());
         outcome.output = arguments.output;
         outcome.seconds.write = watch.lap();
     }

@@ -21,7 +21,6 @@ namespace se::cli {
 namespace {
 
 constexpr long long kMostPoints = 100'000'000;
-constexpr long long kMostNeighbors = 1'000'000;
 
 struct SampleArguments {
     std::string input;

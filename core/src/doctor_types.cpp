@@ -24,9 +24,9 @@ struct Face {
     Vec3::length_type axis;
     double sign;  ///< +1: the upper face of that axis.
 };
-constexpr std::array kFaces{Face{kPositiveX, 0, 1.0},  Face{kPositiveY, 1, 1.0},
-                            Face{kPositiveZ, 2, 1.0},  Face{kNegativeX, 0, -1.0},
-                            Face{kNegativeY, 1, -1.0}, Face{kNegativeZ, 2, -1.0}};
+constexpr std::array kFacesOfBox{Face{kPositiveX, 0, 1.0},  Face{kPositiveY, 1, 1.0},
+                                 Face{kPositiveZ, 2, 1.0},  Face{kNegativeX, 0, -1.0},
+                                 Face{kNegativeY, 1, -1.0}, Face{kNegativeZ, 2, -1.0}};
 
 /// Where a face lies: the middle one of its points, the outer one of two. -infinity without any.
 double levelOf(const Patient& patient, const Face& face) {
@@ -56,7 +56,7 @@ std::optional<Finding> findTypesOffBox(const Patient& patient) {
     const Vec3 sides = box.high - box.low;
     const double reach = box.tolerance * std::max({sides.x, sides.y, sides.z});
     std::vector<bool> off(patient.size(), false);
-    for (const Face& face : kFaces) {
+    for (const Face& face : kFacesOfBox) {
         const double level = levelOf(patient, face);
         if (std::isinf(level)) continue;
         for (Index p = 0; p < patient.size(); ++p) {

@@ -12,7 +12,7 @@ struct StageRow {
 };
 
 /// In the order of Stage.
-constexpr std::array<StageRow, kStageCount> kStages{{
+constexpr std::array<StageRow, kStageCount> kStageRows{{
     {"seed", "4"},         {"strand", "4"}, {"pivot", "6"},     {"skip", "7"},
     {"insert", "7.1"},     {"sort", "6.1"}, {"limits", "6.1"},  {"convex", "6.1"},
     {"reciprocal", "6.1"}, {"hole", "6.2"}, {"sphere", "6.3"},  {"twopoint", "6.4"},
@@ -38,17 +38,17 @@ std::string_view takePart(std::string_view& text) {
 
 }  // namespace
 
-std::string_view stageName(Stage stage) { return kStages[static_cast<std::size_t>(stage)].name; }
+std::string_view stageName(Stage stage) { return kStageRows[static_cast<std::size_t>(stage)].name; }
 
 std::string_view stageSection(Stage stage) {
-    return kStages[static_cast<std::size_t>(stage)].section;
+    return kStageRows[static_cast<std::size_t>(stage)].section;
 }
 
 std::optional<Stage> stageFromName(std::string_view name) {
-    const auto found = std::find_if(kStages.begin(), kStages.end(),
+    const auto found = std::find_if(kStageRows.begin(), kStageRows.end(),
                                     [&](const StageRow& row) { return row.name == name; });
-    if (found == kStages.end()) return std::nullopt;
-    return static_cast<Stage>(found - kStages.begin());
+    if (found == kStageRows.end()) return std::nullopt;
+    return static_cast<Stage>(found - kStageRows.begin());
 }
 
 std::string toString(const Address& address) {

@@ -1,18 +1,13 @@
 /// Every decision as one plain sentence with its numbers.
 #include <cstdio>
 
+#include "number_text.h"
 #include "spiraling_edge/event.h"
 #include "spiraling_edge/reading.h"
 
 namespace se {
 namespace {
 
-/// Six significant digits; the same on every machine.
-std::string num(double value) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.6g", value == 0.0 ? 0.0 : value);
-    return buffer;
-}
 /// Degrees with one digit, which hides rounding from one machine to the next.
 std::string deg(double value) {
     char buffer[32];

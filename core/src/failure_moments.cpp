@@ -8,6 +8,7 @@
 #include "inspected_run.h"
 #include "ledger_line.h"
 #include "moment_finder.h"
+#include "parallel.h"
 #include "root_decisions.h"
 #include "spiraling_edge/run_scan.h"
 
@@ -103,12 +104,6 @@ class Finders {
     std::vector<std::size_t> concerned_;
     FreedRings rings_;
 };
-
-/// A share of all the work.
-Progress partOf(const Progress& progress, double from, double to) {
-    if (!progress) return {};
-    return [&progress, from, to](double share) { return progress(from + (to - from) * share); };
-}
 
 /// Where a failure stands in the list of classes.
 std::size_t rankOf(const MeshFailure& failure) {

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "inspection_checks.h"
+#include "number_text.h"
 
 namespace se {
 namespace {
@@ -33,12 +34,6 @@ constexpr FailureClass kClasses[] = {
      nullptr},
     {"triangle_cap", "The run was stopped: far too many triangles (runs only).", nullptr},
 };
-
-std::string num(double value) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.6g", value);
-    return buffer;
-}
 
 /// "1, 2, 3"; long lists end in "... (70)".
 std::string list(const std::vector<Index>& numbers) {

@@ -24,7 +24,7 @@ constexpr const char* kReadable =
 /// The reason that the operating system gave for the last failure.
 std::string systemReason() { return std::generic_category().message(errno); }
 
-using Reader = Result<PointFile> (*)(std::string_view, const std::string&);
+using ReadFunction = Result<PointFile> (*)(std::string_view, const std::string&);
 
 bool isObjKeyword(std::string_view word) {
     constexpr std::array<std::string_view, 14> kKeywords{
@@ -33,7 +33,7 @@ bool isObjKeyword(std::string_view word) {
 }
 
 /// The reader for what `bytes` seem to be; null if they seem to be nothing that can be read.
-Reader findReader(std::string_view bytes, const std::string& name) {
+ReadFunction findReader(std::string_view bytes, const std::string& name) {
     if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r") || bytes.starts_with("ply "))
         return io::readPly;
     io::LineReader lines(bytes);
@@ -147,7 +147,7 @@ Result<PointFile> readPoints(std::string_view bytes, const std::string& name) {
     if (bytes.empty()) return Error{name + ": is empty"};
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
-    const Reader reader = findReader(bytes, name);
+    const ReadFunction reader = findReader(bytes, name);
     if (reader == nullptr) return Error{name + ": is of no known kind. " + kReadable};
     return reader(bytes, name);
 }

@@ -13,7 +13,7 @@ namespace se::io {
 namespace {
 
 /// A column, or several of the same name if `count` is more than one.
-struct Field {
+struct PcdField {
     std::string name;
     std::size_t size = 4;
     char kind = 'F';
@@ -94,7 +94,7 @@ class PcdReader {
     bool readEntry(std::string_view key, Fields& words) {
         if (key == "FIELDS" || key == "COLUMNS") return readNames(words);
         if (key == "SIZE") {
-            return forEachField(key, words, [&](Field& field, std::string_view word) {
+            return forEachField(key, words, [&](PcdField& field, std::string_view word) {
                 std::int64_t number = 0;
                 if (!parseInteger(word, number)) return false;
                 field.size = static_cast<std::size_t>(number);
@@ -102,13 +102,13 @@ class PcdReader {
             });
         }
         if (key == "TYPE") {
-            return forEachField(key, words, [](Field& field, std::string_view word) {
+            return forEachField(key, words, [](PcdField& field, std::string_view word) {
                 field.kind = word.empty() ? '?' : word.front();
                 return word == "F" || word == "I" || word == "U";
             });
         }
         if (key == "COUNT") {
-            return forEachField(key, words, [](Field& field, std::string_view word) {
+            return forEachField(key, words, [](PcdField& field, std::string_view word) {
                 std::int64_t number = 0;
                 constexpr std::int64_t kMost = 1 << 20;
                 if (!parseInteger(word, number) || number < 0 || number > kMost) return false;
@@ -132,7 +132,7 @@ class PcdReader {
 
     template <typename Take>
     bool forEachField(std::string_view key, Fields& words, Take&& take) {
-        for (Field& field : fields_) {
+        for (PcdField& field : fields_) {
             const std::string_view word = words.next();
             if (!take(field, word)) {
                 return fail(std::string(key) + " of field " + inQuotes(field.name) + " is " +
@@ -154,8 +154,8 @@ class PcdReader {
         return true;
     }
 
-    const Field* find(std::string_view name) const {
-        for (const Field& field : fields_) {
+    const PcdField* find(std::string_view name) const {
+        for (const PcdField& field : fields_) {
             if (field.name == name && field.count == 1 && field.kind == 'F' && field.type()) {
                 return &field;
             }
@@ -177,7 +177,7 @@ class PcdReader {
             }
         }
         rowSize_ = 0;
-        for (const Field& field : fields_) rowSize_ += field.size * field.count;
+        for (const PcdField& field : fields_) rowSize_ += field.size * field.count;
         // Before memory is taken: a row has at least two bytes in text, and its size in binary.
         const std::uint64_t least = binary_ ? rowSize_ : 2;
         if (*points_ > (lines_.rest().size() + 1) / least) return failCut(0);
@@ -208,7 +208,7 @@ class PcdReader {
             file_.normalType = *find("normal_x")->type();
         }
         std::size_t others = 0;
-        for (const Field& field : fields_) others += isOther(field) ? 1 : 0;
+        for (const PcdField& field : fields_) others += isOther(field) ? 1 : 0;
         file_.attributes.reserve(others);  // Targets point into them.
         for (std::size_t i = 0; i < fields_.size(); ++i) targets_[i] = targetOf(fields_[i]);
     }
@@ -216,7 +216,7 @@ class PcdReader {
     static constexpr const char* kAxes[] = {"x", "y", "z"};
     static constexpr const char* kNormals[] = {"normal_x", "normal_y", "normal_z"};
 
-    bool isOther(const Field& field) const {
+    bool isOther(const PcdField& field) const {
         if (field.count != 1 || !field.type() || field.name == "_") return false;
         for (const char* own : kAxes) {
             if (&field == find(own)) return false;
@@ -227,7 +227,7 @@ class PcdReader {
         return true;
     }
 
-    Target targetOf(const Field& field) {
+    Target targetOf(const PcdField& field) {
         if (*points_ == 0) return {};
         for (int i = 0; i < 3; ++i) {
             if (&field == find(kAxes[i])) return {&file_.position.front()[i], 3};
@@ -268,7 +268,7 @@ class PcdReader {
             return fail("expected a number for field " + inQuotes(fields_[i].name) + ", found " +
                         inQuotes(word) + "; correct the line");
         }
-        const Field& field = fields_[i];
+        const PcdField& field = fields_[i];
         if (targets_[i].first == nullptr) return true;
         if (!roundTo(*field.type(), value)) {
             return fail(std::string(word) + " is no number of the type and size of field " +
@@ -281,7 +281,7 @@ class PcdReader {
 
     /// In text a color of type F is the float that has its bits, one of type I their number with a
     /// sign.
-    static double colorBits(const Field& field, double value) {
+    static double colorBits(const PcdField& field, double value) {
         if (field.kind == 'F') return std::bit_cast<std::uint32_t>(static_cast<float>(value));
         if (field.kind == 'I') return static_cast<std::uint32_t>(static_cast<std::int32_t>(value));
         return value;
@@ -322,7 +322,9 @@ class PcdReader {
     void splitColors() {
         for (std::size_t i = 0; i < file_.attributes.size(); ++i) {
             const Attribute& packed = file_.attributes[i];
-            const auto isIt = [&](const Field& f) { return f.isColor() && f.name == packed.name; };
+            const auto isIt = [&](const PcdField& f) {
+                return f.isColor() && f.name == packed.name;
+            };
             if (packed.type != ScalarType::UInt32 ||
                 std::none_of(fields_.begin(), fields_.end(), isIt)) {
                 continue;
@@ -347,7 +349,7 @@ class PcdReader {
     LineReader lines_;
     std::size_t whole_;
     const std::string& name_;
-    std::vector<Field> fields_;
+    std::vector<PcdField> fields_;
     std::vector<Target> targets_;
     std::optional<std::uint64_t> width_, height_, points_;
     std::size_t rowSize_ = 0;

@@ -8,7 +8,7 @@ namespace se {
 namespace {
 
 /// The distance of points that are kept, in widths of the noise.
-constexpr double kApart = 2.0;
+constexpr double kApartSpacings = 2.0;
 /// How far over or under a point another counts as the same place of the surface, in widths.
 constexpr double kReach = 6.0;
 /// Farther ones lie higher wherever the surface bends.
@@ -83,7 +83,7 @@ std::size_t setNoiseAside(std::span<const Vec3> position, std::span<const NoiseP
         if (!usable[p]) continue;
         chosen[p] = true;
         const NoisePatch& here = patches[p];
-        const double apart = kApart * here.width;
+        const double apart = kApartSpacings * here.width;
         for (const Index x : lists[p]) {
             if (!usable[x] || chosen[x]) continue;
             const Vec3 offset = position[x] - position[p];

@@ -1,4 +1,4 @@
-/// Numbers as text that reads back exactly.
+/// Numbers as text: exact ones, and those that people read.
 #pragma once
 
 #include <array>
@@ -24,6 +24,13 @@ inline void appendNumber(std::string& text, double value) {
     }
     text.append(out.data(), static_cast<std::size_t>(length));
 #endif
+}
+
+/// Six significant digits; the same on every machine.
+inline std::string num(double value) {
+    std::array<char, 32> out;
+    std::snprintf(out.data(), out.size(), "%.6g", value == 0.0 ? 0.0 : value);
+    return out.data();
 }
 
 }  // namespace se

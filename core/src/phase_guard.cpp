@@ -10,7 +10,7 @@ namespace se {
 namespace {
 
 /// What follows an objection.
-enum class Remedy : std::uint8_t {
+enum class Relief : std::uint8_t {
     Drop,    ///< The candidate at fault goes; without one the fan is refused.
     Refuse,  ///< The fan is refused.
 };
@@ -18,22 +18,22 @@ enum class Remedy : std::uint8_t {
 struct FanRule {
     bool Rules::*on;
     Objection (*find)(const StepContext&);
-    Remedy remedy;
+    Relief remedy;
 };
 
 constexpr std::array kManifoldRules{
-    FanRule{&Rules::guard, takenEdge, Remedy::Drop},
-    FanRule{&Rules::noPillow, pillow, Remedy::Drop},
+    FanRule{&Rules::guard, takenEdge, Relief::Drop},
+    FanRule{&Rules::noPillow, pillow, Relief::Drop},
 };
 constexpr std::array kShapeRules{
-    FanRule{&Rules::noCross, crossing, Remedy::Drop},
-    FanRule{&Rules::noFold, fold, Remedy::Drop},
-    FanRule{&Rules::noMeet, meetsFinished, Remedy::Drop},
+    FanRule{&Rules::noCross, crossing, Relief::Drop},
+    FanRule{&Rules::noFold, fold, Relief::Drop},
+    FanRule{&Rules::noMeet, meetsFinished, Relief::Drop},
 };
 constexpr std::array kWaitingRules{
-    FanRule{&Rules::gap, wideGap, Remedy::Refuse},
-    FanRule{&Rules::rim, overRim, Remedy::Refuse},
-    FanRule{&Rules::delay, steep, Remedy::Refuse},
+    FanRule{&Rules::gap, wideGap, Relief::Refuse},
+    FanRule{&Rules::rim, overRim, Relief::Refuse},
+    FanRule{&Rules::delay, steep, Relief::Refuse},
 };
 
 template <std::size_t N>
@@ -60,7 +60,7 @@ std::size_t culprit(const Fan& fan, const Objection& objection) {
 
 /// What a rule objects to, and what follows.
 GuardEvidence evidenceOf(const Fan& fan, const FanRule& rule, const Objection& objection) {
-    const std::size_t drop = rule.remedy == Remedy::Refuse ? kNone : culprit(fan, objection);
+    const std::size_t drop = rule.remedy == Relief::Refuse ? kNone : culprit(fan, objection);
     return {objection.verdict, fan[objection.at].point,
             objection.triangle ? fan[objection.at + 1].point : kNone,
             drop == kNone ? kNone : fan[drop].point};

@@ -8,22 +8,22 @@ namespace se {
 namespace {
 
 /// Lists are worked on in pieces of this length, in arrays on the stack.
-constexpr std::size_t kPiece = 32;
+constexpr std::size_t kPieceOfList = 32;
 
 /// Stable sort by angle: lists come nearest first, so points of the same angle stay in order of
 /// distance. The places in a short list are counted, which needs no branch that could be guessed
 /// wrong.
 void sortByAngle(const std::vector<Candidate>& listed, std::vector<Candidate>& sorted) {
     const std::size_t count = listed.size();
-    if (count > kPiece) {
+    if (count > kPieceOfList) {
         sorted = listed;
         std::stable_sort(sorted.begin(), sorted.end(), [](const Candidate& a, const Candidate& b) {
             return a.angle.key < b.angle.key;
         });
         return;
     }
-    std::array<unsigned, kPiece> place;
-    std::array<double, kPiece> key;
+    std::array<unsigned, kPieceOfList> place;
+    std::array<double, kPieceOfList> key;
     for (std::size_t i = 0; i < count; ++i) {
         key[i] = listed[i].angle.key;
         unsigned before = 0;
@@ -123,7 +123,7 @@ void explainNeighbors(AnyContext auto& context, std::span<const Index> list) {
 /// The points of `list` that are not DONE and at neither end of the sector, moved to the front of
 /// `free`; how many. Which ones they are cannot be guessed: hence no branch.
 std::size_t freePoints(const State& s, std::span<const Index> list,
-                       std::array<Index, kPiece>& free) {
+                       std::array<Index, kPieceOfList>& free) {
     const Index first = s.rings.point(s.pivot.first);
     const Index last = s.rings.point(s.pivot.last);
     std::size_t count = 0;
@@ -138,7 +138,7 @@ std::size_t freePoints(const State& s, std::span<const Index> list,
 /// Appends the points of `list` that lie between start and end as candidates.
 void addCandidates(AnyContext auto& context, std::span<const Index> list) {
     NeighborRing& n = context.state.pivot;
-    std::array<Index, kPiece> free;
+    std::array<Index, kPieceOfList> free;
     const std::size_t count = freePoints(context.state, list, free);
     const Angle end = endOf(context);
     for (std::size_t i = 0; i < count; ++i) {
@@ -162,7 +162,7 @@ void phaseSort(AnyContext auto& context) {
     explainNeighbors(context, list);
     n.listed.clear();
     while (!list.empty()) {
-        const std::size_t size = std::min(kPiece, list.size());
+        const std::size_t size = std::min(kPieceOfList, list.size());
         addCandidates(context, list.first(size));
         list = list.subspan(size);
     }

@@ -18,12 +18,12 @@ constexpr double kKey120 = 1.5;
 constexpr double kKey150 = 1.8660254037844386;
 constexpr double kFullTurnOfKeys = 4.0;
 
-struct Flat {
+struct FlatPlace {
     double x = 0.0, y = 0.0;
 };
 
 /// From u counterclockwise to v, both of unit length; 0 for the same direction up to rounding.
-double keyFrom(const Flat& u, const Flat& v) {
+double keyFrom(const FlatPlace& u, const FlatPlace& v) {
     constexpr double kSameDirection = 1e-9;
     const double cosine = std::clamp(u.x * v.x + u.y * v.y, -1.0, 1.0);
     const double sine = u.x * v.y - u.y * v.x;
@@ -35,7 +35,7 @@ double keyFrom(const Flat& u, const Flat& v) {
 struct Spoke {
     double key;
     Index point;
-    Flat direction;
+    FlatPlace direction;
     double lengthSq;
     friend bool operator<(const Spoke& a, const Spoke& b) {
         return a.key < b.key || (a.key == b.key && a.point < b.point);
@@ -88,7 +88,7 @@ class Spokes {
 
   private:
     void add(Index q, const Vec3& offset) {
-        const Flat along{glm::dot(x_, offset), glm::dot(y_, offset)};
+        const FlatPlace along{glm::dot(x_, offset), glm::dot(y_, offset)};
         const double length = std::sqrt(along.x * along.x + along.y * along.y);
         if (!(length > 0.0)) return;  // Above or below the point.
         spokes_.push_back({0.0, q, {along.x / length, along.y / length}, length * length});
@@ -102,7 +102,7 @@ class Spokes {
         }
         return best->point;
     }
-    void sortFrom(const Flat& reference) {
+    void sortFrom(const FlatPlace& reference) {
         for (Spoke& spoke : spokes_) spoke.key = keyFrom(reference, spoke.direction);
         std::sort(spokes_.begin(), spokes_.end());
     }
@@ -114,7 +114,7 @@ class Spokes {
 // ---- the search ---------------------------------------------------------------------------------
 
 /// Longer lists reach beyond the points about a point, and over narrow openings.
-constexpr std::size_t kNearest = 12;
+constexpr std::size_t kNearestOfRim = 12;
 /// Of a chain, this many of three must be candidates, and on no wall.
 constexpr std::size_t kOfThree = 2;
 
@@ -124,7 +124,7 @@ Result<NeighborLists> nearestBothWays(std::span<const Vec3> position, const Neig
     NeighborLists nearest;
     nearest.offset.reserve(lists.offset.size());
     for (Index p = 0; p < lists.size(); ++p) {
-        nearest.append(lists[p].first(std::min(kNearest, lists[p].size())));
+        nearest.append(lists[p].first(std::min(kNearestOfRim, lists[p].size())));
     }
     return symmetricLists(position, nearest, threads, progress);
 }

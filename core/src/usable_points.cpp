@@ -9,7 +9,7 @@ namespace se {
 namespace {
 
 /// Normals off by less than this from unit length are left bit for bit as they are.
-constexpr double kUnitTolerance = 1e-12;
+constexpr double kUnitAlready = 1e-12;
 /// Normals off by more than this are reported.
 constexpr double kReportedTolerance = 1e-3;
 
@@ -81,7 +81,7 @@ std::vector<Index> originalsOf(std::span<const Vec3> position, std::span<const F
 bool scaleToUnit(Vec3& normal) {
     if (!hasDirection(normal)) return false;
     const double length = glm::length(normal);
-    if (std::abs(length - 1.0) <= kUnitTolerance) return false;
+    if (std::abs(length - 1.0) <= kUnitAlready) return false;
     // By the largest component first: squares of very long or short normals leave the range.
     const double largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
     normal /= largest;

@@ -26,7 +26,7 @@ double ringLength(const WatchedRun& run, Index) {
     return rings.active() == kNone ? 0.0 : rings.length(rings.active());
 }
 
-constexpr WatchTerm kTerms[] = {
+constexpr WatchTerm kWatchTerms[] = {
     {"ring", "Length of the active ring.", ringLength},
     {"stack", "Rings on the stack.",
      [](const WatchedRun& run, Index) {
@@ -65,7 +65,7 @@ constexpr WatchTerm kTerms[] = {
 
 std::string allForms() {
     std::string forms;
-    for (const WatchTerm& term : kTerms)
+    for (const WatchTerm& term : kWatchTerms)
         forms += (forms.empty() ? "" : ", ") + std::string(term.form);
     return forms;
 }
@@ -102,12 +102,12 @@ class UsedCounter {
 
 }  // namespace
 
-std::span<const WatchTerm> watchTerms() { return kTerms; }
+std::span<const WatchTerm> watchTerms() { return kWatchTerms; }
 
 Result<WatchExpression> WatchExpression::parse(std::string_view text) {
     text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
     while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-    for (const WatchTerm& term : kTerms) {
+    for (const WatchTerm& term : kWatchTerms) {
         if (text == term.form && !term.form.ends_with("=N")) return WatchExpression(term, kNone);
         if (!term.form.ends_with("=N")) continue;
         const std::string_view head = term.form.substr(0, term.form.size() - 1);

@@ -11,33 +11,33 @@
 namespace se {
 namespace {
 
-std::string pointText(Index p) { return "Point " + std::to_string(p); }
+std::string namedPoint(Index p) { return "Point " + std::to_string(p); }
 
 /// What can be told without a run.
 Status checkPlain(const PointSet& points, const WhatIf& what) {
-    if (what.point >= points.size()) return Error{pointText(what.point) + " does not exist."};
+    if (what.point >= points.size()) return Error{namedPoint(what.point) + " does not exist."};
     if (what.kind == WhatIfKind::Move) {
         const auto same = std::find(points.position.begin(), points.position.end(), what.to);
         const auto at = static_cast<Index>(same - points.position.begin());
         if (same != points.position.end() && at != what.point) {
-            return Error{pointText(at) +
+            return Error{namedPoint(at) +
                          " is at that place: there is only one point at any "
                          "particular location (section 3)."};
         }
         if (points.position[what.point] == what.to) {
-            return Error{pointText(what.point) + " is at that place already."};
+            return Error{namedPoint(what.point) + " is at that place already."};
         }
     }
     if (what.kind != WhatIfKind::List) return success();
     std::set<Index> seen;
     for (const Index q : what.list) {
-        if (q >= points.size()) return Error{pointText(q) + " does not exist."};
+        if (q >= points.size()) return Error{namedPoint(q) + " does not exist."};
         if (q == what.point) return Error{"A point is not in its own list."};
-        if (!seen.insert(q).second) return Error{pointText(q) + " is in the list twice."};
+        if (!seen.insert(q).second) return Error{namedPoint(q) + " is in the list twice."};
     }
     const auto now = points.neighbors[what.point];
     if (std::set<Index>(now.begin(), now.end()) == seen) {
-        return Error{pointText(what.point) + " has that list already."};
+        return Error{namedPoint(what.point) + " has that list already."};
     }
     return success();
 }
@@ -68,7 +68,7 @@ Status checkTest(const std::vector<Event>& events, const WhatIf& what) {
     }
     const std::string place = toString(placeOf(what));
     if (!stageSeen) return Error{"Nothing is tested at " + place + "."};
-    if (!verdict) return Error{pointText(what.point) + " is not tested at " + place + "."};
+    if (!verdict) return Error{namedPoint(what.point) + " is not tested at " + place + "."};
     if (what.kind == WhatIfKind::Drop) return Error{"It is so anyway."};
     const std::string reason = reasonAgainst(*verdict, what.point);
     return Error{reason.empty() ? "It is so anyway." : reason};
@@ -79,7 +79,7 @@ Status checkPivot(const std::vector<Event>& events, const WhatIf& what) {
         const auto* advance = std::get_if<AdvanceEvidence>(&event.evidence);
         if (advance != nullptr && advance->whatIf && advance->to == what.point) return success();
     }
-    return Error{pointText(what.point) + " stands on no edge ring behind pivot " +
+    return Error{namedPoint(what.point) + " stands on no edge ring behind pivot " +
                  std::to_string(what.pivot) + "."};
 }
 
@@ -188,27 +188,27 @@ class Check {
 std::string reasonAgainst(Verdict verdict, Index point) {
     switch (verdict) {
         case Verdict::AlreadyDone:
-            return pointText(point) + " is DONE: triangles surround it (invariant 7).";
+            return namedPoint(point) + " is DONE: triangles surround it (invariant 7).";
         case Verdict::OnRingEnd:
-            return pointText(point) + " is first or last, and in the neighbor ring anyway.";
+            return namedPoint(point) + " is first or last, and in the neighbor ring anyway.";
         case Verdict::NotAfterStart:
         case Verdict::NotBeforeEnd:
         case Verdict::Outside:
-            return pointText(point) +
+            return namedPoint(point) +
                    " lies outside of the free sector: its triangle would cover finished ones "
                    "(invariant 8).";
         case Verdict::SameAngle:
-            return pointText(point) +
+            return namedPoint(point) +
                    " has the same angle as a nearer one (invariant 8): drop that one instead.";
         case Verdict::NotListed:
-            return pointText(point) +
+            return namedPoint(point) +
                    " is not among the pivot's neighbors (section 6.1): give the pivot another list "
                    "first.";
         case Verdict::NotAnEdge:
-            return "No edge leads to " + pointText(point) +
+            return "No edge leads to " + namedPoint(point) +
                    " along the ring: start and end advance over finished triangles only.";
         case Verdict::OtherLimit:
-            return pointText(point) + " is the other limit: start and end would meet.";
+            return namedPoint(point) + " is the other limit: start and end would meet.";
         case Verdict::Discarded:
             return "The full turn of a fresh ring has no triangle.";
         default:

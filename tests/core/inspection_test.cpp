@@ -13,10 +13,10 @@ using namespace se;
 
 namespace {
 
-using Mesh = std::vector<Triangle>;
+using Faces = std::vector<Triangle>;
 using Counts = std::map<std::string, std::size_t>;
 
-Counts countsOf(const PointSet& points, const Mesh& triangles) {
+Counts countsOf(const PointSet& points, const Faces& triangles) {
     Counts counts;
     for (const MeshFailure& failure : inspectMesh(points, triangles))
         ++counts[std::string(failure.kind->name)];
@@ -36,13 +36,13 @@ PointSet octahedron() {
     points.normal = points.position;
     return points;
 }
-const Mesh kOctahedron{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
-                       {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+const Faces kOctahedron{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                        {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
 
 /// A flat grid of n x n points, two triangles per square.
 struct Sheet {
     PointSet points;
-    Mesh triangles;
+    Faces triangles;
 };
 Sheet sheet(Index n) {
     Sheet result;
@@ -69,14 +69,14 @@ TEST_CASE("inspection: nothing is wrong with a closed octahedron") {
 TEST_CASE("inspection: without normals and types nothing is flipped") {
     PointSet points = octahedron();
     points.normal.clear();
-    Mesh inverse = kOctahedron;
+    Faces inverse = kOctahedron;
     for (Triangle& t : inverse) std::swap(t.b, t.c);
     CHECK(countsOf(points, inverse).empty());
     CHECK(countsOf(octahedron(), inverse) == Counts{{"flipped_triangles", 8}});
 }
 
 TEST_CASE("inspection: a missing triangle is a hole with its length and area") {
-    Mesh open = kOctahedron;
+    Faces open = kOctahedron;
     open.erase(open.begin());
     const std::vector<MeshFailure> failures = inspectMesh(octahedron(), open);
     REQUIRE(failures.size() == 1);
@@ -112,7 +112,7 @@ TEST_CASE("inspection: a third triangle at an edge") {
 
 TEST_CASE("inspection: two fans at a point") {
     PointSet points = positionsOnly({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}});
-    const std::vector<MeshFailure> failures = inspectMesh(points, Mesh{{0, 1, 2}, {0, 3, 4}});
+    const std::vector<MeshFailure> failures = inspectMesh(points, Faces{{0, 1, 2}, {0, 3, 4}});
     const auto found = std::find_if(failures.begin(), failures.end(), [](const MeshFailure& f) {
         return f.kind->name == "non_manifold_vertices";
     });
@@ -122,14 +122,14 @@ TEST_CASE("inspection: two fans at a point") {
 }
 
 TEST_CASE("inspection: one triangle inside out") {
-    Mesh turned = kOctahedron;
+    Faces turned = kOctahedron;
     std::swap(turned[0].b, turned[0].c);
     const Counts counts = countsOf(octahedron(), turned);
     CHECK(counts == Counts{{"inconsistent_edges", 3}, {"flipped_triangles", 1}});
 }
 
 TEST_CASE("inspection: the same three points twice, in either winding") {
-    Mesh twice = kOctahedron;
+    Faces twice = kOctahedron;
     twice.push_back({4, 0, 2});
     CHECK(countsOf(octahedron(), twice).at("duplicate_triangles") == 1);
     twice.back() = {2, 0, 4};
