@@ -6,21 +6,13 @@
 
 #include "freed_rings.h"
 #include "inspected_run.h"
+#include "spiraling_edge/reading.h"
 #include "spiraling_edge/remedy.h"
 #include "spiraling_edge/stepper.h"
 #include "spiraling_edge/what_if_check.h"
 
 namespace se {
 namespace {
-
-std::optional<Verdict> verdictOf(const Event& event) {
-    return std::visit(
-        [](const auto& e) -> std::optional<Verdict> {
-            if constexpr (requires { e.verdict; }) return e.verdict;
-            return std::nullopt;
-        },
-        event.evidence);
-}
 
 /// What is done instead of a test; nothing if a person has no say in it.
 std::optional<WhatIfKind> otherWay(Verdict verdict) {

@@ -101,13 +101,18 @@ Outcome outcomeOf(Verdict verdict) {
 
 }  // namespace
 
-Outcome outcomeOf(const Event& event) {
+std::optional<Verdict> verdictOf(const Event& event) {
     return std::visit(
-        [](const auto& e) {
-            if constexpr (requires { e.verdict; }) return outcomeOf(e.verdict);
-            return Outcome::None;
+        [](const auto& e) -> std::optional<Verdict> {
+            if constexpr (requires { e.verdict; }) return e.verdict;
+            return std::nullopt;
         },
         event.evidence);
+}
+
+Outcome outcomeOf(const Event& event) {
+    const auto verdict = verdictOf(event);
+    return verdict ? outcomeOf(*verdict) : Outcome::None;
 }
 
 Index testedPoint(const Event& event) {

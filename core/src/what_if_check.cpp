@@ -42,15 +42,6 @@ Status checkPlain(const PointSet& points, const WhatIf& what) {
     return success();
 }
 
-std::optional<Verdict> verdictOf(const Event& event) {
-    return std::visit(
-        [](const auto& e) -> std::optional<Verdict> {
-            if constexpr (requires { e.verdict; }) return e.verdict;
-            return std::nullopt;
-        },
-        event.evidence);
-}
-
 bool isAbout(const Event& event, const WhatIf& what) {
     if (event.address.stage != what.stage) return false;
     return what.stage == Stage::TwoPoint || testedPoint(event) == what.point;

@@ -18,6 +18,8 @@ enum class Outcome : std::uint8_t {
     Refused,  ///< Left out, removed, not moved, discarded.
 };
 
+/// How a test ended; nothing if the event is none.
+std::optional<Verdict> verdictOf(const Event& event);
 /// What became of what was tested.
 Outcome outcomeOf(const Event& event);
 /// The point that was tested, or that something happened to; kNone if it was none or several.
