@@ -13,7 +13,7 @@ namespace se::view {
 namespace {
 
 /// Above this many, particles are plain dots, as points are in the view of a run.
-constexpr std::size_t kShapesUpTo = 100'000;
+constexpr std::size_t kGrownShapesUpTo = 100'000;
 
 /// Where particles of a picture are drawn. With `like`, in the same place and size as before, so
 /// that nothing jumps while they move.
@@ -38,7 +38,7 @@ std::unique_ptr<Model> modelOf(const GrowthPicture& picture, const Model* like) 
 void addStyles(const Model& model, const Palette& palette, DrawList& out) {
     const std::size_t count = model.place.size();
     CloudStyles& s = out.cloudStyles;
-    const bool dots = count > kShapesUpTo;
+    const bool dots = count > kGrownShapesUpTo;
     s.styles[0] = {palette.used, dots ? 0.16F : 0.40F, dots ? Shape::Dot : Shape::Disc};
     s.styles[1] = {palette.first, dots ? 0.20F : 0.44F, dots ? Shape::Dot : Shape::Square};
     s.styles[2] = {palette.last, dots ? 0.24F : 0.60F, dots ? Shape::Dot : Shape::Diamond};

@@ -67,7 +67,7 @@ TEST_CASE("Quitting with notes asks; cancelling stays, discarding goes") {
 }
 
 TEST_CASE("Breakpoints and watches that no file holds are asked about as notes are, by name") {
-    Desk desk;
+    LeavingDesk desk;
     desk.ui.breakpoints.push_back({"", "stage=split"});
     desk.ui.watches = {"ring"};
     desk.quit();

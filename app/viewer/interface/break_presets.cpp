@@ -10,22 +10,22 @@ namespace se::view {
 
 namespace {
 
-using Line = std::optional<std::string>;
+using QueryLine = std::optional<std::string>;
 
-Line withPoint(const BreakSubject& subject, const std::string& before,
-               const std::string& behind = {}) {
+QueryLine withPoint(const BreakSubject& subject, const std::string& before,
+                    const std::string& behind = {}) {
     if (subject.point() == kNone) return std::nullopt;
     return before + std::to_string(subject.point()) + behind;
 }
 
-Line withEdge(const BreakSubject& subject) {
+QueryLine withEdge(const BreakSubject& subject) {
     if (subject.selected.kind != SelectionKind::Edge) return std::nullopt;
     const auto corners = subject.selected.corners();
     return "edge=" + std::to_string(corners[0]) + "," + std::to_string(corners[1]);
 }
 
 /// The stage, and whether what was tested there was taken.
-Line thisKind(const BreakSubject& subject) {
+QueryLine thisKind(const BreakSubject& subject) {
     if (subject.event == nullptr) return std::nullopt;
     std::string line = "stage=" + std::string(stageName(subject.event->address.stage));
     const Outcome outcome = outcomeOf(*subject.event);
@@ -35,7 +35,7 @@ Line thisKind(const BreakSubject& subject) {
 }
 
 template <const char* text>
-Line plain(const BreakSubject&) {
+QueryLine plain(const BreakSubject&) {
     return std::string(text);
 }
 

@@ -297,16 +297,6 @@ constexpr auto kCommands = std::to_array<Command>({
      false, escape},
 });
 
-std::vector<std::string_view> wordsOf(std::string_view text) {
-    std::vector<std::string_view> words;
-    while (!text.empty()) {
-        const std::size_t blank = text.find(' ');
-        words.push_back(text.substr(0, blank));
-        text = blank == std::string_view::npos ? std::string_view{} : text.substr(blank + 1);
-    }
-    return words;
-}
-
 }  // namespace
 
 std::span<const Command> commands() { return kCommands; }

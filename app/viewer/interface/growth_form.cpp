@@ -1,19 +1,14 @@
 #include "growth_form.h"
 
 #include "run/exact_text.h"
+#include "run/text.h"
 #include "spiraling_edge/field.h"
 
 namespace se::view {
 
 namespace {
 
-constexpr std::uint64_t kMostPoints = 100'000'000;
-
-std::string trimmed(const std::string& text) {
-    const std::size_t from = text.find_first_not_of(' ');
-    if (from == std::string::npos) return {};
-    return text.substr(from, text.find_last_not_of(' ') - from + 1);
-}
+constexpr std::uint64_t kMostParticles = 100'000'000;
 
 std::optional<double> numberIn(const std::string& text) { return numberFromText(trimmed(text)); }
 
@@ -60,7 +55,7 @@ Result<SampleSpec> GrowthForm::spec() const {
         if (!(spec.spacing > 0.0)) return Error{"Spacing: expected a number above 0."};
     } else {
         const auto number = wholeFromText(trimmed(count));
-        if (!number || *number == 0 || *number > kMostPoints) {
+        if (!number || *number == 0 || *number > kMostParticles) {
             return Error{"Points: expected a whole number from 1 to 100000000."};
         }
         spec.count = static_cast<std::size_t>(*number);

@@ -4,19 +4,15 @@
 #include <set>
 
 #include "commands.h"
+#include "run/text.h"
 
 namespace se::view {
 
 namespace {
 
-std::vector<std::string> wordsOf(std::string_view text) {
-    std::vector<std::string> words;
-    while (!text.empty()) {
-        const std::size_t blank = text.find(' ');
-        if (blank != 0) words.emplace_back(text.substr(0, blank));
-        text = blank == std::string_view::npos ? std::string_view{} : text.substr(blank + 1);
-    }
-    return words;
+std::vector<std::string> keyWords(std::string_view text) {
+    const auto words = wordsOf(text);
+    return {words.begin(), words.end()};
 }
 
 std::string joined(const std::vector<std::string>& words, const char* between) {
@@ -33,17 +29,17 @@ std::string KeyMap::keysOf(const Command& command) const {
 }
 
 std::string KeyMap::first(const Command& command) const {
-    const auto words = wordsOf(keysOf(command));
+    const auto words = keyWords(keysOf(command));
     return words.empty() ? std::string{} : words.front();
 }
 
 std::string KeyMap::all(const Command& command) const {
-    return joined(wordsOf(keysOf(command)), ", ");
+    return joined(keyWords(keysOf(command)), ", ");
 }
 
 const Command* KeyMap::commandFor(const KeyChord& chord) const {
     for (const Command& command : commands()) {
-        for (const std::string& word : wordsOf(keysOf(command))) {
+        for (const std::string& word : keyWords(keysOf(command))) {
             if (keyFromString(word) == chord) return &command;
         }
     }
@@ -61,7 +57,7 @@ void KeyMap::assign(const Command& command, const std::string& keys) {
 void KeyMap::takeAway(const KeyChord& chord) {
     const Command* owner = commandFor(chord);
     if (owner == nullptr) return;
-    std::vector<std::string> rest = wordsOf(keysOf(*owner));
+    std::vector<std::string> rest = keyWords(keysOf(*owner));
     std::erase_if(rest, [&](const std::string& word) { return keyFromString(word) == chord; });
     assign(*owner, joined(rest, " "));
 }
@@ -74,7 +70,7 @@ void KeyMap::bind(const Command& command, const KeyChord& chord) {
 void KeyMap::unbind(const Command& command) { assign(command, ""); }
 
 void KeyMap::reset(const Command& command) {
-    for (const std::string& word : wordsOf(command.keys)) takeAway(*keyFromString(word));
+    for (const std::string& word : keyWords(command.keys)) takeAway(*keyFromString(word));
     assign(command, std::string(command.keys));
 }
 
@@ -91,7 +87,7 @@ std::vector<std::string> KeyMap::load(const Changes& wanted) {
             continue;
         }
         std::vector<std::string> good;
-        for (const std::string& word : wordsOf(keys)) {
+        for (const std::string& word : keyWords(keys)) {
             const auto chord = keyFromString(word);
             if (!chord) {
                 complaints.push_back("Keys: " + word + " (for " + id + ") is no key.");

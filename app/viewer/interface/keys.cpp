@@ -12,22 +12,22 @@ struct NamedKey {
     int key;
 };
 
-constexpr std::array<NamedKey, 16> kNamed = {{{"Space", key::kSpace},
-                                              {"Esc", key::kEscape},
-                                              {"Enter", key::kEnter},
-                                              {"Right", key::kRight},
-                                              {"Left", key::kLeft},
-                                              {"Down", key::kDown},
-                                              {"Up", key::kUp},
-                                              {"Home", key::kHome},
-                                              {"End", key::kEnd},
-                                              {"Plus", '+'},
-                                              {"Tab", key::kTab},
-                                              {"Backspace", key::kBackspace},
-                                              {"Insert", key::kInsert},
-                                              {"Delete", key::kDelete},
-                                              {"PageUp", key::kPageUp},
-                                              {"PageDown", key::kPageDown}}};
+constexpr std::array<NamedKey, 16> kNamedKeys = {{{"Space", key::kSpace},
+                                                  {"Esc", key::kEscape},
+                                                  {"Enter", key::kEnter},
+                                                  {"Right", key::kRight},
+                                                  {"Left", key::kLeft},
+                                                  {"Down", key::kDown},
+                                                  {"Up", key::kUp},
+                                                  {"Home", key::kHome},
+                                                  {"End", key::kEnd},
+                                                  {"Plus", '+'},
+                                                  {"Tab", key::kTab},
+                                                  {"Backspace", key::kBackspace},
+                                                  {"Insert", key::kInsert},
+                                                  {"Delete", key::kDelete},
+                                                  {"PageUp", key::kPageUp},
+                                                  {"PageDown", key::kPageDown}}};
 
 struct NamedMod {
     std::string_view name;
@@ -37,7 +37,7 @@ struct NamedMod {
 constexpr std::array<NamedMod, 3> kMods = {{{"Ctrl+", kCtrl}, {"Alt+", kAlt}, {"Shift+", kShift}}};
 
 int keyNumber(std::string_view text) {
-    for (const NamedKey& named : kNamed) {
+    for (const NamedKey& named : kNamedKeys) {
         if (named.name == text) return named.key;
     }
     if (text.size() > 1 && text.front() == 'F') {
@@ -73,7 +73,7 @@ std::string toString(const KeyChord& chord) {
     for (const NamedMod& each : kMods) {
         if ((chord.mods & each.mod) != 0) text += each.name;
     }
-    for (const NamedKey& named : kNamed) {
+    for (const NamedKey& named : kNamedKeys) {
         if (named.key == chord.key) return text + std::string(named.name);
     }
     if (chord.isFunctionKey()) return text + "F" + std::to_string(chord.key - key::kF1 + 1);

@@ -26,7 +26,7 @@ constexpr std::array kTitles{
 };
 constexpr std::string_view kBeyond = "Beyond the paper";
 
-std::string titleOf(const RuleSetting& setting) {
+std::string titleOfGroup(const RuleSetting& setting) {
     if (setting.beyondPaper) return std::string(kBeyond);
     const auto row = std::find_if(kTitles.begin(), kTitles.end(), [&](const SectionTitle& each) {
         return each.section == setting.section;
@@ -43,7 +43,7 @@ std::string lower(std::string_view text) {
     return made;
 }
 
-std::vector<std::string> wordsOf(std::string_view text) {
+std::vector<std::string> lowerWordsOf(std::string_view text) {
     std::vector<std::string> words;
     std::string word;
     for (const char c : lower(text) + " ") {
@@ -60,7 +60,7 @@ bool matches(const RuleRow& row, const std::vector<std::string>& words) {
     const RuleSetting& s = *row.setting;
     std::string text =
         lower(std::string(s.name) + " " + std::string(s.section) + " " + std::string(s.summary) +
-              " " + std::string(s.paper) + " " + valueText(s, row.value) + " " + titleOf(s));
+              " " + std::string(s.paper) + " " + valueText(s, row.value) + " " + titleOfGroup(s));
     if (row.differs()) text += " differs";
     return std::all_of(words.begin(), words.end(), [&](const std::string& word) {
         return text.find(word) != std::string::npos;
@@ -70,12 +70,12 @@ bool matches(const RuleRow& row, const std::vector<std::string>& words) {
 }  // namespace
 
 std::vector<RuleGroup> ruleGroups(const RuleSet& rules, std::string_view filter) {
-    const std::vector<std::string> words = wordsOf(filter);
+    const std::vector<std::string> words = lowerWordsOf(filter);
     std::vector<RuleGroup> groups;
     for (const RuleSetting& setting : ruleSettings()) {
         const RuleRow row{&setting, valueOf(rules, setting), usualValueOf(rules, setting)};
         if (!matches(row, words)) continue;
-        const std::string title = titleOf(setting);
+        const std::string title = titleOfGroup(setting);
         if (groups.empty() || groups.back().title != title) groups.push_back({title, {}});
         groups.back().rows.push_back(row);
     }

@@ -19,13 +19,13 @@ struct Seen {
 };
 
 /// The three directions of a view from beside and above.
-struct Frame {
+struct TileFrame {
     Vec3 right;
     Vec3 up;
     Vec3 toViewer;
 };
 
-Frame viewFrame() {
+TileFrame viewFrame() {
     const double yaw = glm::radians(-60.0);
     const double pitch = glm::radians(42.0);
     const Vec3 toViewer(std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw),
@@ -37,7 +37,7 @@ Frame viewFrame() {
 }  // namespace
 
 std::vector<ThumbnailDot> thumbnail(const PointFile& points, std::size_t most) {
-    const Frame frame = viewFrame();
+    const TileFrame frame = viewFrame();
     const std::size_t count = points.position.size();
     if (count == 0 || most == 0) return {};
     const std::size_t stride = (count + most - 1) / most;

@@ -29,7 +29,7 @@ void addTriangle(const LayerInput& in, const Triangle& t, bool there, DrawList& 
     }
 }
 
-void addPoints(const LayerInput& in, std::span<const Index> points, DrawList& out) {
+void addMarkedPoints(const LayerInput& in, std::span<const Index> points, DrawList& out) {
     for (const Index p : points.first(std::min(points.size(), kMostMarks))) {
         if (in.model.drawable[p])
             out.mark(in.at(p), Shape::OpenDiamond, in.palette.rejected, 0.95F);
@@ -52,7 +52,7 @@ void addChosen(const LayerInput& in, const RunFailure& alert, DrawList& out) {
     }
     // Corners of filled triangles need no marks.
     if (edge || failure.points.size() == 1 || !showsTriangles(failure) || failure.triangles.empty())
-        addPoints(in, failure.points, out);
+        addMarkedPoints(in, failure.points, out);
 }
 
 /// What goes wrong here, in the color of errors, with its name.
@@ -61,7 +61,7 @@ void addNoticed(const LayerInput& in, const LiveFailure& failure, DrawList& out)
         if (number != kNone && number < in.triangles.size())
             addTriangle(in, in.triangles[number], true, out);
     }
-    if (failure.triangle == kNone || failure.points.size() == 2) addPoints(in, failure.points, out);
+    if (failure.triangle == kNone || failure.points.size() == 2) addMarkedPoints(in, failure.points, out);
     if (failure.points.size() == 2) {
         out.line(in.at(failure.points[0]), in.at(failure.points[1]), in.palette.rejected, 0.5F,
                  Depth::OnTop);

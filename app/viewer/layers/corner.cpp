@@ -9,7 +9,7 @@ double degreesOn(const Disc& disc, const glm::vec3& place) {
     return angle < 0.0 ? angle + 360.0 : angle;
 }
 
-void addCorner(const LayerInput& in, const Corner& corner, DrawList& out) {
+void addCorner(const LayerInput& in, const RingCorner& corner, DrawList& out) {
     const std::optional<Disc> disc = discAt(in, corner.point, corner.before);
     if (!disc || corner.after == kNone) return;
     const Color& color = corner.concave ? in.palette.used : in.palette.rejected;

@@ -6,7 +6,7 @@
 namespace se::view {
 
 /// From `before` counterclockwise to `after` at `point`.
-struct Corner {
+struct RingCorner {
     Index before = kNone;
     Index point = kNone;
     Index after = kNone;
@@ -14,7 +14,7 @@ struct Corner {
 };
 
 /// Filled where the ring is concave, hollow where it is convex (§6.1, Figs. 4 and 5).
-void addCorner(const LayerInput& in, const Corner& corner, DrawList& out);
+void addCorner(const LayerInput& in, const RingCorner& corner, DrawList& out);
 
 /// The angle of a place on a disc, in [0, 360).
 double degreesOn(const Disc& disc, const glm::vec3& place);

@@ -5,7 +5,7 @@ namespace se::view {
 namespace {
 
 /// So much of a selected triangle is covered by its tint.
-constexpr float kTint = 0.42F;
+constexpr float kSelectionTint = 0.42F;
 
 }  // namespace
 
@@ -30,9 +30,10 @@ void addSelection(const LayerInput& in, DrawList& out) {
         out.sprites.push_back({in.at(p), {in.palette.text, 0.55F, Shape::Square}});
     }
     if (!triangle) return;
-    out.sheets.push_back({{in.at(corners[0]), in.at(corners[1]), in.at(corners[2])},
-                          in.palette.accent.withAlpha(in.selectionPresent ? kTint : 0.5F * kTint),
-                          false});
+    out.sheets.push_back(
+        {{in.at(corners[0]), in.at(corners[1]), in.at(corners[2])},
+         in.palette.accent.withAlpha(in.selectionPresent ? kSelectionTint : 0.5F * kSelectionTint),
+         false});
 }
 
 }  // namespace se::view

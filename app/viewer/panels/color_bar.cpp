@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kParts = 48;
 /// More components than these are not named one by one.
-constexpr std::size_t kNamed = 8;
+constexpr std::size_t kNamedColors = 8;
 
 /// Where a plate may stand, the best first; the axes have the other corner.
 constexpr std::array kCorners = {Corner::BottomRight, Corner::TopLeft, Corner::TopRight};
@@ -75,7 +75,7 @@ std::optional<Rect> drawComponents(const PanelContext& context, std::span<const 
     const float em = context.em;
     const std::size_t count = context.drawList.components;
     const std::string title = count == 1 ? "1 component" : grouped(count) + " components";
-    const std::size_t named = std::min(count, kNamed);
+    const std::size_t named = std::min(count, kNamedColors);
     const float line = ImGui::GetTextLineHeight();
     const float width = std::max(ImGui::CalcTextSize(title.c_str()).x,
                                  static_cast<float>(named + (count > named ? 1 : 0)) * 2.0F * em);

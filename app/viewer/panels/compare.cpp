@@ -8,11 +8,6 @@
 
 namespace se::view {
 
-void wrappedText(const std::string& text) {
-    for (const std::string& line : wrapped(text, ImGui::GetContentRegionAvail().x))
-        ImGui::TextUnformatted(line.c_str());
-}
-
 bool compareButton(const PanelContext& context, const char* label, const char* name,
                    const std::string& help) {
     const bool pressed = ImGui::Button(label);

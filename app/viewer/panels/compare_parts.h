@@ -7,9 +7,6 @@
 
 namespace se::view {
 
-/// Broken at blanks only, never inside of a number.
-void wrappedText(const std::string& text);
-void dimText(const std::string& text);
 /// A button that scripts find as "compare NAME".
 bool compareButton(const PanelContext& context, const char* label, const char* name,
                    const std::string& help);

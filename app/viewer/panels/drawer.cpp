@@ -9,7 +9,7 @@ namespace {
 
 /// Left of the bars: the names. Right of them: a margin.
 constexpr float kGutter = 4.4F;
-constexpr float kMargin = 0.9F;
+constexpr float kDrawerMargin = 0.9F;
 
 void drawFoldButton(const PanelContext& context) {
     const float em = context.em;
@@ -39,7 +39,7 @@ void drawFoldButton(const PanelContext& context) {
 
 Rect barsOf(const PanelContext& context, const Rect& strip, float height, float top) {
     const float left = kGutter * context.em;
-    const float right = kMargin * context.em;
+    const float right = kDrawerMargin * context.em;
     return {{strip.min.x + left, strip.min.y + top},
             {std::max(1.0F, strip.size.x - left - right), std::max(1.0F, height)}};
 }

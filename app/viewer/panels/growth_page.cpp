@@ -4,18 +4,13 @@
 
 #include "camera_mouse.h"
 #include "panel.h"
+#include "run/text.h"
 #include "spiraling_edge/sampler.h"
 #include "widgets.h"
 
 namespace se::view {
 
 namespace {
-
-std::string text(const char* format, double value) {
-    char written[48];
-    std::snprintf(written, sizeof written, format, value);
-    return written;
-}
 
 /// Values that fit beside each other stand in one line; what does not goes to the next.
 class Values {
@@ -50,9 +45,9 @@ void drawValues(const PanelContext& context) {
     }
     Values values(context);
     values.add("points", grouped(n.points));
-    values.add("spacing", text("%.4g", n.quality.spacing));
-    values.add("varying by", text("%.1f %%", 100.0 * n.quality.variation));
-    values.add("off by at most", text("%.1g spacings", n.quality.off));
+    values.add("spacing", formatted("%.4g", n.quality.spacing));
+    values.add("varying by", formatted("%.1f %%", 100.0 * n.quality.variation));
+    values.add("off by at most", formatted("%.1g spacings", n.quality.off));
     if (n.onWalls > 0) {
         values.add("on walls",
                    grouped(n.onWalls) + (n.corners > 0 ? ", corners " + grouped(n.corners) : ""));

@@ -13,7 +13,7 @@ namespace se::view {
 namespace {
 
 /// Corners of the line are at least so many em apart.
-constexpr float kStep = 0.25F;
+constexpr float kLassoStep = 0.25F;
 
 /// Breaks at whatever happens to the points that were drawn around, and marks them.
 void close(const PanelContext& context, Lasso& lasso) {
@@ -46,7 +46,7 @@ bool handleLasso(const PanelContext& context) {
     if (!lasso.drawing) return false;
     if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
         close(context, lasso);
-    } else if (glm::distance(lasso.path.back(), mouse) > kStep * context.em) {
+    } else if (glm::distance(lasso.path.back(), mouse) > kLassoStep * context.em) {
         lasso.path.push_back(mouse);
     }
     return true;

@@ -9,7 +9,7 @@ namespace se::view {
 
 namespace {
 
-constexpr const char* kTitle = "##leave";
+constexpr const char* kQuestionTitle = "##leave";
 
 const char* headline(LeaveFor what) {
     switch (what) {
@@ -63,13 +63,13 @@ void drawChoices(const PanelContext& context, LeaveQuestion& question) {
 
 void drawLeaveQuestion(const PanelContext& context) {
     LeaveQuestion& question = context.ui().leaving;
-    if (question.asked && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+    if (question.asked && !ImGui::IsPopupOpen(kQuestionTitle)) ImGui::OpenPopup(kQuestionTitle);
     const glm::vec2 screen(context.layout.status.size.x, context.layout.status.max().y);
     ImGui::SetNextWindowPos({0.5F * screen.x, 0.5F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSize({std::min(26.0F * context.em, screen.x - 2.0F * context.em), 0.0F});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
     const bool open = ImGui::BeginPopupModal(
-        kTitle, nullptr,
+        kQuestionTitle, nullptr,
         ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
             ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
     ImGui::PopStyleVar();

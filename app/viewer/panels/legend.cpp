@@ -27,7 +27,7 @@ constexpr std::array kEntries = {
 };
 
 /// The axes have the fourth.
-constexpr std::array kCorners = {Corner::TopRight, Corner::TopLeft, Corner::BottomRight};
+constexpr std::array kLegendCorners = {Corner::TopRight, Corner::TopLeft, Corner::BottomRight};
 
 }  // namespace
 
@@ -39,7 +39,8 @@ std::optional<Rect> drawLegend(const PanelContext& context, std::span<const Rect
     // Where it would cover too much of the picture it is left out; F1 has it as well.
     if (view.size.y < size.y + 8.0F * em || view.size.x < 3.6F * size.x) return std::nullopt;
     const std::vector<LabelMark> marks = Sight(context).surroundings();
-    const std::optional<Rect> place = freeCorner({view, 0.7F * em, taken, marks}, size, kCorners);
+    const std::optional<Rect> place =
+        freeCorner({view, 0.7F * em, taken, marks}, size, kLegendCorners);
     if (!place) return std::nullopt;
     const glm::vec2 at = place->min;
     context.ui().where["legend"] = *place;

@@ -25,7 +25,7 @@ void drawScene(const PanelContext& context, const Scene& scene) {
 }
 
 /// Built-in inputs: those that work, and those that fail.
-void drawScenes(const PanelContext& context) {
+void drawSceneMenu(const PanelContext& context) {
     if (ImGui::BeginMenu("Scenes")) {
         for (const Scene& scene : scenes()) drawScene(context, scene);
         ImGui::EndMenu();
@@ -83,14 +83,14 @@ void drawItem(const PanelContext& context, const Command& command) {
 }
 
 /// One menu from all commands of a group.
-void drawGroup(const PanelContext& context, std::string_view group) {
+void drawMenuGroup(const PanelContext& context, std::string_view group) {
     if (!ImGui::BeginMenu(std::string(group).c_str())) return;
     for (const Command& command : commands()) {
         if (command.group != group || isChoice(command)) continue;
         drawItem(context, command);
         if (command.id == "file.open") {
             drawRecent(context);
-            drawScenes(context);
+            drawSceneMenu(context);
         }
         if (command.id == "view.layout.next") drawLayouts(context);
         if (command.id == "view.mesh.next") drawMeshStyles(context);
@@ -124,7 +124,7 @@ void drawMenuBar(const PanelContext& context) {
     for (const Command& command : commands()) {
         if (command.group == last) continue;
         last = command.group;
-        drawGroup(context, last);
+        drawMenuGroup(context, last);
     }
     // Its right end stands above that of the headings below.
     const float end = context.layout.menu.max().x - 0.7F * context.em;

@@ -12,11 +12,11 @@ namespace se::view {
 namespace {
 
 /// Of what is not a switch: where it stands behind its name, and its width, in em.
-constexpr float kName = 7.0F;
+constexpr float kNameWidth = 7.0F;
 constexpr float kControl = 8.2F;
 /// The width of the longest option; where it stands below its name.
-constexpr float kLongest = 11.0F;
-constexpr float kIndent = 2.0F;
+constexpr float kLongestControl = 11.0F;
+constexpr float kIndentWidth = 2.0F;
 
 /// What is drawn, and what was chosen.
 struct RuleList {
@@ -95,13 +95,13 @@ void drawRow(RuleList& list, const RuleRow& row) {
     if (row.differs()) ImGui::PopFont();
     if (setting.kind != SettingKind::Switch) {
         // A name with no room behind it for what can be chosen has it below.
-        ImGui::SameLine(kName * em);
+        ImGui::SameLine(kNameWidth * em);
         const float reset = row.differs() ? 3.0F * em : 0.3F * em;
         const bool below = setting.kind == SettingKind::Option &&
-                           ImGui::GetContentRegionAvail().x - reset < kLongest * em;
-        if (below) ImGui::SetCursorPos({kIndent * em, ImGui::GetCursorPosY() + height});
+                           ImGui::GetContentRegionAvail().x - reset < kLongestControl * em;
+        if (below) ImGui::SetCursorPos({kIndentWidth * em, ImGui::GetCursorPosY() + height});
         ImGui::SetNextItemWidth(
-            std::clamp(ImGui::GetContentRegionAvail().x - reset, em, kLongest * em));
+            std::clamp(ImGui::GetContentRegionAvail().x - reset, em, kLongestControl * em));
         setting.kind == SettingKind::Option ? drawOption(list, row) : drawNumber(list, row);
         list.name("rule " + name);
     }

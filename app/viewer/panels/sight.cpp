@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMostLines = 4000;
 constexpr std::size_t kMostSprites = 400;
 constexpr std::size_t kMostFaces = 400;
-constexpr std::size_t kMostMarks = 48;
+constexpr std::size_t kMostSights = 48;
 /// Marks of this size, in em, are of points that must stay in sight.
 constexpr float kMarkFrom = 0.9F;
 /// Marks grow with the view: at most by this (gl/renderer.cpp).
@@ -45,7 +45,7 @@ std::optional<glm::vec2> Sight::at(const glm::vec3& place) const {
 std::vector<LabelMark> Sight::marks() const {
     std::vector<LabelMark> all;
     for (const Sprite& sprite : context_.drawList.sprites) {
-        if (sprite.style.size < kMarkFrom || all.size() == kMostMarks) continue;
+        if (sprite.style.size < kMarkFrom || all.size() == kMostSights) continue;
         const auto place = at(sprite.position);
         if (!place || !view_.contains(*place)) continue;
         all.push_back({*place, 0.5F * kMarkGrowth * sprite.style.size * context_.em});

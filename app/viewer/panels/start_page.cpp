@@ -18,7 +18,7 @@ constexpr const char* kDropFormats = "PLY, XYZ, PCD, OBJ, OFF; .sesession";
 constexpr float kSide = 19.0F;  ///< Width of the column beside the tiles, in em.
 
 /// Around something that can be opened.
-struct Frame {
+struct PageFrame {
     Color color;
     float width;
 };
@@ -26,7 +26,7 @@ struct Frame {
 bool hasKeyboard() { return ImGui::IsItemFocused() && ImGui::GetIO().NavVisible; }
 
 /// Of the item drawn last: the one that has the keyboard stands out most.
-Frame frameOf(const Palette& palette, float em) {
+PageFrame frameOf(const Palette& palette, float em) {
     if (hasKeyboard()) return {palette.pivot, 0.18F * em};
     if (ImGui::IsItemHovered()) return {palette.accent, 0.12F * em};
     return {palette.border, std::max(1.0F, 0.06F * em)};
@@ -80,7 +80,7 @@ void drawTile(const PanelContext& context, const SceneTile& tile, ImVec2 size) {
     context.ui().where[name] = lastItem();
     tooltip(std::string(tile.title) + " (" + id + ")\n" + std::string(tile.watch));
     if (!ImGui::IsItemVisible()) return;
-    const Frame frame = frameOf(palette, em);
+    const PageFrame frame = frameOf(palette, em);
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
     ImDrawList* list = ImGui::GetWindowDrawList();
@@ -159,7 +159,7 @@ void drawDropHint(const PanelContext& context) {
     const ImVec2 size(width, y - low.y + margin - 0.2F * em);
     if (ImGui::InvisibleButton("##drop", size)) context.run("file.open");
     if (context.ui().walk.offer(KeyStop::Files)) takeKeyboard();
-    const Frame frame = frameOf(palette, em);
+    const PageFrame frame = frameOf(palette, em);
     list->AddRect(low, ImGui::GetItemRectMax(), toU32(frame.color), 0.4F * em, 0, frame.width);
 }
 
@@ -175,7 +175,7 @@ void drawNew(const PanelContext& context) {
     ImGui::Spacing();
 }
 
-void drawRecent(const PanelContext& context) {
+void drawRecentFiles(const PanelContext& context) {
     heading(context, "Recent files");
     const std::vector<std::string>& recent = context.ui().recent;
     if (recent.empty()) {
@@ -226,7 +226,7 @@ void drawSide(const PanelContext& context) {
         ImGui::Spacing();
         drawNew(context);
         drawKeys(context);
-        drawRecent(context);
+        drawRecentFiles(context);
     }
     ImGui::EndChild();
 }

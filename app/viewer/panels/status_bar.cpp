@@ -10,7 +10,7 @@ namespace se::view {
 namespace {
 
 /// The address has at least this much room, so that what follows it stays where it is.
-constexpr float kAddress = 10.3F;
+constexpr float kAddressWidth = 10.3F;
 constexpr float kPartGap = 1.2F;
 
 /// The most important first.
@@ -74,7 +74,7 @@ void drawStatusBar(const PanelContext& context) {
             widths.push_back(ImGui::CalcTextSize(part.c_str()).x);
         }
         widths.push_back(ImGui::CalcTextSize(keys.c_str()).x);
-        float x = left + std::max(kAddress * em, width + kPartGap * em);
+        float x = left + std::max(kAddressWidth * em, width + kPartGap * em);
         const std::size_t fits = fittingParts(left + total - x, widths, kPartGap * em);
         for (std::size_t i = 0; i < std::min(fits, parts.size()); ++i) {
             ImGui::SameLine(x);

@@ -84,7 +84,7 @@ RowAction drawRow(const PanelContext& context, std::size_t index, bool here, boo
     return action;
 }
 
-void drawFilter(const PanelContext& context) {
+void drawStepFilter(const PanelContext& context) {
     Navigation& nav = context.ui().navigation;
     ImGui::SetNextItemWidth(-1.0F);
     const bool wide = ImGui::GetContentRegionAvail().x > 16.0F * context.em;
@@ -138,7 +138,7 @@ void followCursor(const PanelContext& context, float pitch) {
     }
 }
 
-void drawRows(const PanelContext& context) {
+void drawStepRows(const PanelContext& context) {
     const StepTree& tree = context.ui().navigation.steps;
     const float pitch = ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y;
     followCursor(context, pitch);
@@ -184,7 +184,7 @@ void drawSteps(const PanelContext& context) {
             !ready ? std::string{}
                    : withS(run.pivots.size(), "pivot") + (run.complete ? "" : "\xE2\x80\xA6"));
     if (!ready) return note("Open a file, or a scene, to see its steps here.");
-    drawFilter(context);
+    drawStepFilter(context);
     const StepTree& tree = context.ui().navigation.steps;
     drawColumnTitles(context);
     if (tree.rowCount() == 0) {
@@ -195,7 +195,7 @@ void drawSteps(const PanelContext& context) {
     }
     if (ImGui::BeginChild("##rows", {0, 0}, false, ImGuiWindowFlags_AlwaysVerticalScrollbar)) {
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.2F * context.em});
-        drawRows(context);
+        drawStepRows(context);
         ImGui::PopStyleVar();
     }
     ImGui::EndChild();

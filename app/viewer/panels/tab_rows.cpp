@@ -13,7 +13,7 @@ namespace {
 constexpr int kMostRows = 4;
 /// Of the height of the column: what all names may take, and what some of them may where that is
 /// not enough.
-constexpr float kMostShare = 0.3F;
+constexpr float kMostOfHeight = 0.3F;
 constexpr float kShareOfSome = 0.2F;
 constexpr const char* kMorePopup = "##moreTabs";
 /// In em: beside a name, and from one tab to the next.
@@ -24,7 +24,7 @@ float widthOf(const PanelContext& context, const std::string& title) {
     return ImGui::CalcTextSize(title.c_str()).x + 2.0F * kPad * context.em;
 }
 
-float rowHeight(const PanelContext& context) {
+float tabRowHeight(const PanelContext& context) {
     return ImGui::GetTextLineHeight() + 0.5F * context.em;
 }
 
@@ -100,9 +100,9 @@ SortedTabs sorted(const PanelContext& context, ColumnTabs tabs, const SidePanel&
     SortedTabs all = sortedAt(tabs, tabs.size(), open);
     const int needed = rowsOf(context, all);
     if (needed <= kMostRows &&
-        static_cast<float>(needed) * rowHeight(context) <= kMostShare * height)
+        static_cast<float>(needed) * tabRowHeight(context) <= kMostOfHeight * height)
         return all;
-    const int rows = std::max(1, static_cast<int>(kShareOfSome * height / rowHeight(context)));
+    const int rows = std::max(1, static_cast<int>(kShareOfSome * height / tabRowHeight(context)));
     std::size_t count = tabs.size();
     while (count > 0 && rowsOf(context, sortedAt(tabs, count, open)) > rows) --count;
     return sortedAt(tabs, count, open);
@@ -115,7 +115,7 @@ bool drawName(const PanelContext& context, const std::string& title, bool lit) {
                           toVec4(lit ? palette.panelRaised : palette.panel.withAlpha(0.0F)));
     ImGui::PushStyleColor(ImGuiCol_Text, toVec4(lit ? palette.text : palette.textDim));
     const bool clicked =
-        ImGui::Button(title.c_str(), {widthOf(context, title), rowHeight(context)});
+        ImGui::Button(title.c_str(), {widthOf(context, title), tabRowHeight(context)});
     ImGui::PopStyleColor(2);
     return clicked;
 }

@@ -14,7 +14,7 @@ namespace {
 /// Width of the box with the address, in em.
 constexpr float kGoTo = 9.5F;
 
-struct Button {
+struct TransportButton {
     const char* id;
     Icon icon;
     const char* command;
@@ -22,13 +22,13 @@ struct Button {
 };
 
 constexpr std::array kBefore = {
-    Button{"##start", Icon::SkipStart, "run.start", "To the start"},
-    Button{"##pivotBack", Icon::Back, "step.pivot.previous", "Previous pivot"},
-    Button{"##back", Icon::StepBack, "step.event.previous", "Previous sub-step"}};
+    TransportButton{"##start", Icon::SkipStart, "run.start", "To the start"},
+    TransportButton{"##pivotBack", Icon::Back, "step.pivot.previous", "Previous pivot"},
+    TransportButton{"##back", Icon::StepBack, "step.event.previous", "Previous sub-step"}};
 constexpr std::array kAfter = {
-    Button{"##on", Icon::StepForward, "step.event.next", "Next sub-step"},
-    Button{"##pivotOn", Icon::Forward, "step.pivot.next", "Next pivot"},
-    Button{"##end", Icon::SkipEnd, "run.end", "Run to the end"}};
+    TransportButton{"##on", Icon::StepForward, "step.event.next", "Next sub-step"},
+    TransportButton{"##pivotOn", Icon::Forward, "step.pivot.next", "Next pivot"},
+    TransportButton{"##end", Icon::SkipEnd, "run.end", "Run to the end"}};
 
 /// "Next pivot (F10, .)": the keys as this person has them.
 std::string withKeys(const PanelContext& context, const std::string& text,
@@ -38,8 +38,9 @@ std::string withKeys(const PanelContext& context, const std::string& text,
 }
 
 template <std::size_t N>
-void drawButtons(const PanelContext& context, const std::array<Button, N>& buttons, bool enabled) {
-    for (const Button& b : buttons) {
+void drawButtons(const PanelContext& context, const std::array<TransportButton, N>& buttons,
+                 bool enabled) {
+    for (const TransportButton& b : buttons) {
         const std::string help = withKeys(context, b.text, b.command);
         if (iconButton(b.id, b.icon, help.c_str(), enabled, false, context)) context.run(b.command);
         ImGui::SameLine(0.0F, 0.2F * context.em);

@@ -147,7 +147,7 @@ Index pointToWatch(const Session& session) {
     return session.selected() != kNone ? session.selected() : session.picture().pivot;
 }
 
-void drawTerms(const PanelContext& context) {
+void drawWatchTerms(const PanelContext& context) {
     if (!ImGui::BeginPopup("##terms")) return;
     const Index point = pointToWatch(context.session());
     for (const WatchTerm& term : watchTerms()) {
@@ -200,7 +200,7 @@ void drawWatch(const PanelContext& context) {
             all.empty() ? "" : "at the end of pivot " + grouped(session.record().pivot));
     if (ImGui::Button("Add...")) ImGui::OpenPopup("##terms");
     context.ui().where["add watch"] = lastItem();
-    drawTerms(context);
+    drawWatchTerms(context);
     drawScan(context);
     if (all.empty()) {
         ImGui::PushTextWrapPos(0.0F);

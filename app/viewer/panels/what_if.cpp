@@ -14,12 +14,6 @@ namespace {
 
 void ask(const PanelContext& context, const RuleSet& rules) { context.ui().requests.rules = rules; }
 
-void wrappedText(const std::string& text) {
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-}
-
 /// A button that asks for one more what-if.
 void offer(const PanelContext& context, const RuleSet& rules, const WhatIf& what,
            const std::string& label, const std::string& name) {

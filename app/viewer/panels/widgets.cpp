@@ -14,7 +14,7 @@ namespace se::view {
 
 namespace {
 
-constexpr const char* kDots = "\xE2\x80\xA6";
+constexpr const char* kEllipsis = "\xE2\x80\xA6";
 
 void chevron(ImDrawList* list, ImVec2 c, float r, float direction, ImU32 color) {
     list->AddTriangleFilled({c.x - direction * 0.5F * r, c.y - r},
@@ -124,6 +124,11 @@ void takeKeyboardHere() {
     ImGui::FocusWindow(ImGui::GetCurrentWindow());
     ImGui::NavInitWindow(ImGui::GetCurrentWindow(), true);
     g.NavDisableHighlight = false;
+}
+
+void wrappedText(const std::string& text) {
+    for (const std::string& line : wrapped(text, ImGui::GetContentRegionAvail().x))
+        ImGui::TextUnformatted(line.c_str());
 }
 
 void dimText(const std::string& text) {
@@ -247,17 +252,17 @@ void gauge(const PanelContext& context, double value, double threshold, double l
 std::string fitted(const std::string& text, float width) {
     if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
     std::string cut = text;
-    while (!cut.empty() && ImGui::CalcTextSize((cut + kDots).c_str()).x > width) {
+    while (!cut.empty() && ImGui::CalcTextSize((cut + kEllipsis).c_str()).x > width) {
         cut = withoutLastSign(std::move(cut));
     }
-    return cut + kDots;
+    return cut + kEllipsis;
 }
 
 std::string fittedWords(const std::string& text, float width) {
     if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
     for (std::size_t end = text.rfind(' '); end != std::string::npos && end > 0;
          end = text.rfind(' ', end - 1)) {
-        const std::string cut = text.substr(0, end) + " " + kDots;
+        const std::string cut = text.substr(0, end) + " " + kEllipsis;
         if (ImGui::CalcTextSize(cut.c_str()).x <= width) return cut;
     }
     return fitted(text, width);

@@ -36,6 +36,8 @@ bool iconButton(const char* id, Icon icon, const char* tooltip, bool enabled, bo
 void takeKeyboard();
 /// Gives it to the first item of the window that is being drawn; without one, arrows scroll it.
 void takeKeyboardHere();
+/// Broken at blanks only, never inside of a number.
+void wrappedText(const std::string& text);
 /// A note in the color of what matters less, wrapped.
 void dimText(const std::string& text);
 /// If the item drawn last is pointed at.

@@ -4,17 +4,13 @@
 #include <cmath>
 #include <cstdio>
 
+#include "run/text.h"
+#include "spiraling_edge/reading.h"
 #include "spiraling_edge/rules.h"
 
 namespace se::view {
 
 namespace {
-
-std::string text(const char* format, double a, double b = 0.0) {
-    char out[96];
-    std::snprintf(out, sizeof out, format, a, b);
-    return out;
-}
 
 /// Fills a Dial step by step.
 class Maker {
@@ -141,7 +137,7 @@ class Maker {
     }
 
     void show(const PivotEvidence& e) {
-        dial_.caption = text("free sector %.1f\xC2\xB0, from first to last", e.sectorDegrees);
+        dial_.caption = formatted("free sector %.1f\xC2\xB0, from first to last", e.sectorDegrees);
     }
     void show(const SortEvidence& e) {
         if (e.verdict == Verdict::AlreadyDone || e.verdict == Verdict::OnRingEnd) {
@@ -150,34 +146,37 @@ class Maker {
         }
         dial_.arcs.push_back({DialArc::Kind::Angle, 0.0, e.degrees});
         dial_.marks.push_back({e.endDegrees, "limit"});
-        dial_.caption = text("angle %.1f\xC2\xB0, limit %.1f\xC2\xB0", e.degrees, e.endDegrees);
+        dial_.caption =
+            formatted("angle %.1f\xC2\xB0, limit %.1f\xC2\xB0", e.degrees, e.endDegrees);
     }
     void show(const LimitEvidence& e) {
         const std::string side = e.side == Side::Start ? "start" : "end";
         if (e.moves()) {
-            dial_.caption =
-                side + text(" moved from %.1f\xC2\xB0 to %.1f\xC2\xB0", e.fromDegrees, e.toDegrees);
+            dial_.caption = side + formatted(" moved from %.1f\xC2\xB0 to %.1f\xC2\xB0",
+                                             e.fromDegrees, e.toDegrees);
             return;
         }
-        dial_.caption = side + text(" stays at %.1f\xC2\xB0; the next point: ", e.fromDegrees) +
+        dial_.caption = side +
+                        formatted(" stays at %.1f\xC2\xB0; the next point: ", e.fromDegrees) +
                         std::string(verdictText(e.verdict));
     }
     void show(const DropEvidence& e) {
         const bool start = e.side == Side::Start;
-        dial_.caption = stage_ == Stage::Convex
-                            ? text("angle %.1f\xC2\xB0, within the range", e.degrees)
-                            : text(start ? "angle %.1f\xC2\xB0, start at %.1f\xC2\xB0"
-                                         : "angle %.1f\xC2\xB0, end at %.1f\xC2\xB0",
-                                   e.degrees, start ? picture_.startDegrees : picture_.endDegrees);
+        dial_.caption =
+            stage_ == Stage::Convex
+                ? formatted("angle %.1f\xC2\xB0, within the range", e.degrees)
+                : formatted(start ? "angle %.1f\xC2\xB0, start at %.1f\xC2\xB0"
+                                  : "angle %.1f\xC2\xB0, end at %.1f\xC2\xB0",
+                            e.degrees, start ? picture_.startDegrees : picture_.endDegrees);
     }
     void show(const ReciprocalEvidence& e) {
         name(e.point, "e");
         dial_.reciprocal = {e.point, e.degrees, e.limitDegrees, e.verdict == Verdict::Kept};
-        dial_.caption = text("at e: %.1f\xC2\xB0 of %.1f\xC2\xB0", e.degrees, e.limitDegrees);
+        dial_.caption = formatted("at e: %.1f\xC2\xB0 of %.1f\xC2\xB0", e.degrees, e.limitDegrees);
     }
     void show(const HoleEvidence& e) {
         dial_.chord = {picture_.startDegrees, picture_.endDegrees};
-        dial_.caption = text("side %+.3g, that of p %+.3g", e.side, e.pivotSide);
+        dial_.caption = formatted("side %+.3g, that of p %+.3g", e.side, e.pivotSide);
     }
     void show(const SphereEvidence& e) {
         name(e.q, "q");
@@ -188,17 +187,18 @@ class Maker {
         const bool wide = e.gapDegrees > limit;
         dial_.arcs.push_back(
             {wide ? DialArc::Kind::TooWide : DialArc::Kind::Gap, from, from + e.gapDegrees});
-        dial_.marks.push_back({from + limit, text("%.4g\xC2\xB0", limit)});
-        const std::string gap = text("gap %.1f\xC2\xB0 of %.4g\xC2\xB0; ", e.gapDegrees, limit);
+        dial_.marks.push_back({from + limit, formatted("%.4g\xC2\xB0", limit)});
+        const std::string gap =
+            formatted("gap %.1f\xC2\xB0 of %.4g\xC2\xB0; ", e.gapDegrees, limit);
         dial_.caption = gap + (e.verdict == Verdict::NoCircle
                                    ? "no circle"
-                                   : text("d \xE2\x88\x92 r = %+.3g", e.distance - e.radius));
+                                   : formatted("d \xE2\x88\x92 r = %+.3g", e.distance - e.radius));
     }
     void show(const TwoPointEvidence& e) {
         const bool over = e.verdict == Verdict::Discarded;
         dial_.arcs.push_back({over ? DialArc::Kind::TooWide : DialArc::Kind::Gap, 0.0, e.degrees});
         dial_.marks.push_back({180.0, "180\xC2\xB0"});
-        dial_.caption = text("angle %.1f\xC2\xB0, limit 180\xC2\xB0", e.degrees);
+        dial_.caption = formatted("angle %.1f\xC2\xB0, limit 180\xC2\xB0", e.degrees);
     }
     void show(const EmitEvidence&) {
         dial_.caption = std::to_string(picture_.newTriangles.size()) +
@@ -227,8 +227,8 @@ class Maker {
     /// The ear of a hole; its pivot has no sector that was measured.
     void show(const FillEvidence& e) {
         addTriangle({e.pivot, e.first, e.last});
-        dial_.caption =
-            text("ear of a hole of %.0f: least angle %.1f\xC2\xB0", e.ringLength, e.leastDegrees);
+        dial_.caption = formatted("ear of a hole of %.0f: least angle %.1f\xC2\xB0", e.ringLength,
+                                  e.leastDegrees);
     }
     void show(const SkipEvidence&) { dial_.caption = "on a wall: passed over"; }
     void show(const RingEvidence&) {
@@ -240,11 +240,11 @@ class Maker {
     void show(const SplitEvidence& e) {
         name(e.point, "a | b");
         dial_.caption =
-            text("the ring splits: %.0f and %.0f entries", e.activeLength, e.stackedLength);
+            formatted("the ring splits: %.0f and %.0f entries", e.activeLength, e.stackedLength);
     }
     void show(const JoinEvidence& e) {
         name(e.point, "a + b");
-        dial_.caption = text("the rings join: %.0f entries", e.length);
+        dial_.caption = formatted("the rings join: %.0f entries", e.length);
     }
     void show(const AdvanceEvidence& e) {
         name(e.to, "next");

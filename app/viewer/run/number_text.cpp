@@ -6,7 +6,7 @@ namespace se::view {
 
 namespace {
 
-std::string formatted(const char* format, double value) {
+std::string withoutMinusZero(const char* format, double value) {
     char text[48];
     std::snprintf(text, sizeof text, format, value);
     std::string result(text);
@@ -18,21 +18,21 @@ std::string formatted(const char* format, double value) {
 
 }  // namespace
 
-std::string numberText(double value) { return formatted("%.4g", value); }
+std::string numberText(double value) { return withoutMinusZero("%.4g", value); }
 
-std::string signedText(double value) { return formatted("%+.4g", value); }
+std::string signedText(double value) { return withoutMinusZero("%+.4g", value); }
 
-std::string degreesText(double degrees) { return formatted("%.1f", degrees) + "\xC2\xB0"; }
+std::string degreesText(double degrees) { return withoutMinusZero("%.1f", degrees) + "\xC2\xB0"; }
 
 std::string numbersText(const Vec3& values) {
     return numberText(values.x) + ", " + numberText(values.y) + ", " + numberText(values.z);
 }
 
-std::string percentText(double share) { return formatted("%+.1f", 100.0 * share) + " %"; }
+std::string percentText(double share) { return withoutMinusZero("%+.1f", 100.0 * share) + " %"; }
 
 std::string durationText(double seconds) {
-    return seconds < 1.0 ? formatted(seconds < 0.1 ? "%.2g" : "%.0f", 1e3 * seconds) + " ms"
-                         : formatted("%.3g", seconds) + " s";
+    return seconds < 1.0 ? withoutMinusZero(seconds < 0.1 ? "%.2g" : "%.0f", 1e3 * seconds) + " ms"
+                         : withoutMinusZero("%.3g", seconds) + " s";
 }
 
 }  // namespace se::view

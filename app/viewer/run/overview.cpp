@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "picture.h"
+#include "spiraling_edge/reading.h"
 #include "spiraling_edge/stepper.h"
 
 namespace se::view {

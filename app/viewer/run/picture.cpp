@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mended.h"
+#include "spiraling_edge/reading.h"
 
 namespace se::view {
 
@@ -270,15 +271,6 @@ Index subjectOf(const Event& event) {
                           [](const auto&) { return kNone; },
                       },
                       event.evidence);
-}
-
-std::optional<Verdict> verdictOf(const Event& event) {
-    return std::visit(
-        [](const auto& e) -> std::optional<Verdict> {
-            if constexpr (requires { e.verdict; }) return e.verdict;
-            return std::nullopt;
-        },
-        event.evidence);
 }
 
 bool rejects(const Event& event) {

@@ -78,8 +78,6 @@ Picture makePictureBefore(const PivotRecord& record, std::size_t cursor);
 
 /// The point an event is about, kNone if it is about none.
 Index subjectOf(const Event& event);
-/// The verdict of an event that has one.
-std::optional<Verdict> verdictOf(const Event& event);
 /// True if the event takes its point out of the neighbor ring.
 bool rejects(const Event& event);
 

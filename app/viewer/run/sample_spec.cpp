@@ -14,7 +14,7 @@ namespace se::view {
 
 namespace {
 
-constexpr double kMostPoints = 1e8;
+constexpr double kMostSampled = 1e8;
 
 /// Takes one `key=value`. Nothing: there is no such key; false: the value is wrong.
 std::optional<bool> takePart(std::string_view key, std::string_view value, SampleSpec& spec) {
@@ -22,7 +22,7 @@ std::optional<bool> takePart(std::string_view key, std::string_view value, Sampl
     const auto whole = wholeFromText(value);
     if (key == "n") {
         spec.count = static_cast<std::size_t>(whole.value_or(0));
-        return whole && *whole > 0 && static_cast<double>(*whole) <= kMostPoints;
+        return whole && *whole > 0 && static_cast<double>(*whole) <= kMostSampled;
     }
     if (key == "spacing") {
         spec.spacing = number.value_or(0.0);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace se::view {
 
@@ -13,6 +14,12 @@ namespace se::view {
 std::string lowerCase(std::string_view text);
 /// ".ply" of "A.PLY"; empty if there is none.
 std::string lowerExtension(const std::filesystem::path& path);
+/// Without blanks and tabs at both ends.
+std::string trimmed(std::string_view text);
+/// What stands between blanks; none of them is empty.
+std::vector<std::string_view> wordsOf(std::string_view text);
+/// As printf does; at most 119 bytes.
+std::string formatted(const char* format, double a, double b = 0.0, double c = 0.0);
 /// 12345 as "12 345", with a thin space.
 std::string grouped(std::size_t number);
 /// All bytes of a file; nothing if it cannot be read.

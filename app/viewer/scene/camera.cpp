@@ -12,7 +12,7 @@ namespace {
 constexpr float kFieldOfViewDegrees = 32.0F;
 constexpr float kSteepestDegrees = 90.0F;
 constexpr float kNearest = 0.002F;
-constexpr float kFarthest = 60.0F;
+constexpr float kFarthestAway = 60.0F;
 /// Degrees of turn for a drag over the whole height of the view.
 constexpr float kTurnPerHeight = 240.0F;
 /// Home looks down at least and at most as steeply as this.
@@ -65,7 +65,7 @@ CameraMatrices Camera::matrices(float aspect) const {
 
 void Camera::setPose(const CameraPose& pose) {
     target_ = pose.target;
-    distance_ = std::clamp(pose.distance, kNearest, kFarthest);
+    distance_ = std::clamp(pose.distance, kNearest, kFarthestAway);
     yawDegrees_ = pose.yawDegrees;
     pitchDegrees_ = std::clamp(pose.pitchDegrees, -90.0F, 90.0F);
     orthographic_ = pose.orthographic;
@@ -87,7 +87,7 @@ void Camera::pan(glm::vec2 pixels, float height) {
 
 void Camera::zoomAt(float notches, glm::vec2 ndc, float aspect) {
     const float before = distance_;
-    distance_ = std::clamp(distance_ * std::pow(0.85F, notches), kNearest, kFarthest);
+    distance_ = std::clamp(distance_ * std::pow(0.85F, notches), kNearest, kFarthestAway);
     const float moved = (before - distance_) * halfTangent();
     target_ += right() * (ndc.x * aspect * moved) + up() * (ndc.y * moved);
     ++revision_;
@@ -96,7 +96,7 @@ void Camera::zoomAt(float notches, glm::vec2 ndc, float aspect) {
 void Camera::frame(const glm::vec3& center, float radius) {
     target_ = center;
     distance_ = std::clamp(1.12F * radius / std::sin(glm::radians(kFieldOfViewDegrees) * 0.5F),
-                           kNearest, kFarthest);
+                           kNearest, kFarthestAway);
     ++revision_;
 }
 
@@ -171,7 +171,7 @@ void Camera::enclose(std::span<const glm::vec3> places, float aspect, glm::vec2 
         distance = std::max(distance,
                             off.z + std::max(std::abs(off.x) / half.x, std::abs(off.y) / half.y));
     }
-    distance_ = std::min(distance, kFarthest);
+    distance_ = std::min(distance, kFarthestAway);
     ++revision_;
 }
 

@@ -4,7 +4,7 @@ namespace se::view {
 
 namespace {
 
-float cross(const glm::vec2& a, const glm::vec2& b) { return a.x * b.y - a.y * b.x; }
+float crossOf(const glm::vec2& a, const glm::vec2& b) { return a.x * b.y - a.y * b.x; }
 
 /// Keeps what is to the left of the line through a and b.
 std::vector<glm::vec2> leftOf(const std::vector<glm::vec2>& polygon, const glm::vec2& a,
@@ -13,8 +13,8 @@ std::vector<glm::vec2> leftOf(const std::vector<glm::vec2>& polygon, const glm::
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const glm::vec2& here = polygon[i];
         const glm::vec2& next = polygon[(i + 1) % polygon.size()];
-        const float sideHere = cross(b - a, here - a);
-        const float sideNext = cross(b - a, next - a);
+        const float sideHere = crossOf(b - a, here - a);
+        const float sideNext = crossOf(b - a, next - a);
         if (sideHere >= 0.0F) kept.push_back(here);
         if ((sideHere > 0.0F && sideNext < 0.0F) || (sideHere < 0.0F && sideNext > 0.0F)) {
             kept.push_back(here + sideHere / (sideHere - sideNext) * (next - here));
@@ -40,7 +40,7 @@ float areaOf(std::span<const glm::vec2> polygon) {
     float twice = 0.0F;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         // From the first corner: far from the origin nothing is lost.
-        twice += cross(polygon[i] - polygon[0], polygon[(i + 1) % polygon.size()] - polygon[0]);
+        twice += crossOf(polygon[i] - polygon[0], polygon[(i + 1) % polygon.size()] - polygon[0]);
     }
     return 0.5F * twice;
 }

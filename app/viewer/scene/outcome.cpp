@@ -1,6 +1,7 @@
 #include "outcome.h"
 
 #include "run/picture.h"
+#include "spiraling_edge/reading.h"
 
 namespace se::view {
 

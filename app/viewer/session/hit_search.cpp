@@ -108,7 +108,7 @@ void HitSearch::work(const Model& model, const std::vector<Line>& lines,
     std::vector<DecisionQuery> queries;
     for (const Line& line : lines) queries.push_back(line.query);
     std::vector<std::size_t> told(lines.size(), 0);
-    const auto found = [&](std::size_t line, const Hit& hit, const Decision& decision) {
+    const auto found = [&](std::size_t line, const se::Hit& hit, const Decision& decision) {
         const bool tells = lines[line].listed && told[line] < kMostLogged;
         if (tells) ++told[line];
         basket.add({line, hit, tells ? describe(decision.event) : std::string()});

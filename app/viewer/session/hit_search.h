@@ -75,7 +75,7 @@ class HitSearch {
     };
     struct Found {
         std::size_t line;
-        Hit hit;
+        se::Hit hit;
         std::string sentence;
     };
     static void work(const Model& model, const std::vector<Line>& lines,

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr int kVersion = 1;
+constexpr int kFileVersion = 1;
 constexpr std::string_view kFormat = "spiraling-edge session";
 
 Complaint readHeader(const json& object) {
@@ -30,8 +30,8 @@ Complaint readHeader(const json& object) {
     if (version == nullptr || !version->is_number_integer()) {
         return expected("version", "a whole number");
     }
-    if (*version > kVersion) {
-        return expected("version", "at most " + std::to_string(kVersion) +
+    if (*version > kFileVersion) {
+        return expected("version", "at most " + std::to_string(kFileVersion) +
                                        "; a newer program has written it: use that one");
     }
     return std::nullopt;
@@ -236,7 +236,7 @@ std::string sessionToJson(const SessionFile& session, const fs::path& folder) {
     json object = json::parse(session.original, nullptr, false);
     if (!object.is_object()) object = json::object();
     object["format"] = kFormat;
-    object["version"] = kVersion;
+    object["version"] = kFileVersion;
     json& input = objectAt(object, "input");
     input["source"] = relativeSource(session.input.source, folder);
     input["hash"] = session.inputHash;

@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "run/text.h"
 #include "session.h"
 
 namespace se::view {
@@ -13,12 +14,6 @@ std::optional<long> readNumber(std::string_view text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
     return value;
-}
-
-std::string trimmed(const std::string& text) {
-    const auto first = text.find_first_not_of(" \t");
-    if (first == std::string::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdio>
 
+#include "run/text.h"
+
 namespace se::view {
 
 namespace {
@@ -151,9 +153,9 @@ constexpr PaperRule kReciprocal{Stage::Reciprocal, "Reciprocity",
                                 "A ring point may be a neighbor of the pivot only if the pivot may "
                                 "be one of its own.",
                                 kReciprocalCode};
-constexpr PaperRule kHole{Stage::Hole, "Holes of three",
-                          "The last triangle of a hole must not reach for points behind it.",
-                          kHoleCode};
+constexpr PaperRule kHolesOfThree{
+    Stage::Hole, "Holes of three",
+    "The last triangle of a hole must not reach for points behind it.", kHoleCode};
 constexpr PaperRule kSphere{
     Stage::Sphere, "The circumsphere",
     "A candidate stays if it lies inside the sphere through the pivot and "
@@ -199,14 +201,8 @@ constexpr PaperRule kReseat{Stage::Reseat, "Beyond the paper: reseat",
                             "that it may find a better place.",
                             kReseatCode};
 
-std::string text(const char* format, double a, double b = 0.0, double c = 0.0) {
-    char out[120];
-    std::snprintf(out, sizeof out, format, a, b, c);
-    return out;
-}
-
 /// One line per kind of evidence.
-struct Line {
+struct LineOfPaper {
     Stage stage;
     std::size_t operator()(const SeedEvidence&) const { return 4; }
     std::size_t operator()(const StrandEvidence&) const { return 3; }
@@ -261,33 +257,34 @@ struct Line {
 /// The numbers of one kind of evidence.
 struct Numbers {
     std::string operator()(const SeedEvidence& e) const {
-        return text("distance %.4g", e.distance);
+        return formatted("distance %.4g", e.distance);
     }
     std::string operator()(const PivotEvidence& e) const {
-        return text("free: %.1f\xC2\xB0", e.sectorDegrees);
+        return formatted("free: %.1f\xC2\xB0", e.sectorDegrees);
     }
     std::string operator()(const SortEvidence& e) const {
-        return text("angle %.1f\xC2\xB0, end %.1f\xC2\xB0", e.degrees, e.endDegrees);
+        return formatted("angle %.1f\xC2\xB0, end %.1f\xC2\xB0", e.degrees, e.endDegrees);
     }
     std::string operator()(const LimitEvidence& e) const {
-        return text("turn %+.3g (concave if > 0)", e.turn);
+        return formatted("turn %+.3g (concave if > 0)", e.turn);
     }
     std::string operator()(const ReciprocalEvidence& e) const {
-        return text("a = %.1f\xC2\xB0, free to %.1f\xC2\xB0", e.degrees, e.limitDegrees);
+        return formatted("a = %.1f\xC2\xB0, free to %.1f\xC2\xB0", e.degrees, e.limitDegrees);
     }
     std::string operator()(const HoleEvidence& e) const {
-        return text("side %+.3g, that of p %+.3g", e.side, e.pivotSide);
+        return formatted("side %+.3g, that of p %+.3g", e.side, e.pivotSide);
     }
     std::string operator()(const SphereEvidence& e) const {
-        if (e.verdict == Verdict::NoCircle) return text("in line; gap %.1f\xC2\xB0", e.gapDegrees);
-        return text("|q - c| = %.4g, r = %.4g, gap %.1f\xC2\xB0", e.distance, e.radius,
-                    e.gapDegrees);
+        if (e.verdict == Verdict::NoCircle)
+            return formatted("in line; gap %.1f\xC2\xB0", e.gapDegrees);
+        return formatted("|q - c| = %.4g, r = %.4g, gap %.1f\xC2\xB0", e.distance, e.radius,
+                         e.gapDegrees);
     }
     std::string operator()(const TwoPointEvidence& e) const {
-        return text("angle %.1f\xC2\xB0", e.degrees);
+        return formatted("angle %.1f\xC2\xB0", e.degrees);
     }
     std::string operator()(const FillEvidence& e) const {
-        return text("least angle %.1f\xC2\xB0", e.leastDegrees);
+        return formatted("least angle %.1f\xC2\xB0", e.leastDegrees);
     }
     template <typename Other>
     std::string operator()(const Other&) const {
@@ -316,7 +313,7 @@ const PaperRule& paperRule(Stage stage) {
         case Stage::Reciprocal:
             return kReciprocal;
         case Stage::Hole:
-            return kHole;
+            return kHolesOfThree;
         case Stage::Sphere:
             return kSphere;
         case Stage::TwoPoint:
@@ -345,7 +342,7 @@ const PaperRule& paperRule(Stage stage) {
 }
 
 std::size_t presentLine(const Event& event) {
-    return std::visit(Line{event.address.stage}, event.evidence);
+    return std::visit(LineOfPaper{event.address.stage}, event.evidence);
 }
 
 std::string liveNumbers(const Event& event) { return std::visit(Numbers{}, event.evidence); }

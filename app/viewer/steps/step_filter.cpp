@@ -7,6 +7,7 @@
 
 #include "run/picture.h"
 #include "run/text.h"
+#include "spiraling_edge/reading.h"
 
 namespace se::view {
 

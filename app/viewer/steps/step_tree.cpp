@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "run/picture.h"
+#include "spiraling_edge/reading.h"
 
 namespace se::view {
 
