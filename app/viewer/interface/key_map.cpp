@@ -87,12 +87,16 @@ std::vector<std::string> KeyMap::load(const Changes& wanted) {
             continue;
         }
         std::vector<std::string> good;
+        const auto refused = [&complaints, &which = id](const std::string& word, const char* why) {
+            complaints.push_back(std::string("Keys: ").append(word).append(" (for ").append(which) +
+                                 why);
+        };
         for (const std::string& word : keyWords(keys)) {
             const auto chord = keyFromString(word);
             if (!chord) {
-                complaints.push_back("Keys: " + word + " (for " + id + ") is no key.");
+                refused(word, ") is no key.");
             } else if (!taken.insert(toString(*chord)).second) {
-                complaints.push_back("Keys: " + word + " (for " + id + ") has another action.");
+                refused(word, ") has another action.");
             } else {
                 takeAway(*chord);
                 good.push_back(toString(*chord));

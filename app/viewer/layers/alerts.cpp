@@ -61,7 +61,8 @@ void addNoticed(const LayerInput& in, const LiveFailure& failure, DrawList& out)
         if (number != kNone && number < in.triangles.size())
             addTriangle(in, in.triangles[number], true, out);
     }
-    if (failure.triangle == kNone || failure.points.size() == 2) addMarkedPoints(in, failure.points, out);
+    if (failure.triangle == kNone || failure.points.size() == 2)
+        addMarkedPoints(in, failure.points, out);
     if (failure.points.size() == 2) {
         out.line(in.at(failure.points[0]), in.at(failure.points[1]), in.palette.rejected, 0.5F,
                  Depth::OnTop);

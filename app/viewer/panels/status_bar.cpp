@@ -70,6 +70,7 @@ void drawStatusBar(const PanelContext& context) {
         if (context.session().ready()) parts = partsOf(context);
         const std::string keys = keysText(context);
         std::vector<float> widths;
+        widths.reserve(parts.size() + 1);
         for (const std::string& part : parts) {
             widths.push_back(ImGui::CalcTextSize(part.c_str()).x);
         }

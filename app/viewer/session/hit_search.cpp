@@ -106,6 +106,7 @@ void HitSearch::beginNext() {
 void HitSearch::work(const Model& model, const std::vector<Line>& lines,
                      RunErrand<Found>::Basket& basket) {
     std::vector<DecisionQuery> queries;
+    queries.reserve(lines.size());
     for (const Line& line : lines) queries.push_back(line.query);
     std::vector<std::size_t> told(lines.size(), 0);
     const auto found = [&](std::size_t line, const se::Hit& hit, const Decision& decision) {

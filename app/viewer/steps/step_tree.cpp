@@ -237,7 +237,6 @@ std::optional<std::size_t> StepTree::filteredCursor() const {
 bool StepTree::canOpen(const StepRow& row) const {
     switch (row.kind) {
         case StepRowKind::Component:
-            return true;
         case StepRowKind::Pivot:
             return true;
         case StepRowKind::Stage:
