@@ -788,6 +788,18 @@ reduce_keeps_what_fails() {
     expect 2 reduce scene:sphere --failure holes:x -o none.ply
 }
 
+reduce_finds_one_point_among_20_000() {
+    # A spiral over the sphere, and one normal that points inwards.
+    awk 'BEGIN { n = 20000; turn = 2.399963229728653
+                 for (i = 0; i < n; ++i) { z = 1 - (2 * i + 1) / n; r = sqrt(1 - z * z)
+                     x = r * cos(i * turn); y = r * sin(i * turn); s = i == 7777 ? -1 : 1
+                     printf "%.9f %.9f %.9f %.9f %.9f %.9f\n", x, y, z, s * x, s * y, s * z } }' >planted.xyz
+    expect 0 reduce planted.xyz --rules paper --failure unused_points -q -o few.ply
+    [ "$(header_count vertex few.ply)" -lt 30 ] || fail "$(header_count vertex few.ply) points are left"
+    SPIRALING_EDGE=$program sh few.sh >out 2>err && fail "the test passes"
+    says out "still fails: unused_points"
+}
+
 sample_lists_shapes() {
     expect 0 sample --list
     for shape in sphere torus two-tori genus-2 gyroid plane monkey-saddle hyperboloid-one-sheet \
