@@ -73,8 +73,8 @@ bool Application::poll() {
     if (auto with = filing_.takeComparison()) comparing_.beginWith(std::move(*with));
     const bool compared = comparing_.poll();
     const Compared* found = comparing_.comparison().result();
-    if (options_.atDifference && found != nullptr && session_.event() == nullptr &&
-        !session_.busy()) {
+    if (options_.atDifference && found != nullptr && !session_.busy() &&
+        !std::exchange(differenceAsked_, true)) {
         options_.atDifference = !found->meshes.same() || found->runs.first.has_value();
         actions::askForDifference(commands_);
     }
@@ -160,7 +160,8 @@ void Application::placeCamera(const Layout& layout) {
     if (std::exchange(ui_.requests.frameAlert, false)) frameAlert(commands_);
     // Nobody has changed anything yet.
     if (alerting_.takeOpened()) undo_.begin(captureEdits(commands_));
-    const bool atDifference = session_.event() != nullptr && !session_.busy() &&
+    const bool atDifference = differenceAsked_ && ui_.compare.ask == CompareAsk::Nothing &&
+                              session_.event() != nullptr && !session_.busy() &&
                               std::exchange(options_.atDifference, false);
     if (session_.busy()) return;
     const FrameWish wish = std::exchange(ui_.requests.frame, FrameWish::None);

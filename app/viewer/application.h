@@ -112,6 +112,7 @@ class Application {
     std::string undoSource_;
     Cures undoCures_;
     RuleSet undoRules_;
+    bool differenceAsked_ = false;   ///< --goto difference is under way, or done.
     bool noticed_ = false;           ///< A notice is in sight.
     const char* focused_ = nullptr;  ///< The window that has the keyboard where no panel has it.
     std::string homeOf_;             ///< Name of the input that the camera went home for.

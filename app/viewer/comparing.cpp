@@ -188,6 +188,7 @@ void Comparing::goTo(const std::optional<RunDifference>& difference, const char*
     const auto addressOf = [](const DifferenceSide& side) {
         return side.line ? std::optional(side.line->event.address) : std::nullopt;
     };
+    c_.ui.requests.frame = FrameWish::Pivot;
     comparison_.goTo(c_.session, {addressOf(difference->a), addressOf(difference->b)});
 }
 
