@@ -15,7 +15,9 @@ go_to 5.sort.3; says address "5\.sort\.3"; says other_address "5\.sort\.3"
 press Right; says address "5\.sort\.4"; says other_address "5\.sort\.4"
 press End; denies address "5\.sort\.4"; denies other_address "5\.sort\.4"
 end=$(field other_address)
+camera=$(field camera)
 press d; says address "7\.sphere\.1"; says other_address "7\.sphere\.3"
+leaves camera "$camera"  # the pivot is framed
 press Right; denies address "7\.sphere\.1"; says other_address "7\.sphere\.[0-9]+"
 # Regions, in the finished meshes.
 press shift+d; says region 1; says other_address "$end"
@@ -42,6 +44,11 @@ press ctrl+d; says layout debug
 stop
 start "$work/kept.sesession"
 says layout compare; says compare_done true; says other_rules robust
+stop
+# From a scene that opens at its failure, too.
+start scene:four-edge-hole --layout compare --with "--rules robust" --goto difference
+says compare_done true
+says address "$(field difference_a)"; says other_address "$(field difference_b)"
 stop
 # The form: a number of the paper's rules, another input, a what-if; and once more what B is.
 start scene:torus --layout compare
