@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # clang-tidy with the rules of .clang-tidy over our sources, as many at a time as there are cores.
 #   tidy.sh BUILD [FOLDER...]    BUILD holds compile_commands.json; default: core/src and app
-# Ten sources are looked at as one, which takes a seventh of the time: most of it goes into what
+# Many sources are looked at as one, which takes a tenth of the time: most of it goes into what
 # they include. What was clean is not looked at again until it, a header or the rules change.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit 1
@@ -13,7 +13,7 @@ tidy=$(command -v clang-tidy-16 || command -v clang-tidy) || { echo "no clang-ti
 cache=$build/tidy
 mkdir -p "$cache"
 
-# Writes the sources that include ten others, and how to compile them; prints their names.
+# Writes the sources that include 25 others, and how to compile them; prints their names.
 together() {
     python3 - "$build" "$cache" "${folders[@]}" <<'PYTHON'
 import json, pathlib, re, sys
@@ -31,9 +31,9 @@ for source, flags in sorted(flags_of.items()):
     groups.setdefault(flags, []).append(source)
 commands = []
 for (directory, flags), sources in groups.items():
-    for i in range(0, len(sources), 10):
+    for i in range(0, len(sources), 25):
         file = cache / f"together_{len(commands)}.cpp"
-        file.write_text("".join(f'#include "{source}"\n' for source in sources[i : i + 10]))
+        file.write_text("".join(f'#include "{source}"\n' for source in sources[i : i + 25]))
         commands.append({"directory": directory, "file": str(file), "command": f"{flags} -c {file}"})
 (cache / "compile_commands.json").write_text(json.dumps(commands))
 print("\n".join(command["file"] for command in commands))
@@ -46,7 +46,7 @@ while read -r file; do
     key=$({ echo "$common"; cat "$file"; sed -E 's/.*"(.*)"/\1/' "$file" | xargs cat; } | sha256sum | cut -d' ' -f1)
     [ -e "$cache/$key" ] || work+=("$file" "$cache/$key")
 done < <(together)
-echo "clang-tidy: $((${#work[@]} / 2)) times ten files to look at"
+echo "clang-tidy: $((${#work[@]} / 2)) times 25 files to look at"
 [ ${#work[@]} -gt 0 ] || exit 0
 
 check() {
