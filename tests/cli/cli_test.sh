@@ -788,7 +788,7 @@ reduce_keeps_what_fails() {
     expect 2 reduce scene:sphere --failure holes:x -o none.ply
 }
 
-reduce_finds_one_point_among_20_000() {
+reduce_finds_one_point_among_many() {
     # A spiral over the sphere, and one normal that points inwards.
     awk 'BEGIN { n = 20000; turn = 2.399963229728653
                  for (i = 0; i < n; ++i) { z = 1 - (2 * i + 1) / n; r = sqrt(1 - z * z)
