@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "scene/clip.h"
+
 namespace se::view {
 
 namespace {
@@ -21,8 +23,6 @@ void clipAxis(float from, float way, float low, float high, float& begin, float&
     begin = std::max(begin, std::min(a, b));
     end = std::min(end, std::max(a, b));
 }
-
-float cross(glm::vec2 a, glm::vec2 b) { return a.x * b.y - a.y * b.x; }
 
 }  // namespace
 
@@ -82,7 +82,7 @@ void Clutter::addSpot(glm::vec2 center, float radius, float weight) {
 }
 
 void Clutter::addTriangle(glm::vec2 a, glm::vec2 b, glm::vec2 c, float weight) {
-    const float turn = cross(b - a, c - a);
+    const float turn = crossOf(b - a, c - a);
     if (turn == 0.0F) return;
     const glm::vec2 low = glm::min(a, glm::min(b, c));
     const glm::vec2 high = glm::max(a, glm::max(b, c));
@@ -93,8 +93,8 @@ void Clutter::addTriangle(glm::vec2 a, glm::vec2 b, glm::vec2 c, float weight) {
     for (int y = row(low.y); y <= row(high.y); ++y) {
         for (int x = column(low.x); x <= column(high.x); ++x) {
             const glm::vec2 m = middle(x, y);
-            const std::array sides = {cross(b - a, m - a), cross(c - b, m - b),
-                                      cross(a - c, m - c)};
+            const std::array sides = {crossOf(b - a, m - a), crossOf(c - b, m - b),
+                                      crossOf(a - c, m - c)};
             const bool inside = std::all_of(sides.begin(), sides.end(),
                                             [&](float side) { return side * turn >= 0.0F; });
             if (inside) at(x, y) += weight;

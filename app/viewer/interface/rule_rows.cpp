@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include "run/text.h"
 
@@ -36,41 +35,21 @@ std::string titleOfGroup(const RuleSetting& setting) {
     return title;
 }
 
-std::string lower(std::string_view text) {
-    std::string made(text);
-    std::transform(made.begin(), made.end(), made.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return made;
-}
-
-std::vector<std::string> lowerWordsOf(std::string_view text) {
-    std::vector<std::string> words;
-    std::string word;
-    for (const char c : lower(text) + " ") {
-        if (c != ' ') {
-            word += c;
-        } else if (!word.empty()) {
-            words.push_back(std::exchange(word, {}));
-        }
-    }
-    return words;
-}
-
-bool matches(const RuleRow& row, const std::vector<std::string>& words) {
+bool matches(const RuleRow& row, const std::vector<std::string_view>& words) {
     const RuleSetting& s = *row.setting;
-    std::string text =
-        lower(std::string(s.name) + " " + std::string(s.section) + " " + std::string(s.summary) +
-              " " + std::string(s.paper) + " " + valueText(s, row.value) + " " + titleOfGroup(s));
+    std::string text = lowerCase(std::string(s.name) + " " + std::string(s.section) + " " +
+                                 std::string(s.summary) + " " + std::string(s.paper) + " " +
+                                 valueText(s, row.value) + " " + titleOfGroup(s));
     if (row.differs()) text += " differs";
-    return std::all_of(words.begin(), words.end(), [&](const std::string& word) {
-        return text.find(word) != std::string::npos;
-    });
+    return std::all_of(words.begin(), words.end(),
+                       [&](std::string_view word) { return text.find(word) != std::string::npos; });
 }
 
 }  // namespace
 
 std::vector<RuleGroup> ruleGroups(const RuleSet& rules, std::string_view filter) {
-    const std::vector<std::string> words = lowerWordsOf(filter);
+    const std::string wanted = lowerCase(filter);
+    const std::vector<std::string_view> words = wordsOf(wanted);
     std::vector<RuleGroup> groups;
     for (const RuleSetting& setting : ruleSettings()) {
         const RuleRow row{&setting, valueOf(rules, setting), usualValueOf(rules, setting)};

@@ -12,15 +12,6 @@ namespace se::view {
 
 namespace {
 
-std::optional<Verdict> verdictIn(const Event& event) {
-    return std::visit(
-        [](const auto& e) -> std::optional<Verdict> {
-            if constexpr (requires { e.verdict; }) return e.verdict;
-            return std::nullopt;
-        },
-        event.evidence);
-}
-
 std::string pointText(Index p) { return "point " + std::to_string(p); }
 
 /// A test at a stage where keeping and dropping is all that can be said.
@@ -67,7 +58,7 @@ std::vector<WhatIfOffer> overrule(const Event& event, Verdict verdict, Index piv
 }
 
 bool saysWhatIf(const Event& event) {
-    const std::optional<Verdict> verdict = verdictIn(event);
+    const std::optional<Verdict> verdict = verdictOf(event);
     return verdict == Verdict::WhatIfKept || verdict == Verdict::WhatIfDropped;
 }
 
@@ -81,7 +72,7 @@ bool isEar(const Session& session) {
 }  // namespace
 
 std::vector<WhatIfOffer> offersAt(const Event& event, Index pivot) {
-    const std::optional<Verdict> verdict = verdictIn(event);
+    const std::optional<Verdict> verdict = verdictOf(event);
     if (!verdict) return {};
     WhatIf drop{WhatIfKind::Drop, event.address.pivot, event.address.stage, kNone, Vec3(0.0), {}};
     switch (event.address.stage) {
@@ -133,7 +124,7 @@ std::vector<WhatIfOffer> offersHere(const Session& session) {
 }
 
 std::string noOfferText(const Event& event) {
-    if (const std::optional<Verdict> verdict = verdictIn(event)) {
+    if (const std::optional<Verdict> verdict = verdictOf(event)) {
         const std::string reason = reasonAgainst(*verdict, se::testedPoint(event));
         if (!reason.empty()) return "This cannot turn out otherwise. " + reason;
     }

@@ -3,6 +3,7 @@
 #include "interface/rule_rows.h"
 #include "prepare_fields.h"
 #include "rule_list.h"
+#include "run/text.h"
 #include "text_field.h"
 #include "widgets.h"
 
@@ -20,17 +21,13 @@ bool beginPart(const PanelContext& context, const char* name, const std::string&
     return open;
 }
 
-std::string countedRows(std::size_t count, const char* one, const char* many) {
-    return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 void drawRuleFields(const PanelContext& context, CompareForm& form) {
     const RuleListPlace place{form.ruleFilter, "compare "};
     ImGui::PushID("rules");
     if (const auto set = drawRuleSets(context, form.rules, place)) form.rules = *set;
     const std::size_t differing = differingCount(form.rules);
     const std::string note =
-        differing == 0 ? "as the set has them" : countedRows(differing, "differs", "differ");
+        differing == 0 ? "as the set has them" : counted(differing, "differs", "differ");
     if (beginPart(context, "Rules", note, "Every rule as a switch, a choice or a number")) {
         if (const auto chosen = drawRuleList(context, form.rules, place)) form.rules = *chosen;
         ImGui::Spacing();
@@ -60,7 +57,7 @@ void drawPrepared(const PanelContext& context, CompareForm& form) {
 void drawWhatIfs(const PanelContext& context, CompareForm& form) {
     const auto& all = form.rules.whatIf;
     const std::string note =
-        all.empty() ? "the true run" : countedRows(all.size(), "change", "changes");
+        all.empty() ? "the true run" : counted(all.size(), "change", "changes");
     if (!beginPart(context, "What if", note, "What happens in B instead of what the rules say"))
         return;
     ImGui::PushID("what if");

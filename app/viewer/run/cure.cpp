@@ -1,4 +1,5 @@
 #include "cure.h"
+#include "run/text.h"
 
 #include <algorithm>
 #include <optional>
@@ -16,10 +17,6 @@ bool has(const Cures& cures, Cure kind) {
         const DoctorCheck* check = findDoctorCheck(name);
         return check != nullptr && check->cure == kind;
     });
-}
-
-std::string counted(std::size_t count, const char* one, const char* many) {
-    return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
 /// The points that a check finds, ascending.

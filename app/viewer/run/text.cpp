@@ -18,6 +18,10 @@ std::string lowerExtension(const std::filesystem::path& path) {
     return lowerCase(path.extension().string());
 }
 
+std::string counted(std::size_t count, const char* one, const char* many) {
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
 std::string trimmed(std::string_view text) {
     const std::size_t from = text.find_first_not_of(" \t");
     if (from == std::string_view::npos) return {};

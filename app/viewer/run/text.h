@@ -22,6 +22,8 @@ std::vector<std::string_view> wordsOf(std::string_view text);
 std::string formatted(const char* format, double a, double b = 0.0, double c = 0.0);
 /// 12345 as "12 345", with a thin space.
 std::string grouped(std::size_t number);
+/// "1 rim", "3 rims"; without a space among the digits.
+std::string counted(std::size_t count, const char* one, const char* many);
 /// All bytes of a file; nothing if it cannot be read.
 std::optional<std::string> readText(const std::filesystem::path& path);
 /// As one word of a command line: between single quotes if a shell would read it otherwise.

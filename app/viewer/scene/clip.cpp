@@ -4,8 +4,6 @@ namespace se::view {
 
 namespace {
 
-float crossOf(const glm::vec2& a, const glm::vec2& b) { return a.x * b.y - a.y * b.x; }
-
 /// Keeps what is to the left of the line through a and b.
 std::vector<glm::vec2> leftOf(const std::vector<glm::vec2>& polygon, const glm::vec2& a,
                               const glm::vec2& b) {

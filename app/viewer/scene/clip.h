@@ -13,6 +13,8 @@ namespace se::view {
 std::vector<glm::vec2> clipConvex(std::span<const glm::vec2> subject,
                                   std::span<const glm::vec2> window);
 
+/// Positive if b lies to the left of a.
+inline float crossOf(glm::vec2 a, glm::vec2 b) { return a.x * b.y - a.y * b.x; }
 /// Positive if counterclockwise.
 float areaOf(std::span<const glm::vec2> polygon);
 
