@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Checks what the compiler does not: which part may include which, that every source file is named
-# in a CMakeLists.txt, and the limits of size. Prints every breach; fails if there is one.
+# Checks what the compiler does not: which part may include which, who may write files, that every
+# source file is named in a CMakeLists.txt, what stands at the root, and the limits of size. Prints
+# every breach; fails if there is one.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit 1
 breaches=0
@@ -65,6 +66,20 @@ below steps '(scene|gl|layers|session|interface|panels)/'
 below session '(gl|interface|panels)/'
 below interface '(gl|panels)/'
 below panels 'gl/'
+
+# Files are written in one place, which leaves none half written.
+mapfile -t not_writers < <(printf '%s\n' "${core[@]}" "${cli[@]}" ${viewer[@]+"${viewer[@]}"} |
+    grep -vE '/atomic_file\.(h|cpp)$')
+no '\b(f|fre|fd)open\(|\bofstream|std::fstream|O_CREAT|O_WRONLY|O_RDWR|\bcreat\(|mk(o)?stemp|tmpfile\(|stbi_write_(png|jpg|bmp|tga|hdr)\(|copy_file\(' \
+    "only atomic_file.cpp may write files" "${not_writers[@]}"
+
+# The root.
+allowed='app core shaders assets tests docs .ci CMakeLists.txt CMakePresets.json README.md CHANGELOG.md
+    CONTRIBUTING.md LICENSE CITATION.cff run.sh test.sh .clang-format .clang-tidy .editorconfig
+    .gitattributes .gitignore'
+while read -r entry; do
+    printf "%s\n" $allowed | grep -qxF -- "$entry" || breach "does not belong at the root: $entry"
+done < <(git ls-tree --name-only HEAD 2>/dev/null)
 
 # Explicit lists forget.
 while read -r file; do

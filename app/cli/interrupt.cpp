@@ -2,19 +2,25 @@
 
 #include <csignal>
 
+#include "spiraling_edge/atomic_file.h"
+
 namespace se::cli {
 namespace {
 
 volatile std::sig_atomic_t interruptSeen = 0;
 
-void noteInterrupt(int) { interruptSeen = 1; }
+void noteInterrupt(int) {
+    interruptSeen = 1;
+    // The next one ends the program, which leaves no part of a file.
+    removeUnfinishedFilesAtSignals();
+}
 
 }  // namespace
 
 void catchInterrupts() {
     struct sigaction action {};
     action.sa_handler = noteInterrupt;
-    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+    action.sa_flags = SA_RESTART;
     sigaction(SIGINT, &action, nullptr);
 }
 

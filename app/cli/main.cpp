@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "spiraling_edge/atomic_file.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -105,6 +106,7 @@ int main(int argc, char** argv) {
     const auto say = [](const char* message) {
         std::fprintf(stderr, "spiraling-edge: %s\n", message);
     };
+    se::removeUnfinishedFilesAtSignals();
     ExitCode code = ExitCode::Internal;
     try {
         code = se::cli::dispatch(se::cli::Arguments(argv + 1, argv + argc));

@@ -1,58 +1,48 @@
 #include "trace.h"
 
-#include <utility>
-
 #include "exit_code.h"
+#include "output.h"
 
 namespace se::cli {
+namespace {
 
-namespace fs = std::filesystem;
-
-TraceWriter::TraceWriter(const std::string& path) : path_(path) {
-    if (path.empty()) return;
-    if (path == "-") {
-        stream_ = stdout;
-        return;
-    }
-    std::error_code ignored;
-    const bool special = fs::exists(path, ignored) && !fs::is_regular_file(path, ignored);
-    if (!special) temporary_ = path + ".part";
-    stream_ = std::fopen(special ? path.c_str() : temporary_.c_str(), "wb");
-    if (stream_ == nullptr) {
-        temporary_.clear();
-        throw Failure(ExitCode::Internal, path + ": cannot be written");
-    }
+void require(const Status& status) {
+    if (!status) throw Failure(ExitCode::Internal, status.error().message);
 }
 
-TraceWriter::~TraceWriter() {
-    if (stream_ != nullptr && stream_ != stdout) std::fclose(stream_);
-    std::error_code ignored;
-    if (!temporary_.empty()) fs::remove(temporary_, ignored);
+}  // namespace
+
+TraceWriter::TraceWriter(const std::string& path) : active_(!path.empty()) {
+    if (path.empty() || path == "-") return;
+    Result<AtomicFile> file = AtomicFile::create(path);
+    if (!file) throw Failure(ExitCode::Internal, file.error().message);
+    file_ = std::move(file.value());
 }
 
 void TraceWriter::write(const std::vector<Event>& events) {
-    buffer_.clear();
+    constexpr std::size_t kBlock = 1U << 16U;
     for (const Event& event : events) {
         buffer_ += toString(event.address);
         buffer_ += '\t';
         buffer_ += describe(event);
         buffer_ += '\n';
     }
-    if (std::fwrite(buffer_.data(), 1, buffer_.size(), stream_) != buffer_.size())
-        throw Failure(ExitCode::Internal, path_ + ": cannot be written");
+    if (buffer_.size() >= kBlock) flush();
+}
+
+void TraceWriter::flush() {
+    if (file_) {
+        require(file_->write(buffer_));
+    } else {
+        writeOutput("-", buffer_);
+    }
+    buffer_.clear();
 }
 
 void TraceWriter::commit() {
-    if (stream_ == nullptr) return;
-    std::FILE* stream = std::exchange(stream_, nullptr);
-    bool good = std::fflush(stream) == 0;
-    if (stream != stdout) good = std::fclose(stream) == 0 && good;
-    std::error_code problem;
-    if (good && !temporary_.empty()) {
-        fs::rename(temporary_, path_, problem);
-        if (!problem) temporary_.clear();
-    }
-    if (!good || problem) throw Failure(ExitCode::Internal, path_ + ": cannot be written");
+    if (!active_) return;
+    flush();
+    if (file_) require(file_->commit());
 }
 
 }  // namespace se::cli

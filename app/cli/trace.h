@@ -1,34 +1,34 @@
 /// The trace of a run: one line per event, `ADDRESS<tab>SENTENCE`.
 #pragma once
 
-#include <cstdio>
-#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "spiraling_edge/atomic_file.h"
 #include "spiraling_edge/event.h"
 
 namespace se::cli {
 
-/// Writes while the run goes on; traces may be larger than memory. The file gets its name only by
-/// commit(): a run that ends early leaves none.
+/// A trace that is written while the run goes on, since it may be larger than memory. The file gets
+/// its name only by commit(): a run that ends early leaves none.
 class TraceWriter {
   public:
-    /// `path` empty: writes nothing. Throws Failure if the file cannot be opened.
+    /// `path` empty: writes nothing; `-`: to standard output. Throws Failure(Internal) if the file
+    /// cannot be created.
     explicit TraceWriter(const std::string& path);
-    ~TraceWriter();
-    TraceWriter(const TraceWriter&) = delete;
-    TraceWriter& operator=(const TraceWriter&) = delete;
 
-    bool active() const { return stream_ != nullptr; }
+    bool active() const { return active_; }
+    /// Appends the lines of `events`. Requires active(). Throws Failure(Internal).
     void write(const std::vector<Event>& events);
-    /// Ends and names the file. Throws Failure if something could not be written.
+    /// Ends and names the file. Throws Failure(Internal) if something could not be written.
     void commit();
 
   private:
-    std::string path_;
-    std::filesystem::path temporary_;  ///< Empty if written to directly.
-    std::FILE* stream_ = nullptr;
+    void flush();
+
+    bool active_ = false;
+    std::optional<AtomicFile> file_;  ///< Empty: standard output.
     std::string buffer_;
 };
 

@@ -11,6 +11,7 @@
 #include "offscreen.h"
 #include "options.h"
 #include "scene/picking.h"
+#include "spiraling_edge/atomic_file.h"
 #include "spiraling_edge/io.h"
 #include "window.h"
 
@@ -187,6 +188,7 @@ int runWindow(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    se::removeUnfinishedFilesAtSignals();
     try {
         ParsedOptions parsed = parseOptions(argc, argv);
         if (!parsed.options) return parsed.exitCode;

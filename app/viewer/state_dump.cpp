@@ -5,6 +5,7 @@
 #include "session/place.h"
 #include "session/questions.h"
 #include "session/selection_facts.h"
+#include "spiraling_edge/atomic_file.h"
 #include "spiraling_edge/io.h"
 
 namespace se::view {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <fstream>
 #include <system_error>
 
@@ -48,66 +47,6 @@ ReadFunction findReader(std::string_view bytes, const std::string& name) {
     return lowerExtension(name) == ".off" ? io::readOff : io::readXyz;
 }
 
-/// Writes to an open file and closes it. False with errno set if that fails, as on a full disk.
-bool writeAndClose(std::FILE* file, std::string_view bytes) {
-    bool good = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
-    good = std::fflush(file) == 0 && good;
-    const int reason = errno;
-    good = std::fclose(file) == 0 && good;
-    if (!good && reason != 0) errno = reason;
-    return good;
-}
-
-Status cannotWrite(const fs::path& path) {
-    return Error{path.string() + ": cannot be written: " + systemReason()};
-}
-
-Status writeDirectly(const fs::path& path, std::string_view bytes) {
-    errno = 0;
-    std::FILE* file = std::fopen(path.string().c_str(), "wb");
-    if (file == nullptr || !writeAndClose(file, bytes)) return cannotWrite(path);
-    return success();
-}
-
-/// Opens a new file beside `target` under a name that nobody uses, which goes to `path`.
-std::FILE* openBeside(const fs::path& target, fs::path& path) {
-    constexpr int kMostTries = 100;
-    for (int i = 0; i < kMostTries; ++i) {
-        path = target;
-        path += ".part" + std::to_string(i);
-        errno = 0;
-        std::FILE* file = std::fopen(path.string().c_str(), "wbx");  // x: fails if it exists
-        if (file != nullptr || errno != EEXIST) return file;
-    }
-    return nullptr;
-}
-
-/// An existing file that is write-protected must stay: renaming would not ask.
-bool mayReplace(const fs::path& target) {
-    errno = 0;
-    std::FILE* file = std::fopen(target.string().c_str(), "r+b");
-    if (file != nullptr) std::fclose(file);
-    return file != nullptr;
-}
-
-Status replaceFile(const fs::path& target, bool exists, std::string_view bytes) {
-    fs::path temporary;
-    std::FILE* file = openBeside(target, temporary);
-    if (file == nullptr) return cannotWrite(target);
-    std::error_code problem;
-    if (!writeAndClose(file, bytes)) {
-        problem = {errno, std::generic_category()};
-    } else {
-        std::error_code ignored;  // other permissions than before are no reason to fail
-        if (exists) fs::permissions(temporary, fs::status(target, ignored).permissions(), ignored);
-        fs::rename(temporary, target, problem);
-    }
-    if (!problem) return success();
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    return Error{target.string() + ": cannot be written: " + problem.message()};
-}
-
 }  // namespace
 
 Result<std::string> readBytes(const fs::path& path) {
@@ -150,23 +89,6 @@ Result<PointFile> readPoints(std::string_view bytes, const std::string& name) {
     const ReadFunction reader = findReader(bytes, name);
     if (reader == nullptr) return Error{name + ": is of no known kind. " + kReadable};
     return reader(bytes, name);
-}
-
-Status writeFileAtomically(const fs::path& path, std::string_view bytes) {
-    std::error_code problem;
-    const fs::file_status status = fs::status(path, problem);
-    if (fs::is_directory(status)) return Error{path.string() + ": is a folder; name a file in it"};
-    const bool exists = fs::exists(status);
-    if (exists && !fs::is_regular_file(status)) return writeDirectly(path, bytes);
-    const fs::path folder = path.parent_path();
-    if (!folder.empty() && !fs::is_directory(folder, problem)) {
-        return Error{path.string() + ": cannot be written: there is no folder " + folder.string() +
-                     "; make it first"};
-    }
-    if (!exists) return replaceFile(path, false, bytes);
-    if (!mayReplace(path)) return cannotWrite(path);
-    const fs::path target = fs::canonical(path, problem);
-    return replaceFile(problem ? path : target, true, bytes);
 }
 
 }  // namespace se

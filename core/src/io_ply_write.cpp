@@ -6,6 +6,7 @@
 
 #include "io_ply.h"
 #include "mesh_io_formats.h"
+#include "spiraling_edge/atomic_file.h"
 
 namespace se {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "extension.h"
 #include "mesh_io_formats.h"
+#include "spiraling_edge/atomic_file.h"
 
 namespace se {
 namespace {

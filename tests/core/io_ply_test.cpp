@@ -327,31 +327,6 @@ TEST_CASE("Write: a file appears whole and replaces the one before") {
     checkSame(again.value(), file);
 }
 
-TEST_CASE("Write: a link stays a link, and its target is replaced") {
-    const TemporaryFolder folder;
-    REQUIRE(writeFileAtomically(folder / "target", "old").ok());
-    std::filesystem::create_symlink("target", folder / "link");
-    REQUIRE(writeFileAtomically(folder / "link", "new").ok());
-    CHECK(std::filesystem::is_symlink(folder / "link"));
-    CHECK(bytesOf(folder / "target") == "new");
-    CHECK(folder.fileCount() == 2);
-}
-
-TEST_CASE("Write: no folder, a folder in the way, a full disk are told apart") {
-    const TemporaryFolder folder;
-    const auto error = [](const std::filesystem::path& path) {
-        const Status status = writeFileAtomically(path, "bytes");
-        REQUIRE_FALSE(status.ok());
-        return status.error().message;
-    };
-    CHECK(contains(error(folder / "none/a.ply"), "there is no folder"));
-    CHECK(contains(error(folder / ""), "is a folder"));
-    if (std::filesystem::exists("/dev/full")) {
-        CHECK(contains(error("/dev/full"), "cannot be written: No space left"));
-    }
-    CHECK(folder.fileCount() == 0);
-}
-
 TEST_CASE("PLY: the three encodings of the shared files hold the same points") {
     const auto text = sharedFile("formats/ascii.ply");
     if (text.empty()) return;

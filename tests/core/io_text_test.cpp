@@ -5,6 +5,7 @@
 
 #include "../support/shared_data.h"
 #include "io_support.h"
+#include "spiraling_edge/atomic_file.h"
 #include "text_scan.h"
 
 using namespace se;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "spiraling_edge/atomic_file.h"
 #include "spiraling_edge/io.h"
 
 namespace se::view {

@@ -8,6 +8,7 @@
 #include "run/sample_spec.h"
 #include "run/text.h"
 #include "settings.h"
+#include "spiraling_edge/atomic_file.h"
 #include "spiraling_edge/io.h"
 
 namespace se::view {

@@ -5,6 +5,7 @@
 
 #include "run/text.h"
 #include "session/layer_text.h"
+#include "spiraling_edge/atomic_file.h"
 #include "spiraling_edge/io.h"
 
 namespace se::view {

@@ -8,6 +8,7 @@
 #include "layer_text.h"
 #include "run/text.h"
 #include "session_options.h"
+#include "spiraling_edge/atomic_file.h"
 #include "spiraling_edge/io.h"
 #include "stop_text.h"
 

@@ -1,6 +1,6 @@
 /// Reading points and writing meshes (docs/file-formats.md). The type of a file is found by its
 /// content first, then by its extension. No reader returns a partial result, and no writer leaves
-/// a partial file: output goes to a temporary file beside the target, which is then renamed.
+/// a partial file (atomic_file.h).
 #pragma once
 
 #include <cstdint>
@@ -59,9 +59,5 @@ Status writeMeshPly(const std::filesystem::path& path, const PointFile& points,
                     std::span<const Triangle> triangles);
 /// The bytes that writeMeshPly() writes. Requires what writeMeshPly() checks.
 std::string meshPlyBytes(const PointFile& points, std::span<const Triangle> triangles);
-
-/// Writes `bytes` to a temporary file beside `path`, then renames it to `path`. A link is followed;
-/// what is not a plain file (/dev/stdout, a pipe) is written to directly.
-Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace se

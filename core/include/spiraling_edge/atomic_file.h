@@ -1,0 +1,73 @@
+/// Files that are either old or new, never half written: the one place where the programs open a
+/// file for writing.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+#include "spiraling_edge/result.h"
+
+namespace se {
+
+/// A file that is being written. The bytes go to a temporary file in the folder of the target,
+/// created exclusively under an unpredictable name; commit() renames it to the target. Until then
+/// the target stays as it was, and without commit() the temporary file is removed. Links are
+/// followed to their target; the mode of an existing file is kept. Anything other than a regular
+/// file (/dev/stdout, a pipe) is written to directly. Errors name the path and the reason.
+class AtomicFile {
+  public:
+    /// Fails if `path` is a folder or write-protected, or if its folder does not exist or does not
+    /// permit a new file.
+    static Result<AtomicFile> create(const std::filesystem::path& path);
+
+    /// The reason why create() would fail, without creating anything: for before long work.
+    static Status check(const std::filesystem::path& path);
+
+    AtomicFile(AtomicFile&& other) noexcept { swap(other); }
+    AtomicFile& operator=(AtomicFile&& other) noexcept {
+        swap(other);
+        return *this;
+    }
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+    ~AtomicFile();
+
+    /// Appends `bytes`.
+    Status write(std::string_view bytes);
+    /// Ends the file and gives it its name. No further call may follow.
+    Status commit();
+
+  private:
+    AtomicFile() = default;
+    void swap(AtomicFile& other) noexcept;
+    /// The last failure of the operating system, as an error that names the path.
+    Error failure() const;
+    /// Finds the target and whether it can be written.
+    Status locate(const std::filesystem::path& path);
+    bool openTarget();
+    bool openTemporary();
+    void closeAndRemove();
+
+    std::filesystem::path path_;       ///< As the caller named it, for messages.
+    std::filesystem::path target_;     ///< path_ with its links followed.
+    std::filesystem::path temporary_;  ///< Empty if the target is written to directly.
+    bool exists_ = false;
+    bool direct_ = false;   ///< The target is written to itself: it is not a regular file.
+    unsigned mode_ = 0666;  ///< Permission bits of the target, for a new one before the umask.
+    std::size_t slot_ = 0;  ///< Of temporary_ in the table of unfinished files, from 1.
+    int descriptor_ = -1;
+};
+
+/// Writes `bytes` as an AtomicFile.
+Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
+
+/// Removes the temporary files of this process. May be called from a signal handler.
+void removeUnfinishedFiles() noexcept;
+
+/// From now on SIGINT, SIGTERM and SIGHUP, unless ignored, remove unfinished files before they end
+/// the process. For programs, once, at the start of main().
+void removeUnfinishedFilesAtSignals() noexcept;
+
+}  // namespace se

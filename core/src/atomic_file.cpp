@@ -1,0 +1,219 @@
+#include "spiraling_edge/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <random>
+#include <string>
+#include <system_error>
+
+namespace se {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr unsigned kPermissionBits = 0777;
+
+/// A temporary file that a signal handler must be able to remove: fixed storage, since a handler
+/// may neither lock nor allocate.
+struct UnfinishedFile {
+    enum Use : int { Free, Claimed, Listed };
+    std::atomic<int> use{Free};
+    std::array<char, 4096> path{};
+};
+static_assert(std::atomic<int>::is_always_lock_free);
+std::array<UnfinishedFile, 16> unfinishedFiles;
+
+/// The slot of `path`, from 1; 0 if the table is full or the path too long: the file is then
+/// written all the same, and only a signal would leave it.
+std::size_t listUnfinished(const std::string& path) {
+    if (path.size() >= unfinishedFiles[0].path.size()) return 0;
+    for (std::size_t i = 0; i < unfinishedFiles.size(); ++i) {
+        UnfinishedFile& file = unfinishedFiles[i];
+        int expected = UnfinishedFile::Free;
+        if (!file.use.compare_exchange_strong(expected, UnfinishedFile::Claimed)) continue;
+        std::memcpy(file.path.data(), path.c_str(), path.size() + 1);
+        file.use = UnfinishedFile::Listed;
+        return i + 1;
+    }
+    return 0;
+}
+
+void unlistUnfinished(std::size_t slot) {
+    if (slot > 0) unfinishedFiles[slot - 1].use = UnfinishedFile::Free;
+}
+
+extern "C" void removeAndEnd(int signal) {
+    removeUnfinishedFiles();
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+}
+
+std::string systemReason() { return std::generic_category().message(errno); }
+
+/// `path` with its links followed, also where the last one leads to a file that does not exist.
+fs::path followLinks(fs::path path) {
+    constexpr int kMaxLinks = 40;
+    std::error_code problem;
+    for (int i = 0; i < kMaxLinks && fs::is_symlink(fs::symlink_status(path, problem)); ++i) {
+        const fs::path to = fs::read_symlink(path, problem);
+        if (problem) break;
+        path = path.parent_path() / to;  // an absolute `to` replaces the rest
+    }
+    return path;
+}
+
+/// A name that nobody can foresee, so that no link can wait there.
+fs::path unpredictableName(const fs::path& folder) {
+    std::random_device random;
+    std::array<char, 48> name;
+    std::snprintf(name.data(), name.size(), ".spiraling-edge-%08x%08x.part", random(), random());
+    return folder / name.data();
+}
+
+/// Renaming asks only the folder, and root may write everywhere: a write-protected file stays.
+bool isWriteProtected(const fs::path& target, unsigned mode) {
+    constexpr unsigned kAnyWriteBit = 0222;
+    if ((mode & kAnyWriteBit) == 0) {
+        errno = EACCES;
+        return true;
+    }
+    return ::access(target.c_str(), W_OK) != 0;
+}
+
+bool writeAll(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return true;
+}
+
+}  // namespace
+
+Status AtomicFile::locate(const fs::path& path) {
+    if (path.empty()) return Error{"the file name is empty; name a file"};
+    path_ = path;
+    target_ = followLinks(path);
+    struct stat status {};
+    errno = 0;
+    exists_ = ::stat(target_.c_str(), &status) == 0;
+    if (exists_ && S_ISDIR(status.st_mode))
+        return Error{path.string() + ": is a folder; name a file in it"};
+    direct_ = exists_ && !S_ISREG(status.st_mode);
+    if (exists_) mode_ = status.st_mode & kPermissionBits;
+    if (direct_) return ::access(target_.c_str(), W_OK) == 0 ? success() : Status(failure());
+    const fs::path parent = target_.parent_path();
+    const fs::path folder = parent.empty() ? "." : parent;
+    std::error_code ignored;
+    if (!fs::is_directory(folder, ignored)) {
+        return Error{path.string() + ": cannot be written: there is no folder " + folder.string() +
+                     "; make it first"};
+    }
+    errno = 0;
+    if (exists_ && isWriteProtected(target_, mode_)) return failure();
+    if (::access(folder.c_str(), W_OK) != 0) return failure();
+    return success();
+}
+
+Result<AtomicFile> AtomicFile::create(const fs::path& path) {
+    AtomicFile file;
+    if (const Status status = file.locate(path); !status) return status.error();
+    if (!(file.direct_ ? file.openTarget() : file.openTemporary())) return file.failure();
+    return file;
+}
+
+Status AtomicFile::check(const fs::path& path) { return AtomicFile().locate(path); }
+
+bool AtomicFile::openTarget() {
+    descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+    return descriptor_ >= 0;
+}
+
+bool AtomicFile::openTemporary() {
+    temporary_ = unpredictableName(target_.parent_path());
+    slot_ = listUnfinished(temporary_.string());
+    errno = 0;
+    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode_);
+    if (descriptor_ >= 0) {
+        // The mode of the old file, whatever the umask. Failure is no reason not to write.
+        if (exists_) static_cast<void>(::fchmod(descriptor_, mode_));
+        return true;
+    }
+    unlistUnfinished(slot_);
+    slot_ = 0;
+    temporary_.clear();
+    return false;
+}
+
+AtomicFile::~AtomicFile() { closeAndRemove(); }
+
+void AtomicFile::swap(AtomicFile& other) noexcept {
+    path_.swap(other.path_);
+    target_.swap(other.target_);
+    temporary_.swap(other.temporary_);
+    std::swap(exists_, other.exists_);
+    std::swap(direct_, other.direct_);
+    std::swap(mode_, other.mode_);
+    std::swap(slot_, other.slot_);
+    std::swap(descriptor_, other.descriptor_);
+}
+
+Error AtomicFile::failure() const {
+    return Error{path_.string() + ": cannot be written: " + systemReason()};
+}
+
+Status AtomicFile::write(std::string_view bytes) {
+    errno = 0;
+    if (!writeAll(descriptor_, bytes)) return failure();
+    return success();
+}
+
+Status AtomicFile::commit() {
+    errno = 0;
+    if (::close(std::exchange(descriptor_, -1)) != 0) return failure();
+    if (temporary_.empty()) return success();
+    if (std::rename(temporary_.c_str(), target_.c_str()) != 0) return failure();
+    temporary_.clear();
+    unlistUnfinished(std::exchange(slot_, 0));
+    return success();
+}
+
+void AtomicFile::closeAndRemove() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    unlistUnfinished(slot_);
+}
+
+Status writeFileAtomically(const fs::path& path, std::string_view bytes) {
+    Result<AtomicFile> file = AtomicFile::create(path);
+    if (!file) return file.error();
+    if (const Status status = file.value().write(bytes); !status) return status;
+    return file.value().commit();
+}
+
+void removeUnfinishedFiles() noexcept {
+    const int reason = errno;
+    for (UnfinishedFile& file : unfinishedFiles) {
+        if (file.use == UnfinishedFile::Listed) ::unlink(file.path.data());
+    }
+    errno = reason;
+}
+
+void removeUnfinishedFilesAtSignals() noexcept {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        // Ignored by the caller, as nohup does: that holds.
+        if (std::signal(signal, removeAndEnd) == SIG_IGN) std::signal(signal, SIG_IGN);
+    }
+}
+
+}  // namespace se

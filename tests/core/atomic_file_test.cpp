@@ -1,0 +1,151 @@
+#include "spiraling_edge/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <cstdlib>
+
+#include "io_support.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::perms modeOf(const fs::path& path) { return fs::status(path).permissions(); }
+
+/// Runs `work` in a process of its own, which must end by `signal`.
+template <typename Work>
+void checkEndsBy(int signal, Work&& work) {
+    const pid_t child = ::fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+        work();
+        ::_exit(0);
+    }
+    int status = 0;
+    REQUIRE(::waitpid(child, &status, 0) == child);
+    CHECK(WIFSIGNALED(status));
+    CHECK(WTERMSIG(status) == signal);
+}
+
+}  // namespace
+
+TEST_CASE("Write: a link stays a link, and its target is replaced") {
+    const TemporaryFolder folder;
+    REQUIRE(writeFileAtomically(folder / "target", "old").ok());
+    fs::create_symlink("target", folder / "link");
+    REQUIRE(writeFileAtomically(folder / "link", "new").ok());
+    CHECK(fs::is_symlink(folder / "link"));
+    CHECK(bytesOf(folder / "target") == "new");
+    CHECK(folder.fileCount() == 2);
+}
+
+TEST_CASE("Write: a link to a file that does not exist yet creates that file") {
+    const TemporaryFolder folder;
+    fs::create_symlink("target", folder / "link");
+    REQUIRE(writeFileAtomically(folder / "link", "new").ok());
+    CHECK(fs::is_symlink(folder / "link"));
+    CHECK(bytesOf(folder / "target") == "new");
+}
+
+TEST_CASE("Write: no folder, a folder in the way, a full disk are told apart") {
+    const TemporaryFolder folder;
+    const auto error = [](const fs::path& path) {
+        const Status status = writeFileAtomically(path, "bytes");
+        REQUIRE_FALSE(status.ok());
+        return status.error().message;
+    };
+    CHECK(contains(error(folder / "none/a.ply"), "there is no folder"));
+    CHECK(contains(error(folder / ""), "is a folder"));
+    CHECK(contains(error(""), "the file name is empty"));
+    if (fs::exists("/dev/full")) {
+        CHECK(contains(error("/dev/full"), "cannot be written: No space left"));
+    }
+    CHECK(folder.fileCount() == 0);
+}
+
+TEST_CASE("Write: until commit() the target stays, without commit() nothing is left") {
+    const TemporaryFolder folder;
+    REQUIRE(writeFileAtomically(folder / "a", "old").ok());
+    for (const bool commits : {false, true}) {
+        Result<AtomicFile> file = AtomicFile::create(folder / "a");
+        REQUIRE(file.ok());
+        REQUIRE(file.value().write("first ").ok());
+        REQUIRE(file.value().write("second").ok());
+        CHECK(bytesOf(folder / "a") == "old");
+        CHECK(folder.fileCount() == 2);
+        if (commits) CHECK(file.value().commit().ok());
+    }
+    CHECK(bytesOf(folder / "a") == "first second");
+    CHECK(folder.fileCount() == 1);
+}
+
+TEST_CASE("Write: the temporary file has another name each time, which no link can wait under") {
+    const TemporaryFolder folder;
+    const auto nameOf = [&] {
+        const Result<AtomicFile> file = AtomicFile::create(folder / "a");
+        REQUIRE(file.ok());
+        REQUIRE(folder.fileCount() == 1);
+        return fs::directory_iterator(folder / "")->path().filename().string();
+    };
+    const std::string first = nameOf();
+    CHECK(first != nameOf());
+    CHECK_FALSE(contains(first, "a.part"));
+}
+
+TEST_CASE("Write: files of the user that are called .part stay") {
+    const TemporaryFolder folder;
+    const std::array<const char*, 3> own{"a.part", "a.part0", "a.part1"};
+    for (const char* name : own) std::ofstream(folder / name) << "mine";
+    REQUIRE(writeFileAtomically(folder / "a", "new").ok());
+    for (const char* name : own) CHECK(bytesOf(folder / name) == "mine");
+}
+
+TEST_CASE("Write: the mode of a file is kept, and a new one obeys the umask") {
+    const TemporaryFolder folder;
+    const mode_t before = ::umask(027);
+    REQUIRE(writeFileAtomically(folder / "a", "old").ok());
+    CHECK(modeOf(folder / "a") == fs::perms(0640));
+    fs::permissions(folder / "a", fs::perms(0666));
+    REQUIRE(writeFileAtomically(folder / "a", "new").ok());
+    CHECK(modeOf(folder / "a") == fs::perms(0666));
+    ::umask(before);
+}
+
+TEST_CASE("Write: a write-protected file stays, whoever asks") {
+    const TemporaryFolder folder;
+    REQUIRE(writeFileAtomically(folder / "a", "old").ok());
+    fs::permissions(folder / "a", fs::perms(0444));
+    CHECK_FALSE(AtomicFile::check(folder / "a").ok());
+    const Status status = writeFileAtomically(folder / "a", "new");
+    REQUIRE_FALSE(status.ok());
+    CHECK(contains(status.error().message, "cannot be written: Permission denied"));
+    CHECK(bytesOf(folder / "a") == "old");
+    CHECK(folder.fileCount() == 1);
+}
+
+TEST_CASE("Write: checking a path creates nothing") {
+    const TemporaryFolder folder;
+    CHECK(AtomicFile::check(folder / "a").ok());
+    CHECK(folder.fileCount() == 0);
+    CHECK(contains(AtomicFile::check(folder / "none/a").error().message, "there is no folder"));
+}
+
+TEST_CASE("Write: signals that end the program leave no part of a file") {
+    const TemporaryFolder folder;
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        checkEndsBy(signal, [&] {
+            removeUnfinishedFilesAtSignals();
+            const Result<AtomicFile> file = AtomicFile::create(folder / "a");
+            std::raise(signal);
+        });
+        CHECK(folder.fileCount() == 0);
+    }
+}
