@@ -25,7 +25,7 @@ struct CompareArguments {
         // Cut off before the words are read; here for the help.
         app.add_flag_callback(
             "--with", [] {},
-            "The other run: all options behind this word are those in which B "
+            "The other run: all options after this word are those in which B "
             "differs from A");
         app.add_option("--mesh", mesh,
                        "In place of another run: a mesh (PLY, OBJ or OFF) that was made on the "
@@ -98,7 +98,7 @@ ExitCode compareVerb(const Arguments& words) {
     arguments.addTo(app);
     if (const auto code = parseArguments(app, parted.a)) return *code;
     if (parted.hasWith == !arguments.mesh.empty())
-        throw Failure(ExitCode::Usage, "give the other run behind --with, or a mesh by --mesh");
+        throw Failure(ExitCode::Usage, "give the other run after --with, or a mesh by --mesh");
     // Mistakes in B come before long work.
     const ParsedInput other(wordsOfB(arguments.input, parted.with));
     catchInterrupts();

@@ -15,7 +15,11 @@ struct Override {
 };
 constexpr std::array kOverrides{
     Override{"neighbors", "radius"},
+    Override{"neighbors", "reach"},
     Override{"radius", "neighbors"},
+    Override{"radius", "reach"},
+    Override{"reach", "neighbors"},
+    Override{"reach", "radius"},
     Override{"rules", "rule"},
     Override{"orient", "derive-normals"},
     Override{"derive-normals", "orient"},
@@ -27,6 +31,13 @@ std::size_t wordsOfBoth(const Arguments& words, std::size_t i) {
     if (word == "--json" || word == "-q" || word == "--quiet" || word.starts_with("--most="))
         return 1;
     return word == "--most" ? std::min<std::size_t>(2, words.size() - i) : 0;
+}
+
+Arguments splitAtBlanks(const std::string& text) {
+    Arguments words;
+    std::istringstream parts(text);
+    for (std::string part; parts >> part;) words.push_back(part);
+    return words;
 }
 
 bool overrides(const GivenOption& mine, const GivenOption& theirs) {
@@ -52,9 +63,10 @@ ComparedWords partedAtWith(const Arguments& words) {
             parted.a.push_back(words[i]);
             continue;
         }
-        std::istringstream parts(words[i]);
-        for (std::string part; parts >> part;) parted.with.push_back(part);
+        parted.with.push_back(words[i]);
     }
+    // A word among others is one value, blanks included, as that of --what-if.
+    if (parted.with.size() == 1) parted.with = splitAtBlanks(parted.with.front());
     return parted;
 }
 

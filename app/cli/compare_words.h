@@ -11,7 +11,7 @@ namespace se::cli {
 /// The words behind the verb, parted.
 struct ComparedWords {
     Arguments a;     ///< With the options that are of neither run, such as --json.
-    Arguments with;  ///< Behind --with; quoted words with blanks are parted.
+    Arguments with;  ///< After --with; a single quoted word is split at its blanks.
     bool hasWith = false;
 };
 ComparedWords partedAtWith(const Arguments& words);
