@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "options.h"
 #include "output.h"
@@ -31,6 +32,16 @@ constexpr const char* kViewerName = "spiraling-edge-viewer";
                               viewer));
 }
 
+/// By its extension, or by its content as JSON: a session has a place of its own to show.
+bool isSession(const std::string& input) {
+    if (input.ends_with(".sesession")) return true;
+    std::error_code ignored;
+    if (!fs::is_regular_file(input, ignored)) return false;
+    std::ifstream file(input, std::ios::binary);
+    char first = 0;
+    return (file >> first) && first == '{';
+}
+
 }  // namespace
 
 ExitCode viewVerb(const Arguments& words) { becomeViewer(words); }
@@ -42,16 +53,25 @@ ExitCode renderVerb(const Arguments& words) {
         "spiraling-edge render");
     std::string input;
     std::string picture;
-    std::string place = "100%";
+    std::string place;
     app.add_option("IN", input, "File with points or scene:ID")->required();
-    app.add_option("-o,--output", picture, "Picture to write")->type_name("OUT.png")->required();
-    app.add_option("--goto", place, "Place in the run: PIVOT[.STAGE[.N]] or a share")
-        ->type_name("WHERE")
-        ->capture_default_str();
+    addOutputOption(app, "-o,--output", picture, "Picture to write")
+        ->type_name("OUT.png")
+        ->required();
+    app.add_option("--goto", place,
+                   "Place in the run: PIVOT[.STAGE[.N]] or a share (default: that of the session, "
+                   "or else 100%)")
+        ->type_name("WHERE");
     app.allow_extras();
     if (const auto code = parseArguments(app, words)) return *code;
-    requireWritable(picture, "-o");
-    Arguments arguments{input, "--goto", place, "--screenshot", picture};
+    if (!picture.ends_with(".png") && !picture.ends_with(".PNG"))
+        throw Failure(ExitCode::Usage,
+                      fmt::format("-o {}: pictures are written as .png only", picture));
+    requireWritable({{"-o", picture}});
+    if (place.empty() && !isSession(input)) place = "100%";
+    Arguments arguments{input};
+    if (!place.empty()) arguments.insert(arguments.end(), {"--goto", place});
+    arguments.insert(arguments.end(), {"--screenshot", picture});
     for (const std::string& word : app.remaining()) arguments.push_back(word);
     becomeViewer(arguments);
 }

@@ -1,7 +1,5 @@
 #include "options.h"
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -9,6 +7,8 @@
 
 #include "interface/commands.h"
 #include "run/exact_text.h"
+#include "run/text.h"
+#include "spiraling_edge/atomic_file.h"
 #include "spiraling_edge/sampler.h"
 #include "spiraling_edge/scenes.h"
 
@@ -275,21 +275,16 @@ void takeOver(const RawOptions& raw, Options& o) {
     }
 }
 
-/// What cannot be written is told before any work.
+/// Fails before any work if `path` cannot be written.
 void requireWritable(const std::string& path, const char* option) {
-    namespace fs = std::filesystem;
-    if (path.empty()) return;
-    std::error_code ignored;
-    const fs::path folder = fs::absolute(path, ignored).parent_path();
-    std::string why;
-    if (fs::is_directory(path, ignored)) {
-        why = "is a folder; name a file";
-    } else if (!fs::is_directory(folder, ignored)) {
-        why = "there is no folder " + folder.string() + "; make it first";
-    } else if (::access(folder.c_str(), W_OK) != 0) {
-        why = "may not be written";
-    }
-    if (!why.empty()) throw CLI::ValidationError(std::string(option) + " " + path, why);
+    if (const Status status = AtomicFile::check(path); !status)
+        throw CLI::ValidationError(option, status.error().message);
+}
+
+/// Pictures are PNG, whatever their name: another extension would promise another format.
+void requirePngName(const std::string& path) {
+    if (lowerExtension(path) == ".png") return;
+    throw CLI::ValidationError("--screenshot " + path, "pictures are written as .png only");
 }
 
 /// Measuring needs something to step through.
@@ -376,8 +371,11 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
         chooseBenchScene(o);
         takeOver(raw, o);
         takeOverInput(app, raw, o);
-        requireWritable(raw.screenshot, "--screenshot");
-        requireWritable(raw.stateDump, "--state-dump");
+        if (app.count("--screenshot") > 0) {
+            requirePngName(raw.screenshot);
+            requireWritable(raw.screenshot, "--screenshot");
+        }
+        if (app.count("--state-dump") > 0) requireWritable(raw.stateDump, "--state-dump");
     } catch (const CLI::ParseError& e) {
         return {std::nullopt, app.exit(e) == 0 ? kExitGood : kExitUsage};
     }

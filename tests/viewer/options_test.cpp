@@ -180,6 +180,15 @@ TEST_CASE("A picture or state that could not be written is refused before any wo
         CAPTURE(option);
         CHECK(parse({"scene:sphere", option, "no-such-folder/x.png"}).exitCode == kExitUsage);
         CHECK(parse({"scene:sphere", option, "/"}).exitCode == kExitUsage);
+        CHECK(parse({"scene:sphere", option, ""}).exitCode == kExitUsage);
         CHECK(parse({"scene:sphere", option, "x.png"}).options.has_value());
     }
+}
+
+TEST_CASE("A picture under the name of another format is refused") {
+    for (const char* name : {"x.svg", "x.gif", "x.jpg", "x"}) {
+        CAPTURE(name);
+        CHECK(parse({"scene:sphere", "--screenshot", name}).exitCode == kExitUsage);
+    }
+    CHECK(parse({"scene:sphere", "--screenshot", "x.PNG"}).options.has_value());
 }

@@ -21,6 +21,18 @@ grep -q "999999" "$work/err.txt" || fail "the message does not name the place"
 [ $? -eq 2 ] || fail "a missing folder does not lead to exit code 2"
 grep -q "there is no folder" "$work/err.txt" || fail "the message does not say that the folder is missing"
 
+# A picture of a session shows the session's place, of anything else the end.
+program_beside=$(dirname "$viewer")/spiraling-edge
+if [ -x "$program_beside" ]; then
+    printf '{"format": "spiraling-edge session", "version": 1, "input": {"source": "scene:sphere"}, "address": "40.sphere.2"}' >"$work/a.sesession"
+    "$program_beside" render "$work/a.sesession" -o "$work/x.png" --state-dump "$state" || fail "render of a session fails"
+    [ "$(field address)" = "40.sphere.2" ] || fail "render SESSION shows '$(field address)'"
+    "$program_beside" render "$work/a.sesession" -o "$work/x.png" --goto 7 --state-dump "$state" || fail "render of a session fails"
+    [[ $(field address) == 7.* ]] || fail "render SESSION --goto 7 shows '$(field address)'"
+    "$program_beside" render scene:sphere -o "$work/x.png" --state-dump "$state" || fail "render of a scene fails"
+    [[ $(field address) == *.done.* ]] || fail "render shows '$(field address)'"
+fi
+
 size=1000x700 start scene:sphere --no-config --narrate
 says phase ready
 says input scene:sphere
