@@ -30,9 +30,9 @@ struct DoctorArguments {
     void addTo(CLI::App& app) {
         app.add_option("IN", input, "File with points, - or scene:ID")->required();
         auto* fix =
-            app.add_option(
-                   "--fix", fixed,
-                   "Mend what needs no guessing, and write it to this file; - : to standard output")
+            addOutputOption(
+                app, "--fix", fixed,
+                "Mend what needs no guessing, and write it to this file; - : to standard output")
                 ->type_name("OUT.ply");
         app.add_option("--drop", drop,
                        "With --fix: also drop the points that this check found; may be repeated")
@@ -56,7 +56,7 @@ struct DoctorArguments {
         if (fixed == "-" && json)
             throw Failure(ExitCode::Usage,
                           "--fix -: standard output takes the points or --json, not both");
-        requireWritable(fixed, "--fix");
+        requireWritable({{"--fix", fixed}});
         for (const std::string& name : drop) {
             if (findDoctorCheck(name) == nullptr)
                 throw Failure(

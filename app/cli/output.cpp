@@ -1,34 +1,54 @@
 #include "output.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
 
 #include "exit_code.h"
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/atomic_file.h"
 
 namespace se::cli {
+namespace {
 
 namespace fs = std::filesystem;
 
-void requireWritable(const std::string& path, std::string_view option) {
-    if (path.empty() || path == "-") return;
+/// Whether two names lead to one file, also before it exists. A device such as /dev/null may be
+/// named twice.
+bool sameFile(const std::string& a, const std::string& b) {
+    if (a == "-" || b == "-") return a == b;
     std::error_code ignored;
-    if (fs::is_directory(path, ignored))
-        throw Failure(ExitCode::Usage,
-                      fmt::format("{} {}: is a folder; name a file", option, path));
-    fs::path folder = fs::path(path).parent_path();
-    if (folder.empty()) folder = ".";
-    if (!fs::is_directory(folder, ignored)) {
-        throw Failure(ExitCode::Usage, fmt::format("{} {}: there is no folder {}; make it first",
-                                                   option, path, folder.string()));
+    const fs::path first = fs::weakly_canonical(fs::absolute(a), ignored);
+    if (fs::exists(first, ignored) && !fs::is_regular_file(first, ignored)) return false;
+    const fs::path second = fs::weakly_canonical(fs::absolute(b), ignored);
+    return first == second || fs::equivalent(first, second, ignored);
+}
+
+}  // namespace
+
+CLI::Option* addOutputOption(CLI::App& app, const std::string& names, std::string& path,
+                             const std::string& help) {
+    return app.add_option(names, path, help)
+        ->check(CLI::Validator(
+            [](const std::string& given) {
+                return given.empty() ? std::string("the file name is empty; name a file") : "";
+            },
+            ""));
+}
+
+void requireWritable(std::initializer_list<OutputPath> outputs) {
+    for (const OutputPath* each = outputs.begin(); each != outputs.end(); ++each) {
+        if (each->path.empty()) continue;
+        for (const OutputPath* other = outputs.begin(); other != each; ++other) {
+            if (other->path.empty() || !sameFile(other->path, each->path)) continue;
+            throw Failure(ExitCode::Usage, fmt::format("{} and {} both name {}; name two files",
+                                                       other->option, each->option, each->path));
+        }
+        if (each->path == "-") continue;
+        if (const Status status = AtomicFile::check(each->path); !status)
+            throw Failure(ExitCode::Usage,
+                          fmt::format("{} {}", each->option, status.error().message));
     }
-    // What exists and is no plain file (/dev/stdout, a pipe) needs no right to the folder.
-    const bool special = fs::exists(path, ignored) && !fs::is_regular_file(path, ignored);
-    if (::access(special ? path.c_str() : folder.c_str(), W_OK) != 0)
-        throw Failure(ExitCode::Usage, fmt::format("{} {}: may not be written", option, path));
 }
 
 void writeOutput(const std::string& path, std::string_view bytes) {

@@ -35,9 +35,9 @@ struct ReduceArguments {
                "of its class")
             ->type_name("CLASS")
             ->required();
-        app.add_option("-o,--output", output,
-                       "Write the points here; beside them a session (.sesession) that opens on "
-                       "them, and a test (.sh) that fails as long as they do")
+        addOutputOption(app, "-o,--output", output,
+                        "Write the points here; beside them a session (.sesession) that opens on "
+                        "them, and a test (.sh) that fails as long as they do")
             ->type_name("SMALL.ply")
             ->required();
         app.add_flag("-q,--quiet", quiet, "Only say what went wrong");
@@ -180,7 +180,7 @@ ExitCode reduceVerb(const Arguments& words) {
     if (!arguments.output.ends_with(".ply"))
         throw Failure(ExitCode::Usage,
                       fmt::format("-o {}: only .ply is written", arguments.output));
-    requireWritable(arguments.output, "-o");
+    requireWritable({{"-o", arguments.output}});
     catchInterrupts();
     ProgressLine line(!arguments.quiet);
     const PreparedInput run = arguments.input.prepare(line);

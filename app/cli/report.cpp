@@ -173,6 +173,18 @@ std::string derivedSentence(const DerivedPieces& derived) {
     return text;
 }
 
+/// "2 intersecting, 1 folded".
+std::string faultCounts(const std::vector<Fault>& faults) {
+    std::string text;
+    const auto counts = countFaults(faults);
+    for (std::size_t kind = 0; kind < kFaultKinds; ++kind) {
+        if (counts[kind] == 0) continue;
+        appendPart(text,
+                   fmt::format("{} {}", counts[kind], faultName(static_cast<FaultKind>(kind))));
+    }
+    return text;
+}
+
 std::string endingSentence(const RunOutcome& outcome) {
     switch (outcome.ending) {
         case Ending::Finished:
@@ -193,14 +205,18 @@ std::string endingSentence(const RunOutcome& outcome) {
 }  // namespace
 
 std::string faultSentence(const RunOutcome& outcome) {
-    std::string text;
-    if (!outcome.faults) return text;
-    const auto counts = countFaults(*outcome.faults);
-    for (std::size_t kind = 0; kind < kFaultKinds; ++kind) {
-        const std::size_t count = counts[kind];
-        if (count == 0) continue;
-        appendPart(text, fmt::format("{} {}", count, faultName(static_cast<FaultKind>(kind))));
+    const MeshReport& mesh = outcome.mesh;
+    std::size_t total = mesh.nonManifoldEdges + mesh.nonManifoldVertices + mesh.inconsistentEdges +
+                        mesh.degenerateTriangles + mesh.flippedTriangles;
+    if (outcome.faults) total = outcome.faults->size();
+    if (total == 0) return {};
+    std::string text = counted(total, "fault");
+    if (outcome.faults) {
+        text += ": " + faultCounts(*outcome.faults);
+    } else {
+        text += ", and crossing triangles are counted by --check only";
     }
+    if (outcome.ruleSet != "robust") text += "; --rules robust may mend them";
     return text;
 }
 

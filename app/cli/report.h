@@ -41,7 +41,8 @@ struct RunOutcome {
     Ending ending = Ending::Finished;
 };
 
-/// "2 intersecting, 1 folded"; empty if no fault was found or looked for.
+/// "3 faults: 2 intersecting, 1 folded; --rules robust may mend them"; empty if there are none.
+/// Where no fault was looked for, those of the mesh report are counted.
 std::string faultSentence(const RunOutcome& outcome);
 /// The JSON report, with an end of line behind it.
 std::string reportJson(const RunOutcome& outcome);

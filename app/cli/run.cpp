@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 
 #include "input.h"
@@ -39,9 +38,9 @@ struct RunArguments {
 
     void addTo(CLI::App& app) {
         app.add_option("IN", input, "File with points, - or scene:ID")->required();
-        app.add_option("-o,--output", output,
-                       "Write the mesh to this file, as PLY, OBJ, OFF, STL or GLB by its "
-                       "extension; - : as PLY to standard output")
+        addOutputOption(app, "-o,--output", output,
+                        "Write the mesh to this file, as PLY, OBJ, OFF, STL or GLB by its "
+                        "extension; - : as PLY to standard output")
             ->type_name("OUT");
         rules.addTo(app);
         neighbors.addTo(app);
@@ -49,9 +48,10 @@ struct RunArguments {
         app.add_option("--max-pivots", maxPivots, "Stop after N pivots and write what there is")
             ->type_name("N")
             ->check(CLI::Range(0LL, kMostPivots));
-        app.add_option("--report", report, "Write counts and times as JSON to this file, or -")
+        addOutputOption(app, "--report", report,
+                        "Write counts and times as JSON to this file, or -")
             ->type_name("FILE");
-        app.add_option("--trace", trace, "Write one line per decision to this file, or -")
+        addOutputOption(app, "--trace", trace, "Write one line per decision to this file, or -")
             ->type_name("FILE");
         app.add_flag("--check", check,
                      "Look for faults, crossing triangles included; end with 1 if there are any");
@@ -60,20 +60,13 @@ struct RunArguments {
 
     /// All mistakes that can be told before the work begins.
     void validate() const {
-        const std::array targets{&output, &report, &trace};
-        const auto toStdout = std::count_if(targets.begin(), targets.end(),
-                                            [](const std::string* t) { return *t == "-"; });
-        if (toStdout > 1)
-            throw Failure(ExitCode::Usage, "only one of -o, --report and --trace can be -");
         if (output == "-" && ::isatty(STDOUT_FILENO) == 1)
             throw Failure(ExitCode::Usage, "-o -: will not write a binary file to a terminal");
         if (output != "-" && meshFormatOf(output) == nullptr)
             throw Failure(
                 ExitCode::Usage,
                 fmt::format("-o {}: .ply, .obj, .off, .stl and .glb can be written", output));
-        requireWritable(output, "-o");
-        requireWritable(report, "--report");
-        requireWritable(trace, "--trace");
+        requireWritable({{"-o", output}, {"--report", report}, {"--trace", trace}});
     }
 };
 
@@ -158,7 +151,21 @@ void lookForFaults(const PointSet& points, RunOutcome& outcome) {
     }
 }
 
-/// Prints what a person should know and finds the exit code.
+/// Why a finished run must not pass `--check` although its mesh, if there is one, has no fault;
+/// empty if it may.
+std::string emptinessSentence(const RunOutcome& outcome) {
+    const std::size_t points = outcome.mesh.points;
+    if (outcome.mesh.triangles == 0)
+        return fmt::format("the run made no triangle of {}", counted(points, "point"));
+    const PrepareReport& prepared = outcome.prepared;
+    const std::size_t setAside = prepared.nonFinitePoints + prepared.zeroNormals +
+                                 prepared.duplicatePoints + prepared.noisyPoints;
+    if (setAside <= outcome.mesh.usedPoints) return {};
+    return fmt::format("more points were set aside ({}) than used ({})", setAside,
+                       outcome.mesh.usedPoints);
+}
+
+/// Prints the summary and finds the exit code.
 ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
     if (!arguments.report.empty()) writeOutput(arguments.report, reportJson(outcome));
     if (outcome.ending == Ending::Interrupted)
@@ -172,8 +179,13 @@ ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
                                   outcome.input, counted(outcome.mesh.triangles, "triangle")));
     }
     const std::string faults = faultSentence(outcome);
-    if (!arguments.check || faults.empty()) return ExitCode::Good;
-    throw Failure(ExitCode::CheckFailed, outcome.input + ": the mesh has faults: " + faults);
+    if (arguments.check && !faults.empty())
+        throw Failure(ExitCode::CheckFailed, outcome.input + ": the mesh has " + faults);
+    const std::string emptiness = arguments.check ? emptinessSentence(outcome) : "";
+    if (!emptiness.empty()) throw Failure(ExitCode::CheckFailed, outcome.input + ": " + emptiness);
+    if (!faults.empty() && !arguments.quiet)
+        fmt::print(stderr, "{}: the mesh has {}\n", outcome.input, faults);
+    return ExitCode::Good;
 }
 
 }  // namespace
@@ -195,6 +207,8 @@ ExitCode runVerb(const Arguments& words) {
     StopWatch watch;
     PointFile file = readInput(arguments.input);
     outcome.seconds.read = watch.lap();
+    if (file.position.empty())
+        throw Failure(ExitCode::Input, arguments.input + ": holds no points to triangulate");
     const PrepareOptions prepareOptions =
         prepareOptionsFrom(outcome.params, arguments.neighbors, arguments.derived, file);
     const Prepared prepared = workedOut(

@@ -35,9 +35,9 @@ struct SampleArguments {
 
     void addTo(CLI::App& app) {
         app.add_option("SHAPE", input, "Name of a shape (see --list), or a volume: .nrrd or .nhdr");
-        app.add_option("-o,--output", output,
-                       "Write the points to this file, as PLY, OBJ or OFF by its extension; - : as "
-                       "PLY to standard output")
+        addOutputOption(app, "-o,--output", output,
+                        "Write the points to this file, as PLY, OBJ or OFF by its extension; - : "
+                        "as PLY to standard output")
             ->type_name("OUT");
         auto* count = app.add_option("-n,--points", sampler.count, "Exactly N points");
         count->type_name("N")->check(CLI::Range(1LL, kMostPoints));
@@ -86,7 +86,7 @@ struct SampleArguments {
             throw Failure(
                 ExitCode::Usage,
                 fmt::format("-o {}: points can be written as .ply, .obj and .off", output));
-        requireWritable(output, "-o");
+        requireWritable({{"-o", output}});
     }
 };
 

@@ -332,7 +332,40 @@ check_finds_faults() {
     # The same corners with the normal of one turned inwards.
     icosahedron | sed '1s/ 0 0.5257311 0.8506508$/ 0 -0.5257311 -0.8506508/' >flipped.xyz
     expect 1 run flipped.xyz --keep-opposing --check --rules printed -q
-    says err "the mesh has faults"
+    says err "the mesh has 16 faults: 6 non_manifold_edge, 8 flipped"
+    says err "; --rules robust may mend them"
+}
+
+check_fails_where_there_is_no_mesh() {
+    printf 'ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nend_header\n' >none.ply
+    expect 3 run none.ply --check -o mesh.ply
+    says err "none.ply: holds no points to triangulate"
+    expect 3 run none.ply
+    absent mesh.ply
+    printf '0 0 0 0 0 1\n1 0 0 0 0 1\n' >two.xyz
+    expect 1 run two.xyz --check
+    says err "two.xyz: the run made no triangle of 2 points"
+    expect 0 run two.xyz
+    # Twenty copies of the one corner: more is set aside than used.
+    { icosahedron; for _ in $(seq 20); do icosahedron | head -1; done; } >copies.xyz
+    expect 1 run copies.xyz --check -q
+    says err "copies.xyz: more points were set aside (20) than used (12)"
+    expect 0 run copies.xyz -q
+}
+
+run_ends_with_its_faults() {
+    expect 0 run scene:close-sheets
+    tail -1 err | grep -qE '^scene:close-sheets: the mesh has [0-9]+ faults?, and crossing triangles are counted by --check only; --rules robust may mend them$' ||
+        fail "last line: $(tail -1 err)"
+    expect 0 run scene:close-sheets --report report.json
+    tail -1 err | grep -qE 'the mesh has [0-9]+ faults?: [0-9]+ .*; --rules robust may mend them$' ||
+        fail "last line with a report: $(tail -1 err)"
+    expect 0 run scene:close-sheets -q
+    empty err
+    icosahedron >points.xyz
+    expect 0 run points.xyz
+    grep -q fault err && fail "faults where there are none"
+    return 0
 }
 
 capped_run_ends_with_one() {
@@ -353,6 +386,62 @@ output_folder_is_checked_first() {
     done
     # Before the input is looked at.
     expect 2 run missing.ply -o none/mesh.ply
+}
+
+output_names_are_checked_first() {
+    for option in -o --report --trace; do
+        expect 2 run missing.ply $option ''
+        says err "the file name is empty; name a file"
+    done
+    expect 2 sample torus -n 50 -o ''
+    expect 2 doctor scene:sphere --fix ''
+    expect 2 reduce scene:sphere --failure holes -o ''
+    expect 2 render scene:sphere -o ''
+    expect 2 run missing.ply -o a.ply --report ./a.ply
+    says err "-o and --report both name ./a.ply; name two files"
+    expect 2 run missing.ply --report a.txt --trace "$PWD/a.txt"
+    echo old >b.ply
+    ln -s b.ply c.ply
+    expect 2 run missing.ply -o b.ply --trace c.ply
+    is "$(cat b.ply)" old "the file that was named twice"
+    expect 0 run scene:sphere -q --report /dev/null --trace /dev/null
+}
+
+# What stands in the way of a file of this name: a link, a file of the user, a protected file.
+trace_is_written_as_the_mesh_is() {
+    echo mine >mine
+    ln -s mine trace.txt.part
+    expect 0 run scene:sphere -q --trace trace.txt
+    is "$(cat mine)" mine "the target of a link beside the trace"
+    [ -L trace.txt.part ] || fail "the link beside the trace is gone"
+    [ -s trace.txt ] || fail "no trace"
+    chmod 0444 trace.txt
+    expect 2 run scene:torus -q --trace trace.txt
+    says err "trace.txt: cannot be written: Permission denied"
+    chmod 0640 trace.txt
+    ln -s trace.txt link.txt
+    expect 0 run scene:torus -q --trace link.txt
+    [ -L link.txt ] || fail "the link was replaced"
+    is "$(stat -c %a trace.txt)" 640 "mode"
+    "$program" run scene:torus --trace - -q 2>/dev/null | cmp - trace.txt || fail "link: other bytes"
+}
+
+signals_leave_no_part_of_a_file() {
+    local signal process
+    # The points arrive by a pipe that stays open: the trace is begun, the run is not.
+    mkfifo pipe
+    for signal in TERM HUP; do
+        "$program" run - -o mesh.ply --trace trace.txt <pipe >out 2>err &
+        process=$!
+        exec 3>pipe
+        until ls -A | grep -q '\.part$' || ! kill -0 $process 2>/dev/null; do sleep 0.02; done
+        ls -A | grep -q '\.part$' || fail "the trace was not begun"
+        kill -$signal $process
+        wait $process
+        is $? $((128 + $(kill -l $signal))) "exit code"
+        exec 3>&-
+        is "$(ls -A | sort | tr '\n' ' ')" "err out pipe " "files after $signal"
+    done
 }
 
 failure_leaves_no_file() {
@@ -744,6 +833,13 @@ compare_takes_a_mesh_of_another_program() {
     [ "$(cat count)" -ge 2 ] || fail "only_a: $(cat count)"
 }
 
+compare_keeps_a_word_with_blanks() {
+    expect 1 compare scene:figure-4 --with --what-if "9.sphere.2 keep 46"
+    says out "9.sphere.2 keep 46"
+    # One word alone holds all options of B.
+    expect 1 compare scene:torus -k 10 --with "--rules corrected --reach 2.2" -q
+}
+
 compare_checks_its_arguments() {
     expect 2 compare scene:torus
     says err "--with"
@@ -904,6 +1000,14 @@ every_scene_runs() {
         expect 0 run "$scene" --report report.json
         says report.json '"stop_reason": "finished"'
     done <list
+}
+
+render_writes_png_alone() {
+    for name in x.svg x.gif x.jpg x -; do
+        expect 2 render scene:sphere -o $name
+        says err "pictures are written as .png only"
+        absent $name
+    done
 }
 
 view_without_viewer_says_so() {
