@@ -120,6 +120,8 @@ std::string factsJson(const std::string& input, const Facts& facts) {
     Json json;
     json["input"] = input;
     json["points"] = file.position.size();
+    json["columns"] = file.columns.names.empty() ? Json() : Json(file.columns.names);
+    json["columns_reason"] = file.columns.reason.empty() ? Json() : Json(file.columns.reason);
     json["normals"] = file.hasNormals();
     json["box"] = {{"low", vectorJson(facts.box.low)}, {"high", vectorJson(facts.box.high)}};
     json["nearest_distance"] = Json();
@@ -164,6 +166,7 @@ std::string factsText(const std::string& input, const Facts& facts) {
                 fmt::format("nearest point at {:g} on average, {:g} to {:g}", facts.spacing.mean,
                             facts.spacing.least, facts.spacing.most));
     }
+    addLine("columns", columnsSentence(file.columns));
     addLine("normals", file.hasNormals() ? "yes" : "none: they will be derived");
     if (facts.prepared.unscaledNormals > 0)
         addLine("", fmt::format("{} not of unit length", facts.prepared.unscaledNormals));

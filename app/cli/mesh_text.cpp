@@ -50,4 +50,9 @@ std::string setAsideSentence(const PrepareReport& report) {
     return text;
 }
 
+std::string columnsSentence(const ColumnReading& columns) {
+    return columns.reason.empty() ? columns.names
+                                  : fmt::format("{} ({})", columns.names, columns.reason);
+}
+
 }  // namespace se::cli

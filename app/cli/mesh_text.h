@@ -14,6 +14,8 @@ std::string meshSentence(const MeshReport& mesh);
 std::string defectSentence(const MeshReport& mesh);
 /// "15 not finite, 50 duplicates"; empty if nothing was set aside.
 std::string setAsideSentence(const PrepareReport& report);
+/// "x y z red green blue (columns 4 to 6 are whole numbers from 0 to 255: colors)".
+std::string columnsSentence(const ColumnReading& columns);
 /// "1 edge", "2 edges".
 std::string counted(std::size_t count, const std::string& noun, const std::string& plural = "");
 /// Appends `part` to `list` behind a comma.

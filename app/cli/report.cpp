@@ -225,6 +225,9 @@ std::string reportJson(const RunOutcome& outcome) {
     json["program"] = "spiraling-edge " SPIRALING_EDGE_VERSION;
     json["input"] = outcome.input;
     json["output"] = outcome.output.empty() ? Json() : Json(outcome.output);
+    json["columns"] = outcome.columns.names.empty() ? Json() : Json(outcome.columns.names);
+    json["shift"] = Json();
+    if (outcome.shift) json["shift"] = {outcome.shift->x, outcome.shift->y, outcome.shift->z};
     json["stop_reason"] = endingName(outcome.ending);
     json["points"] = outcome.mesh.points;
     json["triangles"] = outcome.mesh.triangles;
@@ -248,6 +251,14 @@ std::string reportJson(const RunOutcome& outcome) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+std::string shiftText(const RunOutcome& outcome) {
+    if (!outcome.shift) return "";
+    return fmt::format(
+        "{}: positions are relative to ({}, {}, {}), since STL keeps 7 digits; add it to get the "
+        "coordinates of the input\n",
+        outcome.output, outcome.shift->x, outcome.shift->y, outcome.shift->z);
+}
+
 std::string summaryText(const RunOutcome& outcome) {
     std::string text =
         fmt::format("{}: {}, {}\n", outcome.input, counted(outcome.mesh.points, "point"),
@@ -255,6 +266,7 @@ std::string summaryText(const RunOutcome& outcome) {
     const auto addLine = [&](const char* label, const std::string& sentence) {
         if (!sentence.empty()) text += fmt::format("  {:<10} {}\n", label, sentence);
     };
+    if (!outcome.columns.reason.empty()) addLine("columns", columnsSentence(outcome.columns));
     addLine("set aside", setAsideSentence(outcome.prepared));
     addLine("derived", derivedSentence(outcome.prepared.derived));
     addLine("left over", leftOverSentence(outcome));

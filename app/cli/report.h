@@ -28,6 +28,9 @@ struct Seconds {
 struct RunOutcome {
     std::string input;
     std::string output;  ///< Empty if no mesh was written.
+    ColumnReading columns;
+    /// The place that positions in the output are relative to, if they are.
+    std::optional<Vec3> shift;
     std::string ruleSet;
     Params params;
     PrepareReport prepared;
@@ -46,6 +49,9 @@ struct RunOutcome {
 std::string faultSentence(const RunOutcome& outcome);
 /// The JSON report, with an end of line behind it.
 std::string reportJson(const RunOutcome& outcome);
+/// A line that says relative to which place the output is; empty if it is in the file's
+/// coordinates.
+std::string shiftText(const RunOutcome& outcome);
 /// The summary for people, several lines.
 std::string summaryText(const RunOutcome& outcome);
 

@@ -32,6 +32,7 @@ struct RunArguments {
     std::optional<std::uint32_t> maxPivots;
     bool check = false;
     bool quiet = false;
+    WriteOptions writing;
     RuleArguments rules;
     NeighborArguments neighbors;
     DerivedArguments derived;
@@ -42,6 +43,9 @@ struct RunArguments {
                         "Write the mesh to this file, as PLY, OBJ, OFF, STL or GLB by its "
                         "extension; - : as PLY to standard output")
             ->type_name("OUT");
+        app.add_flag("--normals", writing.normals,
+                     "With -o FILE.off: write the normals too, as NOFF, which fewer programs read; "
+                     "PLY, OBJ and GLB hold them anyway, STL cannot");
         rules.addTo(app);
         neighbors.addTo(app);
         derived.addTo(app);
@@ -66,7 +70,19 @@ struct RunArguments {
             throw Failure(
                 ExitCode::Usage,
                 fmt::format("-o {}: .ply, .obj, .off, .stl and .glb can be written", output));
+        if (writing.normals) requireNormals();
         requireWritable({{"-o", output}, {"--report", report}, {"--trace", trace}});
+    }
+
+    /// `--normals` is a mistake where no normals can be written.
+    void requireNormals() const {
+        if (output.empty())
+            throw Failure(ExitCode::Usage, "--normals: name a file with -o FILE.off");
+        if (output != "-" && meshFormatOf(output)->bytesWithNormals == nullptr)
+            throw Failure(ExitCode::Usage,
+                          fmt::format("--normals -o {}: this format has no place for normals of "
+                                      "points; .off, .ply, .obj and .glb have",
+                                      output));
     }
 };
 
@@ -134,10 +150,20 @@ Ending triangulate(Stepper& stepper, std::optional<std::uint32_t> maxPivots, Tra
 }
 
 void writeMeshFile(const std::string& path, const PointFile& file,
-                   const std::vector<Triangle>& mesh) {
+                   const std::vector<Triangle>& mesh, const WriteOptions& options) {
     if (path == "-") return writeOutput(path, meshPlyBytes(file, mesh));
-    const Status status = se::writeMesh(path, file, mesh);
+    const Status status = se::writeMesh(path, file, mesh, options);
     if (!status) throw Failure(ExitCode::Internal, status.error().message);
+}
+
+/// Writes the mesh to where -o says, and notes where, and relative to which place.
+void writeResult(const RunArguments& arguments, const PointFile& file, RunOutcome& outcome) {
+    outcome.output = arguments.output;
+    if (arguments.output.empty()) return;
+    const std::vector<Triangle>& mesh = outcome.state.mesh();
+    writeMeshFile(arguments.output, file, mesh, arguments.writing);
+    if (arguments.output == "-") return;
+    outcome.shift = shiftOf(*meshFormatOf(arguments.output), file, mesh);
 }
 
 /// Finds every fault of the mesh, and its place.
@@ -172,6 +198,7 @@ ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
         throw Failure(ExitCode::Interrupted, "interrupted; no mesh was written");
     if (arguments.report.empty() && !arguments.quiet)
         fmt::print(stderr, "{}", summaryText(outcome));
+    if (!arguments.quiet) fmt::print(stderr, "{}", shiftText(outcome));
     if (outcome.ending == Ending::Capped) {
         throw Failure(ExitCode::CheckFailed,
                       fmt::format("{}: stopped at {}, more than a surface can have; the mesh so "
@@ -216,6 +243,7 @@ ExitCode runVerb(const Arguments& words) {
         [&](const Progress& progress) { return prepare(file, prepareOptions, progress); });
     requirePossible(prepared.points, outcome.params);
     outcome.prepared = prepared.report;
+    outcome.columns = file.columns;
     takeOverDerived(prepared, file);
     outcome.seconds.prepare = watch.lap();
     if (trace.active() || arguments.maxPivots) {
@@ -228,8 +256,7 @@ ExitCode runVerb(const Arguments& words) {
     outcome.seconds.triangulate = watch.lap();
     if (outcome.ending != Ending::Interrupted) {
         trace.commit();
-        if (!arguments.output.empty()) writeMeshFile(arguments.output, file, outcome.state.mesh());
-        outcome.output = arguments.output;
+        writeResult(arguments, file, outcome);
         outcome.seconds.write = watch.lap();
     }
     outcome.mesh = reportMesh(prepared.points, outcome.state.mesh());

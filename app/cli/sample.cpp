@@ -122,7 +122,8 @@ void addNeighbors(std::size_t k, PointFile& file) {
 
 void writePoints(const std::string& path, const PointFile& file) {
     if (path == "-") return writeOutput(path, meshPlyBytes(file, {}));
-    const Status status = writeMesh(path, file, {});
+    const Status status =
+        writeMesh(path, file, {}, {.normals = true});  // They are half the result.
     if (!status) throw Failure(ExitCode::Internal, status.error().message);
 }
 

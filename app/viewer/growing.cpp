@@ -211,7 +211,7 @@ void Growing::save(const std::string& path) {
     std::shared_ptr<const PointFile> points = picture != nullptr ? picture->points : nullptr;
     if (!page.open && c_.session.ready()) points = c_.session.spec().points;
     if (!points) return;
-    const Status written = writeMesh(path, *points, {});
+    const Status written = writeMesh(path, *points, {}, {.normals = true});
     const std::string text = written ? "Saved " + path + "." : written.error().message;
     if (!page.open) return c_.session.say(text);
     page.said = written ? text : std::string{};

@@ -17,7 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kReadable =
-    "PLY (ascii or binary), XYZ (x y z or x y z nx ny nz per line), OBJ, OFF and PCD can be read; "
+    "PLY (ascii or binary), XYZ (x y z per line, then normals or colors), OBJ, OFF and PCD can be "
+    "read; "
     "convert it to one of these, e.g. with MeshLab or CloudCompare";
 
 /// The reason that the operating system gave for the last failure.
@@ -31,13 +32,17 @@ bool isObjKeyword(std::string_view word) {
     return std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end();
 }
 
+/// A line of XYZ that begins with two slashes, as CloudCompare writes it.
+bool isSlashComment(std::string_view line) { return io::Fields(line).next().starts_with("//"); }
+
 /// The reader for what `bytes` seem to be; null if they seem to be nothing that can be read.
 ReadFunction findReader(std::string_view bytes, const std::string& name) {
     if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r") || bytes.starts_with("ply "))
         return io::readPly;
     io::LineReader lines(bytes);
-    lines.nextContent('#');
-    const std::string_view word = io::Fields(lines.line(), ',').next();
+    while (lines.nextContent('#') && isSlashComment(lines.line())) {
+    }
+    const std::string_view word = io::Fields(lines.line(), ',', ';').next();
     if (word == "VERSION" || word == "FIELDS") return io::readPcd;
     if (io::isOffKeyword(word)) return io::readOff;
     if (isObjKeyword(word)) return io::readObj;

@@ -222,6 +222,8 @@ class PcdReader {
             if (&field == find(own)) return false;
         }
         for (const char* own : kNormals) {
+            // Whole numbers of this name are no normals here, but would be in PLY.
+            if (field.name == own && field.kind != 'F') return false;
             if (!file_.normal.empty() && &field == find(own)) return false;
         }
         return true;

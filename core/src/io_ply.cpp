@@ -1,5 +1,7 @@
 #include "io_ply.h"
 
+#include <algorithm>
+#include <cctype>
 #include <limits>
 
 #include "io_formats.h"
@@ -17,6 +19,43 @@ std::size_t findProperty(const PlyElement& element, std::string_view name, bool 
         if (property.name == name && property.isList == list) return i;
     }
     return kNoProperty;
+}
+
+bool sameLetters(std::string_view a, std::string_view b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char c, char d) {
+        return std::tolower(static_cast<unsigned char>(c)) ==
+               std::tolower(static_cast<unsigned char>(d));
+    });
+}
+
+/// The scalar of this name; if there is none, one whose name differs in capitals alone.
+std::size_t findScalar(const PlyElement& element, std::string_view name) {
+    const std::size_t exact = findProperty(element, name, false);
+    if (exact != kNoProperty) return exact;
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+        const PlyProperty& property = element.properties[i];
+        if (!property.isList && sameLetters(property.name, name)) return i;
+    }
+    return kNoProperty;
+}
+
+using Names = std::array<const char*, 3>;
+constexpr Names kPositionNames{"x", "y", "z"};
+
+/// The names under which `vertex` holds normals: the usual ones, unless only those of the Point
+/// Cloud Library are there.
+Names normalNames(const PlyElement& vertex) {
+    constexpr Names kUsual{"nx", "ny", "nz"};
+    constexpr Names kLong{"normal_x", "normal_y", "normal_z"};
+    const auto holds = [&](const Names& names, auto find) {
+        return std::all_of(names.begin(), names.end(),
+                           [&](const char* name) { return find(name) != kNoProperty; });
+    };
+    const auto exactly = [&](const char* name) { return findProperty(vertex, name, false); };
+    const auto anyCase = [&](const char* name) { return findScalar(vertex, name); };
+    if (holds(kUsual, exactly)) return kUsual;
+    if (holds(kLong, exactly)) return kLong;
+    return holds(kUsual, anyCase) ? kUsual : kLong;
 }
 
 /// The list of an element that names points.
@@ -40,8 +79,8 @@ Status checkHeader(const PlyHeader& header, const std::string& name) {
     const auto fail = [&](const PlyElement& element, const std::string& what) {
         return errorAt(name, lineText(element.line), what);
     };
-    for (const char* axis : {"x", "y", "z"}) {
-        if (findProperty(*vertex, axis, false) == kNoProperty) {
+    for (const char* axis : kPositionNames) {
+        if (findScalar(*vertex, axis) == kNoProperty) {
             return fail(*vertex, std::string("element \"vertex\" has no property ") + axis);
         }
     }
@@ -169,8 +208,8 @@ class BodyReader {
     std::vector<Column> makeColumns(const PlyElement& vertex) {
         const auto count = static_cast<std::size_t>(vertex.count);
         std::vector<Column> columns(vertex.properties.size());
-        takeVector(vertex, {"x", "y", "z"}, file_.position, file_.positionType, columns);
-        takeVector(vertex, {"nx", "ny", "nz"}, file_.normal, file_.normalType, columns);
+        takeVector(vertex, kPositionNames, file_.position, file_.positionType, columns);
+        takeVector(vertex, normalNames(vertex), file_.normal, file_.normalType, columns);
         std::size_t type = findProperty(vertex, "scalar_se_type", false);
         if (type == kNoProperty) type = findProperty(vertex, "se_type", false);
         if (type != kNoProperty) {
@@ -188,12 +227,12 @@ class BodyReader {
     }
 
     /// Sends three properties to the components of `vectors`, if `vertex` has them all.
-    void takeVector(const PlyElement& vertex, const std::array<const char*, 3>& names,
-                    std::vector<Vec3>& vectors, ScalarType& type, std::vector<Column>& columns) {
+    void takeVector(const PlyElement& vertex, const Names& names, std::vector<Vec3>& vectors,
+                    ScalarType& type, std::vector<Column>& columns) {
         std::array<std::size_t, 3> at{};
         type = ScalarType::Float;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            at[axis] = findProperty(vertex, names[axis], false);
+            at[axis] = findScalar(vertex, names[axis]);
             if (at[axis] == kNoProperty) return;
             if (vertex.properties[at[axis]].type != ScalarType::Float) type = ScalarType::Double;
         }

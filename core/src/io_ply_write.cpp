@@ -15,6 +15,8 @@ using namespace io;
 
 /// The name under which types are written (docs/file-formats.md says why it begins with "scalar").
 constexpr std::string_view kTypeName = "scalar_se_type";
+/// Read as types where there is no kTypeName, so no other column may have the name there.
+constexpr std::string_view kOldTypeName = "se_type";
 
 /// `value` as `Scalar`; what an integer type cannot hold becomes the nearest value that it can.
 template <typename Scalar>
@@ -56,10 +58,10 @@ std::vector<OutColumn> columnsOf(const PointFile& points) {
     addVectors(points.position, points.positionType, "x", "y", "z");
     if (points.hasNormals()) addVectors(points.normal, points.normalType, "nx", "ny", "nz");
     for (const Attribute& attribute : points.attributes) {
-        const bool taken = (points.hasTypes() && attribute.name == kTypeName) ||
-                           std::any_of(columns.begin(), columns.end(), [&](const OutColumn& c) {
-                               return c.name == attribute.name;
-                           });
+        const bool taken =
+            attribute.name == kTypeName || (!points.hasTypes() && attribute.name == kOldTypeName) ||
+            std::any_of(columns.begin(), columns.end(),
+                        [&](const OutColumn& c) { return c.name == attribute.name; });
         if (taken || !canNameProperty(attribute.name)) continue;
         columns.push_back({attribute.name, attribute.type, attribute.values.data(), 1});
     }

@@ -1,55 +1,284 @@
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
 #include "io_formats.h"
+#include "io_xyz_columns.h"
 #include "text_scan.h"
 
 namespace se::io {
 namespace {
 
-constexpr std::size_t kMostNumbers = 6;
+/// Meanings of the commas of a line.
+enum class Commas : std::uint8_t { None, Separating, Decimal, Mixed };
 
-/// The numbers of the line; more than kMostNumbers are counted but not kept.
-struct Row {
-    double numbers[kMostNumbers] = {};
+bool isBlank(std::string_view text) { return std::all_of(text.begin(), text.end(), isSpace); }
+
+/// True if there are 1 to `most` fields before each `separator`, and at most `most` after the last.
+bool hasFieldsBetween(std::string_view line, char separator, std::size_t most) {
     std::size_t count = 0;
-};
-
-Result<Row> readRow(const LineReader& lines, const std::string& name) {
-    Row row;
-    Fields fields(lines.line(), ',');
-    for (auto field = fields.next(); !field.empty(); field = fields.next(), ++row.count) {
-        double ignored = 0.0;
-        if (!parseDouble(field, row.count < kMostNumbers ? row.numbers[row.count] : ignored)) {
-            return errorAt(name, lineText(lines.number()),
-                           "expected a number, found " + inQuotes(field) + "; correct the line");
+    bool inField = false;
+    for (const char c : line) {
+        if (c == separator) {
+            if (count == 0) return false;
+            count = 0;
+            inField = false;
+        } else if (isSpace(c)) {
+            inField = false;
+        } else if (!inField) {
+            inField = true;
+            if (++count > most) return false;
         }
     }
-    if (row.count == 3 || row.count == 6) return row;
-    return errorAt(name, lineText(lines.number()),
-                   "expected 3 numbers (x y z) or 6 (x y z nx ny nz), found " +
-                       std::to_string(row.count) + "; remove the other columns or save as PLY");
+    return true;
 }
+
+/// True for "0,5" and "-12,25e3": one comma, between two digits, and no decimal point.
+bool hasDecimalComma(std::string_view field) {
+    const auto isDigit = [&](std::size_t i) {
+        return i < field.size() && std::isdigit(static_cast<unsigned char>(field[i])) != 0;
+    };
+    const std::size_t comma = field.find(',');
+    return comma != std::string_view::npos && comma > 0 && isDigit(comma - 1) &&
+           isDigit(comma + 1) && field.find(',', comma + 1) == std::string_view::npos &&
+           field.find('.') == std::string_view::npos;
+}
+
+Commas commasOf(std::string_view line) {
+    if (line.find(',') == std::string_view::npos) return Commas::None;
+    const bool semicolons = line.find(';') != std::string_view::npos;
+    if (!semicolons && hasFieldsBetween(line, ',', 1)) return Commas::Separating;
+    Fields fields(line, ';');
+    for (auto field = fields.next(); !field.empty(); field = fields.next()) {
+        if (!hasDecimalComma(field)) return Commas::Mixed;
+    }
+    return Commas::Decimal;
+}
+
+std::string withDecimalPoint(std::string_view field) {
+    std::string text(field);
+    std::replace(text.begin(), text.end(), ',', '.');
+    return text;
+}
+
+/// Reads XYZ line by line. The columns that follow the position are named at the end.
+class XyzReader {
+  public:
+    XyzReader(std::string_view text, const std::string& name) : lines_(text), name_(name) {}
+
+    Result<PointFile> read() {
+        file_.positionType = ScalarType::Double;
+        file_.normalType = ScalarType::Double;
+        while (lines_.next()) {
+            const std::string_view line = lines_.line();
+            const std::size_t comment = std::min(line.find('#'), line.find("//"));
+            const std::string_view content = line.substr(0, comment);
+            if (!isBlank(content)) {
+                if (!readRow(content)) return problem_;
+            } else if (comment != std::string_view::npos) {
+                takeHeader(line.substr(comment));
+            }
+        }
+        if (file_.position.empty()) return Error{name_ + ": holds no points"};
+        if (!nameColumns()) return problem_;
+        takeNormals();
+        takeAttributes();
+        return std::move(file_);
+    }
+
+  private:
+    bool failIn(std::size_t line, const std::string& what) {
+        problem_ = errorAt(name_, lineText(line), what);
+        return false;
+    }
+    bool fail(const std::string& what) { return failIn(lines_.number(), what); }
+
+    // ---- rows -------------------------------------------------------------------------------
+
+    /// The last comment before the points that names columns counts.
+    void takeHeader(std::string_view comment) {
+        if (!file_.position.empty()) return;
+        comment.remove_prefix(std::min(comment.find_first_not_of("#/"), comment.size()));
+        std::vector<std::string> names = columnNamesIn(comment);
+        if (names.empty()) return;
+        header_ = std::move(names);
+        headerLine_ = lines_.number();
+    }
+
+    bool readRow(std::string_view content) {
+        if (!checkSeparators(content)) return false;
+        row_.clear();
+        Fields fields(content, ';', decimalComma_ ? ';' : ',');
+        for (auto field = fields.next(); !field.empty(); field = fields.next()) {
+            double value = 0.0;
+            const bool good = decimalComma_ ? parseDouble(withDecimalPoint(field), value)
+                                            : parseDouble(field, value);
+            if (!good) {
+                return fail("expected a number, found " + inQuotes(field) + "; correct the line");
+            }
+            noteDigits(field, row_.size());
+            row_.push_back(value);
+        }
+        if (file_.position.empty() && !beginRows()) return false;
+        if (row_.size() != columns_) {
+            return fail("expected " + std::to_string(columns_) + " numbers as in the lines " +
+                        "before, found " + std::to_string(row_.size()) + "; correct the line");
+        }
+        keepRow();
+        return true;
+    }
+
+    void noteDigits(std::string_view field, std::size_t column) {
+        if (column == digitsOnly_.size()) digitsOnly_.push_back(1);
+        if (digitsOnly_[column] == 0) return;
+        const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+        if (!std::all_of(field.begin(), field.end(), isDigit)) digitsOnly_[column] = 0;
+    }
+
+    /// Settles by the first row what commas are, and refuses what differs.
+    bool checkSeparators(std::string_view content) {
+        if (content.find(';') != std::string_view::npos &&
+            !hasFieldsBetween(content, ';', content.size())) {
+            return fail("expected a number between two semicolons; correct the line");
+        }
+        const Commas commas = commasOf(content);
+        const bool decimal = commas == Commas::Decimal;
+        if (file_.position.empty()) decimalComma_ = decimal;
+        if (commas == Commas::Mixed) {
+            return fail(
+                "expected commas between all numbers (0.1,0.2,0.3) or one decimal comma in every "
+                "number and blanks between them (0,1 0,2 0,3), found a mixture; write decimal "
+                "points");
+        }
+        if (decimal == decimalComma_) return true;
+        return fail(decimalComma_ ? "expected one decimal comma in every number, as in the lines "
+                                    "before; write decimal points in the whole file"
+                                  : "found decimal commas, which the lines before have not; write "
+                                    "decimal points in the whole file");
+    }
+
+    /// Settles by the first row how many columns there are, and which hold the position.
+    bool beginRows() {
+        columns_ = row_.size();
+        firstLine_ = lines_.number();
+        if (header_.size() != columns_) header_.clear();
+        if (header_.empty() && !isRecognizable(columns_)) {
+            return fail(
+                "expected 3 numbers (x y z), or 4, 6, 7 or 9 (with intensity, normals or "
+                "colors), found " +
+                std::to_string(columns_) +
+                "; remove the other columns, or name them in a line before the points, "
+                "such as \"# x y z intensity label\", with one name per column");
+        }
+        for (std::size_t column = 0; column < columns_; ++column) {
+            if (const auto axis = axisOf(column)) {
+                axes_[*axis] = column;
+            } else {
+                others_.push_back(column);
+            }
+        }
+        return true;
+    }
+
+    std::optional<std::size_t> axisOf(std::size_t column) const {
+        if (header_.empty()) return column < 3 ? std::optional(column) : std::nullopt;
+        const std::string& name = header_[column];
+        return name == "x"   ? std::optional<std::size_t>(0)
+               : name == "y" ? std::optional<std::size_t>(1)
+               : name == "z" ? std::optional<std::size_t>(2)
+                             : std::nullopt;
+    }
+
+    void keepRow() {
+        file_.position.emplace_back(row_[axes_[0]], row_[axes_[1]], row_[axes_[2]]);
+        for (const std::size_t column : others_) extra_.values.push_back(row_[column]);
+    }
+
+    // ---- columns ----------------------------------------------------------------------------
+
+    bool nameColumns() {
+        for (const std::size_t column : others_)
+            extra_.digitsOnly.push_back(digitsOnly_[column] != 0);
+        std::vector<std::string> all = header_;
+        if (header_.empty()) {
+            Result<NamedColumns> named = recognizeColumns(extra_);
+            if (!named) return failIn(firstLine_, named.error().message);
+            names_ = std::move(named.value().names);
+            file_.columns.reason = std::move(named.value().reason);
+            all = {"x", "y", "z"};
+            all.insert(all.end(), names_.begin(), names_.end());
+        } else {
+            for (const std::size_t column : others_) names_.push_back(header_[column]);
+            file_.columns.reason = "named in " + lineText(headerLine_);
+        }
+        for (const std::string& name : all)
+            file_.columns.names += (file_.columns.names.empty() ? "" : " ") + name;
+        return true;
+    }
+
+    /// Place of a name among names_; their number if it is not there.
+    std::size_t find(std::string_view name) const {
+        return static_cast<std::size_t>(std::find(names_.begin(), names_.end(), name) -
+                                        names_.begin());
+    }
+    bool has(std::string_view name) const { return find(name) < names_.size(); }
+
+    /// Moves nx, ny and nz out of the names, if all three are there.
+    void takeNormals() {
+        if (!has("nx") || !has("ny") || !has("nz")) return;
+        const std::size_t x = find("nx");
+        const std::size_t y = find("ny");
+        const std::size_t z = find("nz");
+        file_.normal.reserve(file_.position.size());
+        for (std::size_t at = 0; at < extra_.values.size(); at += extra_.width()) {
+            file_.normal.emplace_back(extra_.values[at + x], extra_.values[at + y],
+                                      extra_.values[at + z]);
+        }
+        for (const std::size_t taken : {x, y, z}) names_[taken].clear();
+    }
+
+    void takeAttributes() {
+        bool bytes = true;
+        const auto isColor = [](std::string_view name) {
+            return name == "red" || name == "green" || name == "blue";
+        };
+        for (std::size_t i = 0; i < names_.size(); ++i)
+            bytes = bytes && (!isColor(names_[i]) || holdsBytes(extra_, i));
+        for (std::size_t i = 0; i < names_.size(); ++i) {
+            if (names_[i].empty()) continue;
+            Attribute attribute{names_[i], ScalarType::Double, {}};
+            if (bytes && isColor(names_[i])) attribute.type = ScalarType::UInt8;
+            attribute.values.reserve(file_.position.size());
+            for (std::size_t at = i; at < extra_.values.size(); at += extra_.width())
+                attribute.values.push_back(extra_.values[at]);
+            file_.attributes.push_back(std::move(attribute));
+        }
+    }
+
+    LineReader lines_;
+    const std::string& name_;
+    PointFile file_;
+    Error problem_;
+    std::vector<std::string> header_;  // One name per column; empty if no comment names them.
+    std::size_t headerLine_ = 0;
+    std::size_t firstLine_ = 0;
+    std::size_t columns_ = 0;
+    std::array<std::size_t, 3> axes_{};
+    std::vector<std::size_t> others_;  // The columns that hold no position.
+    std::vector<std::string> names_;   // Of others_; empty where taken.
+    ExtraColumns extra_;
+    std::vector<double> row_;
+    std::vector<char> digitsOnly_;  // Per column: 1 as long as all numbers are digits alone.
+    bool decimalComma_ = false;
+};
 
 }  // namespace
 
 Result<PointFile> readXyz(std::string_view text, const std::string& name) {
-    PointFile file;
-    file.positionType = ScalarType::Double;
-    file.normalType = ScalarType::Double;
-    std::size_t columns = 0;
-    for (LineReader lines(text); lines.nextContent('#');) {
-        const Result<Row> row = readRow(lines, name);
-        if (!row) return row.error();
-        const auto& [n, count] = row.value();
-        if (columns == 0) columns = count;
-        if (count != columns) {
-            return errorAt(name, lineText(lines.number()),
-                           "expected " + std::to_string(columns) + " numbers as in the lines " +
-                               "before, found " + std::to_string(count) + "; correct the line");
-        }
-        file.position.emplace_back(n[0], n[1], n[2]);
-        if (count == 6) file.normal.emplace_back(n[3], n[4], n[5]);
-    }
-    if (file.position.empty()) return Error{name + ": holds no points"};
-    return file;
+    return XyzReader(text, name).read();
 }
 
 }  // namespace se::io

@@ -11,12 +11,15 @@ namespace se {
 namespace {
 
 constexpr std::array kFormats{
-    MeshFormat{".ply", "PLY, binary", "", meshPlyBytes},
-    MeshFormat{".obj", "Wavefront OBJ, text", "types, lists, other columns", io::objBytes},
-    MeshFormat{".off", "OFF or NOFF, text", "types, lists, other columns", io::offBytes},
-    MeshFormat{".stl", "STL, binary", "all but the corners of triangles", io::stlBytes},
+    MeshFormat{".ply", "PLY, binary", "", meshPlyBytes, meshPlyBytes, nullptr},
+    MeshFormat{".obj", "Wavefront OBJ, text", "types, lists, other columns", io::objBytes,
+               io::objBytes, nullptr},
+    MeshFormat{".off", "OFF, text", "normals unless asked for, types, lists, other columns",
+               io::offBytes, io::noffBytes, nullptr},
+    MeshFormat{".stl", "STL, binary", "all but the corners of triangles", io::stlBytes, nullptr,
+               io::floatShift},
     MeshFormat{".glb", "glTF 2.0, binary", "types, lists, other columns; digits beyond float",
-               io::glbBytes},
+               io::glbBytes, io::glbBytes, nullptr},
 };
 
 }  // namespace
@@ -31,8 +34,13 @@ const MeshFormat* meshFormatOf(const std::filesystem::path& path) {
     return found == kFormats.end() ? nullptr : &*found;
 }
 
+std::optional<Vec3> shiftOf(const MeshFormat& format, const PointFile& points,
+                            std::span<const Triangle> triangles) {
+    return format.shift == nullptr ? std::nullopt : format.shift(points, triangles);
+}
+
 Status writeMesh(const std::filesystem::path& path, const PointFile& points,
-                 std::span<const Triangle> triangles) {
+                 std::span<const Triangle> triangles, const WriteOptions& options) {
     const MeshFormat* format = meshFormatOf(path);
     if (format == nullptr) {
         std::string known;
@@ -45,7 +53,12 @@ Status writeMesh(const std::filesystem::path& path, const PointFile& points,
     if (const Status status = io::checkWritable(points, triangles); !status) {
         return Error{path.string() + ": " + status.error().message};
     }
-    return writeFileAtomically(path, format->bytes(points, triangles));
+    const MeshBytes bytes = options.normals ? format->bytesWithNormals : format->bytes;
+    if (bytes == nullptr) {
+        return Error{path.string() + ": " + std::string(format->extension) +
+                     " has no place for normals of points; choose another extension"};
+    }
+    return writeFileAtomically(path, bytes(points, triangles));
 }
 
 }  // namespace se

@@ -3,13 +3,13 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstdio>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 
 #include "finite.h"
 #include "mesh_io_formats.h"
+#include "number_text.h"
 
 namespace se::io {
 namespace {
@@ -25,14 +25,31 @@ void append(std::string& bytes, const Vec3& v) {
     for (int i = 0; i < 3; ++i) append(bytes, static_cast<float>(v[i]));
 }
 
+/// The first 80 bytes. They must not begin with "solid", as text does.
+std::string stlHeader(const std::optional<Vec3>& shift) {
+    constexpr std::size_t kSize = 80;
+    std::string text = "written by spiraling-edge";
+    if (shift) {
+        std::string sum = "add";
+        for (int i = 0; i < 3; ++i) {
+            sum += ' ';
+            appendPlainNumber(sum, (*shift)[i]);
+        }
+        // Three of the longest doubles leave no room for the name.
+        text = text.size() + 2 + sum.size() <= kSize ? text + "; " + sum : sum;
+    }
+    text.resize(kSize, ' ');
+    return text;
+}
+
 }  // namespace
 
 std::string stlBytes(const PointFile& points, std::span<const Triangle> triangles) {
-    constexpr std::size_t kHeader = 80;
     constexpr std::size_t kRow = 50;
-    std::string bytes = "written by spiraling-edge";  // Must not begin with "solid", as text does.
-    bytes.resize(kHeader, ' ');
-    bytes.reserve(kHeader + 4 + kRow * triangles.size());
+    const std::optional<Vec3> found = floatShift(points, triangles);
+    const Vec3 shift = found.value_or(Vec3(0.0));
+    std::string bytes = stlHeader(found);
+    bytes.reserve(bytes.size() + 4 + kRow * triangles.size());
     append(bytes, static_cast<std::uint32_t>(triangles.size()));
     for (const Triangle& t : triangles) {
         const Vec3& a = points.position[t.a];
@@ -41,9 +58,9 @@ std::string stlBytes(const PointFile& points, std::span<const Triangle> triangle
         const Vec3 area = glm::cross(b - a, c - a);
         const double size = std::sqrt(glm::dot(area, area));
         append(bytes, size > 0.0 ? area / size : Vec3(0.0));
-        append(bytes, a);
-        append(bytes, b);
-        append(bytes, c);
+        append(bytes, a - shift);
+        append(bytes, b - shift);
+        append(bytes, c - shift);
         bytes.append(2, '\0');
     }
     return bytes;
@@ -53,6 +70,8 @@ std::string stlBytes(const PointFile& points, std::span<const Triangle> triangle
 
 namespace {
 
+Vec3 asFloats(const Vec3& v) { return {asFloat(v.x), asFloat(v.y), asFloat(v.z)}; }
+
 struct Bounds {
     Vec3 low{std::numeric_limits<double>::infinity()};
     Vec3 high{-std::numeric_limits<double>::infinity()};
@@ -60,21 +79,27 @@ struct Bounds {
         low = glm::min(low, x);
         high = glm::max(high, x);
     }
+    /// The middle as floats, which every program keeps; as doubles where floats are so coarse that
+    /// the points would be far from it.
+    Vec3 middle() const {
+        const Vec3 exact = 0.5 * (low + high);
+        const Vec3 size = high - low;
+        const Vec3 coarse = asFloats(exact);
+        const Vec3 off = glm::abs(coarse - exact);
+        const bool near = std::max({off.x, off.y, off.z}) <= std::max({size.x, size.y, size.z});
+        return near ? coarse : exact;
+    }
 };
 
-/// "[x,y,z]" with digits that read back as the same floats.
+/// "[x,y,z]" with digits that read back exactly.
 std::string jsonOf(const Vec3& v) {
-    std::array<char, 120> out;
-    const int length = std::snprintf(out.data(), out.size(), "[%.9g,%.9g,%.9g]", v.x, v.y, v.z);
-    return {out.data(), static_cast<std::size_t>(length)};
+    std::string text = "[";
+    for (int i = 0; i < 3; ++i) {
+        if (i > 0) text += ',';
+        appendNumber(text, v[i]);
+    }
+    return text + ']';
 }
-
-/// volatile: GCC 12 takes "to float and back" of several numbers at once for nothing at all.
-double asFloat(double value) {
-    volatile float rounded = static_cast<float>(value);
-    return static_cast<double>(rounded);
-}
-Vec3 asFloats(const Vec3& v) { return {asFloat(v.x), asFloat(v.y), asFloat(v.z)}; }
 
 /// Unit normals are demanded; +z stands for those that have no direction.
 Vec3 unitNormal(const Vec3& n) {
@@ -134,8 +159,7 @@ class GlbParts {
         for (const Vec3& x : points_.position) {
             if (isFinite(x)) whole.add(x);
         }
-        middle_ =
-            whole.low.x <= whole.high.x ? asFloats(0.5 * (whole.low + whole.high)) : Vec3(0.0);
+        if (whole.low.x <= whole.high.x) middle_ = whole.middle();
         Bounds moved;
         for (const Vec3& x : points_.position) {
             const Vec3 place = isFinite(x) ? asFloats(x - middle_) : Vec3(0.0);

@@ -1,19 +1,30 @@
 /// The bytes of the formats of mesh_io.h, one function each. All require checked input.
 #pragma once
 
+#include <optional>
+
 #include "spiraling_edge/io.h"
 
 namespace se::io {
 
 /// Points, normals where there are any, triangles; numbers that read back exactly.
 std::string objBytes(const PointFile& points, std::span<const Triangle> triangles);
-/// OFF, or NOFF with normals.
+/// Plain OFF, which every program reads: no normals.
 std::string offBytes(const PointFile& points, std::span<const Triangle> triangles);
-/// Binary: three corners per triangle, as float.
+/// NOFF, with the normals; plain OFF where the points have none.
+std::string noffBytes(const PointFile& points, std::span<const Triangle> triangles);
+/// Binary: three corners per triangle, as float, relative to floatShift(), which the header names.
 std::string stlBytes(const PointFile& points, std::span<const Triangle> triangles);
 /// Binary glTF 2.0. Positions are floats about the middle of the box, which is the node's place, so
 /// that a set far from the origin keeps its shape.
 std::string glbBytes(const PointFile& points, std::span<const Triangle> triangles);
+
+/// `value` rounded to float.
+double asFloat(double value);
+/// A round place near the middle of the triangles, for positions written as float relative to it.
+/// Empty where no corner moves by more than a thousandth of the mean edge without it, or where it
+/// would not help.
+std::optional<Vec3> floatShift(const PointFile& points, std::span<const Triangle> triangles);
 
 /// What would make a file that cannot be read back: columns of different length, a triangle that
 /// names a point that does not exist.

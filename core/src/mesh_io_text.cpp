@@ -49,15 +49,18 @@ std::string objBytes(const PointFile& points, std::span<const Triangle> triangle
     return text;
 }
 
-std::string offBytes(const PointFile& points, std::span<const Triangle> triangles) {
-    std::string text = points.hasNormals() ? "NOFF\n" : "OFF\n";
-    text +=
-        std::to_string(points.position.size()) + ' ' + std::to_string(triangles.size()) + " 0\n";
-    for (std::size_t p = 0; p < points.position.size(); ++p) {
-        appendRow(text, points.position[p]);
-        if (points.hasNormals()) {
+namespace {
+
+/// OFF with one normal per point, or with none at all.
+std::string offText(std::span<const Vec3> position, std::span<const Vec3> normal,
+                    std::span<const Triangle> triangles) {
+    std::string text = normal.empty() ? "OFF\n" : "NOFF\n";
+    text += std::to_string(position.size()) + ' ' + std::to_string(triangles.size()) + " 0\n";
+    for (std::size_t p = 0; p < position.size(); ++p) {
+        appendRow(text, position[p]);
+        if (!normal.empty()) {
             text += ' ';
-            appendRow(text, points.normal[p]);
+            appendRow(text, normal[p]);
         }
         text += '\n';
     }
@@ -70,6 +73,16 @@ std::string offBytes(const PointFile& points, std::span<const Triangle> triangle
         text += '\n';
     }
     return text;
+}
+
+}  // namespace
+
+std::string offBytes(const PointFile& points, std::span<const Triangle> triangles) {
+    return offText(points.position, {}, triangles);
+}
+
+std::string noffBytes(const PointFile& points, std::span<const Triangle> triangles) {
+    return offText(points.position, points.normal, triangles);
 }
 
 }  // namespace se::io

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <system_error>
 
 namespace se {
 
@@ -24,6 +25,21 @@ inline void appendNumber(std::string& text, double value) {
     }
     text.append(out.data(), static_cast<std::size_t>(length));
 #endif
+}
+
+/// appendNumber() without an exponent where that takes 17 characters at most: "500000", not
+/// "5e+05".
+inline void appendPlainNumber(std::string& text, double value) {
+#if defined(__cpp_lib_to_chars)
+    std::array<char, 17> out;
+    const auto [end, problem] =
+        std::to_chars(out.data(), out.data() + out.size(), value, std::chars_format::fixed);
+    if (problem == std::errc{}) {
+        text.append(out.data(), end);
+        return;
+    }
+#endif
+    appendNumber(text, value);
 }
 
 /// Six significant digits; the same on every machine.

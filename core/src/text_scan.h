@@ -74,11 +74,11 @@ class LineReader {
     std::size_t number_;
 };
 
-/// Cuts a line into fields at blanks and tabs, and at `extraSeparator` if one is named.
+/// Cuts a line into fields at blanks and tabs, and at one or two more characters if they are named.
 class Fields {
   public:
-    explicit Fields(std::string_view line, char extraSeparator = ' ')
-        : rest_(line), extra_(extraSeparator) {}
+    explicit Fields(std::string_view line, char extraSeparator = ' ', char otherSeparator = ' ')
+        : rest_(line), extra_(extraSeparator), other_(otherSeparator) {}
 
     /// The next field; empty when there is none left.
     std::string_view next() {
@@ -92,10 +92,11 @@ class Fields {
     }
 
   private:
-    bool separates(char c) const { return isSpace(c) || c == extra_; }
+    bool separates(char c) const { return isSpace(c) || c == extra_ || c == other_; }
 
     std::string_view rest_;
     char extra_;
+    char other_;
 };
 
 /// What is left of a number without its leading '+'; a second sign makes it no number.

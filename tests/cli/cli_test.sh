@@ -493,6 +493,73 @@ info_tells_what_a_file_holds() {
     says out "on a wall"
 }
 
+info_says_how_columns_were_read() {
+    awk 'BEGIN { for (y = 0; y < 8; ++y) for (x = 0; x < 8; ++x) print x, y, 0.01 * x * y, 30 * x, 255 - y, 7 }' >colored.xyz
+    expect 0 info colored.xyz
+    says out "columns    x y z red green blue (columns 4 to 6 are whole numbers from 0 to 255: colors)"
+    says out "normals    none: they will be derived"
+    says out "also       red, green, blue"
+    expect 0 info colored.xyz --json
+    says out '"columns": "x y z red green blue"'
+    expect 0 run colored.xyz -o colored.ply --report report.json
+    grep -qa '^property uchar red$' colored.ply || fail "no colors in the mesh"
+    says report.json '"columns": "x y z red green blue"'
+    is "$(number components report.json)" 1 "components"
+    { echo "//X Y Z Nx Ny Nz"; cat colored.xyz; } >named.xyz
+    expect 0 info named.xyz
+    says out "columns    x y z nx ny nz (named in line 1)"
+    says out "normals    yes"
+    tr . , <colored.xyz >mixed.xyz
+    expect 3 info mixed.xyz
+    says err "mixed.xyz: line 10: expected commas"
+    awk '{ printf "%.2f %.2f %.2f\n", $1, $2, $3 }' colored.xyz | tr . , >decimal.xyz
+    expect 0 info decimal.xyz
+    says out "64 points"
+    says out "box        0 0 0 to 7 7 0.49"
+    awk '{ print $1, $2, $3, 300 * $4, $5, $6 }' colored.xyz >deep.xyz
+    expect 3 info deep.xyz
+    says err "deep.xyz: line 1: found 6 columns and cannot tell what columns 4 to 6 hold"
+}
+
+far_stl_says_its_shift() {
+    sphere_points near.xyz
+    awk '{ printf "%.4f %.4f %.4f\n", $1 + 500001, $2 + 5400001, $3 + 301 }' near.xyz >far.xyz
+    expect 0 run far.xyz -o far.stl
+    says err "far.stl: positions are relative to (500000, 5400000, 300), since STL keeps 7 digits"
+    head -c 80 far.stl >header
+    says header "add 500000 5400000 300"
+    expect 0 run far.xyz -o far.stl --report report.json
+    says err "far.stl: positions are relative to (500000, 5400000, 300)"
+    tr -d ' \n' <report.json >flat
+    says flat '"shift":[500000.0,5400000.0,300.0]'
+    expect 0 run far.xyz -o far.stl -q
+    empty err
+    expect 0 run near.xyz -o near.stl --report report.json
+    says report.json '"shift": null'
+    empty err
+}
+
+off_is_plain_unless_normals_are_asked_for() {
+    expect 0 run scene:sphere -q -o plain.off
+    is "$(head -1 plain.off)" OFF "keyword"
+    expect 0 run scene:sphere -q -o full.off --normals
+    is "$(head -1 full.off)" NOFF "keyword with --normals"
+    expect 0 info full.off
+    says out "normals    yes"
+    for kind in ply obj glb; do
+        expect 0 run scene:sphere -q -o plain.$kind
+        expect 0 run scene:sphere -q -o full.$kind --normals
+        cmp -s plain.$kind full.$kind || fail "--normals changes $kind"
+    done
+    expect 2 run scene:sphere -o mesh.stl --normals
+    says err "this format has no place for normals"
+    absent mesh.stl
+    expect 2 run scene:sphere --normals
+    says err "name a file with -o"
+    expect 0 sample sphere -n 200 -q -o points.off
+    is "$(head -1 points.off)" NOFF "keyword of sampled points"
+}
+
 info_counts_what_is_wrong() {
     {
         icosahedron

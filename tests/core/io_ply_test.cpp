@@ -240,7 +240,7 @@ TEST_CASE("PLY: each flaw of a header has its own message") {
     CHECK(contains(error("end_header\n", ""), "line 22: expected format"));
     CHECK(contains(errorOf("ply\nformat ascii 1.0\n"), "before the line \"end_header\""));
     CHECK(contains(error("property double x", "property quad x"), "line 8: expected a type"));
-    CHECK(contains(error("double x", "double X"), "no property x"));
+    CHECK(contains(error("double x", "double w"), "no property x"));
     CHECK(contains(error("property double x", "property double"), "has no name"));
     CHECK(contains(error("double y", "double x"), "announced twice"));
     CHECK(contains(error("element face", "element vertex"), "announced twice"));
@@ -302,6 +302,47 @@ TEST_CASE("PLY: lists too long for ushort are counted by uint") {
     file.neighbors.append(all);
     for (Index p = 1; p < count; ++p) file.neighbors.append({});
     checkSame(mustRead(meshPlyBytes(file, {})), file);
+}
+
+TEST_CASE("PLY: normals under the names of the Point Cloud Library are read as normals") {
+    const std::string text =
+        replaced(replaced(kTwo, "property float z\n",
+                          "property float z\nproperty float normal_x\nproperty float normal_y\n"
+                          "property float normal_z\nproperty float curvature\n"),
+                 "0 0 0\n1 2 3\n", "0 0 0 0 1 0 5\n1 2 3 1 0 0 6\n");
+    for (const std::string& bytes : {text, littleEndian(text), bigEndian(text)}) {
+        const PointFile file = mustRead(bytes);
+        CHECK(file.normal == std::vector<Vec3>{{0, 1, 0}, {1, 0, 0}});
+        REQUIRE(file.attributes.size() == 1);
+        CHECK(file.attributes[0].name == "curvature");
+        checkSame(mustRead(meshPlyBytes(file, {})), file);
+    }
+    // Two of three are two columns.
+    const PointFile two = mustRead(replaced(text, "normal_z", "other"));
+    CHECK_FALSE(two.hasNormals());
+    CHECK(two.attributes.size() == 4);
+}
+
+TEST_CASE(
+    "PLY: capitals in the names of positions and normals do not matter, exact names come first") {
+    const std::string text =
+        replaced(replaced(kTwo, "float x\nproperty float y\nproperty float z\n",
+                          "float X\nproperty float Y\nproperty float Z\nproperty float Nx\n"
+                          "property float Ny\nproperty float Nz\n"),
+                 "0 0 0\n1 2 3\n", "0 0 0 0 1 0\n1 2 3 1 0 0\n");
+    const PointFile file = mustRead(text);
+    CHECK(file.position == std::vector<Vec3>{{0, 0, 0}, {1, 2, 3}});
+    CHECK(file.normal == std::vector<Vec3>{{0, 1, 0}, {1, 0, 0}});
+    CHECK(file.attributes.empty());
+    // A second x in lower case is the position; the capital one stays a column.
+    const PointFile lower =
+        mustRead(replaced(replaced(text, "float Nx", "float x"), "1 2 3 1", "9 2 3 1"));
+    CHECK(lower.position[1] == Vec3(1, 2, 3));
+    CHECK_FALSE(lower.hasNormals());
+    REQUIRE(lower.attributes.size() == 3);
+    CHECK(lower.attributes[0].name == "X");
+    CHECK(lower.attributes[0].values[1] == 9.0);
+    checkSame(mustRead(meshPlyBytes(lower, {})), lower);
 }
 
 TEST_CASE("Write: a mesh whose parts do not fit together is refused") {

@@ -25,6 +25,12 @@ struct Attribute {
     std::vector<double> values;  ///< One per point; every ScalarType fits a double exactly.
 };
 
+/// How the columns of a file that has no header for them (XYZ) were read.
+struct ColumnReading {
+    std::string names;   ///< "x y z red green blue"; empty for other formats.
+    std::string reason;  ///< The evidence, in words; empty for x, y and z alone.
+};
+
 /// What a point file held, as it stood there: nothing repaired, nothing normalized, nothing
 /// dropped. `prepare.h` turns it into a PointSet that the stepper accepts.
 struct PointFile {
@@ -38,14 +44,16 @@ struct PointFile {
     NeighborLists neighbors;                    ///< size() == 0 where the file has none.
     std::vector<Triangle> faces;  ///< Polygons are split into fans. Empty for plain points.
     std::vector<Attribute> attributes;
+    ColumnReading columns;
 
     bool hasNormals() const { return !normal.empty(); }
     bool hasTypes() const { return !type.empty(); }
     bool hasNeighbors() const { return neighbors.size() > 0; }
 };
 
-/// Reads PLY (ascii, binary little and big endian), XYZ (`x y z [nx ny nz]`), OBJ (`v`, `vn`, `f`)
-/// or OFF/NOFF. Errors name the file and the line or byte, what was expected and what to do.
+/// Reads PLY (ascii, binary little and big endian), XYZ (`x y z` with normals, colors, both or an
+/// intensity), OBJ (`v`, `vn`, `f`), OFF/NOFF or PCD. Errors name the file and the line or byte,
+/// what was expected and what to do.
 Result<PointFile> readPoints(const std::filesystem::path& path);
 /// The same from memory; `name` is what errors call it, and its extension is the second hint.
 Result<PointFile> readPoints(std::string_view bytes, const std::string& name);

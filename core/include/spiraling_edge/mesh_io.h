@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,14 +11,29 @@
 
 namespace se {
 
+/// The bytes of a file. Requires triangles that name existing points.
+using MeshBytes = std::string (*)(const PointFile& points, std::span<const Triangle> triangles);
+
 /// One kind of file that a mesh can be written as.
 struct MeshFormat {
     std::string_view extension;  ///< ".obj", lower case
     std::string_view title;      ///< "Wavefront OBJ, text"
     /// What it leaves out, for a person; empty if nothing.
     std::string_view leavesOut;
-    /// The bytes of a file. Requires triangles that name existing points.
-    std::string (*bytes)(const PointFile& points, std::span<const Triangle> triangles);
+    MeshBytes bytes;
+    /// The bytes with the normals of the points: `bytes` itself where it writes them anyway, null
+    /// where the format has no place for them.
+    MeshBytes bytesWithNormals;
+    /// The place that positions in the file are relative to, to be added by a reader; empty if they
+    /// are those of `points`. Null where the format needs no shift, or names it to its readers.
+    std::optional<Vec3> (*shift)(const PointFile& points, std::span<const Triangle> triangles);
+};
+
+/// What a caller may ask of a writer besides the extension.
+struct WriteOptions {
+    /// Normals also where the usual kind of file has none: NOFF, which fewer programs read than
+    /// OFF. No effect where they are written anyway; an error where they cannot be.
+    bool normals = false;
 };
 
 /// PLY (binary), OBJ, OFF, STL (binary), GLB.
@@ -25,9 +41,14 @@ std::span<const MeshFormat> meshFormats();
 /// The one of a path's extension, whatever the case; PLY if it has none. Null if nothing fits.
 const MeshFormat* meshFormatOf(const std::filesystem::path& path);
 
+/// The shift of `format` for this mesh: empty where positions in the file are those of `points`.
+std::optional<Vec3> shiftOf(const MeshFormat& format, const PointFile& points,
+                            std::span<const Triangle> triangles);
+
 /// Writes points and triangles in the format that the extension of `path` names. Fails where
 /// writeMeshPly() does, and with the extensions that can be written if it is none of them.
+/// Positions in STL may be relative to shiftOf(), which callers should tell their users.
 Status writeMesh(const std::filesystem::path& path, const PointFile& points,
-                 std::span<const Triangle> triangles);
+                 std::span<const Triangle> triangles, const WriteOptions& options = {});
 
 }  // namespace se

@@ -1,0 +1,198 @@
+/// XYZ: which columns are colors, normals or an intensity, and what commas are.
+#include <cmath>
+
+#include "io_support.h"
+
+using namespace se;
+using namespace se::test;
+
+namespace {
+
+/// The values of a column that must be there.
+std::vector<double> column(const PointFile& file, std::string_view name,
+                           ScalarType type = ScalarType::UInt8) {
+    for (const Attribute& attribute : file.attributes) {
+        if (attribute.name != name) continue;
+        CHECK(attribute.type == type);
+        return attribute.values;
+    }
+    FAIL_CHECK("no column " << name);
+    return {};
+}
+
+void checkColors(const PointFile& file, const std::vector<double>& red,
+                 const std::vector<double>& green, const std::vector<double>& blue) {
+    CHECK(column(file, "red") == red);
+    CHECK(column(file, "green") == green);
+    CHECK(column(file, "blue") == blue);
+}
+
+const std::string kColors = "0 0 0 255 0 17\n1 0 0 200 100 0\n0 1 0 0 0 0\n";
+
+}  // namespace
+
+TEST_CASE("XYZ: whole numbers from 0 to 255 after the position are colors, no normals") {
+    const PointFile file = mustRead(kColors);
+    CHECK_FALSE(file.hasNormals());
+    REQUIRE(file.attributes.size() == 3);
+    checkColors(file, {255, 200, 0}, {0, 100, 0}, {17, 0, 0});
+    CHECK(file.columns.names == "x y z red green blue");
+    CHECK(contains(file.columns.reason, "columns 4 to 6 are whole numbers from 0 to 255"));
+    // They come out as the columns that every program knows, and the normals are derived.
+    const std::string bytes = meshPlyBytes(file, {});
+    for (const char* name : {"red", "green", "blue"})
+        CHECK(contains(bytes, std::string("property uchar ") + name + "\n"));
+    checkSame(mustRead(bytes), file);
+}
+
+TEST_CASE("XYZ: one number that no color can be makes the three columns normals or nothing") {
+    // A fraction of length 1, a sign, whole numbers along an axis: normals.
+    CHECK(mustRead("0 0 0 0.6 0.8 0\n1 0 0 0 1 0\n").hasNormals());
+    CHECK(mustRead("0 0 0 0 0 1\n1 0 0 0 -1 0\n").hasNormals());
+    const PointFile axes = mustRead("0 0 0 0 0 1\n1 0 0 0 1 0\n2 0 0 1 0 0\n");
+    CHECK(axes.normal == std::vector<Vec3>{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}});
+    CHECK(axes.columns.names == "x y z nx ny nz");
+    CHECK(axes.attributes.empty());
+    // Other lengths with a sign are normals still, and that is said.
+    const PointFile scaled = mustRead("0 0 0 0 0 2.5\n1 0 0 0 -3 0\n");
+    CHECK(scaled.normal[0] == Vec3(0, 0, 2.5));
+    CHECK(contains(scaled.columns.reason, "length is not 1"));
+    // Colors of 16 bits, colors from 0 to 1, whole numbers between colors and normals.
+    for (const char* text :
+         {"0 0 0 65535 0 0\n1 0 0 0 300 0\n", "0 0 0 0.2 0.3 0.1\n1 0 0 0.5 0.5 0.9\n",
+          "0 0 0 1 1 0\n1 0 0 1 0 1\n", "0 0 0 0 0 1\n1 0 0 0 0 1\n2 0 0 9 9 9\n"}) {
+        INFO(text);
+        const std::string error = errorOf(text, "a.xyz");
+        CHECK(
+            contains(error, "a.xyz: line 1: found 6 columns and cannot tell what columns 4 to 6"));
+        CHECK(contains(error, "\"# x y z nx ny nz\""));
+    }
+}
+
+TEST_CASE("XYZ: columns of zeros as whole numbers are colors, else missing normals") {
+    checkColors(mustRead("0 0 0 0 0 0\n1 0 0 0 0 0\n"), {0, 0}, {0, 0}, {0, 0});
+    CHECK(mustRead("0 0 0 0.0 0.0 0.0\n1 0 0 0.0 0.0 0.0\n").hasNormals());
+    CHECK(mustRead("0 0 0 nan nan nan\n1 0 0 nan nan nan\n").hasNormals());
+}
+
+TEST_CASE("XYZ: colors and normals in either order, told by their numbers") {
+    for (const char* text : {"1 2 3 0 0.6 0.8 9 8 7\n4 5 6 0 0 1 255 0 1\n",
+                             "1 2 3 9 8 7 0 0.6 0.8\n4 5 6 255 0 1 0 0 1\n"}) {
+        const PointFile file = mustRead(text);
+        CHECK(file.normal == std::vector<Vec3>{{0, 0.6, 0.8}, {0, 0, 1}});
+        checkColors(file, {9, 255}, {8, 0}, {7, 1});
+        CHECK(contains(file.columns.reason, "colors"));
+        CHECK(contains(file.columns.reason, "normals"));
+    }
+    for (const char* text : {"1 2 3 4 5 6 7 8 9\n", "1 2 3 0 0.6 0.8 0 0 1\n"}) {
+        const std::string error = errorOf(text);
+        CHECK(contains(error, "line 1: found 9 columns and cannot tell"));
+        CHECK(contains(error, "columns 4 to 6 and columns 7 to 9"));
+    }
+}
+
+TEST_CASE("XYZ: an intensity alone, or beside colors where only one reading is possible") {
+    const PointFile four = mustRead("1 2 3 0.5\n4 5 6 -7\n");
+    CHECK(column(four, "intensity", ScalarType::Double) == std::vector<double>{0.5, -7});
+    CHECK(four.columns.names == "x y z intensity");
+    const PointFile before = mustRead("1 2 3 -1203 10 20 30\n4 5 6 17 40 50 60\n");
+    checkColors(before, {10, 40}, {20, 50}, {30, 60});
+    CHECK(column(before, "intensity", ScalarType::Double) == std::vector<double>{-1203, 17});
+    const PointFile after = mustRead("1 2 3 10 20 30 0.25\n4 5 6 40 50 60 0.5\n");
+    checkColors(after, {10, 40}, {20, 50}, {30, 60});
+    CHECK(after.columns.names == "x y z red green blue intensity");
+    CHECK(contains(errorOf("1 2 3 10 20 30 40\n"), "line 1: found 7 columns and cannot tell"));
+    CHECK(contains(errorOf("1 2 3 0 1 0 0\n"), "line 1: found 7 columns"));
+}
+
+TEST_CASE("XYZ: a comment that names the columns decides") {
+    // Without the names these are colors, and could be either.
+    const PointFile named = mustRead("# x y z nx ny nz\n0 0 0 0 0 9\n1 0 0 0 0 200\n");
+    CHECK(named.normal == std::vector<Vec3>{{0, 0, 9}, {0, 0, 200}});
+    CHECK(named.columns.reason == "named in line 1");
+    const PointFile cloud = mustRead(
+        "# saved today\n//X Y Z R G B Scan_Angle Nx Ny Nz\n1 2 3 1 0 0 -5 0 1 0 // first\n");
+    CHECK(cloud.normal == std::vector<Vec3>{{0, 1, 0}});
+    checkColors(cloud, {1}, {0}, {0});
+    CHECK(column(cloud, "Scan_Angle", ScalarType::Double) == std::vector<double>{-5});
+    CHECK(cloud.columns.names == "x y z red green blue Scan_Angle nx ny nz");
+    CHECK(cloud.columns.reason == "named in line 2");
+    const PointFile seven = mustRead("# x,y,z,i,r,g,b\n1,2,3,4,5,6,7\n");
+    CHECK(column(seven, "intensity", ScalarType::Double) == std::vector<double>{4});
+    checkColors(seven, {5}, {6}, {7});
+    checkColors(mustRead("# x y z r g b\n1 2 3 4.0 5.0 255.0\n"), {4}, {5}, {255});
+    // The position may stand elsewhere, and colors from 0 to 1 stay what they are.
+    const PointFile turned = mustRead("# Red Green Blue Z Y X\n0.5 0 1 3 2 1\n");
+    CHECK(turned.position == std::vector<Vec3>{{1, 2, 3}});
+    CHECK(column(turned, "red", ScalarType::Double) == std::vector<double>{0.5});
+}
+
+TEST_CASE("XYZ: a comment that names no columns, or others, decides nothing") {
+    for (const char* comment :
+         {"# x y z\n", "# x y z x y z\n", "# x y and more of it\n", "# x y z \x1b[31m g b\n"}) {
+        CHECK_FALSE(mustRead(comment + kColors).hasNormals());
+    }
+    // After the first point it is too late.
+    CHECK_FALSE(mustRead(kColors + "# x y z nx ny nz\n").hasNormals());
+}
+
+TEST_CASE("XYZ: numbers of columns that nothing explains are refused with the way out") {
+    for (const char* text :
+         {"1 2\n", "1 2 3 4 5\n", "1 2 3 4 5 6 7 8\n", "1 2 3 4 5 6 7 8 9 10\n"}) {
+        INFO(text);
+        const std::string error = errorOf(text, "a.xyz");
+        CHECK(contains(error, "a.xyz: line 1: expected 3 numbers (x y z), or 4, 6, 7 or 9"));
+        CHECK(contains(error, "name them in a line before the points"));
+    }
+    CHECK(mustRead("# x y z label time\n1 2 3 4 5\n").attributes.size() == 2);
+}
+
+TEST_CASE("XYZ: decimal commas are read where every number has exactly one") {
+    const std::vector<Vec3> expected{{0.123, 0.456, -0.789}, {1, 2.5, 1200}};
+    for (const char* text :
+         {"0,123 0,456 -0,789\n1,0 2,5 1,2e3\n", "0,123\t0,456\t-0,789\r\n1,0\t2,5\t1,2e3\r\n",
+          "0,123;0,456;-0,789\n1,0; 2,5 ;1,2e3\n"}) {
+        INFO(text);
+        const PointFile file = mustRead(text);
+        CHECK(file.position == expected);
+        CHECK(file.attributes.empty());
+        CHECK_FALSE(file.hasNormals());
+    }
+    CHECK(mustRead("0,5 0,5 0,5 0,0 0,6 0,8\n").normal == std::vector<Vec3>{{0, 0.6, 0.8}});
+}
+
+TEST_CASE("XYZ: commas between numbers part them, with blanks or without") {
+    for (const char* text : {"0.1,0.0,1.0,0,0,1\n", "0.1, 0.0, 1.0, 0, 0, 1\n",
+                             "0.1 ,0.0\t,1.0,  0,0,1,\n", "0.1;0.0;1.0;0;0;1\n"}) {
+        INFO(text);
+        const PointFile file = mustRead(text);
+        CHECK(file.position == std::vector<Vec3>{{0.1, 0, 1}});
+        CHECK(file.normal == std::vector<Vec3>{{0, 0, 1}});
+    }
+    CHECK(mustRead("1,2,3\n4 5 6\n7, 8, 9\n").position.size() == 3);
+}
+
+TEST_CASE("XYZ: commas that could be either are refused with their line") {
+    // A plain number among decimal commas, thousands, pairs, a lone comma, a comma at an end.
+    for (const char* row : {"0,123 0 0,789", "1,234.5 2,345.6 3,456.7", "1,2, 3,4 5,6",
+                            "1,2,3 4,5,6", "0,1 ,5 0,2", "1 2 3,", "0,1;0,2 0.3"}) {
+        INFO(row);
+        CHECK(contains(errorOf(std::string("# scan\n") + row + "\n"), "line 2: expected commas"));
+    }
+    CHECK(contains(errorOf("0,1 0,2 0,3\n1 2 3\n"), "line 2: expected one decimal comma"));
+    CHECK(contains(errorOf("0,1 0,2 0,3\n1,2,3\n"), "line 2: expected one decimal comma"));
+    CHECK(contains(errorOf("1 2 3\n0,1 0,2 0,3\n"), "line 2: found decimal commas"));
+    CHECK(contains(errorOf("1,2,3,4,,6\n"), "line 1: expected commas"));
+    CHECK(contains(errorOf("1;2;3;;5;6;7\n"), "line 1: expected a number between two semicolons"));
+}
+
+TEST_CASE("Text: other formats refuse a decimal comma with its line") {
+    CHECK(contains(errorOf("v 0,1 0,2 0,3\n"), "line 1: expected three numbers, found \"0,1\""));
+    CHECK(contains(errorOf("OFF\n1 0 0\n0,1 0,2 0,3\n"), "line 3: expected three numbers"));
+    CHECK(contains(errorOf("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                           "property float y\nproperty float z\nend_header\n0,1 0,2 0,3\n"),
+                   "line 8: expected a value of type float"));
+    CHECK(contains(errorOf("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nPOINTS 1\nDATA ascii\n"
+                           "0,1 0,2 0,3\n"),
+                   "line 6: expected a number for field \"x\", found \"0,1\""));
+}
