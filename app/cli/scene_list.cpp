@@ -19,6 +19,7 @@ std::string scenesJson() {
                         {"title", scene.title},
                         {"watch", scene.watch},
                         {"points", scene.build().position.size()}});
+        if (!scene.address.empty()) list.back()["address"] = scene.address;
     }
     for (const FailureScene& each : failureScenes()) {
         list.push_back({{"id", each.scene.id},

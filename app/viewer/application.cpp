@@ -13,6 +13,7 @@
 #include "interface/alert_actions.h"
 #include "interface/break_commands.h"
 #include "interface/close_up.h"
+#include "interface/command_actions.h"
 #include "interface/compare_commands.h"
 #include "session/questions.h"
 
@@ -153,6 +154,7 @@ void Application::placeCamera(const Layout& layout) {
     if (std::exchange(placedGeneration_, session_.generation()) != session_.generation()) {
         // Another input, another home; reloading the same one leaves the camera alone.
         if (std::exchange(homeOf_, session_.model().name) != session_.model().name) {
+            camera_.setUp(filing_.openedSession() ? UpAxis::Z : actions::usualUp(commands_));
             camera_.home(session_.model().beginning, session_.model().sample, ui_.viewAspect);
         }
         if (const auto pose = filing_.takeCamera()) camera_.setPose(*pose);
@@ -252,7 +254,8 @@ void Application::frame(glm::ivec2 size, double seconds) {
     uiSeconds_ = std::chrono::duration<double>(built - began).count();
     noteTimes(built);
     if (options_.narrate) narrate();
-    watchTextField();
+    ui_.typing.endFrame(ImGui::GetIO().WantTextInput);
+    ui_.typing.see(ui_.typedFields());
     observeEdits();
     undoOrRedo();
     growing_.carryOut();
@@ -290,16 +293,6 @@ void Application::noteTimes(std::chrono::steady_clock::time_point built) {
         longestOpeningSeconds_ = std::max(longestOpeningSeconds_, gap);
     }
     lastFrame_ = drawn;
-}
-
-void Application::watchTextField() {
-    // Dear ImGui needs about four of them.
-    constexpr int kMostFrames = 8;
-    const bool typing = ui_.palette.open || ui_.fileBrowser;
-    if (typing && !std::exchange(typing_, typing)) framesToWait_ = kMostFrames;
-    typing_ = typing;
-    const bool there = ImGui::GetIO().WantTextInput;
-    framesToWait_ = there || !typing ? 0 : std::max(0, framesToWait_ - 1);
 }
 
 void Application::observeEdits() {

@@ -34,8 +34,10 @@ class Application {
     void keyReleased(const KeyChord& chord);
     /// A line to type into was opened and gets the keyboard in a few frames: until then keys have
     /// to wait, or the first of what is typed would be lost.
-    bool keysHaveToWait() const { return framesToWait_ > 0; }
+    bool keysHaveToWait() const { return ui_.typing.waits(); }
     void character(unsigned sign);
+    /// A button of the mouse came down there, in pixels.
+    void buttonPressed(glm::vec2 pointer) { ui_.viewDrag.press(pointer); }
     /// Files from the desktop: the first is opened, what becomes of the others is said.
     void drop(const std::vector<std::string>& paths);
     /// The window is to be closed: at once, or after a question.
@@ -81,7 +83,6 @@ class Application {
     bool goToBoxTakes(const KeyChord& chord);
     void goToTyped();
     void undoOrRedo();
-    void watchTextField();
     void observeEdits();
     bool holdsLook(const Command& command, int key);
     void play(double seconds);
@@ -124,8 +125,6 @@ class Application {
     double firstWindowSeconds_ = 0.0;
     double longestOpeningSeconds_ = 0.0;
     std::chrono::steady_clock::time_point lastFrame_;
-    bool typing_ = false;   ///< Something is open that one types into.
-    int framesToWait_ = 0;  ///< At most so many until it has the keyboard.
     bool opening_ = false;  ///< An input was being opened in the frame before.
 };
 

@@ -82,6 +82,7 @@ bool Application::key(const KeyChord& chord, bool repeated) {
     if (reaches && !holdsLook(*command, chord.key)) runCommand(*command, commands_);
     // At once: two keys may come within a frame.
     growing_.carryOut();
+    ui_.typing.see(ui_.typedFields());
     // Dear ImGui has ways of its own to walk.
     return reaches && chord.key == key::kTab;
 }

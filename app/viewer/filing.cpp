@@ -78,14 +78,20 @@ void Filing::begin(const Options& options) {
     notebookOf_ = options.input.source;
     arrival_.focus = options.focus;
     arrival_.file = options.session ? options.sessionPath : options.input.source;
-    if (const FailureScene* failing = galleryScene(options.input.source);
-        failing != nullptr && options.alert.empty() && !options.session) {
-        arrival_.goTo = failing->address;
-        arrival_.focus = true;
-    }
     if (!options.goTo.empty()) arrival_.goTo = options.goTo;
+    const bool named = !options.goTo.empty() || !options.alert.empty() || options.camera ||
+                       options.atDifference || options.session;
+    if (!named && options.benchFrames == 0) aimAtScene(options.input.source);
     if (options.camera) arrival_.camera = options.camera;
     c_.session.open(options.input);
+}
+
+/// A scene opens at the decision that it is about, framed.
+void Filing::aimAtScene(const std::string& source) {
+    const std::string_view address = openingAddress(source);
+    if (address.empty()) return;
+    arrival_.goTo = address;
+    arrival_.focus = true;
 }
 
 void Filing::keepIn(const std::filesystem::path& path, bool resetLayout) {
@@ -141,11 +147,7 @@ void Filing::open(const std::string& path) {
     arrival_.pending = true;
     arrival_.generation = session.generation();
     arrival_.file = path;
-    // A scene that fails opens on the decision that is the cause.
-    if (const FailureScene* failing = galleryScene(path)) {
-        arrival_.goTo = failing->address;
-        arrival_.focus = true;
-    }
+    aimAtScene(path);
     openInput(std::move(spec));
 }
 
@@ -185,6 +187,7 @@ void Filing::takeLooks(const SessionFile& file, const std::string& path) {
     noteSaved();
     if (file.with.kind != CompareWith::Kind::Nothing) with_ = file.with;
     if (!file.leftOut.empty()) warnLater(file.leftOut);
+    arrival_.ofSession = true;
     arrival_.goTo = file.place.address;
     arrival_.camera = file.place.camera;
     arrival_.selected = file.selected;
@@ -217,6 +220,7 @@ void Filing::arrive() {
     arrival_.pending = false;
     alert_ = std::exchange(arrival_.alert, {});
     placed_ = !arrival_.goTo.empty() || arrival_.camera;
+    ofSession_ = arrival_.ofSession;
     note(arrival_.file);
     const std::string& hash = c_.session.model().hash;
     if (!arrival_.expectedHash.empty() && arrival_.expectedHash != hash) {
@@ -262,7 +266,8 @@ void Filing::carryOut(UiRequests& requests) {
         leave({LeaveFor::Open, std::exchange(requests.open, {}), {}});
     }
     if (requests.cures) takeCures(*std::exchange(requests.cures, std::nullopt));
-    if (requests.rules) takeRules(*std::exchange(requests.rules, std::nullopt));
+    const Resume resume = std::exchange(requests.resume, Resume::SamePlace);
+    if (requests.rules) takeRules(*std::exchange(requests.rules, std::nullopt), resume);
     if (requests.openSpec) {
         const InputSpec spec = *std::exchange(requests.openSpec, std::nullopt);
         const bool same = c_.session.ready() && c_.session.spec().source == spec.source;
@@ -314,10 +319,10 @@ void Filing::takeCures(Cures cures) {
 }
 
 /// Runs what is open anew; nothing that a person noted is touched.
-void Filing::takeRules(const RuleSet& rules) {
+void Filing::takeRules(const RuleSet& rules, Resume resume) {
     if (!c_.session.ready() || rules == c_.session.rules()) return;
     c_.playback.pause();
-    c_.session.runAnew(rules);
+    c_.session.runAnew(rules, resume);
 }
 
 void Filing::answer() {

@@ -43,6 +43,8 @@ class Filing {
 
     /// The camera that belongs to what has just been opened, once.
     std::optional<CameraPose> takeCamera() { return std::exchange(arrival_.camera, std::nullopt); }
+    /// What is open was opened by a session file: one without a camera of its own has z up.
+    bool openedSession() const { return ofSession_; }
     /// The alert that the session which has just been opened looked at, once; empty: none.
     std::string takeAlert() { return std::exchange(alert_, {}); }
     /// What is open was opened at a place that somebody named.
@@ -73,6 +75,7 @@ class Filing {
         std::string expectedHash;
         std::string file;  ///< For the list of recent files.
         bool focus = false;
+        bool ofSession = false;
     };
     /// What a person noted about an input, and the session file that it belongs to.
     struct Notebook {
@@ -90,8 +93,9 @@ class Filing {
     void go(const Leave& to);
     void reload();
     void takeCures(Cures cures);
-    void takeRules(const RuleSet& rules);
+    void takeRules(const RuleSet& rules, Resume resume);
     void openInput(InputSpec spec);
+    void aimAtScene(const std::string& source);
     void spreadOver(const std::string& volume);
     /// Opens an input with its options: the present one prepared in another way, or points that
     /// were made here and are looked at already.
@@ -124,6 +128,7 @@ class Filing {
     std::optional<CompareWith> with_;
     bool focus_ = false;
     bool placed_ = false;
+    bool ofSession_ = false;
     std::string alert_;
     Status placeStatus_ = success();
     std::filesystem::path kept_;  ///< Empty: nothing is kept.

@@ -136,7 +136,9 @@ void Growing::takePicture() {
 }
 
 void Growing::home() {
-    if (model_) c_.camera.home({0.5F, -0.87F, 0.4F}, model_->sample, c_.ui.viewAspect);
+    if (!model_) return;
+    c_.camera.setUp(UpAxis::Z);
+    c_.camera.home({0.5F, -0.87F, 0.4F}, model_->sample, c_.ui.viewAspect);
 }
 
 void Growing::playOrPause() {

@@ -91,6 +91,7 @@ void dumpRun(json& out, const Session& session) {
     out["pivot"] = session.record().pivot;
     out["event"] = session.cursor();
     out["events"] = session.record().events.size();
+    out["at_end"] = session.atEnd();
     out["triangles"] = session.picture().finishedTriangles + session.picture().newTriangles.size();
     out["rings"] = session.picture().rings.size();
     out["selected"] = indexOrNull(session.selected());
@@ -253,6 +254,9 @@ std::string Application::stateDump() const {
              {"cheat_sheet", ui_.cheatSheet},
              {"file_browser", ui_.fileBrowser},
              {"palette", ui_.palette.open},
+             {"palette_typed", ui_.palette.filter.data()},
+             {"query_typed", ui_.query.typed},
+             {"ledger_typed", ui_.ledger.typed},
              {"asks", ui_.leaving.asked},
              {"keyboard", keyStopName(ui_.walk.at())},
              {"click_waits", ui_.click.waiting()},

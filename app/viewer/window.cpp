@@ -27,6 +27,13 @@ constexpr double kIdleSeconds = 0.25;
 constexpr int kSettleFrames = 5;
 constexpr double kFrameSeconds = 1.0 / 60.0;
 
+glm::vec2 cursorOf(GLFWwindow* window) {
+    double x = 0.0;
+    double y = 0.0;
+    glfwGetCursorPos(window, &x, &y);
+    return {x, y};
+}
+
 /// Keys by what is printed on them, so that Ctrl+Q is where the keyboard layout has Q.
 int layoutKey(int key, int scancode) {
     if (key < GLFW_KEY_SPACE || key > GLFW_KEY_GRAVE_ACCENT || key == GLFW_KEY_SPACE) return key;
@@ -100,10 +107,16 @@ void Window::listen() {
         of(window).drops_.assign(paths, paths + count);
         of(window).wake_ = kSettleFrames;
     });
-    glfwSetCursorPosCallback(
-        window_, [](GLFWwindow* window, double, double) { of(window).wake_ = kSettleFrames; });
-    glfwSetMouseButtonCallback(
-        window_, [](GLFWwindow* window, int, int, int) { of(window).wake_ = kSettleFrames; });
+    glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
+        of(window).pointer_ = {x, y};
+        of(window).wake_ = kSettleFrames;
+    });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int, int action, int) {
+        // From the events: the display server would tell where the pointer is by now.
+        if (action == GLFW_PRESS)
+            of(window).press_ = of(window).pointer_.value_or(cursorOf(window));
+        of(window).wake_ = kSettleFrames;
+    });
     glfwSetScrollCallback(
         window_, [](GLFWwindow* window, double, double) { of(window).wake_ = kSettleFrames; });
     glfwSetFramebufferSizeCallback(
@@ -125,9 +138,12 @@ void Window::listenToKeys() {
 }
 
 void Window::deliver(Application& application) {
-    const std::size_t now = application.keysHaveToWait() ? 0 : pressesOfNextFrame(keys_);
-    for (std::size_t i = 0; i < now; ++i) {
-        const KeyPress& press = keys_[i];
+    const std::size_t most = application.keysHaveToWait() ? 0 : pressesOfNextFrame(keys_);
+    std::size_t now = 0;
+    for (; now < most; ++now) {
+        const KeyPress& press = keys_[now];
+        // What one of them opens takes those after it.
+        if (application.keysHaveToWait() && !isSignOfKeyBefore(keys_, now)) break;
         const int action = press.released   ? GLFW_RELEASE
                            : press.repeated ? GLFW_REPEAT
                                             : GLFW_PRESS;
@@ -145,6 +161,7 @@ void Window::deliver(Application& application) {
     }
     keys_.erase(keys_.begin(), keys_.begin() + static_cast<std::ptrdiff_t>(now));
     if (!keys_.empty()) wake_ = kSettleFrames;
+    if (press_) application.buttonPressed(*std::exchange(press_, std::nullopt));
     if (!drops_.empty()) application.drop(std::exchange(drops_, {}));
 }
 

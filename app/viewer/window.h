@@ -4,6 +4,7 @@
 
 #include <glm/vec2.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,8 @@ class Window {
     GLFWwindow* window_ = nullptr;
     std::vector<KeyPress> keys_;  ///< In the order they came.
     std::vector<std::string> drops_;
+    std::optional<glm::vec2> pointer_;  ///< As of the last event; nothing before the first.
+    std::optional<glm::vec2> press_;    ///< Where a button came down since the last frame.
     std::string title_;
     int wake_ = 5;  ///< Frames still to draw: the user interface settles over a few of them.
     double lastFrame_ = 0.0;

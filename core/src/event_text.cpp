@@ -129,6 +129,10 @@ std::string text(const LimitEvidence& e) {
     }
 }
 std::string text(const DropEvidence& e) {
+    if (e.isLimit) {
+        return "Candidate " + str(e.point) + " at " + deg(e.degrees) + " is now " +
+               sideName(e.side) + ".";
+    }
     if (e.verdict == Verdict::Outside) {
         return "Candidate " + str(e.point) + " at " + deg(e.degrees) + " is outside the moved " +
                sideName(e.side) + ": removed.";
@@ -300,6 +304,14 @@ std::string describe(const Event& event) {
             return whatIf.empty() ? text(evidence) : whatIf;
         },
         event.evidence);
+}
+
+std::string_view endingText(const Event& event) {
+    const auto* drop = std::get_if<DropEvidence>(&event.evidence);
+    if (drop != nullptr && drop->isLimit)
+        return drop->side == Side::Start ? "now start" : "now end";
+    const auto verdict = verdictOf(event);
+    return verdict ? verdictText(*verdict) : std::string_view{};
 }
 
 std::string_view alertName(AlertKind kind) {

@@ -133,20 +133,27 @@ void moveLimits(AnyContext auto& context) {
     }
 }
 
-/// Drops the candidates for which `verdict` (of candidate and side) is not Kept.
+/// What a test of a candidate found.
+struct DropTest {
+    Verdict verdict;
+    Side side;
+    bool isLimit = false;  ///< The candidate is the moved start or end.
+};
+
+/// Drops the candidates for which the verdict of `test` is not Kept.
 template <typename Test>
 void dropCandidates(AnyContext auto& context, Stage stage, Test&& test) {
     std::vector<Candidate>& all = context.state.pivot.candidates;
     std::size_t kept = 0;
     for (const Candidate& c : all) {
-        const auto [found, side] = test(c);
-        const Verdict verdict =
-            stage == Stage::Limits
-                ? found
-                : afterWhatIf(found, said(context, stage, c.point), found == Verdict::Kept);
+        const DropTest found = test(c);
+        const Verdict verdict = stage == Stage::Limits
+                                    ? found.verdict
+                                    : afterWhatIf(found.verdict, said(context, stage, c.point),
+                                                  found.verdict == Verdict::Kept);
         if (verdict != Verdict::Kept) {
-            note(context, stage, [&, sd = side] {
-                return DropEvidence{c.point, sd, c.angle.degrees(), verdict};
+            note(context, stage, [&] {
+                return DropEvidence{c.point, found.side, c.angle.degrees(), verdict, found.isLimit};
             });
         }
         if (verdict == Verdict::Kept || verdict == Verdict::WhatIfKept) {
@@ -175,8 +182,9 @@ void phaseLimits(AnyContext auto& context) {
         const bool behindEnd =
             c.point == atEnd ||
             (hasEnd && !(c.angle.key < n.endAngle.key - context.params.sameAngle));
-        return std::pair(behindStart || behindEnd ? Verdict::Outside : Verdict::Kept,
-                         behindStart ? Side::Start : Side::End);
+        return DropTest{behindStart || behindEnd ? Verdict::Outside : Verdict::Kept,
+                        behindStart ? Side::Start : Side::End,
+                        c.point == (behindStart ? atStart : atEnd)};
     });
 }
 
@@ -197,8 +205,8 @@ void phaseConvex(AnyContext auto& context) {
     dropCandidates(context, Stage::Convex, [&](const Candidate& c) {
         const bool atStart = isOnly(c.point, beyondStart);
         const bool atEnd = isOnly(c.point, beyondEnd);
-        return std::pair(atStart || atEnd ? Verdict::BehindConvex : Verdict::Kept,
-                         atStart ? Side::Start : Side::End);
+        return DropTest{atStart || atEnd ? Verdict::BehindConvex : Verdict::Kept,
+                        atStart ? Side::Start : Side::End};
     });
 }
 

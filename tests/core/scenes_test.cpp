@@ -2,10 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <set>
 
 #include "../support/clouds.h"
+#include "spiraling_edge/reading.h"
 
 using namespace se;
 using namespace se::test;
@@ -164,4 +166,41 @@ TEST_CASE("figure scenes show what they say, at the pivot they name") {
     CHECK(happens<JoinEvidence>(watch("figure-12"), 74, any));
     CHECK(happens<InsertEvidence>(watch("figure-14"), 1,
                                   [](const auto& e) { return !e.corner && e.third != kNone; }));
+}
+
+TEST_CASE("scenes name the decision that they are about, and their run has it") {
+    CHECK(addressOfScene("sphere").empty());
+    CHECK(addressOfScene("no such scene").empty());
+    CHECK(addressOfScene("four-edge-hole") == failureScenes().front().address);
+    for (const Scene& scene : scenes()) {
+        CAPTURE(scene.id);
+        CHECK(addressOfScene(scene.id) == scene.address);
+        if (scene.address.empty()) continue;
+        const auto address = addressFromString(scene.address);
+        REQUIRE(address.has_value());
+        CHECK(toString(*address) == scene.address);
+        const EventLog log = watch(scene.id).log;
+        CHECK(std::count_if(log.events().begin(), log.events().end(),
+                            [&](const Event& event) { return event.address == *address; }) == 1);
+    }
+}
+
+TEST_CASE("6.1 Figure 4: the new start and end are no longer candidates, but are not refused") {
+    int limits = 0;
+    const Watched four = watch("figure-4");
+    for (const Event& event : four.log.events()) {
+        const auto* drop = std::get_if<DropEvidence>(&event.evidence);
+        if (drop == nullptr || event.address.pivot != 8) continue;
+        const bool start = drop->side == Side::Start;
+        CHECK(drop->isLimit);
+        // Name and address of the verdict are as ever.
+        CHECK(drop->verdict == Verdict::Outside);
+        CHECK(toString(event.address) == (start ? "8.limits.5" : "8.limits.6"));
+        CHECK(drop->point == (start ? 17 : 15));
+        CHECK(endingText(event) == (start ? "now start" : "now end"));
+        CHECK(describe(event).ends_with(start ? " is now start." : " is now end."));
+        CHECK(outcomeOf(event) == Outcome::Taken);
+        ++limits;
+    }
+    CHECK(limits == 2);
 }

@@ -180,7 +180,7 @@ TEST_CASE("A place that was named, a sound input and a lesson are left alone") {
     const FailingFile file;
     CHECK(AlertDesk(file.path.string(), {}, "0").place() == "start");
     CHECK(AlertDesk(file.path.string(), {}, "7").session.record().pivot == 7);
-    AlertDesk sound("scene:torus");
+    AlertDesk sound("scene:sphere");
     CHECK(sound.place() == "start");
     CHECK(sound.ui.wantedTab.empty());
     AlertDesk learn("scene:torus");
@@ -220,6 +220,30 @@ TEST_CASE("A scene that fails opens on the decision that is the cause, with its 
         CHECK(galleryScene(sceneSource(each.scene.id)) == &each);
     }
     CHECK(galleryScene("scene:sphere") == nullptr);
+}
+
+TEST_CASE("A scene opens at the decision that it is about, in every layout") {
+    for (const Scene& each : scenes()) {
+        CAPTURE(each.id);
+        const std::string expected = each.address.empty() ? "start" : std::string(each.address);
+        CHECK(AlertDesk(sceneSource(each.id)).place() == expected);
+    }
+    AlertDesk desk("scene:sphere");
+    for (const ArrangementRow& row : arrangements()) {
+        CAPTURE(row.name);
+        desk.ui.arrangement = row.id;
+        desk.filing.open("scene:figure-4");
+        desk.arrive();
+        CHECK(desk.place() == findScene("figure-4")->address);
+        CHECK(desk.filing.takeFocus());
+        desk.filing.open("scene:sphere");
+        desk.arrive();
+    }
+    // A place that somebody names wins.
+    AlertDesk named("scene:figure-4", {}, "3.sort.1");
+    CHECK(named.place() == "3.sort.1");
+    CHECK_FALSE(named.filing.takeFocus());
+    CHECK(AlertDesk("scene:figure-4", {}, "0").place() == "start");
 }
 
 TEST_CASE("What goes wrong with a decision is noticed at it, and drawn") {
@@ -262,9 +286,16 @@ TEST_CASE("A rule that would have prevented an alert is switched on by one click
     REQUIRE(desk.ui.compare.begin);
     CHECK(desk.ui.compare.begin->run.choices ==
           std::vector<RuleValue>{{std::string(best.rule->name), 1.0}});
+    REQUIRE_FALSE(desk.session.atEnd());
+    const CameraPose camera = desk.camera.pose();
     switchOn(desk.context, best);
     desk.filing.carryOut(desk.ui.requests);
     desk.arrive();
+    // Its result is in sight: the whole mesh, from where one looked.
+    CHECK(desk.session.atEnd());
+    CHECK(desk.camera.pose() == camera);
+    CHECK_FALSE(desk.ui.requests.frameAlert);
+    CHECK(desk.ui.requests.frame == FrameWish::None);
     CHECK(desk.session.model().params.rules.*best.rule->member);
     CHECK(desk.session.alerts().failures().size() == best.all);
     CHECK(best.all < before);

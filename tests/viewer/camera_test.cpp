@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <initializer_list>
 #include <utility>
 #include <vector>
@@ -156,4 +158,46 @@ TEST_CASE("Every change is counted, so that pictures are drawn anew") {
     CHECK(changed());
     camera.home();
     CHECK(changed());
+}
+
+TEST_CASE("The axis that is up points up in the picture, from every side") {
+    for (const auto& [axis, tip] : {std::pair{UpAxis::X, glm::vec3(0.5F, 0, 0)},
+                                    {UpAxis::Y, glm::vec3(0, 0.5F, 0)},
+                                    {UpAxis::Z, glm::vec3(0, 0, 0.5F)}}) {
+        Camera camera;
+        camera.setUp(axis);
+        camera.home({0.3F, 0.2F, 0.4F});
+        const glm::vec3 at = seen(camera, tip);
+        CHECK(at.x == doctest::Approx(400.0F).epsilon(0.001));
+        CHECK(at.y < 300.0F);
+        for (const ViewPreset preset : {ViewPreset::Front, ViewPreset::Right, ViewPreset::Back}) {
+            camera.set(preset);
+            CHECK(seen(camera, tip).x == doctest::Approx(400.0F).epsilon(0.001));
+            CHECK(seen(camera, tip).y < 200.0F);
+        }
+        // Nothing is mirrored: x, y and z turn the same way round as ever.
+        const glm::mat3 turn(camera.matrices(kAspect).view);
+        CHECK(glm::determinant(turn) == doctest::Approx(1.0F));
+    }
+}
+
+TEST_CASE("With y up the front is seen along -z, with x to the right") {
+    Camera camera;
+    camera.setUp(UpAxis::Y);
+    camera.set(ViewPreset::Front);
+    CHECK(seen(camera, {0.5F, 0, 0}).x > 400.0F);
+    CHECK(seen(camera, {0, 0, 0.5F}).z < seen(camera, {0, 0, -0.5F}).z);
+}
+
+TEST_CASE("A surface is faced from its outer side, whatever is up") {
+    const glm::vec3 normal = glm::normalize(glm::vec3(-0.4F, -0.7F, 0.2F));
+    for (const UpAxis axis : {UpAxis::X, UpAxis::Y, UpAxis::Z}) {
+        Camera camera;
+        camera.setUp(axis);
+        camera.set(ViewPreset::Front);
+        camera.face(normal);
+        const glm::vec3 eye = camera.matrices(kAspect).eye - camera.target();
+        CHECK(glm::dot(glm::normalize(eye), normal) > 0.1F);
+        CHECK(camera.pose().up == axis);
+    }
 }

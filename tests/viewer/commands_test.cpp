@@ -2,10 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <sstream>
 
+#include "interface/palette_entries.h"
 #include "rig.h"
 
 using namespace se;
@@ -33,6 +36,18 @@ struct CommandDesk {
         command->run(context);
     }
 };
+
+constexpr std::array<std::string_view, 4> kPanels{"Steps", "Dial", "Rules", "Doctor"};
+
+std::vector<PaletteEntry> found(std::string_view filter) {
+    return matchingEntries(paletteEntries(kPanels), filter);
+}
+
+bool finds(std::string_view filter, std::string_view id) {
+    const auto all = found(filter);
+    return std::any_of(all.begin(), all.end(),
+                       [&](const PaletteEntry& each) { return each.id == id; });
+}
 
 }  // namespace
 
@@ -147,18 +162,73 @@ TEST_CASE("The list of actions names each one once") {
 }
 
 TEST_CASE("The palette finds actions by words, those in the title first") {
-    CHECK(matchingCommands("").size() == commands().size());
-    CHECK(matchingCommands("no such action").empty());
-    const auto pivots = matchingCommands("PIVOT next");
+    CHECK(found("").size() == paletteEntries(kPanels).size());
+    CHECK(found("no such action").empty());
+    const auto pivots = found("PIVOT next");
     REQUIRE_FALSE(pivots.empty());
-    CHECK(pivots.front()->id == "step.pivot.next");
+    CHECK(pivots.front().id == "step.pivot.next");
     // Whoever types the name of a panel gets the panel, not something about it.
-    CHECK(matchingCommands("rules").front()->id == "view.rules");
-    CHECK(matchingCommands("Watch").front()->id == "view.watch");
-    for (const Command* command : matchingCommands("normals")) {
-        CAPTURE(std::string(command->id));
-        CHECK(command->id == "layer.normals");
+    CHECK(found("rules").front().id == "view.rules");
+    CHECK(found("Watch").front().id == "view.watch");
+    for (const PaletteEntry& each : found("normals")) {
+        if (each.kind != PaletteEntry::Kind::Action) continue;
+        CAPTURE(std::string(each.id));
+        CHECK(each.id == "layer.normals");
     }
+}
+
+TEST_CASE("The palette finds by the beginnings of words, not by their middle") {
+    CHECK(finds("scr", "file.screenshot"));
+    CHECK_FALSE(finds("creenshot", "file.screenshot"));
+    // "up" is in "support" and "duplicate", but begins other words.
+    CHECK(found("up").front().title.starts_with("Up"));
+    for (const PaletteEntry& each : found("up")) CHECK(each.id != "duplicates");
+}
+
+TEST_CASE("The palette finds by other words for the same") {
+    struct Other {
+        const char* word;
+        const char* id;
+    };
+    for (const Other& each : {Other{"hole", "view.alerts"},
+                              {"wireframe", "view.mesh.wire"},
+                              {"export", "file.savepoints"},
+                              {"record", "file.screenshot"},
+                              {"save", "file.save"},
+                              {"up", "view.up.y"},
+                              {"upright", "view.up.auto"},
+                              {"exit", "file.quit"},
+                              {"shortcuts", "help.keys"},
+                              {"zoom", "view.frame"}}) {
+        CAPTURE(each.word);
+        CHECK(finds(each.word, each.id));
+    }
+}
+
+TEST_CASE("The palette shows panels, and opens scenes and figures") {
+    CommandDesk desk;
+    const auto choosing = [&](const char* words, PaletteEntry::Kind kind) {
+        const auto all = found(words);
+        REQUIRE_FALSE(all.empty());
+        CHECK(all.front().kind == kind);
+        choose(all.front(), desk.context);
+    };
+    choosing("dial", PaletteEntry::Kind::Panel);
+    CHECK(desk.ui.wantedTab == "Dial");
+    desk.ui.arrangement = Arrangement::Learn;
+    choosing("steps", PaletteEntry::Kind::Panel);
+    CHECK(desk.ui.arrangement == Arrangement::Debug);
+    choosing("figure 12", PaletteEntry::Kind::Scene);
+    CHECK(desk.ui.requests.open == "scene:figure-12");
+    choosing("hole of four", PaletteEntry::Kind::Scene);
+    CHECK(desk.ui.requests.open == "scene:four-edge-hole");
+    // What an action opens stands there once.
+    const auto rules = found("rules");
+    CHECK(std::count_if(rules.begin(), rules.end(),
+                        [](const PaletteEntry& each) { return each.title == "Rules"; }) == 1);
+    // The others are chosen as before.
+    choosing("dark or light", PaletteEntry::Kind::Action);
+    CHECK(desk.ui.settings.theme == Theme::Light);
 }
 
 TEST_CASE("Ctrl+P opens the palette, and Esc closes it") {

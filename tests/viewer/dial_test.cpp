@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "rig.h"
+#include "scene/outcome.h"
 
 using namespace se;
 using namespace se::view;
@@ -192,4 +193,29 @@ TEST_CASE("Dial: the caption of a limit asks nothing, and says no reason twice")
         ++convex;
     });
     CHECK(convex > 0);
+}
+
+TEST_CASE("Dial: the new start and end of Figure 4 are not crossed out") {
+    int limits = 0;
+    forEachDial("scene:figure-4", [&](const Picture& picture, const Event& event,
+                                      const Dial& dial) {
+        const auto* drop = std::get_if<DropEvidence>(&event.evidence);
+        if (drop == nullptr || !drop->isLimit) return;
+        const bool start = drop->side == Side::Start;
+        CHECK(drop->point == (start ? picture.start : picture.end));
+        CHECK(std::none_of(
+            picture.candidates.begin(), picture.candidates.end(), [&](const CandidateMark& each) {
+                return each.point == drop->point && each.state == CandidateState::Rejected;
+            }));
+        CHECK_FALSE(rejects(event));
+        CHECK(outcomeColor(paletteOf(Theme::Dark), event) == paletteOf(Theme::Dark).test);
+        const auto tick = std::find_if(dial.ticks.begin(), dial.ticks.end(),
+                                       [&](const DialTick& t) { return t.point == drop->point; });
+        REQUIRE(tick != dial.ticks.end());
+        CHECK(tick->role == (start ? DialRole::Start : DialRole::End));
+        CHECK(tick->note.empty());
+        CHECK(dial.caption.starts_with(start ? "now start" : "now end"));
+        ++limits;
+    });
+    CHECK(limits >= 2);
 }

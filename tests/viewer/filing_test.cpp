@@ -177,3 +177,30 @@ TEST_CASE("Bookmarks and notes are unsaved until a session file holds them") {
     desk.open((desk.folder / "noted.sesession").string());
     CHECK(desk.filing.unsaved().empty());
 }
+
+TEST_CASE("A session of before there was an up axis opens with z up; a new one keeps its own") {
+    FilingDesk desk;
+    const auto openWith = [&](const std::string& camera) {
+        const fs::path path = desk.folder / "up.sesession";
+        std::ofstream(path) << R"({"format": "spiraling-edge session", "version": 1,)"
+                            << R"( "input": {"source": "scene:grid"})" << camera << "}";
+        desk.open(path.string());
+        return desk.filing.takeCamera();
+    };
+    const auto old =
+        openWith(R"(, "camera": {"target": [0, 0, 0], "distance": 3, "yaw": 10, "pitch": 20})");
+    REQUIRE(old.has_value());
+    CHECK(old->up == UpAxis::Z);
+    CHECK_FALSE(openWith("").has_value());
+    // Where it has no camera there is nothing to say otherwise.
+    CHECK(desk.filing.openedSession());
+    desk.camera.setUp(UpAxis::X);
+    const fs::path path = desk.folder / "new.sesession";
+    desk.save(path);
+    desk.open("scene:sphere");
+    CHECK_FALSE(desk.filing.openedSession());
+    desk.open(path.string());
+    const auto kept = desk.filing.takeCamera();
+    REQUIRE(kept.has_value());
+    CHECK(kept->up == UpAxis::X);
+}

@@ -125,3 +125,14 @@ TEST_CASE("What is typed before and after a chord or an arrow keeps its place") 
     // Of two keys in one frame only one would count.
     CHECK(frames({down("Left"), down("Backspace"), up("Left"), up("Backspace")}) == Sizes{1, 2, 1});
 }
+
+TEST_CASE("The sign of a key belongs to its press; what is typed after it does not") {
+    const std::vector<KeyPress> typed = {down("W"), sign('w'), up("W"), down("8"), sign('8')};
+    CHECK(isSignOfKeyBefore(typed, 1));
+    CHECK(isSignOfKeyBefore(typed, 4));
+    for (const std::size_t other : {std::size_t{0}, std::size_t{2}, std::size_t{3}})
+        CHECK_FALSE(isSignOfKeyBefore(typed, other));
+    const std::vector<KeyPress> pasted = {sign('a'), sign('b')};
+    CHECK_FALSE(isSignOfKeyBefore(pasted, 0));
+    CHECK_FALSE(isSignOfKeyBefore(pasted, 1));
+}

@@ -113,3 +113,18 @@ TEST_CASE("A jump to an alert lands on the alert, and not on what happened in it
         CHECK(alerts > 0);
     }
 }
+
+TEST_CASE("The axis that is up is part of a place; a place without it has z up") {
+    Camera camera;
+    camera.setUp(UpAxis::Y);
+    const auto read = placeFromText(toText(Place{"1", camera.pose()}));
+    REQUIRE(read.ok());
+    CHECK(read.value().camera->up == UpAxis::Y);
+    const std::string old =
+        R"({"address": "1", "camera": {"target": [0, 0, 0], "distance": 1, "yaw": 0, "pitch": 0)";
+    const auto before = placeFromText(old + "}}");
+    REQUIRE(before.ok());
+    CHECK(before.value().camera->up == UpAxis::Z);
+    CHECK_FALSE(placeFromText(old + R"(, "up": "w"}})").ok());
+    CHECK_FALSE(placeFromText(old + R"(, "up": 1}})").ok());
+}

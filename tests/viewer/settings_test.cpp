@@ -86,3 +86,11 @@ TEST_CASE("Files go where XDG says; without a file there are defaults") {
     CHECK(settingsPath() != std::filesystem::path("relative") / "spiraling-edge" / "settings.json");
     unsetenv("XDG_CONFIG_HOME");
 }
+
+TEST_CASE("The axis that was chosen to be up is kept; without one it is left to the guess") {
+    ViewSettings settings;
+    CHECK_FALSE(settingsFromJson(settingsToJson(settings)).value().up.has_value());
+    settings.up = UpAxis::X;
+    CHECK(settingsFromJson(settingsToJson(settings)).value().up == UpAxis::X);
+    CHECK_FALSE(settingsFromJson(R"({"up": "w"})").value().up.has_value());
+}

@@ -149,6 +149,7 @@ void nextAlert(CommandContext& context, int direction) {
 
 void switchOn(CommandContext& context, const Remedy& remedy) {
     context.ui.requests.rules = rulesWith(rulesOf(context.session.spec()), remedy);
+    context.ui.requests.resume = Resume::End;
 }
 
 void showBeside(CommandContext& context, const Remedy& remedy) {

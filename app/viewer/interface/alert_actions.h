@@ -37,8 +37,8 @@ void frameAlert(CommandContext& context);
 /// The next (+1) or previous (-1) alert in the order of the run: from the one that is chosen, else
 /// from the cursor.
 void nextAlert(CommandContext& context, int direction);
-/// Runs the input anew with one more rule, or another set of rules. The alert that is looked at,
-/// the selection and the camera stay.
+/// Runs the input again with one more rule, or another set of rules, to its end: what became of the
+/// defect is in sight there, since selection and camera stay.
 void switchOn(CommandContext& context, const Remedy& remedy);
 /// Opens the layout Compare: the run as it is, and the one with that rule or set, at this place.
 void showBeside(CommandContext& context, const Remedy& remedy);

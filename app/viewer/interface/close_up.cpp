@@ -21,8 +21,9 @@ constexpr float kMostShare = 0.68F;
 /// Obliquely, from the outer side.
 void lookDown(const glm::vec3& normal, Camera& camera) {
     CameraPose pose = camera.pose();
-    const float pitch = glm::degrees(std::atan2(normal.z, std::hypot(normal.x, normal.y)));
-    if (std::abs(pitch) < 80.0F) pose.yawDegrees = glm::degrees(std::atan2(normal.y, normal.x));
+    const glm::vec3 to = camera.inFrame(normal);
+    const float pitch = glm::degrees(std::atan2(to.z, std::hypot(to.x, to.y)));
+    if (std::abs(pitch) < 80.0F) pose.yawDegrees = glm::degrees(std::atan2(to.y, to.x));
     pose.yawDegrees += 14.0F;
     pose.pitchDegrees = pitch > 10.0F ? pitch - 34.0F : pitch + 30.0F;
     camera.setPose(pose);

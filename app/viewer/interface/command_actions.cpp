@@ -85,6 +85,25 @@ void oppositeView(C& c) {
     c.camera.setPose(pose);
 }
 
+UpAxis usualUp(const C& c) {
+    if (!c.session.ready() || c.ui.growth.open) return UpAxis::Z;
+    const std::string& source = c.session.spec().source;
+    if (isScene(source) || isSample(source)) return UpAxis::Z;
+    return c.ui.settings.up.value_or(guessUpAxis(c.session.model().points, source));
+}
+
+void chooseUp(C& c, UpAxis axis) {
+    c.ui.settings.up = axis;
+    c.camera.setUp(axis);
+    c.session.say("Up is " + std::string(upAxisName(axis)) + ", here and for other files.");
+}
+
+void followUpAxis(C& c) {
+    c.ui.settings.up.reset();
+    c.camera.setUp(usualUp(c));
+    c.session.say("Up is " + std::string(upAxisName(c.camera.up())) + ", by a guess.");
+}
+
 void toggleBookmarkHere(C& c) {
     if (!c.session.ready()) return;
     if (c.session.event() == nullptr)
@@ -194,7 +213,7 @@ void arrange(C& c, Arrangement arrangement) {
     c.session.say("Layout " + std::string(row.title) + ". " + std::string(row.help));
 }
 
-void openTab(C& c, const char* tab) {
+void openTab(C& c, std::string_view tab) {
     const bool none =
         c.ui.arrangement == Arrangement::Present || c.ui.arrangement == Arrangement::Compare;
     if (none) arrange(c, Arrangement::Debug);

@@ -17,6 +17,13 @@ void home(CommandContext& c);
 void restart(CommandContext& c);
 /// Turns to look from the other side.
 void oppositeView(CommandContext& c);
+/// The axis that points up in what is open when it is opened: z for scenes and for points made
+/// here; of files the one that was chosen, else that of a guess.
+UpAxis usualUp(const CommandContext& c);
+/// Lets an axis point up, in what is open and in the files opened from now on.
+void chooseUp(CommandContext& c, UpAxis axis);
+/// Forgets what was chosen: files have the axis of a guess.
+void followUpAxis(CommandContext& c);
 /// The next size of text and panels on the scale, up (+1) or down (-1).
 void scaleBy(CommandContext& c, int direction);
 void toggleBookmarkHere(CommandContext& c);
@@ -43,7 +50,7 @@ void setLoopStart(CommandContext& c);
 void setLoopEnd(CommandContext& c);
 void arrange(CommandContext& c, Arrangement arrangement);
 /// Opens a panel; where no panels are in sight, in the layout that has all of them.
-void openTab(CommandContext& c, const char* tab);
+void openTab(CommandContext& c, std::string_view tab);
 /// To the decision that made the selected edge or triangle.
 void goToBirth(CommandContext& c);
 
@@ -57,6 +64,11 @@ void toggle(CommandContext& c) {
 template <ViewPreset preset>
 void setView(CommandContext& c) {
     c.camera.set(preset);
+}
+
+template <UpAxis axis>
+void setUp(CommandContext& c) {
+    chooseUp(c, axis);
 }
 
 template <MeshStyle style>

@@ -19,16 +19,14 @@ struct Command {
     std::string_view help;  ///< One sentence.
     bool repeats;           ///< Also while the key is held down.
     void (*run)(CommandContext& context);
+    /// Other words for it, apart by blanks, that the palette finds it by.
+    std::string_view synonyms = {};
 };
 
 std::span<const Command> commands();
 const Command* findCommand(std::string_view id);
 /// The command of a key, null if it has none.
 const Command* commandForKey(const KeyChord& chord);
-/// The commands that have every word of `filter` in title, group, id or help, whatever the case;
-/// those that have them in the title first, before them the one of that title. All of them without
-/// words.
-std::vector<const Command*> matchingCommands(std::string_view filter);
 /// First key of a command, for menus; empty if it has none.
 std::string firstKey(const Command& command);
 /// All keys, joined by ", ".

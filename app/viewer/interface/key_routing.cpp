@@ -64,6 +64,10 @@ std::size_t pressesOfNextFrame(std::span<const KeyPress> waiting) {
     return waiting.size();
 }
 
+bool isSignOfKeyBefore(std::span<const KeyPress> presses, std::size_t i) {
+    return presses[i].sign != 0 && i > 0 && presses[i - 1].sign == 0 && !presses[i - 1].released;
+}
+
 bool editsText(const KeyChord& chord) {
     if (chord.isFunctionKey()) return false;
     if (isPlain(chord) || chord.key >= kFirstNamedKey) return true;

@@ -25,6 +25,10 @@ struct KeyPress {
 /// modifiers do after it, and what is typed after it wait for the frame after.
 std::size_t pressesOfNextFrame(std::span<const KeyPress> waiting);
 
+/// True for the sign that comes with the press of a key just before it: it is of no use once that
+/// press has run an action. Requires i < presses.size().
+bool isSignOfKeyBefore(std::span<const KeyPress> presses, std::size_t i);
+
 /// Who has the keyboard.
 struct Keyboard {
     bool textField = false;  ///< Somebody types.

@@ -67,6 +67,8 @@ Result<ViewSettings> settingsFromJson(std::string_view text) {
         s.legend = legend->get<bool>();
     }
     s.keys = keysIn(object, s.complaints);
+    if (const auto up = object.find("up"); up != object.end() && up->is_string())
+        s.up = upAxisFromName(up->get<std::string>());
     if (const auto style = object.find("meshStyle"); style != object.end() && style->is_string()) {
         s.meshStyle = meshStyleFromName(style->get<std::string>()).value_or(s.meshStyle);
     }
@@ -92,6 +94,7 @@ std::string settingsToJson(const ViewSettings& s) {
     if (!s.keys.changes().empty()) object["keys"] = s.keys.changes();
     object["meshStyle"] = rowOf(s.meshStyle).name;
     object["pointTint"] = rowOf(s.pointTint).name;
+    if (s.up) object["up"] = upAxisName(*s.up);
     if (s.uiScale > 0.0) object["uiScale"] = s.uiScale;
     return object.dump(2) + "\n";
 }

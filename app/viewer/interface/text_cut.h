@@ -1,7 +1,11 @@
 /// Cutting texts to a width.
 #pragma once
 
+#include <algorithm>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace se::view {
 
@@ -13,6 +17,46 @@ inline std::string withoutLastSign(std::string text) {
     while (!text.empty() && continues(text.back())) text.pop_back();
     if (!text.empty()) text.pop_back();
     return text;
+}
+
+/// The longest beginning of a text that is at most `width` wide; at least one sign.
+template <typename Measure>
+std::string fittingBeginning(const std::string& text, float width, const Measure& measure) {
+    std::string cut = text;
+    while (measure(cut) > width) {
+        std::string shorter = withoutLastSign(cut);
+        if (shorter.empty()) break;
+        cut = std::move(shorter);
+    }
+    return cut;
+}
+
+/// Lines of at most `width`, as `measure(const std::string&)` has it: broken at line ends and
+/// blanks, never inside of a number. Only a word wider than a whole line is cut, such as a path.
+/// At least one line.
+template <typename Measure>
+std::vector<std::string> linesAtBlanks(std::string_view text, float width, const Measure& measure) {
+    std::vector<std::string> lines(1);
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
+        const std::string word(text.substr(at, end - at));
+        std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+        if (lines.back().empty() || measure(longer) <= width) {
+            lines.back() = std::move(longer);
+        } else {
+            lines.push_back(word);
+        }
+        while (measure(lines.back()) > width) {
+            std::string head = fittingBeginning(lines.back(), width, measure);
+            std::string rest = lines.back().substr(head.size());
+            if (rest.empty()) break;
+            lines.back() = std::move(head);
+            lines.push_back(std::move(rest));
+        }
+        if (end < text.size() && text[end] == '\n') lines.emplace_back();
+        at = end + 1;
+    }
+    return lines;
 }
 
 }  // namespace se::view

@@ -21,6 +21,7 @@
 #include "navigation.h"
 #include "prepare_form.h"
 #include "run/cure.h"
+#include "run/same_place.h"
 #include "scene/camera.h"
 #include "scene/mesh_style.h"
 #include "scene/motion.h"
@@ -34,6 +35,8 @@
 #include "spiraling_edge/point_set.h"
 #include "start_page.h"
 #include "steps/watch_plot.h"
+#include "typing_wait.h"
+#include "view_drag.h"
 #include "what_if_offers.h"
 
 namespace se::view {
@@ -53,6 +56,7 @@ struct ViewSettings {
     std::vector<std::string> complaints;  ///< What the settings say wrongly, one sentence each.
     MeshStyle meshStyle = MeshStyle::Flat;
     PointTint pointTint = PointTint::Status;
+    std::optional<UpAxis> up;  ///< Of files; nothing: by a guess at each.
 };
 
 /// What the camera frames once the cursor is where it was sent.
@@ -75,8 +79,9 @@ struct UiRequests {
     bool redo = false;
     std::optional<Cures> cures;    ///< To open the input anew with; none at all: as the file is.
     std::optional<RuleSet> rules;  ///< To run anew by; see withRule().
-    std::string open;              ///< A path or `scene:ID`; empty: nothing.
-    std::string saveSessionAs;     ///< A path; empty: nothing.
+    Resume resume = Resume::SamePlace;  ///< With `rules`.
+    std::string open;                   ///< A path or `scene:ID`; empty: nothing.
+    std::string saveSessionAs;          ///< A path; empty: nothing.
     /// An input with its options: prepared in another way, or points that were made here.
     std::optional<InputSpec> openSpec;
 };
@@ -118,9 +123,18 @@ struct UiState {
                prepare.open || leaving.asked;
     }
 
+    /// The text fields that are open or about to be, as bits of TypedField.
+    unsigned typedFields() const {
+        return (palette.open ? kPaletteField : kNoField) |
+               (fileBrowser ? kBrowserField : kNoField) |
+               (query.wantsKeyboard ? kQueryField : kNoField) |
+               (ledger.wantsKeyboard ? kLedgerField : kNoField);
+    }
+
     ViewSettings settings;
     UiRequests requests;
     GoToBox goTo;
+    TypingWait typing;
     bool cheatSheet = false;
     bool keyEditor = false;
     KeyCapture keyCapture;
@@ -139,6 +153,7 @@ struct UiState {
     std::vector<std::string> watches;  ///< Expressions, see core's watch.h.
     std::map<std::string, PaintedPlot> plots;
     Lasso lasso;
+    ViewDrag viewDrag;
     Navigation navigation;
     LedgerPanel ledger;
     QueryPanel query;

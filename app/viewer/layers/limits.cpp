@@ -28,7 +28,13 @@ void addMove(const LayerInput& in, const LimitEvidence& e, DrawList& out) {
 
 void addLimits(const LayerInput& in, DrawList& out) {
     if (const auto* drop = in.picture.evidence<DropEvidence>(Stage::Limits)) {
-        out.label(in.at(drop->point), "outside now", in.palette.rejected, true);
+        const bool start = drop->side == Side::Start;
+        if (drop->isLimit) {
+            out.label(in.at(drop->point), start ? "now start" : "now end",
+                      start ? in.palette.first : in.palette.last, true);
+        } else {
+            out.label(in.at(drop->point), "outside now", in.palette.rejected, true);
+        }
     }
     const auto* e = in.picture.evidence<LimitEvidence>(Stage::Limits);
     if (e == nullptr || e->to == kNone) return;

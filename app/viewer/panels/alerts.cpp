@@ -126,17 +126,14 @@ void drawMoment(const PanelContext& context, const RunFailure& alert, AlertMomen
     ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopFont();
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(describe(line.event).c_str());
+    wrappedText(shortSentence(line.event));
+    tooltip(describe(line.event));
     if (line.reading) {
         const Reading& r = *line.reading;
         const std::string unit(r.unit.empty() ? "" : " " + std::string(r.unit));
-        ImGui::TextDisabled("%s %s%s against %s%s, margin %s", std::string(r.quantity).c_str(),
-                            numberText(r.value).c_str(), unit.c_str(),
-                            numberText(r.threshold).c_str(), unit.c_str(),
-                            numberText(r.margin).c_str());
+        dimText(std::string(r.quantity) + " " + numberText(r.value) + unit + " against " +
+                numberText(r.threshold) + unit + ", margin " + numberText(r.margin));
     }
-    ImGui::PopTextWrapPos();
     ImGui::PopID();
     ImGui::Spacing();
 }
@@ -153,7 +150,7 @@ void drawWhy(const PanelContext& context, const RunFailure& alert) {
     tooltip("Every decision about it, in the panel Ledger");
     const bool mine = questions.subject() == subject;
     const WhyAnswer* answer = mine ? questions.ledger().answer() : nullptr;
-    if (answer != nullptr) dimText(answer->answer);
+    if (answer != nullptr) dimText(withShortNumbers(answer->answer));
     ImGui::Spacing();
 }
 
@@ -196,7 +193,7 @@ void drawTried(const PanelContext& context, const Remedies& remedies) {
             others += (others.empty() ? "" : ", ") + std::string(nameOf(each));
         }
     }
-    if (!any) ImGui::TextWrapped("No rule beyond the paper prevents this.");
+    if (!any) wrappedText("No rule beyond the paper prevents this.");
     if (!others.empty()) dimText("It stays with: " + others + ".");
 }
 
@@ -231,9 +228,7 @@ void drawChosen(const PanelContext& context) {
     }
     if (failure.length > 0.0)
         what += "; length " + numberText(failure.length) + ", area " + numberText(failure.area);
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted((what + ".").c_str());
-    ImGui::PopTextWrapPos();
+    wrappedText(what + ".");
     ImGui::Spacing();
     for (const AlertMoment moment : kAlertMoments) drawMoment(context, *alert, moment);
     drawWhy(context, *alert);

@@ -51,10 +51,7 @@ void drawBookmarks(const PanelContext& context) {
     heading(context, "Bookmarks", marks.empty() ? "" : std::to_string(marks.size()));
     if (marks.empty()) {
         const std::string key = context.key("notes.bookmark");
-        ImGui::PushTextWrapPos(0.0F);
-        ImGui::TextDisabled("%s sets a bookmark at the decision shown, and takes it away again.",
-                            key.c_str());
-        ImGui::PopTextWrapPos();
+        dimText(key + " sets a bookmark at the decision shown, and takes it away again.");
         return;
     }
     if (!ImGui::BeginTable("##marks", 3, ImGuiTableFlags_SizingStretchProp)) return;

@@ -105,11 +105,7 @@ void drawBelow(const PanelContext& context, const Breakpoint& breakpoint, const 
 void drawComplaint(const PanelContext& context, const std::string& line) {
     const std::string complaint = queryComplaint(context, line);
     if (complaint.empty()) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(complaint.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
+    wrappedText(complaint, context.palette.rejected);
 }
 
 /// One breakpoint. True if it is to go.

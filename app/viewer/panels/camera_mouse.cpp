@@ -9,22 +9,30 @@
 
 namespace se::view {
 
-bool rightClicked() {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (!ImGui::IsItemDeactivated() || !ImGui::IsMouseReleased(ImGuiMouseButton_Right))
-        return false;
-    const float limit = kClickShare * io.DisplaySize.y;
-    return io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Right] < limit * limit;
+namespace {
+
+/// A press that moves by this share of the window's height or more is a drag.
+constexpr float kDragShare = 0.01F;
+
+}  // namespace
+
+bool isClick(const PanelContext& context, ImGuiMouseButton button) {
+    return ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(button) &&
+           !context.ui().viewDrag.drags();
 }
 
 void moveCameraByMouse(const PanelContext& context) {
     const Rect& view = context.layout.view;
     const ImGuiIO& io = ImGui::GetIO();
-    const glm::vec2 moved(io.MouseDelta.x, io.MouseDelta.y);
-    if (ImGui::IsItemActive() && moved != glm::vec2(0.0F)) {
+    const glm::vec2 pointer(io.MousePos.x, io.MousePos.y);
+    ViewDrag& drag = context.ui().viewDrag;
+    if (ImGui::IsItemActivated()) drag.begin();
+    if (ImGui::IsItemActive() && ImGui::IsMousePosValid()) {
+        const glm::vec2 moved = drag.move(pointer, kDragShare * io.DisplaySize.y);
         const bool turns = ImGui::IsMouseDown(ImGuiMouseButton_Left) && !io.KeyShift;
-        turns ? context.camera().orbit(moved, view.size.y)
-              : context.camera().pan(moved, view.size.y);
+        if (moved != glm::vec2(0.0F))
+            turns ? context.camera().orbit(moved, view.size.y)
+                  : context.camera().pan(moved, view.size.y);
     }
     if (!ImGui::IsItemHovered() || io.MouseWheel == 0.0F) return;
     const ImVec2 mouse = ImGui::GetMousePos();

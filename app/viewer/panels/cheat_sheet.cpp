@@ -28,12 +28,10 @@ void keyRow(const PanelContext& context, const std::string& keys, const std::str
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushFont(context.fonts.mono);
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(keys.c_str());
-    ImGui::PopTextWrapPos();
+    wrappedText(keys);
     ImGui::PopFont();
     ImGui::TableNextColumn();
-    ImGui::TextWrapped("%s", what.c_str());
+    wrappedText(what);
 }
 
 bool beginKeys(const char* id, const PanelContext& context) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "interface/palette_entries.h"
 #include "panel.h"
 #include "widgets.h"
 
@@ -18,17 +19,26 @@ bool moveChoice(CommandPalette& palette, std::size_t matches) {
     return pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter);
 }
 
-/// One row: title, group, keys. True if it was clicked.
-bool drawMatch(const PanelContext& context, const Command& command, bool chosen) {
-    const std::string label = std::string(command.title) + "##" + std::string(command.id);
+/// One row: title, what it belongs to, keys. True if it was clicked.
+bool drawMatch(const PanelContext& context, const PaletteEntry& entry, bool chosen) {
+    const std::string label =
+        std::string(entry.title) + "##" + std::string(entry.note) + std::string(entry.id);
     const bool clicked = ImGui::Selectable(label.c_str(), chosen);
-    const std::string keys = context.key(command);
-    const std::string note = std::string(command.group) + (keys.empty() ? "" : "   " + keys);
+    if (ImGui::IsItemVisible()) context.ui().where["found " + std::string(entry.id)] = lastItem();
+    const bool action = entry.kind == PaletteEntry::Kind::Action;
+    const std::string keys = action ? context.key(entry.id) : std::string{};
+    const std::string note = std::string(entry.note) + (keys.empty() ? "" : "   " + keys);
     const float width = ImGui::CalcTextSize(note.c_str()).x;
     ImGui::SameLine(ImGui::GetContentRegionMax().x - width - 0.3F * context.em);
     ImGui::TextDisabled("%s", note.c_str());
     if (chosen) ImGui::SetScrollHereY(0.5F);
     return clicked;
+}
+
+std::vector<PaletteEntry> matchesNow(const CommandPalette& palette) {
+    std::vector<std::string_view> panels;
+    for (const SidePanel& each : sidePanels()) panels.emplace_back(each.title);
+    return matchingEntries(paletteEntries(panels), palette.filter.data());
 }
 
 }  // namespace
@@ -54,25 +64,27 @@ void drawCommandPalette(const PanelContext& context) {
         // After a click beside the line it gets the keyboard back.
         palette.justOpened = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
         ImGui::SetNextItemWidth(-1.0F);
-        if (ImGui::InputTextWithHint("##filter", "Type an action", palette.filter.data(),
-                                     palette.filter.size())) {
+        if (ImGui::InputTextWithHint("##filter", "Type an action, a panel or a scene",
+                                     palette.filter.data(), palette.filter.size())) {
             palette.chosen = 0;
         }
-        const std::vector<const Command*> matches = matchingCommands(palette.filter.data());
+        if (ImGui::IsItemActive()) context.ui().typing.takesKeys();
+        const std::vector<PaletteEntry> matches = matchesNow(palette);
         const bool enter = moveChoice(palette, matches.size());
-        const Command* run = nullptr;
+        const PaletteEntry* picked = nullptr;
         if (ImGui::BeginChild("##matches", {0, 0}, false, ImGuiWindowFlags_NoNavInputs)) {
             for (std::size_t i = 0; i < matches.size(); ++i) {
                 const bool chosen = static_cast<int>(i) == palette.chosen;
-                if (drawMatch(context, *matches[i], chosen) || (chosen && enter)) run = matches[i];
+                if (drawMatch(context, matches[i], chosen) || (chosen && enter))
+                    picked = &matches[i];
             }
-            if (matches.empty()) ImGui::TextDisabled("No action has these words. Esc closes.");
+            if (matches.empty()) ImGui::TextDisabled("Nothing has these words. Esc closes.");
         }
         ImGui::EndChild();
-        if (run != nullptr) {
+        if (picked != nullptr) {
             palette.open = false;
             context.ui().requests.closePopups = true;
-            runCommand(*run, context.commands);
+            choose(*picked, context.commands);
         }
     }
     ImGui::End();

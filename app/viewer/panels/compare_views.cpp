@@ -51,17 +51,15 @@ void drawEmptyView(const PanelContext& context) {
                                    std::min(0.35F * view.size.y, view.size.y - 5.8F * context.em));
         ImGui::SetCursorPos({0.5F * (view.size.x - width), top});
         ImGui::BeginGroup();
-        ImGui::PushTextWrapPos(0.5F * (view.size.x + width));
         if (chosen) {
-            ImGui::TextDisabled("%s", now->complaint().empty() ? "Being opened and compared ..."
-                                                               : now->complaint().c_str());
+            dimText(now->complaint().empty() ? "Being opened and compared ..." : now->complaint(),
+                    width);
         } else {
-            ImGui::TextDisabled("Choose on the left what to compare this run with, or");
+            dimText("Choose on the left what to compare this run with, or", width);
             const std::string usual = usualOther(context.session().spec()).rules + " rules";
             if (ImGui::Button(("Compare with the " + usual).c_str())) context.run("run.compare");
             context.ui().where["compare usual"] = lastItem();
         }
-        ImGui::PopTextWrapPos();
         ImGui::EndGroup();
     }
     ImGui::End();
@@ -81,7 +79,7 @@ void drawStill(const PanelContext& context) {
                                    ImGuiButtonFlags_MouseButtonRight |
                                    ImGuiButtonFlags_MouseButtonMiddle);
         moveCameraByMouse(context);
-        if (rightClicked()) context.ui().subjectMenu.openBeside({});
+        if (isClick(context, ImGuiMouseButton_Right)) context.ui().subjectMenu.openBeside({});
         const auto texture =
             reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(context.viewTexture));
         ImGui::GetWindowDrawList()->AddImage(texture, toVec2(view.min), toVec2(view.max()), {0, 1},

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "run/number_text.h"
 #include "session/line_place.h"
 #include "steps/evidence_rows.h"
 #include "steps/line_text.h"
@@ -132,7 +133,7 @@ class RowDrawer {
 
     /// With the name of what was measured, where there is room for it.
     static std::string numbersOf(const LedgerLine& line, float room) {
-        if (!line.reading) return describe(line.event);
+        if (!line.reading) return shortSentence(line.event);
         const std::string at =
             line.pivot != kNone ? "at " + std::to_string(line.pivot) + ": " : std::string{};
         const std::string full = at + comparisonText(*line.reading, true);

@@ -92,10 +92,8 @@ void drawDial(const PanelContext& context) {
     heading(context, "Dial",
             dial.empty() ? "" : "tangent plane at p " + std::to_string(dial.pivot));
     if (dial.empty()) {
-        ImGui::PushTextWrapPos(0.0F);
-        ImGui::TextDisabled("%s", session.atEnd() ? "No pivot here: the run is finished."
-                                                  : "No pivot here. Step on: F11 or \xE2\x86\x92.");
-        ImGui::PopTextWrapPos();
+        dimText(session.atEnd() ? "No pivot here: the run is finished."
+                                : "No pivot here. Step on: F11 or \xE2\x86\x92.");
         return;
     }
     const ImVec2 corner = ImGui::GetCursorScreenPos();

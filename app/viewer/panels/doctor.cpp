@@ -93,9 +93,7 @@ void drawRemedy(const PanelContext& context, const Finding& finding) {
     context.ui().where["copy " + name] = lastItem();
     tooltip("For a terminal; it writes a file of its own and leaves yours alone.");
     ImGui::PushFont(context.fonts.mono);
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(command.c_str());
-    ImGui::PopTextWrapPos();
+    wrappedText(command);
     ImGui::PopFont();
 }
 
@@ -103,10 +101,7 @@ void drawRemedy(const PanelContext& context, const Finding& finding) {
 void drawMended(const PanelContext& context) {
     const Session& session = context.session();
     if (session.spec().cures.empty()) return;
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(
-        ("Mended here, not in the file: " + mendedText(session.model()) + ".").c_str());
-    ImGui::PopTextWrapPos();
+    wrappedText("Mended here, not in the file: " + mendedText(session.model()) + ".");
     if (ImGui::SmallButton("As the file is")) context.ui().requests.cures = Cures{};
     context.ui().where["doctor as it is"] = lastItem();
     tooltip("Open the input as it is in the file");
@@ -145,9 +140,7 @@ void drawFinding(const PanelContext& context, const Finding& finding) {
     tooltip(finding.points.empty() ? "About the file as a whole"
             : shown                ? "Put the marks out"
                                    : "Mark these points in the view, and frame them");
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted((finding.text + ".").c_str());
-    ImGui::PopTextWrapPos();
+    wrappedText(finding.text + ".");
     if (shown) {
         const std::string marked = markedText(session, finding);
         if (!marked.empty()) dimText(marked);

@@ -26,10 +26,8 @@ void drawEvidence(const PanelContext& context, const Event& event) {
     if (!beginValues("##evidence", context)) return;
     const Session& session = context.session();
     const std::optional<Color> outcome = outcomeColor(context.palette, event);
-    if (const auto verdict = verdictOf(event)) {
-        valueRow(context, "verdict", std::string(verdictText(*verdict)),
-                 outcome.value_or(context.palette.text));
-    }
+    if (const std::string ending(endingText(event)); !ending.empty())
+        valueRow(context, "verdict", ending, outcome.value_or(context.palette.text));
     // While the state before is shown, the values stay those of the decision.
     std::optional<Picture> after;
     if (session.showsBefore()) after = makePicture(session.record(), session.cursor());

@@ -137,6 +137,7 @@ void drawPathLine(const PanelContext& context, FileBrowsing& state) {
     if (state.settling > 0 || state.refocus) ImGui::SetKeyboardFocusHere();
     const bool entered = textField("##path", wordsFor(context.ui().browser).hint, state.path,
                                    ImGuiInputTextFlags_EnterReturnsTrue);
+    if (ImGui::IsItemActive()) context.ui().typing.takesKeys();
     ImGui::SameLine();
     if (ImGui::Button(save ? "Save" : "Open", {-1.0F, 0.0F}) || entered) {
         const std::string source = typedSource(state.folder, state.path);
@@ -152,9 +153,7 @@ void drawPathLine(const PanelContext& context, FileBrowsing& state) {
         }
     }
     if (!state.error.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
-        ImGui::TextWrapped("! %s", state.error.c_str());
-        ImGui::PopStyleColor();
+        wrappedText("! " + state.error, context.palette.rejected);
     }
 }
 

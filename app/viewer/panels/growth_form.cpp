@@ -164,9 +164,7 @@ void drawGrowthForm(const PanelContext& context) {
     context.ui().where["growth begin"] = lastItem();
     tooltip("Spread these particles (Enter in a field, or " + context.key("run.start") + ")");
     if (page.complaint.empty()) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
-    ImGui::TextWrapped("! %s", page.complaint.c_str());
-    ImGui::PopStyleColor();
+    wrappedText("! " + page.complaint, context.palette.rejected);
 }
 
 }  // namespace se::view

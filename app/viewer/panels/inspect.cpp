@@ -60,13 +60,13 @@ void drawBirth(const PanelContext& context, const SelectionFacts& facts, const c
     const Session& session = context.session();
     const auto pivot = facts.number ? pivotOfTriangle(session.overview(), *facts.number)
                                     : std::optional<std::uint32_t>{};
-    ImGui::PushTextWrapPos(0.0F);
+    const std::string name(thing);
     if (!facts.present && pivot) {
-        ImGui::Text("This %s is not there yet: made at pivot %u.", thing, *pivot);
+        wrappedText("This " + name + " is not there yet: made at pivot " + std::to_string(*pivot) +
+                    ".");
     } else if (!facts.present) {
-        ImGui::Text("This %s is not there at the cursor.", thing);
+        wrappedText("This " + name + " is not there at the cursor.");
     }
-    ImGui::PopTextWrapPos();
     if (!pivot) return;
     const std::string birth = toString(*birthOfTriangle(session.overview(), *facts.number));
     if (ImGui::Button(("Go to " + birth + ", which made it").c_str())) context.run("step.birth");
@@ -115,9 +115,7 @@ void drawSelection(const PanelContext& context) {
     switch (selection.kind) {
         case SelectionKind::None:
             ImGui::Spacing();
-            ImGui::PushTextWrapPos(0.0F);
-            ImGui::TextDisabled("Click a point, an edge or a triangle to see its values here.");
-            ImGui::PopTextWrapPos();
+            dimText("Click a point, an edge or a triangle to see its values here.");
             return;
         case SelectionKind::Point:
             drawPoint(context, "Selected", selection.points[0]);
@@ -140,11 +138,7 @@ void drawStep(const PanelContext& context, const Event& event) {
     ImGui::PushFont(context.fonts.mono);
     ImGui::TextDisabled("%s", toString(event.address).c_str());
     ImGui::PopFont();
-    if (section.empty()) {
-        ImGui::PushTextWrapPos(0.0F);
-        ImGui::TextDisabled("A rule of ours: docs/robust.md");
-        ImGui::PopTextWrapPos();
-    }
+    if (section.empty()) dimText("A rule of ours: docs/robust.md");
     ImGui::Spacing();
     drawEvidence(context, event);
 }
@@ -158,11 +152,8 @@ void drawInspect(const PanelContext& context) {
         drawStep(context, *event);
     } else {
         heading(context, "At the start");
-        ImGui::PushTextWrapPos(0.0F);
-        ImGui::TextDisabled("%s", session.model().watch.empty()
-                                      ? "All points are UNUSED. No triangle has been made."
-                                      : session.model().watch.c_str());
-        ImGui::PopTextWrapPos();
+        dimText(session.model().watch.empty() ? "All points are UNUSED. No triangle has been made."
+                                              : session.model().watch);
     }
     // What somebody picked is what that person wants to read.
     const bool picked = session.selection().kind != SelectionKind::None;

@@ -61,9 +61,7 @@ void drawHead(const PanelContext& context) {
     const float lines = ImGui::GetFrameHeight() + ImGui::GetTextLineHeightWithSpacing();
     if (ImGui::BeginChild("##note", {-9.0F * context.em, lines}, false)) {
         ImGui::AlignTextToFramePadding();
-        ImGui::TextWrapped("%s", note.empty()
-                                     ? "Click the keys of an action, then press the new one."
-                                     : note.c_str());
+        wrappedText(note.empty() ? "Click the keys of an action, then press the new one." : note);
     }
     ImGui::EndChild();
     ImGui::SameLine();

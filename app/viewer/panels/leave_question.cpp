@@ -75,11 +75,7 @@ void drawLeaveQuestion(const PanelContext& context) {
     ImGui::PopStyleVar();
     if (!open) return;
     heading(context, headline(question.leave.what));
-    ImGui::PushTextWrapPos(0.0F);
-    const std::string sentence =
-        "There are " + question.atStake + " that no session file holds yet.";
-    ImGui::TextUnformatted(sentence.c_str());
-    ImGui::PopTextWrapPos();
+    wrappedText("There are " + question.atStake + " that no session file holds yet.");
     ImGui::Spacing();
     drawChoices(context, question);
     if (!question.asked || question.answer != LeaveAnswer::None) ImGui::CloseCurrentPopup();

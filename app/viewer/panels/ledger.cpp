@@ -1,5 +1,6 @@
 #include "decision_rows.h"
 #include "interface/ask_actions.h"
+#include "run/number_text.h"
 #include "session/questions.h"
 #include "steps/line_text.h"
 #include "text_field.h"
@@ -26,6 +27,7 @@ void drawQuestionBox(const PanelContext& context) {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button);
     const bool entered = textField("##subject", "812 or 812,640 or ring", panel.typed,
                                    ImGuiInputTextFlags_EnterReturnsTrue);
+    if (ImGui::IsItemActive()) context.ui().typing.takesKeys();
     if (ImGui::IsItemVisible()) context.ui().where["ledger box"] = lastItem();
     ImGui::SameLine();
     if (ImGui::Button("Why?") || entered) askTyped(context.commands);
@@ -52,7 +54,7 @@ void drawEmpty(const PanelContext& context) {
 
 void drawAnswer(const PanelContext& context, const WhyAnswer& ledger) {
     ImGui::Spacing();
-    paragraph(context, ledger.answer);
+    paragraph(context, withShortNumbers(ledger.answer));
     if (ImGui::SmallButton("Go to the cause")) {
         goToDecision(context, ledger.lines[ledger.cause].event.address, FrameWish::Focus);
     }

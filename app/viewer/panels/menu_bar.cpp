@@ -68,10 +68,24 @@ void drawPointTints(const PanelContext& context) {
     ImGui::EndMenu();
 }
 
+/// And the axis that points up: that of the view, whether chosen or not.
+void drawUpAxes(const PanelContext& context) {
+    if (!ImGui::BeginMenu("Up axis")) return;
+    const bool chosen = context.ui().settings.up.has_value();
+    if (ImGui::MenuItem("By a guess", nullptr, !chosen)) context.run("view.up.auto");
+    for (const UpAxis axis : {UpAxis::X, UpAxis::Y, UpAxis::Z}) {
+        const std::string name(upAxisName(axis));
+        if (ImGui::MenuItem(name.c_str(), nullptr, context.camera().up() == axis))
+            context.run("view.up." + name);
+    }
+    ImGui::EndMenu();
+}
+
 /// Stands in a menu within the menu.
 bool isChoice(const Command& command) {
     const auto among = [&](std::string_view menu) { return command.id.starts_with(menu); };
-    return (among("view.layout.") || among("view.mesh.") || among("view.points.")) &&
+    return (among("view.layout.") || among("view.mesh.") || among("view.points.") ||
+            among("view.up.")) &&
            !command.id.ends_with(".next");
 }
 
@@ -86,7 +100,9 @@ void drawItem(const PanelContext& context, const Command& command) {
 void drawMenuGroup(const PanelContext& context, std::string_view group) {
     if (!ImGui::BeginMenu(std::string(group).c_str())) return;
     for (const Command& command : commands()) {
-        if (command.group != group || isChoice(command)) continue;
+        if (command.group != group) continue;
+        if (command.id == "view.up.auto") drawUpAxes(context);
+        if (isChoice(command)) continue;
         drawItem(context, command);
         if (command.id == "file.open") {
             drawRecent(context);

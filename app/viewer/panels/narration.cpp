@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "panel.h"
+#include "run/number_text.h"
 #include "scene/outcome.h"
 #include "widgets.h"
 
@@ -49,7 +50,7 @@ Caption fittingCaption(const PanelContext& context, const std::string& sentence,
     return caption;
 }
 
-/// What is decided where a run stands; without an event what else there is to say.
+/// What is decided where a run stands, with all digits; without an event what else there is to say.
 std::string sentenceOf(const Session& session) {
     if (const Event* event = session.event(); event != nullptr)
         return (session.showsBefore() ? "Before this: " : "") + describe(*event) +
@@ -81,7 +82,8 @@ void drawSentence(const PanelContext& context, const char* window) {
     const Session& session = context.session();
     if (beginRegion(window, context.layout.narration)) {
         // What else there is to say stands in the view for a while: see drawNotices().
-        const std::string sentence = sentenceOf(session);
+        const std::string whole = sentenceOf(session);
+        const std::string sentence = withShortNumbers(whole);
         Color color = context.palette.accent;
         if (const Event* event = session.event(); event != nullptr) {
             color = outcomeColor(context.palette, *event).value_or(color);
@@ -97,14 +99,15 @@ void drawSentence(const PanelContext& context, const char* window) {
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5F * context.em);
         const float left = ImGui::GetCursorPosX();
         const Caption caption = fittingCaption(
-            context, sentence, context.otherRun != nullptr ? sentenceOf(*context.otherRun) : "");
+            context, sentence,
+            context.otherRun != nullptr ? withShortNumbers(sentenceOf(*context.otherRun)) : "");
         ImGui::PushFont(caption.font);
         for (const std::string& line : caption.lines) {
             ImGui::SetCursorPosX(left);
             ImGui::TextUnformatted(line.c_str());
         }
         ImGui::PopFont();
-        if (caption.cut && ImGui::IsWindowHovered()) showTooltip(sentence);
+        if ((caption.cut || sentence != whole) && ImGui::IsWindowHovered()) showTooltip(whole);
     }
     ImGui::End();
 }

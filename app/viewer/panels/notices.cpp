@@ -59,9 +59,7 @@ void drawError(const PanelContext& context) {
         ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
         heading(context, "Could not open");
         ImGui::PopStyleColor();
-        ImGui::PushTextWrapPos(0.0F);
-        ImGui::TextUnformatted(session.error().c_str());
-        ImGui::PopTextWrapPos();
+        wrappedText(session.error());
         ImGui::Spacing();
         if (ImGui::Button("Open another...")) context.ui().fileBrowser = true;
         ImGui::SameLine();

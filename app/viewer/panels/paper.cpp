@@ -50,7 +50,7 @@ void drawGallery(const PanelContext& context) {
     const FailureScene* each = galleryScene(session.spec().source);
     if (each == nullptr) return;
     heading(context, std::string(each->scene.title).c_str(), "scene that fails");
-    ImGui::TextWrapped("%s", std::string(each->scene.watch).c_str());
+    wrappedText(std::string(each->scene.watch));
     ImGui::Spacing();
     if (beginValues("##gallery", context)) {
         valueRow(context, "failure", titleOf(*findFailureClass(each->failure)),
@@ -79,17 +79,13 @@ void drawPaper(const PanelContext& context) {
     const Event* event = session.event();
     if (event == nullptr) {
         heading(context, "Paper");
-        ImGui::PushTextWrapPos(0.0F);
-        ImGui::TextDisabled("Step on (F11 or \xE2\x86\x92): the rule at work is explained here.");
-        ImGui::PopTextWrapPos();
+        dimText("Step on (F11 or \xE2\x86\x92): the rule at work is explained here.");
         return;
     }
     const PaperRule& rule = paperRule(event->address.stage);
     const std::string section = sectionOf(*event);
     heading(context, rule.title, section.empty() ? "docs/robust.md" : "section " + section);
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(rule.words);
-    ImGui::PopTextWrapPos();
+    wrappedText(rule.words);
     ImGui::Spacing();
     const std::size_t present = presentLine(*event);
     const Color color = outcomeColor(context.palette, *event).value_or(context.palette.accent);

@@ -23,9 +23,7 @@ void drawButtons(const PanelContext& context, PrepareForm& form, bool entered) {
     if (ImGui::Button("Cancel (Esc)")) form.open = false;
     context.ui().where["prepare cancel"] = lastItem();
     if (form.complaint.empty()) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
-    ImGui::TextWrapped("! %s", form.complaint.c_str());
-    ImGui::PopStyleColor();
+    wrappedText("! " + form.complaint, context.palette.rejected);
 }
 
 }  // namespace

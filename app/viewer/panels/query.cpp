@@ -45,6 +45,7 @@ void drawLine(const PanelContext& context) {
     const bool entered = textField("##query", "stage=sphere kept margin<1e-4", panel.typed,
                                    ImGuiInputTextFlags_EnterReturnsTrue);
     panel.typing = ImGui::IsItemActive();
+    if (panel.typing) context.ui().typing.takesKeys();
     context.ui().where["query box"] = lastItem();
     ImGui::SameLine();
     if (ImGui::Button("Find") || entered) findTyped(context.commands);
@@ -57,11 +58,7 @@ void drawMistake(const PanelContext& context) {
     const bool done = !panel.typing || panel.typed.ends_with(' ') || panel.typed == asked;
     const std::string complaint = queryComplaint(context, panel.typed);
     if (complaint.empty() || !done) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(complaint.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
+    wrappedText(complaint, context.palette.rejected);
 }
 
 void drawTerm(const PanelContext& context, const QueryTerm& term, bool wide) {

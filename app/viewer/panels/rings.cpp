@@ -282,11 +282,9 @@ void drawRings(const PanelContext& context) {
     const std::size_t stacked = session.ready() ? stackedCount(session.picture().rings) : 0;
     heading(context, "Rings", stacked > 0 ? std::to_string(stacked) + " stacked" : std::string{});
     if (count == 0) {
-        ImGui::PushTextWrapPos(0.0F);
-        ImGui::TextDisabled("%s", session.ready() && session.atEnd()
-                                      ? "No ring: the run is finished."
-                                      : "No ring: the next seed begins one. F10 goes there.");
-        ImGui::PopTextWrapPos();
+        dimText(session.ready() && session.atEnd()
+                    ? "No ring: the run is finished."
+                    : "No ring: the next seed begins one. F10 goes there.");
         return;
     }
     const float em = context.em;

@@ -120,16 +120,19 @@ float wheelOver(const Rect& area) {
 
 // ---- STAGE: one cell per test -----------------------------------------------------------------
 
-std::string cellText(const Event& event) {
+std::string cellText(const Event& event, float room) {
+    if (const auto* emit = std::get_if<EmitEvidence>(&event.evidence)) {
+        // The whole number, whatever becomes of the word.
+        const std::string number = grouped(emit->triangle);
+        const std::string named = "triangle " + number;
+        return ImGui::CalcTextSize(named.c_str()).x <= room ? named : number;
+    }
     const Index subject = subjectOf(event);
     std::string text = subject == kNone ? std::string{} : std::to_string(subject);
-    const auto verdict = verdictOf(event);
-    if (verdict) text += (text.empty() ? "" : " ") + std::string(verdictText(*verdict));
+    if (const std::string_view ending = endingText(event); !ending.empty())
+        text += (text.empty() ? "" : " ") + std::string(ending);
     if (const std::string_view word = wordOf(event); !word.empty()) {
         text += (text.empty() ? "" : " ") + std::string(word);
-    }
-    if (const auto* emit = std::get_if<EmitEvidence>(&event.evidence)) {
-        text = "tri " + grouped(emit->triangle);
     }
     return text.empty() ? std::string(stageName(event.address.stage)) : text;
 }
@@ -151,7 +154,8 @@ void drawCell(const PanelContext& context, const Rect& cell, std::size_t index) 
         drawShape(list, {x + 0.3F * em, middle}, 0.55F * em, Shape::Cross, toU32(color));
         x += 0.8F * em;
     }
-    const std::string text = fitted(cellText(event), cell.max().x - x - 0.1F * em);
+    const float room = cell.max().x - x - 0.1F * em;
+    const std::string text = fitted(cellText(event, room), room);
     const Color ink = later ? context.palette.textDim : context.palette.text;
     list->AddText({x, middle - 0.5F * ImGui::GetTextLineHeight()}, toU32(ink), text.c_str());
     if (index == session.cursor()) frameHere(context, cell);

@@ -179,9 +179,7 @@ void drawRecentFiles(const PanelContext& context) {
     heading(context, "Recent files");
     const std::vector<std::string>& recent = context.ui().recent;
     if (recent.empty()) {
-        ImGui::PushTextWrapPos(0.0F);
-        ImGui::TextDisabled("Files that you open are listed here.");
-        ImGui::PopTextWrapPos();
+        dimText("Files that you open are listed here.");
     }
     const float width = ImGui::GetContentRegionAvail().x;
     std::string chosen;
@@ -213,9 +211,7 @@ void drawKeys(const PanelContext& context) {
 void drawMessage(const PanelContext& context) {
     const std::string& message = context.session().message();
     if (message.empty()) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
-    ImGui::TextWrapped("! %s", message.c_str());
-    ImGui::PopStyleColor();
+    wrappedText("! " + message, context.palette.rejected);
     ImGui::Spacing();
 }
 

@@ -10,27 +10,27 @@ namespace se::view {
 
 namespace {
 
-/// In em: one level of the tree, and the columns at the right end.
+/// In em: one level of the tree, and its arrow.
 constexpr float kIndent = 0.75F;
 constexpr float kArrow = 1.0F;
-constexpr float kCountColumn = 2.7F;
-/// Below this the column of triangles is left out.
-constexpr float kTrianglesFrom = 17.0F;
+/// In em: from the cross to the number of what was refused.
+constexpr float kCross = 0.75F;
 /// What lies ahead of the cursor.
 constexpr float kAhead = 0.55F;
+
+std::string trianglesText(std::size_t number) { return "+" + grouped(number); }
 
 /// Draws the parts of one row into the list, from left to right.
 class RowPen {
   public:
-    RowPen(const PanelContext& context, ImVec2 at, float room, float alpha)
+    RowPen(const PanelContext& context, ImVec2 at, const StepColumns& columns, float alpha)
         : context_(context),
           list_(ImGui::GetWindowDrawList()),
           at_(at),
           x_(at.x),
           alpha_(alpha),
-          columns_(stepColumns(context, at.x, room)) {
-        labelEnd_ = (columns_.triangles > 0.0F ? columns_.triangles : columns_.tests) - 1.3F * em();
-    }
+          labelEnd_(columns.labels),
+          columns_(columns) {}
 
     void indent(float em) { x_ += em * context_.em; }
     void arrow(bool open) {
@@ -66,26 +66,19 @@ class RowPen {
         drawShape(list_, {x_ + 0.35F * context_.em, middle()}, size, shape, ink(color));
         x_ += 0.95F * context_.em;
     }
-    /// Goes before the labels: large counts leave them less room.
     void counts(std::size_t tests, std::size_t refused) {
-        float testsEnd = columns_.tests;
         if (refused > 0) {
             const std::string number = grouped(refused);
             endingAt(columns_.refused, number, context_.palette.rejected);
             const float left = columns_.refused - ImGui::CalcTextSize(number.c_str()).x;
             drawShape(list_, {left - 0.42F * em(), middle()}, 0.48F * em(), Shape::Cross,
                       ink(context_.palette.rejected));
-            testsEnd = std::min(testsEnd, left - 1.1F * em());
         }
-        if (tests == 0) return;
-        const std::string number = grouped(tests);
-        endingAt(testsEnd, number, context_.palette.textDim);
-        const float left = testsEnd - ImGui::CalcTextSize(number.c_str()).x;
-        labelEnd_ = std::min(labelEnd_, left - 0.6F * em());
+        if (tests > 0) endingAt(columns_.tests, grouped(tests), context_.palette.textDim);
     }
     void triangles(std::size_t number) {
         if (columns_.triangles <= 0.0F || number == 0) return;
-        endingAt(columns_.triangles, "+" + grouped(number), context_.palette.textDim);
+        endingAt(columns_.triangles, trianglesText(number), context_.palette.textDim);
     }
     float end() const { return columns_.refused; }
 
@@ -103,12 +96,13 @@ class RowPen {
     ImVec2 at_;
     float x_;
     float alpha_;
-    float labelEnd_ = 0.0F;
+    float labelEnd_;
     StepColumns columns_;
 };
 
 std::string outcomeText(const Event& event) {
-    if (const auto verdict = verdictOf(event)) return std::string(verdictText(*verdict));
+    if (const std::string_view ending = endingText(event); !ending.empty())
+        return std::string(ending);
     if (const std::string_view word = wordOf(event); !word.empty()) return std::string(word);
     if (const auto* emit = std::get_if<EmitEvidence>(&event.evidence)) {
         return "triangle " + grouped(emit->triangle);
@@ -126,9 +120,22 @@ Shape markOf(const Event& event) {
     return verdictOf(event) ? Shape::Disc : Shape::Dot;
 }
 
+/// Made by the pivots first to last, as far as the run was gone through.
+std::size_t trianglesBetween(const RunOverview& run, std::uint32_t first, std::size_t last) {
+    last = std::min(last, run.triangles.size());
+    if (first == 0 || first > last) return 0;
+    return run.triangles[last - 1] - (first > 1 ? run.triangles[first - 2] : 0);
+}
+
 std::size_t trianglesOf(const RunOverview& run, std::uint32_t pivot) {
-    if (pivot == 0 || pivot > run.triangles.size()) return 0;
-    return run.triangles[pivot - 1] - (pivot > 1 ? run.triangles[pivot - 2] : 0);
+    return trianglesBetween(run, pivot, pivot);
+}
+
+std::size_t trianglesOfComponent(const RunOverview& run, std::size_t component) {
+    const bool isLast = component + 1 >= run.components.size();
+    return trianglesBetween(
+        run, run.components[component].firstPivot,
+        isLast ? run.triangles.size() : run.components[component + 1].firstPivot - 1);
 }
 
 /// What a pivot did to the rings, in one word.
@@ -146,6 +153,7 @@ void drawComponent(const PanelContext& context, RowPen& pen, const StepRow& row)
     const ComponentSummary& component = context.session().overview().components[row.component];
     pen.arrow(tree.isOpen(row));
     pen.indent(kArrow);
+    pen.triangles(trianglesOfComponent(context.session().overview(), row.component));
     pen.counts(component.tests, component.refused);
     pen.label("component " + grouped(row.component + 1), context.palette.text);
     pen.labelIfItFits(withS(tree.pivotsOf(row.component), "pivot"), context.palette.textDim);
@@ -234,12 +242,20 @@ bool isAhead(const PanelContext& context, const StepRow& row) {
 }  // namespace
 
 StepColumns stepColumns(const PanelContext& context, float left, float room) {
-    const float em = context.em;
-    StepColumns c;
-    c.refused = left + room - 0.2F * em;
-    c.tests = c.refused - kCountColumn * em;
-    c.triangles = room >= kTrianglesFrom * em ? c.tests - kCountColumn * em : 0.0F;
-    return c;
+    const RunOverview& run = context.session().overview();
+    std::size_t triangles = 0;
+    std::size_t tests = 0;
+    std::size_t refused = 0;
+    // A component has at least as many of each as any of its pivots.
+    for (std::size_t i = 0; i < run.components.size(); ++i) {
+        triangles = std::max(triangles, trianglesOfComponent(run, i));
+        tests = std::max(tests, run.components[i].tests);
+        refused = std::max(refused, run.components[i].refused);
+    }
+    const auto width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
+    return placeStepColumns(left, room, context.em,
+                            {width(trianglesText(triangles)), width(grouped(tests)),
+                             width(grouped(refused)) + kCross * context.em});
 }
 
 std::string withS(std::size_t number, const char* word) {
@@ -274,8 +290,9 @@ float stepArrowEnd(const PanelContext& context, const StepRow& row) {
     return (level + kArrow) * context.em;
 }
 
-void drawStepRow(const PanelContext& context, const StepRow& row, ImVec2 at, float room) {
-    RowPen pen(context, at, room, isAhead(context, row) ? kAhead : 1.0F);
+void drawStepRow(const PanelContext& context, const StepRow& row, ImVec2 at,
+                 const StepColumns& columns) {
+    RowPen pen(context, at, columns, isAhead(context, row) ? kAhead : 1.0F);
     switch (row.kind) {
         case StepRowKind::Component:
             drawComponent(context, pen, row);

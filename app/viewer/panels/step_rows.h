@@ -5,21 +5,18 @@
 
 #include <string>
 
+#include "interface/step_columns.h"
 #include "panel.h"
 #include "steps/step_tree.h"
 
 namespace se::view {
 
-/// The columns at the right end of a row; x of their right edges, 0 for one that is left out.
-struct StepColumns {
-    float triangles = 0.0F;
-    float tests = 0.0F;
-    float refused = 0.0F;
-};
+/// The columns of all rows from `left`, `room` wide. O(components).
 StepColumns stepColumns(const PanelContext& context, float left, float room);
 
-/// Draws a row that begins at `at` and is `room` wide.
-void drawStepRow(const PanelContext& context, const StepRow& row, ImVec2 at, float room);
+/// Draws a row that begins at `at`.
+void drawStepRow(const PanelContext& context, const StepRow& row, ImVec2 at,
+                 const StepColumns& columns);
 std::string stepRowTooltip(const PanelContext& context, const StepRow& row);
 /// How far a click opens or folds the row, from its left.
 float stepArrowEnd(const PanelContext& context, const StepRow& row);

@@ -58,11 +58,11 @@ RowAction actionOn(const PanelContext& context, const StepRow& row, bool pressed
     return ImGui::GetIO().NavVisible && wanted ? RowAction::Toggle : RowAction::None;
 }
 
-RowAction drawRow(const PanelContext& context, std::size_t index, bool here, bool takes) {
+RowAction drawRow(const PanelContext& context, std::size_t index, bool here, bool takes,
+                  const StepColumns& columns) {
     const StepTree& tree = context.ui().navigation.steps;
     const StepRow row = tree.row(index);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float room = ImGui::GetContentRegionAvail().x;
     ImGui::PushID(static_cast<int>(index));
     const bool pressed = ImGui::Selectable("##row", here);
     if (takes) {
@@ -78,7 +78,7 @@ RowAction drawRow(const PanelContext& context, std::size_t index, bool here, boo
         }
         tooltip(stepRowTooltip(context, row));
     }
-    drawStepRow(context, row, at, room);
+    drawStepRow(context, row, at, columns);
     const RowAction action = actionOn(context, row, pressed, at.x);
     ImGui::PopID();
     return action;
@@ -99,11 +99,9 @@ void drawStepFilter(const PanelContext& context) {
     nav.steps.setFilter(nav.stepFilter.data());
 }
 
-void drawColumnTitles(const PanelContext& context) {
+void drawColumnTitles(const PanelContext& context, const StepColumns& columns) {
     const float em = context.em;
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float room = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize;
-    const StepColumns columns = stepColumns(context, at.x, room);
     ImDrawList* list = ImGui::GetWindowDrawList();
     const float size = 0.78F * em;
     const ImU32 color = toU32(context.palette.textDim);
@@ -112,7 +110,7 @@ void drawColumnTitles(const PanelContext& context) {
         const float width = context.fonts.text->CalcTextSizeA(size, 1e9F, 0.0F, text).x;
         list->AddText(context.fonts.text, size, {right - width, at.y}, color, text);
     };
-    title(columns.triangles, "tri");
+    title(columns.triangles, "triangles");
     title(columns.tests, "tests");
     title(columns.refused, "refused");
     ImGui::Dummy({0.0F, 0.75F * em});
@@ -138,7 +136,7 @@ void followCursor(const PanelContext& context, float pitch) {
     }
 }
 
-void drawStepRows(const PanelContext& context) {
+void drawStepRows(const PanelContext& context, const StepColumns& columns) {
     const StepTree& tree = context.ui().navigation.steps;
     const float pitch = ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y;
     followCursor(context, pitch);
@@ -156,7 +154,7 @@ void drawStepRows(const PanelContext& context) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const auto row = static_cast<std::size_t>(i);
             const RowAction wanted =
-                drawRow(context, row, cursorRow == row, keyboard && row == first);
+                drawRow(context, row, cursorRow == row, keyboard && row == first, columns);
             if (wanted == RowAction::None) continue;
             action = wanted;
             chosen = tree.row(row);
@@ -165,12 +163,6 @@ void drawStepRows(const PanelContext& context) {
     // After all rows: there may be others now.
     if (action == RowAction::Go) goTo(context, *chosen);
     if (action == RowAction::Toggle) toggle(context, *chosen);
-}
-
-void note(const char* text) {
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextDisabled("%s", text);
-    ImGui::PopTextWrapPos();
 }
 
 }  // namespace
@@ -183,19 +175,23 @@ void drawSteps(const PanelContext& context) {
     heading(context, "Steps",
             !ready ? std::string{}
                    : withS(run.pivots.size(), "pivot") + (run.complete ? "" : "\xE2\x80\xA6"));
-    if (!ready) return note("Open a file, or a scene, to see its steps here.");
+    if (!ready) return dimText("Open a file, or a scene, to see its steps here.");
     drawStepFilter(context);
     const StepTree& tree = context.ui().navigation.steps;
-    drawColumnTitles(context);
+    const StepColumns columns =
+        stepColumns(context, ImGui::GetCursorScreenPos().x,
+                    ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize);
+    drawColumnTitles(context, columns);
     if (tree.rowCount() == 0) {
-        return note(tree.filtered() ? "No pivot has all of these words. Esc in the line above "
-                                      "undoes what was typed."
-                                    : "Nothing has been done yet. F10 goes on by a pivot, F11 by "
-                                      "a single decision.");
+        return dimText(tree.filtered()
+                           ? "No pivot has all of these words. Esc in the line above "
+                             "undoes what was typed."
+                           : "Nothing has been done yet. F10 goes on by a pivot, F11 by "
+                             "a single decision.");
     }
     if (ImGui::BeginChild("##rows", {0, 0}, false, ImGuiWindowFlags_AlwaysVerticalScrollbar)) {
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.2F * context.em});
-        drawStepRows(context);
+        drawStepRows(context, columns);
         ImGui::PopStyleVar();
     }
     ImGui::EndChild();

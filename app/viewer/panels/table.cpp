@@ -30,6 +30,11 @@ constexpr std::array<SidePanel, 17> kSidePanels = {{
     {kChartsTab, false, 0.0F, drawCharts},
 }};
 
+/// A panel that is no tab needs no opening.
+void markShown(const PanelContext& context, std::string_view title) {
+    if (context.ui().wantedTab == title) context.ui().wantedTab.clear();
+}
+
 void drawLeftColumn(const PanelContext& context) {
     Rect rest = context.layout.left;
     for (const SidePanel& panel : kSidePanels) {
@@ -37,6 +42,7 @@ void drawLeftColumn(const PanelContext& context) {
         Rect area = rest;
         area.size.y = panel.share * context.layout.left.size.y;
         rest.min.y += area.size.y;
+        markShown(context, panel.title);
         if (beginRegion(panel.title, area)) {
             if (area.min.y > context.layout.left.min.y) {
                 ImGui::GetWindowDrawList()->AddLine(toVec2(area.min), {area.max().x, area.min.y},
@@ -137,6 +143,7 @@ void drawLearnColumn(const PanelContext& context) {
 
 void drawDialColumn(const PanelContext& context) {
     if (beginRegion("##dialColumn", context.layout.dial, ImGuiWindowFlags_NoScrollWithMouse)) {
+        markShown(context, "Dial");
         drawDial(context);
     }
     ImGui::End();

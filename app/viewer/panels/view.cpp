@@ -48,11 +48,8 @@ void handleClicks(const PanelContext& context) {
         if (found.what.kind != SelectionKind::None) context.camera().lookAt(found.place);
         return;
     }
-    const float limit = kClickShare * io.DisplaySize.y;
-    const bool still = io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < limit * limit;
     const bool single = io.MouseClickedLastCount[ImGuiMouseButton_Left] == 1;
-    if (ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) && still &&
-        single) {
+    if (isClick(context, ImGuiMouseButton_Left) && single) {
         // Counted from the press, as that of a double click is.
         const double until =
             io.MouseClickedTime[ImGuiMouseButton_Left] + double{io.MouseDoubleClickTime};
@@ -63,7 +60,7 @@ void handleClicks(const PanelContext& context) {
 
 /// A right click that was no drag opens the menu of what is there.
 void handleRightClick(const PanelContext& context) {
-    if (!rightClicked()) return;
+    if (!isClick(context, ImGuiMouseButton_Right)) return;
     const Selection what = underMouse(context).what;
     SubjectMenu& menu = context.ui().subjectMenu;
     if (!context.beside) return menu.open(what);

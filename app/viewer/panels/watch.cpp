@@ -130,11 +130,7 @@ bool drawRow(const PanelContext& context, std::string& expression, std::size_t n
     const std::string complaint =
         parsed ? missingPointIn(expression, session.model().points.size()) : parsed.error().message;
     if (!complaint.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
-        ImGui::PushTextWrapPos(0.0F);
-        ImGui::TextUnformatted(complaint.c_str());
-        ImGui::PopTextWrapPos();
-        ImGui::PopStyleColor();
+        wrappedText(complaint, context.palette.rejected);
     } else if (series != nullptr) {
         drawPlot(context, expression, *series, number);
     }
@@ -203,11 +199,9 @@ void drawWatch(const PanelContext& context) {
     drawWatchTerms(context);
     drawScan(context);
     if (all.empty()) {
-        ImGui::PushTextWrapPos(0.0F);
-        ImGui::TextDisabled(
+        dimText(
             "Numbers of the run over its pivots: the length of the ring, the status of a point, "
             "any counter. A click in a plot goes there.");
-        ImGui::PopTextWrapPos();
     }
     std::optional<std::size_t> gone;
     for (std::size_t i = 0; i < all.size(); ++i) {

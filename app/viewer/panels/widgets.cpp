@@ -126,15 +126,25 @@ void takeKeyboardHere() {
     g.NavDisableHighlight = false;
 }
 
-void wrappedText(const std::string& text) {
-    for (const std::string& line : wrapped(text, ImGui::GetContentRegionAvail().x))
-        ImGui::TextUnformatted(line.c_str());
+void wrappedText(const std::string& text, float width) {
+    ImGui::BeginGroup();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.0F});
+    const float room = width > 0.0F ? width : ImGui::GetContentRegionAvail().x;
+    for (const std::string& line : wrapped(text, room)) ImGui::TextUnformatted(line.c_str());
+    ImGui::PopStyleVar();
+    ImGui::EndGroup();
 }
 
-void dimText(const std::string& text) {
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextDisabled("%s", text.c_str());
-    ImGui::PopTextWrapPos();
+void wrappedText(const std::string& text, const Color& color) {
+    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
+    wrappedText(text);
+    ImGui::PopStyleColor();
+}
+
+void dimText(const std::string& text, float width) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    wrappedText(text, width);
+    ImGui::PopStyleColor();
 }
 
 void tooltip(const std::string& text) {
@@ -145,9 +155,7 @@ void tooltip(const std::string& text) {
 
 void showTooltip(const std::string& text) {
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(22.0F * ImGui::GetFontSize());
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
+    wrappedText(text, 22.0F * ImGui::GetFontSize());
     ImGui::EndTooltip();
 }
 
@@ -269,20 +277,8 @@ std::string fittedWords(const std::string& text, float width) {
 }
 
 std::vector<std::string> wrapped(const std::string& text, float width) {
-    std::vector<std::string> lines(1);
-    std::size_t at = 0;
-    while (at < text.size()) {
-        const std::size_t end = std::min(text.find(' ', at), text.size());
-        const std::string word = text.substr(at, end - at);
-        const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
-        if (!lines.back().empty() && ImGui::CalcTextSize(longer.c_str()).x > width) {
-            lines.push_back(word);
-        } else {
-            lines.back() = longer;
-        }
-        at = end + 1;
-    }
-    return lines;
+    return linesAtBlanks(
+        text, width, [](const std::string& line) { return ImGui::CalcTextSize(line.c_str()).x; });
 }
 
 std::string_view wordOf(const Event& event) {

@@ -36,10 +36,13 @@ bool iconButton(const char* id, Icon icon, const char* tooltip, bool enabled, bo
 void takeKeyboard();
 /// Gives it to the first item of the window that is being drawn; without one, arrows scroll it.
 void takeKeyboardHere();
-/// Broken at blanks only, never inside of a number.
-void wrappedText(const std::string& text);
-/// A note in the color of what matters less, wrapped.
-void dimText(const std::string& text);
+/// A text in lines that are broken at blanks only, never inside of a number: `width` pixels wide,
+/// or as wide as there is room (0). One item, so that a tooltip is that of all lines. All running
+/// text of panels goes through here, since Dear ImGui itself breaks lines after a decimal point.
+void wrappedText(const std::string& text, float width = 0.0F);
+void wrappedText(const std::string& text, const Color& color);
+/// A note in the color of what matters less.
+void dimText(const std::string& text, float width = 0.0F);
 /// If the item drawn last is pointed at.
 void tooltip(const std::string& text);
 void showTooltip(const std::string& text);
@@ -59,7 +62,7 @@ void endValues();
 std::string fitted(const std::string& text, float width);
 /// The same, cut between two words.
 std::string fittedWords(const std::string& text, float width);
-/// Lines of at most `width`, broken at blanks only: never inside of a number.
+/// linesAtBlanks() in the present print.
 std::vector<std::string> wrapped(const std::string& text, float width);
 /// What became of the thing that an event is about, if it has no verdict: "in", "stranded", the
 /// kind of an alert. Empty if there is no such word.

@@ -15,4 +15,8 @@ const FailureScene* galleryScene(std::string_view idOrSource) {
     return found == all.end() ? nullptr : &*found;
 }
 
+std::string_view openingAddress(std::string_view source) {
+    return isScene(source) ? addressOfScene(source.substr(kScenePrefix.size())) : "";
+}
+
 }  // namespace se::view

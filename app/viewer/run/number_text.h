@@ -3,7 +3,9 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
+#include "spiraling_edge/event.h"
 #include "spiraling_edge/point_set.h"
 
 namespace se::view {
@@ -14,6 +16,12 @@ std::string numberText(double value);
 std::string signedText(double value);
 /// "96.1 degrees", with the sign of degrees.
 std::string degreesText(double degrees);
+/// A sentence whose decimal fractions have at most four significant digits, and none after the
+/// decimal point where four stand before it. Whole numbers and addresses stay as they are.
+std::string withShortNumbers(std::string_view sentence);
+/// describe(), with short numbers: for panels, where one reads and compares. Traces, copies and
+/// tooltips have describe() itself.
+std::string shortSentence(const Event& event);
 /// "1.5, 0, -2"
 std::string numbersText(const Vec3& values);
 /// "+3.4 %" for 0.034.

@@ -91,7 +91,10 @@ class Painter {
         (start ? picture_.start : picture_.end) = e.to;
         (start ? picture_.startDegrees : picture_.endDegrees) = e.toDegrees;
     }
-    void on(const DropEvidence& e) { mark(e.point, e.degrees, e.verdict); }
+    void on(const DropEvidence& e) {
+        // Start and end have marks of their own.
+        if (!e.isLimit) mark(e.point, e.degrees, e.verdict);
+    }
     void on(const ReciprocalEvidence& e) { mark(e.point, {}, e.verdict); }
     void on(const HoleEvidence& e) {
         picture_.hole = e;
@@ -274,6 +277,8 @@ Index subjectOf(const Event& event) {
 }
 
 bool rejects(const Event& event) {
+    const auto* drop = std::get_if<DropEvidence>(&event.evidence);
+    if (drop != nullptr && drop->isLimit) return false;
     const std::optional<Verdict> verdict = verdictOf(event);
     return verdict && isRejection(*verdict);
 }

@@ -10,6 +10,12 @@
 
 namespace se::view {
 
+/// Where the cursor goes in a run by other rules.
+enum class Resume : std::uint8_t {
+    SamePlace,  ///< Where it is by state, as findSamePlace() says.
+    End,        ///< To the end of the new run.
+};
+
 /// A run, by what decides it.
 struct RunInput {
     const PointSet& points;

@@ -32,16 +32,48 @@ float halfTangent() { return std::tan(glm::radians(kFieldOfViewDegrees) * 0.5F);
 glm::vec3 Camera::direction() const {
     const float yaw = glm::radians(yawDegrees_);
     const float pitch = glm::radians(pitchDegrees_);
-    return {std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw), std::sin(pitch)};
+    return fromFrame(
+        {std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw), std::sin(pitch)});
 }
 
 glm::vec3 Camera::right() const {
     // From the yaw alone, so that it is also known when looking straight down.
     const float yaw = glm::radians(yawDegrees_);
-    return {-std::sin(yaw), std::cos(yaw), 0.0F};
+    return fromFrame({-std::sin(yaw), std::cos(yaw), 0.0F});
 }
 
-glm::vec3 Camera::up() const { return glm::cross(direction(), right()); }
+glm::vec3 Camera::upward() const { return glm::cross(direction(), right()); }
+
+glm::vec3 Camera::fromFrame(const glm::vec3& d) const {
+    // Rotations: what is right-handed stays so.
+    switch (up_) {
+        case UpAxis::X:
+            return {d.z, d.x, d.y};
+        case UpAxis::Y:
+            return {d.x, d.z, -d.y};
+        case UpAxis::Z:
+            break;
+    }
+    return d;
+}
+
+glm::vec3 Camera::inFrame(const glm::vec3& d) const {
+    switch (up_) {
+        case UpAxis::X:
+            return {d.y, d.z, d.x};
+        case UpAxis::Y:
+            return {d.x, -d.z, d.y};
+        case UpAxis::Z:
+            break;
+    }
+    return d;
+}
+
+void Camera::setUp(UpAxis up) {
+    if (up_ == up) return;
+    up_ = up;
+    ++revision_;
+}
 
 float Camera::heightAtTarget() const { return 2.0F * distance_ * halfTangent(); }
 
@@ -49,7 +81,7 @@ CameraMatrices Camera::matrices(float aspect) const {
     CameraMatrices m;
     const glm::vec3 eye = target_ + direction() * distance_;
     const float reach = glm::length(eye) + 1.5F * kSceneRadius;
-    m.view = glm::lookAt(eye, target_, up());
+    m.view = glm::lookAt(eye, target_, upward());
     m.eye = eye;
     m.orthographic = orthographic_;
     if (orthographic_) {
@@ -69,6 +101,7 @@ void Camera::setPose(const CameraPose& pose) {
     yawDegrees_ = pose.yawDegrees;
     pitchDegrees_ = std::clamp(pose.pitchDegrees, -90.0F, 90.0F);
     orthographic_ = pose.orthographic;
+    up_ = pose.up;
     ++revision_;
 }
 
@@ -81,7 +114,7 @@ void Camera::orbit(glm::vec2 pixels, float height) {
 
 void Camera::pan(glm::vec2 pixels, float height) {
     const float unit = heightAtTarget() / height;
-    target_ += right() * (-pixels.x * unit) + up() * (pixels.y * unit);
+    target_ += right() * (-pixels.x * unit) + upward() * (pixels.y * unit);
     ++revision_;
 }
 
@@ -89,7 +122,7 @@ void Camera::zoomAt(float notches, glm::vec2 ndc, float aspect) {
     const float before = distance_;
     distance_ = std::clamp(distance_ * std::pow(0.85F, notches), kNearest, kFarthestAway);
     const float moved = (before - distance_) * halfTangent();
-    target_ += right() * (ndc.x * aspect * moved) + up() * (ndc.y * moved);
+    target_ += right() * (ndc.x * aspect * moved) + upward() * (ndc.y * moved);
     ++revision_;
 }
 
@@ -102,9 +135,10 @@ void Camera::frame(const glm::vec3& center, float radius) {
 
 void Camera::face(const glm::vec3& normal) {
     if (glm::dot(direction(), normal) > kFacesFrom) return;
-    const float flat = std::hypot(normal.x, normal.y);
-    if (flat > 1e-3F) yawDegrees_ = glm::degrees(std::atan2(normal.y, normal.x));
-    pitchDegrees_ = glm::degrees(std::atan2(normal.z, flat));
+    const glm::vec3 to = inFrame(normal);
+    const float flat = std::hypot(to.x, to.y);
+    if (flat > 1e-3F) yawDegrees_ = glm::degrees(std::atan2(to.y, to.x));
+    pitchDegrees_ = glm::degrees(std::atan2(to.z, flat));
     ++revision_;
 }
 
@@ -135,17 +169,17 @@ void Camera::fit(std::span<const glm::vec3> sample, float aspect) {
     glm::vec2 low(std::numeric_limits<float>::max());
     glm::vec2 high(-low);
     for (const glm::vec3& p : sample) {
-        const glm::vec2 seen(glm::dot(p, right()), glm::dot(p, up()));
+        const glm::vec2 seen(glm::dot(p, right()), glm::dot(p, upward()));
         low = glm::min(low, seen);
         high = glm::max(high, seen);
     }
     const glm::vec2 middle = 0.5F * (low + high);
-    target_ = right() * middle.x + up() * middle.y;
+    target_ = right() * middle.x + upward() * middle.y;
     const float t = halfTangent();
     distance_ = kNearest;
     for (const glm::vec3& p : sample) {
         const float x = std::abs(glm::dot(p, right()) - middle.x);
-        const float y = std::abs(glm::dot(p, up()) - middle.y);
+        const float y = std::abs(glm::dot(p, upward()) - middle.y);
         const float depth = glm::dot(p, direction());
         distance_ = std::max(distance_, depth + kHomeMargin * std::max(x / (t * aspect), y / t));
     }
@@ -156,14 +190,14 @@ void Camera::enclose(std::span<const glm::vec3> places, float aspect, glm::vec2 
     glm::vec3 low(std::numeric_limits<float>::max());
     glm::vec3 high(-low);
     const auto seen = [&](const glm::vec3& p) {
-        return glm::vec3(glm::dot(p, right()), glm::dot(p, up()), glm::dot(p, direction()));
+        return glm::vec3(glm::dot(p, right()), glm::dot(p, upward()), glm::dot(p, direction()));
     };
     for (const glm::vec3& p : places) {
         low = glm::min(low, seen(p));
         high = glm::max(high, seen(p));
     }
     const glm::vec3 middle = 0.5F * (low + high);
-    target_ = right() * middle.x + up() * middle.y + direction() * middle.z;
+    target_ = right() * middle.x + upward() * middle.y + direction() * middle.z;
     const glm::vec2 half = halfTangent() * share * glm::vec2(aspect, 1.0F);
     float distance = kNearest;
     for (const glm::vec3& p : places) {
@@ -176,9 +210,10 @@ void Camera::enclose(std::span<const glm::vec3> places, float aspect, glm::vec2 
 }
 
 void Camera::home(const glm::vec3& beginning, std::span<const glm::vec3> sample, float aspect) {
-    const float flat = std::hypot(beginning.x, beginning.y);
-    if (flat > 1e-3F) yawDegrees_ = glm::degrees(std::atan2(beginning.y, beginning.x)) - 35.0F;
-    const float elevation = glm::degrees(std::atan2(beginning.z, flat));
+    const glm::vec3 from = inFrame(beginning);
+    const float flat = std::hypot(from.x, from.y);
+    if (flat > 1e-3F) yawDegrees_ = glm::degrees(std::atan2(from.y, from.x)) - 35.0F;
+    const float elevation = glm::degrees(std::atan2(from.z, flat));
     pitchDegrees_ = std::clamp(elevation - 15.0F, kLowestHomeDegrees, kHighestHomeDegrees);
     frame(glm::vec3(0.0F), kSceneRadius);
     if (!sample.empty()) fit(sample, aspect);

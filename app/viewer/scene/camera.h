@@ -1,10 +1,12 @@
-/// An orbit camera with z up. Plain mathematics: knows no window and no OpenGL.
+/// An orbit camera with one of the axes up. Plain mathematics: knows no window and no OpenGL.
 #pragma once
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
+
+#include "run/up_axis.h"
 
 namespace se::view {
 
@@ -27,6 +29,7 @@ struct CameraPose {
     float yawDegrees = -60.0F;
     float pitchDegrees = 24.0F;
     bool orthographic = false;
+    UpAxis up = UpAxis::Z;  ///< What yaw and pitch are about.
     friend bool operator==(const CameraPose&, const CameraPose&) = default;
 };
 
@@ -51,6 +54,11 @@ class Camera {
     /// Moves `target` to the middle of the view; later orbits turn about it.
     void lookAt(const glm::vec3& target);
     void set(ViewPreset preset);
+    UpAxis up() const { return up_; }
+    /// Turns so that this axis points up; yaw, pitch, target and distance stay.
+    void setUp(UpAxis up);
+    /// A direction in the frame of the camera, whose z is up: what yaw and pitch are measured in.
+    glm::vec3 inFrame(const glm::vec3& direction) const;
     void toggleOrthographic();
     bool orthographic() const { return orthographic_; }
     /// View of everything from beside the direction `beginning`.
@@ -59,7 +67,7 @@ class Camera {
               std::span<const glm::vec3> sample = {}, float aspect = 1.3F);
 
     CameraPose pose() const {
-        return {target_, distance_, yawDegrees_, pitchDegrees_, orthographic_};
+        return {target_, distance_, yawDegrees_, pitchDegrees_, orthographic_, up_};
     }
     /// Takes over a pose, brought within its limits.
     void setPose(const CameraPose& pose);
@@ -76,13 +84,16 @@ class Camera {
     void fit(std::span<const glm::vec3> sample, float aspect);
     glm::vec3 direction() const;  ///< From the target to the eye.
     glm::vec3 right() const;
-    glm::vec3 up() const;
+    glm::vec3 upward() const;  ///< In the picture.
+    /// The inverse of inFrame().
+    glm::vec3 fromFrame(const glm::vec3& direction) const;
 
     glm::vec3 target_{0.0F};
     float distance_ = 3.4F;
     float yawDegrees_ = -60.0F;
     float pitchDegrees_ = 24.0F;
     bool orthographic_ = false;
+    UpAxis up_ = UpAxis::Z;
     unsigned revision_ = 0;
 };
 

@@ -10,6 +10,8 @@ std::optional<Color> outcomeColor(const Palette& palette, const Event& event) {
     const std::optional<Verdict> verdict = verdictOf(event);
     if (!verdict) return std::nullopt;
     if (rejects(event)) return palette.rejected;
+    const auto* drop = std::get_if<DropEvidence>(&event.evidence);
+    if (drop != nullptr && drop->isLimit) return palette.test;
     switch (*verdict) {
         case Verdict::Kept:
         case Verdict::InsideSphere:

@@ -21,6 +21,10 @@ std::optional<CameraPose> poseFrom(const json& object) {
         pose.yawDegrees = object.at("yaw").get<float>();
         pose.pitchDegrees = object.at("pitch").get<float>();
         pose.orthographic = object.value("orthographic", false);
+        // Places of before there was a choice have none: they had z up.
+        const auto up = upAxisFromName(object.value("up", "z"));
+        if (!up) return std::nullopt;
+        pose.up = *up;
     } catch (const json::exception&) {
         return std::nullopt;
     }
@@ -40,7 +44,8 @@ std::string toText(const Place& place) {
                             {"distance", c.distance},
                             {"yaw", c.yawDegrees},
                             {"pitch", c.pitchDegrees},
-                            {"orthographic", c.orthographic}};
+                            {"orthographic", c.orthographic},
+                            {"up", upAxisName(c.up)}};
     }
     return object.dump();
 }

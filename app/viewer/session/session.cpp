@@ -27,7 +27,7 @@ void Session::open(InputSpec spec) {
     loader_.begin(opening_);
 }
 
-void Session::runAnew(const RuleSet& rules) {
+void Session::runAnew(const RuleSet& rules, Resume resume) {
     if (!ready() || (phase_ == SessionPhase::Loading && !anew_)) return;
     cancelMove();
     anew_ = true;
@@ -36,8 +36,9 @@ void Session::runAnew(const RuleSet& rules) {
     error_.clear();
     phase_ = SessionPhase::Loading;
     const Event* at = event();
+    const bool end = resume == Resume::End || atEnd();
     loader_.begin(opening_,
-                  {model_, spec_, {address(), at != nullptr ? subjectOf(*at) : kNone, atEnd()}});
+                  {model_, spec_, {address(), at != nullptr ? subjectOf(*at) : kNone, end}});
 }
 
 const std::string& Session::whatIfProblem(std::size_t i) const {

@@ -49,10 +49,10 @@ class Session {
 
     // Opening. What was open before stays until the new input is ready, or failed.
     void open(InputSpec spec);
-    /// Runs what is open anew, by other rules or with other what-ifs, in a thread. The cursor stays
-    /// where it is by state, as findSamePlace() says, and message() says where it landed and why;
-    /// the selection stays. What is refused is told, and all stays as it is. Requires ready().
-    void runAnew(const RuleSet& rules);
+    /// Runs what is open again, by other rules or with other what-ifs, in a thread. message() says
+    /// where the cursor landed and why; the selection stays. What is refused is told, and all stays
+    /// as it is. Requires ready().
+    void runAnew(const RuleSet& rules, Resume resume = Resume::SamePlace);
     /// What is open is being run anew.
     bool runsAnew() const { return anew_ && phase_ == SessionPhase::Loading; }
     /// For how long.

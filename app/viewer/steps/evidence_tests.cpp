@@ -80,6 +80,7 @@ void addRows(const DropEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
     const bool start = e.side == Side::Start;
     const std::string side = start ? "start" : "end";
     out.row("point", pointsText({e.point}));
+    if (e.isLimit) return out.row("angle", degreesText(e.degrees) + ", where " + side + " is now");
     if (in.event.address.stage != Stage::Convex) {
         const double limit = start ? picture.startDegrees : picture.endDegrees;
         out.row("angle", degreesText(e.degrees) + ", " + side + " is at " + degreesText(limit),

@@ -171,7 +171,8 @@ struct DropEvidence {
     Index point;
     Side side;
     double degrees;
-    Verdict verdict;  ///< Outside, BehindConvex
+    Verdict verdict;       ///< Outside, BehindConvex
+    bool isLimit = false;  ///< Outside: the point is the moved start or end itself, not refused.
 };
 struct ReciprocalEvidence {
     Index point;
@@ -288,6 +289,9 @@ struct Event {
     Evidence evidence;
 };
 
+/// The word for how the test of an event ended: that of its verdict, but "now start" or "now end"
+/// for a candidate that start or end moved to. Empty for an event without a test.
+std::string_view endingText(const Event& event);
 /// One plain sentence with its numbers; the same on screen, on stdout and in golden logs.
 std::string describe(const Event& event);
 

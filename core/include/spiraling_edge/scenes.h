@@ -15,6 +15,8 @@ struct Scene {
     std::string_view title;  ///< For people.
     std::string_view watch;  ///< One sentence: what to look at.
     PointFile (*build)();    ///< Makes the points; equal on every machine.
+    /// Of the decision that it is about, with the set `paper`; empty: the start of the run.
+    std::string_view address = {};
 };
 
 /// A scene that fails, and why.
@@ -34,5 +36,8 @@ std::span<const FailureScene> failureScenes();
 std::span<const Scene> scenes();
 /// Of either table; null if there is none of that id.
 const Scene* findScene(std::string_view id);
+/// The address of the decision that the scene of either table is about; empty if it is about the
+/// whole run, or if there is no scene of that id.
+std::string_view addressOfScene(std::string_view id);
 
 }  // namespace se

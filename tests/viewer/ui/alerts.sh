@@ -17,11 +17,18 @@ reach() {
     fail "$1 does not come into sight"
 }
 
-# A scene of how the run goes opens at its start, with no panel in the way.
+# A scene of how the run goes opens at the decision that it is about, with no panel in the way; in
+# every layout, but for a place that is named.
 start scene:torus
-says alert_search done; says alerts "[0-9]+"; says pivot 0
+says alert_search done; says alerts "[0-9]+"; says address "200\.split\.1"
 denies open_tab Alerts
 stop
+for layout in learn present compare; do
+    start scene:figure-4 --layout "$layout"; says phase ready; says layout "$layout"
+    says address "8\.limits\.1"
+    stop
+done
+start scene:figure-4 --goto 3; says pivot 3; stop
 
 # A scene that fails opens on its decision, with its alert.
 size=1600x980 start scene:four-edge-hole
@@ -52,8 +59,12 @@ at=$(field address)
 sleep 0.3; reach "beside ${rule#remedy }"; click_on "beside ${rule#remedy }"
 says compare_with run; says compare_done true; says address "$at"
 press ctrl+d; says compare_done true
-sleep 0.3; reach "$rule"; click_on "$rule"
+sleep 0.3; reach "$rule"
+camera=$(field camera | sed 's/[][{}.*+?()|^$\\]/\\&/g')
+click_on "$rule"
 leaves alerts "$alerts"; says phase ready; says alert_search done
+# What became of it is in sight: the whole new mesh, from where one looked.
+says at_end true; says camera "$camera"
 [ "$(field alerts)" -lt "$alerts" ] || fail "the rule does not help: $(field alerts) alerts, $alerts before"
 stop
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Breakpoints and watches: F9, F5, Shift+F5, the panel, a lasso, undo, and what a session keeps.
 . "$(dirname "$0")/harness.sh"
-start scene:figure-12
+start scene:figure-12 --goto 0
 says phase ready
 says pivot 0
 

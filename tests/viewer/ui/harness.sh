@@ -101,10 +101,16 @@ drag() {
     xdotool mouseup "${5:-1}"
     sleep 0.1
 }
-# resize WIDTH HEIGHT
+# resize WIDTH HEIGHT: and waits up to 10 s until the program has drawn itself so wide.
 resize() {
+    local w
     xdotool windowsize --sync "$window" "$1" "$2"
     sleep 0.3
+    for _ in $(seq 200); do
+        read -r _ _ w _ < <(field "region drawer" | tr -d '[],')
+        [ "${w:-0}" -eq "$1" ] && break
+        sleep 0.05
+    done
 }
 
 # field NAME: what the program says of it now, without quotes; lists on one line.

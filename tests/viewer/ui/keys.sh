@@ -126,6 +126,14 @@ press Return; says palette false
 says pivot "$((before + 1))"
 press ctrl+k; says palette true
 press Escape; says palette false
+# It finds by other words, and panels and scenes too.
+press ctrl+k; says palette true; type_text "wirefr"; sleep 0.2
+press Return; says palette false; says mesh_style wire
+press ctrl+k; says palette true; type_text "counts"; sleep 0.2
+press Return; says palette false; says open_tab Counts
+press ctrl+k; says palette true; type_text "up: y"; sleep 0.2
+press Return; says palette false; says up y
+press ctrl+z; says up z
 press ctrl+o; says file_browser true
 press Escape; says file_browser false
 # The bookmarks are in no file.

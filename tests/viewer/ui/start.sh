@@ -26,8 +26,9 @@ press Escape; says keyboard view; says start_page true
 press Tab Tab; says keyboard scenes; chosen sphere
 press Right; chosen torus; press Return
 says phase ready; says input scene:torus; says keyboard view
-# The view has the keyboard: its keys work at once.
-press F10; says pivot 1
+# It opens at the decision that it is about. The view has the keyboard: its keys work at once.
+says address "200\.split\.1"
+press F10; says pivot 201
 press n; says pins '.*normals.*'
 stop
 

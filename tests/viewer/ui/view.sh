@@ -45,5 +45,25 @@ lit() { # SECONDS at each place
     return 1
 }
 lit 0.05 || lit 0.2 || fail "no neighbor of the pivot lights up"
+# A press right after a jump of the pointer, both within one frame, moves the camera not at all; nor
+# does a press that is moved by less than a drag.
+press Return; sleep 0.3
+read -r x y < <(inside "region view" 5 5)
+read -r far_x far_y < <(inside "region view" 95 95)
+camera=$(escaped)
+for button in 1 2 3; do
+    move_to "$x" "$y"
+    kill -STOP "$program"
+    xdotool mousemove --window "$window" "$far_x" "$far_y" mousedown "$button"
+    kill -CONT "$program"
+    sleep 0.3
+    xdotool mousemove_relative --sync -- 3 2
+    sleep 0.2
+    xdotool mouseup "$button"; sleep 0.4
+    says camera "$camera"
+    press Escape
+done
+# One that is moved farther turns.
+drag "$x" "$y" 60 20; denies camera "$camera"
 stop
 well

@@ -1,0 +1,37 @@
+/// What the palette finds: actions, panels and scenes. No ImGui.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "commands.h"
+
+namespace se::view {
+
+/// One line of the palette.
+struct PaletteEntry {
+    enum class Kind : std::uint8_t { Action, Panel, Scene };
+    Kind kind = Kind::Action;
+    std::string_view title;
+    std::string_view note;      ///< What it belongs to: the menu of an action, else the kind.
+    std::string_view synonyms;  ///< Other words for it, apart by blanks.
+    std::string_view id;        ///< Of the action or scene; of a panel its title.
+    std::string_view help;
+};
+
+/// All of them: actions as in their table, then `panels` by title, then scenes, those that fail
+/// last. A panel whose title is that of an action stands there once, as the action.
+std::vector<PaletteEntry> paletteEntries(std::span<const std::string_view> panels);
+
+/// The entries in which every word of `filter` begins a word, whatever the case: of the title, of
+/// its synonyms, or else of group, id and help. The one with that very title comes first, then
+/// those that have the words in the title, in title and synonyms, elsewhere. All without words.
+std::vector<PaletteEntry> matchingEntries(std::span<const PaletteEntry> entries,
+                                          std::string_view filter);
+
+/// Runs an action, shows a panel, opens a scene.
+void choose(const PaletteEntry& entry, CommandContext& context);
+
+}  // namespace se::view

@@ -1,0 +1,41 @@
+/// What a press in the view is: a drag, with the motion that it moves the camera by, or a click.
+/// Plain values.
+#pragma once
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+namespace se::view {
+
+class ViewDrag {
+  public:
+    /// A button came down at `pointer`, in pixels of the window: as the window reports it, since by
+    /// the next frame the pointer may be elsewhere.
+    void press(glm::vec2 pointer) { press_ = pointer; }
+    /// The button that came down last holds the view. The way of the pointer before it does not
+    /// count.
+    void begin() {
+        begun_ = last_ = press_;
+        drags_ = false;
+    }
+    /// The pointer's motion since the frame before, once it was `threshold` pixels away from where
+    /// the button came down; the whole of it in the frame in which the drag begins, so that what
+    /// was taken stays under the pointer.
+    glm::vec2 move(glm::vec2 pointer, float threshold) {
+        drags_ = drags_ || glm::distance(pointer, begun_) >= threshold;
+        if (!drags_) return glm::vec2(0.0F);
+        const glm::vec2 by = pointer - last_;
+        last_ = pointer;
+        return by;
+    }
+    /// True from when the pointer has come to the threshold, until the next begin().
+    bool drags() const { return drags_; }
+
+  private:
+    glm::vec2 press_{0.0F};
+    glm::vec2 begun_{0.0F};
+    glm::vec2 last_{0.0F};
+    bool drags_ = false;
+};
+
+}  // namespace se::view
