@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <span>
 
 #include "input.h"
 #include "interrupt.h"
@@ -17,6 +18,7 @@
 #include "spiraling_edge/mesh_io.h"
 #include "spiraling_edge/reconstruct.h"
 #include "spiraling_edge/stop_watch.h"
+#include "spiraling_edge/used_points.h"
 #include "trace.h"
 #include "verbs.h"
 
@@ -28,6 +30,7 @@ constexpr long long kMostPivots = 0xffffffffLL;
 struct RunArguments {
     std::string input;
     std::string output;
+    bool usedPoints = false;
     std::string report;
     std::string trace;
     std::optional<std::uint32_t> maxPivots;
@@ -39,10 +42,14 @@ struct RunArguments {
 
     void addTo(CLI::App& app) {
         app.add_option("IN", input, "File with points, - or scene:ID")->required();
-        app.add_option("-o,--output", output,
-                       "Write the mesh to this file, as PLY, OBJ, OFF, STL or GLB by its "
-                       "extension; - : as PLY to standard output")
-            ->type_name("OUT");
+        auto* out = app.add_option("-o,--output", output,
+                                   "Write the mesh to this file, as PLY, OBJ, OFF, STL or GLB by "
+                                   "its extension; - : as PLY to standard output");
+        out->type_name("OUT");
+        app.add_flag("--used-points", usedPoints,
+                     "Write only the points that stand in a triangle (default: all, in their "
+                     "order)")
+            ->needs(out);
         rules.addTo(app);
         neighbors.addTo(app);
         derived.addTo(app);
@@ -83,15 +90,6 @@ double shareDone(const State& state) {
     return state.status.empty()
                ? 1.0
                : static_cast<double>(done) / static_cast<double>(state.status.size());
-}
-
-/// What was derived is written with the mesh.
-void takeOverDerived(const Prepared& prepared, PointFile& file) {
-    const DerivedPieces& derived = prepared.report.derived;
-    if (derived.normals || derived.orientation || prepared.report.noisyPoints > 0)
-        file.normal = prepared.points.normal;
-    if (derived.normals) file.normalType = file.positionType;
-    if (derived.types || derived.rim) file.type = prepared.points.type;
 }
 
 /// Called between pivots, now and then: shows how far the run is; true if it should end.
@@ -140,11 +138,17 @@ Ending triangulate(Stepper& stepper, std::optional<std::uint32_t> maxPivots, Tra
     return reason == StopReason::Capped ? Ending::Capped : ending;
 }
 
-void writeMeshFile(const std::string& path, const PointFile& file,
-                   const std::vector<Triangle>& mesh) {
+void writeMeshFile(const std::string& path, const PointFile& file, std::span<const Triangle> mesh) {
     if (path == "-") return writeOutput(path, meshPlyBytes(file, mesh));
     const Status status = se::writeMesh(path, file, mesh);
     if (!status) throw Failure(ExitCode::Internal, status.error().message);
+}
+
+void writeResult(const RunArguments& arguments, const PointFile& file,
+                 std::span<const Triangle> mesh) {
+    if (!arguments.usedPoints) return writeMeshFile(arguments.output, file, mesh);
+    const PointFile used = withUsedPoints(file, mesh);
+    writeMeshFile(arguments.output, used, used.faces);
 }
 
 /// Finds every fault of the mesh, and its place.
@@ -202,7 +206,7 @@ ExitCode runVerb(const Arguments& words) {
         [&](const Progress& progress) { return prepare(file, prepareOptions, progress); });
     requirePossible(prepared.points, outcome.params);
     outcome.prepared = prepared.report;
-    takeOverDerived(prepared, file);
+    storeDerived(prepared.points, prepared.report, file);
     outcome.seconds.prepare = watch.lap();
     if (trace.active() || arguments.maxPivots) {
         Stepper stepper(prepared.points, outcome.params);
@@ -214,7 +218,7 @@ ExitCode runVerb(const Arguments& words) {
     outcome.seconds.triangulate = watch.lap();
     if (outcome.ending != Ending::Interrupted) {
         trace.commit();
-        if (!arguments.output.empty()) writeMeshFile(arguments.output, file, outcome.state.mesh());
+        if (!arguments.output.empty()) writeResult(arguments, file, outcome.state.mesh());
         outcome.output = arguments.output;
         outcome.seconds.write = watch.lap();
     }
