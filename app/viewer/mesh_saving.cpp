@@ -54,10 +54,10 @@ void MeshSaving::takeOutcome(const Result<SavedMesh>& outcome) {
 
 void MeshSaving::carryOut() {
     const MeshAsk ask = std::exchange(c_.ui.mesh.ask, MeshAsk::None);
-    if (ask != MeshAsk::None && c_.session.ready()) answer(ask);
     // Another run may be open by now.
     if (dialogOpen() && !export_.saving())
         export_.make(c_.session.sharedModel(), c_.session.sharedFile());
+    if (ask != MeshAsk::None && c_.session.ready()) answer(ask);
     if (!dialogOpen()) export_.forget();
     publish();
 }

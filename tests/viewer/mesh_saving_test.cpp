@@ -32,7 +32,7 @@ struct SavingDesk : test::Desk {
         saving.settle();
         saving.carryOut();
     }
-    const FinishedMesh mesh() const {
+    FinishedMesh mesh() const {
         return finishMesh(session.model(), *session.sharedFile()).value();
     }
 };

@@ -164,8 +164,10 @@ void drawPathLine(const PanelContext& context, FileBrowsing& state) {
     // A click beside the line must not leave the keys to nobody.
     // Nor must a page that opens together with the browser and takes the keyboard.
     if (!waits && (state.settling > 0 || state.refocus)) ImGui::SetKeyboardFocusHere();
+    // What was typed the last time must not be typed into.
+    const int select = state.settling > 0 ? ImGuiInputTextFlags_AutoSelectAll : 0;
     const bool entered = textField("##path", wordsFor(context.ui().browser).hint, state.path,
-                                   ImGuiInputTextFlags_EnterReturnsTrue);
+                                   ImGuiInputTextFlags_EnterReturnsTrue | select);
     ImGui::SameLine();
     const bool pressed = ImGui::Button(save ? "Save" : "Open", {-1.0F, 0.0F});
     ImGui::EndDisabled();
@@ -268,7 +270,7 @@ void drawFileBrowser(const PanelContext& context) {
     if (shown) scenes ? drawOpen(context, state) : drawFiles(context, state);
     state.shown = true;
     // A question that was answered gives the keyboard back.
-    state.settling = meshDialogWaits(context) ? 2 : std::max(0, state.settling - 1);
+    state.settling = meshDialogWaits(context) ? 1 : std::max(0, state.settling - 1);
     state.refocus = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
     ImGui::End();
 }
