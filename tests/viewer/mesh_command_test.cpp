@@ -162,13 +162,14 @@ void checkReproduced(const InputSpec& spec, const char* name = "m.ply", bool use
     CHECK(readText(target.path) == saved);
 }
 
-/// The sphere as a file with floats, colors, and whatever `change` does to it.
+/// A scene as a file with floats, colors, and whatever `change` does to it.
 template <typename Change>
-struct SphereFile {
-    fs::path path = test::ownPlace("the sphere.ply");
-    explicit SphereFile(Change change) {
-        PointFile file = findScene("sphere")->build();
+struct SceneFile {
+    fs::path path = test::ownPlace("the points.ply");
+    SceneFile(const char* scene, Change change) {
+        PointFile file = findScene(scene)->build();
         file.neighbors = {};
+        file.positionType = file.normalType = ScalarType::Float;
         Attribute red{"red", ScalarType::UInt8, {}};
         for (std::size_t p = 0; p < file.position.size(); ++p)
             red.values.push_back(static_cast<double>(p % 256));
@@ -176,11 +177,11 @@ struct SphereFile {
         change(file);
         REQUIRE(writeMeshPly(path, file, {}).ok());
     }
-    ~SphereFile() { fs::remove(path); }
+    ~SceneFile() { fs::remove(path); }
     InputSpec spec() const { return specOf(path.string()); }
 };
 template <typename Change>
-SphereFile(Change) -> SphereFile<Change>;
+SceneFile(const char*, Change) -> SceneFile<Change>;
 
 }  // namespace
 
@@ -193,7 +194,7 @@ TEST_CASE("The copied command writes the same bytes: scenes, all formats, used p
 }
 
 TEST_CASE("The copied command writes the same bytes: a file with rules, lists and what-ifs") {
-    const SphereFile file([](PointFile&) {});
+    const SceneFile file("sphere", [](PointFile&) {});
     InputSpec spec = file.spec();
     spec.rules = "corrected";
     spec.choices = {ruleValueFromText("maxgap=100.5").value()};
@@ -219,19 +220,19 @@ TEST_CASE("The copied command writes the same bytes: normals, walls and rims tha
     spec.rim = true;
     spec.normals = NormalSource::Derived;
     checkReproduced(spec, "m.ply", true);
-    const SphereFile flipped([](PointFile& file) {
+    const SceneFile flipped("sphere", [](PointFile& file) {
         for (std::size_t p = 0; p < file.normal.size(); p += 7) file.normal[p] = -file.normal[p];
     });
     spec = flipped.spec();
     spec.normals = NormalSource::Oriented;
     checkReproduced(spec);
-    const SphereFile bare([](PointFile& file) { file.normal.clear(); });
+    const SceneFile bare("sphere", [](PointFile& file) { file.normal.clear(); });
     checkReproduced(bare.spec());
 }
 
 TEST_CASE("The copied command writes the same bytes: points made here, and points mended here") {
     checkReproduced(specOf("sample:torus,n=300,seed=2"));
-    const SphereFile flawed([](PointFile& file) {
+    const SceneFile flawed("sphere", [](PointFile& file) {
         for (Vec3& normal : file.normal) normal *= normal.z > 0.8 ? -1.0 : 2.7;
         file.position.push_back(file.position[3]);
         file.normal.push_back(file.normal[3]);
@@ -239,14 +240,27 @@ TEST_CASE("The copied command writes the same bytes: points made here, and point
         if (file.hasTypes()) file.type.push_back(0);
     });
     InputSpec spec = flawed.spec();
-    spec.walls.from = WallChoice::From::Around;
     for (const Cures& cures :
          {Cures{"duplicates"}, Cures{"unscaled_normals", "flipped_normals"},
           Cures{"near_duplicates", "short_lists", "unsymmetric_lists"}, Cures{"open_border"},
           Cures{"unscaled_normals", "in_line", "types_off_box"}}) {
         spec.cures = cures;
         checkReproduced(spec);
+        checkReproduced(spec, "all-digits.obj");
     }
+}
+
+TEST_CASE("The copied command writes the same bytes: the box around the points that are left") {
+    const SceneFile stray("sheet", [](PointFile& file) {
+        file.position.emplace_back(40.0, 0.0, 0.0);
+        file.normal.emplace_back(0.0, 0.0, 1.0);
+        file.attributes[0].values.push_back(0.0);
+        if (file.hasTypes()) file.type.push_back(0);
+    });
+    InputSpec spec = stray.spec();
+    spec.walls.from = WallChoice::From::Around;
+    spec.cures = {"isolated_points"};
+    checkReproduced(spec);
 }
 
 #endif

@@ -82,7 +82,6 @@ void drawPoints(const PanelContext& context) {
 /// How large the mesh is, and of which moment.
 void drawSize(const PanelContext& context) {
     const MeshForm& form = context.ui().mesh;
-    const Session& session = context.session();
     if (!form.size) {
         ImGui::ProgressBar(static_cast<float>(form.share), {-1.0F, 0.0F}, "running to the end");
         return;
@@ -90,10 +89,7 @@ void drawSize(const PanelContext& context) {
     if (form.size->triangles == 0) {
         return wrappedText("This run makes no triangle: there is no mesh to save.");
     }
-    std::string text = sizeText(*form.size, form.usedOnly) + ": ";
-    text += session.atEnd() ? "the finished mesh."
-                            : "the finished mesh, that of the end of the run, wherever the "
-                              "cursor stands.";
+    std::string text = sizeText(*form.size, form.usedOnly) + ": the mesh at the end of the run.";
     if (form.size->capped) text += " The run was stopped by the rule cap: it is no whole surface.";
     wrappedText(text);
 }
