@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <span>
 
 #include "input.h"
 #include "interrupt.h"
@@ -16,6 +17,7 @@
 #include "spiraling_edge/mesh_io.h"
 #include "spiraling_edge/reconstruct.h"
 #include "spiraling_edge/stop_watch.h"
+#include "spiraling_edge/used_points.h"
 #include "trace.h"
 #include "verbs.h"
 
@@ -27,6 +29,7 @@ constexpr long long kMostPivots = 0xffffffffLL;
 struct RunArguments {
     std::string input;
     std::string output;
+    bool usedPoints = false;
     std::string report;
     std::string trace;
     std::optional<std::uint32_t> maxPivots;
@@ -39,13 +42,17 @@ struct RunArguments {
 
     void addTo(CLI::App& app) {
         app.add_option("IN", input, "File with points, - or scene:ID")->required();
-        addOutputOption(app, "-o,--output", output,
-                        "Write the mesh to this file, as PLY, OBJ, OFF, STL or GLB by its "
-                        "extension; - : as PLY to standard output")
-            ->type_name("OUT");
+        auto* out = addOutputOption(app, "-o,--output", output,
+                                    "Write the mesh to this file, as PLY, OBJ, OFF, STL or GLB by "
+                                    "its extension; - : as PLY to standard output");
+        out->type_name("OUT");
         app.add_flag("--normals", writing.normals,
                      "With -o FILE.off: write the normals too, as NOFF, which fewer programs read; "
                      "PLY, OBJ and GLB hold them anyway, STL cannot");
+        app.add_flag("--used-points", usedPoints,
+                     "Write only the points that stand in a triangle (default: all, in their "
+                     "order)")
+            ->needs(out);
         rules.addTo(app);
         neighbors.addTo(app);
         derived.addTo(app);
@@ -94,15 +101,6 @@ double shareDone(const State& state) {
                : static_cast<double>(done) / static_cast<double>(state.status.size());
 }
 
-/// What was derived is written with the mesh.
-void takeOverDerived(const Prepared& prepared, PointFile& file) {
-    const DerivedPieces& derived = prepared.report.derived;
-    if (derived.normals || derived.orientation || prepared.report.noisyPoints > 0)
-        file.normal = prepared.points.normal;
-    if (derived.normals) file.normalType = file.positionType;
-    if (derived.types || derived.rim) file.type = prepared.points.type;
-}
-
 /// Called between pivots, now and then: shows how far the run is; true if it should end.
 bool lookUp(const State& state, ProgressLine& line) {
     constexpr std::uint32_t kAskEvery = 64;
@@ -149,8 +147,8 @@ Ending triangulate(Stepper& stepper, std::optional<std::uint32_t> maxPivots, Tra
     return reason == StopReason::Capped ? Ending::Capped : ending;
 }
 
-void writeMeshFile(const std::string& path, const PointFile& file,
-                   const std::vector<Triangle>& mesh, const WriteOptions& options) {
+void writeMeshFile(const std::string& path, const PointFile& file, std::span<const Triangle> mesh,
+                   const WriteOptions& options) {
     if (path == "-") return writeOutput(path, meshPlyBytes(file, mesh));
     const Status status = se::writeMesh(path, file, mesh, options);
     if (!status) throw Failure(ExitCode::Internal, status.error().message);
@@ -160,10 +158,14 @@ void writeMeshFile(const std::string& path, const PointFile& file,
 void writeResult(const RunArguments& arguments, const PointFile& file, RunOutcome& outcome) {
     outcome.output = arguments.output;
     if (arguments.output.empty()) return;
-    const std::vector<Triangle>& mesh = outcome.state.mesh();
-    writeMeshFile(arguments.output, file, mesh, arguments.writing);
-    if (arguments.output == "-") return;
-    outcome.shift = shiftOf(*meshFormatOf(arguments.output), file, mesh);
+    const auto write = [&](const PointFile& points, std::span<const Triangle> mesh) {
+        writeMeshFile(arguments.output, points, mesh, arguments.writing);
+        if (arguments.output != "-")
+            outcome.shift = shiftOf(*meshFormatOf(arguments.output), points, mesh);
+    };
+    if (!arguments.usedPoints) return write(file, outcome.state.mesh());
+    const PointFile used = withUsedPoints(file, outcome.state.mesh());
+    write(used, used.faces);
 }
 
 /// Finds every fault of the mesh, and its place.
@@ -244,7 +246,7 @@ ExitCode runVerb(const Arguments& words) {
     requirePossible(prepared.points, outcome.params);
     outcome.prepared = prepared.report;
     outcome.columns = file.columns;
-    takeOverDerived(prepared, file);
+    storeDerived(prepared.points, prepared.report, file);
     outcome.seconds.prepare = watch.lap();
     if (trace.active() || arguments.maxPivots) {
         Stepper stepper(prepared.points, outcome.params);

@@ -32,7 +32,8 @@ Application::Application(const Options& options, const ViewSettings& settings)
       filing_(commands_),
       alerting_(commands_, filing_),
       growing_(commands_),
-      comparing_(commands_) {
+      comparing_(commands_),
+      meshSaving_(commands_) {
     comparing_.setShaders(options.shaders);
     if (options.with) comparing_.beginWith(*options.with);
     ui_.settings = settings;
@@ -68,7 +69,8 @@ void Application::drop(const std::vector<std::string>& paths) {
 
 bool Application::poll() {
     const bool opened = session_.poll();
-    const bool changed = growing_.poll() || opened;
+    const bool saved = meshSaving_.poll();
+    const bool changed = growing_.poll() || opened || saved;
     filing_.poll();
     alerting_.poll();
     if (auto with = filing_.takeComparison()) comparing_.beginWith(std::move(*with));
@@ -115,7 +117,7 @@ bool Application::animating() const {
     return session_.busy() || playback_.playing() || painter_.moving() || ui_.look.blinking() ||
            ui_.click.waiting() || comparing_.moving() ||
            session_.phase() == SessionPhase::Loading || growing_.moving() ||
-           session_.questions().busy();
+           session_.questions().busy() || meshSaving_.busy();
 }
 
 std::string Application::title() const {
@@ -260,8 +262,11 @@ void Application::frame(glm::ivec2 size, double seconds) {
     undoOrRedo();
     growing_.carryOut();
     comparing_.carryOut();
+    meshSaving_.carryOut();
     filing_.carryOut(ui_.requests);
     ui_.unsaved = filing_.unsaved();
+    const std::string copied = std::exchange(ui_.requests.copyText, {});
+    if (!copied.empty()) ImGui::SetClipboardText(copied.c_str());
     if (std::exchange(ui_.requests.copyPlace, false)) copyPlace();
     if (std::exchange(ui_.requests.pastePlace, false)) pastePlace();
     // One that was asked for while this frame was drawn is taken from the next one.

@@ -10,6 +10,7 @@
 #include "filing.h"
 #include "growing.h"
 #include "interface/commands.h"
+#include "mesh_saving.h"
 #include "options.h"
 #include "panels/panel.h"
 #include "panels/ui.h"
@@ -108,6 +109,7 @@ class Application {
     Alerting alerting_;
     Growing growing_;
     Comparing comparing_;
+    MeshSaving meshSaving_;
     UndoStack undo_;
     std::uint32_t undoGeneration_ = 0xffffffffU;  ///< Of the input that the stack is about.
     std::string undoSource_;

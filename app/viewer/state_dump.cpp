@@ -7,6 +7,7 @@
 #include "session/selection_facts.h"
 #include "spiraling_edge/atomic_file.h"
 #include "spiraling_edge/io.h"
+#include "spiraling_edge/mesh_io.h"
 
 namespace se::view {
 
@@ -204,6 +205,20 @@ void dumpGrowth(json& out, const GrowthPage& page) {
     out["growth_said"] = page.said;
 }
 
+/// The dialog Save mesh, and the command that was copied.
+void dumpMeshForm(json& out, const UiState& ui) {
+    const MeshForm& form = ui.mesh;
+    out["mesh_dialog"] = ui.fileBrowser && ui.browser == BrowserTask::SaveMesh;
+    out["mesh_name"] = ui.browsing.path;
+    out["mesh_format"] = std::string(meshFormats()[form.format].extension);
+    out["mesh_used_only"] = form.usedOnly;
+    out["mesh_triangles"] = form.size ? json(form.size->triangles) : json(nullptr);
+    out["mesh_saving"] = form.saving;
+    out["mesh_question"] = form.question;
+    out["mesh_complaint"] = form.complaint;
+    out["mesh_command"] = form.copied;
+}
+
 void dumpLayers(json& out, const LayerModes& modes, std::optional<Stage> stage) {
     const LayerSwitches shown = shownLayers(modes, stage);
     for (const Layer& layer : layers()) {
@@ -271,6 +286,7 @@ std::string Application::stateDump() const {
              {"moving", painter_.moving()}};
     out["prepare"] = ui_.prepare.open;
     dumpGrowth(out, ui_.growth);
+    dumpMeshForm(out, ui_);
     dumpComparison(out, session_, ui_.compare);
     dumpLayers(out, ui_.settings.layers, session_.stage());
     out["point_tint"] = std::string(rowOf(ui_.settings.pointTint).name);

@@ -2,20 +2,10 @@
 #include <utility>
 
 #include "doctor_checks.h"
+#include "kept_rows.h"
 
 namespace se {
 namespace {
-
-/// Keeps the rows of a column that are marked.
-template <typename T>
-void keepRows(std::vector<T>& column, const std::vector<bool>& keep) {
-    if (column.empty()) return;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < keep.size(); ++i) {
-        if (keep[i]) column[kept++] = column[i];
-    }
-    column.resize(kept);
-}
 
 /// Works on a copy of the file.
 class Surgeon {
@@ -29,7 +19,7 @@ class Surgeon {
         scaleNormals();
         correctCorners();
         const bool all = std::find(keep_.begin(), keep_.end(), false) == keep_.end();
-        if (!all) number();
+        if (!all) number_ = keptNumbers(keep_);
         cleanLists();
         if (!all) dropPoints();
         return {std::move(file_), std::move(repairs_)};
@@ -109,14 +99,7 @@ class Surgeon {
         note("corner_bits", corrected, "corner bit corrected", "corner bits corrected");
     }
 
-    /// Every point's index in the result, kNone if it is dropped.
-    void number() {
-        number_.assign(keep_.size(), kNone);
-        Index next = 0;
-        for (std::size_t p = 0; p < keep_.size(); ++p) {
-            if (keep_[p]) number_[p] = next++;
-        }
-    }
+    /// The index of a point in the result, kNone if it is dropped.
     Index numberOf(Index p) const { return number_.empty() ? p : number_[p]; }
 
     void cleanLists() {
@@ -158,10 +141,7 @@ class Surgeon {
 
     void dropPoints() {
         moveFaces();
-        keepRows(file_.position, keep_);
-        keepRows(file_.normal, keep_);
-        keepRows(file_.type, keep_);
-        for (Attribute& attribute : file_.attributes) keepRows(attribute.values, keep_);
+        keepColumns(file_, keep_);
     }
 
     void moveFaces() {

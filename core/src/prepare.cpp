@@ -282,4 +282,12 @@ Result<Prepared> prepare(const PointFile& file, const PrepareOptions& options,
     return Preparation(file, options, progress).run();
 }
 
+void storeDerived(const PointSet& points, const PrepareReport& report, PointFile& file) {
+    const DerivedPieces& derived = report.derived;
+    if (derived.normals || derived.orientation || report.noisyPoints > 0)
+        file.normal = points.normal;
+    if (derived.normals) file.normalType = file.positionType;
+    if (derived.types || derived.rim) file.type = points.type;
+}
+
 }  // namespace se

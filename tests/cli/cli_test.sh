@@ -471,6 +471,19 @@ interrupt_leaves_no_file() {
     is "$(ls | sort | tr '\n' ' ')" "err out pipe " files
 }
 
+used_points_alone_are_written() {
+    # A point that no list reaches stands in no triangle.
+    { icosahedron; echo "9 9 9 0 0 1"; } >far.xyz
+    expect 0 run far.xyz --radius 1.2 -q -o all.ply
+    is "$(header_count vertex all.ply)" 13 "points of all"
+    expect 0 run far.xyz --radius 1.2 -q --used-points -o used.ply
+    is "$(header_count vertex used.ply)" 12 "used points"
+    is "$(header_count face used.ply)" 20 "triangles of the used points"
+    expect 0 check used.ply
+    expect 2 run far.xyz --used-points
+    says err "--output"
+}
+
 quiet_says_nothing() {
     expect 0 run scene:sphere -o mesh.ply -q
     empty out

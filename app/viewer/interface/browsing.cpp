@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdlib>
 
+#include "mesh_form.h"
 #include "run/text.h"
 #include "session/session_file.h"
 
@@ -61,6 +62,8 @@ bool isListed(const fs::path& path, BrowserTask task) {
             return lowerExtension(path) == ".ply";
         case BrowserTask::Mesh:
             return canHoldMesh(path);
+        case BrowserTask::SaveMesh:
+            return namesMeshFormat(path);
     }
     return false;
 }

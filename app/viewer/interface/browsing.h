@@ -10,7 +10,7 @@
 namespace se::view {
 
 /// What the file browser is for.
-enum class BrowserTask : std::uint8_t { Open, SaveSession, Volume, SavePoints, Mesh };
+enum class BrowserTask : std::uint8_t { Open, SaveSession, Volume, SavePoints, Mesh, SaveMesh };
 
 struct BrowserEntry {
     std::string name;

@@ -38,6 +38,10 @@ void escape(C& c) {
         ui.leaving.answer = LeaveAnswer::Cancel;
         return;
     }
+    if (ui.fileBrowser && ui.browser == BrowserTask::SaveMesh && !ui.mesh.question.empty()) {
+        ui.mesh.ask = MeshAsk::Keep;
+        return;
+    }
     // One thing at a time, the one on top first.
     const bool covered = ui.dialogOpen() || ui.popupOpen || ui.walk.at() != KeyStop::View;
     closeDialogs(ui);
@@ -138,6 +142,20 @@ void saveAs(C& c) {
     if (!c.session.ready()) return c.session.say("There is nothing open to save.");
     c.ui.browser = BrowserTask::SaveSession;
     c.ui.fileBrowser = true;
+}
+
+void saveMesh(C& c) {
+    if (!c.session.ready()) return c.session.say("There is nothing open to save the mesh of.");
+    pause(c);
+    c.ui.mesh.open();
+    c.ui.browser = BrowserTask::SaveMesh;
+    c.ui.fileBrowser = true;
+}
+
+void copyCommand(C& c) {
+    if (!c.session.ready()) return c.session.say("There is nothing open that a command would run.");
+    c.ui.mesh.path.clear();
+    c.ui.mesh.ask = MeshAsk::CopyCommand;
 }
 
 void savePoints(C& c) {

@@ -31,6 +31,10 @@ void toggleBookmarkHere(CommandContext& c);
 void toBookmark(CommandContext& c, std::size_t place);
 void openBrowser(CommandContext& c);
 void saveAs(CommandContext& c);
+/// Asks where to save the mesh that the run ends with.
+void saveMesh(CommandContext& c);
+/// Puts the command line that makes that mesh on the clipboard.
+void copyCommand(CommandContext& c);
 /// Asks where to save points that were made here.
 void savePoints(CommandContext& c);
 /// Asks what is to be derived from the points of the input.

@@ -70,6 +70,10 @@ bool runOnGrowthPage(const Command& command, CommandContext& context) {
         findCommand("file.savepoints")->run(context);
         return true;
     }
+    if (command.id == "file.savemesh" || command.id == "file.copycommand") {
+        context.ui.growth.complaint = "There is no mesh yet: choose Use these points first.";
+        return true;
+    }
     return isAside(command);
 }
 

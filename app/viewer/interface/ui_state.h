@@ -18,6 +18,7 @@
 #include "layers/layer.h"
 #include "layout.h"
 #include "leaving.h"
+#include "mesh_form.h"
 #include "navigation.h"
 #include "prepare_form.h"
 #include "run/cure.h"
@@ -82,6 +83,7 @@ struct UiRequests {
     Resume resume = Resume::SamePlace;  ///< With `rules`.
     std::string open;                   ///< A path or `scene:ID`; empty: nothing.
     std::string saveSessionAs;          ///< A path; empty: nothing.
+    std::string copyText;               ///< For the clipboard; empty: nothing.
     /// An input with its options: prepared in another way, or points that were made here.
     std::optional<InputSpec> openSpec;
 };
@@ -144,6 +146,7 @@ struct UiState {
     CommandPalette palette;
     PrepareForm prepare;
     GrowthPage growth;
+    MeshForm mesh;
     ComparePage compare;
     LeaveQuestion leaving;
     bool quitting = false;  ///< Nothing is in the way: the window closes.

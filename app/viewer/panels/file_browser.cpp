@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "mesh_fields.h"
 #include "panel.h"
 #include "session/session_file.h"
 #include "spiraling_edge/scenes.h"
@@ -29,8 +30,16 @@ void openSource(const PanelContext& context, const std::string& source) {
     ui.growth.asked = GrowthAsk::Begin;
 }
 
+/// The thread that writes asks before it replaces a file.
+void saveMeshTo(const PanelContext& context, const std::string& typed) {
+    MeshForm& form = context.ui().mesh;
+    form.path = form.withFormat(typed);
+    form.ask = MeshAsk::Save;
+}
+
 /// What is there is replaced only at the second time.
 void saveTo(const PanelContext& context, FileBrowsing& state, const fs::path& typed) {
+    if (context.ui().browser == BrowserTask::SaveMesh) return saveMeshTo(context, typed.string());
     const bool points = context.ui().browser == BrowserTask::SavePoints;
     const fs::path path = withExtension(typed, points ? ".ply" : kSessionExtension);
     std::error_code error;
@@ -53,9 +62,21 @@ std::string stemOfMade(const PanelContext& context) {
     return spec && session.ready() ? sampleStem(spec.value(), session.model().points.size()) : "";
 }
 
+/// Where the mesh of this input was saved last; empty: not yet.
+fs::path savedMesh(const PanelContext& context) {
+    const MeshForm& form = context.ui().mesh;
+    const bool mesh = context.ui().browser == BrowserTask::SaveMesh;
+    return mesh && form.savedSource == context.session().spec().source ? form.savedPath : "";
+}
+
 /// A name to begin with: that of the session, else that of the input.
 std::string proposedName(const PanelContext& context) {
     if (context.ui().browser == BrowserTask::SavePoints) return stemOfMade(context) + ".ply";
+    if (context.ui().browser == BrowserTask::SaveMesh) {
+        const fs::path saved = savedMesh(context);
+        return saved.empty() ? context.ui().mesh.withFormat(meshStem(context.session()))
+                             : saved.filename().string();
+    }
     const std::string& session = context.ui().sessionPath;
     if (!session.empty()) return fs::path(session).filename().string();
     if (!context.session().ready()) return {};
@@ -73,9 +94,11 @@ fs::path firstFolder(const PanelContext& context) {
     const UiState& ui = context.ui();
     const std::string& source = context.session().spec().source;
     const bool file = !source.empty() && !isScene(source) && !isSample(source);
-    const fs::path near = !ui.sessionPath.empty() ? fs::path(ui.sessionPath)
-                          : file                  ? fs::path(source)
-                                                  : fs::path();
+    const fs::path saved = savedMesh(context);
+    const fs::path near = !saved.empty()            ? saved
+                          : !ui.sessionPath.empty() ? fs::path(ui.sessionPath)
+                          : file                    ? fs::path(source)
+                                                    : fs::path();
     if (near.empty()) return fs::current_path(error);
     return fs::absolute(near, error).lexically_normal().parent_path();
 }
@@ -97,7 +120,8 @@ void drawScenes(const PanelContext& context) {
 
 bool saving(const PanelContext& context) {
     const BrowserTask task = context.ui().browser;
-    return task == BrowserTask::SaveSession || task == BrowserTask::SavePoints;
+    return task == BrowserTask::SaveSession || task == BrowserTask::SavePoints ||
+           task == BrowserTask::SaveMesh;
 }
 
 /// What differs between the tasks, in words.
@@ -121,6 +145,9 @@ Words wordsFor(BrowserTask task) {
         case BrowserTask::Mesh:
             return {"Compare with a mesh###browser", "path of a mesh: PLY, OBJ or OFF",
                     "No files that can hold a mesh in this folder."};
+        case BrowserTask::SaveMesh:
+            return {"Save mesh###browser", "name of the mesh file",
+                    "No PLY, OBJ, OFF, STL or GLB files in this folder."};
         case BrowserTask::Open:
             break;
     }
@@ -131,15 +158,21 @@ Words wordsFor(BrowserTask task) {
 /// The line to type into, with its button.
 void drawPathLine(const PanelContext& context, FileBrowsing& state) {
     const bool save = saving(context);
+    const bool waits = meshDialogWaits(context);
+    ImGui::BeginDisabled(waits);
     ImGui::SetNextItemWidth(-5.0F * context.em);
     // A click beside the line must not leave the keys to nobody.
     // Nor must a page that opens together with the browser and takes the keyboard.
-    if (state.settling > 0 || state.refocus) ImGui::SetKeyboardFocusHere();
+    if (!waits && (state.settling > 0 || state.refocus)) ImGui::SetKeyboardFocusHere();
+    // What was typed the last time must not be typed into.
+    const int select = state.settling > 0 ? ImGuiInputTextFlags_AutoSelectAll : 0;
     const bool entered = textField("##path", wordsFor(context.ui().browser).hint, state.path,
-                                   ImGuiInputTextFlags_EnterReturnsTrue);
+                                   ImGuiInputTextFlags_EnterReturnsTrue | select);
     if (ImGui::IsItemActive()) context.ui().typing.takesKeys();
     ImGui::SameLine();
-    if (ImGui::Button(save ? "Save" : "Open", {-1.0F, 0.0F}) || entered) {
+    const bool pressed = ImGui::Button(save ? "Save" : "Open", {-1.0F, 0.0F});
+    ImGui::EndDisabled();
+    if ((pressed || entered) && !waits) {
         const std::string source = typedSource(state.folder, state.path);
         std::error_code error;
         if (source.empty()) {
@@ -161,6 +194,12 @@ void drawFiles(const PanelContext& context, FileBrowsing& state) {
     const float room = std::max(6.0F * context.em, ImGui::GetContentRegionAvail().x * 0.75F);
     heading(context, "Files", fitted(state.folder.string(), room));
     drawPathLine(context, state);
+    if (context.ui().browser == BrowserTask::SaveMesh && context.session().ready()) {
+        const std::string path = typedSource(state.folder, state.path);
+        drawMeshFields(context, state.path,
+                       path.empty() ? path : context.ui().mesh.withFormat(path));
+    }
+    ImGui::BeginDisabled(meshDialogWaits(context));
     if (ImGui::BeginChild("##files", {0, 0}, false)) {
         if (ImGui::Selectable("..")) state.readFolder(fs::path(state.folder).parent_path());
         const std::vector<BrowserEntry> entries = state.entries;
@@ -179,6 +218,7 @@ void drawFiles(const PanelContext& context, FileBrowsing& state) {
         if (entries.empty()) ImGui::TextDisabled("%s", wordsFor(state.task).nothing);
     }
     ImGui::EndChild();
+    ImGui::EndDisabled();
 }
 
 void drawOpen(const PanelContext& context, FileBrowsing& state) {
@@ -212,7 +252,7 @@ void drawFileBrowser(const PanelContext& context) {
         state.shown = false;
         return;
     }
-    if (!state.shown) prepare(context, state);
+    if (!state.shown || state.task != context.ui().browser) prepare(context, state);
     const float em = context.em;
     const Layout& l = context.layout;
     const glm::vec2 screen(l.status.size.x, l.status.max().y);
@@ -228,7 +268,8 @@ void drawFileBrowser(const PanelContext& context) {
     const bool scenes = context.ui().browser == BrowserTask::Open;
     if (shown) scenes ? drawOpen(context, state) : drawFiles(context, state);
     state.shown = true;
-    state.settling = std::max(0, state.settling - 1);
+    // A question that was answered gives the keyboard back.
+    state.settling = meshDialogWaits(context) ? 1 : std::max(0, state.settling - 1);
     state.refocus = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
     ImGui::End();
 }

@@ -30,6 +30,13 @@ Result<std::vector<Index>> pointsOf(const PointFile& file, const DoctorCheck& ch
     return std::vector<Index>{};
 }
 
+/// As it would be read from the file that the doctor's command writes, with all numbers rounded to
+/// the types that they have there: the run is that of the command.
+PointFile asWritten(PointFile file) {
+    Result<PointFile> read = readPoints(meshPlyBytes(file, file.faces), "mended.ply");
+    return read ? std::move(read.value()) : std::move(file);
+}
+
 }  // namespace
 
 bool canCure(const DoctorCheck& check) { return check.cure != Cure::None; }
@@ -71,7 +78,7 @@ Result<std::vector<std::string>> cure(PointFile& file, const Cures& cures, Prepa
     std::vector<std::string> done;
     const auto mend = [&](std::span<const Index> drop) {
         Treatment treatment = treat(file, drop);
-        file = std::move(treatment.file);
+        file = asWritten(std::move(treatment.file));
         for (const Repair& repair : treatment.repairs) done.push_back(repair.text);
     };
     for (const std::string& name : cures) {

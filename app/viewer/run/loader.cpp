@@ -58,7 +58,9 @@ bool sameInput(const Params& a, const Params& b) {
 Result<Opened> openInput(const InputSpec& spec, LoadProgress& progress) {
     Result<Loaded> loaded = loadInput(spec, progress);
     if (!loaded) return loaded.error();
-    return Opened{std::move(loaded.value().model), nullptr, std::move(loaded.value().file)};
+    Opened opened{std::move(loaded.value().model), nullptr, std::move(loaded.value().file)};
+    opened.given = std::move(loaded.value().given);
+    return opened;
 }
 
 /// The same points under other rules.

@@ -31,6 +31,7 @@ struct Opened {
     std::vector<MovedModel> moved = {};
     /// If an open run was begun anew: where its cursor belongs. The runner has gone there.
     std::optional<SamePlace> place = std::nullopt;
+    std::shared_ptr<const PointFile> given = nullptr;  ///< See Loaded; null: as it was before.
 };
 
 /// What is begun anew, with the place of its cursor.

@@ -188,6 +188,9 @@ Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress) {
              [&progress](double) { return !progress.cancelled.load(); });
     if (progress.cancelled) return openingCancelled();
     if (!mended) return mended.error();
+    // Around the points that are left, as for the file that the doctor writes.
+    if (spec.walls.from == WallChoice::From::Around)
+        options.walls = boxAround(file.value().position);
     Result<Prepared> prepared = prepare(file.value(), options, [&](double share) {
         progress.share = kParsedShare + (kPreparedShare - kParsedShare) * share;
         return !progress.cancelled.load();
@@ -195,6 +198,8 @@ Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress) {
     if (progress.cancelled) return openingCancelled();
     if (!prepared) return prepared.error();
     model->cured = !spec.cures.empty();
+    std::shared_ptr<const PointFile> given;
+    if (model->cured) given = std::make_shared<const PointFile>(file.value());
     model->mended = std::move(mended.value());
     for (std::string& each : takeOverCured(prepared.value(), options, spec.cures, file.value()))
         model->mended.push_back(std::move(each));
@@ -207,7 +212,9 @@ Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress) {
     placeModel(*model);
     if (progress.cancelled) return openingCancelled();
     progress.share = 1.0;
-    return Loaded{std::move(model), std::make_shared<const PointFile>(std::move(file.value()))};
+    auto examined = std::make_shared<const PointFile>(std::move(file.value()));
+    if (!given) given = examined;
+    return Loaded{std::move(model), std::move(examined), std::move(given)};
 }
 
 Result<std::shared_ptr<const Model>> loadModel(const InputSpec& spec, LoadProgress& progress) {

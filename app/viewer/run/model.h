@@ -101,6 +101,8 @@ struct LoadProgress {
 struct Loaded {
     std::shared_ptr<const Model> model;
     std::shared_ptr<const PointFile> file;
+    /// As prepare() took it: what a mesh is written with. `file` itself where there are no cures.
+    std::shared_ptr<const PointFile> given;
 };
 /// Reads or builds the points, prepares and validates them. Fails with a sentence for a person.
 Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress);

@@ -140,10 +140,12 @@ Result<SampleSpec> sampleFromSource(std::string_view source) {
 }
 
 std::string sampleCommand(const SampleSpec& spec) {
+    return sampleCommand(spec, sampleStem(spec, spec.count) + ".ply");
+}
+
+std::string sampleCommand(const SampleSpec& spec, std::string_view output) {
     if (spec.steps > 0) return {};
-    const bool plain = spec.surface.find_first_of(" '\"$&()*;<>?\\`|~#") == std::string::npos;
-    std::string text =
-        "spiraling-edge sample " + (plain ? spec.surface : "\"" + spec.surface + "\"");
+    std::string text = "spiraling-edge sample " + shellQuoted(spec.surface);
     text +=
         spec.count > 0 ? " -n " + std::to_string(spec.count) : " --spacing " + exact(spec.spacing);
     // Joined by =, since what begins with a minus sign would pass for an option.
@@ -151,7 +153,7 @@ std::string sampleCommand(const SampleSpec& spec) {
     if (spec.seed != 1) text += " --seed " + std::to_string(spec.seed);
     if (spec.curvature > 0.0) text += " --curvature " + exact(spec.curvature);
     if (spec.box) text += " --box=" + boxText(*spec.box, ',');
-    return text + " -o " + sampleStem(spec, spec.count) + ".ply";
+    return text + " -o " + shellQuoted(output);
 }
 
 std::string sampleTitle(const SampleSpec& spec, std::size_t count) {

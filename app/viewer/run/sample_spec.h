@@ -48,8 +48,10 @@ bool isVolumePath(std::string_view path);
 std::string sampleSource(const SampleSpec& spec);
 /// Reads it back. Errors name the part that is wrong; that there is such a surface is not checked.
 Result<SampleSpec> sampleFromSource(std::string_view source);
-/// The command line that writes the same points to a file; empty if there is none, since the
+/// The command line that writes the same points to `output`; empty if there is none, since the
 /// particles stopped before their last step.
+std::string sampleCommand(const SampleSpec& spec, std::string_view output);
+/// The same with a file named after the points.
 std::string sampleCommand(const SampleSpec& spec);
 /// "torus, 4 000 points".
 std::string sampleTitle(const SampleSpec& spec, std::size_t count);

@@ -90,6 +90,7 @@ void Session::adopt(Opened opened) {
         selection_ = {};
         marked_.clear();
     }
+    if (opened.given) file_ = std::move(opened.given);
     if (opened.file) {
         accused_ = false;
         checkup_.wait(std::move(opened.file));

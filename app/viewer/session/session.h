@@ -90,6 +90,8 @@ class Session {
     const Model& shown() const;
     /// For who goes on with it in another thread.
     std::shared_ptr<const Model> sharedModel() const { return model_; }
+    /// The input as prepare() took it: what a mesh is written with.
+    std::shared_ptr<const PointFile> sharedFile() const { return file_; }
     const PivotRecord& record() const { return *record_; }
     const Picture& picture() const { return picture_; }
     const RunOverview& overview() const { return overview_; }
@@ -275,6 +277,7 @@ class Session {
     bool missed_ = false;
     Clock::time_point saidAt_;
     std::shared_ptr<const Model> model_;
+    std::shared_ptr<const PointFile> file_;
     std::shared_ptr<const PivotRecord> record_;
     std::size_t cursor_ = 0;
     Picture picture_;

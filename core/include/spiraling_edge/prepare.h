@@ -118,6 +118,10 @@ using Progress = std::function<bool(double)>;
 /// index: the result does not depend on how the search works.
 Result<Prepared> prepare(const PointFile& file, const PrepareOptions& options,
                          const Progress& progress = {});
+/// Stores in `file` the normals and types that preparing it has derived, so that a mesh is written
+/// with those that it was made by. Given ones that stayed as they were, and neighbor lists, are not
+/// touched. `points` and `report` are those that prepare() made of `file`.
+void storeDerived(const PointSet& points, const PrepareReport& report, PointFile& file);
 /// The ordered lists alone, for points with usable[p] true; all others get an empty list and stand
 /// in none. Requires finite usable positions. Points at the same place are no neighbors of each
 /// other, nor are points so far apart (1e154) that the square of their distance is no number.

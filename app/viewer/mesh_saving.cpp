@@ -1,0 +1,116 @@
+#include "mesh_saving.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "spiraling_edge/mesh_io.h"
+
+namespace se::view {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kNoTriangle = "This run makes no triangle: there is no mesh to save.";
+
+}  // namespace
+
+bool MeshSaving::dialogOpen() const {
+    return c_.ui.fileBrowser && c_.ui.browser == BrowserTask::SaveMesh && c_.session.ready();
+}
+
+bool MeshSaving::poll() {
+    const bool news = export_.poll();
+    if (auto outcome = export_.takeOutcome()) takeOutcome(*outcome);
+    publish();
+    return news;
+}
+
+void MeshSaving::publish() {
+    MeshForm& form = c_.ui.mesh;
+    form.saving = export_.saving();
+    form.writing = export_.writing();
+    form.share = export_.share();
+    form.size.reset();
+    if (const FinishedMesh* mesh = export_.mesh()) {
+        form.size = MeshSize{mesh->triangles->size(), mesh->points->position.size(),
+                             mesh->usedPoints, mesh->capped};
+    }
+}
+
+void MeshSaving::takeOutcome(const Result<SavedMesh>& outcome) {
+    MeshForm& form = c_.ui.mesh;
+    if (!outcome) {
+        form.complaint = outcome.error().message;
+        // The dialog may be closed by now.
+        return c_.session.say(form.complaint);
+    }
+    const SavedMesh& saved = outcome.value();
+    form.savedPath = saved.target.path;
+    form.savedSource = c_.session.spec().source;
+    if (dialogOpen()) c_.ui.fileBrowser = false;
+    c_.session.say(savedText(saved));
+}
+
+void MeshSaving::carryOut() {
+    const MeshAsk ask = std::exchange(c_.ui.mesh.ask, MeshAsk::None);
+    // Another run may be open by now.
+    if (dialogOpen() && !export_.saving())
+        export_.make(c_.session.sharedModel(), c_.session.sharedFile());
+    if (ask != MeshAsk::None && c_.session.ready()) answer(ask);
+    if (!dialogOpen()) export_.forget();
+    publish();
+}
+
+void MeshSaving::answer(MeshAsk ask) {
+    MeshForm& form = c_.ui.mesh;
+    form.complaint.clear();
+    form.note.clear();
+    const std::string asked = std::exchange(form.question, {});
+    if (ask == MeshAsk::Save) save(form.path, false);
+    if (ask == MeshAsk::Replace) save(asked, true);
+    if (ask == MeshAsk::CopyCommand) copyCommand(form.path);
+    if (ask != MeshAsk::Cancel) return;
+    export_.cancel();
+    form.complaint = "Cancelled: nothing was saved.";
+}
+
+void MeshSaving::save(const std::string& path, bool replace) {
+    MeshForm& form = c_.ui.mesh;
+    if (path.empty() || export_.saving()) return;
+    if (form.size && form.size->triangles == 0) {
+        form.complaint = kNoTriangle;
+        return;
+    }
+    std::error_code error;
+    if (!replace && fs::exists(path, error)) {
+        form.question = path;
+        form.justAsked = true;
+        return;
+    }
+    export_.save({path, form.usedOnly});
+}
+
+void MeshSaving::copyCommand(const std::string& path) {
+    MeshForm& form = c_.ui.mesh;
+    const bool known = form.savedSource == c_.session.spec().source && !form.savedPath.empty();
+    const std::string usual =
+        known ? form.savedPath
+              : meshStem(c_.session) + std::string(meshFormats()[form.format].extension);
+    const MeshCommand command =
+        meshCommand(c_.session, {path.empty() ? usual : path, form.usedOnly});
+    if (command.text.empty()) {
+        form.complaint = command.note;
+        return c_.session.say(command.note);
+    }
+    form.copied = c_.ui.requests.copyText = command.text;
+    form.note = "Copied the command." + (command.note.empty() ? "" : " " + command.note);
+    c_.session.say(form.note);
+}
+
+void MeshSaving::settle() {
+    export_.finish();
+    poll();
+}
+
+}  // namespace se::view

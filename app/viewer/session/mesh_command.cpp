@@ -1,0 +1,171 @@
+#include "mesh_command.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "run/exact_text.h"
+#include "run/text.h"
+#include "session.h"
+#include "spiraling_edge/scenes.h"
+
+namespace se::view {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kProgram = "spiraling-edge";
+
+/// The terminal may stand in another folder.
+std::string wholePath(const std::string& path) {
+    std::error_code error;
+    const fs::path whole = fs::absolute(path, error);
+    return (error ? fs::path(path) : whole).lexically_normal().string();
+}
+
+std::string stemOf(const std::string& source, std::size_t points) {
+    if (isScene(source)) return source.substr(kScenePrefix.size());
+    if (!isSample(source)) return fs::path(source).stem().string();
+    const Result<SampleSpec> spec = sampleFromSource(source);
+    return spec ? sampleStem(spec.value(), points) : "sample";
+}
+
+/// A file beside the mesh.
+std::string besideMesh(const MeshTarget& target, const std::string& name) {
+    return (fs::path(target.path).parent_path() / name).string();
+}
+
+/// The input of `run` and the commands that write it, one after the other.
+struct Steps {
+    std::string before;  ///< Ends where the next command may begin.
+    std::string input;
+    std::string note;
+};
+
+Steps stepsToSource(const std::string& source, const MeshTarget& target) {
+    if (source.empty()) return {{}, sceneSource(scenes().front().id), {}};
+    if (isScene(source)) return {{}, source, {}};
+    if (!isSample(source)) return {{}, wholePath(source), {}};
+    Result<SampleSpec> spec = sampleFromSource(source);
+    if (!spec) return {{}, {}, spec.error().message};
+    SampleSpec& made = spec.value();
+    if (isVolumePath(made.surface)) made.surface = wholePath(made.surface);
+    const std::string points = besideMesh(target, sampleStem(made, made.count) + ".ply");
+    const std::string command = sampleCommand(made, points);
+    if (command.empty()) {
+        return {{},
+                {},
+                "These points were stopped on their way, which the command line cannot do. Save "
+                "them by File > Save new points..., open that file, and copy again."};
+    }
+    return {command + " && ", points, "The points are written first, to " + points + "."};
+}
+
+/// The doctor's command where he mends the points. He ends with 1 if something is left that needs
+/// a decision: the run goes on.
+void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
+    const std::string stem = stemOf(spec.source.empty() ? steps.input : spec.source, 0);
+    int files = 0;
+    for (const std::string& name : spec.cures) {
+        const DoctorCheck* check = findDoctorCheck(name);
+        if (check == nullptr) continue;
+        const bool drops = check->cure == Cure::Drop;
+        // Whatever he mends, he mends all: once is enough.
+        if (!drops && (check->cure != Cure::Mend || files > 0)) continue;
+        ++files;
+        const std::string number = files > 1 ? "-" + std::to_string(files) : "";
+        const std::string mended = besideMesh(target, stem + "-mended" + number + ".ply");
+        steps.before += std::string(kProgram) + " doctor " + shellQuoted(steps.input) +
+                        " -q --fix " + shellQuoted(mended);
+        if (drops) steps.before += " --drop " + name;
+        steps.before += "; ";
+        steps.input = mended;
+    }
+    if (files == 0) return;
+    steps.note += (steps.note.empty() ? "" : " ") +
+                  std::string("The points are mended first, in ") + steps.input + ".";
+}
+
+/// What the doctor's other cures choose, as options.
+InputSpec withCuresChosen(InputSpec spec) {
+    for (const std::string& name : spec.cures) {
+        const DoctorCheck* check = findDoctorCheck(name);
+        if (check == nullptr) continue;
+        if (check->cure == Cure::Orient) spec.normals = NormalSource::Oriented;
+        if (check->cure == Cure::Symmetric) spec.neighbors.symmetric = true;
+        if (check->cure == Cure::Walls) spec.walls = {WallChoice::From::Around, {}};
+        if (check->cure == Cure::Rim) spec.rim = true;
+        if (check->cure != Cure::NewLists) continue;
+        spec.neighbors.reach = KNearest{};
+        spec.neighbors.recompute = true;
+    }
+    return spec;
+}
+
+std::string reachOption(const NeighborOptions& lists) {
+    if (!lists.recompute) return {};
+    if (const auto* nearest = std::get_if<KNearest>(&lists.reach))
+        return " --neighbors " + std::to_string(nearest->k);
+    if (const auto* within = std::get_if<WithinSpacings>(&lists.reach))
+        return " --reach " + exact(within->spacings);
+    return " --radius " + exact(std::get<WithinRadius>(lists.reach).radius);
+}
+
+std::string wallOption(const WallChoice& walls) {
+    if (walls.from == WallChoice::From::Around) return " --box auto";
+    // Joined by =, since what begins with a minus sign would pass for an option.
+    if (walls.from == WallChoice::From::Box) return " --box=" + boxText(walls.box, ',');
+    return {};
+}
+
+std::string runOptions(const InputSpec& spec) {
+    std::string text;
+    const auto flag = [&text](bool on, const char* name) {
+        if (on) text += std::string(" ") + name;
+    };
+    if (spec.rules != "paper") text += " --rules " + spec.rules;
+    for (const RuleValue& each : spec.choices) text += " --rule " + lineOf(each);
+    for (const WhatIf& each : spec.whatIf) text += " --what-if " + shellQuoted(lineOf(each));
+    text += reachOption(spec.neighbors);
+    flag(spec.neighbors.symmetric, "--symmetric");
+    flag(spec.keepOpposing, "--keep-opposing");
+    flag(spec.keepNoise, "--keep-noise");
+    flag(spec.normals == NormalSource::Oriented, "--orient");
+    flag(spec.normals == NormalSource::Derived, "--derive-normals");
+    text += wallOption(spec.walls);
+    flag(spec.rim, "--derive-rim");
+    return text;
+}
+
+}  // namespace
+
+MeshCommand meshCommand(const InputSpec& spec, const MeshTarget& target) {
+    Steps steps = stepsToSource(spec.source, target);
+    if (steps.input.empty()) return {{}, steps.note};
+    addDoctor(spec, target, steps);
+    MeshCommand command{steps.before + kProgram + " run " + shellQuoted(steps.input), steps.note};
+    command.text += runOptions(withCuresChosen(spec));
+    if (target.usedOnly) command.text += " --used-points";
+    command.text += " -o " + shellQuoted(target.path);
+    return command;
+}
+
+MeshCommand meshCommand(const Session& session, const MeshTarget& target) {
+    const InputSpec& spec = session.spec();
+    for (std::size_t i = 0; i < spec.whatIf.size(); ++i) {
+        if (session.whatIfProblem(i).empty()) continue;
+        return {{},
+                "The command line refuses the what-if \"" + lineOf(spec.whatIf[i]) +
+                    "\": " + session.whatIfProblem(i) +
+                    " Take it back in the panel What if, and copy again."};
+    }
+    return meshCommand(spec, target);
+}
+
+std::string meshStem(const Session& session) {
+    const std::string& source =
+        session.spec().source.empty() ? session.model().name : session.spec().source;
+    return stemOf(source, session.model().points.size()) + "-mesh";
+}
+
+}  // namespace se::view

@@ -1,0 +1,90 @@
+#include "mesh_export.h"
+
+#include <algorithm>
+
+#include "spiraling_edge/mesh_io.h"
+#include "spiraling_edge/reconstruct.h"
+#include "spiraling_edge/used_points.h"
+
+namespace se::view {
+
+Result<FinishedMesh> finishMesh(const Model& model, const PointFile& input,
+                                const Progress& progress) {
+    constexpr std::uint32_t kPivotsPerReport = 64;
+    // A closed surface has two triangles to a point.
+    const double expected =
+        2.0 * static_cast<double>(std::max<std::size_t>(1, model.points.size()));
+    Reconstruction run = reconstruct(model.points, model.params, [&](const State& state) {
+        if (!progress || state.counters.pivots % kPivotsPerReport != 0) return false;
+        return !progress(std::min(1.0, static_cast<double>(state.triangles.size()) / expected));
+    });
+    if (run.reason == StopReason::Condition) return Error{"Cancelled."};
+    PointFile points = input;
+    storeDerived(model.points, model.report, points);
+    FinishedMesh mesh;
+    mesh.points = std::make_shared<const PointFile>(std::move(points));
+    mesh.triangles = std::make_shared<const std::vector<Triangle>>(run.state.mesh());
+    mesh.usedPoints = countUsedPoints(model.points.size(), *mesh.triangles);
+    mesh.capped = run.reason == StopReason::Capped;
+    return mesh;
+}
+
+Result<SavedMesh> saveMesh(const FinishedMesh& mesh, const MeshTarget& target) {
+    const SavedMesh saved{target, mesh.triangles->size(), mesh.pointsFor(target), mesh.capped};
+    if (!target.usedOnly) {
+        const Status written = writeMesh(target.path, *mesh.points, *mesh.triangles);
+        return written ? Result<SavedMesh>(saved) : Result<SavedMesh>(written.error());
+    }
+    const PointFile used = withUsedPoints(*mesh.points, *mesh.triangles);
+    const Status written = writeMesh(target.path, used, used.faces);
+    return written ? Result<SavedMesh>(saved) : Result<SavedMesh>(written.error());
+}
+
+void MeshExport::make(std::shared_ptr<const Model> model, std::shared_ptr<const PointFile> input) {
+    if (model == model_) return;
+    model_ = model;
+    mesh_.ask([model = std::move(model), input = std::move(input)](const Progress& progress) {
+        return finishMesh(*model, *input, progress);
+    });
+}
+
+void MeshExport::forget() {
+    order_.reset();
+    model_.reset();
+    mesh_.forget();
+}
+
+void MeshExport::save(const MeshTarget& target) {
+    if (saving()) return;
+    order_ = target;
+    begin();
+}
+
+/// Begins to write what waits, if the mesh is there.
+void MeshExport::begin() {
+    if (!order_ || mesh() == nullptr) return;
+    file_.ask([mesh = *mesh(), target = *std::exchange(order_, std::nullopt)](const Progress&) {
+        return saveMesh(mesh, target);
+    });
+}
+
+bool MeshExport::poll() {
+    bool news = mesh_.poll();
+    if (news) begin();
+    if (file_.poll()) {
+        news = true;
+        outcome_ = file_.answer() != nullptr ? Result<SavedMesh>(*file_.answer())
+                                             : Result<SavedMesh>(Error{file_.complaint()});
+        file_.forget();
+    }
+    return news;
+}
+
+void MeshExport::finish() {
+    mesh_.finish();
+    poll();
+    file_.finish();
+    poll();
+}
+
+}  // namespace se::view

@@ -1,0 +1,81 @@
+/// The mesh that the run ends with, and writing it: each in a thread of its own.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "inquiry.h"
+#include "mesh_command.h"
+#include "run/model.h"
+
+namespace se::view {
+
+/// The mesh at the end of a run, and the points that it is written with.
+struct FinishedMesh {
+    std::shared_ptr<const PointFile> points;  ///< Those of the input, with what was derived.
+    std::shared_ptr<const std::vector<Triangle>> triangles;
+    std::size_t usedPoints = 0;
+    bool capped = false;  ///< Stopped at more triangles than a surface can have (rule `cap`).
+
+    /// Number of points that are written.
+    std::size_t pointsFor(const MeshTarget& target) const {
+        return target.usedOnly ? usedPoints : points->position.size();
+    }
+};
+
+/// A file that was written.
+struct SavedMesh {
+    MeshTarget target;
+    std::size_t triangles = 0;
+    std::size_t points = 0;
+    bool capped = false;
+};
+
+class MeshExport {
+  public:
+    /// Runs `model` to its end, unless its mesh is there or on its way. `input` is what prepare()
+    /// took.
+    void make(std::shared_ptr<const Model> model, std::shared_ptr<const PointFile> input);
+    /// Forgets the mesh, and a file that is not being written yet. One that is will be whole.
+    void forget();
+    /// Writes a file as soon as the mesh is there. Nothing happens while another one is written.
+    void save(const MeshTarget& target);
+    /// Takes save() back; too late once the file is being written.
+    void cancel() { order_.reset(); }
+    /// Takes over what the threads have done. True if that is news.
+    bool poll();
+    /// Blocks until nothing is under way.
+    void finish();
+
+    /// Null before it is made.
+    const FinishedMesh* mesh() const { return mesh_.answer(); }
+    bool making() const { return mesh_.busy(); }
+    /// A file waits for the mesh, or is being written.
+    bool saving() const { return order_.has_value() || writing(); }
+    bool writing() const { return file_.busy(); }
+    bool busy() const { return making() || saving(); }
+    /// Of making, in [0, 1]; a guess from the number of triangles.
+    double share() const { return mesh_.share(); }
+    /// What became of save(), once.
+    std::optional<Result<SavedMesh>> takeOutcome() { return std::exchange(outcome_, std::nullopt); }
+
+  private:
+    void begin();
+
+    std::shared_ptr<const Model> model_;  ///< That the mesh is of; null: none.
+    Inquiry<FinishedMesh> mesh_;
+    Inquiry<SavedMesh> file_;
+    std::optional<MeshTarget> order_;  ///< Waits for the mesh.
+    std::optional<Result<SavedMesh>> outcome_;
+};
+
+/// The mesh that `spiraling-edge run` makes of the same input with the same options. Fails only if
+/// `progress` cancels.
+Result<FinishedMesh> finishMesh(const Model& model, const PointFile& input,
+                                const Progress& progress = {});
+/// Writes it as `spiraling-edge run -o` does. Fails with a sentence that names the file.
+Result<SavedMesh> saveMesh(const FinishedMesh& mesh, const MeshTarget& target);
+
+}  // namespace se::view

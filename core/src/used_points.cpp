@@ -1,0 +1,52 @@
+#include "spiraling_edge/used_points.h"
+
+#include <algorithm>
+
+#include "kept_rows.h"
+
+namespace se {
+namespace {
+
+std::vector<bool> usedPoints(std::size_t points, std::span<const Triangle> triangles) {
+    std::vector<bool> used(points, false);
+    for (const Triangle& t : triangles) used[t.a] = used[t.b] = used[t.c] = true;
+    return used;
+}
+
+/// The lists of the points that have a number, in their order, by these numbers.
+NeighborLists keptLists(const NeighborLists& lists, const std::vector<Index>& number) {
+    NeighborLists kept;
+    std::vector<Index> list;
+    for (Index p = 0; p < number.size(); ++p) {
+        if (number[p] == kNone) continue;
+        list.clear();
+        for (const Index q : lists[p]) {
+            if (q < number.size() && number[q] != kNone) list.push_back(number[q]);
+        }
+        kept.append(list);
+    }
+    return kept;
+}
+
+}  // namespace
+
+PointFile withUsedPoints(const PointFile& points, std::span<const Triangle> triangles) {
+    const std::vector<bool> used = usedPoints(points.position.size(), triangles);
+    const std::vector<Index> number = keptNumbers(used);
+    PointFile made = points;
+    if (points.hasNeighbors()) made.neighbors = keptLists(points.neighbors, number);
+    keepColumns(made, used);
+    made.faces.clear();
+    made.faces.reserve(triangles.size());
+    for (const Triangle& t : triangles) {
+        made.faces.push_back({number[t.a], number[t.b], number[t.c]});
+    }
+    return made;
+}
+
+std::size_t countUsedPoints(std::size_t points, std::span<const Triangle> triangles) {
+    const std::vector<bool> used = usedPoints(points, triangles);
+    return static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
+}
+
+}  // namespace se
