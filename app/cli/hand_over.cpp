@@ -43,7 +43,7 @@ ExitCode renderVerb(const Arguments& words) {
     std::string input;
     std::string picture;
     std::string place = "100%";
-    app.add_option("IN", input, "File with points or scene:ID")->required();
+    app.add_option("IN", input, "File with points, - or scene:ID")->required();
     app.add_option("-o,--output", picture, "Picture to write")->type_name("OUT.png")->required();
     app.add_option("--goto", place, "Place in the run: PIVOT[.STAGE[.N]] or a share")
         ->type_name("WHERE")

@@ -79,6 +79,7 @@ void addFaults(const RunOutcome& outcome, Json& json) {
     for (std::size_t kind = 0; kind < kFaultKinds; ++kind) {
         json["faults"][std::string(faultName(static_cast<FaultKind>(kind)))] = counts[kind];
     }
+    if (!outcome.allFaults) json["faults_at_least"] = true;
     json["sound"] = outcome.faults->empty();
     Json list = Json::array();
     for (std::size_t i = 0; i < std::min(outcome.faults->size(), kMostFaults); ++i) {
@@ -199,7 +200,9 @@ std::string faultSentence(const RunOutcome& outcome) {
     for (std::size_t kind = 0; kind < kFaultKinds; ++kind) {
         const std::size_t count = counts[kind];
         if (count == 0) continue;
-        appendPart(text, fmt::format("{} {}", count, faultName(static_cast<FaultKind>(kind))));
+        const auto fault = static_cast<FaultKind>(kind);
+        const bool more = fault == FaultKind::Intersecting && !outcome.allFaults;
+        appendPart(text, fmt::format("{}{} {}", more ? "at least " : "", count, faultName(fault)));
     }
     return text;
 }
