@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <unordered_map>
 
+#include "failure_totals.h"
 #include "input.h"
 #include "mesh_text.h"
 #include "options.h"
@@ -36,7 +37,10 @@ struct CheckArguments {
         app.add_option("--allow", allowed, "A class that is no failure here; may be repeated")
             ->type_name("CLASS")
             ->allow_extra_args(false);
-        app.add_flag("--json", json, "As JSON, with all indices");
+        app.add_flag("--json", json,
+                     fmt::format("As JSON, with all indices; of intersecting triangles the first "
+                                 "{}",
+                                 kMostListed));
         app.add_flag("-q,--quiet", quiet, "Only the exit code: 1 if there is a failure");
         std::string footer = "\nClasses:\n";
         for (const FailureClass& each : failureClasses()) {
@@ -108,53 +112,50 @@ std::vector<Triangle> trianglesOn(const PointFile& cloud, const PointFile& mesh,
     return triangles;
 }
 
-/// The classes with their numbers, all of them, in order.
-std::vector<std::pair<std::string_view, std::size_t>> countByClass(
-    const std::vector<MeshFailure>& failures) {
-    std::vector<std::pair<std::string_view, std::size_t>> counts;
-    for (const FailureClass& each : failureClasses()) {
-        if (each.find == nullptr) continue;
-        counts.emplace_back(each.name, std::count_if(failures.begin(), failures.end(),
-                                                     [&](const MeshFailure& failure) {
-                                                         return failure.kind == &each;
-                                                     }));
-    }
-    return counts;
+/// The classes that a mesh can have: those that only a run has come last.
+std::span<const FailureClass> meshClasses() {
+    const std::span<const FailureClass> all = failureClasses();
+    const auto end =
+        std::find_if(all.begin(), all.end(), [](const auto& each) { return each.find == nullptr; });
+    return {all.begin(), end};
 }
 
 std::string reportText(const CheckArguments& arguments, std::size_t triangles,
-                       const std::vector<MeshFailure>& failures) {
+                       const MeshInspection& found) {
     constexpr std::size_t kShown = 10;
-    std::string text =
-        fmt::format("{}: {}, {}\n", arguments.mesh, counted(triangles, "triangle"),
-                    failures.empty() ? "nothing found" : counted(failures.size(), "failure"));
-    for (const auto& [name, count] : countByClass(failures)) {
-        if (count == 0) continue;
+    std::string text = fmt::format("{}: {}, {}\n", arguments.mesh, counted(triangles, "triangle"),
+                                   totalText(found.totals));
+    for (std::size_t i = 0; i < meshClasses().size(); ++i) {
+        const std::string_view name = meshClasses()[i].name;
+        const ClassTotal& total = found.totals[i];
+        if (total.total == 0) continue;
         const bool allowed = std::find(arguments.allowed.begin(), arguments.allowed.end(), name) !=
                              arguments.allowed.end();
-        text += fmt::format("{:>7} {}{}\n", count, name, allowed ? ", allowed" : "");
+        text += fmt::format("{:>7} {}{}\n", amountText(total), name, allowed ? ", allowed" : "");
         std::size_t shown = 0;
-        for (const MeshFailure& failure : failures) {
+        for (const MeshFailure& failure : found.failures) {
             if (failure.kind->name != name) continue;
             if (shown++ == kShown) break;
             text += "          " + describe(failure).substr(name.size() + 2) + "\n";
         }
-        if (count > kShown) text += "          ... all of them by --json\n";
+        if (total.total > kShown)
+            text += total.all()
+                        ? "          ... all of them by --json\n"
+                        : fmt::format("          ... the first {} by --json\n", total.listed);
     }
     return text;
 }
 
 std::string reportJson(const CheckArguments& arguments, std::size_t triangles,
-                       const std::vector<MeshFailure>& failures, bool good) {
+                       const MeshInspection& found, bool good) {
     Json json;
     json["mesh"] = arguments.mesh;
     json["points"] = arguments.cloud.empty() ? Json() : Json(arguments.cloud);
     json["triangles"] = triangles;
     json["good"] = good;
-    for (const auto& [name, count] : countByClass(failures))
-        json["counts"][std::string(name)] = count;
+    addTotals(found.totals, meshClasses(), json);
     json["failures"] = Json::array();
-    for (const MeshFailure& failure : failures) {
+    for (const MeshFailure& failure : found.failures) {
         Json row = {{"class", failure.kind->name},
                     {"points", failure.points},
                     {"triangles", failure.triangles},
@@ -190,6 +191,8 @@ ExitCode checkVerb(const Arguments& words) {
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     arguments.validate();
+    if (arguments.mesh == kStandardInput && arguments.cloud == kStandardInput)
+        throw Failure(ExitCode::Usage, "--points -: standard input is MESH already; name a file");
     const PointFile mesh = readInput(arguments.mesh);
     // A run that made nothing is a mesh as well, if the points are given.
     if (mesh.faces.empty() && arguments.cloud.empty())
@@ -205,13 +208,13 @@ ExitCode checkVerb(const Arguments& words) {
     const std::vector<Triangle> triangles =
         alone ? mesh.faces : trianglesOn(cloud, mesh, arguments);
     requireFinite(file, triangles, arguments.mesh);
-    const std::vector<MeshFailure> failures = inspectMesh(pointsOf(file), triangles);
+    const MeshInspection found = inspectWithTotals(pointsOf(file), triangles);
     const bool good =
-        std::all_of(failures.begin(), failures.end(),
+        std::all_of(found.failures.begin(), found.failures.end(),
                     [&](const MeshFailure& failure) { return arguments.allows(failure); });
     if (!arguments.quiet) {
-        writeOutput("-", arguments.json ? reportJson(arguments, triangles.size(), failures, good)
-                                        : reportText(arguments, triangles.size(), failures));
+        writeOutput("-", arguments.json ? reportJson(arguments, triangles.size(), found, good)
+                                        : reportText(arguments, triangles.size(), found));
     }
     return good ? ExitCode::Good : ExitCode::CheckFailed;
 }

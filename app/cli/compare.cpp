@@ -47,8 +47,10 @@ struct CompareArguments {
 Comparison compareTwoRuns(const CompareArguments& arguments, const ParsedInput& other,
                           ProgressLine& line) {
     const std::string& input = arguments.input.input();
-    const PreparedInput a = arguments.input.prepare(line);
-    const PreparedInput b = other.input().prepare(line);
+    // Once: standard input is gone then.
+    const PointFile file = readInput(input);
+    const PreparedInput a = arguments.input.prepare(file, line);
+    const PreparedInput b = other.input().prepare(file, line);
     RunComparison runs = workedOut("comparing", input, line, [&](const Progress& progress) {
         return compareRuns({a.points, a.params}, {b.points, b.params}, progress);
     });
@@ -99,6 +101,8 @@ ExitCode compareVerb(const Arguments& words) {
     if (const auto code = parseArguments(app, parted.a)) return *code;
     if (parted.hasWith == !arguments.mesh.empty())
         throw Failure(ExitCode::Usage, "give the other run after --with, or a mesh by --mesh");
+    if (arguments.input.input() == kStandardInput && arguments.mesh == kStandardInput)
+        throw Failure(ExitCode::Usage, "--mesh -: standard input is IN already; name a file");
     // Mistakes in B come before long work.
     const ParsedInput other(wordsOfB(arguments.input, parted.with));
     catchInterrupts();

@@ -38,40 +38,43 @@ FailureChoice failureChoiceFrom(const std::string& text) {
     return wanted;
 }
 
-std::vector<Triangle> meshOf(const PointSet& points, const Params& params) {
+State endOfRun(const PointSet& points, const Params& params) {
     Stepper stepper(points, params);
     stepper.runUntil([](const State&) { return interrupted(); });
-    return stepper.state().mesh();
+    return stepper.takeState();
 }
 
 namespace {
 
-[[noreturn]] void noSuchFailure(std::size_t seen, const FailureChoice& wanted,
+[[noreturn]] void noSuchFailure(std::span<const ClassTotal> totals, const FailureChoice& wanted,
                                 const std::string& input) {
+    const auto& total = totals[static_cast<std::size_t>(wanted.kind - failureClasses().data())];
+    const std::string has = total.all() ? counted(total.total, "failure")
+                                        : "only the " + amountText(total) + " failures listed";
     throw Failure(ExitCode::CheckFailed,
                   fmt::format("{}: the run has {} of class {}; spiraling-edge why {} --failures "
                               "lists what it has",
-                              input, counted(seen, "failure"), wanted.kind->name, input));
+                              input, has, wanted.kind->name, input));
 }
 
 }  // namespace
 
-MeshFailure pickFailure(const std::vector<MeshFailure>& failures, const FailureChoice& wanted,
+MeshFailure pickFailure(const MeshInspection& found, const FailureChoice& wanted,
                         const std::string& input) {
     std::size_t seen = 0;
-    for (const MeshFailure& failure : failures) {
+    for (const MeshFailure& failure : found.failures) {
         if (failure.kind == wanted.kind && ++seen == wanted.number) return failure;
     }
-    noSuchFailure(seen, wanted, input);
+    noSuchFailure(found.totals, wanted, input);
 }
 
-RunFailure pickFailure(const std::vector<RunFailure>& failures, const FailureChoice& wanted,
+RunFailure pickFailure(const RunFailureSearch& found, const FailureChoice& wanted,
                        const std::string& input) {
     std::size_t seen = 0;
-    for (const RunFailure& each : failures) {
+    for (const RunFailure& each : found.failures) {
         if (each.failure.kind == wanted.kind && ++seen == wanted.number) return each;
     }
-    noSuchFailure(seen, wanted, input);
+    noSuchFailure(found.totals, wanted, input);
 }
 
 }  // namespace se::cli

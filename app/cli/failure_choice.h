@@ -6,6 +6,7 @@
 
 #include "spiraling_edge/failure_moments.h"
 #include "spiraling_edge/params.h"
+#include "spiraling_edge/state.h"
 
 namespace se::cli {
 
@@ -18,14 +19,14 @@ struct FailureChoice {
 /// Throws Failure if there is no such class, or N is no number.
 FailureChoice failureChoiceFrom(const std::string& text);
 
-/// The mesh of a run; as far as it is made if the user interrupts.
-std::vector<Triangle> meshOf(const PointSet& points, const Params& params);
+/// The end of a run; how far it has come if the user interrupts.
+State endOfRun(const PointSet& points, const Params& params);
 
-/// The failure that is asked for. Throws Failure if there is none such in the run on `input`.
-MeshFailure pickFailure(const std::vector<MeshFailure>& failures, const FailureChoice& choice,
+/// The failure that is asked for. Throws Failure if it is not in the list of the run on `input`.
+MeshFailure pickFailure(const MeshInspection& found, const FailureChoice& choice,
                         const std::string& input);
-/// The same among those of a run.
-RunFailure pickFailure(const std::vector<RunFailure>& failures, const FailureChoice& choice,
+/// The failure that is asked for, with its moments. Throws Failure if it is not in the list.
+RunFailure pickFailure(const RunFailureSearch& found, const FailureChoice& choice,
                        const std::string& input);
 
 }  // namespace se::cli

@@ -54,7 +54,7 @@ ExitCode renderVerb(const Arguments& words) {
     std::string input;
     std::string picture;
     std::string place;
-    app.add_option("IN", input, "File with points or scene:ID")->required();
+    app.add_option("IN", input, "File with points, - or scene:ID")->required();
     addOutputOption(app, "-o,--output", picture, "Picture to write")
         ->type_name("OUT.png")
         ->required();

@@ -1,23 +1,10 @@
 #include "input.h"
 
-#include <array>
-#include <cstdio>
-
 #include "exit_code.h"
 #include "spiraling_edge/scenes.h"
 
 namespace se::cli {
 namespace {
-
-std::string readStandardInput() {
-    std::string bytes;
-    std::array<char, 1U << 16U> block{};
-    std::size_t count = 0;
-    while ((count = std::fread(block.data(), 1, block.size(), stdin)) > 0)
-        bytes.append(block.data(), count);
-    if (std::ferror(stdin) != 0) throw Failure(ExitCode::Input, "standard input: cannot be read");
-    return bytes;
-}
 
 PointFile buildScene(const std::string& id) {
     const Scene* scene = findScene(id);
@@ -51,6 +38,10 @@ void refuseOtherThings(const std::string& input) {
 
 }  // namespace
 
+std::string nameOfInput(const std::string& input) {
+    return input == kStandardInput ? "standard input" : input;
+}
+
 bool isVolumePath(std::string_view input) {
     return input.ends_with(".nrrd") || input.ends_with(".nhdr");
 }
@@ -59,8 +50,8 @@ PointFile readInput(const std::string& input) {
     refuseOtherThings(input);
     constexpr std::string_view kScenePrefix = "scene:";
     if (input.starts_with(kScenePrefix)) return buildScene(input.substr(kScenePrefix.size()));
-    Result<PointFile> file = input == "-" ? readPoints(readStandardInput(), "standard input")
-                                          : readPoints(std::filesystem::path(input));
+    Result<PointFile> file =
+        input == kStandardInput ? readStandardInput() : readPoints(std::filesystem::path(input));
     if (!file) throw Failure(ExitCode::Input, file.error().message);
     return std::move(file.value());
 }

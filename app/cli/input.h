@@ -8,6 +8,11 @@
 
 namespace se::cli {
 
+inline constexpr std::string_view kStandardInput = "-";
+
+/// As messages call it: "standard input" for -.
+std::string nameOfInput(const std::string& input);
+
 /// By its name: .nrrd or .nhdr.
 bool isVolumePath(std::string_view input);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "failure_totals.h"
 #include "mesh_text.h"
 
 namespace se::cli {
@@ -195,12 +196,6 @@ Json remediesJson(const Remedies& remedies) {
     return json;
 }
 
-std::size_t countOf(const std::vector<RunFailure>& failures, const FailureClass& kind) {
-    return static_cast<std::size_t>(
-        std::count_if(failures.begin(), failures.end(),
-                      [&](const RunFailure& each) { return each.failure.kind == &kind; }));
-}
-
 }  // namespace
 
 std::string momentsJson(const std::string& input, const RunFailure& failure,
@@ -227,27 +222,26 @@ std::string remediesText(const Remedies& remedies) {
     return text;
 }
 
-std::string failuresText(const std::vector<RunFailure>& failures, std::size_t most) {
-    if (failures.empty()) return "No failures found.\n";
+std::string failuresText(const RunFailureSearch& found, std::size_t most) {
+    if (found.failures.empty()) return "No failures found.\n";
     std::string text;
-    for (const FailureClass& kind : failureClasses()) {
-        const std::size_t count = countOf(failures, kind);
-        if (count == 0) continue;
-        text += fmt::format("{:>7} {}\n", count, kind.name);
+    for (std::size_t i = 0; i < found.totals.size(); ++i) {
+        const FailureClass& kind = failureClasses()[i];
+        if (found.totals[i].total == 0) continue;
+        text += fmt::format("{:>7} {}\n", amountText(found.totals[i]), kind.name);
         std::size_t shown = 0;
-        for (const RunFailure& each : failures) {
+        for (const RunFailure& each : found.failures) {
             if (each.failure.kind == &kind && shown++ < most) text += momentsText(each);
         }
     }
     return text;
 }
 
-std::string failuresJson(const std::string& input, const std::vector<RunFailure>& failures) {
+std::string failuresJson(const std::string& input, const RunFailureSearch& found) {
     Json json{{"input", input}};
-    for (const FailureClass& kind : failureClasses())
-        json["counts"][std::string(kind.name)] = countOf(failures, kind);
+    addTotals(found.totals, failureClasses(), json);
     json["failures"] = Json::array();
-    for (const RunFailure& each : failures) json["failures"].push_back(failureJson(each));
+    for (const RunFailure& each : found.failures) json["failures"].push_back(failureJson(each));
     return dumped(json);
 }
 

@@ -54,7 +54,10 @@ PrepareOptions InputArguments::prepareOptions(const PointFile& file) const {
 }
 
 PreparedInput InputArguments::prepare(ProgressLine& line) const {
-    PointFile file = readInput(input_);
+    return prepare(readInput(input_), line);
+}
+
+PreparedInput InputArguments::prepare(PointFile file, ProgressLine& line) const {
     const PrepareOptions options = prepareOptions(file);
     Prepared prepared = workedOut("preparing", input_, line, [&](const Progress& progress) {
         return se::prepare(file, options, progress);

@@ -36,6 +36,8 @@ class InputArguments {
     PrepareOptions prepareOptions(const PointFile& file) const;
     /// Reads and prepares, with the line of progress. Throws Failure.
     PreparedInput prepare(ProgressLine& line) const;
+    /// Prepares what was read from input() already. Throws Failure.
+    PreparedInput prepare(PointFile file, ProgressLine& line) const;
 
   private:
     Params params() const;

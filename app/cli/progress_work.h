@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "exit_code.h"
+#include "input.h"
 #include "interrupt.h"
 #include "progress.h"
 
@@ -20,7 +21,7 @@ auto workedOut(const std::string& what, const std::string& input, ProgressLine& 
     });
     line.clear();
     if (interrupted()) throw Failure(ExitCode::Interrupted, "interrupted; nothing was written");
-    if (!result) throw Failure(ExitCode::Input, input + ": " + result.error().message);
+    if (!result) throw Failure(ExitCode::Input, nameOfInput(input) + ": " + result.error().message);
     return std::move(result.value());
 }
 

@@ -79,6 +79,7 @@ void addFaults(const RunOutcome& outcome, Json& json) {
     for (std::size_t kind = 0; kind < kFaultKinds; ++kind) {
         json["faults"][std::string(faultName(static_cast<FaultKind>(kind)))] = counts[kind];
     }
+    if (!outcome.allFaults) json["faults_at_least"] = true;
     json["sound"] = outcome.faults->empty();
     Json list = Json::array();
     for (std::size_t i = 0; i < std::min(outcome.faults->size(), kMostFaults); ++i) {
@@ -173,14 +174,16 @@ std::string derivedSentence(const DerivedPieces& derived) {
     return text;
 }
 
-/// "2 intersecting, 1 folded".
-std::string faultCounts(const std::vector<Fault>& faults) {
+/// "at least 2 intersecting, 1 folded".
+std::string faultCounts(const RunOutcome& outcome) {
     std::string text;
-    const auto counts = countFaults(faults);
+    const auto counts = countFaults(*outcome.faults);
     for (std::size_t kind = 0; kind < kFaultKinds; ++kind) {
         if (counts[kind] == 0) continue;
-        appendPart(text,
-                   fmt::format("{} {}", counts[kind], faultName(static_cast<FaultKind>(kind))));
+        const auto fault = static_cast<FaultKind>(kind);
+        const bool more = fault == FaultKind::Intersecting && !outcome.allFaults;
+        appendPart(text, fmt::format("{}{} {}", more ? "at least " : "", counts[kind],
+                                     faultName(fault)));
     }
     return text;
 }
@@ -210,9 +213,9 @@ std::string faultSentence(const RunOutcome& outcome) {
                         mesh.degenerateTriangles + mesh.flippedTriangles;
     if (outcome.faults) total = outcome.faults->size();
     if (total == 0) return {};
-    std::string text = counted(total, "fault");
+    std::string text = (outcome.allFaults ? "" : "at least ") + counted(total, "fault");
     if (outcome.faults) {
-        text += ": " + faultCounts(*outcome.faults);
+        text += ": " + faultCounts(outcome);
     } else {
         text += ", and crossing triangles are counted by --check only";
     }

@@ -37,6 +37,7 @@ struct RunOutcome {
     MeshReport mesh;
     /// Only if they were looked for.
     std::optional<std::vector<Fault>> faults;
+    bool allFaults = true;  ///< False: there may be more intersections, see searchFaults().
     /// Where each of them is: the middle of its triangle.
     std::vector<Vec3> faultPlaces;
     State state;

@@ -171,7 +171,9 @@ void writeResult(const RunArguments& arguments, const PointFile& file, RunOutcom
 /// Finds every fault of the mesh, and its place.
 void lookForFaults(const PointSet& points, RunOutcome& outcome) {
     const std::vector<Triangle>& mesh = outcome.state.mesh();
-    outcome.faults = findFaults(points, mesh);
+    FaultSearch search = searchFaults(points, mesh);
+    outcome.faults = std::move(search.faults);
+    outcome.allFaults = search.complete;
     for (const Fault& fault : *outcome.faults) {
         const Triangle& t = mesh[fault.triangle];
         outcome.faultPlaces.push_back(

@@ -20,8 +20,6 @@
 namespace se::cli {
 namespace {
 
-constexpr long long kMostPoints = 100'000'000;
-
 struct SampleArguments {
     std::string input;
     std::string output;
@@ -39,8 +37,9 @@ struct SampleArguments {
                         "Write the points to this file, as PLY, OBJ or OFF by its extension; - : "
                         "as PLY to standard output")
             ->type_name("OUT");
-        auto* count = app.add_option("-n,--points", sampler.count, "Exactly N points");
-        count->type_name("N")->check(CLI::Range(1LL, kMostPoints));
+        auto* count =
+            app.add_option("-n,--points", sampler.count, "Exactly N points, 10 million at most");
+        count->type_name("N")->check(CLI::Range(std::size_t{1}, kMostParticles));
         app.add_option("--spacing", sampler.spacing, "As many points as stand S apart")
             ->type_name("S")
             ->excludes(count);

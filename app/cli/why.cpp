@@ -145,10 +145,10 @@ std::string askQuery(const WhyArguments& arguments, const DecisionQuery& query,
 }
 
 /// Everything that went wrong in the run.
-std::vector<RunFailure> failuresIn(const WhyArguments& arguments, const PreparedInput& run,
-                                   ProgressLine& line) {
+RunFailureSearch failuresIn(const WhyArguments& arguments, const PreparedInput& run,
+                            ProgressLine& line) {
     return workedOut("asking", arguments.input.input(), line, [&](const Progress& progress) {
-        return failuresOfRun(run.points, run.params, progress);
+        return searchFailures(run.points, run.params, progress);
     });
 }
 
@@ -156,7 +156,8 @@ std::vector<RunFailure> failuresIn(const WhyArguments& arguments, const Prepared
 std::string askFailure(const WhyArguments& arguments, const FailureChoice& choice,
                        const PreparedInput& run, ProgressLine& line) {
     const std::string& input = arguments.input.input();
-    const RunFailure failure = pickFailure(failuresIn(arguments, run, line), choice, input);
+    const RunFailureSearch found = failuresIn(arguments, run, line);
+    const RunFailure failure = pickFailure(found, choice, input);
     if (!arguments.remedy)
         return arguments.json ? momentsJson(input, failure) : momentsText(failure);
     const Remedies remedies = workedOut("trying", input, line, [&](const Progress& progress) {
@@ -188,10 +189,10 @@ std::string askProofs(const WhyArguments& arguments, const PreparedInput& run,
 
 std::string askFailures(const WhyArguments& arguments, const PreparedInput& run,
                         ProgressLine& line) {
-    const std::vector<RunFailure> all = failuresIn(arguments, run, line);
-    if (arguments.prove) return askProofs(arguments, run, all, line);
-    return arguments.json ? failuresJson(arguments.input.input(), all)
-                          : failuresText(all, arguments.most);
+    const RunFailureSearch found = failuresIn(arguments, run, line);
+    if (arguments.prove) return askProofs(arguments, run, found.failures, line);
+    return arguments.json ? failuresJson(arguments.input.input(), found)
+                          : failuresText(found, arguments.most);
 }
 
 std::string askRing(const WhyArguments& arguments, const RingPlace& ring, const PreparedInput& run,

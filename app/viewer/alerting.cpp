@@ -11,16 +11,19 @@ namespace se::view {
 namespace {
 
 /// Why a run has no alert of the name CLASS:N.
-std::string whyNone(std::span<const RunFailure> failures, const std::string& name) {
+std::string whyNone(const AlertSearch& alerts, const std::string& name) {
     const FailureClass* kind = findFailureClass(name.substr(0, name.find(':')));
     if (kind == nullptr && name != "first")
         return "there is no such class; spiraling-edge check --help lists them.";
+    const std::span<const RunFailure> failures = alerts.failures();
     if (failures.empty()) return "the run has no such failure; it has none at all.";
     const auto count = std::count_if(failures.begin(), failures.end(), [&](const RunFailure& each) {
         return each.failure.kind == kind;
     });
-    return "the run has no such failure; it has " + std::to_string(count) + " of this class and " +
-           std::to_string(failures.size()) + " in all.";
+    const char* has = alerts.complete() ? "the run has no such failure; it has "
+                                        : "no such failure is listed; there are ";
+    return has + std::to_string(count) + " of this class and " + std::to_string(failures.size()) +
+           " in all.";
 }
 
 }  // namespace
@@ -77,7 +80,7 @@ void Alerting::showAsked() {
     std::optional<AlertMoment> moment;
     if (!filing_.placed()) moment = AlertMoment::Created;
     if (alert) return showAlert(c_, *alert, moment);
-    status_ = Error{"--alert " + name + ": " + whyNone(session.alerts().failures(), name)};
+    status_ = Error{"--alert " + name + ": " + whyNone(session.alerts(), name)};
     session.say(status_.error().message);
 }
 

@@ -351,6 +351,10 @@ void Filing::drop(const std::vector<std::string>& paths) {
 
 void Filing::save() {
     if (!c_.session.ready()) return c_.session.say("There is nothing open to save.");
+    if (isStandardInput(c_.session.spec().source))
+        return c_.session.say(
+            "A session names a file; these points came from standard input. Save them to a file "
+            "first.");
     if (c_.ui.sessionPath.empty()) {
         c_.ui.browser = BrowserTask::SaveSession;
         c_.ui.fileBrowser = true;
@@ -388,7 +392,7 @@ void Filing::noteSaved() { saved_ = noted(); }
 std::string Filing::unsaved() const { return differenceOf(noted(), saved_); }
 
 void Filing::note(const std::string& file) {
-    if (kept_.empty() || file.empty()) return;
+    if (kept_.empty() || file.empty() || isStandardInput(file)) return;
     // Another window may have noted something since.
     KeptState state = readKeptState(kept_);
     remember(state, file);

@@ -193,8 +193,9 @@ int main(int argc, char** argv) {
         ParsedOptions parsed = parseOptions(argc, argv);
         if (!parsed.options) return parsed.exitCode;
         Options& options = *parsed.options;
-        if (const auto status = adoptSession(options); !status) {
-            return fail(kExitInput, status.error().message);
+        for (const auto adopt : {adoptSession, adoptStandardInput}) {
+            if (const auto status = adopt(options); !status)
+                return fail(kExitInput, status.error().message);
         }
         if (const auto status = chooseComparison(options); !status) {
             return fail(kExitUsage, status.error().message);

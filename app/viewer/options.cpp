@@ -7,6 +7,7 @@
 
 #include "interface/commands.h"
 #include "run/exact_text.h"
+#include "run/guarded.h"
 #include "run/text.h"
 #include "spiraling_edge/atomic_file.h"
 #include "spiraling_edge/sampler.h"
@@ -79,8 +80,6 @@ struct RawOptions {
     double iso = 0.0;
 };
 
-constexpr std::size_t kMostPoints = 100'000'000;
-
 /// What is derived from the points; names as in `spiraling-edge run`.
 void addPreparing(CLI::App& app, Options& o, RawOptions& raw) {
     auto* k = app.add_option("-k,--neighbors", raw.neighbors,
@@ -123,7 +122,7 @@ void addGrowing(CLI::App& app, RawOptions& raw) {
                                 "isosurface of a volume (.nrrd, .nhdr)")
                      ->type_name("SHAPE");
     auto* count = app.add_option("-n,--points", grow.count, "With --new: exactly N points (2000)");
-    count->type_name("N")->check(CLI::Range(std::size_t{1}, kMostPoints))->needs(made);
+    count->type_name("N")->check(CLI::Range(std::size_t{1}, kMostParticles))->needs(made);
     app.add_option("--spacing", grow.spacing, "With --new: as many points as stand S apart")
         ->type_name("S")
         ->check(CLI::PositiveNumber)
@@ -144,11 +143,11 @@ void addGrowing(CLI::App& app, RawOptions& raw) {
 }
 
 void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
-    app.add_option(
-        "FILE", o.input.source,
-        "Points: PLY, XYZ, OBJ, OFF or PCD; scene:ID; sample:SHAPE,n=N; a volume, as by --new; or "
-        "a session file. "
-        "Without it, the start page");
+    app.add_option("FILE", o.input.source,
+                   "Points: PLY, XYZ, OBJ, OFF or PCD; - for standard input; scene:ID; "
+                   "sample:SHAPE,n=N; a volume, as by --new; or "
+                   "a session file. "
+                   "Without it, the start page");
     app.add_option("--rules", o.input.rules,
                    "How the paper is read: " + ruleSets() + " (default paper)")
         ->check(CLI::IsMember(ruleSetNames()));
@@ -334,9 +333,8 @@ Status chooseComparison(Options& o) {
 
 Status adoptSession(Options& o) {
     const std::string path = o.input.source;
-    if (path.empty() || isScene(path) || isSample(path) || !looksLikeSession(path)) {
-        return success();
-    }
+    const bool names = path.empty() || isScene(path) || isSample(path) || isStandardInput(path);
+    if (names || !looksLikeSession(path)) return success();
     Result<SessionFile> read = readSessionFile(path);
     if (!read) return read.error();
     o.sessionPath = path;
@@ -358,6 +356,20 @@ Status adoptSession(Options& o) {
     }
     if (o.input.whatIf.empty()) o.input.whatIf = kept.whatIf;
     return success();
+}
+
+Status adoptStandardInput(Options& o) {
+    if (o.session || !isStandardInput(o.input.source)) return success();
+    Status read = success();
+    const Status good = guarded([&] {
+        Result<PointFile> points = readStandardInput();
+        if (!points) {
+            read = points.error();
+            return;
+        }
+        o.input.points = std::make_shared<const PointFile>(std::move(points.value()));
+    });
+    return good ? read : good;
 }
 
 ParsedOptions parseOptions(int argc, const char* const* argv) {

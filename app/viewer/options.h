@@ -75,6 +75,10 @@ ParsedOptions parseOptions(int argc, const char* const* argv);
 /// Fails with a sentence.
 Status adoptSession(Options& options);
 
+/// If FILE is `-`: reads standard input to its end, into memory, so that it can be opened again.
+/// Fails with a sentence.
+Status adoptStandardInput(Options& options);
+
 /// What `--with` says of a run of `base`: options as those of the run, "--rules robust -k 16", in
 /// which it differs from it; else the path of a mesh. Fails with a sentence.
 Result<CompareWith> compareWithFromText(const std::string& text, const InputSpec& base);

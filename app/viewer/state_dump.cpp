@@ -116,10 +116,12 @@ void dumpRun(json& out, const Session& session) {
     out["mended"] = session.model().mended;
     out["marked"] = session.marked().size();
     const AlertSearch& alerts = session.alerts();
-    out["alert_search"] = alerts.done()      ? "done"
-                          : alerts.busy()    ? "busy"
-                          : alerts.stopped() ? "stopped"
-                                             : "waiting";
+    out["alert_search"] = alerts.done()                 ? "done"
+                          : alerts.busy()               ? "busy"
+                          : alerts.stopped()            ? "stopped"
+                          : !alerts.complaint().empty() ? "failed"
+                                                        : "waiting";
+    out["alerts_complete"] = alerts.complete();
     out["alerts"] = alerts.failures().size();
     out["alert"] = session.chosenAlert() ? alertName(alerts, *session.chosenAlert()) : "";
     out["noticed"] = session.noticedHere().size();

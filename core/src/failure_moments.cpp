@@ -15,6 +15,26 @@
 namespace se {
 namespace {
 
+/// Calls `visit` with the points that an event in the pivot of `pivot` is about; it may name one of
+/// them twice, or kNone.
+template <typename Visit>
+void forEachPointOf(const Event& event, Index pivot, Visit&& visit) {
+    visit(testedPoint(event));
+    visit(pivot);
+    if (const auto* seed = std::get_if<SeedEvidence>(&event.evidence)) {
+        visit(seed->first);
+        visit(seed->second);
+    } else if (const auto* emit = std::get_if<EmitEvidence>(&event.evidence)) {
+        for (const Index p : {emit->corners.a, emit->corners.b, emit->corners.c}) visit(p);
+    } else if (const auto* flip = std::get_if<FlipEvidence>(&event.evidence)) {
+        visit(flip->x);
+        visit(flip->y);
+    } else if (const auto* sphere = std::get_if<SphereEvidence>(&event.evidence)) {
+        visit(sphere->t);
+        visit(sphere->s);
+    }
+}
+
 /// The finders of several failures, asked only about events at their points.
 class Finders {
   public:
@@ -65,27 +85,13 @@ class Finders {
 
   private:
     void gather(const Event& event, Index pivot) {
-        const auto add = [&](Index p) {
+        forEachPointOf(event, pivot, [&](Index p) {
             if (p == kNone) return;
             for (const std::size_t i : at_[p]) {
                 if (asked_[i] != event_) concerned_.push_back(i);
                 asked_[i] = event_;
             }
-        };
-        add(testedPoint(event));
-        add(pivot);
-        if (const auto* seed = std::get_if<SeedEvidence>(&event.evidence)) {
-            add(seed->first);
-            add(seed->second);
-        } else if (const auto* emit = std::get_if<EmitEvidence>(&event.evidence)) {
-            for (const Index p : {emit->corners.a, emit->corners.b, emit->corners.c}) add(p);
-        } else if (const auto* flip = std::get_if<FlipEvidence>(&event.evidence)) {
-            add(flip->x);
-            add(flip->y);
-        } else if (const auto* sphere = std::get_if<SphereEvidence>(&event.evidence)) {
-            add(sphere->t);
-            add(sphere->s);
-        }
+        });
     }
     void seeFreed(const FreedRing& ring, Index pivot) {
         for (const std::size_t i : at_[ring.points.front()]) {
@@ -105,9 +111,81 @@ class Finders {
     FreedRings rings_;
 };
 
+/// How much there is to look at for a failure: the events of a run, point by point.
+class EventCounts {
+  public:
+    explicit EventCounts(std::size_t points) : at_(points, 0) {}
+
+    void see(const ScannedPivot& pivot) {
+        all_ += pivot.events.size();
+        for (const Event& event : pivot.events) {
+            forEachPointOf(event, pivot.point, [&](Index p) {
+                if (p != kNone) ++at_[p];
+            });
+        }
+    }
+    std::uint64_t workOf(const MomentFinder& finder) const {
+        std::uint64_t work = 0;
+        for (const Index p : finder.points()) work += at_[p];
+        for (const Index p : finder.around()) work += at_[p];
+        return work;
+    }
+    std::uint64_t affordable() const { return kMomentWork + kMomentWorkPerEvent * all_; }
+
+  private:
+    std::vector<std::uint64_t> at_;
+    std::uint64_t all_ = 0;
+};
+
 /// Where a failure stands in the list of classes.
 std::size_t rankOf(const MeshFailure& failure) {
     return static_cast<std::size_t>(failure.kind - failureClasses().data());
+}
+
+/// Takes out of `run` the failures that cannot be followed within the work that `counts` allows. Of
+/// each class the first ones stay: all firsts, then all seconds, until the next of its class is too
+/// much. Requires failures in the order of their classes.
+void keepAffordable(const PointSet& points, const Params& params, const EventCounts& counts,
+                    InspectedRun& run) {
+    const std::vector<LedgerLine> noMoves;
+    const FinderInput input{points, params, run.end.mesh(), noMoves};
+    std::vector<std::uint64_t> work;
+    work.reserve(run.failures.size());
+    std::uint64_t all = 0;
+    for (const MeshFailure& each : run.failures) {
+        work.push_back(counts.workOf(MomentFinder(input, each)));
+        all += work.back();
+    }
+    std::uint64_t left = counts.affordable();
+    if (all <= left) return;
+    std::vector<std::size_t> first;  // of each class
+    std::size_t before = 0;
+    for (const ClassTotal& each : run.totals) {
+        first.push_back(before);
+        before += each.listed;
+    }
+    std::vector<std::size_t> kept(run.totals.size(), 0);
+    for (bool more = true; more;) {
+        more = false;
+        for (std::size_t c = 0; c < kept.size(); ++c) {
+            ClassTotal& total = run.totals[c];
+            if (kept[c] == total.listed) continue;
+            const std::uint64_t next = work[first[c] + kept[c]];
+            if (kept[c] > 0 && next > left) {
+                total.listed = kept[c];
+                continue;
+            }
+            left -= std::min(left, next);
+            ++kept[c];
+            more = true;
+        }
+    }
+    std::vector<MeshFailure> some;
+    for (std::size_t c = 0; c < kept.size(); ++c) {
+        const auto begin = run.failures.begin() + static_cast<std::ptrdiff_t>(first[c]);
+        std::move(begin, begin + static_cast<std::ptrdiff_t>(kept[c]), std::back_inserter(some));
+    }
+    run.failures = std::move(some);
 }
 
 /// What fills the gap between three points comes from the decision that made the last of its
@@ -159,24 +237,39 @@ Result<FailureMoments> momentsOf(const PointSet& points, const Params& params,
     return Error{"This failure does not come from this run: its points are never touched."};
 }
 
-Result<std::vector<RunFailure>> failuresOfRun(const PointSet& points, const Params& params,
-                                              const Progress& progress) {
-    auto run = inspectRun(points, params, partOf(progress, 0.0, 0.4));
+Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& params,
+                                        const Progress& progress) {
+    EventCounts counts(points.size());
+    auto run = inspectRun(points, params, partOf(progress, 0.0, 0.4),
+                          [&](const ScannedPivot& pivot) { counts.see(pivot); });
     if (!run) return Error{"Cancelled."};
     const std::vector<Triangle>& mesh = run->end.mesh();
     std::vector<MeshFailure>& failures = run->failures;
     std::stable_sort(failures.begin(), failures.end(),
                      [](const auto& a, const auto& b) { return rankOf(a) < rankOf(b); });
+    keepAffordable(points, params, counts, *run);
     const auto moments = momentsOfAll(points, params, failures, mesh, partOf(progress, 0.5, 1.0));
     if (!moments) return moments.error();
-    std::vector<RunFailure> all;
+    RunFailureSearch found{{}, std::move(run->totals)};
     for (std::size_t i = 0; i < failures.size(); ++i) {
-        if (!moments.value()[i]) continue;
+        if (!moments.value()[i]) {
+            // None of this run's: it counts no more.
+            --found.totals[rankOf(failures[i])].listed;
+            --found.totals[rankOf(failures[i])].total;
+            continue;
+        }
         std::vector<Triangle> corners;
         for (const Index number : failures[i].triangles) corners.push_back(mesh[number]);
-        all.push_back({std::move(failures[i]), std::move(corners), *moments.value()[i]});
+        found.failures.push_back({std::move(failures[i]), std::move(corners), *moments.value()[i]});
     }
-    return all;
+    return found;
+}
+
+Result<std::vector<RunFailure>> failuresOfRun(const PointSet& points, const Params& params,
+                                              const Progress& progress) {
+    Result<RunFailureSearch> found = searchFailures(points, params, progress);
+    if (!found) return found.error();
+    return std::move(found.value().failures);
 }
 
 std::size_t firstCreated(std::span<const RunFailure> failures) {

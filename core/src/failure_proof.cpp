@@ -55,7 +55,8 @@ std::string reasonFor(const LedgerLine& decision) {
 InspectedRun endOf(Stepper& stepper, const PointSet& points, const FailureClass& kind) {
     if (kind.find != nullptr) {
         stepper.run();
-        return {stepper.state(), inspectMesh(points, stepper.state().mesh())};
+        MeshInspection found = inspectWithTotals(points, stepper.state().mesh());
+        return {stepper.state(), std::move(found.failures), std::move(found.totals)};
     }
     std::vector<MeshFailure> found;
     FreedRings rings;
@@ -69,7 +70,9 @@ InspectedRun endOf(Stepper& stepper, const PointSet& points, const FailureClass&
         }
     }
     stepper.setLog(nullptr);
-    return {stepper.state(), std::move(found)};
+    // All of this class are there.
+    return {stepper.state(), std::move(found),
+            std::vector<ClassTotal>(failureClasses().size(), ClassTotal{})};
 }
 
 /// A point that nobody took, or two that found only each other.
@@ -173,6 +176,11 @@ class Prover {
         const InspectedRun run = endOf(fork, points_, *failure.kind);
         const MeshFailure* heir = heirOf(failure, run.failures);
         result.reason.clear();
+        if (heir == nullptr && !run.totalOf(*failure.kind).all()) {
+            result.proof = Proof::NotTurned;
+            result.reason = "Then the mesh has more failures of this class than are looked for.";
+            return false;
+        }
         if (heir == nullptr) {
             result.proof = result.turns.size() > 1 ? Proof::Later : Proof::Gone;
             return false;

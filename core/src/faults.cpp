@@ -21,9 +21,13 @@ struct Placed {
 class FaultFinder {
   public:
     FaultFinder(const PointSet& points, std::span<const Triangle> triangles)
-        : points_(points), triangles_(triangles), usable_(triangles.size(), true) {}
+        : points_(points),
+          triangles_(triangles),
+          usable_(triangles.size(), true),
+          allowed_(kIntersectionWork + kIntersectionWorkPerTriangle * triangles.size()),
+          work_(allowed_) {}
 
-    std::vector<Fault> find() {
+    FaultSearch find() {
         findShapes();
         findEdgeFaults();
         findIntersections();
@@ -31,7 +35,7 @@ class FaultFinder {
             return std::tie(a.kind, a.triangle, a.other) < std::tie(b.kind, b.triangle, b.other);
         });
         faults_.erase(std::unique(faults_.begin(), faults_.end()), faults_.end());
-        return std::move(faults_);
+        return {std::move(faults_), !isOver(), allowed_ - work_};
     }
 
   private:
@@ -49,7 +53,8 @@ class FaultFinder {
     void testPair(Index a, Index b);
     /// Then the search ends: a triangle made 70,000 times, as in a run that was stopped, is more
     /// than two billion pairs, and even passing over them takes minutes.
-    bool listIsFull() const { return intersections_ == kMostIntersections; }
+    bool isOver() const { return intersections_ == kMostIntersections || work_ == 0; }
+    void spend(std::uint64_t work) { work_ -= std::min(work, work_); }
 
     const PointSet& points_;
     std::span<const Triangle> triangles_;
@@ -57,6 +62,8 @@ class FaultFinder {
     std::vector<Box> boxes_;
     std::vector<Fault> faults_;
     std::size_t intersections_ = 0;
+    std::uint64_t allowed_;
+    std::uint64_t work_;  ///< That is left.
 };
 
 void FaultFinder::findShapes() {
@@ -126,11 +133,12 @@ void FaultFinder::findIntersections() {
 }
 
 void FaultFinder::testCells(const BoxCells& grid, const std::vector<Placed>& placed) {
-    for (std::size_t i = 0; i < placed.size() && !listIsFull(); ++i) {
+    for (std::size_t i = 0; i < placed.size() && !isOver(); ++i) {
         const std::uint64_t cell = placed[i].cell;
         const Index a = placed[i].triangle;
         for (std::size_t j = i + 1; j < placed.size() && placed[j].cell == cell; ++j) {
             const Index b = placed[j].triangle;
+            spend(1);
             if (grid.cellOfPair(boxes_[a].low, boxes_[b].low) == cell) testPair(a, b);
         }
     }
@@ -138,17 +146,18 @@ void FaultFinder::testCells(const BoxCells& grid, const std::vector<Placed>& pla
 
 void FaultFinder::testLarge(const std::vector<Index>& large) {
     for (const Index a : large) {
-        if (listIsFull()) return;
+        if (isOver()) return;
         for (Index b = 0; b < triangles_.size(); ++b) {
+            spend(1);
             if (a != b && usable_[b]) testPair(a, b);
         }
     }
 }
 
 void FaultFinder::testPair(Index a, Index b) {
-    if (listIsFull()) return;
-    if (boxes_[a].meets(boxes_[b]) &&
-        trianglesShareMore(points_.position, triangles_[a], triangles_[b])) {
+    if (isOver() || !boxes_[a].meets(boxes_[b])) return;
+    spend(kPairTestWork);
+    if (trianglesShareMore(points_.position, triangles_[a], triangles_[b])) {
         add(FaultKind::Intersecting, a, b);
         ++intersections_;
     }
@@ -163,8 +172,12 @@ std::string_view faultName(FaultKind kind) {
     return kNames[static_cast<std::size_t>(kind)];
 }
 
-std::vector<Fault> findFaults(const PointSet& points, std::span<const Triangle> triangles) {
+FaultSearch searchFaults(const PointSet& points, std::span<const Triangle> triangles) {
     return FaultFinder(points, triangles).find();
+}
+
+std::vector<Fault> findFaults(const PointSet& points, std::span<const Triangle> triangles) {
+    return searchFaults(points, triangles).faults;
 }
 
 std::array<std::size_t, kFaultKinds> countFaults(std::span<const Fault> faults) {

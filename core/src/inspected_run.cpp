@@ -3,17 +3,18 @@
 #include <utility>
 
 #include "freed_rings.h"
-#include "spiraling_edge/run_scan.h"
 
 namespace se {
 
 std::optional<InspectedRun> inspectRun(const PointSet& points, const Params& params,
-                                       const Progress& progress) {
+                                       const Progress& progress,
+                                       const std::function<void(const ScannedPivot&)>& visit) {
     std::vector<MeshFailure> leftOver;
     FreedRings rings;
     std::optional<State> end = scanRun(
         points, params,
         [&](const ScannedPivot& pivot) {
+            if (visit) visit(pivot);
             for (const Event& event : pivot.events) {
                 if (const auto ring = rings.see(event))
                     leftOver.push_back(failureOf(points, *ring));
@@ -21,9 +22,15 @@ std::optional<InspectedRun> inspectRun(const PointSet& points, const Params& par
         },
         progress);
     if (!end) return {};
-    std::vector<MeshFailure> failures = inspectMesh(points, end->mesh());
-    failures.insert(failures.end(), leftOver.begin(), leftOver.end());
-    return InspectedRun{std::move(*end), std::move(failures)};
+    MeshInspection found = inspectWithTotals(points, end->mesh());
+    for (MeshFailure& each : leftOver) {
+        ClassTotal& total =
+            found.totals[static_cast<std::size_t>(each.kind - failureClasses().data())];
+        ++total.listed;
+        ++total.total;
+        found.failures.push_back(std::move(each));
+    }
+    return InspectedRun{std::move(*end), std::move(found.failures), std::move(found.totals)};
 }
 
 }  // namespace se

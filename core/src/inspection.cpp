@@ -69,16 +69,40 @@ std::string describe(const MeshFailure& failure) {
            num(failure.place.z) + ")";
 }
 
-std::vector<MeshFailure> inspectMesh(const PointSet& points, std::span<const Triangle> triangles) {
+std::string amountText(const ClassTotal& total) {
+    const std::string known = std::to_string(total.total);
+    if (total.all()) return known;
+    const std::string first =
+        total.listed < total.total ? "first " + std::to_string(total.listed) + " of " : "";
+    return first + (total.exact ? "" : "at least ") + known;
+}
+
+bool isComplete(std::span<const ClassTotal> totals) {
+    return std::all_of(totals.begin(), totals.end(),
+                       [](const ClassTotal& each) { return each.all(); });
+}
+
+MeshInspection inspectWithTotals(const PointSet& points, std::span<const Triangle> triangles) {
     const InspectedMesh mesh(points, triangles);
-    std::vector<MeshFailure> all;
+    MeshInspection found;
+    std::vector<MeshFailure>& all = found.failures;
     for (const FailureClass& each : kClasses) {
-        if (each.find == nullptr) continue;
         const std::size_t begin = all.size();
-        each.find(mesh, all);
+        if (each.find != nullptr) each.find(mesh, all);
         for (std::size_t i = begin; i < all.size(); ++i) all[i].kind = &each;
+        ClassTotal total{all.size() - begin, all.size() - begin, true};
+        if (each.find == inspect::intersecting) {
+            total.total = countFaults(mesh.faults)[std::size_t(FaultKind::Intersecting)];
+            total.exact = mesh.allFaults;
+        }
+        found.totals.push_back(total);
     }
-    return all;
+    found.work = mesh.faultWork;
+    return found;
+}
+
+std::vector<MeshFailure> inspectMesh(const PointSet& points, std::span<const Triangle> triangles) {
+    return inspectWithTotals(points, triangles).failures;
 }
 
 }  // namespace se

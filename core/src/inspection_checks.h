@@ -15,8 +15,10 @@ struct InspectedMesh {
     std::span<const Triangle> triangles;
     std::vector<TriangleSide> sides;
     std::vector<Fault> faults;
-    std::vector<bool> used;  ///< Per point: in some triangle.
-    double meanEdge = 0.0;   ///< Length, scene units.
+    bool allFaults = true;        ///< Else the search for intersections ended early.
+    std::uint64_t faultWork = 0;  ///< FaultSearch::work.
+    std::vector<bool> used;       ///< Per point: in some triangle.
+    double meanEdge = 0.0;        ///< Length, scene units.
 
     /// A failure at these points and triangles; the place is the middle of the points.
     MeshFailure at(std::vector<Index> itsPoints, std::vector<Index> itsTriangles) const;

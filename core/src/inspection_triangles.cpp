@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "inspection_checks.h"
 #include "shape.h"
@@ -14,7 +15,10 @@ InspectedMesh::InspectedMesh(const PointSet& input, std::span<const Triangle> me
     points.type = input.type;
     points.normal.resize(input.size(), Vec3(0.0));
     points.type.resize(input.size(), kInterior);
-    faults = findFaults(points, mesh);
+    FaultSearch search = searchFaults(points, mesh);
+    faults = std::move(search.faults);
+    allFaults = search.complete;
+    faultWork = search.work;
     for (const Triangle& t : mesh) used[t.a] = used[t.b] = used[t.c] = true;
     double sum = 0.0;
     for (const TriangleSide& side : sides) {
@@ -52,10 +56,13 @@ std::vector<Index> cornersOf(const InspectedMesh& mesh, std::initializer_list<In
     return points;
 }
 
-/// The faults of one kind, as failures.
-void ofKind(FaultKind kind, const InspectedMesh& mesh, Failures& failures) {
+/// The faults of one kind, as failures; of them the first `most`.
+void ofKind(FaultKind kind, const InspectedMesh& mesh, Failures& failures,
+            std::size_t most = std::numeric_limits<std::size_t>::max()) {
+    std::size_t listed = 0;
     for (const Fault& fault : mesh.faults) {
         if (fault.kind != kind) continue;
+        if (listed++ == most) return;
         std::vector<Index> triangles{fault.triangle};
         if (fault.other != kNone) triangles.push_back(fault.other);
         failures.push_back(
@@ -69,7 +76,7 @@ void degenerate(const InspectedMesh& mesh, Failures& failures) {
     ofKind(FaultKind::Degenerate, mesh, failures);
 }
 void intersecting(const InspectedMesh& mesh, Failures& failures) {
-    ofKind(FaultKind::Intersecting, mesh, failures);
+    ofKind(FaultKind::Intersecting, mesh, failures, kMostListed);
 }
 void folded(const InspectedMesh& mesh, Failures& failures) {
     ofKind(FaultKind::Folded, mesh, failures);

@@ -91,6 +91,8 @@ class LiveCheck::Watch {
         }
     }
 
+    bool searchesAll() const { return work_ <= allowed_; }
+
   private:
     void seeDone(Index p) {
         if (!used_[p]) add("unused_points", kNone, kNone, {p});
@@ -122,6 +124,7 @@ class LiveCheck::Watch {
         const auto number = static_cast<Index>(triangles_.size());
         triangles_.push_back(made);
         boxes_.push_back(boxOf(points_, made));
+        metBy_.push_back(kNone);
         used_[made.a] = used_[made.b] = used_[made.c] = true;
         for (const Index p : {made.a, made.b, made.c}) trianglesAt_[p].push_back(number);
         const bool area = !isDegenerate(points_, made);
@@ -160,19 +163,26 @@ class LiveCheck::Watch {
     /// Against all earlier triangles nearby, until one is met; then the new one joins them. A copy
     /// (not `fresh`) does not: what it crosses, the first of its kind crosses too.
     void seeCrossing(Index number, bool fresh) {
+        allowed_ += kLiveCheckWorkPerTriangle;
+        if (!searchesAll()) return;
         const Box& box = boxes_[number];
-        near_ = large_;
+        near_.clear();
+        const auto meet = [&](Index other) {
+            ++work_;
+            // A triangle lies in many cells, and is met once.
+            if (std::exchange(metBy_[other], number) != number) near_.push_back(other);
+        };
         const bool fits = cells_.forEachCell(box.low, box.high, [&](std::uint64_t cell) {
             std::vector<Index>& there = inCell_[cell];
-            near_.insert(near_.end(), there.begin(), there.end());
+            std::for_each(there.begin(), there.end(), meet);
             if (fresh) there.push_back(number);
         });
+        std::for_each(large_.begin(), large_.end(), meet);
         if (!fits) {
-            for (Index i = 0; i < number; ++i) near_.push_back(i);
+            for (Index i = 0; i < number; ++i) meet(i);
             if (fresh) large_.push_back(number);
         }
         std::sort(near_.begin(), near_.end());
-        near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
         for (const Index other : near_) {
             if (!hasArea_[other] || !boxes_[other].meets(box)) continue;
             if (!trianglesShareMore(points_.position, triangles_[other], triangles_[number]))
@@ -207,6 +217,9 @@ class LiveCheck::Watch {
     std::unordered_map<std::uint64_t, std::vector<Index>> inCell_;
     std::vector<Index> large_;  ///< Triangles over too many cells.
     std::vector<Index> near_;   ///< Of one triangle; kept for its memory.
+    std::vector<Index> metBy_;  ///< Per triangle: the last one that it was near to.
+    std::uint64_t work_ = 0;    ///< Triangles looked at in the search for crossings.
+    std::uint64_t allowed_ = kLiveCheckWork;
     std::vector<LiveFailure>* found_ = nullptr;
     Address address_;
 };
@@ -221,6 +234,8 @@ std::vector<LiveFailure> LiveCheck::see(std::span<const Event> events) {
     for (const Event& event : events) watch_->see(event, found);
     return found;
 }
+
+bool LiveCheck::complete() const { return watch_->searchesAll(); }
 
 std::string describe(const LiveFailure& failure) {
     const std::vector<Index>& p = failure.points;

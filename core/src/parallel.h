@@ -5,27 +5,50 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <future>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "spiraling_edge/prepare.h"
 
 namespace se {
 
+/// Threads beside that of the caller. An exception in one of them reaches the caller.
+class Workers {
+  public:
+    /// Calls work() in a thread of its own. It must not use what the caller destroys before this
+    /// object.
+    template <typename Work>
+    void start(Work&& work) {
+        running_.push_back(std::async(std::launch::async, std::forward<Work>(work)));
+    }
+    /// Waits for all of them; then throws the exception of the first, in the order of start(), that
+    /// ended with one. The destructor waits too, and throws nothing.
+    void join() {
+        for (const std::future<void>& each : running_) each.wait();
+        for (std::future<void>& each : std::exchange(running_, {})) each.get();
+    }
+
+  private:
+    std::vector<std::future<void>> running_;
+};
+
 /// Calls work(from, to) for pieces of 0 .. count that lie side by side, one per thread. `threads`
 /// 0: as many as the machine has, but none for fewer than `least` items. Results are the same for
-/// any number as long as work on one item does not depend on another.
+/// any number as long as work on one item does not depend on another. An exception of `work` is
+/// thrown on, once all threads have ended.
 template <typename Work>
 void forRanges(std::size_t count, unsigned threads, std::size_t least, Work&& work) {
     const std::size_t asked = threads > 0 ? threads : std::thread::hardware_concurrency();
     const std::size_t pieces = std::max<std::size_t>(1, std::min(asked, count / least));
-    std::vector<std::thread> others;
+    Workers others;
     for (std::size_t i = 1; i < pieces; ++i) {
-        others.emplace_back(
+        others.start(
             [&work, count, pieces, i] { work(count * i / pieces, count * (i + 1) / pieces); });
     }
     work(std::size_t{0}, count / pieces);
-    for (std::thread& other : others) other.join();
+    others.join();
 }
 
 /// As forRanges(), but calls work(i) for each item, and `progress` now and then from the thread of

@@ -295,9 +295,9 @@ class NeighborSearch {
     /// The first range is searched here, and its progress stands for all. False if cancelled.
     bool searchAll(const Progress& progress) {
         std::atomic<bool> cancelled = false;
-        std::vector<std::thread> others;
+        Workers others;
         for (std::size_t t = 1; t < ranges_.size(); ++t) {
-            others.emplace_back([this, t, &cancelled] {
+            others.start([this, t, &cancelled] {
                 ranges_[t].run([&](double) { return !cancelled.load(); });
             });
         }
@@ -305,7 +305,7 @@ class NeighborSearch {
             if (progress && !progress(share)) cancelled = true;
             return !cancelled.load();
         });
-        for (std::thread& other : others) other.join();
+        others.join();
         return !cancelled;
     }
 

@@ -10,10 +10,15 @@ namespace {
 
 class Reducer {
   public:
-    using Fails = std::function<bool(const PointFile&)>;
+    using Fails = std::function<ReduceTry(const PointFile&)>;
 
-    Reducer(const PointFile& file, const Fails& fails, const Progress& progress)
-        : file_(file), fails_(fails), progress_(progress), most_(file.position.size()) {}
+    Reducer(const PointFile& file, const Fails& fails, std::uint64_t effort,
+            const Progress& progress)
+        : file_(file),
+          fails_(fails),
+          left_(effort),
+          progress_(progress),
+          most_(file.position.size()) {}
 
     Result<Reduced> run(const Vec3& place) {
         kept_.resize(most_);
@@ -25,7 +30,7 @@ class Reducer {
         takeOutPieces();
         if (cancelled_) return Error{"Cancelled."};
         std::sort(kept_.begin(), kept_.end());
-        return Reduced{subset(kept_), kept_, tries_};
+        return Reduced{subset(kept_), kept_, tries_, !exhausted_};
     }
 
   private:
@@ -43,16 +48,22 @@ class Reducer {
         return treat(file_, others).file;
     }
     bool stillFails(const std::vector<Index>& points) {
+        if (over() || points.empty()) return false;
+        // The first try is made in any case.
+        exhausted_ = tries_ > 0 && left_ == 0;
+        if (exhausted_) return false;
         ++tries_;
-        if (cancelled_ || points.empty()) return false;
         const double share = 1.0 - std::log1p(static_cast<double>(kept_.size())) /
                                        std::log1p(static_cast<double>(most_));
         if (progress_ && !progress_(share)) {
             cancelled_ = true;
             return false;
         }
-        return fails_(subset(points));
+        const ReduceTry made = fails_(subset(points));
+        left_ -= std::min(left_, made.work);
+        return made.fails;
     }
+    bool over() const { return cancelled_ || exhausted_; }
     void sortByDistance(std::vector<Index>& points, const Vec3& place) const {
         const auto distanceSq = [&](Index p) {
             const Vec3 d = file_.position[p] - place;
@@ -68,7 +79,7 @@ class Reducer {
         std::vector<Index> byDistance = kept_;
         sortByDistance(byDistance, place);
         double count = 8.0;
-        while (static_cast<std::size_t>(count) < byDistance.size() && !cancelled_) {
+        while (static_cast<std::size_t>(count) < byDistance.size() && !over()) {
             const std::vector<Index> ball(byDistance.begin(),
                                           byDistance.begin() + static_cast<std::ptrdiff_t>(count));
             if (stillFails(ball)) {
@@ -85,7 +96,7 @@ class Reducer {
         for (;;) {
             bool changed = false;
             // From the far end: what is far away goes first.
-            for (std::size_t end = kept_.size(); end > 0 && !cancelled_;) {
+            for (std::size_t end = kept_.size(); end > 0 && !over();) {
                 const std::size_t begin = end > size ? end - size : 0;
                 std::vector<Index> rest = kept_;
                 rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(begin),
@@ -96,26 +107,40 @@ class Reducer {
                 }
                 end = begin;
             }
-            if (cancelled_ || (size == 1 && !changed)) return;
+            if (over() || (size == 1 && !changed)) return;
             size = std::max<std::size_t>(size / 2, 1);
         }
     }
 
     const PointFile& file_;
     const Fails& fails_;
+    std::uint64_t left_;  ///< Of the effort.
     const Progress& progress_;
     std::size_t most_;
     std::vector<Index> kept_;
     std::size_t tries_ = 0;
     bool cancelled_ = false;
+    bool exhausted_ = false;
 };
 
 }  // namespace
 
 Result<Reduced> reduceInput(const PointFile& file, const Vec3& place,
+                            const std::function<ReduceTry(const PointFile&)>& fails,
+                            std::uint64_t effort, const Progress& progress) {
+    return Reducer(file, fails, effort, progress).run(place);
+}
+
+Result<Reduced> reduceInput(const PointFile& file, const Vec3& place,
                             const std::function<bool(const PointFile&)>& fails,
                             const Progress& progress) {
-    return Reducer(file, fails, progress).run(place);
+    // Work that is nothing uses up no effort.
+    return reduceInput(
+        file, place,
+        [&](const PointFile& part) {
+            return ReduceTry{fails(part), 0};
+        },
+        1, progress);
 }
 
 }  // namespace se

@@ -31,10 +31,11 @@ std::vector<Trial> trialsFor(const Params& params) {
     return trials;
 }
 
-std::size_t countOf(const std::vector<MeshFailure>& failures, const FailureClass* kind) {
-    return static_cast<std::size_t>(
-        std::count_if(failures.begin(), failures.end(),
-                      [&](const MeshFailure& each) { return each.kind == kind; }));
+/// Of all classes; at least so many where the search ended early.
+std::size_t countOf(const InspectedRun& run) {
+    std::size_t all = 0;
+    for (const ClassTotal& each : run.totals) all += each.total;
+    return all;
 }
 
 /// A point in no triangle is the same trouble near the surface and far from it.
@@ -71,15 +72,17 @@ Result<Remedies> findRemedies(const PointSet& points, const Params& params,
     Remedies remedies;
     const auto present = inspectRun(points, params, part);
     if (!present) return Error{"Cancelled."};
-    remedies.ofClass = countOf(present->failures, failure.kind);
-    remedies.all = present->failures.size();
+    remedies.ofClass = present->totalOf(*failure.kind).total;
+    remedies.all = countOf(*present);
     for (Trial& trial : trials) {
         begun += 1.0;
         const auto run = inspectRun(points, trial.params, part);
         if (!run) return Error{"Cancelled."};
-        trial.remedy.prevents = !isStillThere(failure, run->failures);
-        trial.remedy.ofClass = countOf(run->failures, failure.kind);
-        trial.remedy.all = run->failures.size();
+        // Among those that are not listed it may still be.
+        const bool allListed = run->totalOf(*failure.kind).all();
+        trial.remedy.prevents = allListed && !isStillThere(failure, run->failures);
+        trial.remedy.ofClass = run->totalOf(*failure.kind).total;
+        trial.remedy.all = countOf(*run);
         remedies.tried.push_back(trial.remedy);
     }
     std::stable_sort(remedies.tried.begin(), remedies.tried.end(),

@@ -31,8 +31,6 @@ struct Particles {
 
 /// Fewer particles are not worth a thread.
 inline constexpr std::size_t kPerThread = 2048;
-/// More would not fit an Index with room to spare.
-inline constexpr std::size_t kMostParticles = 100'000'000;
 /// Beyond so many spacings particles do not feel each other: the second ring of neighbors in
 /// equilateral triangles is just outside.
 inline constexpr double kReach = 1.7;

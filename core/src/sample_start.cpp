@@ -8,6 +8,7 @@
 #include "parallel.h"
 #include "sample_lattice.h"
 #include "sample_particles.h"
+#include "spiraling_edge/sampler.h"
 #include "z_curve.h"
 
 namespace se::sampling {

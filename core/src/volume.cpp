@@ -80,6 +80,13 @@ Result<Volume> readVolume(const fs::path& path) {
     const io::NrrdHeader& header = parsed.value();
     if (header.dataFile.empty()) return readVolume(bytes.value(), name);
     const fs::path dataPath = path.parent_path() / header.dataFile;
+    // The header may come from elsewhere: a device or a pipe has no end.
+    std::error_code ignored;
+    const fs::file_status status = fs::status(dataPath, ignored);
+    if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {
+        return io::errorAt(name, io::lineText(header.dataFileLine),
+                           dataPath.string() + ": expected a regular file");
+    }
     const Result<std::string> data = readBytes(dataPath);
     if (!data) return io::errorAt(name, io::lineText(header.dataFileLine), data.error().message);
     return io::decodeNrrd(header, data.value(), dataPath.string());

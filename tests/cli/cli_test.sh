@@ -117,7 +117,6 @@ wrong_values_are_wrong_usage() {
 
 missing_file_is_missing_input() {
     expect 3 run missing.ply -o mesh.ply
-    says err "missing.ply: there is no such file"
     absent mesh.ply
     expect 3 info missing.ply
     expect 3 missing.ply
@@ -974,6 +973,120 @@ reduce_finds_one_point_among_many() {
     [ "$(header_count vertex few.ply)" -lt 30 ] || fail "$(header_count vertex few.ply) points are left"
     SPIRALING_EDGE=$program sh few.sh >out 2>err && fail "the test passes"
     says out "still fails: unused_points"
+}
+
+tangled_runs_end_soon() {
+    # The failures of such runs have millions of crossings; following all of them takes hours.
+    local lists
+    ulimit -v 1000000  # kB, most of it code and stacks that are not touched
+    expect 0 sample torus -n 400 -q -o t.ply
+    for lists in "--neighbors 60" "--radius 5" "--radius 1e300"; do
+        # shellcheck disable=SC2086
+        expect 0 why t.ply $lists --failures
+        says out "first "
+        says out " triangle_cap"
+        cp out first
+        # shellcheck disable=SC2086
+        expect 0 why t.ply $lists --failures
+        cmp -s out first || fail "$lists: not the same bytes"
+        # shellcheck disable=SC2086
+        expect 0 why t.ply $lists --failures --json
+        says out '"complete": false'
+        # shellcheck disable=SC2086
+        expect 1 run t.ply $lists -q -o mesh.ply
+        expect 1 check mesh.ply
+        says out "first 10000 of "
+        expect 1 check mesh.ply --json
+        says out '"complete": false'
+    done
+    # More crossings than are looked for.
+    expect 0 sample torus -n 1000 -q -o t.ply
+    expect 1 run t.ply --radius 1e300 --check --report report.json -q -o mesh.ply
+    says report.json '"faults_at_least": true'
+    expect 1 check mesh.ply
+    says out ", at least "
+    says out "first 10000 of at least "
+    expect 1 check mesh.ply --json
+    says out '"intersecting_triangles": 10000'
+    grep -A1 '"at_least"' out | grep -q intersecting_triangles || fail "not at least: $(head -c 2000 out)"
+    # A usual run is followed to its end, and says nothing of the kind.
+    expect 0 why scene:four-edge-hole --failures --json
+    grep -qE '"complete"|"at_least"' out && fail "it is complete"
+}
+
+reduce_stops_after_its_effort() {
+    expect 0 sample torus -n 400 -q -o t.ply
+    expect 0 reduce t.ply --neighbors 60 --failure holes --effort 40 -o some.ply
+    says err "stopped early, after 40 million tests"
+    says err "--effort 400"
+    [ "$(header_count vertex some.ply)" -le 400 ] || fail "more points than before"
+    expect 0 reduce t.ply --neighbors 60 --failure holes --effort 40 -o again.ply
+    cmp -s some.ply again.ply || fail "not the same bytes"
+    SPIRALING_EDGE=$program sh some.sh >out 2>err && fail "it does not fail any more"
+    says out "still fails: holes"
+    # With enough of it the result is as small as it gets, and nothing is said.
+    expect 0 reduce scene:four-edge-hole --failure non_manifold_edges -o small.ply
+    grep -q "stopped early" err && fail "it did not stop early: $(cat err)"
+    expect 2 reduce scene:four-edge-hole --failure non_manifold_edges -o small.ply --effort 0
+}
+
+reduce_quotes_names() {
+    local name
+    mkdir work
+    cd work || exit 1
+    for name in 'a b' "it's" 'q"q' '$(touch pwned)' '`touch pwned`' $'line\ntouch pwned' \
+        $'tab\tand\rreturn' '-rf' 'scene:torus' 'back\slash' '; touch pwned'; do
+        rm -rf ./* ../from
+        "$program" run scene:four-edge-hole -q -o in.ply
+        mkdir -- "../from"
+        mv in.ply "../from/$name.ply"
+        "$program" reduce "../from/$name.ply" --failure non_manifold_edges -q -o "./$name.ply" \
+            >../out 2>../err || { fail "$name: $(cat ../err)"; continue; }
+        # The first lines are comments; nothing but the check happens.
+        [ "$(head -4 "./$name.sh" | LC_ALL=C grep -c '^#')" = 3 ] || fail "$name: $(cat "./$name.sh")"
+        sed -n '2,3p' "./$name.sh" | LC_ALL=C grep -q '[[:cntrl:]]' && fail "$name: control characters"
+        for way in "./$name.sh" "$PWD/$name.sh"; do
+            SPIRALING_EDGE=$program sh "$way" >../out 2>../err
+            is $? 1 "$name"
+            is "$(cat ../out)" "still fails: non_manifold_edges" "$name"
+            empty ../err
+        done
+        is "$(find . -type f -printf x | wc -c)" 3 "$name: files"
+        [ -e pwned ] && fail "$name was run"
+        python3 - "./$name.sesession" "$name.ply" <<'END' || fail "$name: $(cat "./$name.sesession")"
+import json, os, sys
+source = json.load(open(sys.argv[1]))["input"]["source"]
+sys.exit(os.path.normpath(source) != sys.argv[2] or source.startswith("scene:"))
+END
+    done
+    cd ..
+}
+
+compare_reads_standard_input() {
+    expect 0 run scene:torus -q -o torus.ply
+    local code=0
+    "$program" compare - --with --rules robust <torus.ply >out 2>err || code=$?
+    is "$code" 1 "compare - ($(cat err))"
+    says out "triangles in both"
+    code=0
+    "$program" compare - --with <torus.ply >out 2>err || code=$?
+    is "$code" 0 "compare - with the same ($(cat err))"
+    expect 3 compare - --with --rules robust
+    says err "standard input: is empty"
+    code=0
+    echo "0 0 x" | "$program" compare - --with --rules robust >out 2>err || code=$?
+    is "$code" 3 "a malformed input"
+    says err "standard input"
+    expect 2 compare - --mesh -
+    expect 2 check - --points -
+}
+
+sample_has_a_most() {
+    expect 2 sample torus -n 100000000 -o many.ply
+    says err "10000000"
+    expect 3 sample torus --spacing 1e-6 -o many.ply
+    says err "10000000"
+    absent many.ply
 }
 
 sample_lists_shapes() {

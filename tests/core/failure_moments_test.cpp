@@ -212,3 +212,39 @@ TEST_CASE("moments: every faulty triangle has a decision that it would not be th
         }
     }
 }
+
+TEST_CASE("moments: of a tangled run the first of each class are followed, the others counted") {
+    const PointFile file = closedFamilies(1.3)[0].sample(1);
+    for (const NeighborOptions& lists : {reach(60), NeighborOptions{WithinRadius{1e300}}}) {
+        const PointSet points = prepared(file, lists);
+        const auto found = searchFailures(points, paper());
+        REQUIRE(found.ok());
+        const std::vector<ClassTotal>& totals = found.value().totals;
+        REQUIRE(totals.size() == failureClasses().size());
+        CHECK_FALSE(isComplete(totals));
+        std::size_t listed = 0;
+        for (const ClassTotal& each : totals) {
+            CHECK(each.listed <= each.total);
+            CHECK((each.listed > 0) == (each.total > 0));
+            listed += each.listed;
+        }
+        CHECK(listed == found.value().failures.size());
+        CHECK(listed < 20000);
+        const auto& last = found.value().failures.back();
+        CHECK(last.failure.kind->name == "triangle_cap");
+        const auto again = searchFailures(points, paper());
+        REQUIRE(again.ok());
+        CHECK(std::equal(totals.begin(), totals.end(), again.value().totals.begin(),
+                         [](const ClassTotal& a, const ClassTotal& b) {
+                             return amountText(a) == amountText(b);
+                         }));
+    }
+}
+
+TEST_CASE("moments: of other runs all failures are followed") {
+    const PointSet points = prepared(findScene("four-edge-hole")->build());
+    const auto found = searchFailures(points, paper());
+    REQUIRE(found.ok());
+    CHECK(isComplete(found.value().totals));
+    CHECK(found.value().failures.size() == failuresOfRun(points, paper()).value().size());
+}

@@ -202,3 +202,26 @@ TEST_CASE("faults: names are those of the report") {
     CHECK(faultName(FaultKind::Intersecting) == "intersecting");
     CHECK(faultName(FaultKind::Folded) == "folded");
 }
+
+TEST_CASE("faults: the search for pairs ends after its work, and says so") {
+    // Slanted strips side by side: all boxes meet, no two triangles do.
+    const auto slanted = [](Index count) {
+        PointSet points = pointsAt({});
+        Triangles triangles;
+        for (Index i = 0; i < count; ++i) {
+            const double z = 1e-4 * i;
+            points.position.insert(points.position.end(),
+                                   {{0, 0, z}, {1, 1, 1 + z}, {1, 1, 1.00001 + z}});
+            triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+        }
+        points.normal.assign(points.size(), Vec3(0));
+        return searchFaults(points, triangles);
+    };
+    const FaultSearch few = slanted(300);
+    CHECK(few.complete);
+    CHECK(ofKind(few.faults, FaultKind::Intersecting).empty());
+    const FaultSearch many = slanted(8000);
+    CHECK_FALSE(many.complete);
+    CHECK(many.work == kIntersectionWork + 8000 * kIntersectionWorkPerTriangle);
+    CHECK(slanted(8000).faults == many.faults);
+}

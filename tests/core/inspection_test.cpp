@@ -186,3 +186,25 @@ TEST_CASE("inspection: every class has a name of its own and is found by it") {
     }
     CHECK(findFailureClass("dragons") == nullptr);
 }
+
+TEST_CASE("inspection: of a tangled mesh the first crossings are listed, and how many there are") {
+    PointSet points;
+    points.position = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const auto crossings = [&](std::size_t count) {
+        const MeshInspection found = inspectWithTotals(points, Faces(count, {0, 1, 2}));
+        const auto place = static_cast<std::size_t>(findFailureClass("intersecting_triangles") -
+                                                    failureClasses().data());
+        CHECK(isComplete(found.totals) == found.totals[place].all());
+        CHECK(found.failures.size() >= found.totals[place].listed);
+        return found.totals[place];
+    };
+    const ClassTotal all = crossings(20);
+    CHECK(all.all());
+    CHECK(amountText(all) == "190");
+    const ClassTotal some = crossings(200);
+    CHECK(some.exact);
+    CHECK(amountText(some) == "first 10000 of 19900");
+    const ClassTotal ended = crossings(3000);
+    CHECK_FALSE(ended.exact);
+    CHECK(amountText(ended) == "first 10000 of at least 1000000");
+}

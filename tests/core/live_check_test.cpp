@@ -160,3 +160,22 @@ TEST_CASE("live: a crossing is told of the later triangle, however far apart the
     });
     CHECK(meets == std::any_of(found.begin(), found.end(), crosses));
 }
+
+TEST_CASE("live check: of a tangled run crossings are looked for up to a fixed amount of work") {
+    const PointFile file = closedFamilies(1.3)[0].sample(1);
+    const auto followed = [&](const NeighborOptions& lists) {
+        const PointSet points = prepared(file, lists);
+        auto check = std::make_unique<LiveCheck>(points);
+        std::size_t crossings = 0;
+        (void)scanRun(points, paper(), [&](const ScannedPivot& pivot) {
+            for (const LiveFailure& each : check->see(pivot.events))
+                crossings += each.kind->name == "intersecting_triangles" ? 1U : 0U;
+        });
+        return std::pair(check->complete(), crossings);
+    };
+    CHECK(followed(reach(12)) == std::pair(true, std::size_t{0}));
+    const auto tangled = followed(NeighborOptions{WithinRadius{1e300}});
+    CHECK_FALSE(tangled.first);
+    CHECK(tangled.second > 100);
+    CHECK(followed(NeighborOptions{WithinRadius{1e300}}) == tangled);
+}

@@ -57,3 +57,31 @@ TEST_CASE("reduce: an input that does not fail, and a reader who cancels") {
     REQUIRE(one.ok());
     CHECK(one.value().kept.size() == 1);
 }
+
+TEST_CASE("reduce: it ends when the effort is used up, with the best so far") {
+    const PointFile file = closedFamilies()[0].sample(1);
+    // Whatever holds the first point and the last one fails.
+    const auto fails = [&](const PointFile& part) {
+        const auto has = [&](const Vec3& x) {
+            return std::find(part.position.begin(), part.position.end(), x) != part.position.end();
+        };
+        const bool both = has(file.position.front()) && has(file.position.back());
+        return ReduceTry{both, part.position.size()};
+    };
+    std::size_t before = file.position.size() + 1;
+    for (const std::uint64_t effort : {1U, 2000U, 10000U}) {
+        CAPTURE(effort);
+        const auto reduced = reduceInput(file, file.position.front(), fails, effort);
+        REQUIRE(reduced.ok());
+        CHECK_FALSE(reduced.value().complete);
+        CHECK(fails(reduced.value().file).fails);
+        CHECK(reduced.value().kept.size() < before);
+        before = reduced.value().kept.size();
+        CHECK(reduceInput(file, file.position.front(), fails, effort).value().kept ==
+              reduced.value().kept);
+    }
+    const auto whole = reduceInput(file, file.position.front(), fails, 100'000'000);
+    REQUIRE(whole.ok());
+    CHECK(whole.value().complete);
+    CHECK(whole.value().kept.size() == 2);
+}

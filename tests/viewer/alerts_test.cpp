@@ -324,3 +324,22 @@ TEST_CASE("alerts: it is said where a run is too large to be watched while one s
     CHECK(watchNote(20, kMostNoticed).find(grouped(kMostNoticed) + " failures") !=
           std::string::npos);
 }
+
+TEST_CASE("Alerts of a tangled run are the first of each class, with how many there are") {
+    InputSpec spec{"sample:torus,n=400", {WithinRadius{1e300}, true, 0, true}, "paper"};
+    Session session;
+    session.open(spec);
+    session.settle();
+    REQUIRE(session.ready());
+    const AlertSearch& alerts = session.alerts();
+    REQUIRE(alerts.done());
+    CHECK_FALSE(alerts.complete());
+    std::size_t next = 0;
+    for (const AlertGroup& group : alerts.groups()) {
+        CHECK(group.first == next);
+        CHECK(group.count == group.total.listed);
+        next += group.count;
+        CHECK(alerts.failures()[group.first].failure.kind == group.kind);
+    }
+    CHECK(next == alerts.failures().size());
+}

@@ -6,8 +6,8 @@
 #include <fstream>
 
 #include "desk.h"
-#include "run/text.h"
 #include "spiraling_edge/scenes.h"
+#include "spiraling_edge/shell_word.h"
 
 using namespace se;
 using namespace se::view;

@@ -92,3 +92,19 @@ TEST_CASE("A file is hashed as it is read; what cannot be read is told by its na
     progress.cancelled = true;
     CHECK_FALSE(loadModel({"scene:sphere", {}, "paper"}, progress).ok());
 }
+
+TEST_CASE("Points from standard input are opened as often as one likes") {
+    InputSpec spec = scene("-");
+    LoadProgress progress;
+    const auto missing = loadInput(spec, progress);
+    REQUIRE_FALSE(missing.ok());
+    CHECK(missing.error().message.find("Standard input") != std::string::npos);
+    spec.points = std::make_shared<const PointFile>(findScene("torus")->build());
+    for (int i = 0; i < 2; ++i) {
+        const auto loaded = loadInput(spec, progress);
+        REQUIRE(loaded.ok());
+        CHECK(loaded.value().model->name == "standard input");
+        CHECK(loaded.value().model->points.size() == spec.points->position.size());
+        CHECK(loaded.value().model->hash == hashOfPoints(*spec.points));
+    }
+}

@@ -110,3 +110,23 @@ TEST_CASE("A wrong line, a cancelled one: nothing is opened") {
     REQUIRE_FALSE(stopped.ok());
     CHECK(stopped.error().message == "Opening was cancelled.");
 }
+
+TEST_CASE("More points than memory could hold are refused, with the most that there can be") {
+    const auto complaint = [](const char* source) {
+        const Result<SampleSpec> read = sampleFromSource(source);
+        return read ? std::string() : read.error().message;
+    };
+    for (const char* source : {"sample:torus,n=100000000", "sample:torus,n=10000001",
+                               "sample:torus,n=99999999999999999999"}) {
+        CAPTURE(source);
+        CHECK(complaint(source).find("n is from 1 to 10000000") != std::string::npos);
+    }
+    CHECK(complaint("sample:torus,n=10000000").empty());
+}
+
+TEST_CASE("The command for a volume quotes its name for a shell") {
+    const auto spec = sampleFromSource("sample:$(touch pwned).nrrd,n=50");
+    REQUIRE(spec.ok());
+    CHECK(sampleCommand(spec.value()) ==
+          "spiraling-edge sample '$(touch pwned).nrrd' -n 50 -o '$(touch pwned)-50.ply'");
+}

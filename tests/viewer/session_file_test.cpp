@@ -222,6 +222,30 @@ TEST_CASE("A bad session file is refused with its name and what was expected") {
         {minimal(R"(, "breakpoints": [{"line": "closes", "skip": -1}])"), "\"breakpoints\""},
         {minimal(R"(, "watches": "ring")"), "\"watches\""},
         {minimal(R"(, "watches": [1])"), "\"watches\""},
+        // Numbers that are too large for what they are.
+        {R"({"format": "spiraling-edge session", "version": 99999999999999999999})", "\"version\""},
+        {R"({"format": "spiraling-edge session", "version": -1})", "\"version\""},
+        {minimal(R"(, "options": {"neighbors": 1e300})"), "options.neighbors"},
+        {minimal(R"(, "options": {"neighbors": 99999999999999999999})"), "options.neighbors"},
+        {minimal(R"(, "options": {"neighbors": -1})"), "options.neighbors"},
+        {minimal(R"(, "options": {"reach": 1e999})"), "\"options.reach\""},
+        {minimal(R"(, "options": {"radius": -1e999})"), "\"options.radius\""},
+        {minimal(R"(, "options": {"box": [0, 0, 0, 1, 1, 1e999]})"), "\"options.box\""},
+        {minimal(R"(, "options": {"switches": {"maxgap": 1e300}})"), "options.switches.maxgap"},
+        {minimal(R"(, "options": {"what_if": ["5.sphere keep 99999999999"]})"), "is no what-if"},
+        {minimal(R"(, "address": "99999999999.sphere.1")"), "\"address\""},
+        {minimal(R"(, "address": "1.sphere.99999999999")"), "\"address\""},
+        {minimal(R"(, "camera": {"target": [0, 0, 0], "distance": 1e300, "yaw": 0, "pitch": 0})"),
+         "\"camera\""},
+        {minimal(R"(, "camera": {"target": [0, 0, 1e999], "distance": 1, "yaw": 0, "pitch": 0})"),
+         "\"camera.target\""},
+        {minimal(R"(, "selected": 4294967295)"), "\"selected\""},
+        {minimal(R"(, "selected": 1e300)"), "\"selected\""},
+        {minimal(R"(, "selected": [1, 99999999999999999999])"), "\"selected\""},
+        {minimal(R"(, "bookmarks": [{"address": "99999999999"}])"), "\"bookmarks\""},
+        {minimal(R"(, "breakpoints": [{"line": "closes", "skip": 4294967296}])"),
+         "\"breakpoints\""},
+        {minimal(R"(, "deep": )" + std::string(100, '[') + std::string(100, ']')), "64 levels"},
     };
     for (const Bad& bad : all) {
         CAPTURE(bad.text);
@@ -303,4 +327,35 @@ TEST_CASE("What is compared is kept: another run by its options, a mesh by its p
     CHECK(complaintOf(minimal(R"(, "compare": 3)")).find("compare") != std::string::npos);
     CHECK(complaintOf(minimal(R"(, "compare": {"options": {"rules": "x"}})")).find("rules") !=
           std::string::npos);
+}
+
+TEST_CASE("A session names regular files: no device, no pipe, no folder") {
+    const Folder folder;
+    put(folder.path / "points.xyz", "0 0 0\n");
+    fs::create_directories(folder.path / "folder");
+    const auto named = [&](const std::string& source, const std::string& more) {
+        put(folder.path / "a.sesession",
+            R"({"format": "spiraling-edge session", "version": 1, "input": {"source": ")" + source +
+                "\"}" + more + "}");
+        const auto read = readSessionFile(folder.path / "a.sesession");
+        return read ? std::string() : read.error().message;
+    };
+    CHECK(named("points.xyz", "").empty());
+    // Where nothing is, opening says so.
+    CHECK(named("missing.xyz", "").empty());
+    for (const char* source : {"/dev/zero", "folder", "sample:/dev/../dev/zero.nrrd,n=5"}) {
+        CAPTURE(source);
+        const bool there = fs::exists(source) || std::string(source) == "folder";
+        CHECK(named(source, "").empty() == !there);
+    }
+    CHECK(named("/dev/zero", "").find("\"input.source\"") != std::string::npos);
+    CHECK(named("/dev/zero", "").find("/dev/zero") != std::string::npos);
+    fs::create_symlink("/dev/zero", folder.path / "zero.nrrd");
+    CHECK(named("sample:zero.nrrd,n=5", "").find("\"input.source\"") != std::string::npos);
+    CHECK(named("points.xyz", R"(, "compare": {"mesh": "/dev/zero"})").find("\"compare.mesh\"") !=
+          std::string::npos);
+    fs::create_symlink("/dev/zero", folder.path / "zero.sesession");
+    const auto device = readSessionFile(folder.path / "zero.sesession");
+    REQUIRE_FALSE(device.ok());
+    CHECK(device.error().message.find("regular file") != std::string::npos);
 }

@@ -3,12 +3,11 @@
 #include "run/exact_text.h"
 #include "run/text.h"
 #include "spiraling_edge/field.h"
+#include "spiraling_edge/sampler.h"
 
 namespace se::view {
 
 namespace {
-
-constexpr std::uint64_t kMostParticles = 100'000'000;
 
 std::optional<double> numberIn(const std::string& text) { return numberFromText(trimmed(text)); }
 
@@ -56,7 +55,8 @@ Result<SampleSpec> GrowthForm::spec() const {
     } else {
         const auto number = wholeFromText(trimmed(count));
         if (!number || *number == 0 || *number > kMostParticles) {
-            return Error{"Points: expected a whole number from 1 to 100000000."};
+            return Error{"Points: expected a whole number from 1 to " +
+                         std::to_string(kMostParticles) + "."};
         }
         spec.count = static_cast<std::size_t>(*number);
     }

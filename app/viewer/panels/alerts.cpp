@@ -55,6 +55,14 @@ void drawArrow(const PanelContext& context, ImVec2 at, bool open) {
     ImGui::GetWindowDrawList()->AddTriangleFilled(p[0], p[1], p[2], toU32(context.palette.textDim));
 }
 
+/// "12", "first 430 of at least 1 204 331".
+std::string amountOf(const AlertGroup& group) {
+    const ClassTotal& total = group.total;
+    const std::string known = grouped(total.total);
+    if (total.all()) return known;
+    return "first " + grouped(total.listed) + " of " + (total.exact ? "" : "at least ") + known;
+}
+
 void drawHead(const PanelContext& context, const AlertGroup& group) {
     const bool open = isOpen(context, group);
     ImGui::PushID(group.kind);
@@ -69,7 +77,7 @@ void drawHead(const PanelContext& context, const AlertGroup& group) {
     if (clicked) context.ui().alertsOpen[name] = !open;
     drawArrow(context, at, open);
     ImGui::SameLine(left + 1.3F * context.em);
-    const std::string count = grouped(group.count);
+    const std::string count = amountOf(group);
     const float end = ImGui::GetContentRegionMax().x;
     const float room =
         end - ImGui::GetCursorPosX() - ImGui::CalcTextSize(count.c_str()).x - context.em;
@@ -209,6 +217,7 @@ void drawRemedies(const PanelContext& context) {
         if (ImGui::SmallButton("Stop")) session.stopRemedies();
         return;
     }
+    if (mine && !search.complaint().empty()) dimText(search.complaint());
     if (ImGui::SmallButton("Try the rules beyond the paper")) session.seekRemedies();
     context.ui().where["alert remedies"] = lastItem();
     tooltip("Runs again with each of them on, one at a time");
@@ -284,8 +293,9 @@ void drawNothing() {
 void drawSearch(const PanelContext& context) {
     Session& session = context.session();
     const AlertSearch& alerts = session.alerts();
-    if (alerts.stopped()) {
-        dimText("The search was stopped.");
+    const std::string& complaint = alerts.complaint();
+    if (alerts.stopped() || !complaint.empty()) {
+        dimText(alerts.stopped() ? "The search was stopped." : complaint);
         if (ImGui::SmallButton("Look for failures")) session.resumeAlerts();
         context.ui().where["alerts resume"] = lastItem();
         return;
@@ -301,6 +311,7 @@ void drawSearch(const PanelContext& context) {
 std::string headingNote(const AlertSearch& alerts) {
     const std::size_t count = alerts.failures().size();
     if (!alerts.done() || count == 0) return {};
+    if (!alerts.complete()) return "first " + grouped(count) + " alerts";
     return count == 1 ? "1 alert" : grouped(count) + " alerts";
 }
 
@@ -319,6 +330,9 @@ void drawAlerts(const PanelContext& context) {
     if (!note.empty()) dimText(note);
     if (!alerts.done()) return drawSearch(context);
     if (alerts.failures().empty()) return drawNothing();
+    if (!alerts.complete())
+        dimText(
+            "There are too many failures to follow them all: of each class the first are listed.");
     if (!session.chosenAlert()) {
         dimText(
             "A click on an alert goes to where it came about, frames it, and tells its three "

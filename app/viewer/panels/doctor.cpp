@@ -5,6 +5,7 @@
 
 #include "panel.h"
 #include "run/text.h"
+#include "spiraling_edge/shell_word.h"
 #include "widgets.h"
 
 namespace se::view {
@@ -52,14 +53,15 @@ std::string commandForMade(const std::string& source, const DoctorCheck& check) 
     const std::string making = spec ? sampleCommand(spec.value()) : std::string{};
     if (making.empty()) return {};
     const std::string stem = sampleStem(spec.value(), spec.value().count);
-    return making + " && " + remedyFor(check, stem + ".ply", stem + "-mended.ply");
+    return making + " && " +
+           remedyFor(check, shellQuoted(stem + ".ply"), shellQuoted(stem + "-mended.ply"));
 }
 
 /// The command that helps, ready to be pasted: who does so may stand in another folder.
 std::string commandFor(const PanelContext& context, const DoctorCheck& check) {
     namespace fs = std::filesystem;
     const std::string& source = context.session().spec().source;
-    if (isScene(source)) return remedyFor(check, source);
+    if (isScene(source) || isStandardInput(source)) return remedyFor(check, source);
     if (isSample(source)) return commandForMade(source, check);
     std::error_code error;
     const fs::path whole = fs::absolute(source, error);
@@ -169,6 +171,7 @@ void drawDoctor(const PanelContext& context) {
     const Checkup& checkup = session.checkup();
     heading(context, "Doctor", headingNote(checkup.findings().size()));
     drawMended(context);
+    if (!checkup.complaint().empty()) return dimText(checkup.complaint());
     if (!checkup.done()) {
         dimText(checkup.busy() ? "Looking for what could upset the algorithm ..."
                                : "The doctor looks at the points once the run was gone through.");

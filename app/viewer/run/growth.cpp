@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "guarded.h"
 #include "spiraling_edge/sampler.h"
 
 namespace se::view {
@@ -204,15 +205,14 @@ class Growth::Worker {
         }
         publish(sampler, GrowthPhase::Done);
     }
-
-  private:
-    enum class Turn : std::uint8_t { Rest, Step, StepAndShow };
-
     void fail(const std::string& message) {
         const std::scoped_lock lock(job_.mutex);
         job_.error = message;
         job_.phase = GrowthPhase::Failed;
     }
+
+  private:
+    enum class Turn : std::uint8_t { Rest, Step, StepAndShow };
 
     /// A picture that nobody took gives way to the next one; the last is always the newest.
     void publish(const Sampler& sampler, GrowthPhase phase) {
@@ -263,7 +263,9 @@ void Growth::begin(const SampleSpec& spec) {
     job_->due = spec.steps > 0 ? spec.steps : kAll;
     job_->slowly = spec.steps == 0;
     job_->thread = std::jthread([&job = *job_](const std::stop_token& stop) {
-        Worker(job, stop).work();
+        Worker worker(job, stop);
+        const Status good = guarded([&worker] { worker.work(); });
+        if (!good) worker.fail(good.error().message);
         const std::scoped_lock lock(job.mutex);
         job.ended = true;
         job.changed.notify_all();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "guarded.h"
 #include "spiraling_edge/what_if_check.h"
 
 namespace se::view {
@@ -25,7 +26,8 @@ void Loader::begin(const InputSpec& spec, std::optional<RunAnew> anew) {
     job_->spec = spec;
     job_->anew = std::move(anew);
     job_->thread = std::jthread([&job = *job_] {
-        job.result = work(job);
+        const Status good = guarded([&job] { job.result = work(job); });
+        if (!good) job.result = good.error();
         job.done = true;
     });
 }
@@ -127,6 +129,7 @@ Result<Opened> Loader::work(Job& job) {
     while (!opened.runner->wait(std::chrono::milliseconds(50))) {
         if (job.progress.cancelled) return openingCancelled();
     }
+    if (const std::string why = opened.runner->complaint(); !why.empty()) return Error{why};
     return made;
 }
 

@@ -71,9 +71,18 @@ Result<PointFile> readSample(const InputSpec& spec, Model& model, LoadProgress& 
     return points;
 }
 
+/// It was read when the program started, and is at hand.
+Result<PointFile> takeStandardInput(const InputSpec& spec, Model& model) {
+    model.name = "standard input";
+    if (!spec.points) return Error{"Standard input can be read only once, at the start."};
+    model.hash = hashOfPoints(*spec.points);
+    return *spec.points;
+}
+
 Result<PointFile> readSource(const InputSpec& spec, Model& model, LoadProgress& progress) {
     const std::string& source = spec.source;
     if (isSample(source)) return readSample(spec, model, progress);
+    if (isStandardInput(source)) return takeStandardInput(spec, model);
     if (source.empty() || isScene(source)) {
         const std::string id = source.empty() ? "" : source.substr(kScenePrefix.size());
         if (source.empty() && scenes().empty()) return Error{"No file was named."};

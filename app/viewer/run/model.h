@@ -28,6 +28,10 @@ inline std::string sceneSource(std::string_view id) {
     return std::string(kScenePrefix) + std::string(id);
 }
 
+/// The source that stands for standard input; InputSpec::points has what it held.
+inline constexpr std::string_view kStandardInput = "-";
+inline bool isStandardInput(std::string_view source) { return source == kStandardInput; }
+
 /// Whose walls the boundary points stand on.
 struct WallChoice {
     enum class From : std::uint8_t {
@@ -45,7 +49,7 @@ struct WallChoice {
 
 /// What to open and how.
 struct InputSpec {
-    /// A path, `scene:ID`, or the line of text of a SampleSpec. Empty: the first scene.
+    /// A path, `-`, `scene:ID`, or the line of text of a SampleSpec. Empty: the first scene.
     std::string source;
     NeighborOptions neighbors;
     std::string rules = "paper";          ///< A name that paramsByName() knows.

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <limits>
 
+#include "guarded.h"
 #include "picture.h"
 #include "spiraling_edge/reading.h"
 #include "spiraling_edge/stepper.h"
@@ -241,6 +242,12 @@ void OverviewThread::hand(RunOverview& fresh) {
 }
 
 void OverviewThread::work(const std::stop_token& stop) {
+    const Status good = guarded([&] { watch(stop); });
+    if (!good) complaint_ = good.error().message;
+    done_ = true;
+}
+
+void OverviewThread::watch(const std::stop_token& stop) {
     Observer observer(*model_);
     RunOverview fresh;
     auto handed = std::chrono::steady_clock::now();
@@ -254,7 +261,6 @@ void OverviewThread::work(const std::stop_token& stop) {
     }
     fresh.complete = observer.state().finished();
     hand(fresh);
-    done_ = true;
 }
 
 }  // namespace se::view

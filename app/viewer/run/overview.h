@@ -102,6 +102,8 @@ class OverviewThread {
     bool update(RunOverview& overview);
     /// The run has come to its end, or was stopped.
     bool done() const { return done_; }
+    /// Once done(): why the run was not gone through to its end, a sentence, once; empty if it was.
+    std::string takeComplaint() { return std::exchange(complaint_, {}); }
     /// Blocks until the run is complete.
     void finish() {
         if (thread_.joinable()) thread_.join();
@@ -109,12 +111,14 @@ class OverviewThread {
 
   private:
     void work(const std::stop_token& stop);
+    void watch(const std::stop_token& stop);
     void hand(RunOverview& fresh);
 
     std::shared_ptr<const Model> model_;
     std::mutex mutex_;
     RunOverview fresh_;  ///< What update() has not yet taken.
     bool changed_ = false;
+    std::string complaint_;
     std::atomic<bool> done_ = false;
     std::jthread thread_;  // last: it uses all of the above
 };

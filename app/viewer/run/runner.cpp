@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "guarded.h"
 #include "picture.h"
 #include "spiraling_edge/stepper.h"
 
@@ -52,7 +53,12 @@ void Runner::work(const std::stop_token& stop) {
             if (!changed_.wait(lock, stop, [&] { return wanted_.has_value(); })) return;
             request = *std::exchange(wanted_, std::nullopt);
         }
-        request.point == kNone ? serve(request.pivot, stop) : servePoint(request, stop);
+        const Status good = guarded([&] {
+            if (!complaint_.empty()) return;
+            request.point == kNone ? serve(request.pivot, stop) : servePoint(request, stop);
+        });
+        if (!good) complaint_ = good.error().message;
+        if (!complaint_.empty()) publishComplaint();
     }
 }
 
@@ -99,6 +105,21 @@ void Runner::servePoint(const Request& request, const std::stop_token& stop) {
     found_ = false;
     serve(request.pivot, stop);
     found_ = true;
+}
+
+void Runner::publishComplaint() {
+    {
+        const std::lock_guard lock(mutex_);
+        if (!answer_) answer_.emplace();
+        answer_->complaint = complaint_;
+        answer_->final = true;
+    }
+    changed_.notify_all();
+}
+
+std::string Runner::complaint() {
+    const std::lock_guard lock(mutex_);
+    return answer_ ? answer_->complaint : std::string{};
 }
 
 void Runner::publish(std::uint32_t pivot, bool final) {

@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 
 #include "model.h"
@@ -20,6 +21,8 @@ struct RunnerAnswer {
     std::vector<Triangle> newTriangles;  ///< Behind those of all earlier answers.
     bool final = false;                  ///< False: a look at a place on the way.
     bool found = true;                   ///< False: no event about the point; nothing moved.
+    /// Why the thread cannot go on, a sentence; then there may be no record. Empty if it can.
+    std::string complaint;
 };
 
 class Runner {
@@ -41,6 +44,8 @@ class Runner {
     bool wait(std::chrono::milliseconds patience);
     /// What was found since the last call.
     std::optional<RunnerAnswer> take();
+    /// That of the answer that take() has not taken yet, if there is one.
+    std::string complaint();
     /// Where the thread is; for a progress bar.
     std::uint32_t position() const { return position_; }
 
@@ -55,12 +60,15 @@ class Runner {
     void servePoint(const Request& request, const std::stop_token& stop);
     bool goTo(std::uint32_t position, const std::stop_token& stop);
     void publish(std::uint32_t pivot, bool final);
+    void publishComplaint();
 
     std::shared_ptr<const Model> model_;
     Timeline timeline_;
     StatusList status_;  ///< Of the last record.
     std::size_t publishedTriangles_ = 0;
     bool found_ = true;
+    /// Of the exception that a request ended with. The timeline may be anywhere since.
+    std::string complaint_;
 
     std::mutex mutex_;
     std::condition_variable_any changed_;

@@ -7,6 +7,7 @@
 
 #include "exact_text.h"
 #include "spiraling_edge/sampler.h"
+#include "spiraling_edge/shell_word.h"
 #include "spiraling_edge/volume.h"
 #include "text.h"
 
@@ -14,15 +15,13 @@ namespace se::view {
 
 namespace {
 
-constexpr double kMostSampled = 1e8;
-
 /// Takes one `key=value`. Nothing: there is no such key; false: the value is wrong.
 std::optional<bool> takePart(std::string_view key, std::string_view value, SampleSpec& spec) {
     const auto number = numberFromText(value);
     const auto whole = wholeFromText(value);
     if (key == "n") {
         spec.count = static_cast<std::size_t>(whole.value_or(0));
-        return whole && *whole > 0 && static_cast<double>(*whole) <= kMostSampled;
+        return whole && *whole > 0 && *whole <= kMostParticles;
     }
     if (key == "spacing") {
         spec.spacing = number.value_or(0.0);
@@ -128,7 +127,11 @@ Result<SampleSpec> sampleFromSource(std::string_view source) {
             return Error{name + ": \"" + std::string(part) +
                          "\": there are n, spacing, iso, seed, curvature, box and steps."};
         }
-        if (!*taken) return Error{name + ": \"" + std::string(part) + "\" is out of range."};
+        if (!*taken) {
+            const std::string range =
+                part.starts_with("n=") ? "; n is from 1 to " + std::to_string(kMostParticles) : "";
+            return Error{name + ": \"" + std::string(part) + "\" is out of range" + range + "."};
+        }
         source = source.substr(0, comma);
     }
     spec.surface = source;

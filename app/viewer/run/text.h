@@ -26,7 +26,5 @@ std::string grouped(std::size_t number);
 std::string counted(std::size_t count, const char* one, const char* many);
 /// All bytes of a file; nothing if it cannot be read.
 std::optional<std::string> readText(const std::filesystem::path& path);
-/// As one word of a command line: between single quotes if a shell would read it otherwise.
-std::string shellQuoted(std::string_view word);
 
 }  // namespace se::view

@@ -20,7 +20,7 @@ void AlertSearch::begin() {
     if (!model_ || begun_ || stopped_) return;
     begun_ = true;
     inquiry_.ask([model = model_](const Progress& progress) {
-        return failuresOfRun(model->points, model->params, progress);
+        return searchFailures(model->points, model->params, progress);
     });
 }
 
@@ -31,7 +31,7 @@ void AlertSearch::stop() {
 }
 
 void AlertSearch::resume() {
-    stopped_ = false;
+    stopped_ = begun_ = false;
     begin();
 }
 
@@ -43,10 +43,12 @@ bool AlertSearch::poll() {
 
 void AlertSearch::sortOut() {
     const std::span<const RunFailure> all = failures();
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (groups_.empty() || groups_.back().kind != all[i].failure.kind)
-            groups_.push_back({all[i].failure.kind, i, 0});
-        ++groups_.back().count;
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < failureClasses().size(); ++i) {
+        const ClassTotal& total = inquiry_.answer()->totals[i];
+        if (total.listed == 0) continue;
+        groups_.push_back({&failureClasses()[i], first, total.listed, total});
+        first += total.listed;
     }
     inOrder_.resize(all.size());
     std::iota(inOrder_.begin(), inOrder_.end(), std::size_t{0});

@@ -19,6 +19,7 @@ struct AlertGroup {
     const FailureClass* kind = nullptr;
     std::size_t first = 0;
     std::size_t count = 0;
+    ClassTotal total;  ///< Of the run; more than `count` where not all are listed.
 };
 
 class AlertSearch {
@@ -29,7 +30,7 @@ class AlertSearch {
     void begin();
     /// A person does not want to wait.
     void stop();
-    /// And wants to after all.
+    /// And wants to after all; or once more, after a failure. Requires !busy().
     void resume();
     /// Takes over what was found. True if that is news.
     bool poll();
@@ -39,13 +40,17 @@ class AlertSearch {
     bool busy() const { return inquiry_.busy(); }
     bool done() const { return inquiry_.answer() != nullptr; }
     bool stopped() const { return stopped_; }
+    /// Why it failed, a sentence; then it is never done. Empty if it did not.
+    const std::string& complaint() const { return inquiry_.complaint(); }
     /// In [0, 1], while busy.
     double share() const { return inquiry_.share(); }
     /// By class; empty before it is done.
     std::span<const RunFailure> failures() const {
-        return done() ? std::span<const RunFailure>(*inquiry_.answer())
+        return done() ? std::span<const RunFailure>(inquiry_.answer()->failures)
                       : std::span<const RunFailure>{};
     }
+    /// All failures of the run are listed, or it is not done.
+    bool complete() const { return !done() || isComplete(inquiry_.answer()->totals); }
     std::span<const AlertGroup> groups() const { return groups_; }
     /// Places in failures(), by the moment at which each was created.
     std::span<const std::size_t> inOrder() const { return inOrder_; }
@@ -58,7 +63,7 @@ class AlertSearch {
     bool stopped_ = false;
     std::vector<AlertGroup> groups_;
     std::vector<std::size_t> inOrder_;
-    Inquiry<std::vector<RunFailure>> inquiry_;
+    Inquiry<RunFailureSearch> inquiry_;
 };
 
 /// "intersecting_triangles:2": the class and the place in it from 1, as on the command line.

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "run/guarded.h"
+
 namespace se::view {
 
 Checkup::~Checkup() {
@@ -24,6 +26,7 @@ void Checkup::wait(std::shared_ptr<const PointFile> file) {
     cancel();
     file_ = std::move(file);
     diagnosis_.reset();
+    complaint_.clear();
 }
 
 void Checkup::begin() {
@@ -31,11 +34,14 @@ void Checkup::begin() {
     job_ = std::make_unique<Job>();
     job_->file = std::move(file_);
     job_->thread = std::jthread([&job = *job_] {
-        Result<Diagnosis> found = examine(*job.file, [&job](double share) {
-            job.share = share;
-            return !job.cancelled.load();
+        const Status good = guarded([&job] {
+            Result<Diagnosis> found = examine(*job.file, [&job](double share) {
+                job.share = share;
+                return !job.cancelled.load();
+            });
+            if (found) job.found = std::move(found.value());
         });
-        if (found) job.found = std::move(found.value());
+        if (!good) job.complaint = good.error().message;
         job.ended = true;
     });
 }
@@ -43,8 +49,9 @@ void Checkup::begin() {
 bool Checkup::poll() {
     if (!busy() || !job_->ended) return false;
     finish();
+    complaint_ = std::move(job_->complaint);
     // What cannot be examined could not be opened.
-    diagnosis_ = std::move(job_->found).value_or(Diagnosis{});
+    if (complaint_.empty()) diagnosis_ = std::move(job_->found).value_or(Diagnosis{});
     job_.reset();
     return true;
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -35,6 +36,8 @@ class Checkup {
     bool done() const { return diagnosis_.has_value(); }
     /// In [0, 1], while busy.
     double share() const { return job_ ? job_->share.load() : 0.0; }
+    /// Why it failed, a sentence; then it is never done. Empty if it did not.
+    const std::string& complaint() const { return complaint_; }
     /// Empty before it is done.
     std::span<const Finding> findings() const {
         return diagnosis_ ? std::span<const Finding>(*diagnosis_) : std::span<const Finding>{};
@@ -44,6 +47,7 @@ class Checkup {
     struct Job {
         std::shared_ptr<const PointFile> file;
         std::optional<Diagnosis> found;
+        std::string complaint;  ///< Valid once it has ended, like `found`.
         std::atomic<double> share = 0.0;
         std::atomic<bool> cancelled = false;
         std::atomic<bool> ended = false;
@@ -53,6 +57,7 @@ class Checkup {
 
     std::shared_ptr<const PointFile> file_;  ///< Null once the job has it.
     std::optional<Diagnosis> diagnosis_;
+    std::string complaint_;
     std::unique_ptr<Job> job_;
     std::vector<std::unique_ptr<Job>> cancelled_;  ///< Until they have noticed.
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "run/guarded.h"
+
 namespace se::view {
 
 namespace {
@@ -121,25 +123,28 @@ void Comparison::startJob(const Session& run) {
     job_->b = comparedB_;
     job_->mesh = with_.mesh;
     job_->thread = std::jthread([&job = *job_] {
-        auto found = std::make_shared<Compared>();
-        found->a = job.a;
-        found->b = job.b;
-        const Progress progress = [&job](double share) {
-            job.share = share;
-            return !job.cancelled.load();
-        };
-        job.complaint =
-            job.b ? compareTwo(*found, progress) : compareMesh(*found, job.mesh, progress);
-        if (job.complaint.empty()) {
-            const std::span<const Triangle> a = found->runs.a.triangles;
-            const std::span<const Triangle> b = found->runs.b.triangles;
-            found->meshes = compareMeshes(found->b->points.position, a, b);
-            found->setA = TriangleSet(a);
-            found->setB = TriangleSet(b);
-            job.found = std::move(found);
-        }
+        const Status good = guarded([&job] { work(job); });
+        if (!good) job.complaint = good.error().message;
         job.ended = true;
     });
+}
+
+void Comparison::work(Job& job) {
+    auto found = std::make_shared<Compared>();
+    found->a = job.a;
+    found->b = job.b;
+    const Progress progress = [&job](double share) {
+        job.share = share;
+        return !job.cancelled.load();
+    };
+    job.complaint = job.b ? compareTwo(*found, progress) : compareMesh(*found, job.mesh, progress);
+    if (!job.complaint.empty()) return;
+    const std::span<const Triangle> a = found->runs.a.triangles;
+    const std::span<const Triangle> b = found->runs.b.triangles;
+    found->meshes = compareMeshes(found->b->points.position, a, b);
+    found->setA = TriangleSet(a);
+    found->setB = TriangleSet(b);
+    job.found = std::move(found);
 }
 
 bool Comparison::takeJob() {

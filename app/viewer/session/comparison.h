@@ -97,6 +97,7 @@ class Comparison {
     bool runs() const { return with_.kind == CompareWith::Kind::Run && other_ != nullptr; }
     bool fits(const Session& run) const;
     void startJob(const Session& run);
+    static void work(Job& job);
     void cancelJob();
     bool takeJob();
     void follow(const Session& run);

@@ -138,6 +138,11 @@ bool HitSearch::poll() {
     const bool ended = errand_.ended();
     const bool news = take();
     if (!ended) return news;
+    if (!errand_.complaint().empty()) {
+        complaint_ = errand_.complaint();
+        cancel();
+        return true;
+    }
     for (const Line& line : sought_) {
         known_[line.text].knownTo = std::numeric_limits<std::uint32_t>::max();
         known_[line.text].complete = true;

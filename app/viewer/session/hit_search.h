@@ -50,8 +50,10 @@ class HitSearch {
     void resume();
 
     bool busy() const { return errand_.busy(); }
-    /// Given up by cancel() before all was known.
+    /// Given up by cancel() before all was known, or because the search failed.
     bool cancelled() const { return givenUp_; }
+    /// Why a search failed: a sentence, once; empty if none has failed since.
+    std::string takeComplaint() { return std::exchange(complaint_, {}); }
     /// In [0, 1], while busy.
     double share() const { return errand_.share(); }
     /// Null if the line was never looked for, or is not understood.
@@ -88,6 +90,7 @@ class HitSearch {
     std::vector<Breakpoint> wanted_;
     std::map<std::string, LineHits> known_;
     bool givenUp_ = false;
+    std::string complaint_;
     std::vector<Line> sought_;  ///< What is under way.
     RunErrand<Found> errand_;
 };

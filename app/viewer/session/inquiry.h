@@ -48,6 +48,7 @@ class Inquiry {
                 complaint_ = found.error().message;
             }
         }
+        if (!errand_.complaint().empty()) complaint_ = errand_.complaint();
         errand_.close();
         return true;
     }

@@ -1,6 +1,7 @@
 #include "place.h"
 
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "spiraling_edge/event.h"
@@ -11,15 +12,23 @@ namespace {
 
 using nlohmann::json;
 
+/// Throws json::exception if it is no number that a float can hold.
+float floatFrom(const json& value) {
+    const double number = value.get<double>();
+    if (!(std::abs(number) <= std::numeric_limits<float>::max()))
+        throw json::out_of_range::create(406, "more than a float can hold", &value);
+    return static_cast<float>(number);
+}
+
 std::optional<CameraPose> poseFrom(const json& object) {
     CameraPose pose;
     try {
         const json& target = object.at("target");
         for (int i = 0; i < 3; ++i)
-            pose.target[i] = target.at(static_cast<std::size_t>(i)).get<float>();
-        pose.distance = object.at("distance").get<float>();
-        pose.yawDegrees = object.at("yaw").get<float>();
-        pose.pitchDegrees = object.at("pitch").get<float>();
+            pose.target[i] = floatFrom(target.at(static_cast<std::size_t>(i)));
+        pose.distance = floatFrom(object.at("distance"));
+        pose.yawDegrees = floatFrom(object.at("yaw"));
+        pose.pitchDegrees = floatFrom(object.at("pitch"));
         pose.orthographic = object.value("orthographic", false);
         // Places of before there was a choice have none: they had z up.
         const auto up = upAxisFromName(object.value("up", "z"));

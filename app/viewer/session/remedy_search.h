@@ -25,6 +25,8 @@ class RemedySearch {
     double share() const { return inquiry_.share(); }
     /// The alert that is or was asked about.
     std::optional<std::size_t> about() const { return about_; }
+    /// Why nothing was found, a sentence; empty if nothing went wrong.
+    const std::string& complaint() const { return inquiry_.complaint(); }
     /// What was found about it; null before.
     const Remedies* found() const { return inquiry_.answer(); }
 

@@ -7,9 +7,12 @@
 #include <iterator>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
+
+#include "run/guarded.h"
 
 namespace se::view {
 
@@ -20,6 +23,7 @@ class RunErrand {
         std::vector<Found> handed;  ///< Not yet taken; guarded.
         std::atomic<double> share = 0.0;
         std::atomic<bool> cancelled = false;
+        std::string complaint;  ///< Valid once it has ended.
         std::atomic<bool> ended = false;
         std::jthread thread;  // last: it uses all of the above
     };
@@ -59,9 +63,12 @@ class RunErrand {
         drop();
         job_ = std::make_unique<Job>();
         job_->thread = std::jthread([&job = *job_, work = std::move(work)] {
-            Basket basket(job);
-            work(basket);
-            basket.report(1.0);
+            const Status good = guarded([&] {
+                Basket basket(job);
+                work(basket);
+                basket.report(1.0);
+            });
+            if (!good) job.complaint = good.error().message;
             job.ended = true;
         });
     }
@@ -82,6 +89,8 @@ class RunErrand {
     }
     /// All is found; to be asked before take(), then close().
     bool ended() const { return job_ && job_->ended; }
+    /// Once ended(): the sentence of the exception that the work ended with; empty if with none.
+    const std::string& complaint() const { return job_->complaint; }
     void close() { job_.reset(); }
     /// Blocks until all is found.
     void wait() {

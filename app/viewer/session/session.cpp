@@ -136,11 +136,14 @@ bool Session::poll() {
     if (overviewThread_) {
         const bool gone = overviewThread_->done();
         changed = overviewThread_->update(overview_) || changed;
+        if (gone) sayIfAny(overviewThread_->takeComplaint());
         if (gone) goToAwaited();
     }
     changed = questions_->poll() || changed;
     changed = hits_.poll() || changed;
     changed = watches_.poll() || changed;
+    sayIfAny(hits_.takeComplaint());
+    sayIfAny(watches_.takeComplaint());
     goToAwaitedStop();
     return pollCheckup() || changed;
 }
@@ -177,6 +180,10 @@ void Session::settle() {
     alerts_.finish();
     remedies_.finish();
     poll();
+}
+
+void Session::sayIfAny(std::string complaint) {
+    if (!complaint.empty()) say(std::move(complaint));
 }
 
 void Session::miss(std::string message) {

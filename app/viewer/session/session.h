@@ -264,6 +264,7 @@ class Session {
     bool takeAnswer();
     void land();
     void miss(std::string message);
+    void sayIfAny(std::string complaint);
     void setCursor(std::size_t cursor);
     void adopt(Opened opened);
     void fail(std::string why);

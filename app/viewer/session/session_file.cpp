@@ -4,6 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <vector>
 
 #include "layer_text.h"
 #include "run/text.h"
@@ -31,6 +32,7 @@ Complaint readHeader(const json& object) {
     if (version == nullptr || !version->is_number_integer()) {
         return expected("version", "a whole number");
     }
+    if (*version < 1) return expected("version", "a whole number from 1");
     if (*version > kFileVersion) {
         return expected("version", "at most " + std::to_string(kFileVersion) +
                                        "; a newer program has written it: use that one");
@@ -44,10 +46,22 @@ std::string movedSource(const std::string& source, const Move& move) {
     if (isScene(source)) return source;
     if (!isSample(source)) return move(source);
     Result<SampleSpec> sample = sampleFromSource(source);
-    // What is wrong with it is told where it is opened.
+    // Errors in it are reported where it is opened.
     if (!sample || !isVolumePath(sample.value().surface)) return source;
     sample.value().surface = move(sample.value().surface);
     return sampleSource(sample.value());
+}
+
+/// A device or a pipe has no end, or keeps the program waiting: a session that came from elsewhere
+/// must not open one. A file that is missing is reported where it is opened.
+bool isUnfit(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    return fs::exists(status) && !fs::is_regular_file(status);
+}
+
+Complaint unfit(const std::string& field, const fs::path& path) {
+    return expected(field, "a regular file; " + path.string() + " is none");
 }
 
 Complaint readInput(const json& object, const fs::path& folder, SessionFile& out) {
@@ -58,9 +72,12 @@ Complaint readInput(const json& object, const fs::path& folder, SessionFile& out
                         "an object with \"source\": a path relative to the session file, "
                         "scene:ID or sample:SHAPE,n=N");
     }
-    out.input.source = movedSource(source->get<std::string>(), [&folder](const std::string& path) {
-        return (folder / path).lexically_normal().string();
+    std::optional<fs::path> file;
+    out.input.source = movedSource(source->get<std::string>(), [&](const std::string& path) {
+        file = (folder / path).lexically_normal();
+        return file->string();
     });
+    if (file && isUnfit(*file)) return unfit("input.source", *file);
     if (const json* hash = find(*input, "hash"); hash != nullptr) {
         if (!hash->is_string()) return expected("input.hash", "a text");
         out.inputHash = hash->get<std::string>();
@@ -126,8 +143,9 @@ Complaint readComparison(const json& object, const fs::path& folder, SessionFile
     if (!with->is_object()) return wrong;
     if (const json* mesh = find(*with, "mesh"); mesh != nullptr) {
         if (!mesh->is_string()) return expected("compare.mesh", "a path");
-        const fs::path path = folder / mesh->get<std::string>();
-        out.with = CompareWith::otherMesh(path.lexically_normal().string());
+        const fs::path path = (folder / mesh->get<std::string>()).lexically_normal();
+        if (isUnfit(path)) return unfit("compare.mesh", path);
+        out.with = CompareWith::otherMesh(path.string());
         return std::nullopt;
     }
     if (find(*with, "options") == nullptr) return wrong;
@@ -177,6 +195,52 @@ Complaint readAll(const json& object, const fs::path& folder, SessionFile& out) 
     return readNotes(object, out);
 }
 
+/// Follows the parser through the keys of a file, to name the field at which it fails.
+class KeyTrail {
+  public:
+    /// More levels than a session has: writing such a file again would overflow the stack.
+    static constexpr int kDeepest = 64;
+
+    bool see(int depth, json::parse_event_t event, const json& parsed) {
+        deepest_ = std::max(deepest_, depth);
+        if (event == json::parse_event_t::key) {
+            keys_.resize(static_cast<std::size_t>(std::max(depth, 1)) - 1);
+            keys_.push_back(parsed.get<std::string>());
+        }
+        return true;
+    }
+    /// "options.reach".
+    std::string field() const {
+        std::string text;
+        for (const std::string& key : keys_) {
+            if (!key.empty()) text += (text.empty() ? "" : ".") + key;
+        }
+        return text;
+    }
+    bool tooDeep() const { return deepest_ > kDeepest; }
+
+  private:
+    std::vector<std::string> keys_;
+    int deepest_ = 0;
+};
+
+Result<json> parseJson(std::string_view text, const std::string& name) {
+    KeyTrail trail;
+    try {
+        json parsed = json::parse(text, [&](int depth, json::parse_event_t event, json& value) {
+            return trail.see(depth, event, value);
+        });
+        if (!trail.tooDeep()) return parsed;
+        return Error{name + ": expected at most " + std::to_string(KeyTrail::kDeepest) +
+                     " levels of lists and objects."};
+    } catch (const json::parse_error& error) {
+        return Error{name + ": byte " + std::to_string(error.byte) +
+                     ": expected JSON, as Ctrl+S writes it."};
+    } catch (const json::out_of_range&) {
+        return Error{name + ": " + *expected(trail.field(), "a number of less than 1e308") + "."};
+    }
+}
+
 /// An object at `name`, with what was there before.
 json& objectAt(json& object, const char* name) {
     json& part = object[name];
@@ -215,13 +279,9 @@ bool looksLikeSession(const fs::path& path) {
 
 Result<SessionFile> sessionFromJson(std::string_view text, const std::string& name,
                                     const fs::path& folder) {
-    json object;
-    try {
-        object = json::parse(text);
-    } catch (const json::parse_error& error) {
-        return Error{name + ": byte " + std::to_string(error.byte) +
-                     ": expected JSON, as Ctrl+S writes it."};
-    }
+    const Result<json> parsed = parseJson(text, name);
+    if (!parsed) return parsed.error();
+    const json& object = parsed.value();
     SessionFile session;
     session.original = text;
     if (const Complaint complaint = readAll(object, folder, session)) {
@@ -271,6 +331,7 @@ std::string sessionToJson(const SessionFile& session, const fs::path& folder) {
 }
 
 Result<SessionFile> readSessionFile(const fs::path& path) {
+    if (isUnfit(path)) return Error{path.string() + ": expected a regular file."};
     const std::optional<std::string> text = readText(path);
     if (!text) return Error{path.string() + ": cannot be read."};
     return sessionFromJson(*text, path.string(), path.parent_path());

@@ -23,8 +23,12 @@ bool Session::takeAnswer() {
     if (!answer) return false;
     triangles_.insert(triangles_.end(), answer->newTriangles.begin(), answer->newTriangles.end());
     meshIndex_.append(*model_, triangles_);
-    record_ = answer->record;
-    if (answer->final) {
+    if (answer->record) record_ = answer->record;
+    if (!answer->complaint.empty()) {
+        waiting_ = false;
+        moves_.clear();
+        say(answer->complaint);
+    } else if (answer->final) {
         waiting_ = false;
         if (landing_ == Landing::AtPoint && !answer->found) {
             landing_ = Landing::AtAddress;

@@ -67,9 +67,15 @@ bool WatchScan::poll() {
             series.values.resize(each.pivot + std::size_t{1}, each.values[i]);
             series.values.back() = each.values[i];
         }
-        series.complete = ended;
+        series.complete = ended && errand_.complaint().empty();
     }
     if (!ended) return !found.empty();
+    if (!errand_.complaint().empty()) {
+        complaint_ = errand_.complaint();
+        givenUp_ = true;
+        errand_.close();
+        return true;
+    }
     errand_.close();
     beginNext();
     return true;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "run/model.h"
@@ -34,8 +35,10 @@ class WatchScan {
     void cancel();
     void resume();
 
-    /// Given up by cancel() before all was known.
+    /// Given up by cancel() before all was known, or because the scan failed.
     bool cancelled() const { return givenUp_; }
+    /// Why a scan failed: a sentence, once; empty if none has failed since.
+    std::string takeComplaint() { return std::exchange(complaint_, {}); }
     bool busy() const { return errand_.busy(); }
     double share() const { return errand_.share(); }
     /// Null if the expression is not understood.
@@ -52,6 +55,7 @@ class WatchScan {
     std::vector<std::string> wanted_;
     std::map<std::string, WatchSeries> known_;
     bool givenUp_ = false;
+    std::string complaint_;
     std::vector<std::string> sought_;  ///< What is under way.
     RunErrand<Values> errand_;
 };

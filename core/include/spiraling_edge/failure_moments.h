@@ -44,9 +44,26 @@ struct RunFailure {
     FailureMoments moments;
 };
 
-/// All that went wrong in a run: what inspectMesh() finds in its mesh, and the rings that it left
-/// over or was stopped at, in the order of failureClasses(). Fails if cancelled. Two runs and an
-/// inspection. Deterministic.
+/// The work of following failures through a run, in events looked at for a failure: a fixed amount,
+/// and so much more for each event of the run.
+inline constexpr std::uint64_t kMomentWork = 4'000'000;
+inline constexpr std::uint64_t kMomentWorkPerEvent = 128;
+
+/// The failures of a run as far as they were followed.
+struct RunFailureSearch {
+    std::vector<RunFailure> failures;
+    std::vector<ClassTotal> totals;  ///< Of each of failureClasses(), in its order.
+};
+
+/// All that went wrong in a run: what inspectWithTotals() finds in its mesh, with its limits, and
+/// the rings that it left over or was stopped at, in the order of failureClasses(). Where following
+/// all of them through the run exceeds kMomentWork and kMomentWorkPerEvent, the first of each class
+/// are taken, as many of each as of the others if there are; one of each in any case. Fails if
+/// cancelled. Two runs and an inspection, or three with triangles that are whole fans.
+/// Deterministic.
+Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& params,
+                                        const Progress& progress = {});
+/// RunFailureSearch::failures of searchFailures().
 Result<std::vector<RunFailure>> failuresOfRun(const PointSet& points, const Params& params,
                                               const Progress& progress = {});
 /// The first of them in the run: the place of the one that was created first; size() of none.

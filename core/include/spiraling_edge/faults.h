@@ -38,11 +38,30 @@ inline constexpr double kFoldCosine = -0.984807753012208;
 /// After this many intersecting pairs the search for more ends: a hopelessly tangled mesh has
 /// billions.
 inline constexpr std::size_t kMostIntersections = 1000000;
+/// The work that the search for intersections may take, in units of a pair of triangles looked at:
+/// a fixed amount, and so much more for each triangle. A pair whose boxes meet counts kPairTestWork
+/// units. Meshes that are surfaces take some hundred units per triangle.
+inline constexpr std::uint64_t kIntersectionWork = 50'000'000;
+inline constexpr std::uint64_t kIntersectionWorkPerTriangle = 4096;
+inline constexpr std::uint64_t kPairTestWork = 32;
 
-/// All faults, ordered by kind, triangle and other. Intersections are exact (floating-point filter,
-/// then exact arithmetic). Boundary edges are no faults: see MeshReport. Requires corners below
-/// points.size() and finite positions of used points. About O(t) for t triangles of similar size,
-/// however often one is repeated.
+/// The faults of a mesh as far as they were looked for.
+struct FaultSearch {
+    std::vector<Fault> faults;  ///< Ordered by kind, triangle and other.
+    /// All pairs were looked at. Else there may be more intersections; the other kinds are all
+    /// there.
+    bool complete = true;
+    std::uint64_t work = 0;  ///< That the search for intersections took, in the units above.
+};
+
+/// All faults. Intersections are exact (floating-point filter, then exact arithmetic); the search
+/// for them ends early after kMostIntersections, or after the work named above: about two seconds
+/// for a tangled mesh of some thousand triangles. Boundary edges are no faults: see MeshReport.
+/// Requires corners below points.size() and finite positions of used points. Deterministic. About
+/// O(t) for t triangles of similar size, however often one is repeated.
+FaultSearch searchFaults(const PointSet& points, std::span<const Triangle> triangles);
+
+/// FaultSearch::faults of searchFaults(), with its limits.
 std::vector<Fault> findFaults(const PointSet& points, std::span<const Triangle> triangles);
 
 /// How many there are of each kind.

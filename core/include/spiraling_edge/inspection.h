@@ -47,11 +47,37 @@ inline constexpr std::size_t kSmallComponent = 20;
 /// mean length of the edges.
 inline constexpr double kIsolated = 4.0;
 
+/// Of intersecting triangles only the first so many are listed: a tangled mesh has millions.
+inline constexpr std::size_t kMostListed = 10'000;
+
+/// How many failures of a class there are.
+struct ClassTotal {
+    std::size_t listed = 0;  ///< The first of them; these are in the list.
+    std::size_t total = 0;   ///< That are known.
+    bool exact = true;       ///< False: there are at least `total`, the search ended early.
+
+    bool all() const { return exact && listed == total; }
+};
+/// "12", "first 10000 of 34567", "first 10000 of at least 1204331".
+std::string amountText(const ClassTotal& total);
+
+/// A mesh with all failures that are listed.
+struct MeshInspection {
+    std::vector<MeshFailure> failures;
+    std::vector<ClassTotal> totals;  ///< Of each of failureClasses(), in its order.
+    std::uint64_t work = 0;          ///< FaultSearch::work.
+};
+/// Nothing is left out of the list, and nothing was left unsearched.
+bool isComplete(std::span<const ClassTotal> totals);
+
 /// All failures, in the order of failureClasses(), then by triangle or point. `points.normal` and
 /// `points.type` may be empty: then nothing is flipped, and every boundary loop is a hole. Neighbor
 /// lists are not looked at. A loop whose points all lie on walls (isBoundary) is the border of the
 /// surface and no hole. Requires corners below points.size() and finite positions of used points.
-/// Self-intersections are exact. Deterministic. About O(t log t).
+/// Self-intersections are exact; the search for them has the limits of searchFaults(), and the
+/// first kMostListed are listed. Deterministic. About O(t log t).
+MeshInspection inspectWithTotals(const PointSet& points, std::span<const Triangle> triangles);
+/// MeshInspection::failures of inspectWithTotals().
 std::vector<MeshFailure> inspectMesh(const PointSet& points, std::span<const Triangle> triangles);
 
 }  // namespace se

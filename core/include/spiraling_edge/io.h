@@ -58,6 +58,10 @@ Result<PointFile> readPoints(const std::filesystem::path& path);
 /// The same from memory; `name` is what errors call it, and its extension is the second hint.
 Result<PointFile> readPoints(std::string_view bytes, const std::string& name);
 
+/// Points from standard input, read to its end; a second call finds nothing. Errors begin with
+/// "standard input".
+Result<PointFile> readStandardInput();
+
 /// Writes `points` (all of them, in order, with their attributes) and `triangles` as binary little
 /// endian PLY; `points.faces` are not written unless passed as `triangles`. Types and neighbor
 /// lists are written if the file holds them. Fails also if the columns of `points` differ in length

@@ -1,6 +1,7 @@
 /// Failures noticed while a run goes on, at the decision that brings each of them about.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -22,6 +23,11 @@ struct LiveFailure {
 /// One sentence with points and triangles.
 std::string describe(const LiveFailure& failure);
 
+/// The work that the search for crossings may take, in triangles looked at: a fixed amount, and so
+/// much more for each triangle. About a second; a surface takes some ten units per triangle.
+inline constexpr std::uint64_t kLiveCheckWork = 200'000'000;
+inline constexpr std::uint64_t kLiveCheckWorkPerTriangle = 4096;
+
 /// Follows a run event by event. Of each triangle that is made it tells at most one failure of each
 /// class: an edge of three triangles, an edge passed twice in one direction, three points that have
 /// a triangle, no area, a crossing or a fold with an earlier triangle, a face against the normals;
@@ -42,6 +48,9 @@ class LiveCheck {
     std::vector<LiveFailure> see(std::span<const Event> events);
     /// The same for a single event.
     std::vector<LiveFailure> see(const Event& event) { return see(std::span(&event, 1)); }
+    /// False once the work named above was used up: crossings are not noticed any more then, all
+    /// other classes still are.
+    bool complete() const;
 
   private:
     class Watch;

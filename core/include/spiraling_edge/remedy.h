@@ -17,8 +17,9 @@ struct Remedy {
     const RuleSwitch* rule = nullptr;  ///< Null: the whole set.
     std::string_view set;              ///< Of a whole set: its name.
     bool prevents = false;             ///< The failure is gone.
-    std::size_t ofClass = 0;           ///< Failures of its class that the run has then.
-    std::size_t all = 0;               ///< Failures of the mesh that it has then.
+    /// Failures of its class, and of all, that the run has then; of a tangled run at least so many.
+    std::size_t ofClass = 0;
+    std::size_t all = 0;
 };
 /// The name of the rule or the set.
 std::string_view nameOf(const Remedy& remedy);

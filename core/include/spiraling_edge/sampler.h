@@ -19,6 +19,10 @@
 
 namespace se {
 
+/// More particles are refused: these take about 2.2 GB while they spread, and a run on them as much
+/// again.
+inline constexpr std::size_t kMostParticles = 10'000'000;
+
 /// How many particles, and where they crowd.
 struct SamplerOptions {
     /// Exactly this many; 0: as many as `spacing` gives.

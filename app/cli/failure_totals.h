@@ -1,0 +1,21 @@
+/// How many failures there are of each class, where only the first are listed.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+
+#include "spiraling_edge/inspection.h"
+
+namespace se::cli {
+
+/// "12 failures", "at least 1204331 failures"; "nothing found" of none.
+std::string totalText(std::span<const ClassTotal> totals);
+
+/// Adds `counts`, the number of each class. If not all failures are listed, also `complete`: false,
+/// `listed`, the length of the list by class, and `at_least`, the classes of which there may be
+/// more than their count. `classes` are those that `totals` begin with, or all of them.
+void addTotals(std::span<const ClassTotal> totals, std::span<const FailureClass> classes,
+               nlohmann::ordered_json& json);
+
+}  // namespace se::cli

@@ -1,0 +1,41 @@
+#include "scarce_memory.h"
+
+#include <atomic>
+#include <cstdlib>
+#include <limits>
+#include <new>
+
+namespace {
+
+constexpr std::size_t kPlenty = std::numeric_limits<std::size_t>::max();
+std::atomic<std::size_t> mostBytes = kPlenty;
+thread_local bool spared = false;
+
+void* allocate(std::size_t size) {
+    if (size > mostBytes && !spared) throw std::bad_alloc();
+    if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
+    throw std::bad_alloc();
+}
+
+}  // namespace
+
+namespace se::test {
+
+ScarceMemory::ScarceMemory(std::size_t most) {
+    spared = true;
+    mostBytes = most;
+}
+
+ScarceMemory::~ScarceMemory() {
+    mostBytes = kPlenty;
+    spared = false;
+}
+
+}  // namespace se::test
+
+void* operator new(std::size_t size) { return allocate(size); }
+void* operator new[](std::size_t size) { return allocate(size); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }

@@ -1,0 +1,18 @@
+/// Too little memory, for tests of what happens then.
+#pragma once
+
+#include <cstddef>
+
+namespace se::test {
+
+/// While it lives, every allocation of more than `most` bytes throws std::bad_alloc in all threads
+/// but the one that made it. One at a time.
+class ScarceMemory {
+  public:
+    explicit ScarceMemory(std::size_t most = 256);
+    ~ScarceMemory();
+    ScarceMemory(const ScarceMemory&) = delete;
+    ScarceMemory& operator=(const ScarceMemory&) = delete;
+};
+
+}  // namespace se::test
