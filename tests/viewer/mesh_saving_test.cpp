@@ -180,3 +180,19 @@ TEST_CASE("Another run, other rules: the mesh is made again") {
     CHECK(desk.ui.mesh.size->triangles == desk.mesh().triangles->size());
     CHECK(desk.ui.mesh.size->triangles != paper.triangles);
 }
+
+TEST_CASE("Of an STL far from the origin the notice says what its positions are relative to") {
+    const SavingDesk desk;
+    FinishedMesh mesh = desk.mesh();
+    PointFile far = *mesh.points;
+    far.positionType = ScalarType::Double;
+    for (Vec3& place : far.position) place += Vec3(500000, 5400000, 300);
+    mesh.points = std::make_shared<const PointFile>(std::move(far));
+    const auto noticeOf = [&](const char* name) {
+        const Result<SavedMesh> saved = saveMesh(mesh, {(desk.folder / name).string(), false});
+        REQUIRE(saved.ok());
+        return savedText(saved.value());
+    };
+    CHECK(noticeOf("a.stl").find("relative to (500000, 5400000, 300)") != std::string::npos);
+    CHECK(noticeOf("a.ply").find("relative") == std::string::npos);
+}

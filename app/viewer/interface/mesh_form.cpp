@@ -1,6 +1,7 @@
 #include "mesh_form.h"
 
 #include "browsing.h"
+#include "run/exact_text.h"
 #include "run/text.h"
 #include "spiraling_edge/mesh_io.h"
 
@@ -58,6 +59,10 @@ std::string savedText(const SavedMesh& saved) {
     if (lowerExtension(saved.target.path) == ".stl")
         text = "Saved " + countText(saved.triangles, "triangle", "triangles") + " to " +
                saved.target.path + ".";
+    if (saved.shift) {
+        text += " Positions are relative to (" + exact(saved.shift->x) + ", " +
+                exact(saved.shift->y) + ", " + exact(saved.shift->z) + "): add it to get yours.";
+    }
     if (saved.capped) text += " The run was stopped by the rule cap: this is no whole surface.";
     return text;
 }

@@ -155,7 +155,7 @@ void drawMeshFields(const PanelContext& context, std::string& name, const std::s
     const MeshForm& form = context.ui().mesh;
     if (!form.complaint.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
-        ImGui::TextWrapped("! %s", form.complaint.c_str());
+        wrappedText("! " + form.complaint);
         ImGui::PopStyleColor();
     }
     if (form.saving) return drawWork(context);

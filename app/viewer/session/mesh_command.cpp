@@ -7,6 +7,7 @@
 #include "run/text.h"
 #include "session.h"
 #include "spiraling_edge/scenes.h"
+#include "spiraling_edge/shell_word.h"
 
 namespace se::view {
 

@@ -1,6 +1,7 @@
 #include "mesh_export.h"
 
 #include <algorithm>
+#include <span>
 
 #include "spiraling_edge/mesh_io.h"
 #include "spiraling_edge/reconstruct.h"
@@ -30,14 +31,18 @@ Result<FinishedMesh> finishMesh(const Model& model, const PointFile& input,
 }
 
 Result<SavedMesh> saveMesh(const FinishedMesh& mesh, const MeshTarget& target) {
-    const SavedMesh saved{target, mesh.triangles->size(), mesh.pointsFor(target), mesh.capped};
-    if (!target.usedOnly) {
-        const Status written = writeMesh(target.path, *mesh.points, *mesh.triangles);
-        return written ? Result<SavedMesh>(saved) : Result<SavedMesh>(written.error());
-    }
+    SavedMesh saved{
+        target, mesh.triangles->size(), mesh.pointsFor(target), mesh.capped, std::nullopt};
+    const auto write = [&](const PointFile& points,
+                           std::span<const Triangle> triangles) -> Result<SavedMesh> {
+        const Status written = writeMesh(target.path, points, triangles);
+        if (!written) return written.error();
+        saved.shift = shiftOf(*meshFormatOf(target.path), points, triangles);
+        return saved;
+    };
+    if (!target.usedOnly) return write(*mesh.points, *mesh.triangles);
     const PointFile used = withUsedPoints(*mesh.points, *mesh.triangles);
-    const Status written = writeMesh(target.path, used, used.faces);
-    return written ? Result<SavedMesh>(saved) : Result<SavedMesh>(written.error());
+    return write(used, used.faces);
 }
 
 void MeshExport::make(std::shared_ptr<const Model> model, std::shared_ptr<const PointFile> input) {

@@ -31,6 +31,8 @@ struct SavedMesh {
     std::size_t triangles = 0;
     std::size_t points = 0;
     bool capped = false;
+    /// The place that the positions in the file are relative to, see shiftOf().
+    std::optional<Vec3> shift;
 };
 
 class MeshExport {
