@@ -300,7 +300,8 @@ void Application::noteTimes(std::chrono::steady_clock::time_point built) {
 void Application::watchTextField() {
     // Dear ImGui needs about four of them.
     constexpr int kMostFrames = 8;
-    const bool typing = ui_.palette.open || ui_.fileBrowser;
+    const bool answers = ui_.mesh.saving || !ui_.mesh.question.empty();
+    const bool typing = ui_.palette.open || (ui_.fileBrowser && !answers);
     if (typing && !std::exchange(typing_, typing)) framesToWait_ = kMostFrames;
     typing_ = typing;
     const bool there = ImGui::GetIO().WantTextInput;

@@ -1,3 +1,5 @@
+#include <imgui.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -267,6 +269,7 @@ std::string Application::stateDump() const {
              {"cheat_sheet", ui_.cheatSheet},
              {"file_browser", ui_.fileBrowser},
              {"palette", ui_.palette.open},
+             {"typing", imgui_ && ImGui::GetIO().WantTextInput},
              {"asks", ui_.leaving.asked},
              {"keyboard", keyStopName(ui_.walk.at())},
              {"click_waits", ui_.click.waiting()},

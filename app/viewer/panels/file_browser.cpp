@@ -270,7 +270,7 @@ void drawFileBrowser(const PanelContext& context) {
     if (shown) scenes ? drawOpen(context, state) : drawFiles(context, state);
     state.shown = true;
     // A question that was answered gives the keyboard back.
-    state.settling = meshDialogWaits(context) ? 1 : std::max(0, state.settling - 1);
+    state.settling = meshDialogWaits(context) ? 2 : std::max(0, state.settling - 1);
     state.refocus = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
     ImGui::End();
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "run/exact_text.h"
 #include "run/text.h"
@@ -74,16 +75,20 @@ void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
         if (!drops && (check->cure != Cure::Mend || files > 0)) continue;
         ++files;
         const std::string number = files > 1 ? "-" + std::to_string(files) : "";
-        const std::string mended = besideMesh(target, stem + "-mended" + number + ".ply");
-        steps.before += std::string(kProgram) + " doctor " + shellQuoted(steps.input) +
-                        " -q --fix " + shellQuoted(mended);
-        if (drops) steps.before += " --drop " + name;
+        std::string mended = besideMesh(target, stem + "-mended" + number + ".ply");
+        steps.before += kProgram;
+        for (const std::string& word : {std::string("doctor"), shellQuoted(steps.input),
+                                        std::string("-q --fix"), shellQuoted(mended)})
+            steps.before.append(" ").append(word);
+        if (drops) steps.before.append(" --drop ").append(name);
         steps.before += "; ";
-        steps.input = mended;
+        steps.input = std::move(mended);
     }
     if (files == 0) return;
-    steps.note += (steps.note.empty() ? "" : " ") +
-                  std::string("The points are mended first, in ") + steps.input + ".";
+    if (!steps.note.empty()) steps.note += ' ';
+    steps.note += "The points are mended first, in ";
+    steps.note += steps.input;
+    steps.note += '.';
 }
 
 /// What the doctor's other cures choose, as options.
