@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kProgram = "spiraling-edge";
 
-/// The terminal may stand in another folder.
+/// An absolute path: the terminal may stand in another folder.
 std::string wholePath(const std::string& path) {
     std::error_code error;
     const fs::path whole = fs::absolute(path, error);
@@ -36,7 +36,7 @@ std::string besideMesh(const MeshTarget& target, const std::string& name) {
     return (fs::path(target.path).parent_path() / name).string();
 }
 
-/// The input of `run` and the commands that write it, one after the other.
+/// The input of `run`, and the commands that write it.
 struct Steps {
     std::string before;  ///< Ends where the next command may begin.
     std::string input;
@@ -62,8 +62,8 @@ Steps stepsToSource(const std::string& source, const MeshTarget& target) {
     return {command + " && ", points, "The points are written first, to " + points + "."};
 }
 
-/// The doctor's command where he mends the points. He ends with 1 if something is left that needs
-/// a decision: the run goes on.
+/// The doctor's commands for the cures that mend or drop points, joined by `;`, since exit code 1
+/// only says that findings are left.
 void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
     const std::string stem = stemOf(spec.source.empty() ? steps.input : spec.source, 0);
     int files = 0;
@@ -71,7 +71,7 @@ void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
         const DoctorCheck* check = findDoctorCheck(name);
         if (check == nullptr) continue;
         const bool drops = check->cure == Cure::Drop;
-        // Whatever he mends, he mends all: once is enough.
+        // One command mends everything that any of these checks finds.
         if (!drops && (check->cure != Cure::Mend || files > 0)) continue;
         ++files;
         const std::string number = files > 1 ? "-" + std::to_string(files) : "";
@@ -91,7 +91,7 @@ void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
     steps.note += '.';
 }
 
-/// What the doctor's other cures choose, as options.
+/// `spec` with the options that the other cures choose.
 InputSpec withCuresChosen(InputSpec spec) {
     for (const std::string& name : spec.cures) {
         const DoctorCheck* check = findDoctorCheck(name);
