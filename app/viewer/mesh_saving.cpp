@@ -58,7 +58,10 @@ void MeshSaving::carryOut() {
     if (dialogOpen() && !export_.saving())
         export_.make(c_.session.sharedModel(), c_.session.sharedFile());
     if (ask != MeshAsk::None && c_.session.ready()) answer(ask);
-    if (!dialogOpen()) export_.forget();
+    if (!dialogOpen()) {
+        export_.forget();
+        c_.ui.mesh.question.clear();
+    }
     publish();
 }
 

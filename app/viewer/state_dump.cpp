@@ -1,3 +1,5 @@
+#include <imgui.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -274,6 +276,7 @@ std::string Application::stateDump() const {
              {"palette_typed", ui_.palette.filter.data()},
              {"query_typed", ui_.query.typed},
              {"ledger_typed", ui_.ledger.typed},
+             {"typing", imgui_ && ImGui::GetIO().WantTextInput},
              {"asks", ui_.leaving.asked},
              {"keyboard", keyStopName(ui_.walk.at())},
              {"click_waits", ui_.click.waiting()},

@@ -32,9 +32,7 @@ struct SavingDesk : test::Desk {
         saving.settle();
         saving.carryOut();
     }
-    FinishedMesh mesh() const {
-        return finishMesh(session.model(), *session.sharedFile()).value();
-    }
+    FinishedMesh mesh() const { return finishMesh(session.model(), *session.sharedFile()).value(); }
 };
 
 PointFile read(const fs::path& path) {

@@ -1,4 +1,4 @@
-/// What the dialog Save mesh knows and asks for. Plain values, no ImGui.
+/// State and requests of the dialog Save mesh. Plain values, no ImGui.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ enum class MeshAsk : std::uint8_t {
     CopyCommand,  ///< The command line goes to the clipboard.
 };
 
-/// How large the mesh is that would be written.
+/// Size of the mesh that would be written.
 struct MeshSize {
     std::size_t triangles = 0;
     std::size_t points = 0;
@@ -32,9 +32,9 @@ struct MeshForm {
     std::size_t format = 0;  ///< A place in core's meshFormats().
     bool usedOnly = false;
     MeshAsk ask = MeshAsk::None;
-    std::string path;  ///< What `ask` is about.
+    std::string path;  ///< The file that `ask` names.
 
-    // Told by the threads.
+    // Set by MeshSaving.
     std::optional<MeshSize> size;  ///< Empty until the run has ended.
     double share = 0.0;            ///< Of the run, in [0, 1].
     bool saving = false;
@@ -48,21 +48,23 @@ struct MeshForm {
     std::string savedSource;  ///< A source, see InputSpec.
     std::string copied;       ///< The command that was copied last.
 
+    /// True while a question or the progress stands in place of the fields.
+    bool waits() const { return saving || !question.empty(); }
     /// Forgets what was said when the dialog was open before; choices stay.
     void open();
     /// Takes the format that the name says, if it says one.
     void followName(const std::string& name);
     /// Chooses a format; a name that says another one gets its extension.
     void choose(std::size_t place, std::string& name);
-    /// What is typed, with the extension of the format unless it has one of those.
+    /// The typed name, with the extension of the format unless it has one of those.
     std::string withFormat(const std::string& typed) const;
 };
 
 /// By extension: one of core's meshFormats().
 bool namesMeshFormat(const std::filesystem::path& path);
-/// What is written, as a line of the dialog: "19 304 triangles, 21 000 points".
+/// The size as a line of the dialog: "19 304 triangles, 21 000 points".
 std::string sizeText(const MeshSize& size, bool usedOnly);
-/// What was written, and where, as a notice.
+/// The notice after saving: size and path.
 std::string savedText(const SavedMesh& saved);
 /// The question before a file is replaced; `source` is that of the input.
 std::string replaceText(const std::string& path, const std::string& source);

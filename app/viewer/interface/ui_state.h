@@ -128,7 +128,7 @@ struct UiState {
     /// The text fields that are open or about to be, as bits of TypedField.
     unsigned typedFields() const {
         return (palette.open ? kPaletteField : kNoField) |
-               (fileBrowser ? kBrowserField : kNoField) |
+               (fileBrowser && !mesh.waits() ? kBrowserField : kNoField) |
                (query.wantsKeyboard ? kQueryField : kNoField) |
                (ledger.wantsKeyboard ? kLedgerField : kNoField);
     }

@@ -30,7 +30,7 @@ void openSource(const PanelContext& context, const std::string& source) {
     ui.growth.asked = GrowthAsk::Begin;
 }
 
-/// The thread that writes asks before it replaces a file.
+/// MeshSaving asks before it replaces a file.
 void saveMeshTo(const PanelContext& context, const std::string& typed) {
     MeshForm& form = context.ui().mesh;
     form.path = form.withFormat(typed);
@@ -164,7 +164,7 @@ void drawPathLine(const PanelContext& context, FileBrowsing& state) {
     // A click beside the line must not leave the keys to nobody.
     // Nor must a page that opens together with the browser and takes the keyboard.
     if (!waits && (state.settling > 0 || state.refocus)) ImGui::SetKeyboardFocusHere();
-    // What was typed the last time must not be typed into.
+    // The proposed name is selected, also if the field was typed into before.
     const int select = state.settling > 0 ? ImGuiInputTextFlags_AutoSelectAll : 0;
     const bool entered = textField("##path", wordsFor(context.ui().browser).hint, state.path,
                                    ImGuiInputTextFlags_EnterReturnsTrue | select);
@@ -269,7 +269,7 @@ void drawFileBrowser(const PanelContext& context) {
     if (shown) scenes ? drawOpen(context, state) : drawFiles(context, state);
     state.shown = true;
     // A question that was answered gives the keyboard back.
-    state.settling = meshDialogWaits(context) ? 1 : std::max(0, state.settling - 1);
+    state.settling = meshDialogWaits(context) ? 2 : std::max(0, state.settling - 1);
     state.refocus = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
     ImGui::End();
 }

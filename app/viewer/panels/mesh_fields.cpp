@@ -107,28 +107,24 @@ void drawCopy(const PanelContext& context, const std::string& path) {
     dimText(form.note);
 }
 
-/// Enter answers, as Space does by itself.
-bool drawAnswer(const PanelContext& context, const char* label, const char* where) {
-    const bool pressed = ImGui::Button(label);
-    context.ui().where[where] = lastItem();
-    const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
-                       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
-    return pressed || (ImGui::IsItemFocused() && enter);
-}
-
 void drawQuestion(const PanelContext& context) {
     MeshForm& form = context.ui().mesh;
     wrappedText(replaceText(form.question, context.session().spec().source));
-    // The answer that loses nothing has the keyboard, and none is given by the key that asked.
-    const bool fresh = std::exchange(form.justAsked, false);
-    const bool replace = drawAnswer(context, "Replace", "mesh replace");
+    const bool replace = ImGui::Button("Replace");
+    const bool chosen = ImGui::IsItemFocused();
+    context.ui().where["mesh replace"] = lastItem();
     ImGui::SameLine();
-    const bool keep = drawAnswer(context, "Cancel (Esc)", "mesh keep");
-    if (fresh) {
-        takeKeyboard();
-        return;
+    const bool keep = ImGui::Button("Cancel (Esc)");
+    context.ui().where["mesh keep"] = lastItem();
+    // The answer that loses nothing has the keyboard. Space is Dear ImGui's own key for it.
+    if (std::exchange(form.justAsked, false)) takeKeyboard();
+    const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
+                       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
+    if (replace || (enter && chosen)) {
+        form.ask = MeshAsk::Replace;
+    } else if (keep || enter) {
+        form.ask = MeshAsk::Keep;
     }
-    if (replace || keep) form.ask = replace ? MeshAsk::Replace : MeshAsk::Keep;
 }
 
 void drawWork(const PanelContext& context) {
@@ -147,8 +143,7 @@ void drawWork(const PanelContext& context) {
 }  // namespace
 
 bool meshDialogWaits(const PanelContext& context) {
-    const MeshForm& form = context.ui().mesh;
-    return context.ui().browser == BrowserTask::SaveMesh && (form.saving || !form.question.empty());
+    return context.ui().browser == BrowserTask::SaveMesh && context.ui().mesh.waits();
 }
 
 void drawMeshFields(const PanelContext& context, std::string& name, const std::string& path) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "run/exact_text.h"
 #include "run/text.h"
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kProgram = "spiraling-edge";
 
-/// The terminal may stand in another folder.
+/// An absolute path: the terminal may stand in another folder.
 std::string wholePath(const std::string& path) {
     std::error_code error;
     const fs::path whole = fs::absolute(path, error);
@@ -36,7 +37,7 @@ std::string besideMesh(const MeshTarget& target, const std::string& name) {
     return (fs::path(target.path).parent_path() / name).string();
 }
 
-/// The input of `run` and the commands that write it, one after the other.
+/// The input of `run`, and the commands that write it.
 struct Steps {
     std::string before;  ///< Ends where the next command may begin.
     std::string input;
@@ -62,8 +63,8 @@ Steps stepsToSource(const std::string& source, const MeshTarget& target) {
     return {command + " && ", points, "The points are written first, to " + points + "."};
 }
 
-/// The doctor's command where he mends the points. He ends with 1 if something is left that needs
-/// a decision: the run goes on.
+/// The doctor's commands for the cures that mend or drop points, joined by `;`, since exit code 1
+/// only says that findings are left.
 void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
     const std::string stem = stemOf(spec.source.empty() ? steps.input : spec.source, 0);
     int files = 0;
@@ -71,23 +72,27 @@ void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
         const DoctorCheck* check = findDoctorCheck(name);
         if (check == nullptr) continue;
         const bool drops = check->cure == Cure::Drop;
-        // Whatever he mends, he mends all: once is enough.
+        // One command mends everything that any of these checks finds.
         if (!drops && (check->cure != Cure::Mend || files > 0)) continue;
         ++files;
         const std::string number = files > 1 ? "-" + std::to_string(files) : "";
-        const std::string mended = besideMesh(target, stem + "-mended" + number + ".ply");
-        steps.before += std::string(kProgram) + " doctor " + shellQuoted(steps.input) +
-                        " -q --fix " + shellQuoted(mended);
-        if (drops) steps.before += " --drop " + name;
+        std::string mended = besideMesh(target, stem + "-mended" + number + ".ply");
+        steps.before += kProgram;
+        for (const std::string& word : {std::string("doctor"), shellQuoted(steps.input),
+                                        std::string("-q --fix"), shellQuoted(mended)})
+            steps.before.append(" ").append(word);
+        if (drops) steps.before.append(" --drop ").append(name);
         steps.before += "; ";
-        steps.input = mended;
+        steps.input = std::move(mended);
     }
     if (files == 0) return;
-    steps.note += (steps.note.empty() ? "" : " ") +
-                  std::string("The points are mended first, in ") + steps.input + ".";
+    if (!steps.note.empty()) steps.note += ' ';
+    steps.note += "The points are mended first, in ";
+    steps.note += steps.input;
+    steps.note += '.';
 }
 
-/// What the doctor's other cures choose, as options.
+/// `spec` with the options that the other cures choose.
 InputSpec withCuresChosen(InputSpec spec) {
     for (const std::string& name : spec.cures) {
         const DoctorCheck* check = findDoctorCheck(name);

@@ -60,7 +60,7 @@ class MeshExport {
     bool busy() const { return making() || saving(); }
     /// Of making, in [0, 1]; a guess from the number of triangles.
     double share() const { return mesh_.share(); }
-    /// What became of save(), once.
+    /// The outcome of save(), once.
     std::optional<Result<SavedMesh>> takeOutcome() { return std::exchange(outcome_, std::nullopt); }
 
   private:

@@ -8,6 +8,8 @@ PATH=$(dirname "$cli"):$PATH
 out="$work/my meshes"
 mkdir "$out"
 cd "$out" || fail "no folder"
+# enter: Return, once the line with the name has the keyboard.
+enter() { says typing true; press Return; }
 # run_copied FILE: the command that was copied last writes FILE; it is the one that was saved.
 run_copied() {
     mv "$1" "$work/saved" || fail "nothing was saved as $1"
@@ -24,7 +26,7 @@ stop
 start scene:stranded-point --goto 5 --rules corrected --rule maxgap=110; says phase ready; says pivot 5
 press ctrl+e; says mesh_dialog true
 says mesh_name 'stranded-point-mesh\.ply'; says mesh_triangles '[1-9][0-9]*'
-press Return; says mesh_dialog false; says message 'Saved .* triangles and .*stranded-point-mesh\.ply\.'
+enter; says mesh_dialog false; says message 'Saved .* triangles and .*stranded-point-mesh\.ply\.'
 says pivot 5
 "$cli" run scene:stranded-point --rules corrected --rule maxgap=110 -q -o "$work/cli.ply" || fail "the command line fails"
 cmp "$work/cli.ply" "$out/stranded-point-mesh.ply" || fail "the command line writes another mesh"
@@ -32,12 +34,12 @@ cmp "$work/cli.ply" "$out/stranded-point-mesh.ply" || fail "the command line wri
 # The second time: a question. Esc, and Enter on the answer that has the keyboard, keep the file.
 echo old >"$out/stranded-point-mesh.ply"
 press ctrl+e; says mesh_dialog true; says mesh_name 'stranded-point-mesh\.ply'; says mesh_triangles '[1-9][0-9]*'
-press Return; says mesh_question '.*stranded-point-mesh\.ply'
+enter; says mesh_question '.*stranded-point-mesh\.ply'
 press Escape; says mesh_question ""; says mesh_dialog true
-press Return; says mesh_question '.*stranded-point-mesh\.ply'
+enter; says mesh_question '.*stranded-point-mesh\.ply'
 press Return; says mesh_question ""; says mesh_dialog true
 [ "$(cat "$out/stranded-point-mesh.ply")" = old ] || fail "the file was replaced without an answer"
-press Return; says mesh_question '.*stranded-point-mesh\.ply'
+enter; says mesh_question '.*stranded-point-mesh\.ply'
 click_on "mesh replace"; says mesh_dialog false
 cmp "$work/cli.ply" "$out/stranded-point-mesh.ply" || fail "Replace does not replace"
 
@@ -47,11 +49,11 @@ click_on "mesh OBJ"; says mesh_name 'stranded-point-mesh\.obj'; says mesh_format
 click_on "mesh used points"; says mesh_used_only true
 click_on "mesh copy command"; says mesh_command 'spiraling-edge run scene:stranded-point --rules corrected .*--used-points .*'
 [ -e "$out/stranded-point-mesh.obj" ] && fail "copying the command saves"
-press Return; says mesh_dialog false
+enter; says mesh_dialog false
 run_copied stranded-point-mesh.obj
 press ctrl+e; says mesh_dialog true
-type_text "other.off"; says mesh_name 'other\.off'; says mesh_format '\.off'
-press Return; says mesh_dialog false
+says typing true; type_text "other.off"; says mesh_name 'other\.off'; says mesh_format '\.off'
+enter; says mesh_dialog false
 [ -s "$out/other.off" ] || fail "no OFF is written"
 
 # From the list of actions: the command for the file that was saved last.
@@ -61,8 +63,8 @@ run_copied other.off
 
 # What cannot be written is told in the dialog, and another name goes.
 press ctrl+e; says mesh_dialog true; says mesh_triangles '[1-9][0-9]*'
-type_text "none/a.ply"; says mesh_name 'none/a\.ply'
-press Return; says mesh_complaint '.*there is no folder.*'; says mesh_dialog true
+says typing true; type_text "none/a.ply"; says mesh_name 'none/a\.ply'
+enter; says mesh_complaint '.*there is no folder.*'; says mesh_dialog true
 press Escape; says mesh_dialog false
 stop
 
@@ -70,11 +72,11 @@ stop
 start sample:torus,n=300 --neighbors 10; says phase ready
 press ctrl+e; says mesh_dialog true; says mesh_name 'torus-300-mesh\.ply'; says mesh_triangles '[1-9][0-9]*'
 click_on "mesh copy command"; says mesh_command 'spiraling-edge sample torus .* && spiraling-edge run .*'
-press Return; says mesh_dialog false
+enter; says mesh_dialog false
 run_copied torus-300-mesh.ply
 # It is on the clipboard.
 press ctrl+e; says mesh_dialog true; says mesh_name 'torus-300-mesh\.ply'
-press ctrl+a ctrl+v; says mesh_name 'spiraling-edge sample torus .*'
+says typing true; press ctrl+a ctrl+v; says mesh_name 'spiraling-edge sample torus .*'
 press Escape; says mesh_dialog false
 stop
 well
