@@ -1,4 +1,4 @@
-/// What a press in the view is: a drag, with the motion that it moves the camera by, or a click.
+/// What a press in the view or on a strip is: a drag, with its motion since the press, or a click.
 /// Plain values.
 #pragma once
 
@@ -12,8 +12,8 @@ class ViewDrag {
     /// A button came down at `pointer`, in pixels of the window: as the window reports it, since by
     /// the next frame the pointer may be elsewhere.
     void press(glm::vec2 pointer) { press_ = pointer; }
-    /// The button that came down last holds the view. The way of the pointer before it does not
-    /// count.
+    /// The button that came down last holds what is under it. The way of the pointer before it does
+    /// not count.
     void begin() {
         begun_ = last_ = press_;
         drags_ = false;

@@ -268,13 +268,16 @@ void handleMouse(const RunStrip& strip) {
         std::clamp((io.MousePos.x - strip.bars.min.x) / strip.bars.size.x, 0.0F, 1.0F);
     const auto pivot = static_cast<std::uint32_t>(std::llround(window.pivotAt(share)));
     const bool moved = io.MouseDelta.x != 0.0F;
+    ViewDrag& drag = strip.context.ui().viewDrag;
+    if (ImGui::IsItemActivated()) drag.begin();
     const bool onMark = differenceMark(strip).contains({io.MousePos.x, io.MousePos.y});
     if (ImGui::IsItemActivated() && onMark && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
         // Each to its own address, as its key does.
         strip.context.playback().pause();
         strip.context.ui().compare.ask = CompareAsk::FirstDifference;
     } else if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
-        if (moved) window.pan(-io.MouseDelta.x / strip.bars.size.x);
+        const float by = drag.move({io.MousePos.x, io.MousePos.y}, 0.0F).x;
+        if (by != 0.0F) window.pan(-by / strip.bars.size.x);
     } else if (ImGui::IsItemActive() && session.record().pivot != pivot &&
                (ImGui::IsItemActivated() || moved)) {
         strip.context.playback().pause();
