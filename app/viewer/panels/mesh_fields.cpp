@@ -148,11 +148,7 @@ bool meshDialogWaits(const PanelContext& context) {
 
 void drawMeshFields(const PanelContext& context, std::string& name, const std::string& path) {
     const MeshForm& form = context.ui().mesh;
-    if (!form.complaint.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
-        wrappedText("! " + form.complaint);
-        ImGui::PopStyleColor();
-    }
+    if (!form.complaint.empty()) wrappedText("! " + form.complaint, context.palette.rejected);
     if (form.saving) return drawWork(context);
     if (!form.question.empty()) return drawQuestion(context);
     drawFormats(context, name);
