@@ -1,6 +1,8 @@
 #include "spiraling_edge/faults.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <tuple>
 
 #include "box.h"
@@ -17,6 +19,23 @@ struct Placed {
     std::uint64_t cell;
     Index triangle;
 };
+
+/// Triangles in one plane are told apart by exact arithmetic, some hundred times as slow. A flat
+/// surface has a few such pairs for each triangle: only those beyond that count for what they cost.
+constexpr std::uint64_t kFlatPairsPerTriangle = 16;
+constexpr std::uint64_t kFlatPairWork = 2048;
+
+/// The corners of `b` lie in the plane of `a`, rounding aside.
+bool liesFlat(const PointSet& points, const Triangle& a, const Triangle& b) {
+    constexpr double kRounding = 1e-12;
+    const Vec3 normal = areaVector(points, a);
+    const Vec3& origin = points.position[a.a];
+    const auto inPlane = [&](Index p) {
+        const Vec3 d = points.position[p] - origin;
+        return std::abs(glm::dot(normal, d)) <= kRounding * glm::length(normal) * glm::length(d);
+    };
+    return inPlane(b.a) && inPlane(b.b) && inPlane(b.c);
+}
 
 class FaultFinder {
   public:
@@ -62,6 +81,7 @@ class FaultFinder {
     std::vector<Box> boxes_;
     std::vector<Fault> faults_;
     std::size_t intersections_ = 0;
+    std::size_t flat_ = 0;  ///< Pairs in one plane so far.
     std::uint64_t allowed_;
     std::uint64_t work_;  ///< That is left.
 };
@@ -157,6 +177,9 @@ void FaultFinder::testLarge(const std::vector<Index>& large) {
 void FaultFinder::testPair(Index a, Index b) {
     if (isOver() || !boxes_[a].meets(boxes_[b])) return;
     spend(kPairTestWork);
+    if (liesFlat(points_, triangles_[a], triangles_[b]) &&
+        ++flat_ > kFlatPairsPerTriangle * triangles_.size())
+        spend(kFlatPairWork);
     if (trianglesShareMore(points_.position, triangles_[a], triangles_[b])) {
         add(FaultKind::Intersecting, a, b);
         ++intersections_;

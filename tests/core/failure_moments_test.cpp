@@ -214,7 +214,7 @@ TEST_CASE("moments: every faulty triangle has a decision that it would not be th
 }
 
 TEST_CASE("moments: of a tangled run the first of each class are followed, the others counted") {
-    const PointFile file = closedFamilies(1.3)[0].sample(1);
+    const PointFile file = closedFamilies(0.8)[1].sample(1);
     for (const NeighborOptions& lists : {reach(60), NeighborOptions{WithinRadius{1e300}}}) {
         const PointSet points = prepared(file, lists);
         const auto found = searchFailures(points, paper());

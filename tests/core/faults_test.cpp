@@ -204,14 +204,14 @@ TEST_CASE("faults: names are those of the report") {
 }
 
 TEST_CASE("faults: the search for pairs ends after its work, and says so") {
-    // Slanted strips side by side: all boxes meet, no two triangles do.
+    // Slanted and parallel: all boxes meet, no two triangles do.
     const auto slanted = [](Index count) {
         PointSet points = pointsAt({});
         Triangles triangles;
         for (Index i = 0; i < count; ++i) {
             const double z = 1e-4 * i;
             points.position.insert(points.position.end(),
-                                   {{0, 0, z}, {1, 1, 1 + z}, {1, 1, 1.00001 + z}});
+                                   {{0, 0, z}, {1, 1, 1 + z}, {1, 0.5, 1 + z}});
             triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
         }
         points.normal.assign(points.size(), Vec3(0));
@@ -224,4 +224,24 @@ TEST_CASE("faults: the search for pairs ends after its work, and says so") {
     CHECK_FALSE(many.complete);
     CHECK(many.work == kIntersectionWork + 8000 * kIntersectionWorkPerTriangle);
     CHECK(slanted(8000).faults == many.faults);
+}
+
+TEST_CASE("faults: pairs in one plane, which take exact arithmetic, end the search sooner") {
+    // All coplanar, and far from any axis.
+    const auto tangled = [](Index count) {
+        Random random(5);
+        PointSet points = pointsAt({});
+        Triangles triangles;
+        for (Index i = 0; i < 3 * count; ++i) {
+            const Vec3 x = random.inCube();
+            points.position.emplace_back(x.x, x.y, 0.3 * x.x + 0.7 * x.y);
+        }
+        for (Index i = 0; i < count; ++i) triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+        points.normal.assign(points.size(), Vec3(0));
+        return searchFaults(points, triangles);
+    };
+    CHECK(tangled(100).complete);
+    const FaultSearch ended = tangled(1500);
+    CHECK_FALSE(ended.complete);
+    CHECK_FALSE(ofKind(ended.faults, FaultKind::Intersecting).empty());
 }

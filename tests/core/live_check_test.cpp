@@ -162,7 +162,7 @@ TEST_CASE("live: a crossing is told of the later triangle, however far apart the
 }
 
 TEST_CASE("live check: of a tangled run crossings are looked for up to a fixed amount of work") {
-    const PointFile file = closedFamilies(1.3)[0].sample(1);
+    const PointFile file = closedFamilies(0.8)[1].sample(1);
     const auto followed = [&](const NeighborOptions& lists) {
         const PointSet points = prepared(file, lists);
         auto check = std::make_unique<LiveCheck>(points);

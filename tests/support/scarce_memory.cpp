@@ -19,7 +19,7 @@ void* allocate(std::size_t size) {
 
 }  // namespace
 
-namespace se::test {
+namespace se {
 
 ScarceMemory::ScarceMemory(std::size_t most) {
     spared = true;
@@ -31,7 +31,7 @@ ScarceMemory::~ScarceMemory() {
     spared = false;
 }
 
-}  // namespace se::test
+}  // namespace se
 
 void* operator new(std::size_t size) { return allocate(size); }
 void* operator new[](std::size_t size) { return allocate(size); }

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace se::test {
+namespace se {
 
 /// While it lives, every allocation of more than `most` bytes throws std::bad_alloc in all threads
 /// but the one that made it. One at a time.
@@ -15,4 +15,4 @@ class ScarceMemory {
     ScarceMemory& operator=(const ScarceMemory&) = delete;
 };
 
-}  // namespace se::test
+}  // namespace se

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "desk.h"
+#include "run/text.h"
 #include "spiraling_edge/scenes.h"
 #include "spiraling_edge/shell_word.h"
 

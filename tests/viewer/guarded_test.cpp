@@ -19,7 +19,6 @@
 
 using namespace se;
 using namespace se::view;
-using se::test::ScarceMemory;
 
 namespace {
 
