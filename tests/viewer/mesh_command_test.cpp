@@ -13,6 +13,7 @@
 #include "spiraling_edge/mesh_io.h"
 #include "spiraling_edge/reading.h"
 #include "spiraling_edge/scenes.h"
+#include "spiraling_edge/shell_word.h"
 #include "spiraling_edge/stepper.h"
 
 using namespace se;

@@ -31,8 +31,7 @@ Result<FinishedMesh> finishMesh(const Model& model, const PointFile& input,
 }
 
 Result<SavedMesh> saveMesh(const FinishedMesh& mesh, const MeshTarget& target) {
-    SavedMesh saved{
-        target, mesh.triangles->size(), mesh.pointsFor(target), mesh.capped, std::nullopt};
+    SavedMesh saved{target, mesh.triangles->size(), mesh.pointsFor(target), mesh.capped};
     const auto write = [&](const PointFile& points,
                            std::span<const Triangle> triangles) -> Result<SavedMesh> {
         const Status written = writeMesh(target.path, points, triangles);

@@ -32,7 +32,7 @@ struct SavedMesh {
     std::size_t points = 0;
     bool capped = false;
     /// The place that the positions in the file are relative to, see shiftOf().
-    std::optional<Vec3> shift;
+    std::optional<Vec3> shift = std::nullopt;
 };
 
 class MeshExport {
