@@ -11,6 +11,7 @@
 #include "disjoint_sets.h"
 #include "exact.h"
 #include "shape.h"
+#include "spiraling_edge/faults.h"
 
 namespace se {
 namespace {
@@ -185,6 +186,7 @@ class LiveCheck::Watch {
         std::sort(near_.begin(), near_.end());
         for (const Index other : near_) {
             if (!hasArea_[other] || !boxes_[other].meets(box)) continue;
+            work_ += kPairTestWork;
             if (!trianglesShareMore(points_.position, triangles_[other], triangles_[number]))
                 continue;
             return addPair("intersecting_triangles", number, other);

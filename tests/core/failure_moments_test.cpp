@@ -7,6 +7,8 @@
 
 #include "../support/clouds.h"
 #include "../support/rig.h"
+#include "spiraling_edge/field.h"
+#include "spiraling_edge/sampler.h"
 #include "spiraling_edge/scenes.h"
 
 using namespace se;
@@ -214,7 +216,9 @@ TEST_CASE("moments: every faulty triangle has a decision that it would not be th
 }
 
 TEST_CASE("moments: of a tangled run the first of each class are followed, the others counted") {
-    const PointFile file = closedFamilies(0.8)[1].sample(1);
+    SamplerOptions options;
+    options.count = 400;
+    const PointFile file = sample(fieldOf(*findShape("torus")), options).value();
     for (const NeighborOptions& lists : {reach(60), NeighborOptions{WithinRadius{1e300}}}) {
         const PointSet points = prepared(file, lists);
         const auto found = searchFailures(points, paper());

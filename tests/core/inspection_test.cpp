@@ -206,5 +206,5 @@ TEST_CASE("inspection: of a tangled mesh the first crossings are listed, and how
     CHECK(amountText(some) == "first 10000 of 19900");
     const ClassTotal ended = crossings(3000);
     CHECK_FALSE(ended.exact);
-    CHECK(amountText(ended) == "first 10000 of at least 1000000");
+    CHECK(amountText(ended).starts_with("first 10000 of at least "));
 }

@@ -40,7 +40,8 @@ inline constexpr double kFoldCosine = -0.984807753012208;
 inline constexpr std::size_t kMostIntersections = 1000000;
 /// The work that the search for intersections may take, in units of a pair of triangles looked at:
 /// a fixed amount, and so much more for each triangle. A pair whose boxes meet counts kPairTestWork
-/// units. Meshes that are surfaces take some hundred units per triangle.
+/// units; in one plane, where only exact arithmetic tells, 2048 units beyond 16 such pairs for each
+/// triangle. Meshes that are surfaces take some hundred units per triangle.
 inline constexpr std::uint64_t kIntersectionWork = 50'000'000;
 inline constexpr std::uint64_t kIntersectionWorkPerTriangle = 4096;
 inline constexpr std::uint64_t kPairTestWork = 32;

@@ -23,8 +23,9 @@ struct LiveFailure {
 /// One sentence with points and triangles.
 std::string describe(const LiveFailure& failure);
 
-/// The work that the search for crossings may take, in triangles looked at: a fixed amount, and so
-/// much more for each triangle. About a second; a surface takes some ten units per triangle.
+/// The work that the search for crossings may take, in triangles looked at, kPairTestWork for each
+/// whose box is met: a fixed amount, and so much more for each triangle. About a second; a surface
+/// takes some hundred units per triangle.
 inline constexpr std::uint64_t kLiveCheckWork = 200'000'000;
 inline constexpr std::uint64_t kLiveCheckWorkPerTriangle = 4096;
 
