@@ -7,6 +7,7 @@
 
 #include "mesh_text.h"
 #include "rule_json.h"
+#include "spiraling_edge/mesh_io.h"
 #include "spiraling_edge/what_if_check.h"
 
 namespace se::cli {
@@ -182,8 +183,8 @@ std::string faultCounts(const RunOutcome& outcome) {
         if (counts[kind] == 0) continue;
         const auto fault = static_cast<FaultKind>(kind);
         const bool more = fault == FaultKind::Intersecting && !outcome.allFaults;
-        appendPart(text, fmt::format("{}{} {}", more ? "at least " : "", counts[kind],
-                                     faultName(fault)));
+        appendPart(text,
+                   fmt::format("{}{} {}", more ? "at least " : "", counts[kind], faultName(fault)));
     }
     return text;
 }
@@ -257,9 +258,9 @@ std::string reportJson(const RunOutcome& outcome) {
 std::string shiftText(const RunOutcome& outcome) {
     if (!outcome.shift) return "";
     return fmt::format(
-        "{}: positions are relative to ({}, {}, {}), since STL keeps 7 digits; add it to get the "
+        "{}: positions are relative to {}, since STL keeps 7 digits; add it to get the "
         "coordinates of the input\n",
-        outcome.output, outcome.shift->x, outcome.shift->y, outcome.shift->z);
+        outcome.output, se::shiftText(*outcome.shift));
 }
 
 std::string summaryText(const RunOutcome& outcome) {

@@ -5,6 +5,7 @@
 
 #include "extension.h"
 #include "mesh_io_formats.h"
+#include "number_text.h"
 #include "spiraling_edge/atomic_file.h"
 
 namespace se {
@@ -14,8 +15,8 @@ constexpr std::array kFormats{
     MeshFormat{".ply", "PLY, binary", "", meshPlyBytes, meshPlyBytes, nullptr},
     MeshFormat{".obj", "Wavefront OBJ, text", "types, lists, other columns", io::objBytes,
                io::objBytes, nullptr},
-    MeshFormat{".off", "OFF, text", "normals unless asked for, types, lists, other columns",
-               io::offBytes, io::noffBytes, nullptr},
+    MeshFormat{".off", "OFF, text", "normals, types, lists, other columns", io::offBytes,
+               io::noffBytes, nullptr},
     MeshFormat{".stl", "STL, binary", "all but the corners of triangles", io::stlBytes, nullptr,
                io::floatShift},
     MeshFormat{".glb", "glTF 2.0, binary", "types, lists, other columns; digits beyond float",
@@ -37,6 +38,15 @@ const MeshFormat* meshFormatOf(const std::filesystem::path& path) {
 std::optional<Vec3> shiftOf(const MeshFormat& format, const PointFile& points,
                             std::span<const Triangle> triangles) {
     return format.shift == nullptr ? std::nullopt : format.shift(points, triangles);
+}
+
+std::string shiftText(const Vec3& shift) {
+    std::string text;
+    for (int i = 0; i < 3; ++i) {
+        text += i == 0 ? "(" : ", ";
+        appendPlainNumber(text, shift[i]);
+    }
+    return text + ")";
 }
 
 Status writeMesh(const std::filesystem::path& path, const PointFile& points,

@@ -59,7 +59,9 @@ TEST_CASE("A saved mesh reads back as the mesh that the run ends with, in each f
         const PointFile file = read(desk.folder / name);
         CHECK(file.faces == *mesh.triangles);
         CHECK(file.position == mesh.points->position);
-        CHECK(file.normal == mesh.points->normal);
+        // OFF is written plain: most programs refuse normals there.
+        const bool plain = fs::path(name).extension() == ".off";
+        CHECK(file.normal == (plain ? std::vector<Vec3>{} : mesh.points->normal));
     }
     CHECK(read(desk.folder / "a.ply").type == mesh.points->type);
     for (const char* name : {"a.stl", "a.glb"}) {

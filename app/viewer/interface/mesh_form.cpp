@@ -1,7 +1,6 @@
 #include "mesh_form.h"
 
 #include "browsing.h"
-#include "run/exact_text.h"
 #include "run/text.h"
 #include "spiraling_edge/mesh_io.h"
 
@@ -60,8 +59,8 @@ std::string savedText(const SavedMesh& saved) {
         text = "Saved " + countText(saved.triangles, "triangle", "triangles") + " to " +
                saved.target.path + ".";
     if (saved.shift) {
-        text += " Positions are relative to (" + exact(saved.shift->x) + ", " +
-                exact(saved.shift->y) + ", " + exact(saved.shift->z) + "): add it to get yours.";
+        text += " Positions are relative to " + shiftText(*saved.shift) +
+                ": add it to get those of the input.";
     }
     if (saved.capped) text += " The run was stopped by the rule cap: this is no whole surface.";
     return text;

@@ -44,6 +44,8 @@ const MeshFormat* meshFormatOf(const std::filesystem::path& path);
 /// The shift of `format` for this mesh: empty where positions in the file are those of `points`.
 std::optional<Vec3> shiftOf(const MeshFormat& format, const PointFile& points,
                             std::span<const Triangle> triangles);
+/// A shift with all its digits: "(500000, 5400000, 300)".
+std::string shiftText(const Vec3& shift);
 
 /// Writes points and triangles in the format that the extension of `path` names. Fails where
 /// writeMeshPly() does, and with the extensions that can be written if it is none of them.
