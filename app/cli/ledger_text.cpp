@@ -190,6 +190,7 @@ Json remediesJson(const Remedies& remedies) {
     for (const Remedy& each : remedies.tried) {
         json["tried"].push_back({{each.rule != nullptr ? "rule" : "rules", nameOf(each)},
                                  {"prevents", each.prevents},
+                                 {"unknown", each.unknown},
                                  {"of_class", each.ofClass},
                                  {"all", each.all}});
     }
@@ -206,6 +207,11 @@ std::string momentsJson(const std::string& input, const RunFailure& failure,
     return dumped(json);
 }
 
+/// "prevents", "stays", or "unknown" where too many failures are left to tell.
+std::string_view effectOf(const Remedy& remedy) {
+    return remedy.prevents ? "prevents" : remedy.unknown ? "unknown" : "stays";
+}
+
 std::string remediesText(const Remedies& remedies) {
     std::string text =
         fmt::format("\n  As the run is: {} of this class, {} in all. With one more rule:\n",
@@ -217,7 +223,7 @@ std::string remediesText(const Remedies& remedies) {
         const std::string option = each.rule != nullptr ? fmt::format("--rule {}=on", nameOf(each))
                                                         : fmt::format("--rules {}", nameOf(each));
         text += fmt::format("  {:<22} {:<10} {:>6} of this class, {:>6} in all\n", option,
-                            each.prevents ? "prevents" : "stays", each.ofClass, each.all);
+                            effectOf(each), each.ofClass, each.all);
     }
     return text;
 }

@@ -18,9 +18,9 @@ namespace fs = std::filesystem;
 bool sameFile(const std::string& a, const std::string& b) {
     if (a == "-" || b == "-") return a == b;
     std::error_code ignored;
-    const fs::path first = fs::weakly_canonical(fs::absolute(a), ignored);
+    const fs::path first = fs::weakly_canonical(fs::absolute(a, ignored), ignored);
     if (fs::exists(first, ignored) && !fs::is_regular_file(first, ignored)) return false;
-    const fs::path second = fs::weakly_canonical(fs::absolute(b), ignored);
+    const fs::path second = fs::weakly_canonical(fs::absolute(b, ignored), ignored);
     return first == second || fs::equivalent(first, second, ignored);
 }
 

@@ -194,10 +194,12 @@ void writeReduced(const ReduceArguments& arguments, const FailureChoice& wanted,
                counted(reduced.kept.size(), "point"), run.file.position.size(), wanted.kind->name,
                beside(".sesession"), beside(".sh"));
     if (reduced.complete) return;
-    fmt::print(stderr,
-               "stopped early, after {} million tests: fewer points may do; --effort {} goes on "
-               "further\n",
-               arguments.effort, std::min(10 * arguments.effort, kMostEffort));
+    fmt::print(stderr, "stopped early, after {} million tests: fewer points may do",
+               arguments.effort);
+    if (arguments.effort < kMostEffort)
+        fmt::print(stderr, "; use --effort {} to continue",
+                   std::min(10 * arguments.effort, kMostEffort));
+    fmt::print(stderr, "\n");
 }
 
 }  // namespace

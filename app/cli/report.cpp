@@ -209,18 +209,11 @@ std::string endingSentence(const RunOutcome& outcome) {
 }  // namespace
 
 std::string faultSentence(const RunOutcome& outcome) {
-    const MeshReport& mesh = outcome.mesh;
-    std::size_t total = mesh.nonManifoldEdges + mesh.nonManifoldVertices + mesh.inconsistentEdges +
-                        mesh.degenerateTriangles + mesh.flippedTriangles;
-    if (outcome.faults) total = outcome.faults->size();
-    if (total == 0) return {};
-    std::string text = (outcome.allFaults ? "" : "at least ") + counted(total, "fault");
-    if (outcome.faults) {
-        text += ": " + faultCounts(outcome);
-    } else {
-        text += ", and crossing triangles are counted by --check only";
-    }
-    if (outcome.ruleSet != "robust") text += "; --rules robust may mend them";
+    if (!outcome.faults || outcome.faults->empty()) return {};
+    std::string text = outcome.allFaults ? "" : "at least ";
+    text += counted(outcome.faults->size(), "fault") + ": " + faultCounts(outcome);
+    if (!outcome.crossings) text += "; crossing triangles not counted (use --check)";
+    if (outcome.ruleSet != "robust") text += "; --rules robust may avoid them";
     return text;
 }
 
@@ -258,8 +251,8 @@ std::string reportJson(const RunOutcome& outcome) {
 std::string shiftText(const RunOutcome& outcome) {
     if (!outcome.shift) return "";
     return fmt::format(
-        "{}: positions are relative to {}, since STL keeps 7 digits; add it to get the "
-        "coordinates of the input\n",
+        "{}: positions are relative to {}, since STL keeps 7 digits; add this offset to get the "
+        "input coordinates\n",
         outcome.output, se::shiftText(*outcome.shift));
 }
 

@@ -37,6 +37,7 @@ struct RunOutcome {
     MeshReport mesh;
     /// Only if they were looked for.
     std::optional<std::vector<Fault>> faults;
+    bool crossings = true;  ///< False: crossing triangles were not looked for.
     bool allFaults = true;  ///< False: there may be more intersections, see searchFaults().
     /// Where each of them is: the middle of its triangle.
     std::vector<Vec3> faultPlaces;
@@ -45,8 +46,7 @@ struct RunOutcome {
     Ending ending = Ending::Finished;
 };
 
-/// "3 faults: 2 intersecting, 1 folded; --rules robust may mend them"; empty if there are none.
-/// Where no fault was looked for, those of the mesh report are counted.
+/// "3 faults: 2 intersecting, 1 folded; --rules robust may avoid them"; empty if there are none.
 std::string faultSentence(const RunOutcome& outcome);
 /// The JSON report, with an end of line behind it.
 std::string reportJson(const RunOutcome& outcome);

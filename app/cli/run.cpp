@@ -93,7 +93,7 @@ struct RunArguments {
     }
 };
 
-/// Seconds since the last call.
+/// Share of the points that are DONE, in [0, 1].
 double shareDone(const State& state) {
     const auto done = std::count(state.status.begin(), state.status.end(), kDone);
     return state.status.empty()
@@ -239,7 +239,8 @@ ExitCode runVerb(const Arguments& words) {
     PointFile file = readInput(arguments.input);
     outcome.seconds.read = watch.lap();
     if (file.position.empty())
-        throw Failure(ExitCode::Input, arguments.input + ": holds no points to triangulate");
+        throw Failure(ExitCode::Input,
+                      nameOfInput(arguments.input) + ": holds no points to triangulate");
     const PrepareOptions prepareOptions =
         prepareOptionsFrom(outcome.params, arguments.neighbors, arguments.derived, file);
     const Prepared prepared = workedOut(
@@ -264,7 +265,12 @@ ExitCode runVerb(const Arguments& words) {
         outcome.seconds.write = watch.lap();
     }
     outcome.mesh = reportMesh(prepared.points, outcome.state.mesh());
-    if (arguments.check || !arguments.report.empty()) lookForFaults(prepared.points, outcome);
+    if (arguments.check || !arguments.report.empty()) {
+        lookForFaults(prepared.points, outcome);
+    } else if (!arguments.quiet) {
+        outcome.faults = findLocalFaults(prepared.points, outcome.state.mesh());
+        outcome.crossings = false;
+    }
     return conclude(arguments, outcome);
 }
 

@@ -15,6 +15,7 @@ std::string whyNone(const AlertSearch& alerts, const std::string& name) {
     const FailureClass* kind = findFailureClass(name.substr(0, name.find(':')));
     if (kind == nullptr && name != "first")
         return "there is no such class; spiraling-edge check --help lists them.";
+    if (!alerts.complaint().empty()) return alerts.complaint();
     const std::span<const RunFailure> failures = alerts.failures();
     if (failures.empty()) return "the run has no such failure; it has none at all.";
     const auto count = std::count_if(failures.begin(), failures.end(), [&](const RunFailure& each) {

@@ -353,7 +353,8 @@ void Filing::save() {
     if (!c_.session.ready()) return c_.session.say("There is nothing open to save.");
     if (isStandardInput(c_.session.spec().source))
         return c_.session.say(
-            "A session names a file; these points came from standard input. Save them to a file "
+            "A session names a file, but these points came from standard input. Save them to a "
+            "file "
             "first.");
     if (c_.ui.sessionPath.empty()) {
         c_.ui.browser = BrowserTask::SaveSession;

@@ -14,6 +14,8 @@
 #include <string>
 #include <system_error>
 
+#include "system_reason.h"
+
 namespace se {
 namespace {
 
@@ -31,8 +33,8 @@ struct UnfinishedFile {
 static_assert(std::atomic<int>::is_always_lock_free);
 std::array<UnfinishedFile, 16> unfinishedFiles;
 
-/// The slot of `path`, from 1; 0 if the table is full or the path too long: the file is then
-/// written all the same, and only a signal would leave it.
+/// The slot of `path`, from 1; 0 if the table is full or the path too long: then a signal would
+/// leave the file.
 std::size_t listUnfinished(const std::string& path) {
     if (path.size() >= unfinishedFiles[0].path.size()) return 0;
     for (std::size_t i = 0; i < unfinishedFiles.size(); ++i) {
@@ -56,21 +58,29 @@ extern "C" void removeAndEnd(int signal) {
     std::raise(signal);
 }
 
-std::string systemReason() { return std::generic_category().message(errno); }
-
 /// `path` with its links followed, also where the last one leads to a file that does not exist.
+/// Empty, with errno set, if they lead round in a circle.
 fs::path followLinks(fs::path path) {
     constexpr int kMaxLinks = 40;
     std::error_code problem;
-    for (int i = 0; i < kMaxLinks && fs::is_symlink(fs::symlink_status(path, problem)); ++i) {
+    for (int i = 0; i < kMaxLinks; ++i) {
+        if (!fs::is_symlink(fs::symlink_status(path, problem))) return path;
         const fs::path to = fs::read_symlink(path, problem);
-        if (problem) break;
+        if (problem) return path;
         path = path.parent_path() / to;  // an absolute `to` replaces the rest
     }
-    return path;
+    errno = ELOOP;
+    return {};
 }
 
-/// A name that nobody can foresee, so that no link can wait there.
+/// A name of a file that this process has open: what it leads to must be appended to, not replaced.
+bool isOpenFile(const fs::path& path) {
+    const std::string name = path.string();
+    return name == "/dev/stdout" || name == "/dev/stderr" || name.rfind("/dev/fd/", 0) == 0 ||
+           name.rfind("/proc/self/fd/", 0) == 0;
+}
+
+/// A random name, so that no link can have been placed there.
 fs::path unpredictableName(const fs::path& folder) {
     std::random_device random;
     std::array<char, 48> name;
@@ -78,7 +88,8 @@ fs::path unpredictableName(const fs::path& folder) {
     return folder / name.data();
 }
 
-/// Renaming asks only the folder, and root may write everywhere: a write-protected file stays.
+/// rename() checks only the permissions of the folder, and root may write everywhere: a
+/// write-protected file stays.
 bool isWriteProtected(const fs::path& target, unsigned mode) {
     constexpr unsigned kAnyWriteBit = 0222;
     if ((mode & kAnyWriteBit) == 0) {
@@ -103,13 +114,15 @@ bool writeAll(int descriptor, std::string_view bytes) {
 Status AtomicFile::locate(const fs::path& path) {
     if (path.empty()) return Error{"the file name is empty; name a file"};
     path_ = path;
-    target_ = followLinks(path);
     struct stat status {};
     errno = 0;
-    exists_ = ::stat(target_.c_str(), &status) == 0;
+    exists_ = ::stat(path.c_str(), &status) == 0;
     if (exists_ && S_ISDIR(status.st_mode))
         return Error{path.string() + ": is a folder; name a file in it"};
-    direct_ = exists_ && !S_ISREG(status.st_mode);
+    // The link of an open file, as /dev/stdout, may read as "pipe:[123]", which is no path.
+    direct_ = (exists_ && !S_ISREG(status.st_mode)) || isOpenFile(path);
+    target_ = direct_ ? path : followLinks(path);
+    if (target_.empty()) return failure();
     if (exists_) mode_ = status.st_mode & kPermissionBits;
     if (direct_) return ::access(target_.c_str(), W_OK) == 0 ? success() : Status(failure());
     const fs::path parent = target_.parent_path();
@@ -135,7 +148,8 @@ Result<AtomicFile> AtomicFile::create(const fs::path& path) {
 Status AtomicFile::check(const fs::path& path) { return AtomicFile().locate(path); }
 
 bool AtomicFile::openTarget() {
-    descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+    const int append = isOpenFile(target_) ? O_APPEND : 0;
+    descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC | append);
     return descriptor_ >= 0;
 }
 
@@ -210,7 +224,7 @@ void removeUnfinishedFiles() noexcept {
 }
 
 void removeUnfinishedFilesAtSignals() noexcept {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXFSZ, SIGXCPU}) {
         // Ignored by the caller, as nohup does: that holds.
         if (std::signal(signal, removeAndEnd) == SIG_IGN) std::signal(signal, SIG_IGN);
     }

@@ -46,18 +46,28 @@ class FaultFinder {
           allowed_(kIntersectionWork + kIntersectionWorkPerTriangle * triangles.size()),
           work_(allowed_) {}
 
+    std::vector<Fault> findLocal() {
+        findShapes();
+        findEdgeFaults();
+        putInOrder();
+        return std::move(faults_);
+    }
+
     FaultSearch find() {
         findShapes();
         findEdgeFaults();
         findIntersections();
-        std::sort(faults_.begin(), faults_.end(), [](const Fault& a, const Fault& b) {
-            return std::tie(a.kind, a.triangle, a.other) < std::tie(b.kind, b.triangle, b.other);
-        });
-        faults_.erase(std::unique(faults_.begin(), faults_.end()), faults_.end());
+        putInOrder();
         return {std::move(faults_), !isOver(), allowed_ - work_};
     }
 
   private:
+    void putInOrder() {
+        std::sort(faults_.begin(), faults_.end(), [](const Fault& a, const Fault& b) {
+            return std::tie(a.kind, a.triangle, a.other) < std::tie(b.kind, b.triangle, b.other);
+        });
+        faults_.erase(std::unique(faults_.begin(), faults_.end()), faults_.end());
+    }
     void add(FaultKind kind, Index a, Index b) {
         if (b != kNone && b < a) std::swap(a, b);
         faults_.push_back({kind, a, b});
@@ -201,6 +211,10 @@ FaultSearch searchFaults(const PointSet& points, std::span<const Triangle> trian
 
 std::vector<Fault> findFaults(const PointSet& points, std::span<const Triangle> triangles) {
     return searchFaults(points, triangles).faults;
+}
+
+std::vector<Fault> findLocalFaults(const PointSet& points, std::span<const Triangle> triangles) {
+    return FaultFinder(points, triangles).findLocal();
 }
 
 std::array<std::size_t, kFaultKinds> countFaults(std::span<const Fault> faults) {

@@ -9,6 +9,7 @@
 #include "extension.h"
 #include "io_formats.h"
 #include "read_bytes.h"
+#include "system_reason.h"
 #include "text_scan.h"
 
 namespace se {
@@ -20,9 +21,6 @@ constexpr const char* kReadable =
     "PLY (ascii or binary), XYZ (x y z per line, then normals or colors), OBJ, OFF and PCD can be "
     "read; "
     "convert it to one of these, e.g. with MeshLab or CloudCompare";
-
-/// The reason that the operating system gave for the last failure.
-std::string systemReason() { return std::generic_category().message(errno); }
 
 using ReadFunction = Result<PointFile> (*)(std::string_view, const std::string&);
 

@@ -156,7 +156,7 @@ class XyzReader {
         if (decimal == decimalComma_) return true;
         return fail(decimalComma_ ? "expected one decimal comma in every number, as in the lines "
                                     "before; write decimal points in the whole file"
-                                  : "found decimal commas, which the lines before have not; write "
+                                  : "found decimal commas, but the lines before use none; write "
                                     "decimal points in the whole file");
     }
 
@@ -193,6 +193,9 @@ class XyzReader {
     }
 
     void keepRow() {
+        countsRows_ = countsRows_ && digitsOnly_[0] != 0 &&
+                      (file_.position.empty() || row_[0] == lastFirst_ + 1.0);
+        lastFirst_ = row_[0];
         file_.position.emplace_back(row_[axes_[0]], row_[axes_[1]], row_[axes_[2]]);
         for (const std::size_t column : others_) extra_.values.push_back(row_[column]);
     }
@@ -204,6 +207,11 @@ class XyzReader {
             extra_.digitsOnly.push_back(digitsOnly_[column] != 0);
         std::vector<std::string> all = header_;
         if (header_.empty()) {
+            if (countsRows_ && others_.size() % 3 == 1 && file_.position.size() > 1) {
+                return failIn(firstLine_,
+                              "column 1 counts the rows, as numbers of points do; name the columns "
+                              "in a line before the points, such as \"# id x y z\"");
+            }
             Result<NamedColumns> named = recognizeColumns(extra_);
             if (!named) return failIn(firstLine_, named.error().message);
             names_ = std::move(named.value().names);
@@ -212,11 +220,30 @@ class XyzReader {
             all.insert(all.end(), names_.begin(), names_.end());
         } else {
             for (const std::size_t column : others_) names_.push_back(header_[column]);
+            if (!headerFits()) return false;
             file_.columns.reason = "named in " + lineText(headerLine_);
         }
         for (const std::string& name : all)
             file_.columns.names += (file_.columns.names.empty() ? "" : " ") + name;
         return true;
+    }
+
+    /// A sentence such as "x y z in mm, up" may have as many words as there are columns. It is not
+    /// taken for names where the numbers are those of normals or colors and it names none.
+    bool headerFits() {
+        if (!isRecognizable(columns_) || columns_ < 6) return true;
+        const Result<NamedColumns> named = recognizeColumns(extra_);
+        if (!named) return true;
+        const auto misses = [&](const char* name) {
+            const std::vector<std::string>& seen = named.value().names;
+            return !has(name) && std::find(seen.begin(), seen.end(), name) != seen.end();
+        };
+        if (!misses("nx") && !misses("red")) return true;
+        return failIn(headerLine_,
+                      "this comment has one word per column and names neither normals nor colors, "
+                      "but " +
+                          named.value().reason +
+                          "; name the columns in it, such as \"# x y z nx ny nz\", or remove it");
     }
 
     /// Place of a name among names_; their number if it is not there.
@@ -273,6 +300,8 @@ class XyzReader {
     std::vector<double> row_;
     std::vector<char> digitsOnly_;  // Per column: 1 as long as all numbers are digits alone.
     bool decimalComma_ = false;
+    bool countsRows_ = true;  // So far the first column goes up by one from row to row.
+    double lastFirst_ = 0.0;
 };
 
 }  // namespace

@@ -187,6 +187,9 @@ std::vector<std::string> columnNamesIn(std::string_view comment) {
     for (const char* axis : {"x", "y", "z"}) {
         if (std::count(names.begin(), names.end(), axis) != 1) return {};
     }
+    std::vector<std::string> sorted = names;
+    std::sort(sorted.begin(), sorted.end());
+    if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return {};
     return names;
 }
 

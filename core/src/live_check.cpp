@@ -92,7 +92,7 @@ class LiveCheck::Watch {
         }
     }
 
-    bool searchesAll() const { return work_ <= allowed_; }
+    bool searchesAll() const { return !exhausted_; }
 
   private:
     void seeDone(Index p) {
@@ -165,7 +165,9 @@ class LiveCheck::Watch {
     /// (not `fresh`) does not: what it crosses, the first of its kind crosses too.
     void seeCrossing(Index number, bool fresh) {
         allowed_ += kLiveCheckWorkPerTriangle;
-        if (!searchesAll()) return;
+        // For good: the triangles passed over meanwhile stand in no cell.
+        exhausted_ = exhausted_ || work_ > allowed_;
+        if (exhausted_) return;
         const Box& box = boxes_[number];
         near_.clear();
         const auto meet = [&](Index other) {
@@ -222,6 +224,7 @@ class LiveCheck::Watch {
     std::vector<Index> metBy_;  ///< Per triangle: the last one that it was near to.
     std::uint64_t work_ = 0;    ///< Triangles looked at in the search for crossings.
     std::uint64_t allowed_ = kLiveCheckWork;
+    bool exhausted_ = false;
     std::vector<LiveFailure>* found_ = nullptr;
     Address address_;
 };

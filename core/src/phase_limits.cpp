@@ -133,7 +133,7 @@ void moveLimits(AnyContext auto& context) {
     }
 }
 
-/// What a test of a candidate found.
+/// The result of testing a candidate.
 struct DropTest {
     Verdict verdict;
     Side side;

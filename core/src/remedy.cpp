@@ -78,9 +78,10 @@ Result<Remedies> findRemedies(const PointSet& points, const Params& params,
         begun += 1.0;
         const auto run = inspectRun(points, trial.params, part);
         if (!run) return Error{"Cancelled."};
-        // Among those that are not listed it may still be.
+        const bool there = isStillThere(failure, run->failures);
         const bool allListed = run->totalOf(*failure.kind).all();
-        trial.remedy.prevents = allListed && !isStillThere(failure, run->failures);
+        trial.remedy.prevents = allListed && !there;
+        trial.remedy.unknown = !allListed && !there;
         trial.remedy.ofClass = run->totalOf(*failure.kind).total;
         trial.remedy.all = countOf(*run);
         remedies.tried.push_back(trial.remedy);

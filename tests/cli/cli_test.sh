@@ -332,7 +332,7 @@ check_finds_faults() {
     icosahedron | sed '1s/ 0 0.5257311 0.8506508$/ 0 -0.5257311 -0.8506508/' >flipped.xyz
     expect 1 run flipped.xyz --keep-opposing --check --rules printed -q
     says err "the mesh has 16 faults: 6 non_manifold_edge, 8 flipped"
-    says err "; --rules robust may mend them"
+    says err "; --rules robust may avoid them"
 }
 
 check_fails_where_there_is_no_mesh() {
@@ -340,6 +340,9 @@ check_fails_where_there_is_no_mesh() {
     expect 3 run none.ply --check -o mesh.ply
     says err "none.ply: holds no points to triangulate"
     expect 3 run none.ply
+    "$program" run - <none.ply >out 2>err
+    is $? 3 "exit code of standard input without points"
+    says err "standard input: holds no points"
     absent mesh.ply
     printf '0 0 0 0 0 1\n1 0 0 0 0 1\n' >two.xyz
     expect 1 run two.xyz --check
@@ -354,10 +357,10 @@ check_fails_where_there_is_no_mesh() {
 
 run_ends_with_its_faults() {
     expect 0 run scene:close-sheets
-    tail -1 err | grep -qE '^scene:close-sheets: the mesh has [0-9]+ faults?, and crossing triangles are counted by --check only; --rules robust may mend them$' ||
+    tail -1 err | grep -qE '^scene:close-sheets: the mesh has 17 faults: 1 inconsistent_edge, 4 degenerate, 10 flipped, 2 folded; crossing triangles not counted \(use --check\); --rules robust may avoid them$' ||
         fail "last line: $(tail -1 err)"
     expect 0 run scene:close-sheets --report report.json
-    tail -1 err | grep -qE 'the mesh has [0-9]+ faults?: [0-9]+ .*; --rules robust may mend them$' ||
+    tail -1 err | grep -qE 'the mesh has 31 faults: .* 14 intersecting, .*; --rules robust may avoid them$' ||
         fail "last line with a report: $(tail -1 err)"
     expect 0 run scene:close-sheets -q
     empty err

@@ -55,6 +55,42 @@ TEST_CASE("Write: a link to a file that does not exist yet creates that file") {
     CHECK(bytesOf(folder / "target") == "new");
 }
 
+TEST_CASE("Write: links that lead round in a circle are an error, and stay") {
+    const TemporaryFolder folder;
+    fs::create_symlink("a", folder / "a");
+    CHECK_FALSE(writeFileAtomically(folder / "a", "new").ok());
+    CHECK(fs::is_symlink(folder / "a"));
+    CHECK(folder.fileCount() == 1);
+}
+
+TEST_CASE("Write: an open pipe is written to by its name in /dev/fd") {
+    std::array<int, 2> ends{};
+    REQUIRE(::pipe(ends.data()) == 0);
+    const fs::path name = "/dev/fd/" + std::to_string(ends[1]);
+    if (fs::exists(name)) {
+        CHECK(AtomicFile::check(name).ok());
+        REQUIRE(writeFileAtomically(name, "bytes").ok());
+        std::array<char, 8> read{};
+        CHECK(::read(ends[0], read.data(), read.size()) == 5);
+        CHECK(std::string(read.data()) == "bytes");
+    }
+    ::close(ends[0]);
+    ::close(ends[1]);
+}
+
+TEST_CASE("Write: a file that is open under /dev/fd is appended to") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "log") << "before ";
+    const int log = ::open((folder / "log").c_str(), O_WRONLY | O_APPEND);
+    REQUIRE(log >= 0);
+    const fs::path name = "/dev/fd/" + std::to_string(log);
+    if (fs::exists(name)) {
+        REQUIRE(writeFileAtomically(name, "after").ok());
+        CHECK(bytesOf(folder / "log") == "before after");
+    }
+    ::close(log);
+}
+
 TEST_CASE("Write: no folder, a folder in the way, a full disk are told apart") {
     const TemporaryFolder folder;
     const auto error = [](const fs::path& path) {
@@ -140,7 +176,7 @@ TEST_CASE("Write: checking a path creates nothing") {
 
 TEST_CASE("Write: signals that end the program leave no part of a file") {
     const TemporaryFolder folder;
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXFSZ}) {
         checkEndsBy(signal, [&] {
             removeUnfinishedFilesAtSignals();
             const Result<AtomicFile> file = AtomicFile::create(folder / "a");

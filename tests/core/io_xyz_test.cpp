@@ -196,3 +196,24 @@ TEST_CASE("Text: other formats refuse a decimal comma with its line") {
                            "0,1 0,2 0,3\n"),
                    "line 6: expected a number for field \"x\", found \"0,1\""));
 }
+
+TEST_CASE("XYZ: point numbers in the first column are not taken for x") {
+    const std::string four = "101 500123.1 5400234.2 312.1\n102 500124.1 5400235.2 312.2\n";
+    CHECK(contains(errorOf(four), "line 1: column 1 counts the rows"));
+    CHECK(contains(errorOf("1 0 0 0 9 8 7\n2 1 0 0 9 8 7\n3 0 1 0 9 8 7\n"), "column 1 counts"));
+    const PointFile named = mustRead("# id x y z\n" + four);
+    CHECK(named.position[0] == Vec3(500123.1, 5400234.2, 312.1));
+    CHECK(named.attributes[0].name == "id");
+    // A grid of points with intensities, whose x does not count.
+    CHECK(mustRead("1 0 0 7\n1 1 0 8\n2 0 0 9\n").position.size() == 3);
+}
+
+TEST_CASE("XYZ: a sentence with a word per column is not taken for names of normals or colors") {
+    const std::string rows = "0 0 1 0 0 1\n1 0 0 1 0 0\n0 1 0 0 1 0\n";
+    CHECK(contains(errorOf("# x y z in mm, up\n" + rows), "line 1: this comment has one word"));
+    CHECK(contains(errorOf("# coordinates x y z in meters\n" + rows), "line 1: this comment"));
+    CHECK(mustRead("# x y z nx ny nz\n" + rows).hasNormals());
+    CHECK(mustRead("# id x y z r g b\n5 0 0 1 9 200 7\n6 1 0 0 9 100 7\n").attributes.size() == 4);
+    // Nor is a comment that names a column twice.
+    CHECK(mustRead("# x y z nx nx ny\n" + rows).hasNormals());
+}

@@ -93,7 +93,8 @@ UpAxis usualUp(const C& c) {
     if (!c.session.ready() || c.ui.growth.open) return UpAxis::Z;
     const std::string& source = c.session.spec().source;
     if (isScene(source) || isSample(source)) return UpAxis::Z;
-    return c.ui.settings.up.value_or(guessUpAxis(c.session.model().points, source));
+    if (c.ui.settings.up) return *c.ui.settings.up;
+    return guessUpAxis(c.session.model().points, source);
 }
 
 void chooseUp(C& c, UpAxis axis) {
@@ -105,7 +106,7 @@ void chooseUp(C& c, UpAxis axis) {
 void followUpAxis(C& c) {
     c.ui.settings.up.reset();
     c.camera.setUp(usualUp(c));
-    c.session.say("Up is " + std::string(upAxisName(c.camera.up())) + ", by a guess.");
+    c.session.say("Up is " + std::string(upAxisName(c.camera.up())) + " (automatic).");
 }
 
 void toggleBookmarkHere(C& c) {

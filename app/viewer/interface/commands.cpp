@@ -176,7 +176,7 @@ constexpr auto kCommands = std::to_array<Command>({
      oppositeView},
     {"view.orthographic", "View", "Orthographic", "5", "Without or with perspective.", false,
      [](C& c) { c.camera.toggleOrthographic(); }, "perspective projection parallel"},
-    {"view.up.auto", "View", "Up: by a guess", "",
+    {"view.up.auto", "View", "Up: automatic", "",
      "Turn what is open so that the axis which a guess finds points up; so for all files.", false,
      followUpAxis, "axis upright vertical orientation automatic rotate"},
     {"view.up.x", "View", "Up: x", "", "Let the x axis point up, here and for other files.", false,

@@ -60,9 +60,9 @@ std::string savedText(const SavedMesh& saved) {
                saved.target.path + ".";
     if (saved.shift) {
         text += " Positions are relative to " + shiftText(*saved.shift) +
-                ": add it to get those of the input.";
+                ": add this offset to get the input coordinates.";
     }
-    if (saved.capped) text += " The run was stopped by the rule cap: this is no whole surface.";
+    if (saved.capped) text += " The run was stopped by the rule cap: the mesh is incomplete.";
     return text;
 }
 

@@ -15,7 +15,7 @@ enum class MeshAsk : std::uint8_t {
     None,
     Save,         ///< Asks first where a file is to be replaced.
     Replace,      ///< The answer yes.
-    Keep,         ///< The answer no.
+    Keep,         ///< Do not replace the file.
     Cancel,       ///< Stops waiting for the mesh.
     CopyCommand,  ///< The command line goes to the clipboard.
 };

@@ -1,4 +1,4 @@
-/// What the palette finds: actions, panels and scenes. No ImGui.
+/// Entries of the command palette: actions, panels and scenes. No ImGui.
 #pragma once
 
 #include <span>

@@ -17,8 +17,8 @@ enum TypedField : unsigned {
 
 class TypingWait {
   public:
-    /// The fields that are open or about to be, as bits of TypedField: to be told after every
-    /// command and every frame. A new one makes keys wait.
+    /// The fields that are open or about to be, as bits of TypedField: to be called
+    /// after every command and every frame. A new one makes keys wait.
     void see(unsigned fields) {
         if ((fields & ~seen_) != 0) begin();
         seen_ = fields;

@@ -57,7 +57,7 @@ struct ViewSettings {
     std::vector<std::string> complaints;  ///< What the settings say wrongly, one sentence each.
     MeshStyle meshStyle = MeshStyle::Flat;
     PointTint pointTint = PointTint::Status;
-    std::optional<UpAxis> up;  ///< Of files; nothing: by a guess at each.
+    std::optional<UpAxis> up;  ///< Of files; empty: guessed for each.
 };
 
 /// What the camera frames once the cursor is where it was sent.

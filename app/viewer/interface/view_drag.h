@@ -1,4 +1,4 @@
-/// What a press in the view or on a strip is: a drag, with its motion since the press, or a click.
+/// Drags and clicks in the view or on a strip, told apart by the motion since the press.
 /// Plain values.
 #pragma once
 

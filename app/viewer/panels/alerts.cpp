@@ -188,6 +188,7 @@ void drawRemedy(const PanelContext& context, const Remedy& remedy) {
 
 void drawTried(const PanelContext& context, const Remedies& remedies) {
     std::string others;
+    std::string unknown;
     bool any = false;
     for (const Remedy& each : remedies.tried) {
         if (each.prevents) {
@@ -198,11 +199,14 @@ void drawTried(const PanelContext& context, const Remedies& remedies) {
             any = true;
             drawRemedy(context, each);
         } else {
-            others += (others.empty() ? "" : ", ") + std::string(nameOf(each));
+            std::string& list = each.unknown ? unknown : others;
+            list += (list.empty() ? "" : ", ") + std::string(nameOf(each));
         }
     }
     if (!any) wrappedText("No rule beyond the paper prevents this.");
     if (!others.empty()) dimText("It stays with: " + others + ".");
+    if (!unknown.empty())
+        dimText("Unknown, since too many alerts are left, with: " + unknown + ".");
 }
 
 /// Which rule beyond the paper would have prevented it.

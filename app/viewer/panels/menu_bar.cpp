@@ -68,7 +68,7 @@ void drawPointTints(const PanelContext& context) {
     ImGui::EndMenu();
 }
 
-/// And the axis that points up: that of the view, whether chosen or not.
+/// The submenu Up axis, with a check at the axis of the view.
 void drawUpAxes(const PanelContext& context) {
     if (!ImGui::BeginMenu("Up axis")) return;
     const bool chosen = context.ui().settings.up.has_value();

@@ -90,7 +90,7 @@ void drawSize(const PanelContext& context) {
         return wrappedText("This run makes no triangle: there is no mesh to save.");
     }
     std::string text = sizeText(*form.size, form.usedOnly) + ": the mesh at the end of the run.";
-    if (form.size->capped) text += " The run was stopped by the rule cap: it is no whole surface.";
+    if (form.size->capped) text += " The run was stopped by the rule cap: the mesh is incomplete.";
     wrappedText(text);
 }
 

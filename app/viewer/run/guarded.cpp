@@ -1,6 +1,5 @@
 #include "guarded.h"
 
-#include <exception>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -15,9 +14,9 @@ Error outOfMemory() {
 
 }  // namespace
 
-Status guarded(const std::function<void()>& work) {
+Error errorOf(const std::exception_ptr& exception) {
     try {
-        work();
+        std::rethrow_exception(exception);
     } catch (const std::bad_alloc&) {
         return outOfMemory();
     } catch (const std::length_error&) {
@@ -28,7 +27,6 @@ Status guarded(const std::function<void()>& work) {
     } catch (...) {
         return Error{"Internal error: an exception without a text."};
     }
-    return success();
 }
 
 }  // namespace se::view

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cstdio>
 #include <optional>
+
+#include "exact_text.h"
 
 namespace se::view {
 
@@ -84,8 +85,7 @@ std::string withShortNumbers(std::string_view sentence) {
         if (found->significant <= kDigits) {
             text += number;
         } else {
-            double value = 0.0;
-            std::from_chars(number.data(), number.data() + number.size(), value);
+            const double value = numberFromText(number).value_or(0.0);
             text += withoutMinusZero(found->before >= kDigits ? "%.0f" : "%.4g", value);
         }
     }

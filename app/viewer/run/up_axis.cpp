@@ -19,7 +19,8 @@ constexpr std::array<std::string_view, 4> kFilesWithYUp{".ply", ".obj", ".stl", 
 constexpr double kEndShare = 0.02;
 /// Cosine between the normal of such a point and the axis.
 constexpr double kFacing = 0.9;
-/// A flat side has at least this share of all points, and so many times those of any other end.
+/// A flat side has at least this share of all points, and kFlatFactor times the points of any other
+/// end.
 constexpr double kFlatShare = 0.02;
 constexpr double kFlatFactor = 2.0;
 /// A plate is at most this thin against its width, and at least this wide against its length.

@@ -16,7 +16,7 @@ std::string_view upAxisName(UpAxis axis);
 /// Nothing if there is none of that name.
 std::optional<UpAxis> upAxisFromName(std::string_view name);
 
-/// The up axis of what `source` holds, by a guess. Scenes, points made here and points with wall
+/// A guess at the up axis of what `source` holds. Scenes, points made here and points with wall
 /// types have z up. Other files lie on their flat side, where they have one; else the habit of
 /// their format decides: y for PLY, OBJ, STL and OFF, z for all others. O(points).
 UpAxis guessUpAxis(const PointSet& points, std::string_view source);

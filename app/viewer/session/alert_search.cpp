@@ -36,8 +36,8 @@ void AlertSearch::resume() {
 }
 
 bool AlertSearch::poll() {
-    if (!inquiry_.poll() || !done()) return false;
-    sortOut();
+    if (!inquiry_.poll()) return false;
+    if (done()) sortOut();
     return true;
 }
 

@@ -30,9 +30,9 @@ class AlertSearch {
     void begin();
     /// A person does not want to wait.
     void stop();
-    /// And wants to after all; or once more, after a failure. Requires !busy().
+    /// Starts the search again, after stop() or a failure. Requires !busy().
     void resume();
-    /// Takes over what was found. True if that is news.
+    /// Takes over what was found, or the complaint. True if that is news.
     bool poll();
     /// Blocks until there is something to take over, or nothing was begun.
     void finish() { inquiry_.finish(); }

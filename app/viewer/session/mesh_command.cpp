@@ -27,6 +27,7 @@ std::string wholePath(const std::string& path) {
 
 std::string stemOf(const std::string& source, std::size_t points) {
     if (isScene(source)) return source.substr(kScenePrefix.size());
+    if (isStandardInput(source)) return "points";
     if (!isSample(source)) return fs::path(source).stem().string();
     const Result<SampleSpec> spec = sampleFromSource(source);
     return spec ? sampleStem(spec.value(), points) : "sample";
@@ -47,6 +48,12 @@ struct Steps {
 Steps stepsToSource(const std::string& source, const MeshTarget& target) {
     if (source.empty()) return {{}, sceneSource(scenes().front().id), {}};
     if (isScene(source)) return {{}, source, {}};
+    if (isStandardInput(source)) {
+        return {{},
+                {},
+                "These points came from standard input. Save them to a file, open that file, and "
+                "copy again."};
+    }
     if (!isSample(source)) return {{}, wholePath(source), {}};
     Result<SampleSpec> spec = sampleFromSource(source);
     if (!spec) return {{}, {}, spec.error().message};
@@ -57,14 +64,14 @@ Steps stepsToSource(const std::string& source, const MeshTarget& target) {
     if (command.empty()) {
         return {{},
                 {},
-                "These points were stopped on their way, which the command line cannot do. Save "
-                "them by File > Save new points..., open that file, and copy again."};
+                "The sampler was stopped early, which the command line cannot do. Save the points "
+                "by File > Save new points..., open that file, and copy again."};
     }
     return {command + " && ", points, "The points are written first, to " + points + "."};
 }
 
-/// The doctor's commands for the cures that mend or drop points, joined by `;`, since exit code 1
-/// only says that findings are left.
+/// The doctor's commands for the cures that mend or drop points. Exit code 1 only means that
+/// findings are left; what follows must not run after any other failure.
 void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
     const std::string stem = stemOf(spec.source.empty() ? steps.input : spec.source, 0);
     int files = 0;
@@ -77,12 +84,12 @@ void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
         ++files;
         const std::string number = files > 1 ? "-" + std::to_string(files) : "";
         std::string mended = besideMesh(target, stem + "-mended" + number + ".ply");
-        steps.before += kProgram;
+        steps.before.append("{ ").append(kProgram);
         for (const std::string& word : {std::string("doctor"), shellQuoted(steps.input),
                                         std::string("-q --fix"), shellQuoted(mended)})
             steps.before.append(" ").append(word);
         if (drops) steps.before.append(" --drop ").append(name);
-        steps.before += "; ";
+        steps.before += "; [ $? -le 1 ]; } && ";
         steps.input = std::move(mended);
     }
     if (files == 0) return;
@@ -161,9 +168,8 @@ MeshCommand meshCommand(const Session& session, const MeshTarget& target) {
     for (std::size_t i = 0; i < spec.whatIf.size(); ++i) {
         if (session.whatIfProblem(i).empty()) continue;
         return {{},
-                "The command line refuses the what-if \"" + lineOf(spec.whatIf[i]) +
-                    "\": " + session.whatIfProblem(i) +
-                    " Take it back in the panel What if, and copy again."};
+                "The command line refuses the what-if \"" + lineOf(spec.whatIf[i]) + "\": " +
+                    session.whatIfProblem(i) + " Remove it in the panel What if, and copy again."};
     }
     return meshCommand(spec, target);
 }

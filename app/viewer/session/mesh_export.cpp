@@ -64,8 +64,13 @@ void MeshExport::save(const MeshTarget& target) {
     begin();
 }
 
-/// Begins to write what waits, if the mesh is there.
+/// Begins to write what waits, if the mesh is there. Where there will be none, the outcome is why.
 void MeshExport::begin() {
+    if (!order_) return;
+    if (!mesh_.complaint().empty()) {
+        order_.reset();
+        outcome_ = Result<SavedMesh>(Error{mesh_.complaint()});
+    }
     if (!order_ || mesh() == nullptr) return;
     file_.ask([mesh = *mesh(), target = *std::exchange(order_, std::nullopt)](const Progress&) {
         return saveMesh(mesh, target);

@@ -27,6 +27,7 @@ bool Session::takeAnswer() {
     if (!answer->complaint.empty()) {
         waiting_ = false;
         moves_.clear();
+        if (answer->record) setCursor(record_->events.empty() ? 0 : record_->events.size() - 1);
         say(answer->complaint);
     } else if (answer->final) {
         waiting_ = false;

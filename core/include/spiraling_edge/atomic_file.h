@@ -14,15 +14,16 @@ namespace se {
 /// A file that is being written. The bytes go to a temporary file in the folder of the target,
 /// created exclusively under an unpredictable name; commit() renames it to the target. Until then
 /// the target stays as it was, and without commit() the temporary file is removed. Links are
-/// followed to their target; the mode of an existing file is kept. Anything other than a regular
-/// file (/dev/stdout, a pipe) is written to directly. Errors name the path and the reason.
+/// followed to their target; the mode of an existing file is kept. A pipe, a device and the open
+/// files of this process (/dev/stdout, /dev/fd/3) are written to directly. Errors name the path and
+/// the reason.
 class AtomicFile {
   public:
     /// Fails if `path` is a folder or write-protected, or if its folder does not exist or does not
     /// permit a new file.
     static Result<AtomicFile> create(const std::filesystem::path& path);
 
-    /// The reason why create() would fail, without creating anything: for before long work.
+    /// The reason why create() would fail. Creates nothing. Call it before long work.
     static Status check(const std::filesystem::path& path);
 
     AtomicFile(AtomicFile&& other) noexcept { swap(other); }
@@ -66,8 +67,8 @@ Status writeFileAtomically(const std::filesystem::path& path, std::string_view b
 /// Removes the temporary files of this process. May be called from a signal handler.
 void removeUnfinishedFiles() noexcept;
 
-/// From now on SIGINT, SIGTERM and SIGHUP, unless ignored, remove unfinished files before they end
-/// the process. For programs, once, at the start of main().
+/// Makes SIGINT, SIGTERM, SIGHUP and the other signals that end a program while it writes remove
+/// unfinished files first, unless they are ignored. For programs, once, at the start of main().
 void removeUnfinishedFilesAtSignals() noexcept;
 
 }  // namespace se

@@ -49,7 +49,7 @@ struct RunFailure {
 inline constexpr std::uint64_t kMomentWork = 4'000'000;
 inline constexpr std::uint64_t kMomentWorkPerEvent = 128;
 
-/// The failures of a run as far as they were followed.
+/// The failures of a run that were followed within the limits of the search.
 struct RunFailureSearch {
     std::vector<RunFailure> failures;
     std::vector<ClassTotal> totals;  ///< Of each of failureClasses(), in its order.

@@ -39,14 +39,14 @@ inline constexpr double kFoldCosine = -0.984807753012208;
 /// billions.
 inline constexpr std::size_t kMostIntersections = 1000000;
 /// The work that the search for intersections may take, in units of a pair of triangles looked at:
-/// a fixed amount, and so much more for each triangle. A pair whose boxes meet counts kPairTestWork
-/// units; in one plane, where only exact arithmetic tells, 2048 units beyond 16 such pairs for each
-/// triangle. Meshes that are surfaces take some hundred units per triangle.
+/// a fixed amount, plus kIntersectionWorkPerTriangle for each triangle. A pair whose boxes meet
+/// counts kPairTestWork units; in one plane, where only exact arithmetic tells, 2048 units beyond
+/// 16 such pairs for each triangle. Meshes that are surfaces take some hundred units per triangle.
 inline constexpr std::uint64_t kIntersectionWork = 50'000'000;
 inline constexpr std::uint64_t kIntersectionWorkPerTriangle = 4096;
 inline constexpr std::uint64_t kPairTestWork = 32;
 
-/// The faults of a mesh as far as they were looked for.
+/// The faults of a mesh that were found within the limits of the search.
 struct FaultSearch {
     std::vector<Fault> faults;  ///< Ordered by kind, triangle and other.
     /// All pairs were looked at. Else there may be more intersections; the other kinds are all
@@ -64,6 +64,9 @@ FaultSearch searchFaults(const PointSet& points, std::span<const Triangle> trian
 
 /// FaultSearch::faults of searchFaults(), with its limits.
 std::vector<Fault> findFaults(const PointSet& points, std::span<const Triangle> triangles);
+
+/// All faults but intersections, which take most of the time.
+std::vector<Fault> findLocalFaults(const PointSet& points, std::span<const Triangle> triangles);
 
 /// How many there are of each kind.
 std::array<std::size_t, kFaultKinds> countFaults(std::span<const Fault> faults);

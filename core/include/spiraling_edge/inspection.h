@@ -47,7 +47,7 @@ inline constexpr std::size_t kSmallComponent = 20;
 /// mean length of the edges.
 inline constexpr double kIsolated = 4.0;
 
-/// Of intersecting triangles only the first so many are listed: a tangled mesh has millions.
+/// At most this many intersecting triangles are listed: a tangled mesh has millions.
 inline constexpr std::size_t kMostListed = 10'000;
 
 /// How many failures of a class there are.

@@ -24,8 +24,8 @@ struct LiveFailure {
 std::string describe(const LiveFailure& failure);
 
 /// The work that the search for crossings may take, in triangles looked at, kPairTestWork for each
-/// whose box is met: a fixed amount, and so much more for each triangle. About a second; a surface
-/// takes some hundred units per triangle.
+/// whose box is met: a fixed amount, plus kLiveCheckWorkPerTriangle for each triangle. About a
+/// second; a surface takes some hundred units per triangle.
 inline constexpr std::uint64_t kLiveCheckWork = 200'000'000;
 inline constexpr std::uint64_t kLiveCheckWorkPerTriangle = 4096;
 

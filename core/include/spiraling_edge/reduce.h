@@ -18,7 +18,7 @@ struct Reduced {
     bool complete = true;     ///< False: the effort was used up, fewer points may do.
 };
 
-/// What one try came to.
+/// The outcome of one try.
 struct ReduceTry {
     bool fails = false;
     std::uint64_t work = 0;  ///< What it took, in the unit of the effort.

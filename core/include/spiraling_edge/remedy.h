@@ -17,7 +17,8 @@ struct Remedy {
     const RuleSwitch* rule = nullptr;  ///< Null: the whole set.
     std::string_view set;              ///< Of a whole set: its name.
     bool prevents = false;             ///< The failure is gone.
-    /// Failures of its class, and of all, that the run has then; of a tangled run at least so many.
+    bool unknown = false;              ///< Too many of its class to tell whether it is gone.
+    /// Failures of its class, and of all, that the run has then; of a tangled run a lower bound.
     std::size_t ofClass = 0;
     std::size_t all = 0;
 };

@@ -1,0 +1,13 @@
+/// The reason that the operating system gives for a failure.
+#pragma once
+
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+namespace se {
+
+/// The text of errno: "No space left on device".
+inline std::string systemReason() { return std::generic_category().message(errno); }
+
+}  // namespace se
