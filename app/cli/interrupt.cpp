@@ -24,6 +24,8 @@ void catchInterrupts() {
     sigaction(SIGINT, &action, nullptr);
 }
 
+void releaseInterrupts() { removeUnfinishedFilesAtSignals(); }
+
 bool interrupted() { return interruptSeen != 0; }
 
 }  // namespace se::cli

@@ -18,9 +18,12 @@ namespace fs = std::filesystem;
 bool sameFile(const std::string& a, const std::string& b) {
     if (a == "-" || b == "-") return a == b;
     std::error_code ignored;
-    const fs::path first = fs::weakly_canonical(fs::absolute(a, ignored), ignored);
+    const auto fileOf = [&](const std::string& path) {
+        return fs::weakly_canonical(withLinksFollowed(fs::absolute(path, ignored)), ignored);
+    };
+    const fs::path first = fileOf(a);
     if (fs::exists(first, ignored) && !fs::is_regular_file(first, ignored)) return false;
-    const fs::path second = fs::weakly_canonical(fs::absolute(b, ignored), ignored);
+    const fs::path second = fileOf(b);
     return first == second || fs::equivalent(first, second, ignored);
 }
 
@@ -48,6 +51,14 @@ void requireWritable(std::initializer_list<OutputPath> outputs) {
         if (const Status status = AtomicFile::check(each->path); !status)
             throw Failure(ExitCode::Usage,
                           fmt::format("{} {}", each->option, status.error().message));
+    }
+}
+
+void requireOtherThan(const std::string& input, std::initializer_list<OutputPath> outputs) {
+    for (const OutputPath& each : outputs) {
+        if (each.path.empty() || each.path == "-" || !sameFile(input, each.path)) continue;
+        throw Failure(ExitCode::Usage, fmt::format("{} {}: is the input; name another file",
+                                                   each.option, each.path));
     }
 }
 

@@ -22,6 +22,9 @@ struct OutputPath {
 /// both standard output. Throws Failure(Usage).
 void requireWritable(std::initializer_list<OutputPath> outputs);
 
+/// Fails if one of them is the file `input`, which would be lost. Throws Failure(Usage).
+void requireOtherThan(const std::string& input, std::initializer_list<OutputPath> outputs);
+
 /// Writes all of it, to a file by way of a temporary one. Throws Failure(Internal).
 void writeOutput(const std::string& path, std::string_view bytes);
 

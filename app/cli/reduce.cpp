@@ -220,6 +220,7 @@ ExitCode reduceVerb(const Arguments& words) {
     if (!arguments.output.ends_with(".ply"))
         throw Failure(ExitCode::Usage,
                       fmt::format("-o {}: only .ply is written", arguments.output));
+    requireOtherThan(arguments.input.input(), {{"-o", arguments.output}});
     requireWritable({{"-o", arguments.output}});
     catchInterrupts();
     ProgressLine line(!arguments.quiet);

@@ -78,6 +78,8 @@ struct RunArguments {
                 ExitCode::Usage,
                 fmt::format("-o {}: .ply, .obj, .off, .stl and .glb can be written", output));
         if (writing.normals) requireNormals();
+        // A mesh holds the points of the input: it may take its place.
+        requireOtherThan(input, {{"--report", report}, {"--trace", trace}});
         requireWritable({{"-o", output}, {"--report", report}, {"--trace", trace}});
     }
 
@@ -260,8 +262,10 @@ ExitCode runVerb(const Arguments& words) {
     }
     outcome.seconds.triangulate = watch.lap();
     if (outcome.ending != Ending::Interrupted) {
-        trace.commit();
+        // A file takes no long time to write: Ctrl+C ends the program, and leaves no part of it.
+        releaseInterrupts();
         writeResult(arguments, file, outcome);
+        trace.commit();
         outcome.seconds.write = watch.lap();
     }
     outcome.mesh = reportMesh(prepared.points, outcome.state.mesh());

@@ -58,21 +58,6 @@ extern "C" void removeAndEnd(int signal) {
     std::raise(signal);
 }
 
-/// `path` with its links followed, also where the last one leads to a file that does not exist.
-/// Empty, with errno set, if they lead round in a circle.
-fs::path followLinks(fs::path path) {
-    constexpr int kMaxLinks = 40;
-    std::error_code problem;
-    for (int i = 0; i < kMaxLinks; ++i) {
-        if (!fs::is_symlink(fs::symlink_status(path, problem))) return path;
-        const fs::path to = fs::read_symlink(path, problem);
-        if (problem) return path;
-        path = path.parent_path() / to;  // an absolute `to` replaces the rest
-    }
-    errno = ELOOP;
-    return {};
-}
-
 /// A name of a file that this process has open: what it leads to must be appended to, not replaced.
 bool isOpenFile(const fs::path& path) {
     const std::string name = path.string();
@@ -111,6 +96,19 @@ bool writeAll(int descriptor, std::string_view bytes) {
 
 }  // namespace
 
+fs::path withLinksFollowed(fs::path path) {
+    constexpr int kMaxLinks = 40;
+    std::error_code problem;
+    for (int i = 0; i < kMaxLinks; ++i) {
+        if (!fs::is_symlink(fs::symlink_status(path, problem))) return path;
+        const fs::path to = fs::read_symlink(path, problem);
+        if (problem) return path;
+        path = path.parent_path() / to;  // an absolute `to` replaces the rest
+    }
+    errno = ELOOP;
+    return {};
+}
+
 Status AtomicFile::locate(const fs::path& path) {
     if (path.empty()) return Error{"the file name is empty; name a file"};
     path_ = path;
@@ -121,7 +119,7 @@ Status AtomicFile::locate(const fs::path& path) {
         return Error{path.string() + ": is a folder; name a file in it"};
     // The link of an open file, as /dev/stdout, may read as "pipe:[123]", which is no path.
     direct_ = (exists_ && !S_ISREG(status.st_mode)) || isOpenFile(path);
-    target_ = direct_ ? path : followLinks(path);
+    target_ = direct_ ? path : withLinksFollowed(path);
     if (target_.empty()) return failure();
     if (exists_) mode_ = status.st_mode & kPermissionBits;
     if (direct_) return ::access(target_.c_str(), W_OK) == 0 ? success() : Status(failure());

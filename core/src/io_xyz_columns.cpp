@@ -28,6 +28,7 @@ enum class Look {
 /// The numbers of three columns.
 struct TripleFacts {
     bool digitsOnly = true;
+    bool whole = true;  ///< Every finite number is a whole one.
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
     std::size_t directed = 0;  ///< Rows that are finite and not zero.
@@ -42,6 +43,7 @@ TripleFacts factsOf(const ExtraColumns& extra, std::size_t first) {
         for (std::size_t i = at; i < at + 3; ++i) {
             const double value = extra.values[i];
             square += value * value;
+            facts.whole = facts.whole && (!std::isfinite(value) || value == std::floor(value));
             facts.low = std::min(facts.low, value);
             facts.high = std::max(facts.high, value);
         }
@@ -63,6 +65,8 @@ Look lookOf(const ExtraColumns& extra, std::size_t first) {
     }
     if (facts.digitsOnly) return Look::Unclear;  // Colors of 16 bits, perhaps.
     if (mostlyUnit) return Look::Normals;
+    // A color with one wrong number is no normal.
+    if (facts.whole && facts.directed > 0) return Look::Unclear;
     // All zero or not finite: reading it as normals reports that they are missing.
     if (facts.low < 0.0 || facts.directed == 0) return Look::Scaled;
     return Look::Unclear;  // Colors from 0 to 1, perhaps.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include "extension.h"
 #include "mesh_io_formats.h"
@@ -11,6 +13,8 @@
 namespace se {
 namespace {
 
+constexpr double kGreatestFloat = std::numeric_limits<float>::max();
+
 constexpr std::array kFormats{
     MeshFormat{".ply", "PLY, binary", "", meshPlyBytes, meshPlyBytes, nullptr},
     MeshFormat{".obj", "Wavefront OBJ, text", "types, lists, other columns", io::objBytes,
@@ -18,10 +22,20 @@ constexpr std::array kFormats{
     MeshFormat{".off", "OFF, text", "normals, types, lists, other columns", io::offBytes,
                io::noffBytes, nullptr},
     MeshFormat{".stl", "STL, binary", "all but the corners of triangles", io::stlBytes, nullptr,
-               io::floatShift},
+               io::floatShift, kGreatestFloat},
     MeshFormat{".glb", "glTF 2.0, binary", "types, lists, other columns; digits beyond float",
-               io::glbBytes, io::glbBytes, nullptr},
+               io::glbBytes, io::glbBytes, nullptr, kGreatestFloat},
 };
+
+/// Whether the finite coordinates stay finite in this format.
+bool fits(const MeshFormat& format, std::span<const Vec3> positions) {
+    return std::all_of(positions.begin(), positions.end(), [&](const Vec3& x) {
+        for (int i = 0; i < 3; ++i) {
+            if (std::isfinite(x[i]) && std::abs(x[i]) > format.greatest) return false;
+        }
+        return true;
+    });
+}
 
 }  // namespace
 
@@ -62,6 +76,11 @@ Status writeMesh(const std::filesystem::path& path, const PointFile& points,
     }
     if (const Status status = io::checkWritable(points, triangles); !status) {
         return Error{path.string() + ": " + status.error().message};
+    }
+    if (!fits(*format, points.position)) {
+        return Error{path.string() + ": a coordinate is too large for " +
+                     std::string(format->extension) +
+                     "; choose .ply, .obj or .off, or scale the points"};
     }
     const MeshBytes bytes = options.normals ? format->bytesWithNormals : format->bytes;
     if (bytes == nullptr) {

@@ -406,7 +406,46 @@ output_names_are_checked_first() {
     ln -s b.ply c.ply
     expect 2 run missing.ply -o b.ply --trace c.ply
     is "$(cat b.ply)" old "the file that was named twice"
+    # Two links to one file that does not exist yet.
+    ln -s later d.ply
+    expect 2 run missing.ply -o later --report d.ply
     expect 0 run scene:sphere -q --report /dev/null --trace /dev/null
+}
+
+outputs_do_not_replace_the_input() {
+    icosahedron >in.xyz
+    cp in.xyz copy.xyz
+    ln -s in.xyz link.xyz
+    for option in --report --trace; do
+        for name in in.xyz ./in.xyz link.xyz; do
+            expect 2 run in.xyz $option $name
+            says err "$option $name: is the input; name another file"
+        done
+    done
+    expect 0 run in.xyz -q -o in.ply
+    expect 2 reduce in.ply --failure holes -o ./in.ply
+    says err "is the input"
+    cmp in.xyz copy.xyz || fail "the input was replaced"
+}
+
+mesh_goes_to_open_files_by_name() {
+    icosahedron >in.xyz
+    expect 0 run in.xyz -q -o mesh.ply
+    "$program" run in.xyz -q -o /dev/stdout 2>err | cmp - mesh.ply || fail "/dev/stdout: $(cat err)"
+    echo before >log
+    "$program" run in.xyz -q --trace /dev/stdout >>log
+    is "$(head -1 log)" before "the log that the trace was appended to"
+    [ "$(wc -l <log)" -gt 2 ] || fail "no trace in the log"
+}
+
+coordinates_beyond_float_are_refused() {
+    icosahedron | awk '{ print $1 * 1e39, $2 * 1e39, $3 * 1e39, $4, $5, $6 }' >far.xyz
+    for name in far.stl far.glb; do
+        expect 5 run far.xyz -q -o $name
+        says err "$name: a coordinate is too large for"
+        absent $name
+    done
+    expect 0 run far.xyz -q -o far.ply
 }
 
 # What stands in the way of a file of this name: a link, a file of the user, a protected file.

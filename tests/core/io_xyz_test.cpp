@@ -217,3 +217,12 @@ TEST_CASE("XYZ: a sentence with a word per column is not taken for names of norm
     // Nor is a comment that names a column twice.
     CHECK(mustRead("# x y z nx nx ny\n" + rows).hasNormals());
 }
+
+TEST_CASE("XYZ: one wrong number does not turn colors into normals") {
+    std::string rows;
+    for (int i = 0; i < 20; ++i)
+        rows += "0 0 " + std::to_string(i) + " 200 9 " + std::to_string(i) + "\n";
+    CHECK(mustRead(rows).attributes.size() == 3);
+    CHECK(contains(errorOf(rows + "1 1 1 -1 0 0\n"), "cannot tell what columns 4 to 6 hold"));
+    CHECK(contains(errorOf("0 0 0 nan 1 1\n0 0 1 nan 1 1\n" + rows), "cannot tell"));
+}

@@ -172,6 +172,9 @@ void drawPathLine(const PanelContext& context, FileBrowsing& state) {
     ImGui::SameLine();
     const bool pressed = ImGui::Button(save ? "Save" : "Open", {-1.0F, 0.0F});
     ImGui::EndDisabled();
+    // Enter takes the keyboard from the line: where the name is refused, the next one is typed
+    // there.
+    if (entered) state.settling = 2;
     if ((pressed || entered) && !waits) {
         const std::string source = typedSource(state.folder, state.path);
         std::error_code error;

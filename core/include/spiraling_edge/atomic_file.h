@@ -61,6 +61,10 @@ class AtomicFile {
     int descriptor_ = -1;
 };
 
+/// `path` with its links followed, also where the last leads to a file that does not exist yet: the
+/// file that an AtomicFile replaces. Empty if they lead round in a circle.
+std::filesystem::path withLinksFollowed(std::filesystem::path path);
+
 /// Writes `bytes` as an AtomicFile.
 Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -27,6 +28,8 @@ struct MeshFormat {
     /// The place that positions in the file are relative to, to be added by a reader; empty if they
     /// are those of `points`. Null where the format needs no shift, or names it to its readers.
     std::optional<Vec3> (*shift)(const PointFile& points, std::span<const Triangle> triangles);
+    /// The greatest coordinate, in magnitude, that the format can hold.
+    double greatest = std::numeric_limits<double>::max();
 };
 
 /// What a caller may ask of a writer besides the extension.

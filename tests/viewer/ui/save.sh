@@ -65,7 +65,9 @@ run_copied other.off
 press ctrl+e; says mesh_dialog true; says mesh_triangles '[1-9][0-9]*'
 says typing true; type_text "none/a.ply"; says mesh_name 'none/a\.ply'
 enter; says mesh_complaint '.*there is no folder.*'; says mesh_dialog true
-press Escape; says mesh_dialog false
+says typing true; type_text "again.stl"; says mesh_name 'again\.stl'
+enter; says mesh_dialog false
+[ -s "$out/again.stl" ] || fail "the other name is not written"
 stop
 
 # Points that were made here: the command makes the points first.
