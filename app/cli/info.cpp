@@ -152,6 +152,20 @@ std::string factsJson(const std::string& input, const Facts& facts) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+/// Significant digits with which the sides of the box can be told apart, far from the origin too.
+int boxDigits(const Facts& facts) {
+    constexpr double kUsual = 6.0;
+    constexpr double kMax = 17.0;
+    const Vec3 size = facts.box.high - facts.box.low;
+    const Vec3 reach = glm::max(glm::abs(facts.box.low), glm::abs(facts.box.high));
+    double digits = kUsual;
+    for (int i = 0; i < 3; ++i) {
+        if (size[i] > 0.0 && std::isfinite(reach[i]))
+            digits = std::max(digits, 4.0 + std::log10(reach[i] / size[i]));
+    }
+    return static_cast<int>(std::min(digits, kMax));
+}
+
 std::string factsText(const std::string& input, const Facts& facts) {
     const PointFile& file = facts.file;
     std::string text = fmt::format("{}: {}\n", input, counted(file.position.size(), "point"));
@@ -159,8 +173,9 @@ std::string factsText(const std::string& input, const Facts& facts) {
         if (!sentence.empty()) text += fmt::format("  {:<10} {}\n", label, sentence);
     };
     const Box& box = facts.box;
-    addLine("box", fmt::format("{:g} {:g} {:g} to {:g} {:g} {:g}", box.low.x, box.low.y, box.low.z,
-                               box.high.x, box.high.y, box.high.z));
+    addLine("box", fmt::format("{0:.{6}g} {1:.{6}g} {2:.{6}g} to {3:.{6}g} {4:.{6}g} {5:.{6}g}",
+                               box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z,
+                               boxDigits(facts)));
     if (facts.spacing.count > 0) {
         addLine("spacing",
                 fmt::format("nearest point at {:g} on average, {:g} to {:g}", facts.spacing.mean,

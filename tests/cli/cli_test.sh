@@ -578,6 +578,8 @@ info_says_how_columns_were_read() {
 far_stl_says_its_shift() {
     sphere_points near.xyz
     awk '{ printf "%.4f %.4f %.4f\n", $1 + 500001, $2 + 5400001, $3 + 301 }' near.xyz >far.xyz
+    expect 0 info far.xyz
+    grep -qE 'box +500000[.0-9]* 54000[0-9.]+ ' out || fail "the box has too few digits: $(cat out)"
     expect 0 run far.xyz -o far.stl
     says err "far.stl: positions are relative to (500000, 5400000, 300), since STL keeps 7 digits"
     head -c 80 far.stl >header

@@ -84,11 +84,17 @@ TEST_CASE("What the doctor mends is a command before, what he chooses an option"
                   "short_lists"};
     const MeshCommand command = meshCommand(spec, {"/out/m.ply", false});
     CHECK(command.text ==
-          "spiraling-edge doctor /in/a.ply -q --fix /out/a-mended.ply; "
-          "spiraling-edge doctor /out/a-mended.ply -q --fix /out/a-mended-2.ply --drop "
-          "near_duplicates; "
+          "{ spiraling-edge doctor /in/a.ply -q --fix /out/a-mended.ply; [ $? -le 1 ]; } && "
+          "{ spiraling-edge doctor /out/a-mended.ply -q --fix /out/a-mended-2.ply --drop "
+          "near_duplicates; [ $? -le 1 ]; } && "
           "spiraling-edge run /out/a-mended-2.ply --neighbors 12 --orient -o /out/m.ply");
     CHECK(command.note.find("a-mended-2.ply") != std::string::npos);
+}
+
+TEST_CASE("Points from standard input have no command: a sentence says what to do first") {
+    const MeshCommand command = meshCommand(specOf("-"), {"m.ply", false});
+    CHECK(command.text.empty());
+    CHECK(command.note.find("standard input") != std::string::npos);
 }
 
 TEST_CASE("A what-if without effect is refused by the command line: a sentence says so") {
