@@ -231,14 +231,9 @@ class XyzReader {
     /// A sentence such as "x y z in mm, up" may have as many words as there are columns. It is not
     /// taken for names where the numbers are those of normals or colors and it names none.
     bool headerFits() {
-        if (!isRecognizable(columns_) || columns_ < 6) return true;
+        if (columns_ < 6 || !isRecognizable(columns_) || has("nx") || has("red")) return true;
         const Result<NamedColumns> named = recognizeColumns(extra_);
         if (!named) return true;
-        const auto misses = [&](const char* name) {
-            const std::vector<std::string>& seen = named.value().names;
-            return !has(name) && std::find(seen.begin(), seen.end(), name) != seen.end();
-        };
-        if (!misses("nx") && !misses("red")) return true;
         return failIn(headerLine_,
                       "this comment has one word per column and names neither normals nor colors, "
                       "but " +
