@@ -111,9 +111,9 @@ std::optional<Verdict> verdictOf(const Event& event) {
 }
 
 Outcome outcomeOf(const Event& event) {
-    // A candidate that start or end moved to stays in the fan.
+    // A candidate that start or end moved to stays in the fan: the move decided that, not this test.
     const auto* drop = std::get_if<DropEvidence>(&event.evidence);
-    if (drop != nullptr && drop->isLimit) return Outcome::Taken;
+    if (drop != nullptr && drop->isLimit) return Outcome::None;
     const auto verdict = verdictOf(event);
     return verdict ? outcomeOf(*verdict) : Outcome::None;
 }

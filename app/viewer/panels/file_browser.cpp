@@ -15,6 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Frames in which the line gets the keyboard and its text is selected: Dear ImGui needs two.
+constexpr int kSettling = 3;
+
 void openSource(const PanelContext& context, const std::string& source) {
     UiState& ui = context.ui();
     ui.fileBrowser = false;
@@ -174,7 +177,7 @@ void drawPathLine(const PanelContext& context, FileBrowsing& state) {
     ImGui::EndDisabled();
     // Enter takes the keyboard from the line: where the name is refused, the next one is typed
     // there.
-    if (entered) state.settling = 2;
+    if (entered) state.settling = kSettling;
     if ((pressed || entered) && !waits) {
         const std::string source = typedSource(state.folder, state.path);
         std::error_code error;
@@ -242,7 +245,7 @@ void prepare(const PanelContext& context, FileBrowsing& state) {
     if (state.folder.empty() || saving(context)) state.folder = firstFolder(context);
     state.readFolder(fs::path(state.folder));
     state.path = saving(context) ? proposedName(context) : std::string{};
-    state.settling = 3;
+    state.settling = kSettling;
     state.overwrite.clear();
 }
 

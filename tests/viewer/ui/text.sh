@@ -62,10 +62,11 @@ at_once ctrl+p "next pivot"; says palette_typed "next pivot"
 press Escape; says palette false
 at_once ctrl+k "mesh"; says palette_typed "mesh"
 press Escape; says palette false
-at_once ctrl+o "$work/nothing.ply"; says file_browser true; press Return
-says file_browser true; press Escape; says file_browser false
 at_once ctrl+g "15.sort.2"; press Return; says address "15\.sort\.2"
 [ "$theme $pins $style" = "$(field theme) $(field pins) $(field mesh_style)" ] ||
     fail "keys that were typed reached the view: $(field theme) $(field pins) $(field mesh_style)"
+printf '%s\n' "0 0 0 0 0 1" "1 0 0 0 0 1" "0 1 0 0 0 1" "1 1 0 0 0 1" >"$work/typed.xyz"
+at_once ctrl+o "$work/typed.xyz"; says file_browser true; says typing true
+press Return; says input ".*typed\.xyz"; says file_browser false
 stop
 well
