@@ -111,7 +111,8 @@ std::optional<Verdict> verdictOf(const Event& event) {
 }
 
 Outcome outcomeOf(const Event& event) {
-    // A candidate that start or end moved to stays in the fan: the move decided that, not this test.
+    // A candidate that start or end moved to stays in the fan: the move decided that, not this
+    // test.
     const auto* drop = std::get_if<DropEvidence>(&event.evidence);
     if (drop != nullptr && drop->isLimit) return Outcome::None;
     const auto verdict = verdictOf(event);
