@@ -11,12 +11,12 @@ namespace se::view {
 namespace {
 
 /// Where the fields stand after their names, in em.
-constexpr float kField = 4.5F;
+constexpr float kFieldColumn = 4.5F;
 
 void drawName(const PanelContext& context, const char* name) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", name);
-    ImGui::SameLine(kField * context.em);
+    ImGui::SameLine(kFieldColumn * context.em);
 }
 
 /// One of several, beside the one before if there is room. True if it was chosen.
@@ -29,7 +29,7 @@ bool drawChoice(const PanelContext& context, const char* label, bool on, const c
         ImGui::SameLine(0.0F, context.em);
         if (ImGui::GetContentRegionAvail().x < width) {
             ImGui::NewLine();
-            ImGui::SameLine(kField * context.em);
+            ImGui::SameLine(kFieldColumn * context.em);
         }
     }
     const bool chosen = ImGui::RadioButton(label, on);
@@ -63,7 +63,7 @@ void drawFormats(const PanelContext& context, std::string& name) {
             form.choose(i, name);
         tooltip(leftOutText(format));
     }
-    ImGui::SetCursorPosX(kField * context.em);
+    ImGui::SetCursorPosX(kFieldColumn * context.em);
     dimText(leftOutText(meshFormats()[form.format]));
 }
 

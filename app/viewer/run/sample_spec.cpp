@@ -128,9 +128,11 @@ Result<SampleSpec> sampleFromSource(std::string_view source) {
                          "\": there are n, spacing, iso, seed, curvature, box and steps."};
         }
         if (!*taken) {
-            const std::string range =
-                part.starts_with("n=") ? "; n is from 1 to " + std::to_string(kMostParticles) : "";
-            return Error{name + ": \"" + std::string(part) + "\" is out of range" + range + "."};
+            std::string text = name;
+            text.append(": \"").append(part).append("\" is out of range");
+            if (part.starts_with("n="))
+                text.append("; n is from 1 to ").append(std::to_string(kMostParticles));
+            return Error{text.append(".")};
         }
         source = source.substr(0, comma);
     }

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 
 #include "model.h"
+#include "spiraling_edge/walls.h"
 #include "text.h"
 
 namespace se::view {
@@ -29,34 +28,15 @@ constexpr double kWide = 0.7;
 
 constexpr int kAxes = 3;
 
-struct Box {
-    Vec3 low{std::numeric_limits<double>::max()};
-    Vec3 high{std::numeric_limits<double>::lowest()};
-
-    Vec3 sides() const { return high - low; }
-};
-
-bool isFinite(const Vec3& p) { return std::isfinite(p.x + p.y + p.z); }
-
-Box boxOf(const PointSet& points) {
-    Box box;
-    for (const Vec3& p : points.position) {
-        if (!isFinite(p)) continue;
-        box.low = glm::min(box.low, p);
-        box.high = glm::max(box.high, p);
-    }
-    return box;
-}
-
 /// How many points lie flat at the low and the high end of each axis.
-std::array<std::size_t, 2 * kAxes> flatPoints(const PointSet& points, const Box& box) {
+std::array<std::size_t, 2 * kAxes> flatPoints(const PointSet& points, const WallBox& box) {
     std::array<std::size_t, 2 * kAxes> counts{};
-    const Vec3 margin = kEndShare * box.sides();
+    const Vec3 margin = kEndShare * (box.high - box.low);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vec3& p = points.position[i];
         const Vec3& n = points.normal[i];
         for (int axis = 0; axis < kAxes; ++axis) {
-            const auto end = static_cast<std::size_t>(2 * axis);
+            const auto end = 2 * static_cast<std::size_t>(axis);
             if (p[axis] < box.low[axis] + margin[axis] && n[axis] < -kFacing) ++counts[end];
             if (p[axis] > box.high[axis] - margin[axis] && n[axis] > kFacing) ++counts[end + 1];
         }
@@ -65,7 +45,7 @@ std::array<std::size_t, 2 * kAxes> flatPoints(const PointSet& points, const Box&
 }
 
 /// The axis at an end of which far more points lie flat than at all other ends.
-std::optional<UpAxis> axisOfFlatSide(const PointSet& points, const Box& box) {
+std::optional<UpAxis> axisOfFlatSide(const PointSet& points, const WallBox& box) {
     auto counts = flatPoints(points, box);
     const auto most = std::max_element(counts.begin(), counts.end());
     const auto axis = static_cast<UpAxis>((most - counts.begin()) / 2);
@@ -79,8 +59,8 @@ std::optional<UpAxis> axisOfFlatSide(const PointSet& points, const Box& box) {
 }
 
 /// The thin axis of a plate.
-std::optional<UpAxis> axisOfPlate(const Box& box) {
-    const Vec3 sides = box.sides();
+std::optional<UpAxis> axisOfPlate(const WallBox& box) {
+    const Vec3 sides = box.high - box.low;
     std::array<int, kAxes> order{0, 1, 2};
     std::sort(order.begin(), order.end(), [&](int a, int b) { return sides[a] < sides[b]; });
     const double thin = sides[order[0]];
@@ -104,7 +84,7 @@ std::optional<UpAxis> upAxisFromName(std::string_view name) {
 UpAxis guessUpAxis(const PointSet& points, std::string_view source) {
     const bool made = isScene(source) || isSample(source);
     if (made || std::any_of(points.type.begin(), points.type.end(), isOnWall)) return UpAxis::Z;
-    const Box box = boxOf(points);
+    const WallBox box = boxAround(points.position);
     if (const auto axis = axisOfFlatSide(points, box)) return *axis;
     if (const auto axis = axisOfPlate(box)) return *axis;
     const std::string ending = lowerExtension(source);

@@ -82,8 +82,10 @@ void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
         // One command mends everything that any of these checks finds.
         if (!drops && (check->cure != Cure::Mend || files > 0)) continue;
         ++files;
-        const std::string number = files > 1 ? "-" + std::to_string(files) : "";
-        std::string mended = besideMesh(target, stem + "-mended" + number + ".ply");
+        std::string file = stem;
+        file.append("-mended");
+        if (files > 1) file.append("-").append(std::to_string(files));
+        std::string mended = besideMesh(target, file.append(".ply"));
         steps.before.append("{ ").append(kProgram);
         for (const std::string& word : {std::string("doctor"), shellQuoted(steps.input),
                                         std::string("-q --fix"), shellQuoted(mended)})
