@@ -253,7 +253,7 @@ Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& pa
     RunFailureSearch found{{}, std::move(run->totals)};
     for (std::size_t i = 0; i < failures.size(); ++i) {
         if (!moments.value()[i]) {
-            // None of this run's: it counts no more.
+            // None of this run's: it does not count.
             --found.totals[rankOf(failures[i])].listed;
             --found.totals[rankOf(failures[i])].total;
             continue;

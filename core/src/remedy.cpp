@@ -31,7 +31,7 @@ std::vector<Trial> trialsFor(const Params& params) {
     return trials;
 }
 
-/// Of all classes; at least so many where the search ended early.
+/// Of all classes; a lower bound where the search ended early.
 std::size_t countOf(const InspectedRun& run) {
     std::size_t all = 0;
     for (const ClassTotal& each : run.totals) all += each.total;

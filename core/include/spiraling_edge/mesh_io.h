@@ -32,7 +32,7 @@ struct MeshFormat {
     double greatest = std::numeric_limits<double>::max();
 };
 
-/// What a caller may ask of a writer besides the extension.
+/// Options of a writer besides the extension.
 struct WriteOptions {
     /// Normals also where the usual kind of file has none: NOFF, which fewer programs read than
     /// OFF. No effect where they are written anyway; an error where they cannot be.

@@ -50,7 +50,7 @@ display() {
 start() {
     [ -n "$server" ] || display
     rm -f "$state"
-    "$viewer" --size "${size:-1280x800}" --ui-scale "${scale:-1}" --theme "${theme:-dark}" --state-dump "$state" "$@" >"$work/program.log" 2>&1 &
+    "$viewer" --size "${size:-1280x800}" --ui-scale "${scale:-1}" --theme "${theme:-dark}" --state-dump "$state" "$@" <"${stdin:-/dev/null}" >"$work/program.log" 2>&1 &
     program=$!
     window=
     for _ in $(seq 200); do

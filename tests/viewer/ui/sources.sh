@@ -33,16 +33,7 @@ grep -q "standard input:1" "$work/out" || grep -q "standard input" "$work/out" |
 # In the window too; reloading takes them from memory, and a session cannot name them.
 mkfifo "$work/pipe"
 sphere 300 >"$work/pipe" &
-display
-"$viewer" - --size 1280x800 --ui-scale 1 --theme dark --state-dump "$state" <"$work/pipe" >"$work/program.log" 2>&1 &
-program=$!
-for _ in $(seq 400); do
-    window=$(xdotool search --onlyvisible --name "Spiraling Edge" 2>/dev/null | head -n 1)
-    [ -n "$window" ] && [ -f "$state" ] && break
-    sleep 0.05
-done
-[ -n "$window" ] || fail "no window appears"
-xdotool windowfocus --sync "$window"
+stdin=$work/pipe start -
 says input "standard input"; says points 300; says pivot 0
 press End; leaves pivot 0
 press ctrl+r; says input "standard input"; says points 300; says pivot 0
