@@ -38,15 +38,30 @@ mapfile -t gl < <(in_viewer 'gl/')
 mapfile -t not_gl < <(printf '%s\n' "${viewer[@]}" | grep -vE '^app/viewer/(gl/|offscreen|window|main|application)')
 mapfile -t plain < <(in_viewer '(run|scene|layers|steps|session|interface)/')
 
-# core -> GLM, the standard library, nanoflann in prepare*.cpp, zlib in inflate.cpp; it prints nothing.
+# core -> GLM, the standard library, nanoflann in neighbor_search.cpp, zlib in inflate.cpp.
 no "$(include "$window|$programs|app/|viewer|cli/|benchmark|doctest")" "core must not know" "${core[@]}"
-mapfile -t not_prepare < <(printf '%s\n' "${core[@]}" | grep -v '/prepare')
+mapfile -t not_search < <(printf '%s\n' "${core[@]}" | grep -v '/neighbor_search.cpp')
 mapfile -t not_inflate < <(printf '%s\n' "${core[@]}" | grep -v '/inflate.cpp')
 no "$(include 'zlib')" "only inflate.cpp may use zlib" "${not_inflate[@]}"
-no "$(include nanoflann)" "only prepare*.cpp may use nanoflann" "${not_prepare[@]}"
+no "$(include nanoflann)" "only neighbor_search.cpp may use nanoflann" "${not_search[@]}"
 no '\b(f?printf|f?puts)\(|std::(cout|cerr|clog)\b' "core prints nothing" "${core[@]}"
-mapfile -t public < <(sources core/include)
-no '^#include "([^s]|s[^p])' "public headers include as spiraling_edge/..." "${public[@]}"
+no '^#include "([^s]|s[^p])' "core includes as spiraling_edge/ROOM/..." "${core[@]}"
+# Rooms of core, from the bottom: each may include those before it. Sampling stands beside them, on
+# what comes up to prepare; programs alone include it.
+known=()
+rooms=(base points geometry mesh io stepper prepare doctor scenes replay explain)
+for room in "${rooms[@]}"; do
+    known+=("$room")
+    mapfile -t files < <(sources "core/spiraling_edge/$room")
+    not_yet=$(printf '%s\n' "${rooms[@]}" sampling | grep -vxF "$(printf '%s\n' "${known[@]}")" | paste -sd '|')
+    no "$(include "spiraling_edge/($not_yet)/")" "$room/ must not know" "${files[@]}"
+done
+mapfile -t files < <(sources core/sampling)
+no "$(include 'spiraling_edge/(doctor|scenes|replay|explain)/')" "sampling/ must not know" "${files[@]}"
+mapfile -t files < <(sources core/spiraling_edge/stepper/phases)
+no "$(include '.*/robust/')" "phases/ must not know" "${files[@]}"
+mapfile -t files < <(sources core/spiraling_edge/stepper/robust)
+no "$(include '.*/phases/')" "robust/ must not know" "${files[@]}"
 # cli -> core
 no "$(include "$window|viewer|\\.\\./viewer|glm/gtc|stb")" "the command line must not know" "${cli[@]}"
 # viewer, from the bottom: run -> scene -> gl, layers; session, interface, panels on top of them.
@@ -103,6 +118,10 @@ while read -r file; do
     lines=$(wc -l <"$file")
     [ "$lines" -le 500 ] || breach "over 500 lines: $file ($lines)"
 done < <(sources core; sources app)
+while read -r folder; do
+    files=$(find "$folder" -maxdepth 1 -name '*.cpp' -o -maxdepth 1 -name '*.h' | wc -l)
+    [ "$files" -le 40 ] || breach "over 40 sources: $folder ($files)"
+done < <(find core app tests -type d)
 lines=$(wc -l <README.md)
 { [ "$lines" -ge 80 ] && [ "$lines" -le 160 ]; } || breach "README.md has $lines lines, not 80 to 160"
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # clang-tidy with the rules of .clang-tidy over our sources, as many at a time as there are cores.
-#   tidy.sh BUILD [FOLDER...]    BUILD holds compile_commands.json; default: core/src and app
+#   tidy.sh BUILD [FOLDER...]    BUILD holds compile_commands.json; default: core and app
 # Many sources are looked at as one, which takes a tenth of the time: most of it goes into what
 # they include. What was clean is not looked at again until it, a header or the rules change.
 set -uo pipefail
@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.." || exit 1
 build=$1
 shift
 folders=("$@")
-[ ${#folders[@]} -gt 0 ] || folders=(core/src app)
+[ ${#folders[@]} -gt 0 ] || folders=(core app)
 tidy=$(command -v clang-tidy-16 || command -v clang-tidy) || { echo "no clang-tidy"; exit 1; }
 cache=$build/tidy
 mkdir -p "$cache"

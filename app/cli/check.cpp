@@ -12,7 +12,7 @@
 #include "mesh_text.h"
 #include "options.h"
 #include "output.h"
-#include "spiraling_edge/inspection.h"
+#include "spiraling_edge/mesh/inspection.h"
 #include "verbs.h"
 
 namespace se::cli {

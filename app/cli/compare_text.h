@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "spiraling_edge/mesh_compare.h"
-#include "spiraling_edge/run_compare.h"
+#include "spiraling_edge/explain/run_compare.h"
+#include "spiraling_edge/mesh/mesh_compare.h"
 
 namespace se::cli {
 

@@ -1,5 +1,5 @@
 // spiraling-edge doctor: what in a file will upset the algorithm, and what can be mended.
-#include "spiraling_edge/doctor.h"
+#include "spiraling_edge/doctor/doctor.h"
 
 #include <fmt/format.h>
 

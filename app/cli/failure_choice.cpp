@@ -5,7 +5,7 @@
 #include "exit_code.h"
 #include "interrupt.h"
 #include "mesh_text.h"
-#include "spiraling_edge/stepper.h"
+#include "spiraling_edge/stepper/stepper.h"
 
 namespace se::cli {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "spiraling_edge/failure_moments.h"
-#include "spiraling_edge/params.h"
-#include "spiraling_edge/state.h"
+#include "spiraling_edge/explain/failure_moments.h"
+#include "spiraling_edge/stepper/params.h"
+#include "spiraling_edge/stepper/state.h"
 
 namespace se::cli {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "spiraling_edge/inspection.h"
+#include "spiraling_edge/mesh/inspection.h"
 
 namespace se::cli {
 

@@ -11,7 +11,7 @@
 #include "mesh_text.h"
 #include "options.h"
 #include "output.h"
-#include "spiraling_edge/mesh.h"
+#include "spiraling_edge/mesh/mesh_report.h"
 #include "verbs.h"
 
 namespace se::cli {

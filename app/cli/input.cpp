@@ -1,7 +1,7 @@
 #include "input.h"
 
 #include "exit_code.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/scenes/scenes.h"
 
 namespace se::cli {
 namespace {

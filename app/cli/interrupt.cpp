@@ -2,7 +2,7 @@
 
 #include <csignal>
 
-#include "spiraling_edge/atomic_file.h"
+#include "spiraling_edge/base/atomic_file.h"
 
 namespace se::cli {
 namespace {

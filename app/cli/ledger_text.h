@@ -4,13 +4,13 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "spiraling_edge/closest_calls.h"
-#include "spiraling_edge/decision_query.h"
-#include "spiraling_edge/failure_moments.h"
-#include "spiraling_edge/ledger.h"
-#include "spiraling_edge/remedy.h"
-#include "spiraling_edge/ring_history.h"
-#include "spiraling_edge/run_charts.h"
+#include "spiraling_edge/explain/closest_calls.h"
+#include "spiraling_edge/explain/failure_moments.h"
+#include "spiraling_edge/explain/ledger.h"
+#include "spiraling_edge/explain/remedy.h"
+#include "spiraling_edge/explain/ring_history.h"
+#include "spiraling_edge/replay/decision_query.h"
+#include "spiraling_edge/replay/run_charts.h"
 
 namespace se::cli {
 

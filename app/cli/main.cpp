@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "spiraling_edge/atomic_file.h"
+#include "spiraling_edge/base/atomic_file.h"
 #include "verbs.h"
 
 namespace se::cli {

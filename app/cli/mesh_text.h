@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "spiraling_edge/mesh.h"
-#include "spiraling_edge/prepare.h"
+#include "spiraling_edge/mesh/mesh_report.h"
+#include "spiraling_edge/prepare/prepare.h"
 
 namespace se::cli {
 

@@ -7,7 +7,7 @@
 #include <locale>
 #include <sstream>
 
-#include "spiraling_edge/what_if_check.h"
+#include "spiraling_edge/explain/what_if_check.h"
 
 namespace se::cli {
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "exit_code.h"
-#include "spiraling_edge/params.h"
-#include "spiraling_edge/prepare.h"
-#include "spiraling_edge/rule_settings.h"
+#include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/stepper/params.h"
+#include "spiraling_edge/stepper/rule_settings.h"
 #include "verbs.h"
 
 namespace se::cli {

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "exit_code.h"
-#include "spiraling_edge/atomic_file.h"
+#include "spiraling_edge/base/atomic_file.h"
 
 namespace se::cli {
 namespace {

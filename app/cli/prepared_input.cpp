@@ -6,7 +6,7 @@
 
 #include "input.h"
 #include "progress_work.h"
-#include "spiraling_edge/doctor.h"
+#include "spiraling_edge/doctor/doctor.h"
 
 namespace se::cli {
 

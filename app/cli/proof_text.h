@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "spiraling_edge/failure_proof.h"
+#include "spiraling_edge/explain/failure_proof.h"
 
 namespace se::cli {
 

@@ -1,5 +1,5 @@
 // spiraling-edge reduce: the fewest points that still fail, with a session and a test of them.
-#include "spiraling_edge/reduce.h"
+#include "spiraling_edge/explain/reduce.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@
 #include "prepared_input.h"
 #include "progress_work.h"
 #include "rule_json.h"
-#include "spiraling_edge/shell_word.h"
+#include "spiraling_edge/base/shell_word.h"
 #include "verbs.h"
 
 namespace se::cli {

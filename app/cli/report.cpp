@@ -7,8 +7,8 @@
 
 #include "mesh_text.h"
 #include "rule_json.h"
-#include "spiraling_edge/mesh_io.h"
-#include "spiraling_edge/what_if_check.h"
+#include "spiraling_edge/explain/what_if_check.h"
+#include "spiraling_edge/io/write_mesh.h"
 
 namespace se::cli {
 namespace {

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "spiraling_edge/faults.h"
-#include "spiraling_edge/mesh.h"
-#include "spiraling_edge/params.h"
-#include "spiraling_edge/prepare.h"
-#include "spiraling_edge/state.h"
+#include "spiraling_edge/mesh/faults.h"
+#include "spiraling_edge/mesh/mesh_report.h"
+#include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/stepper/params.h"
+#include "spiraling_edge/stepper/state.h"
 
 namespace se::cli {
 

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "spiraling_edge/rule_settings.h"
+#include "spiraling_edge/stepper/rule_settings.h"
 
 namespace se::cli {
 

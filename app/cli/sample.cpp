@@ -11,9 +11,9 @@
 #include "options.h"
 #include "output.h"
 #include "progress.h"
-#include "spiraling_edge/mesh_io.h"
-#include "spiraling_edge/sampler.h"
-#include "spiraling_edge/stop_watch.h"
+#include "spiraling_edge/base/stop_watch.h"
+#include "spiraling_edge/io/write_mesh.h"
+#include "spiraling_edge/sampling/sampler.h"
 #include "surface_input.h"
 #include "verbs.h"
 

@@ -6,7 +6,7 @@
 
 #include "options.h"
 #include "output.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/scenes/scenes.h"
 #include "verbs.h"
 
 namespace se::cli {

@@ -10,7 +10,7 @@
 #include "input.h"
 #include "interrupt.h"
 #include "progress_work.h"
-#include "spiraling_edge/volume.h"
+#include "spiraling_edge/sampling/volume.h"
 
 namespace se::cli {
 namespace {

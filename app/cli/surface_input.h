@@ -5,8 +5,8 @@
 #include <string>
 
 #include "progress.h"
-#include "spiraling_edge/sampler.h"
-#include "spiraling_edge/walls.h"
+#include "spiraling_edge/points/wall_types.h"
+#include "spiraling_edge/sampling/sampler.h"
 
 namespace se::cli {
 

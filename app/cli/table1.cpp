@@ -13,9 +13,9 @@
 #include "options.h"
 #include "output.h"
 #include "progress.h"
-#include "spiraling_edge/mesh.h"
-#include "spiraling_edge/reconstruct.h"
-#include "spiraling_edge/stop_watch.h"
+#include "spiraling_edge/base/stop_watch.h"
+#include "spiraling_edge/mesh/mesh_report.h"
+#include "spiraling_edge/replay/reconstruct.h"
 #include "surface_input.h"
 #include "verbs.h"
 

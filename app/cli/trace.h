@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "spiraling_edge/atomic_file.h"
-#include "spiraling_edge/event.h"
+#include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/stepper/event.h"
 
 namespace se::cli {
 

@@ -12,8 +12,8 @@
 #include "prepared_input.h"
 #include "progress_work.h"
 #include "proof_text.h"
-#include "spiraling_edge/decision_query.h"
-#include "spiraling_edge/named_points.h"
+#include "spiraling_edge/replay/decision_query.h"
+#include "spiraling_edge/replay/named_points.h"
 #include "verbs.h"
 
 namespace se::cli {

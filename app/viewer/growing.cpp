@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "session/session.h"
-#include "spiraling_edge/mesh_io.h"
-#include "spiraling_edge/sampler.h"
+#include "spiraling_edge/io/write_mesh.h"
+#include "spiraling_edge/sampling/sampler.h"
 
 namespace se::view {
 

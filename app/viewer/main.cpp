@@ -11,8 +11,8 @@
 #include "offscreen.h"
 #include "options.h"
 #include "scene/picking.h"
-#include "spiraling_edge/atomic_file.h"
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/io/read_points.h"
 #include "window.h"
 
 namespace {

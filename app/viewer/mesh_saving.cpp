@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "spiraling_edge/mesh_io.h"
+#include "spiraling_edge/io/write_mesh.h"
 
 namespace se::view {
 

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "gl/target.h"
-#include "spiraling_edge/result.h"
+#include "spiraling_edge/base/result.h"
 
 namespace se::view {
 

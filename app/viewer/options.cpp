@@ -9,9 +9,9 @@
 #include "run/exact_text.h"
 #include "run/guarded.h"
 #include "run/text.h"
-#include "spiraling_edge/atomic_file.h"
-#include "spiraling_edge/sampler.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/sampling/sampler.h"
+#include "spiraling_edge/scenes/scenes.h"
 
 namespace se::view {
 

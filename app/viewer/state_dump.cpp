@@ -7,9 +7,9 @@
 #include "session/place.h"
 #include "session/questions.h"
 #include "session/selection_facts.h"
-#include "spiraling_edge/atomic_file.h"
-#include "spiraling_edge/io.h"
-#include "spiraling_edge/mesh_io.h"
+#include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/io/read_points.h"
+#include "spiraling_edge/io/write_mesh.h"
 
 namespace se::view {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "interface/key_routing.h"
-#include "spiraling_edge/result.h"
+#include "spiraling_edge/base/result.h"
 
 struct GLFWwindow;
 

@@ -5,9 +5,17 @@ include(CMakePackageConfigHelpers)
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/spiraling_edge")
 install(TARGETS spiraling_edge EXPORT spiraling_edge_targets
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY core/include/spiraling_edge DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    FILE_SET HEADERS)
 install(EXPORT spiraling_edge_targets NAMESPACE spiraling_edge:: DESTINATION ${package_dir})
+if(SPIRALING_EDGE_BUILD_SAMPLING)
+    install(TARGETS spiraling_edge_sampling EXPORT spiraling_edge_sampling_targets
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        FILE_SET HEADERS)
+    install(EXPORT spiraling_edge_sampling_targets NAMESPACE spiraling_edge::
+        DESTINATION ${package_dir})
+endif()
 configure_package_config_file(core/cmake/spiraling_edge-config.cmake.in
     "${PROJECT_BINARY_DIR}/spiraling_edge-config.cmake" INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/spiraling_edge-config-version.cmake"

@@ -14,10 +14,10 @@
 #include <utility>
 #include <vector>
 
-#include "../support/clouds.h"
-#include "../support/rig.h"
-#include "spiraling_edge/inspection.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/mesh/inspection.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "support/clouds.h"
+#include "support/rig.h"
 
 namespace {
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "shapes.h"
-#include "spiraling_edge/io.h"
-#include "spiraling_edge/mesh_io.h"
-#include "spiraling_edge/prepare.h"
+#include "spiraling_edge/io/read_points.h"
+#include "spiraling_edge/io/write_mesh.h"
+#include "spiraling_edge/prepare/prepare.h"
 
 namespace se::bench {
 namespace {

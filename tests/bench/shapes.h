@@ -1,7 +1,7 @@
 /// Inputs of the benchmarks, of the size of the paper's largest set.
 #pragma once
 
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/io/read_points.h"
 
 namespace se::bench {
 

@@ -13,12 +13,12 @@
 #include "io_bench.h"
 #include "memory.h"
 #include "shapes.h"
-#include "spiraling_edge/prepare.h"
-#include "spiraling_edge/reconstruct.h"
-#include "spiraling_edge/rule_settings.h"
-#include "spiraling_edge/rules.h"
-#include "spiraling_edge/stepper.h"
-#include "spiraling_edge/timeline.h"
+#include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/replay/reconstruct.h"
+#include "spiraling_edge/replay/timeline.h"
+#include "spiraling_edge/stepper/rule_settings.h"
+#include "spiraling_edge/stepper/rules.h"
+#include "spiraling_edge/stepper/stepper.h"
 
 namespace se::bench {
 namespace {

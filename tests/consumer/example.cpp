@@ -1,9 +1,9 @@
 #include <cstdio>
 
-#include "spiraling_edge/mesh.h"
-#include "spiraling_edge/prepare.h"
-#include "spiraling_edge/scenes.h"
-#include "spiraling_edge/stepper.h"
+#include "spiraling_edge/mesh/mesh_report.h"
+#include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "spiraling_edge/stepper/stepper.h"
 
 int main(int argc, char** argv) {
     // Points with normals: from a file, or one of the built-in scenes.

@@ -16,9 +16,9 @@
 #include <string>
 #include <string_view>
 
-#include "spiraling_edge/io.h"
-#include "spiraling_edge/prepare.h"
-#include "spiraling_edge/volume.h"
+#include "spiraling_edge/io/read_points.h"
+#include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/sampling/volume.h"
 
 namespace {
 

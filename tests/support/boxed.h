@@ -7,10 +7,10 @@
 #include <cmath>
 #include <vector>
 
-#include "../../core/src/cell_grid.h"
-#include "../../core/src/implicit_surfaces.h"
-#include "oracles.h"
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/geometry/implicit_surfaces.h"
+#include "spiraling_edge/geometry/point_grid.h"
+#include "spiraling_edge/io/read_points.h"
+#include "support/oracles.h"
 
 namespace se::test {
 

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "../../core/src/scenes_sampling.h"
-#include "rig.h"
-#include "spiraling_edge/faults.h"
-#include "spiraling_edge/invariants.h"
-#include "spiraling_edge/mesh.h"
-#include "spiraling_edge/prepare.h"
+#include "spiraling_edge/mesh/faults.h"
+#include "spiraling_edge/mesh/mesh_report.h"
+#include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/scenes/surface_scenes.h"
+#include "spiraling_edge/stepper/invariants.h"
+#include "support/rig.h"
 
 namespace se::test {
 

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "clouds.h"
-#include "oracles.h"
+#include "support/clouds.h"
+#include "support/oracles.h"
 
 namespace se::test {
 

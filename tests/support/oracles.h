@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "../../core/src/random.h"
-#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/base/random.h"
+#include "spiraling_edge/points/point_set.h"
 
 namespace se::test {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "oracles.h"
-#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/points/point_set.h"
+#include "support/oracles.h"
 
 namespace se::test {
 

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "spiraling_edge/params.h"
-#include "spiraling_edge/stepper.h"
+#include "spiraling_edge/stepper/params.h"
+#include "spiraling_edge/stepper/stepper.h"
 
 namespace se::test {
 

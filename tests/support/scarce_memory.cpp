@@ -1,4 +1,4 @@
-#include "scarce_memory.h"
+#include "support/scarce_memory.h"
 
 #include <atomic>
 #include <cstdlib>

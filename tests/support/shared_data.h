@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/io/read_points.h"
 
 namespace se::test {
 

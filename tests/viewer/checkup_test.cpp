@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/scenes/scenes.h"
 
 using namespace se;
 using namespace se::view;

@@ -5,7 +5,7 @@
 #include "interface/compare_form.h"
 #include "rig.h"
 #include "scene/difference.h"
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/io/read_points.h"
 
 using namespace se;
 using namespace se::view;

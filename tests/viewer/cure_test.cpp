@@ -7,8 +7,8 @@
 
 #include "desk.h"
 #include "run/text.h"
-#include "spiraling_edge/scenes.h"
-#include "spiraling_edge/shell_word.h"
+#include "spiraling_edge/base/shell_word.h"
+#include "spiraling_edge/scenes/scenes.h"
 
 using namespace se;
 using namespace se::view;

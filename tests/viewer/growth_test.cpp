@@ -5,8 +5,8 @@
 #include <chrono>
 #include <thread>
 
-#include "spiraling_edge/io.h"
-#include "spiraling_edge/sampler.h"
+#include "spiraling_edge/io/read_points.h"
+#include "spiraling_edge/sampling/sampler.h"
 
 using namespace se;
 using namespace se::view;

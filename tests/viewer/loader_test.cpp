@@ -1,7 +1,7 @@
 #include "run/loader.h"
 #include "rig.h"
 #include "run/input_hash.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/scenes/scenes.h"
 
 #include <doctest/doctest.h>
 

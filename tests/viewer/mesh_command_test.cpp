@@ -10,11 +10,11 @@
 #include "mesh_saving.h"
 #include "run/text.h"
 #include "session/mesh_export.h"
-#include "spiraling_edge/mesh_io.h"
-#include "spiraling_edge/reading.h"
-#include "spiraling_edge/scenes.h"
-#include "spiraling_edge/shell_word.h"
-#include "spiraling_edge/stepper.h"
+#include "spiraling_edge/base/shell_word.h"
+#include "spiraling_edge/io/write_mesh.h"
+#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "spiraling_edge/stepper/stepper.h"
 
 using namespace se;
 using namespace se::view;

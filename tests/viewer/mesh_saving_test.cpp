@@ -7,7 +7,7 @@
 #include "desk.h"
 #include "interface/command_actions.h"
 #include "run/text.h"
-#include "spiraling_edge/mesh_io.h"
+#include "spiraling_edge/io/write_mesh.h"
 
 using namespace se;
 using namespace se::view;

@@ -5,7 +5,7 @@
 #include "scene/mesh_style.h"
 
 #include "rig.h"
-#include "spiraling_edge/stepper.h"
+#include "spiraling_edge/stepper/stepper.h"
 
 using namespace se;
 using namespace se::view;

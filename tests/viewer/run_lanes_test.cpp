@@ -1,10 +1,10 @@
-#include "spiraling_edge/ring_lanes.h"
+#include "spiraling_edge/replay/ring_lanes.h"
 
 #include <doctest/doctest.h>
 
 #include "rig.h"
-#include "spiraling_edge/scenes.h"
-#include "spiraling_edge/stepper.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "spiraling_edge/stepper/stepper.h"
 #include "steps/lane_picture.h"
 
 using namespace se;

@@ -4,8 +4,8 @@
 #include <doctest/doctest.h>
 
 #include "run/model.h"
-#include "spiraling_edge/io.h"
-#include "spiraling_edge/sampler.h"
+#include "spiraling_edge/io/read_points.h"
+#include "spiraling_edge/sampling/sampler.h"
 
 using namespace se;
 using namespace se::view;

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "scene/palette.h"
-#include "spiraling_edge/result.h"
+#include "spiraling_edge/base/result.h"
 
 namespace se::view {
 

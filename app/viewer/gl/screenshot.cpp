@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "spiraling_edge/atomic_file.h"
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/io/read_points.h"
 
 namespace se::view {
 

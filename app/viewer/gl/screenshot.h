@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <glm/vec2.hpp>
 
-#include "spiraling_edge/result.h"
+#include "spiraling_edge/base/result.h"
 
 namespace se::view {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "spiraling_edge/result.h"
+#include "spiraling_edge/base/result.h"
 
 namespace se::view {
 

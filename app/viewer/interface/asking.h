@@ -7,7 +7,7 @@
 
 #include "navigation.h"
 #include "run/selection.h"
-#include "spiraling_edge/ring_history.h"
+#include "spiraling_edge/explain/ring_history.h"
 
 namespace se::view {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "spiraling_edge/reading.h"
+#include "spiraling_edge/replay/reading.h"
 
 namespace se::view {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "run/selection.h"
-#include "spiraling_edge/event.h"
+#include "spiraling_edge/stepper/event.h"
 
 namespace se::view {
 

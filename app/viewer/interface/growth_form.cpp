@@ -2,8 +2,8 @@
 
 #include "run/exact_text.h"
 #include "run/text.h"
-#include "spiraling_edge/field.h"
-#include "spiraling_edge/sampler.h"
+#include "spiraling_edge/sampling/field.h"
+#include "spiraling_edge/sampling/sampler.h"
 
 namespace se::view {
 

@@ -2,7 +2,7 @@
 
 #include "browsing.h"
 #include "run/text.h"
-#include "spiraling_edge/mesh_io.h"
+#include "spiraling_edge/io/write_mesh.h"
 
 namespace se::view {
 

@@ -7,7 +7,7 @@
 #include "growth_commands.h"
 #include "run/model.h"
 #include "run/text.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/scenes/scenes.h"
 
 namespace se::view {
 

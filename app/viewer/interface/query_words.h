@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "spiraling_edge/decision_query.h"
+#include "spiraling_edge/replay/decision_query.h"
 
 namespace se::view {
 

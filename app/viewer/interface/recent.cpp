@@ -8,8 +8,8 @@
 #include "run/sample_spec.h"
 #include "run/text.h"
 #include "settings.h"
-#include "spiraling_edge/atomic_file.h"
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/io/read_points.h"
 
 namespace se::view {
 

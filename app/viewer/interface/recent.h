@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "session/arrangement.h"
-#include "spiraling_edge/result.h"
+#include "spiraling_edge/base/result.h"
 
 namespace se::view {
 

@@ -5,8 +5,8 @@
 
 #include "run/text.h"
 #include "session/layer_text.h"
-#include "spiraling_edge/atomic_file.h"
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/io/read_points.h"
 
 namespace se::view {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "spiraling_edge/result.h"
+#include "spiraling_edge/base/result.h"
 #include "ui_state.h"
 
 namespace se::view {

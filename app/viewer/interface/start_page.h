@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/scenes/scenes.h"
 
 namespace se::view {
 

@@ -5,8 +5,8 @@
 
 #include "run/exact_text.h"
 #include "session/session.h"
-#include "spiraling_edge/reading.h"
-#include "spiraling_edge/what_if_check.h"
+#include "spiraling_edge/explain/what_if_check.h"
+#include "spiraling_edge/replay/reading.h"
 
 namespace se::view {
 

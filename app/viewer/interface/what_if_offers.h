@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "run/rule_set.h"
-#include "spiraling_edge/event.h"
+#include "spiraling_edge/stepper/event.h"
 
 namespace se::view {
 

@@ -16,8 +16,8 @@
 #include "scene/draw_list.h"
 #include "scene/motion.h"
 #include "scene/palette.h"
-#include "spiraling_edge/failure_moments.h"
-#include "spiraling_edge/live_check.h"
+#include "spiraling_edge/explain/failure_moments.h"
+#include "spiraling_edge/replay/live_check.h"
 
 namespace se::view {
 

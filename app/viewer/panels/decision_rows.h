@@ -7,7 +7,7 @@
 
 #include "interface/asking.h"
 #include "panel.h"
-#include "spiraling_edge/ledger.h"
+#include "spiraling_edge/explain/ledger.h"
 
 namespace se::view {
 

@@ -5,7 +5,7 @@
 
 #include "panel.h"
 #include "run/text.h"
-#include "spiraling_edge/shell_word.h"
+#include "spiraling_edge/base/shell_word.h"
 #include "widgets.h"
 
 namespace se::view {

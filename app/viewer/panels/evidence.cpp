@@ -2,7 +2,7 @@
 
 #include "panel.h"
 #include "scene/outcome.h"
-#include "spiraling_edge/reading.h"
+#include "spiraling_edge/replay/reading.h"
 #include "steps/evidence_rows.h"
 #include "widgets.h"
 

@@ -5,7 +5,7 @@
 #include "mesh_fields.h"
 #include "panel.h"
 #include "session/session_file.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/scenes/scenes.h"
 #include "text_field.h"
 #include "widgets.h"
 

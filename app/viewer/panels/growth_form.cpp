@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "panel.h"
-#include "spiraling_edge/field.h"
+#include "spiraling_edge/sampling/field.h"
 #include "text_field.h"
 #include "widgets.h"
 

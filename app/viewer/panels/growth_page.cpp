@@ -5,7 +5,7 @@
 #include "camera_mouse.h"
 #include "panel.h"
 #include "run/text.h"
-#include "spiraling_edge/sampler.h"
+#include "spiraling_edge/sampling/sampler.h"
 #include "widgets.h"
 
 namespace se::view {

@@ -1,6 +1,6 @@
 #include "interface/recent.h"
 #include "panel.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/scenes/scenes.h"
 #include "widgets.h"
 
 namespace se::view {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "run/text.h"
-#include "spiraling_edge/mesh_io.h"
+#include "spiraling_edge/io/write_mesh.h"
 #include "widgets.h"
 
 namespace se::view {

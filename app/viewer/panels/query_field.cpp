@@ -1,7 +1,7 @@
 #include "query_field.h"
 
-#include "spiraling_edge/decision_query.h"
-#include "spiraling_edge/named_points.h"
+#include "spiraling_edge/replay/decision_query.h"
+#include "spiraling_edge/replay/named_points.h"
 #include "text_field.h"
 #include "widgets.h"
 

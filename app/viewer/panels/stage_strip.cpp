@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "scene/outcome.h"
-#include "spiraling_edge/reading.h"
+#include "spiraling_edge/replay/reading.h"
 #include "strips.h"
 #include "widgets.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "scene/outcome.h"
-#include "spiraling_edge/reading.h"
+#include "spiraling_edge/replay/reading.h"
 #include "widgets.h"
 
 namespace se::view {

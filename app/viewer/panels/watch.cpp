@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "panel.h"
-#include "spiraling_edge/named_points.h"
+#include "spiraling_edge/replay/named_points.h"
 #include "text_field.h"
 #include "widgets.h"
 

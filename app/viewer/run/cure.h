@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "spiraling_edge/doctor.h"
-#include "spiraling_edge/prepare.h"
+#include "spiraling_edge/doctor/doctor.h"
+#include "spiraling_edge/prepare/prepare.h"
 
 namespace se::view {
 

@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "run/text.h"
-#include "spiraling_edge/reading.h"
-#include "spiraling_edge/rules.h"
+#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/stepper/rules.h"
 
 namespace se::view {
 

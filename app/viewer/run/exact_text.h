@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "spiraling_edge/walls.h"
+#include "spiraling_edge/points/wall_types.h"
 
 namespace se::view {
 

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/scenes/scenes.h"
 
 namespace se::view {
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "guarded.h"
-#include "spiraling_edge/sampler.h"
+#include "spiraling_edge/sampling/sampler.h"
 
 namespace se::view {
 

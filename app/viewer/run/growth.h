@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sample_spec.h"
-#include "spiraling_edge/sample_quality.h"
+#include "spiraling_edge/sampling/sample_quality.h"
 
 namespace se::view {
 

@@ -4,7 +4,7 @@
 #include <exception>
 #include <utility>
 
-#include "spiraling_edge/result.h"
+#include "spiraling_edge/base/result.h"
 
 namespace se::view {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/io/read_points.h"
 
 namespace se::view {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "guarded.h"
-#include "spiraling_edge/what_if_check.h"
+#include "spiraling_edge/explain/what_if_check.h"
 
 namespace se::view {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "spiraling_edge/rules.h"
+#include "spiraling_edge/stepper/rules.h"
 
 namespace se::view {
 

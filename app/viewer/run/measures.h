@@ -5,7 +5,7 @@
 #include <array>
 #include <span>
 
-#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/points/point_set.h"
 
 namespace se::view {
 

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "input_hash.h"
-#include "spiraling_edge/io.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/io/read_points.h"
+#include "spiraling_edge/scenes/scenes.h"
 
 namespace se::view {
 

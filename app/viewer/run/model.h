@@ -11,10 +11,10 @@
 #include "cure.h"
 #include "rule_set.h"
 #include "sample_spec.h"
-#include "spiraling_edge/io.h"
-#include "spiraling_edge/params.h"
-#include "spiraling_edge/prepare.h"
-#include "spiraling_edge/rule_settings.h"
+#include "spiraling_edge/io/read_points.h"
+#include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/stepper/params.h"
+#include "spiraling_edge/stepper/rule_settings.h"
 
 namespace se::view {
 

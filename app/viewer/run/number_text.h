@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "spiraling_edge/event.h"
-#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/stepper/event.h"
 
 namespace se::view {
 

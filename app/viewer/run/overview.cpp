@@ -6,8 +6,8 @@
 
 #include "guarded.h"
 #include "picture.h"
-#include "spiraling_edge/reading.h"
-#include "spiraling_edge/stepper.h"
+#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/stepper/stepper.h"
 
 namespace se::view {
 

@@ -11,9 +11,9 @@
 
 #include "component_shape.h"
 #include "model.h"
-#include "spiraling_edge/event.h"
-#include "spiraling_edge/live_check.h"
-#include "spiraling_edge/ring_lanes.h"
+#include "spiraling_edge/replay/live_check.h"
+#include "spiraling_edge/replay/ring_lanes.h"
+#include "spiraling_edge/stepper/event.h"
 
 namespace se {
 struct State;

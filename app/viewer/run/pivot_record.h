@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "spiraling_edge/timeline.h"
+#include "spiraling_edge/replay/timeline.h"
 #include "status_list.h"
 
 namespace se::view {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "spiraling_edge/params.h"
-#include "spiraling_edge/result.h"
-#include "spiraling_edge/rule_settings.h"
+#include "spiraling_edge/base/result.h"
+#include "spiraling_edge/stepper/params.h"
+#include "spiraling_edge/stepper/rule_settings.h"
 
 namespace se::view {
 

@@ -4,7 +4,7 @@
 
 #include "guarded.h"
 #include "picture.h"
-#include "spiraling_edge/stepper.h"
+#include "spiraling_edge/stepper/stepper.h"
 
 namespace se::view {
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "picture.h"
-#include "spiraling_edge/stepper.h"
+#include "spiraling_edge/stepper/stepper.h"
 
 namespace se::view {
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "pivot_record.h"
-#include "spiraling_edge/event.h"
-#include "spiraling_edge/params.h"
+#include "spiraling_edge/stepper/event.h"
+#include "spiraling_edge/stepper/params.h"
 
 namespace se::view {
 

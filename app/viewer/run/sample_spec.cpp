@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "exact_text.h"
-#include "spiraling_edge/sampler.h"
-#include "spiraling_edge/shell_word.h"
-#include "spiraling_edge/volume.h"
+#include "spiraling_edge/base/shell_word.h"
+#include "spiraling_edge/sampling/sampler.h"
+#include "spiraling_edge/sampling/volume.h"
 #include "text.h"
 
 namespace se::view {

@@ -9,9 +9,9 @@
 #include <string>
 #include <string_view>
 
-#include "spiraling_edge/io.h"
-#include "spiraling_edge/prepare.h"
-#include "spiraling_edge/walls.h"
+#include "spiraling_edge/io/read_points.h"
+#include "spiraling_edge/points/wall_types.h"
+#include "spiraling_edge/prepare/prepare.h"
 
 namespace se {
 struct Field;

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/points/point_set.h"
 
 namespace se::view {
 

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "block_list.h"
-#include "spiraling_edge/state.h"
+#include "spiraling_edge/stepper/state.h"
 
 namespace se::view {
 

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "model.h"
-#include "spiraling_edge/walls.h"
+#include "spiraling_edge/points/wall_types.h"
 #include "text.h"
 
 namespace se::view {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/points/point_set.h"
 
 namespace se::view {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "draw_list.h"
-#include "spiraling_edge/mesh_compare.h"
+#include "spiraling_edge/mesh/mesh_compare.h"
 
 namespace se::view {
 

@@ -1,7 +1,7 @@
 #include "outcome.h"
 
 #include "run/picture.h"
-#include "spiraling_edge/reading.h"
+#include "spiraling_edge/replay/reading.h"
 
 namespace se::view {
 

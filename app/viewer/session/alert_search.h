@@ -10,7 +10,7 @@
 
 #include "inquiry.h"
 #include "run/model.h"
-#include "spiraling_edge/failure_moments.h"
+#include "spiraling_edge/explain/failure_moments.h"
 
 namespace se::view {
 

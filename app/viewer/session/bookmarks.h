@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "spiraling_edge/event.h"
+#include "spiraling_edge/stepper/event.h"
 
 namespace se::view {
 

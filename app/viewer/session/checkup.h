@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "run/model.h"
-#include "spiraling_edge/doctor.h"
+#include "spiraling_edge/doctor/doctor.h"
 
 namespace se::view {
 

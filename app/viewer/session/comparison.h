@@ -11,8 +11,8 @@
 
 #include "compare_with.h"
 #include "session.h"
-#include "spiraling_edge/mesh_compare.h"
-#include "spiraling_edge/run_compare.h"
+#include "spiraling_edge/explain/run_compare.h"
+#include "spiraling_edge/mesh/mesh_compare.h"
 #include "twin.h"
 
 namespace se::view {

@@ -12,7 +12,7 @@
 
 #include "run/model.h"
 #include "run_errand.h"
-#include "spiraling_edge/breakpoint.h"
+#include "spiraling_edge/replay/breakpoint.h"
 
 namespace se::view {
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "session/run_errand.h"
-#include "spiraling_edge/prepare.h"
-#include "spiraling_edge/result.h"
+#include "spiraling_edge/base/result.h"
+#include "spiraling_edge/prepare/prepare.h"
 
 namespace se::view {
 

@@ -7,8 +7,8 @@
 #include "run/exact_text.h"
 #include "run/text.h"
 #include "session.h"
-#include "spiraling_edge/scenes.h"
-#include "spiraling_edge/shell_word.h"
+#include "spiraling_edge/base/shell_word.h"
+#include "spiraling_edge/scenes/scenes.h"
 
 namespace se::view {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <span>
 
-#include "spiraling_edge/mesh_io.h"
-#include "spiraling_edge/reconstruct.h"
-#include "spiraling_edge/used_points.h"
+#include "spiraling_edge/io/write_mesh.h"
+#include "spiraling_edge/points/used_points.h"
+#include "spiraling_edge/replay/reconstruct.h"
 
 namespace se::view {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bookmarks.h"
-#include "spiraling_edge/breakpoint.h"
+#include "spiraling_edge/replay/breakpoint.h"
 
 namespace se::view {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "scene/camera.h"
-#include "spiraling_edge/result.h"
+#include "spiraling_edge/base/result.h"
 
 namespace se::view {
 

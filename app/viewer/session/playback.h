@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "spiraling_edge/event.h"
+#include "spiraling_edge/stepper/event.h"
 
 namespace se::view {
 

@@ -8,11 +8,11 @@
 #include "inquiry.h"
 #include "run/model.h"
 #include "run/selection.h"
-#include "spiraling_edge/closest_calls.h"
-#include "spiraling_edge/decision_query.h"
-#include "spiraling_edge/ledger.h"
-#include "spiraling_edge/ring_history.h"
-#include "spiraling_edge/run_charts.h"
+#include "spiraling_edge/explain/closest_calls.h"
+#include "spiraling_edge/explain/ledger.h"
+#include "spiraling_edge/explain/ring_history.h"
+#include "spiraling_edge/replay/decision_query.h"
+#include "spiraling_edge/replay/run_charts.h"
 
 namespace se::view {
 

@@ -6,7 +6,7 @@
 
 #include "inquiry.h"
 #include "run/model.h"
-#include "spiraling_edge/remedy.h"
+#include "spiraling_edge/explain/remedy.h"
 
 namespace se::view {
 

@@ -9,8 +9,8 @@
 #include "layer_text.h"
 #include "run/text.h"
 #include "session_options.h"
-#include "spiraling_edge/atomic_file.h"
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/io/read_points.h"
 #include "stop_text.h"
 
 namespace se::view {

@@ -14,8 +14,8 @@
 #include "place.h"
 #include "run/model.h"
 #include "run/selection.h"
-#include "spiraling_edge/breakpoint.h"
-#include "spiraling_edge/result.h"
+#include "spiraling_edge/base/result.h"
+#include "spiraling_edge/replay/breakpoint.h"
 
 namespace se::view {
 

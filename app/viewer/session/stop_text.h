@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "spiraling_edge/breakpoint.h"
+#include "spiraling_edge/replay/breakpoint.h"
 
 namespace se::view {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "spiraling_edge/event.h"
+#include "spiraling_edge/stepper/event.h"
 
 namespace se::view {
 

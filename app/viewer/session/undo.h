@@ -13,7 +13,7 @@
 #include "run/selection.h"
 #include "scene/camera.h"
 #include "scene/palette.h"
-#include "spiraling_edge/breakpoint.h"
+#include "spiraling_edge/replay/breakpoint.h"
 
 namespace se::view {
 

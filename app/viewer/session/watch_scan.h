@@ -11,7 +11,7 @@
 
 #include "run/model.h"
 #include "run_errand.h"
-#include "spiraling_edge/watch.h"
+#include "spiraling_edge/replay/watch.h"
 
 namespace se::view {
 

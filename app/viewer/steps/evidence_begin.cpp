@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "evidence_parts.h"
-#include "spiraling_edge/rules.h"
+#include "spiraling_edge/stepper/rules.h"
 
 namespace se::view {
 

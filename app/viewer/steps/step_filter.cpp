@@ -7,7 +7,7 @@
 
 #include "run/picture.h"
 #include "run/text.h"
-#include "spiraling_edge/reading.h"
+#include "spiraling_edge/replay/reading.h"
 
 namespace se::view {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "run/picture.h"
-#include "spiraling_edge/reading.h"
+#include "spiraling_edge/replay/reading.h"
 
 namespace se::view {
 

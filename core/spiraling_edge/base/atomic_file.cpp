@@ -1,4 +1,4 @@
-#include "spiraling_edge/atomic_file.h"
+#include "spiraling_edge/base/atomic_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -14,7 +14,7 @@
 #include <string>
 #include <system_error>
 
-#include "system_reason.h"
+#include "spiraling_edge/base/system_reason.h"
 
 namespace se {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "spiraling_edge/result.h"
+#include "spiraling_edge/base/result.h"
 
 namespace se {
 

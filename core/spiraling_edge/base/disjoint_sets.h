@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/base/types.h"
 
 namespace se {
 

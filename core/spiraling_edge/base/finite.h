@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/base/types.h"
 
 namespace se {
 

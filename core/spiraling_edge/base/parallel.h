@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "spiraling_edge/prepare.h"
+#include "spiraling_edge/base/progress.h"
 
 namespace se {
 

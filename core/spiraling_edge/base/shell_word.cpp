@@ -1,4 +1,4 @@
-#include "spiraling_edge/shell_word.h"
+#include "spiraling_edge/base/shell_word.h"
 
 namespace se {
 namespace {

@@ -14,7 +14,7 @@
 #include <string>
 #include <string_view>
 
-#include "spiraling_edge/result.h"
+#include "spiraling_edge/base/result.h"
 
 namespace se::io {
 

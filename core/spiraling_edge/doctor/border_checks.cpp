@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "doctor_checks.h"
-#include "spiraling_edge/rim.h"
+#include "spiraling_edge/doctor/checks.h"
+#include "spiraling_edge/prepare/rim.h"
 
 namespace se {
 namespace {

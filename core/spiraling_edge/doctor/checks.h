@@ -1,33 +1,33 @@
 /// The checks of the doctor, in the order of the table in doctor.cpp.
 #pragma once
 
-#include "doctor_patient.h"
+#include "spiraling_edge/doctor/examined_file.h"
 
 namespace se {
 
-// doctor_points.cpp: single points
+// point_checks.cpp: single points
 std::optional<Finding> findNonFinite(const Patient& patient);
 std::optional<Finding> findDuplicates(const Patient& patient);
 std::optional<Finding> findTooFewPoints(const Patient& patient);
 
-// doctor_spacing.cpp: how points lie to each other
+// spacing_checks.cpp: how points lie to each other
 std::optional<Finding> findNearDuplicates(const Patient& patient);
 std::optional<Finding> findIsolatedPoints(const Patient& patient);
 std::optional<Finding> findInLine(const Patient& patient);
 std::optional<Finding> findUnevenSpacing(const Patient& patient);
 std::optional<Finding> findTies(const Patient& patient);
 
-// doctor_normals.cpp
+// normal_checks.cpp
 std::optional<Finding> findNoNormals(const Patient& patient);
 std::optional<Finding> findZeroNormals(const Patient& patient);
 std::optional<Finding> findUnscaledNormals(const Patient& patient);
 std::optional<Finding> findCloseSheets(const Patient& patient);
 
-// doctor_sides.cpp: normals against each other
+// side_checks.cpp: normals against each other
 std::optional<Finding> findFlippedNormals(const Patient& patient);
 std::optional<Finding> findInsideOut(const Patient& patient);
 
-// doctor_lists.cpp: neighbor lists in the file
+// list_checks.cpp: neighbor lists in the file
 std::optional<Finding> findEntriesOutside(const Patient& patient);
 std::optional<Finding> findRepeatedEntries(const Patient& patient);
 std::optional<Finding> findUnsortedLists(const Patient& patient);
@@ -37,11 +37,11 @@ std::optional<Finding> findUnsymmetricLists(const Patient& patient);
 /// have no finite position, are passed over.
 bool isNearestFirst(std::span<const Vec3> position, Index p, std::span<const Index> list);
 
-// doctor_types.cpp
+// type_checks.cpp
 std::optional<Finding> findCornerBits(const Patient& patient);
 std::optional<Finding> findTypesOffBox(const Patient& patient);
 
-// doctor_border.cpp
+// border_checks.cpp
 std::optional<Finding> findOpenBorder(const Patient& patient);
 
 }  // namespace se

@@ -1,10 +1,10 @@
-#include "spiraling_edge/doctor.h"
+#include "spiraling_edge/doctor/doctor.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include "doctor_checks.h"
+#include "spiraling_edge/doctor/checks.h"
 
 namespace se {
 namespace {

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "spiraling_edge/io.h"
-#include "spiraling_edge/prepare.h"
+#include "spiraling_edge/points/point_file.h"
+#include "spiraling_edge/prepare/prepare.h"
 
 namespace se {
 

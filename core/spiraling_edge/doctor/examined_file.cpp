@@ -1,4 +1,4 @@
-#include "doctor_patient.h"
+#include "spiraling_edge/doctor/examined_file.h"
 
 #include <algorithm>
 #include <cmath>

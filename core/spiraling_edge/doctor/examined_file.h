@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "prepare_neighbors.h"
-#include "spiraling_edge/doctor.h"
-#include "usable_points.h"
+#include "spiraling_edge/doctor/doctor.h"
+#include "spiraling_edge/points/usable_points.h"
+#include "spiraling_edge/prepare/neighbor_search.h"
 
 namespace se {
 
-/// Which points belong together, and which of them look the wrong way (doctor_sheets.cpp).
+/// Which points belong together, and which of them look the wrong way (sheet_checks.cpp).
 struct Sides {
     std::vector<Index> component;  ///< The name of each point's component; kNone without a normal.
     std::vector<bool> flipped;     ///< Against the rest of the component.

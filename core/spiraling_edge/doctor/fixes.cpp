@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "doctor_checks.h"
-#include "kept_rows.h"
+#include "spiraling_edge/doctor/checks.h"
+#include "spiraling_edge/points/kept_rows.h"
 
 namespace se {
 namespace {

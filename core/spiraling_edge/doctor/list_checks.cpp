@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "doctor_checks.h"
+#include "spiraling_edge/doctor/checks.h"
 
 namespace se {
 namespace {

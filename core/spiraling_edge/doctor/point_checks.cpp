@@ -1,4 +1,4 @@
-#include "doctor_checks.h"
+#include "spiraling_edge/doctor/checks.h"
 
 namespace se {
 

@@ -3,8 +3,8 @@
 #include <map>
 #include <utility>
 
-#include "disjoint_sets.h"
-#include "doctor_patient.h"
+#include "spiraling_edge/base/disjoint_sets.h"
+#include "spiraling_edge/doctor/examined_file.h"
 
 namespace se {
 namespace {

@@ -3,7 +3,7 @@
 #include <limits>
 #include <map>
 
-#include "doctor_checks.h"
+#include "spiraling_edge/doctor/checks.h"
 
 namespace se {
 

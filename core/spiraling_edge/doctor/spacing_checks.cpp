@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include "doctor_checks.h"
-#include "spiraling_edge/normals.h"
-#include "spiraling_edge/rules.h"
+#include "spiraling_edge/doctor/checks.h"
+#include "spiraling_edge/prepare/normals.h"
+#include "spiraling_edge/stepper/rules.h"
 
 namespace se {
 

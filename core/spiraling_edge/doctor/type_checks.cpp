@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "doctor_checks.h"
+#include "spiraling_edge/doctor/checks.h"
 
 namespace se {
 

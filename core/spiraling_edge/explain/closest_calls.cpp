@@ -1,11 +1,11 @@
-#include "spiraling_edge/closest_calls.h"
+#include "spiraling_edge/explain/closest_calls.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "nudge.h"
-#include "spiraling_edge/run_scan.h"
+#include "spiraling_edge/explain/nudge.h"
+#include "spiraling_edge/replay/scan_run.h"
 
 namespace se {
 namespace {

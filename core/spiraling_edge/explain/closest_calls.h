@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "spiraling_edge/prepare.h"
-#include "spiraling_edge/reading.h"
-#include "spiraling_edge/result.h"
+#include "spiraling_edge/base/progress.h"
+#include "spiraling_edge/base/result.h"
+#include "spiraling_edge/replay/reading.h"
 
 namespace se {
 

@@ -1,16 +1,16 @@
-#include "spiraling_edge/failure_moments.h"
+#include "spiraling_edge/explain/failure_moments.h"
 
 #include <algorithm>
 #include <iterator>
 #include <tuple>
 
-#include "freed_rings.h"
-#include "inspected_run.h"
-#include "ledger_line.h"
-#include "moment_finder.h"
-#include "parallel.h"
-#include "root_decisions.h"
-#include "spiraling_edge/run_scan.h"
+#include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/explain/freed_rings.h"
+#include "spiraling_edge/explain/inspected_run.h"
+#include "spiraling_edge/explain/moment_finder.h"
+#include "spiraling_edge/explain/root_decisions.h"
+#include "spiraling_edge/replay/decision_line.h"
+#include "spiraling_edge/replay/scan_run.h"
 
 namespace se {
 namespace {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "spiraling_edge/inspection.h"
-#include "spiraling_edge/ledger.h"
+#include "spiraling_edge/explain/ledger.h"
+#include "spiraling_edge/mesh/inspection.h"
 
 namespace se {
 

@@ -1,15 +1,15 @@
-#include "spiraling_edge/failure_proof.h"
+#include "spiraling_edge/explain/failure_proof.h"
 
 #include <algorithm>
 #include <array>
 #include <numeric>
 
-#include "freed_rings.h"
-#include "inspected_run.h"
-#include "spiraling_edge/reading.h"
-#include "spiraling_edge/remedy.h"
-#include "spiraling_edge/stepper.h"
-#include "spiraling_edge/what_if_check.h"
+#include "spiraling_edge/explain/freed_rings.h"
+#include "spiraling_edge/explain/inspected_run.h"
+#include "spiraling_edge/explain/remedy.h"
+#include "spiraling_edge/explain/what_if_check.h"
+#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/stepper/stepper.h"
 
 namespace se {
 namespace {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "spiraling_edge/failure_moments.h"
-#include "spiraling_edge/what_if.h"
+#include "spiraling_edge/explain/failure_moments.h"
+#include "spiraling_edge/stepper/what_if.h"
 
 namespace se {
 

@@ -1,8 +1,8 @@
-#include "inspected_run.h"
+#include "spiraling_edge/explain/inspected_run.h"
 
 #include <utility>
 
-#include "freed_rings.h"
+#include "spiraling_edge/explain/freed_rings.h"
 
 namespace se {
 

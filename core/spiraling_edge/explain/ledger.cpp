@@ -1,9 +1,9 @@
-#include "spiraling_edge/ledger.h"
+#include "spiraling_edge/explain/ledger.h"
 
 #include <algorithm>
 
-#include "ledger_book.h"
-#include "spiraling_edge/run_scan.h"
+#include "spiraling_edge/explain/ledger_builder.h"
+#include "spiraling_edge/replay/scan_run.h"
 
 namespace se {
 
@@ -17,11 +17,6 @@ std::string nameOf(const Subject& subject) {
     if (subject.size() == 1) return "point " + name(0);
     if (subject.size() == 2) return "edge " + name(0) + "-" + name(1);
     return "triangle (" + name(0) + ", " + name(1) + ", " + name(2) + ")";
-}
-
-std::string_view roleName(LineRole role) {
-    constexpr std::array<std::string_view, 5> kNames{"fact", "taken", "refused", "made", "undone"};
-    return kNames[static_cast<std::size_t>(role)];
 }
 
 namespace {

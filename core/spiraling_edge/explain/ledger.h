@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "spiraling_edge/prepare.h"
-#include "spiraling_edge/reading.h"
-#include "spiraling_edge/result.h"
+#include "spiraling_edge/base/progress.h"
+#include "spiraling_edge/base/result.h"
+#include "spiraling_edge/replay/decision_line.h"
 
 namespace se {
 
@@ -36,25 +36,6 @@ class Subject {
 };
 /// "point 812", "edge 812-640", "triangle (1, 2, 3)".
 std::string nameOf(const Subject& subject);
-
-/// What a line tells about the subject.
-enum class LineRole : std::uint8_t {
-    Fact,     ///< What became of one of its points: ring, pivot, DONE.
-    Taken,    ///< A test that it passed.
-    Refused,  ///< A test that it failed, or that ended a fan it would have been in.
-    Made,     ///< It came into the mesh.
-    Undone,   ///< It went out of the mesh again.
-};
-/// "fact", "taken", "refused", "made", "undone".
-std::string_view roleName(LineRole role);
-
-/// One decision, where to find it, and what it meant.
-struct LedgerLine {
-    Event event;
-    Index pivot = kNone;  ///< The point that was the pivot.
-    LineRole role = LineRole::Fact;
-    std::optional<Reading> reading;
-};
 
 /// The answer.
 struct Ledger {

@@ -1,9 +1,9 @@
-#include "ledger_book.h"
+#include "spiraling_edge/explain/ledger_builder.h"
 
 #include <algorithm>
 
-#include "ledger_line.h"
-#include "overloaded.h"
+#include "spiraling_edge/base/overloaded.h"
+#include "spiraling_edge/replay/decision_line.h"
 
 namespace se {
 namespace {

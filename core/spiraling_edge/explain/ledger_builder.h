@@ -3,8 +3,8 @@
 
 #include <bitset>
 
-#include "spiraling_edge/ledger.h"
-#include "spiraling_edge/run_scan.h"
+#include "spiraling_edge/explain/ledger.h"
+#include "spiraling_edge/replay/scan_run.h"
 
 namespace se {
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "ledger_book.h"
-#include "ledger_line.h"
+#include "spiraling_edge/explain/ledger_builder.h"
+#include "spiraling_edge/replay/decision_line.h"
 
 namespace se {
 namespace {

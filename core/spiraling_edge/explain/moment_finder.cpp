@@ -1,9 +1,9 @@
-#include "moment_finder.h"
+#include "spiraling_edge/explain/moment_finder.h"
 
 #include <algorithm>
 
-#include "ledger_line.h"
-#include "pivot_tests.h"
+#include "spiraling_edge/explain/pivot_tests.h"
+#include "spiraling_edge/replay/decision_line.h"
 
 namespace se {
 namespace {

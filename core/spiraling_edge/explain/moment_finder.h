@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "spiraling_edge/failure_moments.h"
+#include "spiraling_edge/explain/failure_moments.h"
 
 namespace se {
 

@@ -1,9 +1,9 @@
-#include "nudge.h"
+#include "spiraling_edge/explain/nudge.h"
 
 #include <cmath>
 #include <functional>
 
-#include "spiraling_edge/rules.h"
+#include "spiraling_edge/stepper/rules.h"
 
 namespace se {
 namespace {

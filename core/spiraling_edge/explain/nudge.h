@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "spiraling_edge/closest_calls.h"
+#include "spiraling_edge/explain/closest_calls.h"
 
 namespace se {
 

@@ -1,11 +1,11 @@
-#include "pivot_difference.h"
+#include "spiraling_edge/explain/pivot_difference.h"
 
 #include <algorithm>
 #include <array>
 #include <vector>
 
-#include "overloaded.h"
-#include "spiraling_edge/reading.h"
+#include "spiraling_edge/base/overloaded.h"
+#include "spiraling_edge/replay/reading.h"
 
 namespace se {
 namespace {

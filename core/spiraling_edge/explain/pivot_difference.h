@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "spiraling_edge/event.h"
+#include "spiraling_edge/stepper/event.h"
 
 namespace se {
 

@@ -1,8 +1,8 @@
-#include "pivot_tests.h"
+#include "spiraling_edge/explain/pivot_tests.h"
 
 #include <algorithm>
 
-#include "spiraling_edge/reading.h"
+#include "spiraling_edge/replay/reading.h"
 
 namespace se {
 namespace {

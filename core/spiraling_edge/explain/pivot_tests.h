@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "spiraling_edge/ledger.h"
+#include "spiraling_edge/explain/ledger.h"
 
 namespace se {
 

@@ -1,9 +1,9 @@
-#include "spiraling_edge/reduce.h"
+#include "spiraling_edge/explain/reduce.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "spiraling_edge/doctor.h"
+#include "spiraling_edge/doctor/doctor.h"
 
 namespace se {
 namespace {

@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
-#include "spiraling_edge/io.h"
-#include "spiraling_edge/prepare.h"
+#include "spiraling_edge/base/progress.h"
+#include "spiraling_edge/points/point_file.h"
 
 namespace se {
 

@@ -1,9 +1,9 @@
-#include "spiraling_edge/remedy.h"
+#include "spiraling_edge/explain/remedy.h"
 
 #include <algorithm>
 #include <tuple>
 
-#include "inspected_run.h"
+#include "spiraling_edge/explain/inspected_run.h"
 
 namespace se {
 namespace {

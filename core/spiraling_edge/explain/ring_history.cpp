@@ -1,11 +1,11 @@
-#include "spiraling_edge/ring_history.h"
+#include "spiraling_edge/explain/ring_history.h"
 
 #include <algorithm>
 #include <charconv>
 #include <map>
 
-#include "spiraling_edge/ring_lanes.h"
-#include "spiraling_edge/run_scan.h"
+#include "spiraling_edge/replay/ring_lanes.h"
+#include "spiraling_edge/replay/scan_run.h"
 
 namespace se {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "spiraling_edge/ledger.h"
+#include "spiraling_edge/explain/ledger.h"
 
 namespace se {
 

@@ -1,10 +1,10 @@
-#include "root_decisions.h"
+#include "spiraling_edge/explain/root_decisions.h"
 
 #include <algorithm>
 
-#include "ledger_line.h"
-#include "pivot_tests.h"
-#include "spiraling_edge/run_scan.h"
+#include "spiraling_edge/explain/pivot_tests.h"
+#include "spiraling_edge/replay/decision_line.h"
+#include "spiraling_edge/replay/scan_run.h"
 
 namespace se {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "spiraling_edge/ledger.h"
+#include "spiraling_edge/explain/ledger.h"
 
 namespace se {
 

@@ -1,14 +1,14 @@
-#include "spiraling_edge/run_compare.h"
+#include "spiraling_edge/explain/run_compare.h"
 
 #include <algorithm>
 #include <array>
 #include <map>
 #include <tuple>
 
-#include "ledger_line.h"
-#include "parallel.h"
-#include "pivot_difference.h"
-#include "spiraling_edge/stepper.h"
+#include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/explain/pivot_difference.h"
+#include "spiraling_edge/replay/decision_line.h"
+#include "spiraling_edge/stepper/stepper.h"
 
 namespace se {
 namespace {

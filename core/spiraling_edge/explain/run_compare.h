@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "spiraling_edge/ledger.h"
+#include "spiraling_edge/explain/ledger.h"
 
 namespace se {
 

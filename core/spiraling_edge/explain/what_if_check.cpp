@@ -1,12 +1,12 @@
-#include "spiraling_edge/what_if_check.h"
+#include "spiraling_edge/explain/what_if_check.h"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-#include "parallel.h"
-#include "spiraling_edge/invariants.h"
-#include "spiraling_edge/reading.h"
+#include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/stepper/invariants.h"
 
 namespace se {
 namespace {

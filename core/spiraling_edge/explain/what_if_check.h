@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "spiraling_edge/event.h"
-#include "spiraling_edge/params.h"
-#include "spiraling_edge/point_set.h"
-#include "spiraling_edge/prepare.h"
-#include "spiraling_edge/result.h"
-#include "spiraling_edge/state.h"
-#include "spiraling_edge/stepper.h"
+#include "spiraling_edge/base/progress.h"
+#include "spiraling_edge/base/result.h"
+#include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/stepper/event.h"
+#include "spiraling_edge/stepper/params.h"
+#include "spiraling_edge/stepper/state.h"
+#include "spiraling_edge/stepper/stepper.h"
 
 namespace se {
 
@@ -31,10 +31,6 @@ std::string reasonAgainst(Verdict verdict, Index point);
 
 /// The first reason among them, with what it is about; success if all can be done.
 Status requireWhatIfs(const PointSet& points, const Params& params);
-
-/// The points as Move and List leave them, each from a pivot on, in the order of the run; empty
-/// without such.
-std::vector<EditedPoints> editedPoints(const PointSet& points, const Params& params);
 
 /// stateHash() with the what-ifs of the run in it; without any it is stateHash().
 std::uint64_t runHash(const State& state, const Params& params);

@@ -3,7 +3,7 @@
 
 #include <glm/common.hpp>
 
-#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/points/point_set.h"
 
 namespace se {
 

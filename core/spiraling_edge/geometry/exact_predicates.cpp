@@ -1,4 +1,4 @@
-#include "exact.h"
+#include "spiraling_edge/geometry/exact_predicates.h"
 
 #include <algorithm>
 #include <array>

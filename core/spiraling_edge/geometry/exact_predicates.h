@@ -3,7 +3,7 @@
 /// Predicates", Discrete & Computational Geometry 18 (1997). Exact barring overflow and underflow.
 #pragma once
 
-#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/points/point_set.h"
 
 namespace se {
 

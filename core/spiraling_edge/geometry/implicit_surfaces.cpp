@@ -1,4 +1,4 @@
-#include "implicit_surfaces.h"
+#include "spiraling_edge/geometry/implicit_surfaces.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,11 @@
 /// space.
 #pragma once
 
-#include "phases.h"
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <span>
+
+#include "spiraling_edge/points/point_set.h"
 
 namespace se {
 
@@ -10,7 +14,7 @@ namespace se {
 /// close: where the spacing changes, neighbors leave wide gaps too.
 inline constexpr double kNarrowestOpening = 2.5;
 
-struct RingShape {
+struct LoopShape {
     Index length = 0;
     double perimeter = 0.0;
     double area = 0.0;  ///< Of the ring seen from where it looks largest.
@@ -27,10 +31,30 @@ struct RingShape {
     }
 };
 
-/// Of the active ring.
-RingShape shapeOfRing(const StepContext& context);
+/// Adds up a loop point by point.
+class ShapeSum {
+  public:
+    /// From a point with its normal to the one behind it, both relative to a point of the loop.
+    void add(const Vec3& from, const Vec3& normal, const Vec3& to) {
+        ++shape_.length;
+        normal_ += normal;
+        area_ += 0.5 * glm::cross(from, to);
+        shape_.perimeter += std::sqrt(glm::dot(to - from, to - from));
+    }
+    LoopShape shape() const {
+        LoopShape shape = shape_;
+        shape.area = std::sqrt(glm::dot(area_, area_));
+        shape.turnsRoundPatch = glm::dot(area_, normal_) > 0.0;
+        return shape;
+    }
+
+  private:
+    LoopShape shape_;
+    Vec3 area_{0.0}, normal_{0.0};
+};
+
 /// Of these points in this order, closed. Requires at least one.
-RingShape shapeOfLoop(std::span<const Vec3> position, std::span<const Vec3> normal,
+LoopShape shapeOfLoop(std::span<const Vec3> position, std::span<const Vec3> normal,
                       std::span<const Index> loop);
 
 }  // namespace se

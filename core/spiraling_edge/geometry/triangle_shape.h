@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "spiraling_edge/faults.h"
-#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/points/point_set.h"
 
 namespace se {
+
+/// Two triangles at an edge count as folded if the angle between them is below this: the cosine of
+/// the angle between their normals is below -cos(10 degrees).
+inline constexpr double kFoldCosine = -0.984807753012208;
 
 /// Twice the area along the normal, counterclockwise.
 inline Vec3 areaVector(const Vec3& a, const Vec3& b, const Vec3& c) {

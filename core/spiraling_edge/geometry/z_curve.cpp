@@ -1,4 +1,4 @@
-#include "z_curve.h"
+#include "spiraling_edge/geometry/z_curve.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "finite.h"
+#include "spiraling_edge/base/finite.h"
 
 namespace se {
 namespace {

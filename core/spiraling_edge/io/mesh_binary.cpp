@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "finite.h"
-#include "mesh_io_formats.h"
-#include "number_text.h"
+#include "spiraling_edge/base/finite.h"
+#include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/io/mesh_formats.h"
 
 namespace se::io {
 namespace {

@@ -1,9 +1,9 @@
-/// The bytes of the formats of mesh_io.h, one function each. All require checked input.
+/// The bytes of the formats of write_mesh.h, one function each. All require checked input.
 #pragma once
 
 #include <optional>
 
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/io/read_points.h"
 
 namespace se::io {
 

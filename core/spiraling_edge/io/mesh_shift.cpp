@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "mesh_io_formats.h"
+#include "spiraling_edge/io/mesh_formats.h"
 
 namespace se::io {
 namespace {

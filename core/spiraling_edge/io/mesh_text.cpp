@@ -2,8 +2,8 @@
 #include <array>
 #include <charconv>
 
-#include "mesh_io_formats.h"
-#include "number_text.h"
+#include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/io/mesh_formats.h"
 
 namespace se::io {
 namespace {

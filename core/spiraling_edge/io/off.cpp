@@ -1,5 +1,5 @@
-#include "io_formats.h"
-#include "text_scan.h"
+#include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/io/point_formats.h"
 
 namespace se::io {
 namespace {

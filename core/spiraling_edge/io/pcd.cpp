@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "io_formats.h"
-#include "io_ply.h"
-#include "io_ply_rows.h"
-#include "text_scan.h"
+#include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/io/ply.h"
+#include "spiraling_edge/io/ply_rows.h"
+#include "spiraling_edge/io/point_formats.h"
 
 namespace se::io {
 namespace {

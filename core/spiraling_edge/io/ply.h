@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/io/read_points.h"
 
 namespace se::io {
 

@@ -1,7 +1,7 @@
 #include <optional>
 
-#include "io_ply.h"
-#include "text_scan.h"
+#include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/io/ply.h"
 
 namespace se::io {
 namespace {

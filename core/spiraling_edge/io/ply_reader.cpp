@@ -1,11 +1,11 @@
-#include "io_ply.h"
+#include "spiraling_edge/io/ply.h"
 
 #include <algorithm>
 #include <cctype>
 #include <limits>
 
-#include "io_formats.h"
-#include "io_ply_rows.h"
+#include "spiraling_edge/io/ply_rows.h"
+#include "spiraling_edge/io/point_formats.h"
 
 namespace se::io {
 namespace {

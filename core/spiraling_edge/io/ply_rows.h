@@ -1,5 +1,6 @@
-/// The rows of PLY elements, one class per encoding with the same members, so that io_ply.cpp reads
-/// both with the same templates. A member that returns false has left its reason in problem().
+/// The rows of PLY elements, one class per encoding with the same members, so that ply_reader.cpp
+/// reads both with the same templates. A member that returns false has left its reason in
+/// problem().
 #pragma once
 
 #include <cmath>
@@ -9,8 +10,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "io_ply.h"
-#include "text_scan.h"
+#include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/io/ply.h"
 
 namespace se::io {
 

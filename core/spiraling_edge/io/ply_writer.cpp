@@ -4,9 +4,9 @@
 #include <limits>
 #include <type_traits>
 
-#include "io_ply.h"
-#include "mesh_io_formats.h"
-#include "spiraling_edge/atomic_file.h"
+#include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/io/mesh_formats.h"
+#include "spiraling_edge/io/ply.h"
 
 namespace se {
 namespace {

@@ -1,4 +1,4 @@
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/io/read_points.h"
 
 #include <algorithm>
 #include <array>
@@ -6,11 +6,11 @@
 #include <fstream>
 #include <system_error>
 
-#include "extension.h"
-#include "io_formats.h"
-#include "read_bytes.h"
-#include "system_reason.h"
-#include "text_scan.h"
+#include "spiraling_edge/base/file_extension.h"
+#include "spiraling_edge/base/read_file.h"
+#include "spiraling_edge/base/system_reason.h"
+#include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/io/point_formats.h"
 
 namespace se {
 namespace {

@@ -1,7 +1,7 @@
 #include <array>
 #include <cstdio>
 
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/io/read_points.h"
 
 namespace se {
 

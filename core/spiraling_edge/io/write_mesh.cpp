@@ -1,14 +1,14 @@
-#include "spiraling_edge/mesh_io.h"
+#include "spiraling_edge/io/write_mesh.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "extension.h"
-#include "mesh_io_formats.h"
-#include "number_text.h"
-#include "spiraling_edge/atomic_file.h"
+#include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/base/file_extension.h"
+#include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/io/mesh_formats.h"
 
 namespace se {
 namespace {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <utility>
 
-#include "io_formats.h"
-#include "io_xyz_columns.h"
-#include "text_scan.h"
+#include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/io/point_formats.h"
+#include "spiraling_edge/io/xyz_columns.h"
 
 namespace se::io {
 namespace {

@@ -1,4 +1,4 @@
-#include "io_xyz_columns.h"
+#include "spiraling_edge/io/xyz_columns.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "text_scan.h"
+#include "spiraling_edge/base/text_scan.h"
 
 namespace se::io {
 namespace {

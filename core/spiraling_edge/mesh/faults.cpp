@@ -1,15 +1,15 @@
-#include "spiraling_edge/faults.h"
+#include "spiraling_edge/mesh/faults.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <tuple>
 
-#include "box.h"
-#include "box_cells.h"
-#include "exact.h"
-#include "mesh_sides.h"
-#include "shape.h"
+#include "spiraling_edge/geometry/box.h"
+#include "spiraling_edge/geometry/box_grid.h"
+#include "spiraling_edge/geometry/exact_predicates.h"
+#include "spiraling_edge/geometry/triangle_shape.h"
+#include "spiraling_edge/mesh/sorted_sides.h"
 
 namespace se {
 namespace {

@@ -6,7 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/geometry/triangle_shape.h"
+#include "spiraling_edge/points/point_set.h"
 
 namespace se {
 
@@ -30,10 +31,6 @@ struct Fault {
     Index other;
     friend bool operator==(const Fault&, const Fault&) = default;
 };
-
-/// Two triangles at an edge count as folded if the angle between them is below this: the cosine of
-/// the angle between their normals is below -cos(10 degrees).
-inline constexpr double kFoldCosine = -0.984807753012208;
 
 /// After this many intersecting pairs the search for more ends: a hopelessly tangled mesh has
 /// billions.

@@ -1,10 +1,10 @@
-#include "spiraling_edge/inspection.h"
+#include "spiraling_edge/mesh/inspection.h"
 
 #include <algorithm>
 #include <cstdio>
 
-#include "inspection_checks.h"
-#include "number_text.h"
+#include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/mesh/inspection_checks.h"
 
 namespace se {
 namespace {

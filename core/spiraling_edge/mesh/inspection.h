@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/points/point_set.h"
 
 namespace se {
 

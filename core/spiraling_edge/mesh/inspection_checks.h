@@ -1,9 +1,9 @@
 /// The checks of inspection.h, and what they share.
 #pragma once
 
-#include "mesh_sides.h"
-#include "spiraling_edge/faults.h"
-#include "spiraling_edge/inspection.h"
+#include "spiraling_edge/mesh/faults.h"
+#include "spiraling_edge/mesh/inspection.h"
+#include "spiraling_edge/mesh/sorted_sides.h"
 
 namespace se {
 

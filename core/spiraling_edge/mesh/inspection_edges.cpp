@@ -2,9 +2,9 @@
 #include <cmath>
 #include <map>
 
-#include "cell_grid.h"
-#include "disjoint_sets.h"
-#include "inspection_checks.h"
+#include "spiraling_edge/base/disjoint_sets.h"
+#include "spiraling_edge/geometry/point_grid.h"
+#include "spiraling_edge/mesh/inspection_checks.h"
 
 namespace se::inspect {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "inspection_checks.h"
-#include "shape.h"
+#include "spiraling_edge/geometry/triangle_shape.h"
+#include "spiraling_edge/mesh/inspection_checks.h"
 
 namespace se {
 

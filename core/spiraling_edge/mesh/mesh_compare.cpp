@@ -1,11 +1,11 @@
-#include "spiraling_edge/mesh_compare.h"
+#include "spiraling_edge/mesh/mesh_compare.h"
 
 #include <algorithm>
 #include <array>
 #include <tuple>
 
-#include "box.h"
-#include "disjoint_sets.h"
+#include "spiraling_edge/base/disjoint_sets.h"
+#include "spiraling_edge/geometry/box.h"
 
 namespace se {
 namespace {

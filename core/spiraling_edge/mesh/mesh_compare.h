@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/points/point_file.h"
 
 namespace se {
 

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <optional>
 
-#include "box.h"
-#include "cell_grid.h"
-#include "finite.h"
-#include "spiraling_edge/mesh_compare.h"
+#include "spiraling_edge/base/finite.h"
+#include "spiraling_edge/geometry/box.h"
+#include "spiraling_edge/geometry/point_grid.h"
+#include "spiraling_edge/mesh/mesh_compare.h"
 
 namespace se {
 namespace {

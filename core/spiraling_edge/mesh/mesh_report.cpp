@@ -1,10 +1,10 @@
-#include "spiraling_edge/mesh.h"
+#include "spiraling_edge/mesh/mesh_report.h"
 
 #include <algorithm>
 
-#include "disjoint_sets.h"
-#include "mesh_sides.h"
-#include "shape.h"
+#include "spiraling_edge/base/disjoint_sets.h"
+#include "spiraling_edge/geometry/triangle_shape.h"
+#include "spiraling_edge/mesh/sorted_sides.h"
 
 namespace se {
 namespace {

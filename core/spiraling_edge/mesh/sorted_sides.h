@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/points/point_set.h"
 
 namespace se {
 
@@ -46,7 +46,7 @@ inline std::size_t endOfEdge(const std::vector<TriangleSide>& sides, std::size_t
 }
 
 /// Points whose triangles form more than one fan, ascending: they do not hang together by edges at
-/// that point. `sides` are those of the triangles. In mesh.cpp.
+/// that point. `sides` are those of the triangles. In mesh_report.cpp.
 std::vector<Index> nonManifoldPoints(std::span<const Triangle> triangles,
                                      const std::vector<TriangleSide>& sides, std::size_t points);
 

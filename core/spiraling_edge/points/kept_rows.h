@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/points/point_file.h"
 
 namespace se {
 

@@ -1,8 +1,8 @@
-#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/points/point_set.h"
 
 #include <cmath>
 
-#include "finite.h"
+#include "spiraling_edge/base/finite.h"
 
 namespace se {
 namespace {

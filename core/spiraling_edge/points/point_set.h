@@ -9,24 +9,10 @@
 #include <span>
 #include <vector>
 
-#include "spiraling_edge/result.h"
+#include "spiraling_edge/base/result.h"
+#include "spiraling_edge/base/types.h"
 
 namespace se {
-
-using Vec3 = glm::dvec3;
-
-/// Index of a point, a ring entry or a ring. 32 bits: at most 4,294,967,294 of each.
-using Index = std::uint32_t;
-/// "No such thing", for any Index.
-inline constexpr Index kNone = 0xffffffffU;
-
-/// Three point indices, counterclockwise seen from the tip of the normals (§6.4, Fig. 10).
-struct Triangle {
-    Index a = kNone;
-    Index b = kNone;
-    Index c = kNone;
-    friend bool operator==(const Triangle&, const Triangle&) = default;
-};
 
 /// Type bits of a point (§4). The paper names the bits; the values are ours.
 /// An interior point has none; a point with two or more face bits also has kCorner. A boundary

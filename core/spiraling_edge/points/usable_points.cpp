@@ -1,4 +1,4 @@
-#include "usable_points.h"
+#include "spiraling_edge/points/usable_points.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "finite.h"
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/base/finite.h"
+#include "spiraling_edge/points/point_file.h"
 
 namespace se {
 

@@ -1,8 +1,8 @@
-#include "spiraling_edge/used_points.h"
+#include "spiraling_edge/points/used_points.h"
 
 #include <algorithm>
 
-#include "kept_rows.h"
+#include "spiraling_edge/points/kept_rows.h"
 
 namespace se {
 namespace {

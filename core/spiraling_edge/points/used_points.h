@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/points/point_file.h"
 
 namespace se {
 

@@ -1,11 +1,11 @@
-#include "spiraling_edge/walls.h"
+#include "spiraling_edge/points/wall_types.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "finite.h"
+#include "spiraling_edge/base/finite.h"
 
 namespace se {
 namespace {

@@ -1,4 +1,4 @@
-#include "prepare_neighbors.h"
+#include "spiraling_edge/prepare/neighbor_search.h"
 
 #include <algorithm>
 #include <atomic>
@@ -9,8 +9,8 @@
 #include <string>
 #include <thread>
 
-#include "parallel.h"
-#include "z_curve.h"
+#include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/geometry/z_curve.h"
 
 namespace se {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "spiraling_edge/prepare.h"
+#include "spiraling_edge/prepare/prepare.h"
 
 namespace se {
 

@@ -1,4 +1,4 @@
-#include "spiraling_edge/noise.h"
+#include "spiraling_edge/prepare/noise.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/points/point_set.h"
 
 namespace se {
 

@@ -1,4 +1,4 @@
-#include "spiraling_edge/normals.h"
+#include "spiraling_edge/prepare/normals.h"
 
 #include <algorithm>
 #include <array>

@@ -1,16 +1,16 @@
-#include "spiraling_edge/prepare.h"
+#include "spiraling_edge/prepare/prepare.h"
 
 #include <algorithm>
 #include <cassert>
 #include <string>
 #include <utility>
 
-#include "prepare_neighbors.h"
-#include "spiraling_edge/noise.h"
-#include "spiraling_edge/normals.h"
-#include "spiraling_edge/rim.h"
-#include "spiraling_edge/stop_watch.h"
-#include "usable_points.h"
+#include "spiraling_edge/base/stop_watch.h"
+#include "spiraling_edge/points/usable_points.h"
+#include "spiraling_edge/prepare/neighbor_search.h"
+#include "spiraling_edge/prepare/noise.h"
+#include "spiraling_edge/prepare/normals.h"
+#include "spiraling_edge/prepare/rim.h"
 
 namespace se {
 namespace {

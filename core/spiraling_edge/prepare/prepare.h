@@ -8,10 +8,11 @@
 #include <optional>
 #include <variant>
 
-#include "spiraling_edge/io.h"
-#include "spiraling_edge/point_set.h"
-#include "spiraling_edge/result.h"
-#include "spiraling_edge/walls.h"
+#include "spiraling_edge/base/progress.h"
+#include "spiraling_edge/base/result.h"
+#include "spiraling_edge/points/point_file.h"
+#include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/points/wall_types.h"
 
 namespace se {
 
@@ -108,9 +109,6 @@ struct Prepared {
     PointSet points;
     PrepareReport report;
 };
-
-/// Called now and then during long work with the share done in [0, 1]; returning false cancels.
-using Progress = std::function<bool(double)>;
 
 /// Makes a PointSet: it passes validate(), positions are those of the file, and lists from the file
 /// are put in order and cleaned. Fails if k is 0 or the radius not positive, if a list names a

@@ -1,11 +1,11 @@
-#include "spiraling_edge/rim.h"
+#include "spiraling_edge/prepare/rim.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "parallel.h"
-#include "ring_shape.h"
+#include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/geometry/loop_shape.h"
 
 namespace se {
 namespace {

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "spiraling_edge/point_set.h"
-#include "spiraling_edge/prepare.h"
-#include "spiraling_edge/result.h"
+#include "spiraling_edge/base/result.h"
+#include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/prepare/prepare.h"
 
 namespace se {
 

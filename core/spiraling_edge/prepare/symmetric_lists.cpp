@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "parallel.h"
-#include "prepare_neighbors.h"
+#include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/prepare/neighbor_search.h"
 
 namespace se {
 

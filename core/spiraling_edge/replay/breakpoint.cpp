@@ -1,4 +1,4 @@
-#include "spiraling_edge/breakpoint.h"
+#include "spiraling_edge/replay/breakpoint.h"
 
 #include <algorithm>
 

@@ -1,6 +1,13 @@
-#include "ledger_line.h"
+#include "spiraling_edge/replay/decision_line.h"
+
+#include <array>
 
 namespace se {
+
+std::string_view roleName(LineRole role) {
+    constexpr std::array<std::string_view, 5> kNames{"fact", "taken", "refused", "made", "undone"};
+    return kNames[static_cast<std::size_t>(role)];
+}
 
 LedgerLine lineOf(const Event& event, const ReadingContext& context) {
     const Outcome outcome = outcomeOf(event);

@@ -1,9 +1,9 @@
-#include "spiraling_edge/decision_query.h"
+#include "spiraling_edge/replay/decision_query.h"
 
 #include <algorithm>
 
-#include "ledger_line.h"
-#include "spiraling_edge/decision_scan.h"
+#include "spiraling_edge/replay/decision_line.h"
+#include "spiraling_edge/replay/decision_scan.h"
 
 namespace se {
 

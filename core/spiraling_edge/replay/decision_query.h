@@ -10,7 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "spiraling_edge/ledger.h"
+#include "spiraling_edge/base/progress.h"
+#include "spiraling_edge/base/result.h"
+#include "spiraling_edge/replay/decision_line.h"
 
 namespace se {
 

@@ -1,10 +1,10 @@
-#include "spiraling_edge/decision_scan.h"
+#include "spiraling_edge/replay/decision_scan.h"
 
 #include <algorithm>
 #include <array>
 
-#include "shape.h"
-#include "spiraling_edge/live_check.h"
+#include "spiraling_edge/geometry/triangle_shape.h"
+#include "spiraling_edge/replay/live_check.h"
 
 namespace se {
 namespace {

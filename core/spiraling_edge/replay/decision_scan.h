@@ -2,9 +2,9 @@
 /// counts over a run are made of.
 #pragma once
 
-#include "spiraling_edge/decision_query.h"
-#include "spiraling_edge/inspection.h"
-#include "spiraling_edge/run_scan.h"
+#include "spiraling_edge/mesh/inspection.h"
+#include "spiraling_edge/replay/decision_query.h"
+#include "spiraling_edge/replay/scan_run.h"
 
 namespace se {
 

@@ -3,10 +3,10 @@
 #include <charconv>
 #include <cmath>
 
-#include "shape.h"
-#include "spiraling_edge/decision_scan.h"
-#include "spiraling_edge/inspection.h"
-#include "spiraling_edge/pivot_tally.h"
+#include "spiraling_edge/geometry/triangle_shape.h"
+#include "spiraling_edge/mesh/inspection.h"
+#include "spiraling_edge/replay/decision_scan.h"
+#include "spiraling_edge/replay/pivot_tally.h"
 
 namespace se {
 namespace {

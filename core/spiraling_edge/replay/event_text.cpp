@@ -1,9 +1,9 @@
 /// Every decision as one plain sentence with its numbers.
 #include <cstdio>
 
-#include "number_text.h"
-#include "spiraling_edge/event.h"
-#include "spiraling_edge/reading.h"
+#include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/stepper/event.h"
 
 namespace se {
 namespace {

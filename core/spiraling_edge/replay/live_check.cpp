@@ -1,4 +1,4 @@
-#include "spiraling_edge/live_check.h"
+#include "spiraling_edge/replay/live_check.h"
 
 #include <algorithm>
 #include <array>
@@ -6,12 +6,12 @@
 #include <unordered_map>
 #include <utility>
 
-#include "box.h"
-#include "box_cells.h"
-#include "disjoint_sets.h"
-#include "exact.h"
-#include "shape.h"
-#include "spiraling_edge/faults.h"
+#include "spiraling_edge/base/disjoint_sets.h"
+#include "spiraling_edge/geometry/box.h"
+#include "spiraling_edge/geometry/box_grid.h"
+#include "spiraling_edge/geometry/exact_predicates.h"
+#include "spiraling_edge/geometry/triangle_shape.h"
+#include "spiraling_edge/mesh/faults.h"
 
 namespace se {
 namespace {

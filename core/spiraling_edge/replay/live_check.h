@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "spiraling_edge/event.h"
-#include "spiraling_edge/inspection.h"
+#include "spiraling_edge/mesh/inspection.h"
+#include "spiraling_edge/stepper/event.h"
 
 namespace se {
 

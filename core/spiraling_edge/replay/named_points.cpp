@@ -1,4 +1,4 @@
-#include "spiraling_edge/named_points.h"
+#include "spiraling_edge/replay/named_points.h"
 
 #include <algorithm>
 #include <array>

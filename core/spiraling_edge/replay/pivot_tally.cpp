@@ -1,6 +1,6 @@
-#include "spiraling_edge/pivot_tally.h"
+#include "spiraling_edge/replay/pivot_tally.h"
 
-#include "spiraling_edge/reading.h"
+#include "spiraling_edge/replay/reading.h"
 
 namespace se {
 

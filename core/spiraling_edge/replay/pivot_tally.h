@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "spiraling_edge/event.h"
+#include "spiraling_edge/stepper/event.h"
 
 namespace se {
 

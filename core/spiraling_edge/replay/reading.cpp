@@ -1,9 +1,9 @@
-#include "spiraling_edge/reading.h"
+#include "spiraling_edge/replay/reading.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "overloaded.h"
+#include "spiraling_edge/base/overloaded.h"
 
 namespace se {
 namespace {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string_view>
 
-#include "spiraling_edge/event.h"
-#include "spiraling_edge/params.h"
-#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/stepper/event.h"
+#include "spiraling_edge/stepper/params.h"
 
 namespace se {
 

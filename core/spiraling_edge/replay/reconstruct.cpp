@@ -1,10 +1,10 @@
-#include "spiraling_edge/reconstruct.h"
+#include "spiraling_edge/replay/reconstruct.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "prefetch.h"
-#include "z_curve.h"
+#include "spiraling_edge/base/prefetch.h"
+#include "spiraling_edge/geometry/z_curve.h"
 
 namespace se {
 namespace {

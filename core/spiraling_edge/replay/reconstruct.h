@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "spiraling_edge/stepper.h"
+#include "spiraling_edge/stepper/stepper.h"
 
 namespace se {
 

@@ -1,4 +1,4 @@
-#include "spiraling_edge/ring_lanes.h"
+#include "spiraling_edge/replay/ring_lanes.h"
 
 #include <algorithm>
 #include <utility>

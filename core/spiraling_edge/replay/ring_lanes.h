@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "spiraling_edge/edge_ring.h"
-#include "spiraling_edge/event.h"
+#include "spiraling_edge/stepper/edge_ring.h"
+#include "spiraling_edge/stepper/event.h"
 
 namespace se {
 

@@ -1,12 +1,12 @@
-#include "spiraling_edge/run_charts.h"
+#include "spiraling_edge/replay/run_charts.h"
 
 #include <algorithm>
 #include <array>
 #include <map>
 
-#include "spiraling_edge/pivot_tally.h"
-#include "spiraling_edge/reading.h"
-#include "spiraling_edge/run_scan.h"
+#include "spiraling_edge/replay/pivot_tally.h"
+#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/replay/scan_run.h"
 
 namespace se {
 namespace {

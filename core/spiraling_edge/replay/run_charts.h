@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "spiraling_edge/params.h"
-#include "spiraling_edge/point_set.h"
-#include "spiraling_edge/prepare.h"
-#include "spiraling_edge/result.h"
+#include "spiraling_edge/base/progress.h"
+#include "spiraling_edge/base/result.h"
+#include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/stepper/params.h"
 
 namespace se {
 

@@ -1,9 +1,9 @@
-#include "spiraling_edge/run_scan.h"
+#include "spiraling_edge/replay/scan_run.h"
 
 #include <algorithm>
 
-#include "parallel.h"
-#include "spiraling_edge/stepper.h"
+#include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/stepper/stepper.h"
 
 namespace se {
 namespace {

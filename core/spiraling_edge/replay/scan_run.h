@@ -8,11 +8,11 @@
 #include <optional>
 #include <span>
 
-#include "spiraling_edge/event.h"
-#include "spiraling_edge/params.h"
-#include "spiraling_edge/point_set.h"
-#include "spiraling_edge/prepare.h"
-#include "spiraling_edge/state.h"
+#include "spiraling_edge/base/progress.h"
+#include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/stepper/event.h"
+#include "spiraling_edge/stepper/params.h"
+#include "spiraling_edge/stepper/state.h"
 
 namespace se {
 

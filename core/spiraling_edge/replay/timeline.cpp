@@ -1,4 +1,4 @@
-#include "spiraling_edge/timeline.h"
+#include "spiraling_edge/replay/timeline.h"
 
 #include <algorithm>
 #include <utility>

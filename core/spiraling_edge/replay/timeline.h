@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-#include "spiraling_edge/stepper.h"
+#include "spiraling_edge/stepper/stepper.h"
 
 namespace se {
 

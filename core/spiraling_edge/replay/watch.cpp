@@ -1,9 +1,9 @@
-#include "spiraling_edge/watch.h"
+#include "spiraling_edge/replay/watch.h"
 
 #include <algorithm>
 #include <charconv>
 
-#include "spiraling_edge/reading.h"
+#include "spiraling_edge/replay/reading.h"
 
 namespace se {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "spiraling_edge/run_scan.h"
+#include "spiraling_edge/replay/scan_run.h"
 
 namespace se {
 

@@ -1,10 +1,10 @@
-#include "scenes_failures.h"
+#include "spiraling_edge/scenes/failure_scenes.h"
 
 #include <algorithm>
 
-#include "random.h"
-#include "scenes_sampling.h"
-#include "spiraling_edge/prepare.h"
+#include "spiraling_edge/base/random.h"
+#include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/scenes/surface_scenes.h"
 
 namespace se {
 namespace {

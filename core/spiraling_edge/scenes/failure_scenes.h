@@ -1,7 +1,7 @@
 /// Small inputs that fail, each for a reason that the paper names.
 #pragma once
 
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/points/point_file.h"
 
 namespace se {
 

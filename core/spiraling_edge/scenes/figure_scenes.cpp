@@ -1,11 +1,11 @@
 /// Small inputs on which one figure of the paper can be watched. The pivots named in the table of
 /// scenes are found again by tests/core/scenes_test.cpp.
-#include "scenes_figures.h"
+#include "spiraling_edge/scenes/figure_scenes.h"
 
 #include <algorithm>
 
-#include "scenes_sampling.h"
-#include "spiraling_edge/prepare.h"
+#include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/scenes/surface_scenes.h"
 
 namespace se {
 namespace {

@@ -1,7 +1,7 @@
 /// Small inputs on which one figure of the paper can be watched.
 #pragma once
 
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/points/point_file.h"
 
 namespace se {
 

@@ -2,8 +2,8 @@
 // failure and its decision again.
 #include <array>
 
-#include "scenes_failures.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/scenes/failure_scenes.h"
+#include "spiraling_edge/scenes/scenes.h"
 
 namespace se {
 namespace {

@@ -1,9 +1,9 @@
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/scenes/scenes.h"
 
 #include <array>
 
-#include "scenes_figures.h"
-#include "scenes_sampling.h"
+#include "spiraling_edge/scenes/figure_scenes.h"
+#include "spiraling_edge/scenes/surface_scenes.h"
 
 namespace se {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/points/point_file.h"
 
 namespace se {
 

@@ -1,9 +1,9 @@
-#include "scenes_sampling.h"
+#include "spiraling_edge/scenes/surface_scenes.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "random.h"
+#include "spiraling_edge/base/random.h"
 
 namespace se {
 namespace {

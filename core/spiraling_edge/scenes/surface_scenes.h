@@ -5,8 +5,8 @@
 
 #include <cstdint>
 
-#include "implicit_surfaces.h"
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/geometry/implicit_surfaces.h"
+#include "spiraling_edge/points/point_file.h"
 
 namespace se {
 

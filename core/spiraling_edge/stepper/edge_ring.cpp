@@ -1,4 +1,4 @@
-#include "spiraling_edge/edge_ring.h"
+#include "spiraling_edge/stepper/edge_ring.h"
 
 #include <algorithm>
 #include <cassert>

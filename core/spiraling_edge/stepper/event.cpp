@@ -1,4 +1,4 @@
-#include "spiraling_edge/event.h"
+#include "spiraling_edge/stepper/event.h"
 
 #include <algorithm>
 #include <charconv>

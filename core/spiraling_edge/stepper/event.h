@@ -11,8 +11,8 @@
 #include <variant>
 #include <vector>
 
-#include "spiraling_edge/neighbor_ring.h"
-#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/stepper/neighbor_ring.h"
 
 namespace se {
 

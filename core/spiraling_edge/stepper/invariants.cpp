@@ -1,4 +1,4 @@
-#include "spiraling_edge/invariants.h"
+#include "spiraling_edge/stepper/invariants.h"
 
 #include <algorithm>
 #include <set>

@@ -5,8 +5,8 @@
 #include <string>
 #include <unordered_map>
 
-#include "spiraling_edge/params.h"
-#include "spiraling_edge/state.h"
+#include "spiraling_edge/stepper/params.h"
+#include "spiraling_edge/stepper/state.h"
 
 namespace se {
 

@@ -1,4 +1,4 @@
-#include "spiraling_edge/params.h"
+#include "spiraling_edge/stepper/params.h"
 
 #include <array>
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "spiraling_edge/what_if.h"
+#include "spiraling_edge/stepper/what_if.h"
 
 namespace se {
 

@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "spiraling_edge/edge_table.h"
-#include "spiraling_edge/params.h"
-#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/mesh/edge_table.h"
+#include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/stepper/params.h"
 
 namespace se {
 

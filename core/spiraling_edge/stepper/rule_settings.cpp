@@ -1,9 +1,9 @@
-#include "spiraling_edge/rule_settings.h"
+#include "spiraling_edge/stepper/rule_settings.h"
 
 #include <array>
 
-#include "degrees.h"
-#include "rule_table.h"
+#include "spiraling_edge/base/degrees.h"
+#include "spiraling_edge/stepper/rule_table.h"
 
 namespace se {
 namespace {

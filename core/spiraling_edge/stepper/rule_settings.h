@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "spiraling_edge/params.h"
-#include "spiraling_edge/result.h"
+#include "spiraling_edge/base/result.h"
+#include "spiraling_edge/stepper/params.h"
 
 namespace se {
 

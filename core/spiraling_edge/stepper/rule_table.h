@@ -1,8 +1,8 @@
 /// How the rows of the table of settings are written down (rule_settings.cpp).
 #pragma once
 
-#include "degrees.h"
-#include "spiraling_edge/rule_settings.h"
+#include "spiraling_edge/base/degrees.h"
+#include "spiraling_edge/stepper/rule_settings.h"
 
 namespace se::table {
 

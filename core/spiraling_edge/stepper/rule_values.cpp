@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "number_text.h"
-#include "spiraling_edge/rule_settings.h"
-#include "text_scan.h"
+#include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/stepper/rule_settings.h"
 
 namespace se {
 namespace {

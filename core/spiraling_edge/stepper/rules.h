@@ -9,9 +9,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "spiraling_edge/neighbor_ring.h"
-#include "spiraling_edge/params.h"
-#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/stepper/neighbor_ring.h"
+#include "spiraling_edge/stepper/params.h"
 
 namespace se {
 

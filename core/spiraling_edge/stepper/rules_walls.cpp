@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "spiraling_edge/rules.h"
+#include "spiraling_edge/stepper/rules.h"
 
 namespace se {
 namespace {

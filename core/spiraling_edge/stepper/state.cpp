@@ -1,4 +1,4 @@
-#include "spiraling_edge/state.h"
+#include "spiraling_edge/stepper/state.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "spiraling_edge/edge_ring.h"
-#include "spiraling_edge/edge_table.h"
-#include "spiraling_edge/event.h"
-#include "spiraling_edge/mend.h"
-#include "spiraling_edge/neighbor_ring.h"
-#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/mesh/edge_table.h"
+#include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/stepper/edge_ring.h"
+#include "spiraling_edge/stepper/event.h"
+#include "spiraling_edge/stepper/neighbor_ring.h"
+#include "spiraling_edge/stepper/repair.h"
 
 namespace se {
 

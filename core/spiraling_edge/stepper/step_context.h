@@ -4,12 +4,12 @@
 #include <optional>
 #include <type_traits>
 
-#include "spiraling_edge/event.h"
-#include "spiraling_edge/params.h"
-#include "spiraling_edge/point_set.h"
-#include "spiraling_edge/rules.h"
-#include "spiraling_edge/state.h"
-#include "spiraling_edge/stepper.h"
+#include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/stepper/event.h"
+#include "spiraling_edge/stepper/params.h"
+#include "spiraling_edge/stepper/rules.h"
+#include "spiraling_edge/stepper/state.h"
+#include "spiraling_edge/stepper/stepper.h"
 
 namespace se {
 
@@ -61,7 +61,11 @@ void note(AnyContext auto& context, Stage stage, const MakeEvidence& make) {
     noteAt(context, context.state.counters.pivots, stage, make);
 }
 
-// phase_what_if.cpp
+// phases/what_if_phase.cpp
+/// The points as Move and List leave them, each from a pivot on, in the order of the run; empty
+/// without such.
+std::vector<EditedPoints> editedPoints(const PointSet& points, const Params& params);
+
 /// What a person said of a point that is tested at this stage of the present pivot.
 std::optional<bool> saidOf(const StepContext& context, Stage stage, Index point);
 /// ... where anybody can be heard: runs with what-ifs have a log wherever one of them is.
@@ -82,50 +86,51 @@ void redirect(LoggedContext& context);
 /// the top (§6.5); kNone if it stands on no ring.
 Index firstInstance(const EdgeRings& rings, Index point);
 
-// phase_start.cpp: §4
+// phases/start.cpp: §4
 void phaseSeed(AnyContext auto& context);
 void phasePivot(AnyContext auto& context);
 /// Makes `entry` the pivot, with first and last, start at first and end at last, the frame and the
 /// angles.
 void setPivot(StepContext& context, Index entry);
-// phase_sort.cpp: §6.1
+// phases/sort.cpp: §6.1
 void phaseSort(AnyContext auto& context);
-// phase_limits.cpp: §6.1
+// phases/limits.cpp: §6.1
 void phaseLimits(AnyContext auto& context);
 void phaseConvex(AnyContext auto& context);
 void phaseReciprocal(AnyContext auto& context);
-// phase_thin.cpp: §6.2, §6.3
+// phases/hole.cpp: §6.2
 void phaseHole(AnyContext auto& context);
+// phases/circumsphere.cpp: §6.3
 void phaseSphere(AnyContext auto& context);
-// phase_triangles.cpp: §6.4
+// phases/emit.cpp: §6.4
 void phaseTwoPoint(AnyContext auto& context);
 void phaseEmit(AnyContext auto& context);
 /// Lays out NeighborRing::fan from the candidates that are left.
 void layOutFan(StepContext& context);
-// phase_guard.cpp: beyond the paper
+// robust/guard.cpp: beyond the paper
 void phaseGuard(AnyContext auto& context);
 /// Would a rule that keeps the mesh a manifold (Rules::guard, Rules::noPillow) refuse the fan?
 bool manifoldRefuses(const StepContext& context);
 /// Would any rule on faults of shape (Rules::noFold, Rules::noCross, Rules::noMeet) refuse it?
 bool shapeRefuses(const StepContext& context);
-// phase_fill.cpp: beyond the paper
+// robust/fill.cpp: beyond the paper
 void phaseFill(AnyContext auto& context);
 /// Should the active ring be closed by ears instead of being freed?
 bool mayFill(const StepContext& context);
 /// Rules::rim is on, and the active ring, of more than four, runs round a patch of the surface, or
 /// more than two in three of its points lie where the surface ends.
 bool isOpening(const StepContext& context);
-// phase_update.cpp: §6.5
+// phases/ring_update.cpp: §6.5
 void phaseRing(AnyContext auto& context);
 void phaseLink(AnyContext auto& context);
 void phaseAdvance(AnyContext auto& context);
-// phase_mend.cpp: beyond the paper, after the last pivot
+// robust/repair_phases.cpp: beyond the paper, after the last pivot
 /// Goes to the first phase after the last pivot that a rule asks for, else to Finished.
 void beginMendPhases(StepContext& context);
 void phaseReinsert(AnyContext auto& context);
 void phaseFlip(AnyContext auto& context);
 void phaseReseat(AnyContext auto& context);
-// phase_boundary.cpp: §7
+// phases/boundary.cpp: §7
 /// Decides whether a boundary point may be a pivot, and puts the third point of §7.1 or §7.2 on the
 /// ring if so. False: pass over it.
 bool admitBoundaryPivot(AnyContext auto& context);

@@ -1,10 +1,9 @@
-#include "spiraling_edge/stepper.h"
+#include "spiraling_edge/stepper/stepper.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "phases.h"
-#include "spiraling_edge/what_if_check.h"
+#include "spiraling_edge/stepper/step_context.h"
 
 namespace se {
 namespace {

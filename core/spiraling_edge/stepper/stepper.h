@@ -5,10 +5,10 @@
 #include <functional>
 #include <utility>
 
-#include "spiraling_edge/event.h"
-#include "spiraling_edge/params.h"
-#include "spiraling_edge/point_set.h"
-#include "spiraling_edge/state.h"
+#include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/stepper/event.h"
+#include "spiraling_edge/stepper/params.h"
+#include "spiraling_edge/stepper/state.h"
 
 namespace se {
 

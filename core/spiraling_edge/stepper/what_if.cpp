@@ -1,11 +1,11 @@
-#include "spiraling_edge/what_if.h"
+#include "spiraling_edge/stepper/what_if.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "number_text.h"
-#include "text_scan.h"
+#include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/base/text_scan.h"
 
 namespace se {
 namespace {

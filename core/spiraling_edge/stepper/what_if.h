@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "spiraling_edge/event.h"
-#include "spiraling_edge/point_set.h"
-#include "spiraling_edge/result.h"
+#include "spiraling_edge/base/result.h"
+#include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/stepper/event.h"
 
 namespace se {
 

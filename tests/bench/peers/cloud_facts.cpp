@@ -6,7 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "spiraling_edge/prepare.h"
+#include "spiraling_edge/prepare/prepare.h"
 
 namespace se::peers {
 namespace {

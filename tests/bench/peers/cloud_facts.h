@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/io/read_points.h"
 
 namespace se::peers {
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "../shapes.h"
-#include "spiraling_edge/faults.h"
-#include "spiraling_edge/mesh.h"
+#include "spiraling_edge/mesh/faults.h"
+#include "spiraling_edge/mesh/mesh_report.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "spiraling_edge/atomic_file.h"
+#include "spiraling_edge/base/atomic_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -9,7 +9,7 @@
 #include <csignal>
 #include <cstdlib>
 
-#include "io_support.h"
+#include "support/io_support.h"
 
 using namespace se;
 using namespace se::test;

@@ -1,4 +1,4 @@
-#include "../../core/src/parallel.h"
+#include "spiraling_edge/base/parallel.h"
 
 #include <doctest/doctest.h>
 
@@ -6,8 +6,8 @@
 #include <new>
 #include <stdexcept>
 
-#include "../support/clouds.h"
-#include "../support/scarce_memory.h"
+#include "support/clouds.h"
+#include "support/scarce_memory.h"
 
 using namespace se;
 using namespace se::test;

@@ -1,6 +1,6 @@
 /// The doctor's check of openings that no wall and no type explains.
-#include "../support/open_surfaces.h"
 #include "doctor_support.h"
+#include "support/open_surfaces.h"
 
 using namespace se;
 using namespace se::test;

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <map>
 
-#include "../support/shared_data.h"
 #include "doctor_support.h"
+#include "support/shared_data.h"
 
 using namespace se;
 using namespace se::test;

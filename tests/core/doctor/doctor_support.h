@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "../support/clouds.h"
-#include "../support/oracles.h"
-#include "spiraling_edge/doctor.h"
+#include "spiraling_edge/doctor/doctor.h"
+#include "support/clouds.h"
+#include "support/oracles.h"
 
 namespace se::test {
 

@@ -1,12 +1,12 @@
 /// Each check of the doctor: planted alone it is found, where it was planted, and no other accuses.
-#include "spiraling_edge/doctor.h"
+#include "spiraling_edge/doctor/doctor.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "doctor_support.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/scenes/scenes.h"
 
 using namespace se;
 using namespace se::test;

@@ -4,8 +4,8 @@
 #include <limits>
 #include <map>
 
-#include "../support/random_points.h"
 #include "doctor_support.h"
+#include "support/random_points.h"
 
 using namespace se;
 using namespace se::test;

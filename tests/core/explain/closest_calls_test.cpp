@@ -1,12 +1,12 @@
-#include "spiraling_edge/closest_calls.h"
+#include "spiraling_edge/explain/closest_calls.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "../support/clouds.h"
-#include "../support/rig.h"
-#include "spiraling_edge/timeline.h"
+#include "spiraling_edge/replay/timeline.h"
+#include "support/clouds.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;

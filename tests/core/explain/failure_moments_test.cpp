@@ -1,15 +1,15 @@
-#include "spiraling_edge/failure_moments.h"
+#include "spiraling_edge/explain/failure_moments.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <tuple>
 
-#include "../support/clouds.h"
-#include "../support/rig.h"
-#include "spiraling_edge/field.h"
-#include "spiraling_edge/sampler.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/sampling/field.h"
+#include "spiraling_edge/sampling/sampler.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "support/clouds.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;

@@ -1,12 +1,12 @@
-#include "spiraling_edge/failure_proof.h"
+#include "spiraling_edge/explain/failure_proof.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
-#include "../support/clouds.h"
-#include "../support/rig.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "support/clouds.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;

@@ -5,12 +5,12 @@
 #include <array>
 #include <set>
 
-#include "../support/clouds.h"
-#include "../support/random_points.h"
-#include "../support/rig.h"
-#include "../support/shared_data.h"
-#include "spiraling_edge/ledger.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/explain/ledger.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "support/clouds.h"
+#include "support/random_points.h"
+#include "support/rig.h"
+#include "support/shared_data.h"
 
 using namespace se;
 using namespace se::test;

@@ -1,15 +1,15 @@
-#include "spiraling_edge/ledger.h"
+#include "spiraling_edge/explain/ledger.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "../support/clouds.h"
-#include "../support/random_points.h"
-#include "../support/rig.h"
-#include "spiraling_edge/scenes.h"
-#include "spiraling_edge/timeline.h"
+#include "spiraling_edge/replay/timeline.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "support/clouds.h"
+#include "support/random_points.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;

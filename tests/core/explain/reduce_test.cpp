@@ -1,12 +1,12 @@
-#include "spiraling_edge/reduce.h"
+#include "spiraling_edge/explain/reduce.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
-#include "../support/clouds.h"
-#include "../support/rig.h"
-#include "spiraling_edge/inspection.h"
+#include "spiraling_edge/mesh/inspection.h"
+#include "support/clouds.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;

@@ -1,13 +1,13 @@
-#include "spiraling_edge/remedy.h"
+#include "spiraling_edge/explain/remedy.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
-#include "../support/clouds.h"
-#include "../support/rig.h"
-#include "spiraling_edge/failure_moments.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/explain/failure_moments.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "support/clouds.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;

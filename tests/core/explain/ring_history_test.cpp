@@ -1,14 +1,14 @@
-#include "spiraling_edge/ring_history.h"
+#include "spiraling_edge/explain/ring_history.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
-#include "../support/clouds.h"
-#include "../support/rig.h"
-#include "spiraling_edge/decision_query.h"
-#include "spiraling_edge/scenes.h"
-#include "spiraling_edge/timeline.h"
+#include "spiraling_edge/replay/decision_query.h"
+#include "spiraling_edge/replay/timeline.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "support/clouds.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;

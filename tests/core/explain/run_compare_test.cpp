@@ -1,13 +1,13 @@
-#include "spiraling_edge/run_compare.h"
+#include "spiraling_edge/explain/run_compare.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
-#include "../support/clouds.h"
-#include "../support/rig.h"
-#include "spiraling_edge/scenes.h"
-#include "spiraling_edge/timeline.h"
+#include "spiraling_edge/replay/timeline.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "support/clouds.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;

@@ -1,5 +1,5 @@
 /// The exact predicates, against integer arithmetic wide enough to be exact.
-#include "exact.h"
+#include "spiraling_edge/geometry/exact_predicates.h"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "../support/oracles.h"
+#include "support/oracles.h"
 
 using namespace se;
 using namespace se::test;

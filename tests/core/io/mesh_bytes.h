@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "spiraling_edge/io.h"
+#include "spiraling_edge/io/read_points.h"
 
 namespace se::test {
 

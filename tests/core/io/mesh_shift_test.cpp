@@ -5,10 +5,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "../support/clouds.h"
-#include "io_support.h"
 #include "mesh_bytes.h"
-#include "spiraling_edge/mesh_io.h"
+#include "spiraling_edge/io/write_mesh.h"
+#include "support/clouds.h"
+#include "support/io_support.h"
 
 using namespace se;
 using namespace se::test;

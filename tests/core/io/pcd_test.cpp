@@ -6,8 +6,8 @@
 #include <cstring>
 #include <string>
 
-#include "../support/clouds.h"
-#include "io_support.h"
+#include "support/clouds.h"
+#include "support/io_support.h"
 
 using namespace se;
 using namespace se::test;

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io_support.h"
+#include "support/io_support.h"
 
 namespace se::test {
 

@@ -1,9 +1,9 @@
 #include <cmath>
 #include <limits>
 
-#include "../support/shared_data.h"
-#include "io_support.h"
 #include "ply_encoder.h"
+#include "support/io_support.h"
+#include "support/shared_data.h"
 
 using namespace se;
 using namespace se::test;

@@ -3,10 +3,10 @@
 #include <cstdio>
 #include <cstring>
 
-#include "../support/shared_data.h"
-#include "io_support.h"
-#include "spiraling_edge/atomic_file.h"
-#include "text_scan.h"
+#include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/base/text_scan.h"
+#include "support/io_support.h"
+#include "support/shared_data.h"
 
 using namespace se;
 using namespace se::test;

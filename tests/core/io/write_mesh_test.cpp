@@ -1,6 +1,6 @@
-/// Meshes written for other programs (mesh_io.h): read back by our own readers where there is one,
-/// and by what the formats' specifications say where there is none.
-#include "spiraling_edge/mesh_io.h"
+/// Meshes written for other programs (write_mesh.h): read back by our own readers where there is
+/// one, and by what the formats' specifications say where there is none.
+#include "spiraling_edge/io/write_mesh.h"
 
 #include <doctest/doctest.h>
 
@@ -9,9 +9,9 @@
 #include <cstring>
 #include <limits>
 
-#include "../support/clouds.h"
-#include "io_support.h"
 #include "mesh_bytes.h"
+#include "support/clouds.h"
+#include "support/io_support.h"
 
 using namespace se;
 using namespace se::test;

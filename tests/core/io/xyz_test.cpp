@@ -1,7 +1,7 @@
 /// XYZ: which columns are colors, normals or an intensity, and what commas are.
 #include <cmath>
 
-#include "io_support.h"
+#include "support/io_support.h"
 
 using namespace se;
 using namespace se::test;

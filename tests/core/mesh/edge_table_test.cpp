@@ -1,11 +1,11 @@
-#include "spiraling_edge/edge_table.h"
+#include "spiraling_edge/mesh/edge_table.h"
 
 #include <doctest/doctest.h>
 
 #include <map>
 #include <set>
 
-#include "../support/oracles.h"
+#include "support/oracles.h"
 
 using namespace se;
 using namespace se::test;

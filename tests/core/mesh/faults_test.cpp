@@ -1,12 +1,12 @@
-#include "spiraling_edge/faults.h"
+#include "spiraling_edge/mesh/faults.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
-#include "../support/clouds.h"
-#include "../support/oracles.h"
-#include "exact.h"
+#include "spiraling_edge/geometry/exact_predicates.h"
+#include "support/clouds.h"
+#include "support/oracles.h"
 
 using namespace se;
 using namespace se::test;

@@ -1,4 +1,4 @@
-#include "spiraling_edge/inspection.h"
+#include "spiraling_edge/mesh/inspection.h"
 
 #include <doctest/doctest.h>
 

@@ -1,15 +1,15 @@
-#include "spiraling_edge/mesh_compare.h"
+#include "spiraling_edge/mesh/mesh_compare.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <numeric>
 
-#include "../support/clouds.h"
-#include "../support/random_points.h"
-#include "../support/rig.h"
-#include "spiraling_edge/reconstruct.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/replay/reconstruct.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "support/clouds.h"
+#include "support/random_points.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;

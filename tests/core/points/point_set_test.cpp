@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/points/point_set.h"
 
 using namespace se;
 

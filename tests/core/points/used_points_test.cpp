@@ -1,8 +1,8 @@
-#include "spiraling_edge/used_points.h"
+#include "spiraling_edge/points/used_points.h"
 
 #include <doctest/doctest.h>
 
-#include "../support/clouds.h"
+#include "support/clouds.h"
 
 using namespace se;
 using namespace se::test;

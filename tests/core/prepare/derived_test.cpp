@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "../support/clouds.h"
+#include "support/clouds.h"
 
 using namespace se;
 using namespace se::test;

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "spiraling_edge/prepare.h"
+#include "spiraling_edge/prepare/prepare.h"
 
 namespace se::test {
 

@@ -1,14 +1,14 @@
 /// Noise along the normal (docs/robust.md, "Before the run"): where it is as wide as the spacing,
 /// points over and under others are set aside, and what is left is a surface; elsewhere nothing is.
-#include "spiraling_edge/noise.h"
+#include "spiraling_edge/prepare/noise.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
-#include "../support/clouds.h"
-#include "../support/oracles.h"
-#include "../support/shared_data.h"
+#include "support/clouds.h"
+#include "support/oracles.h"
+#include "support/shared_data.h"
 
 using namespace se;
 using namespace se::test;

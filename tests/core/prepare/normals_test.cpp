@@ -1,13 +1,13 @@
 /// Normals for points that come without, and a common side for normals that disagree.
-#include "spiraling_edge/normals.h"
+#include "spiraling_edge/prepare/normals.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "../support/clouds.h"
-#include "../support/oracles.h"
+#include "support/clouds.h"
+#include "support/oracles.h"
 
 using namespace se;
 using namespace se::test;

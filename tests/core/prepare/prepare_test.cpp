@@ -1,4 +1,4 @@
-#include "spiraling_edge/prepare.h"
+#include "spiraling_edge/prepare/prepare.h"
 
 #include <doctest/doctest.h>
 
@@ -7,8 +7,8 @@
 #include <limits>
 #include <numeric>
 
-#include "../support/shared_data.h"
 #include "neighbor_oracle.h"
+#include "support/shared_data.h"
 
 using namespace se;
 using namespace se::test;

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <set>
 
-#include "../support/open_surfaces.h"
-#include "../support/shared_data.h"
-#include "spiraling_edge/rim.h"
+#include "spiraling_edge/prepare/rim.h"
+#include "support/open_surfaces.h"
+#include "support/shared_data.h"
 
 using namespace se;
 using namespace se::test;

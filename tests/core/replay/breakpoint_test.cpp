@@ -1,4 +1,4 @@
-#include "spiraling_edge/breakpoint.h"
+#include "spiraling_edge/replay/breakpoint.h"
 
 #include <doctest/doctest.h>
 
@@ -7,10 +7,10 @@
 #include <set>
 #include <string>
 
-#include "../support/clouds.h"
-#include "../support/rig.h"
-#include "spiraling_edge/scenes.h"
-#include "spiraling_edge/timeline.h"
+#include "spiraling_edge/replay/timeline.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "support/clouds.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;

@@ -1,4 +1,4 @@
-#include "spiraling_edge/decision_query.h"
+#include "spiraling_edge/replay/decision_query.h"
 
 #include <doctest/doctest.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <string>
 
-#include "../support/clouds.h"
-#include "../support/rig.h"
-#include "spiraling_edge/named_points.h"
+#include "spiraling_edge/replay/named_points.h"
+#include "support/clouds.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;

@@ -1,15 +1,15 @@
-#include "spiraling_edge/live_check.h"
+#include "spiraling_edge/replay/live_check.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <array>
 
-#include "../support/clouds.h"
-#include "../support/rig.h"
-#include "spiraling_edge/failure_moments.h"
-#include "spiraling_edge/run_scan.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/explain/failure_moments.h"
+#include "spiraling_edge/replay/scan_run.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "support/clouds.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;

@@ -1,14 +1,14 @@
-#include "spiraling_edge/reconstruct.h"
+#include "spiraling_edge/replay/reconstruct.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <limits>
 
+#include "spiraling_edge/geometry/z_curve.h"
 #include "support/clouds.h"
 #include "support/oracles.h"
 #include "support/random_points.h"
-#include "z_curve.h"
 
 using namespace se;
 using namespace se::test;

@@ -1,15 +1,15 @@
-#include "spiraling_edge/run_charts.h"
+#include "spiraling_edge/replay/run_charts.h"
 
 #include <doctest/doctest.h>
 
 #include <set>
 
-#include "../support/clouds.h"
-#include "../support/rig.h"
-#include "spiraling_edge/decision_query.h"
-#include "spiraling_edge/pivot_tally.h"
-#include "spiraling_edge/run_scan.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/replay/decision_query.h"
+#include "spiraling_edge/replay/pivot_tally.h"
+#include "spiraling_edge/replay/scan_run.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "support/clouds.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;

@@ -1,12 +1,12 @@
-#include "spiraling_edge/timeline.h"
+#include "spiraling_edge/replay/timeline.h"
 
 #include <doctest/doctest.h>
 
 #include <limits>
 #include <map>
 
-#include "spiraling_edge/prepare.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/scenes/scenes.h"
 
 using namespace se;
 

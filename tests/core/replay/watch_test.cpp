@@ -1,4 +1,4 @@
-#include "spiraling_edge/watch.h"
+#include "spiraling_edge/replay/watch.h"
 
 #include <doctest/doctest.h>
 
@@ -8,10 +8,10 @@
 #include <map>
 #include <string>
 
-#include "../support/clouds.h"
-#include "../support/rig.h"
-#include "spiraling_edge/reading.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "support/clouds.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;

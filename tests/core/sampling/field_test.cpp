@@ -1,11 +1,11 @@
-#include "spiraling_edge/field.h"
+#include "spiraling_edge/sampling/field.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <set>
 
-#include "../support/oracles.h"
+#include "support/oracles.h"
 
 using namespace se;
 

@@ -1,4 +1,4 @@
-#include "spiraling_edge/sampler.h"
+#include "spiraling_edge/sampling/sampler.h"
 
 #include <doctest/doctest.h>
 
@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
-#include "../../core/src/random.h"
-#include "../support/clouds.h"
-#include "../support/oracles.h"
-#include "spiraling_edge/volume.h"
+#include "spiraling_edge/base/random.h"
+#include "spiraling_edge/sampling/volume.h"
+#include "support/clouds.h"
+#include "support/oracles.h"
 
 using namespace se;
 

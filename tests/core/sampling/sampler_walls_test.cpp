@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "spiraling_edge/sampler.h"
+#include "spiraling_edge/sampling/sampler.h"
 
 using namespace se;
 

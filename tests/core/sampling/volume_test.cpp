@@ -1,4 +1,4 @@
-#include "spiraling_edge/volume.h"
+#include "spiraling_edge/sampling/volume.h"
 
 #include <doctest/doctest.h>
 #include <zlib.h>
@@ -10,9 +10,9 @@
 #include <cstring>
 #include <fstream>
 
-#include "../support/oracles.h"
-#include "../support/shared_data.h"
-#include "spiraling_edge/sampler.h"
+#include "spiraling_edge/sampling/sampler.h"
+#include "support/oracles.h"
+#include "support/shared_data.h"
 
 using namespace se;
 

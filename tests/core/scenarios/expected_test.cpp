@@ -2,8 +2,8 @@
 /// docs/choices.md, on the shared data where it is at hand and on sampled surfaces everywhere.
 #include <doctest/doctest.h>
 
-#include "../support/clouds.h"
-#include "../support/shared_data.h"
+#include "support/clouds.h"
+#include "support/shared_data.h"
 
 using namespace se;
 using namespace se::test;

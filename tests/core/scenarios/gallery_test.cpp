@@ -4,13 +4,13 @@
 #include <functional>
 #include <string>
 
-#include "../support/clouds.h"
-#include "../support/rig.h"
-#include "spiraling_edge/doctor.h"
-#include "spiraling_edge/inspection.h"
-#include "spiraling_edge/ledger.h"
-#include "spiraling_edge/scenes.h"
-#include "spiraling_edge/timeline.h"
+#include "spiraling_edge/doctor/doctor.h"
+#include "spiraling_edge/explain/ledger.h"
+#include "spiraling_edge/mesh/inspection.h"
+#include "spiraling_edge/replay/timeline.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "support/clouds.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;

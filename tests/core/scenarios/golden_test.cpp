@@ -8,8 +8,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "../support/clouds.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "support/clouds.h"
 
 using namespace se;
 using namespace se::test;

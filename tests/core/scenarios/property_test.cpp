@@ -1,8 +1,8 @@
 /// The invariants, after every pivot, over families of inputs.
 #include <doctest/doctest.h>
 
-#include "../support/clouds.h"
-#include "../support/random_points.h"
+#include "support/clouds.h"
+#include "support/random_points.h"
 
 using namespace se;
 using namespace se::test;

@@ -1,9 +1,9 @@
 /// What the rules make of rim points: section 7 and `fill`, for boundary points without wall bits.
 #include <doctest/doctest.h>
 
-#include "../support/open_surfaces.h"
-#include "../support/random_points.h"
-#include "spiraling_edge/rules.h"
+#include "spiraling_edge/stepper/rules.h"
+#include "support/open_surfaces.h"
+#include "support/random_points.h"
 
 using namespace se;
 using namespace se::test;

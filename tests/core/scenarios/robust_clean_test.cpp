@@ -2,9 +2,9 @@
 /// a sound mesh of the ideal number of triangles, at any size.
 #include <doctest/doctest.h>
 
-#include "../support/boxed.h"
-#include "../support/clouds.h"
-#include "../support/rig.h"
+#include "support/boxed.h"
+#include "support/clouds.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;

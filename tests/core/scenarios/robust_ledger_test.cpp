@@ -5,11 +5,11 @@
 #include <array>
 #include <functional>
 
-#include "../support/clouds.h"
-#include "../support/rig.h"
-#include "spiraling_edge/ledger.h"
-#include "spiraling_edge/run_scan.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/explain/ledger.h"
+#include "spiraling_edge/replay/scan_run.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "support/clouds.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;

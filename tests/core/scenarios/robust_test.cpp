@@ -2,10 +2,10 @@
 /// and the numbers measured on the shared data. robust_clean_test.cpp has the clean clouds.
 #include <doctest/doctest.h>
 
-#include "../support/clouds.h"
-#include "../support/random_points.h"
-#include "../support/rig.h"
-#include "../support/shared_data.h"
+#include "support/clouds.h"
+#include "support/random_points.h"
+#include "support/rig.h"
+#include "support/shared_data.h"
 
 using namespace se;
 using namespace se::test;

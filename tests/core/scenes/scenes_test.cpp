@@ -1,4 +1,4 @@
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/scenes/scenes.h"
 
 #include <doctest/doctest.h>
 
@@ -6,8 +6,8 @@
 #include <cstring>
 #include <set>
 
-#include "../support/clouds.h"
-#include "spiraling_edge/reading.h"
+#include "spiraling_edge/replay/reading.h"
+#include "support/clouds.h"
 
 using namespace se;
 using namespace se::test;

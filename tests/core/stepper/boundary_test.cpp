@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "../support/oracles.h"
-#include "../support/rig.h"
-#include "spiraling_edge/rules.h"
+#include "spiraling_edge/stepper/rules.h"
+#include "support/oracles.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;

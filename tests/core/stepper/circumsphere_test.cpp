@@ -1,8 +1,8 @@
 #include <doctest/doctest.h>
 
-#include "../support/oracles.h"
-#include "../support/rig.h"
-#include "spiraling_edge/rules.h"
+#include "spiraling_edge/stepper/rules.h"
+#include "support/oracles.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;

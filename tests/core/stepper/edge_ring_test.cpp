@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "../support/oracles.h"
-#include "../support/rig.h"
-#include "spiraling_edge/edge_ring.h"
+#include "spiraling_edge/stepper/edge_ring.h"
+#include "support/oracles.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;

@@ -2,9 +2,9 @@
 
 #include <set>
 
-#include "../support/clouds.h"
-#include "../support/oracles.h"
-#include "spiraling_edge/event.h"
+#include "spiraling_edge/stepper/event.h"
+#include "support/clouds.h"
+#include "support/oracles.h"
 
 using namespace se;
 using namespace se::test;

@@ -2,9 +2,9 @@
 /// may use. Each on the least input that needs it: with the rule, and without.
 #include <doctest/doctest.h>
 
-#include "../support/oracles.h"
 #include "fan_scene.h"
-#include "spiraling_edge/rules.h"
+#include "spiraling_edge/stepper/rules.h"
+#include "support/oracles.h"
 
 using namespace se;
 using namespace se::test;

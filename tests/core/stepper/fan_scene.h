@@ -1,7 +1,7 @@
 /// The least input for a rule that looks at the fan of one pivot, and what is made of it.
 #pragma once
 
-#include "../support/rig.h"
+#include "support/rig.h"
 
 namespace se::test {
 

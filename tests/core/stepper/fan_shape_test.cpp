@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "../support/oracles.h"
 #include "fan_scene.h"
-#include "spiraling_edge/rules.h"
+#include "spiraling_edge/stepper/rules.h"
+#include "support/oracles.h"
 
 using namespace se;
 using namespace se::test;

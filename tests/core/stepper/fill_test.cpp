@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "../support/clouds.h"
-#include "../support/oracles.h"
-#include "../support/rig.h"
-#include "shape.h"
+#include "spiraling_edge/geometry/triangle_shape.h"
+#include "support/clouds.h"
+#include "support/oracles.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;

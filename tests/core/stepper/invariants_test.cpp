@@ -1,12 +1,12 @@
-#include "spiraling_edge/invariants.h"
+#include "spiraling_edge/stepper/invariants.h"
 
 #include <doctest/doctest.h>
 
 #include <functional>
 
-#include "../support/clouds.h"
-#include "spiraling_edge/rules.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "spiraling_edge/stepper/rules.h"
+#include "support/clouds.h"
 
 using namespace se;
 using namespace se::test;

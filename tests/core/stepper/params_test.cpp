@@ -3,7 +3,7 @@
 #include <set>
 #include <string>
 
-#include "spiraling_edge/params.h"
+#include "spiraling_edge/stepper/params.h"
 
 using namespace se;
 

@@ -1,16 +1,16 @@
 /// Beyond the paper, after the last pivot: reinsert, flip and reseat (docs/robust.md).
-#include "spiraling_edge/mend.h"
+#include "spiraling_edge/stepper/repair.h"
 
 #include <doctest/doctest.h>
 
 #include <map>
 #include <set>
 
-#include "../support/clouds.h"
-#include "../support/random_points.h"
-#include "mend_sides.h"
-#include "shape.h"
-#include "spiraling_edge/faults.h"
+#include "spiraling_edge/geometry/triangle_shape.h"
+#include "spiraling_edge/mesh/faults.h"
+#include "spiraling_edge/stepper/robust/repair_sides.h"
+#include "support/clouds.h"
+#include "support/random_points.h"
 
 using namespace se;
 using namespace se::test;

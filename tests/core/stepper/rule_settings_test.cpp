@@ -1,5 +1,5 @@
 /// The table of everything about the rules that can be set, and what each of them is for.
-#include "spiraling_edge/rule_settings.h"
+#include "spiraling_edge/stepper/rule_settings.h"
 
 #include <doctest/doctest.h>
 
@@ -8,13 +8,13 @@
 #include <cmath>
 #include <set>
 
-#include "../support/clouds.h"
-#include "../support/open_surfaces.h"
-#include "../support/random_points.h"
-#include "../support/rig.h"
-#include "spiraling_edge/rules.h"
-#include "spiraling_edge/run_scan.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/replay/scan_run.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "spiraling_edge/stepper/rules.h"
+#include "support/clouds.h"
+#include "support/open_surfaces.h"
+#include "support/random_points.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;

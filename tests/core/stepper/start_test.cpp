@@ -1,8 +1,8 @@
 #include <doctest/doctest.h>
 
-#include "../support/clouds.h"
-#include "../support/oracles.h"
-#include "../support/rig.h"
+#include "support/clouds.h"
+#include "support/oracles.h"
+#include "support/rig.h"
 
 using namespace se;
 using namespace se::test;

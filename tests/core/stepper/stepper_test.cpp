@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
-#include "../support/clouds.h"
-#include "spiraling_edge/scenes.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "support/clouds.h"
 
 using namespace se;
 using namespace se::test;

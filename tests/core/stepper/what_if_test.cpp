@@ -1,18 +1,18 @@
 /// Forks: what a person lets happen at one place instead of what the rules say.
-#include "spiraling_edge/what_if.h"
+#include "spiraling_edge/stepper/what_if.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "../support/clouds.h"
-#include "../support/open_surfaces.h"
-#include "../support/random_points.h"
-#include "spiraling_edge/reading.h"
-#include "spiraling_edge/run_scan.h"
-#include "spiraling_edge/timeline.h"
-#include "spiraling_edge/what_if_check.h"
+#include "spiraling_edge/explain/what_if_check.h"
+#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/replay/scan_run.h"
+#include "spiraling_edge/replay/timeline.h"
+#include "support/clouds.h"
+#include "support/open_surfaces.h"
+#include "support/random_points.h"
 
 using namespace se;
 using namespace se::test;

@@ -8,7 +8,7 @@
 #include <span>
 #include <string_view>
 
-#include "spiraling_edge/point_set.h"
+#include "spiraling_edge/points/point_set.h"
 
 namespace se {
 

@@ -2,8 +2,8 @@
 #include <array>
 #include <cmath>
 
-#include "implicit_surfaces.h"
-#include "spiraling_edge/field.h"
+#include "spiraling_edge/geometry/implicit_surfaces.h"
+#include "spiraling_edge/sampling/field.h"
 
 namespace se {
 namespace {

@@ -1,4 +1,4 @@
-#include "inflate.h"
+#include "spiraling_edge/sampling/inflate.h"
 
 #include <zlib.h>
 

@@ -1,10 +1,10 @@
-#include "sample_lattice.h"
+#include "spiraling_edge/sampling/lattice.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "parallel.h"
+#include "spiraling_edge/base/parallel.h"
 
 namespace se::sampling {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "sample_surface.h"
-#include "spiraling_edge/prepare.h"
-#include "spiraling_edge/result.h"
+#include "spiraling_edge/base/progress.h"
+#include "spiraling_edge/base/result.h"
+#include "spiraling_edge/sampling/surface.h"
 
 namespace se::sampling {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "spiraling_edge/volume.h"
+#include "spiraling_edge/sampling/volume.h"
 
 namespace se::io {
 

@@ -5,9 +5,9 @@
 #include <cstring>
 #include <limits>
 
-#include "inflate.h"
-#include "nrrd.h"
-#include "text_scan.h"
+#include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/sampling/inflate.h"
+#include "spiraling_edge/sampling/nrrd.h"
 
 namespace se::io {
 namespace {

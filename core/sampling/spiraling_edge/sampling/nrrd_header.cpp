@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "nrrd.h"
-#include "text_scan.h"
+#include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/sampling/nrrd.h"
 
 namespace se::io {
 namespace {

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "random.h"
-#include "sample_surface.h"
-#include "spiraling_edge/sampler.h"
+#include "spiraling_edge/base/random.h"
+#include "spiraling_edge/sampling/sampler.h"
+#include "spiraling_edge/sampling/surface.h"
 
 namespace se::sampling {
 

@@ -4,9 +4,9 @@
 #include <type_traits>
 #include <utility>
 
-#include "cell_grid.h"
-#include "parallel.h"
-#include "sample_particles.h"
+#include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/geometry/point_grid.h"
+#include "spiraling_edge/sampling/particles.h"
 
 namespace se::sampling {
 namespace {

@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "spiraling_edge/sampler.h"
+#include "spiraling_edge/sampling/sampler.h"
 
 namespace se {
 

@@ -1,8 +1,8 @@
 /// What sampled points (sampler.h) are judged by.
 #pragma once
 
-#include "spiraling_edge/io.h"
-#include "spiraling_edge/prepare.h"
+#include "spiraling_edge/base/progress.h"
+#include "spiraling_edge/points/point_file.h"
 
 namespace se {
 

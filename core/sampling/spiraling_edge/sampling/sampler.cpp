@@ -1,11 +1,11 @@
-#include "spiraling_edge/sampler.h"
+#include "spiraling_edge/sampling/sampler.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "parallel.h"
-#include "sample_particles.h"
-#include "z_curve.h"
+#include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/geometry/z_curve.h"
+#include "spiraling_edge/sampling/particles.h"
 
 namespace se {
 

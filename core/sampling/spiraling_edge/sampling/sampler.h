@@ -11,11 +11,11 @@
 #include <memory>
 #include <span>
 
-#include "spiraling_edge/field.h"
-#include "spiraling_edge/io.h"
-#include "spiraling_edge/prepare.h"
-#include "spiraling_edge/result.h"
-#include "spiraling_edge/sample_quality.h"
+#include "spiraling_edge/base/progress.h"
+#include "spiraling_edge/base/result.h"
+#include "spiraling_edge/points/point_file.h"
+#include "spiraling_edge/sampling/field.h"
+#include "spiraling_edge/sampling/sample_quality.h"
 
 namespace se {
 

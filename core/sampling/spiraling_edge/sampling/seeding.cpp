@@ -4,12 +4,12 @@
 #include <cstdio>
 #include <string>
 
-#include "cell_grid.h"
-#include "parallel.h"
-#include "sample_lattice.h"
-#include "sample_particles.h"
-#include "spiraling_edge/sampler.h"
-#include "z_curve.h"
+#include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/geometry/point_grid.h"
+#include "spiraling_edge/geometry/z_curve.h"
+#include "spiraling_edge/sampling/lattice.h"
+#include "spiraling_edge/sampling/particles.h"
+#include "spiraling_edge/sampling/sampler.h"
 
 namespace se::sampling {
 namespace {

@@ -1,4 +1,4 @@
-#include "sample_surface.h"
+#include "spiraling_edge/sampling/surface.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "spiraling_edge/field.h"
+#include "spiraling_edge/sampling/field.h"
 
 namespace se::sampling {
 

@@ -1,12 +1,12 @@
-#include "spiraling_edge/volume.h"
+#include "spiraling_edge/sampling/volume.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "nrrd.h"
-#include "read_bytes.h"
-#include "text_scan.h"
+#include "spiraling_edge/base/read_file.h"
+#include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/sampling/nrrd.h"
 
 namespace se {
 

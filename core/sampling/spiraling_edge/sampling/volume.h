@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "spiraling_edge/field.h"
-#include "spiraling_edge/result.h"
+#include "spiraling_edge/base/result.h"
+#include "spiraling_edge/sampling/field.h"
 
 namespace se {
 

@@ -1,5 +1,5 @@
 /// §7: when a boundary point may be a pivot.
-#include "phases.h"
+#include "spiraling_edge/stepper/step_context.h"
 
 namespace se {
 namespace {

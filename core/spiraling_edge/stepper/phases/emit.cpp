@@ -2,7 +2,7 @@
 #include <cassert>
 #include <span>
 
-#include "phases.h"
+#include "spiraling_edge/stepper/step_context.h"
 
 namespace se {
 

@@ -1,7 +1,7 @@
 /// §6.1, Figs. 4 to 6: start and end advance, and USED candidates are tested.
 #include <algorithm>
 
-#include "phases.h"
+#include "spiraling_edge/stepper/step_context.h"
 
 namespace se {
 
@@ -76,7 +76,7 @@ LimitTest testLimit(const StepContext& context, Side side) {
     return test;
 }
 
-/// Does the test anew, as explain() in phase_thin.cpp does.
+/// Does the test anew, as explain() in circumsphere.cpp does.
 LimitEvidence explainLimit(const StepContext& context, Side side) {
     const State& s = context.state;
     const bool atStart = side == Side::Start;

@@ -1,7 +1,7 @@
 /// §6.5: the edge ring after a pivot, and the way to the next one.
 #include <algorithm>
 
-#include "phases.h"
+#include "spiraling_edge/stepper/step_context.h"
 
 namespace se {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 
-#include "phases.h"
+#include "spiraling_edge/stepper/step_context.h"
 
 namespace se {
 namespace {

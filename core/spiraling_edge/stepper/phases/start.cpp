@@ -1,8 +1,8 @@
 /// §4: finding where to begin, and taking up the next pivot.
 #include <algorithm>
 
-#include "phases.h"
-#include "prefetch.h"
+#include "spiraling_edge/base/prefetch.h"
+#include "spiraling_edge/stepper/step_context.h"
 
 namespace se {
 namespace {

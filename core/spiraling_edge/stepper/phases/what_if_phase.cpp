@@ -1,8 +1,7 @@
 /// What a person lets happen instead of what the rules say (what_if.h).
 #include <algorithm>
 
-#include "phases.h"
-#include "spiraling_edge/what_if_check.h"
+#include "spiraling_edge/stepper/step_context.h"
 
 namespace se {
 namespace {

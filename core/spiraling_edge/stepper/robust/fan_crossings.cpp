@@ -1,9 +1,9 @@
 /// Rules on what else is where a fan would be: nocross, nomeet.
 #include <algorithm>
 
-#include "box.h"
-#include "exact.h"
-#include "fan_rules.h"
+#include "spiraling_edge/geometry/box.h"
+#include "spiraling_edge/geometry/exact_predicates.h"
+#include "spiraling_edge/stepper/robust/fan_rules.h"
 
 namespace se {
 namespace {

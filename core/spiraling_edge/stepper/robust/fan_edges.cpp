@@ -1,5 +1,5 @@
 /// Rules on the edges of a fan: gap, guard, nopillow.
-#include "fan_rules.h"
+#include "spiraling_edge/stepper/robust/fan_rules.h"
 
 namespace se {
 // ---- gap ----------------------------------------------------------------------------------------

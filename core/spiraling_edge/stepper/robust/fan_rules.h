@@ -1,8 +1,8 @@
 /// Beyond the paper (docs/robust.md): rules that look at the whole fan before it is made. Each
-/// names the spoke or triangle it objects to. phase_guard.cpp has their table.
+/// names the spoke or triangle it objects to. guard.cpp has their table.
 #pragma once
 
-#include "phases.h"
+#include "spiraling_edge/stepper/step_context.h"
 
 namespace se {
 
@@ -17,21 +17,21 @@ struct Objection {
 
 using Fan = std::vector<FanPoint>;
 
-// fan_rules_edges.cpp
+// fan_edges.cpp
 /// A gap of 180 degrees or more between two spokes (Rules::gap).
 Objection wideGap(const StepContext& context);
 /// An edge that is taken, or a ring step closed away from its entries (Rules::guard).
 Objection takenEdge(const StepContext& context);
 /// A second triangle on the same three points (Rules::noPillow).
 Objection pillow(const StepContext& context);
-// fan_rules_shape.cpp
+// fan_shape.cpp
 /// A triangle against its normals, or folded onto an old one (Rules::noFold).
 Objection fold(const StepContext& context);
 /// A wide triangle between points where the surface ends (Rules::rim).
 Objection overRim(const StepContext& context);
 /// A steep triangle, as long as such wait (Rules::delay).
 Objection steep(const StepContext& context);
-// fan_rules_space.cpp
+// fan_crossings.cpp
 /// A new edge across a ring step nearby, in the tangent plane (Rules::noCross).
 Objection crossing(const StepContext& context);
 /// A triangle that meets a finished one nearby (Rules::noMeet).

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fan_rules.h"
-#include "shape.h"
+#include "spiraling_edge/geometry/triangle_shape.h"
+#include "spiraling_edge/stepper/robust/fan_rules.h"
 
 namespace se {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "phases.h"
-#include "ring_shape.h"
-#include "shape.h"
+#include "spiraling_edge/geometry/triangle_shape.h"
+#include "spiraling_edge/stepper/robust/ring_shape.h"
+#include "spiraling_edge/stepper/step_context.h"
 
 namespace se {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "fan_rules.h"
+#include "spiraling_edge/stepper/robust/fan_rules.h"
 
 namespace se {
 namespace {

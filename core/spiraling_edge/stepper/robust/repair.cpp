@@ -1,8 +1,8 @@
-#include "spiraling_edge/mend.h"
+#include "spiraling_edge/stepper/repair.h"
 
 #include <array>
 
-#include "mend_sides.h"
+#include "spiraling_edge/stepper/robust/repair_sides.h"
 
 namespace se {
 namespace {

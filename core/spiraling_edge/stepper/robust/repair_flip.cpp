@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <array>
 
-#include "exact.h"
-#include "mend_sides.h"
-#include "shape.h"
+#include "spiraling_edge/geometry/exact_predicates.h"
+#include "spiraling_edge/geometry/triangle_shape.h"
+#include "spiraling_edge/stepper/robust/repair_sides.h"
 
 namespace se {
 

@@ -1,7 +1,7 @@
-/// Beyond the paper: the steps after the last pivot (mend.h), each with a number like a pivot. Each
-/// kind runs until nothing is left for it, in the order reinsert, flip, reseat, kMendRounds times;
-/// the last round takes no point out, since none could be put back.
-#include "phases.h"
+/// Beyond the paper: the steps after the last pivot (repair.h), each with a number like a pivot.
+/// Each kind runs until nothing is left for it, in the order reinsert, flip, reseat, kMendRounds
+/// times; the last round takes no point out, since none could be put back.
+#include "spiraling_edge/stepper/step_context.h"
 
 namespace se {
 namespace {

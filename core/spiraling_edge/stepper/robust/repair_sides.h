@@ -1,7 +1,7 @@
 /// Going round in a MendState: sides, corners, twins.
 #pragma once
 
-#include "spiraling_edge/mend.h"
+#include "spiraling_edge/stepper/repair.h"
 
 namespace se {
 

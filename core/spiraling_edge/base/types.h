@@ -1,0 +1,24 @@
+/// The words that everything else is written in.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+namespace se {
+
+using Vec3 = glm::dvec3;
+
+/// Index of a point, a ring entry or a ring. 32 bits: at most 4,294,967,294 of each.
+using Index = std::uint32_t;
+/// "No such thing", for any Index.
+inline constexpr Index kNone = 0xffffffffU;
+
+/// Three point indices, counterclockwise seen from the tip of the normals (§6.4, Fig. 10).
+struct Triangle {
+    Index a = kNone;
+    Index b = kNone;
+    Index c = kNone;
+    friend bool operator==(const Triangle&, const Triangle&) = default;
+};
+
+}  // namespace se
