@@ -200,7 +200,7 @@ TEST_CASE("Dial: the new start and end of Figure 4 are not crossed out") {
     forEachDial("scene:figure-4", [&](const Picture& picture, const Event& event,
                                       const Dial& dial) {
         const auto* drop = std::get_if<DropEvidence>(&event.evidence);
-        if (drop == nullptr || !drop->isLimit) return;
+        if (drop == nullptr || !drop->isLimit()) return;
         const bool start = drop->side == Side::Start;
         CHECK(drop->point == (start ? picture.start : picture.end));
         CHECK(std::none_of(

@@ -18,37 +18,26 @@ std::string pointText(Index p) { return "point " + std::to_string(p); }
 std::vector<WhatIfOffer> keepOrDrop(const Event& event, Verdict verdict) {
     WhatIf what{WhatIfKind::Keep,       event.address.pivot, event.address.stage,
                 se::testedPoint(event), Vec3(0.0),           {}};
-    switch (verdict) {
-        case Verdict::BehindConvex:
-        case Verdict::NotReciprocal:
-        case Verdict::WallComplete:
-        case Verdict::FarSide:
-        case Verdict::Removed:
-            return {{what, "Keep " + pointText(what.point)}};
-        case Verdict::Kept:
-        case Verdict::InsideSphere:
-        case Verdict::GapTooWide:
-        case Verdict::NoCircle:
-            what.kind = WhatIfKind::Drop;
-            return {{what, "Drop " + pointText(what.point)}};
-        default:
-            return {};
-    }
+    const std::optional<WhatIfKind> inverse = rowOf(verdict).inverse;
+    if (!inverse) return {};
+    what.kind = *inverse;
+    return {{what, (what.kind == WhatIfKind::Keep ? "Keep " : "Drop ") + pointText(what.point)}};
 }
 
 /// start or end is moved, or not.
 std::vector<WhatIfOffer> advanceOrNot(const Event& event, Verdict verdict) {
     WhatIf what{WhatIfKind::Drop,       event.address.pivot, Stage::Limits,
                 se::testedPoint(event), Vec3(0.0),           {}};
-    if (verdict == Verdict::Moved) return {{what, "Do not advance to " + pointText(what.point)}};
-    if (verdict != Verdict::NotConcave && verdict != Verdict::Blocked) return {};
-    what.kind = WhatIfKind::Keep;
-    return {{what, "Advance to " + pointText(what.point)}};
+    const std::optional<WhatIfKind> inverse = rowOf(verdict).inverse;
+    if (!inverse) return {};
+    what.kind = *inverse;
+    return {{what, (what.kind == WhatIfKind::Keep ? "Advance to " : "Do not advance to ") +
+                       pointText(what.point)}};
 }
 
 /// The rules on fans are not heard on the point that goes, or on the whole fan.
 std::vector<WhatIfOffer> overrule(const Event& event, Verdict verdict, Index pivot) {
-    if (verdict == Verdict::WhatIfKept || verdict == Verdict::WhatIfDropped) return {};
+    if (!rowOf(verdict).inverse) return {};
     const Index dropped = se::testedPoint(event);
     const bool whole = dropped == kNone;
     const WhatIf what{WhatIfKind::Keep,        event.address.pivot, Stage::Guard,
@@ -96,10 +85,11 @@ std::vector<WhatIfOffer> offersAt(const Event& event, Index pivot) {
             return keepOrDrop(event, *verdict);
         case Stage::TwoPoint: {
             drop.point = pivot;
-            if (*verdict == Verdict::Hole) return {{drop, "Make no triangle"}};
-            if (*verdict != Verdict::Discarded) return {};
-            drop.kind = WhatIfKind::Keep;
-            return {{drop, "Make the triangle"}};
+            const std::optional<WhatIfKind> inverse = rowOf(*verdict).inverse;
+            if (!inverse) return {};
+            drop.kind = *inverse;
+            return {
+                {drop, drop.kind == WhatIfKind::Keep ? "Make the triangle" : "Make no triangle"}};
         }
         case Stage::Guard:
             return overrule(event, *verdict, pivot);

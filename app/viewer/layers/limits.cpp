@@ -29,7 +29,7 @@ void addMove(const LayerInput& in, const LimitEvidence& e, DrawList& out) {
 void addLimits(const LayerInput& in, DrawList& out) {
     if (const auto* drop = in.picture.evidence<DropEvidence>(Stage::Limits)) {
         const bool start = drop->side == Side::Start;
-        if (drop->isLimit) {
+        if (drop->isLimit()) {
             out.label(in.at(drop->point), start ? "now start" : "now end",
                       start ? in.palette.first : in.palette.last, true);
         } else {

@@ -162,7 +162,7 @@ class Maker {
     }
     void show(const DropEvidence& e) {
         const bool start = e.side == Side::Start;
-        if (e.isLimit) {
+        if (e.isLimit()) {
             dial_.caption = formatted(
                 start ? "now start, at %.1f\xC2\xB0" : "now end, at %.1f\xC2\xB0", e.degrees);
             return;

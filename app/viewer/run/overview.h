@@ -40,7 +40,7 @@ constexpr Findings findingOf(Stage stage) { return Findings{1} << static_cast<un
 constexpr Findings findingOf(Verdict verdict) {
     return Findings{1} << (kStageCount + static_cast<unsigned>(verdict));
 }
-static_assert(kStageCount + static_cast<std::size_t>(Verdict::NoThirdPoint) < 64);
+static_assert(kStageCount + kVerdictCount <= 64);
 
 /// What is known of each pivot without running it again: 16 bytes.
 struct PivotSummary {

@@ -4,6 +4,7 @@
 
 #include "mended.h"
 #include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/stepper/verdict_table.h"
 
 namespace se::view {
 
@@ -16,36 +17,7 @@ struct Overloaded : Ts... {
 template <typename... Ts>
 Overloaded(Ts...) -> Overloaded<Ts...>;
 
-bool isRejection(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::NotAfterStart:
-        case Verdict::NotBeforeEnd:
-        case Verdict::SameAngle:
-        case Verdict::Outside:
-        case Verdict::BehindConvex:
-        case Verdict::NotReciprocal:
-        case Verdict::FarSide:
-        case Verdict::Removed:
-        case Verdict::Discarded:
-        case Verdict::WallComplete:
-        case Verdict::WideGap:
-        case Verdict::EdgeTaken:
-        case Verdict::EntryMissed:
-        case Verdict::Pillow:
-        case Verdict::Crosses:
-        case Verdict::AgainstNormal:
-        case Verdict::FoldsOver:
-        case Verdict::OverRim:
-        case Verdict::Steep:
-        case Verdict::Meets:
-        case Verdict::OtherSideOpen:
-        case Verdict::NoThirdPoint:
-        case Verdict::WhatIfDropped:
-            return true;
-        default:
-            return false;
-    }
-}
+bool isRejection(Verdict verdict) { return rowOf(verdict).outcome == Outcome::Refused; }
 
 /// Applies events to a picture, one after the other.
 class Painter {
@@ -93,7 +65,7 @@ class Painter {
     }
     void on(const DropEvidence& e) {
         // Start and end have marks of their own.
-        if (!e.isLimit) mark(e.point, e.degrees, e.verdict);
+        if (!e.isLimit()) mark(e.point, e.degrees, e.verdict);
     }
     void on(const ReciprocalEvidence& e) { mark(e.point, {}, e.verdict); }
     void on(const HoleEvidence& e) {
@@ -277,8 +249,6 @@ Index subjectOf(const Event& event) {
 }
 
 bool rejects(const Event& event) {
-    const auto* drop = std::get_if<DropEvidence>(&event.evidence);
-    if (drop != nullptr && drop->isLimit) return false;
     const std::optional<Verdict> verdict = verdictOf(event);
     return verdict && isRejection(*verdict);
 }

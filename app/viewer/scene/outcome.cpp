@@ -1,6 +1,5 @@
 #include "outcome.h"
 
-#include "run/picture.h"
 #include "spiraling_edge/replay/reading.h"
 
 namespace se::view {
@@ -9,24 +8,19 @@ std::optional<Color> outcomeColor(const Palette& palette, const Event& event) {
     if (std::holds_alternative<AlertEvidence>(event.evidence)) return palette.rejected;
     const std::optional<Verdict> verdict = verdictOf(event);
     if (!verdict) return std::nullopt;
-    if (rejects(event)) return palette.rejected;
-    const auto* drop = std::get_if<DropEvidence>(&event.evidence);
-    if (drop != nullptr && drop->isLimit) return palette.test;
-    switch (*verdict) {
-        case Verdict::Kept:
-        case Verdict::InsideSphere:
-        case Verdict::GapTooWide:
-        case Verdict::NoCircle:
-        case Verdict::Hole:
-        case Verdict::Before:
-        case Verdict::After:
-        case Verdict::WhatIfKept:
+    // Where start or end is now.
+    if (*verdict == Verdict::Moved) return palette.test;
+    switch (rowOf(*verdict).outcome) {
+        case Outcome::Taken:
             return palette.used;
-        case Verdict::Moved:
-            return palette.test;
-        default:
+        case Outcome::Refused:
+            return palette.rejected;
+        case Outcome::Unchanged:
             return palette.textDim;
+        case Outcome::None:
+            return palette.test;
     }
+    return palette.textDim;
 }
 
 }  // namespace se::view

@@ -13,30 +13,22 @@ void addMeasured(const GuardEvidence& e, const EvidenceInput& in, EvidenceRows& 
     const PointSet& points = in.model.points;
     const RobustLimits& limits = in.model.params.limits;
     const Triangle t{in.picture.pivot, e.a, e.b};
-    switch (e.verdict) {
-        case Verdict::WideGap:
-            out.angle("gap at p", freeDegrees(points, e.a, t.a, e.b), 180.0);
-            break;
-        case Verdict::OverRim: {
-            out.angle("angle at p", freeDegrees(points, e.a, t.a, e.b),
-                      degreesOf(limits.rimAngleCosine));
-            const auto list = points.neighbors[t.a];
-            const Index sixth = list[std::min<std::size_t>(5, list.size() - 1)];
-            const double limit = glm::length(points.position[sixth] - points.position[t.a]);
-            const double radius = circleRadius(points, t);
-            out.row("its circle",
-                    "r = " + numberText(radius) + ", sixth neighbor at " + numberText(limit),
-                    {radius, limit, 2.0 * limit});
-            break;
-        }
-        case Verdict::Steep:
-            out.angle("off a normal", tiltDegrees(points, t), degreesOf(limits.steepCosine), 180.0);
-            break;
-        case Verdict::AgainstNormal:
-            out.angle("off a normal", tiltDegrees(points, t), 90.0, 180.0);
-            break;
-        default:
-            break;
+    if (e.verdict == Verdict::WideGap) {
+        out.angle("gap at p", freeDegrees(points, e.a, t.a, e.b), 180.0);
+    } else if (e.verdict == Verdict::Steep) {
+        out.angle("off a normal", tiltDegrees(points, t), degreesOf(limits.steepCosine), 180.0);
+    } else if (e.verdict == Verdict::AgainstNormal) {
+        out.angle("off a normal", tiltDegrees(points, t), 90.0, 180.0);
+    } else if (e.verdict == Verdict::OverRim) {
+        out.angle("angle at p", freeDegrees(points, e.a, t.a, e.b),
+                  degreesOf(limits.rimAngleCosine));
+        const auto list = points.neighbors[t.a];
+        const Index sixth = list[std::min<std::size_t>(5, list.size() - 1)];
+        const double limit = glm::length(points.position[sixth] - points.position[t.a]);
+        const double radius = circleRadius(points, t);
+        out.row("its circle",
+                "r = " + numberText(radius) + ", sixth neighbor at " + numberText(limit),
+                {radius, limit, 2.0 * limit});
     }
 }
 

@@ -80,7 +80,8 @@ void addRows(const DropEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
     const bool start = e.side == Side::Start;
     const std::string side = start ? "start" : "end";
     out.row("point", pointsText({e.point}));
-    if (e.isLimit) return out.row("angle", degreesText(e.degrees) + ", where " + side + " is now");
+    if (e.isLimit())
+        return out.row("angle", degreesText(e.degrees) + ", where " + side + " is now");
     if (in.event.address.stage != Stage::Convex) {
         const double limit = start ? picture.startDegrees : picture.endDegrees;
         out.row("angle", degreesText(e.degrees) + ", " + side + " is at " + degreesText(limit),
@@ -134,19 +135,12 @@ void addRows(const HoleEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
 namespace {
 
 const char* ruleOf(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::InsideSphere:
-            return "d < r: kept, no second rule";
-        case Verdict::GapTooWide:
-            return "d \xE2\x89\xA5 r, but the gap is over its limit: kept";
-        case Verdict::NoCircle:
-            return "no circle: kept";
-        case Verdict::WhatIfKept:
-        case Verdict::WhatIfDropped:
-            return "a what-if, whatever the test says";
-        default:
-            return "d \xE2\x89\xA5 r, and the gap is small enough";
-    }
+    if (verdict == Verdict::InsideSphere) return "d < r: kept, no second rule";
+    if (verdict == Verdict::GapTooWide)
+        return "d \xE2\x89\xA5 r, but the gap is over its limit: kept";
+    if (verdict == Verdict::NoCircle) return "no circle: kept";
+    if (verdict == Verdict::Removed) return "d \xE2\x89\xA5 r, and the gap is small enough";
+    return "a what-if, whatever the test says";
 }
 
 }  // namespace

@@ -20,11 +20,8 @@ Findings findingsOf(std::string_view word) {
         const auto stage = static_cast<Stage>(i);
         if (stageName(stage).starts_with(word)) found |= findingOf(stage);
     }
-    for (unsigned i = 0; i <= static_cast<unsigned>(Verdict::NoThirdPoint); ++i) {
-        const auto verdict = static_cast<Verdict>(i);
-        if (lowerCase(verdictText(verdict)).find(word) != std::string::npos) {
-            found |= findingOf(verdict);
-        }
+    for (const VerdictRow& row : verdictTable()) {
+        if (lowerCase(row.text).find(word) != std::string::npos) found |= findingOf(row.id);
     }
     return found;
 }

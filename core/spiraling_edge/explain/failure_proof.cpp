@@ -14,41 +14,16 @@
 namespace se {
 namespace {
 
-/// What is done instead of a test; nothing if a person has no say in it.
-std::optional<WhatIfKind> otherWay(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::BehindConvex:
-        case Verdict::NotReciprocal:
-        case Verdict::WallComplete:
-        case Verdict::FarSide:
-        case Verdict::Removed:
-        case Verdict::Discarded:
-            return WhatIfKind::Keep;
-        case Verdict::Kept:
-        case Verdict::Moved:
-        case Verdict::InsideSphere:
-        case Verdict::GapTooWide:
-        case Verdict::NoCircle:
-        case Verdict::Hole:
-            return WhatIfKind::Drop;
-        default:
-            return std::nullopt;
-    }
-}
-
 /// Why a decision without a what-if cannot be turned.
 std::string reasonFor(const LedgerLine& decision) {
-    switch (verdictOf(decision.event).value_or(Verdict::Kept)) {
-        case Verdict::NotAfterStart:
-        case Verdict::NotBeforeEnd:
-        case Verdict::Outside:
-            return "The point lies outside of the free sector.";
-        case Verdict::AlreadyDone:
-            return "The point is DONE.";
-        default:
-            return decision.role == LineRole::Fact ? "Nothing is tested there."
-                                                   : "There is no what-if for such a decision.";
+    const auto verdict = verdictOf(decision.event);
+    if (verdict == Verdict::NotAfterStart || verdict == Verdict::NotBeforeEnd ||
+        verdict == Verdict::Outside) {
+        return "The point lies outside of the free sector.";
     }
+    if (verdict == Verdict::AlreadyDone) return "The point is DONE.";
+    return decision.role == LineRole::Fact ? "Nothing is tested there."
+                                           : "There is no what-if for such a decision.";
 }
 
 /// The run that `stepper` ends, and the failures of one class in it.
@@ -252,7 +227,7 @@ std::optional<WhatIf> turnOf(const PointSet& points, const LedgerLine& decision)
     if (sort != nullptr && sort->verdict == Verdict::SameAngle)
         return WhatIf{WhatIfKind::Drop, at.pivot, at.stage, sort->rival, Vec3(0.0), {}};
     const auto verdict = verdictOf(decision.event);
-    const auto kind = verdict ? otherWay(*verdict) : std::nullopt;
+    const auto kind = verdict ? rowOf(*verdict).inverse : std::nullopt;
     if (!kind || at.stage == Stage::Guard) return {};
     const bool fan = at.stage == Stage::TwoPoint;
     return WhatIf{*kind,     at.pivot, at.stage, fan ? decision.pivot : testedPoint(decision.event),

@@ -51,8 +51,8 @@ void LedgerBook::follow(const Event& event) {
     const Outcome outcome = outcomeOf(event);
     if (stays || outcome == Outcome::None) return;
     // One entry of the point that takes the pivot is enough (§6.1, Fig. 6).
-    const bool otherEntry = event.address.stage == Stage::Reciprocal &&
-                            outcome == Outcome::Refused && reciprocal_ == testedPoint(event);
+    const bool otherEntry = event.address.stage == Stage::Reciprocal && isAgainst(outcome) &&
+                            reciprocal_ == testedPoint(event);
     if (otherEntry) return;
     if (event.address.stage == Stage::Reciprocal && outcome == Outcome::Taken)
         reciprocal_ = testedPoint(event);
@@ -121,7 +121,7 @@ std::optional<LineRole> LedgerBook::roleOfTest(Index pivot, const Event& event) 
     // The fan as a whole: the subject would have been in it.
     const bool wholeFan = tested == kNone && (event.address.stage == Stage::TwoPoint ||
                                               event.address.stage == Stage::Guard);
-    if (!wholeFan || outcome != Outcome::Refused) return {};
+    if (!wholeFan || !isAgainst(outcome)) return {};
     const std::size_t inFan = alive_.count() + (subject.has(pivot) ? 1U : 0U);
     const bool concerned = subject.size() == 1 ? alive_.any() : subject.has(pivot) && inFan >= 2;
     return concerned ? std::optional(role) : std::nullopt;

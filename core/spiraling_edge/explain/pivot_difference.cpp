@@ -54,15 +54,16 @@ Key keyOf(const Event& event) {
 
 /// The answer to the question: equal answers have the same consequence.
 struct Answer {
-    Outcome outcome;
+    Outcome outcome;      ///< None, Taken or Refused.
     Index third = kNone;  ///< §7: the point that was inserted, and where.
     Verdict place = Verdict::Kept;
     friend bool operator==(const Answer&, const Answer&) = default;
 };
 Answer answerOf(const Event& event) {
+    const Outcome outcome = isAgainst(outcomeOf(event)) ? Outcome::Refused : outcomeOf(event);
     if (const auto* insert = std::get_if<InsertEvidence>(&event.evidence))
-        return {outcomeOf(event), insert->third, insert->verdict};
-    return {outcomeOf(event)};
+        return {outcome, insert->third, insert->verdict};
+    return {outcome};
 }
 
 /// A rule's answer to a question; the others state what was done.

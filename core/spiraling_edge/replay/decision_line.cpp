@@ -11,9 +11,9 @@ std::string_view roleName(LineRole role) {
 
 LedgerLine lineOf(const Event& event, const ReadingContext& context) {
     const Outcome outcome = outcomeOf(event);
-    const LineRole role = outcome == Outcome::Taken     ? LineRole::Taken
-                          : outcome == Outcome::Refused ? LineRole::Refused
-                                                        : LineRole::Fact;
+    const LineRole role = outcome == Outcome::Taken ? LineRole::Taken
+                          : isAgainst(outcome)      ? LineRole::Refused
+                                                    : LineRole::Fact;
     return {event, context.pivot, role, readingOf(event, context)};
 }
 

@@ -65,17 +65,19 @@ Read readSection(std::string_view word) {
 
 Read readOutcome(std::string_view word) {
     if (word != "kept" && word != "refused") return otherForm();
-    const Outcome wanted = word == "kept" ? Outcome::Taken : Outcome::Refused;
-    return Condition([wanted](const Decision& d) { return outcomeOf(d.event) == wanted; });
+    if (word == "kept") {
+        return Condition([](const Decision& d) { return outcomeOf(d.event) == Outcome::Taken; });
+    }
+    return Condition([](const Decision& d) { return isAgainst(outcomeOf(d.event)); });
 }
 
 Read readVerdict(std::string_view word) {
     const auto name = behind(word, "verdict=");
     if (!name) return otherForm();
-    bool known = false;
-    for (int i = 0; i <= static_cast<int>(Verdict::NoThirdPoint); ++i)
-        known = known || hyphened(verdictText(static_cast<Verdict>(i))) == *name;
-    if (!known) return notA(word, "the words of a verdict with hyphens, such as inside-sphere");
+    const auto table = verdictTable();
+    if (std::none_of(table.begin(), table.end(),
+                     [&](const VerdictRow& row) { return hyphened(row.text) == *name; }))
+        return notA(word, "the words of a verdict with hyphens, such as inside-sphere");
     return Condition([n = std::string(*name)](const Decision& d) {
         return std::visit(
             [&](const auto& e) {

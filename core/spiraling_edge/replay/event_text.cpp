@@ -129,7 +129,7 @@ std::string text(const LimitEvidence& e) {
     }
 }
 std::string text(const DropEvidence& e) {
-    if (e.isLimit) {
+    if (e.isLimit()) {
         return "Candidate " + str(e.point) + " at " + deg(e.degrees) + " is now " +
                sideName(e.side) + ".";
     }
@@ -307,9 +307,6 @@ std::string describe(const Event& event) {
 }
 
 std::string_view endingText(const Event& event) {
-    const auto* drop = std::get_if<DropEvidence>(&event.evidence);
-    if (drop != nullptr && drop->isLimit)
-        return drop->side == Side::Start ? "now start" : "now end";
     const auto verdict = verdictOf(event);
     return verdict ? verdictText(*verdict) : std::string_view{};
 }
@@ -322,90 +319,6 @@ std::string_view alertName(AlertKind kind) {
             return "hole";
         case AlertKind::LostSeed:
             return "lost_seed";
-    }
-    return {};
-}
-
-std::string_view verdictText(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::Kept:
-            return "kept";
-        case Verdict::NotAfterStart:
-            return "before start";
-        case Verdict::NotBeforeEnd:
-            return "beyond last";
-        case Verdict::SameAngle:
-            return "same angle";
-        case Verdict::AlreadyDone:
-            return "DONE";
-        case Verdict::OnRingEnd:
-            return "is first or last";
-        case Verdict::Moved:
-            return "moved";
-        case Verdict::NotListed:
-            return "not listed";
-        case Verdict::NotConcave:
-            return "convex";
-        case Verdict::NotAnEdge:
-            return "no edge";
-        case Verdict::Outside:
-            return "outside";
-        case Verdict::OtherLimit:
-            return "other end";
-        case Verdict::Blocked:
-            return "blocked";
-        case Verdict::WallComplete:
-            return "complete along its walls";
-        case Verdict::BehindConvex:
-            return "behind convex end";
-        case Verdict::NotReciprocal:
-            return "not reciprocal";
-        case Verdict::FarSide:
-            return "far side";
-        case Verdict::InsideSphere:
-            return "inside sphere";
-        case Verdict::GapTooWide:
-            return "gap too wide";
-        case Verdict::NoCircle:
-            return "no circle";
-        case Verdict::Removed:
-            return "removed";
-        case Verdict::Discarded:
-            return "over 180";
-        case Verdict::Hole:
-            return "under 180";
-        case Verdict::WideGap:
-            return "gap over 180";
-        case Verdict::EdgeTaken:
-            return "edge taken";
-        case Verdict::EntryMissed:
-            return "edge elsewhere on a ring";
-        case Verdict::Pillow:
-            return "pillow";
-        case Verdict::Crosses:
-            return "crosses a ring edge";
-        case Verdict::AgainstNormal:
-            return "against a normal";
-        case Verdict::FoldsOver:
-            return "folds over";
-        case Verdict::OverRim:
-            return "over the rim";
-        case Verdict::Steep:
-            return "steep, waits";
-        case Verdict::Meets:
-            return "meets a triangle";
-        case Verdict::Before:
-            return "before";
-        case Verdict::After:
-            return "after";
-        case Verdict::OtherSideOpen:
-            return "other side open";
-        case Verdict::WhatIfKept:
-            return "kept: what if";
-        case Verdict::WhatIfDropped:
-            return "dropped: what if";
-        case Verdict::NoThirdPoint:
-            return "no third point";
     }
     return {};
 }

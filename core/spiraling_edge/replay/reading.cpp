@@ -82,23 +82,6 @@ class Reader {
     const ReadingContext& c_;
 };
 
-Outcome outcomeOf(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::Kept:
-        case Verdict::Moved:
-        case Verdict::InsideSphere:
-        case Verdict::GapTooWide:
-        case Verdict::NoCircle:
-        case Verdict::Hole:
-        case Verdict::Before:
-        case Verdict::After:
-        case Verdict::WhatIfKept:
-            return Outcome::Taken;
-        default:
-            return Outcome::Refused;
-    }
-}
-
 }  // namespace
 
 std::optional<Verdict> verdictOf(const Event& event) {
@@ -111,12 +94,8 @@ std::optional<Verdict> verdictOf(const Event& event) {
 }
 
 Outcome outcomeOf(const Event& event) {
-    // A candidate that start or end moved to stays in the fan: the move decided that, not this
-    // test.
-    const auto* drop = std::get_if<DropEvidence>(&event.evidence);
-    if (drop != nullptr && drop->isLimit) return Outcome::None;
     const auto verdict = verdictOf(event);
-    return verdict ? outcomeOf(*verdict) : Outcome::None;
+    return verdict ? rowOf(*verdict).outcome : Outcome::None;
 }
 
 Index testedPoint(const Event& event) {

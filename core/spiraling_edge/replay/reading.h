@@ -8,15 +8,9 @@
 #include "spiraling_edge/points/point_set.h"
 #include "spiraling_edge/stepper/event.h"
 #include "spiraling_edge/stepper/params.h"
+#include "spiraling_edge/stepper/verdict_table.h"
 
 namespace se {
-
-/// Did a decision take what it looked at, or refuse it?
-enum class Outcome : std::uint8_t {
-    None,     ///< Nothing was tested: a fact, such as a triangle made.
-    Taken,    ///< Kept, moved, filled, inserted.
-    Refused,  ///< Left out, removed, not moved, discarded.
-};
 
 /// How a test ended; nothing if the event is none.
 std::optional<Verdict> verdictOf(const Event& event);

@@ -53,7 +53,7 @@ class ChartCounter {
     void add(const ScannedPivot& pivot) {
         bool looked = false;
         for (const Event& event : pivot.events) {
-            if (outcomeOf(event) == Outcome::Refused)
+            if (isAgainst(outcomeOf(event)))
                 ++refused_[static_cast<std::size_t>(event.address.stage)];
             looked = looked || event.address.stage == Stage::Pivot;
         }

@@ -143,7 +143,7 @@ bool scanWatches(
         for (const Event& event : pivot.events) {
             const Outcome outcome = outcomeOf(event);
             tests += outcome != Outcome::None ? 1 : 0;
-            refused += outcome == Outcome::Refused ? 1 : 0;
+            refused += isAgainst(outcome) ? 1 : 0;
         }
         used.see(pivot);
         show(pivot.events.front().address.pivot, pivot.after);

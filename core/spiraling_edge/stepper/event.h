@@ -79,6 +79,8 @@ enum class Verdict : std::uint8_t {
     Outside,     ///< A candidate outside the new limits.
     OtherLimit,  ///< The next point is the other limit: a hole of three.
     Blocked,     ///< An UNUSED neighbor is in the way (Rules::unblocked).
+    NowStart,    ///< A candidate that start moved to: not refused.
+    NowEnd,      ///< A candidate that end moved to: not refused.
     // convex
     BehindConvex,  ///< Next on the ring behind a convex start or end (Fig. 5).
     // reciprocal
@@ -114,7 +116,8 @@ enum class Verdict : std::uint8_t {
     WhatIfKept,     ///< Kept because a person said so (what_if.h).
     WhatIfDropped,  ///< Dropped because a person said so.
 };
-/// "inside the sphere", ...
+inline constexpr std::size_t kVerdictCount = 41;
+/// "inside sphere", ... (verdict_table.h).
 std::string_view verdictText(Verdict verdict);
 
 /// Which of the two sides of a pivot.
@@ -171,8 +174,9 @@ struct DropEvidence {
     Index point;
     Side side;
     double degrees;
-    Verdict verdict;       ///< Outside, BehindConvex
-    bool isLimit = false;  ///< Outside: the point is the moved start or end itself, not refused.
+    Verdict verdict;  ///< Outside, NowStart, NowEnd, BehindConvex
+    /// The candidate is the moved start or end.
+    bool isLimit() const { return verdict == Verdict::NowStart || verdict == Verdict::NowEnd; }
 };
 struct ReciprocalEvidence {
     Index point;

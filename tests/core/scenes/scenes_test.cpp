@@ -192,7 +192,7 @@ TEST_CASE("6.1 Figure 4: the new start and end are no longer candidates, but are
         const auto* drop = std::get_if<DropEvidence>(&event.evidence);
         if (drop == nullptr || event.address.pivot != 8) continue;
         const bool start = drop->side == Side::Start;
-        CHECK(drop->isLimit);
+        CHECK(drop->isLimit());
         // Name and address of the verdict are as ever.
         CHECK(drop->verdict == Verdict::Outside);
         CHECK(toString(event.address) == (start ? "8.limits.5" : "8.limits.6"));

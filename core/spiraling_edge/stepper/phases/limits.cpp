@@ -137,7 +137,6 @@ void moveLimits(AnyContext auto& context) {
 struct DropTest {
     Verdict verdict;
     Side side;
-    bool isLimit = false;  ///< The candidate is the moved start or end.
 };
 
 /// Drops the candidates for which the verdict of `test` is not Kept.
@@ -153,7 +152,7 @@ void dropCandidates(AnyContext auto& context, Stage stage, Test&& test) {
                                                   found.verdict == Verdict::Kept);
         if (verdict != Verdict::Kept) {
             note(context, stage, [&] {
-                return DropEvidence{c.point, found.side, c.angle.degrees(), verdict, found.isLimit};
+                return DropEvidence{c.point, found.side, c.angle.degrees(), verdict};
             });
         }
         if (verdict == Verdict::Kept || verdict == Verdict::WhatIfKept) {
@@ -182,9 +181,11 @@ void phaseLimits(AnyContext auto& context) {
         const bool behindEnd =
             c.point == atEnd ||
             (hasEnd && !(c.angle.key < n.endAngle.key - context.params.sameAngle));
-        return DropTest{behindStart || behindEnd ? Verdict::Outside : Verdict::Kept,
-                        behindStart ? Side::Start : Side::End,
-                        c.point == (behindStart ? atStart : atEnd)};
+        if (behindStart) {
+            return DropTest{c.point == atStart ? Verdict::NowStart : Verdict::Outside, Side::Start};
+        }
+        if (!behindEnd) return DropTest{Verdict::Kept, Side::End};
+        return DropTest{c.point == atEnd ? Verdict::NowEnd : Verdict::Outside, Side::End};
     });
 }
 

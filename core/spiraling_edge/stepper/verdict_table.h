@@ -1,0 +1,38 @@
+/// The verdicts of all tests in one table: their words, outcomes and what-ifs. A new verdict is a
+/// value of Verdict (event.h) and a row here.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "spiraling_edge/stepper/event.h"
+#include "spiraling_edge/stepper/what_if.h"
+
+namespace se {
+
+/// The effect of a decision on the point that was tested.
+enum class Outcome : std::uint8_t {
+    None,       ///< Nothing was tested: a fact, such as a triangle made.
+    Taken,      ///< Kept, moved, filled, inserted.
+    Refused,    ///< Left out, removed, discarded.
+    Unchanged,  ///< Not taken, and nothing removed: start or end stays, the point is in no test.
+};
+/// Refused or Unchanged: the decision was against the point.
+constexpr bool isAgainst(Outcome outcome) {
+    return outcome == Outcome::Refused || outcome == Outcome::Unchanged;
+}
+
+/// One verdict.
+struct VerdictRow {
+    Verdict id;
+    std::string_view text;              ///< "inside sphere", as shown to users.
+    Outcome outcome;
+    std::optional<WhatIfKind> inverse;  ///< The what-if with the other outcome; none if there is none.
+};
+
+/// All verdicts, in the order of the enum.
+std::span<const VerdictRow> verdictTable();
+const VerdictRow& rowOf(Verdict verdict);
+
+}  // namespace se
