@@ -4,11 +4,13 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "spiraling_edge/mesh/faults.h"
 #include "spiraling_edge/mesh/mesh_report.h"
 #include "spiraling_edge/prepare/prepare.h"
+#include "spiraling_edge/scenes/scenes.h"
 #include "spiraling_edge/scenes/surface_scenes.h"
 #include "spiraling_edge/stepper/invariants.h"
 #include "support/rig.h"
@@ -59,6 +61,9 @@ inline PointSet prepared(const PointFile& file, const NeighborOptions& options =
     auto result = prepare(file, {options});
     return result.ok() ? std::move(result.value().points) : PointSet{};
 }
+
+/// The points of a built-in scene.
+inline PointSet sceneNamed(std::string_view id) { return prepared(findScene(id)->build()); }
 
 /// A run to the end.
 struct Run {

@@ -5,6 +5,7 @@
 
 #include "guarded.h"
 #include "spiraling_edge/explain/what_if_check.h"
+#include "spiraling_edge/stepper/edited_points.h"
 
 namespace se::view {
 

@@ -62,10 +62,6 @@ void note(AnyContext auto& context, Stage stage, const MakeEvidence& make) {
 }
 
 // phases/what_if_phase.cpp
-/// The points as Move and List leave them, each from a pivot on, in the order of the run; empty
-/// without such.
-std::vector<EditedPoints> editedPoints(const PointSet& points, const Params& params);
-
 /// What a person said of a point that is tested at this stage of the present pivot.
 std::optional<bool> saidOf(const StepContext& context, Stage stage, Index point);
 /// ... where anybody can be heard: runs with what-ifs have a log wherever one of them is.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "spiraling_edge/points/point_set.h"
+#include "spiraling_edge/stepper/edited_points.h"
 #include "spiraling_edge/stepper/event.h"
 #include "spiraling_edge/stepper/params.h"
 #include "spiraling_edge/stepper/state.h"
@@ -17,12 +18,6 @@ enum class StopReason : std::uint8_t {
     Finished,   ///< Every point is DONE.
     Condition,  ///< The condition held.
     Capped,     ///< AlertKind::TriangleCap.
-};
-
-/// Points that a what-if has changed, from a pivot on.
-struct EditedPoints {
-    std::uint32_t from = 0;
-    PointSet points;
 };
 
 /// Runs the Spiraling Edge algorithm on a State. Holds no state of its own but references:

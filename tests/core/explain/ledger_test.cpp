@@ -16,8 +16,6 @@ using namespace se::test;
 
 namespace {
 
-PointSet sceneNamed(const char* id) { return prepared(findScene(id)->build()); }
-
 Ledger ask(const PointSet& points, const Params& params, const Subject& subject) {
     const Result<Ledger> ledger = why(points, params, subject);
     REQUIRE(ledger.ok());

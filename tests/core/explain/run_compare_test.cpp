@@ -14,8 +14,6 @@ using namespace se::test;
 
 namespace {
 
-PointSet sceneNamed(const char* id) { return prepared(findScene(id)->build()); }
-
 PointSet withNearest(const char* id, std::size_t k) {
     PrepareOptions options;
     options.neighbors.reach = KNearest{k};

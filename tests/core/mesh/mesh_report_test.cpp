@@ -10,7 +10,7 @@ using namespace se::test;
 namespace {
 
 /// Points with normals away from the origin.
-PointSet pointsAt(std::vector<Vec3> position) {
+PointSet pointsAround(std::vector<Vec3> position) {
     PointSet points;
     for (const Vec3& x : position) {
         points.normal.push_back(glm::length(x) > 0 ? glm::normalize(x) : Vec3(0, 0, 1));
@@ -19,11 +19,11 @@ PointSet pointsAt(std::vector<Vec3> position) {
     return points;
 }
 PointSet flat(std::vector<Vec3> position) {
-    PointSet points = pointsAt(std::move(position));
+    PointSet points = pointsAround(std::move(position));
     points.normal.assign(points.position.size(), Vec3(0, 0, 1));
     return points;
 }
-PointSet tetrahedron() { return pointsAt({{1, 1, 1}, {-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}}); }
+PointSet tetrahedron() { return pointsAround({{1, 1, 1}, {-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}}); }
 const Triangles kTetrahedron{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
 
 }  // namespace

@@ -39,12 +39,12 @@ TEST_CASE("7 rim: what is left of a sector beside the gap") {
 namespace {
 
 /// A run with these rules, with rims known.
-struct Outcome {
+struct RimRun {
     MeshReport mesh;
     std::string faults;
     std::uint32_t holes;  ///< Rings freed with interior points: an alert each.
 };
-Outcome runWithRim(const PointFile& file, const std::string& rules) {
+RimRun runWithRim(const PointFile& file, const std::string& rules) {
     const Prepared prepared = withRim(file);
     const Run run = runAll(prepared.points, *paramsByName(rules));
     return {run.mesh, describeFaults(prepared.points, run.state.mesh()), run.state.counters.holes};
@@ -59,7 +59,7 @@ TEST_CASE("rim: openings stay open, without an alert, by the rules of the paper 
             if (open.spacing == 1.0) continue;  // Lattices tie, and only robust copes with that.
             CAPTURE(rules);
             CAPTURE(open.name);
-            const Outcome outcome = runWithRim(open.file, rules);
+            const RimRun outcome = runWithRim(open.file, rules);
             CHECK(outcome.mesh.boundaryLoops == open.rims);
             CHECK(outcome.holes == 0);
             faulty += outcome.faults.empty() ? 0U : 1U;
@@ -71,7 +71,7 @@ TEST_CASE("rim: openings stay open, without an alert, by the rules of the paper 
 TEST_CASE("rim: by the robust rules the rim is clean, and no point is left out") {
     for (const Open& open : openSurfaces()) {
         CAPTURE(open.name);
-        const Outcome outcome = runWithRim(open.file, "robust");
+        const RimRun outcome = runWithRim(open.file, "robust");
         CHECK(outcome.faults == "");
         CHECK(outcome.mesh.boundaryLoops == open.rims);
         CHECK(outcome.mesh.unusedPoints == 0);

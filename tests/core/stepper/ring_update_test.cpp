@@ -10,7 +10,7 @@ using namespace se::test;
 namespace {
 
 /// Figure 11: as Figure 4, p = 0 in a bay; first = 1 also stands in a stacked ring with 10 and 11.
-std::vector<Vec3> bay() {
+std::vector<Vec3> doubledBay() {
     return {{0, 0, 0},      {1, 0.2, 0},   {-1, 0.2, 0},   {-9, -9, 0}, {9, -9, 0}, {1.1, 1.2, 0},
             {-1.1, 1.2, 0}, {0.3, 1.2, 0}, {-0.3, 1.2, 0}, {0, 20, 0},  {20, 1, 0}, {20, 2, 0}};
 }
@@ -19,7 +19,7 @@ Rig& figure11(Rig& rig) {
 }
 
 /// p = 0 looks north; e = 5 stands there between 6 (before) and 7, p in its free sector.
-std::vector<Vec3> opposite() {
+std::vector<Vec3> oppositeEntry() {
     return {{0, 0, 0}, {1, 0, 0},      {-1, 0, 0},    {-9, -9, 0}, {9, -9, 0},
             {0, 1, 0}, {-0.7, 1.7, 0}, {0.7, 1.7, 0}, {0, 3, 0}};
 }
@@ -27,14 +27,14 @@ std::vector<Vec3> opposite() {
 }  // namespace
 
 TEST_CASE("6.5 the pivot leaves the ring: DONE if it stood there once") {
-    Rig rig(bay());
+    Rig rig(doubledBay());
     figure11(rig);
     CHECK(rig.status(0) == kDone);
     CHECK(rig.state().rings.firstEntryOf(0) == kNone);
 }
 
 TEST_CASE("6.5 a pivot that stands on rings twice loses one entry and stays USED") {
-    Rig rig(bay());
+    Rig rig(doubledBay());
     rig.list(0, {7}).stacked({0, 10, 11}).ring({0, 2, 6, 3, 4, 5, 1}).pivot();
     CHECK(rig.triangles() == Triangles{{0, 1, 7}, {0, 7, 2}});
     CHECK(rig.status(0) == 1);
@@ -42,7 +42,7 @@ TEST_CASE("6.5 a pivot that stands on rings twice loses one entry and stays USED
 }
 
 TEST_CASE("6.5 Figure 11: points before start and after end leave, one step down each") {
-    Rig rig(bay());
+    Rig rig(doubledBay());
     figure11(rig);
     CHECK(rig.status(1) == 1);      // first: it stood on two rings.
     CHECK(rig.status(2) == kDone);  // last: now surrounded.
@@ -50,7 +50,7 @@ TEST_CASE("6.5 Figure 11: points before start and after end leave, one step down
 }
 
 TEST_CASE("6.5 Figure 11: the rest enters counterclockwise between start and end, now USED") {
-    Rig rig(bay());
+    Rig rig(doubledBay());
     figure11(rig);
     CHECK(rig.activeRing() == Points{6, 3, 4, 5, 7, 8});
     CHECK(rig.status(7) == 1);
@@ -60,10 +60,10 @@ TEST_CASE("6.5 Figure 11: the rest enters counterclockwise between start and end
 }
 
 TEST_CASE("6.5 the new pivot is the end of the neighbor ring") {
-    Rig moved(bay());
+    Rig moved(doubledBay());
     figure11(moved);
     CHECK(moved.activeRing()[0] == 6);
-    Rig still(bay());
+    Rig still(doubledBay());
     still.list(0, {7}).ring({0, 2, 6, 3, 4, 5, 1}).pivot();
     CHECK(still.activeRing()[0] == 2);
 }
@@ -76,7 +76,7 @@ TEST_CASE("6.4 without triangles the next point on the ring becomes the pivot") 
 }
 
 TEST_CASE("6.5 a point met again in the active ring splits it in two, and one is stacked") {
-    Rig rig(opposite());
+    Rig rig(oppositeEntry());
     rig.list(0, {5}).ring({0, 2, 3, 6, 5, 7, 4, 1}).pivot();
     CHECK(rig.triangles() == Triangles{{0, 1, 5}, {0, 5, 2}});
     CHECK(rig.status(5) == 2);
@@ -87,7 +87,7 @@ TEST_CASE("6.5 a point met again in the active ring splits it in two, and one is
 
 TEST_CASE(
     "6.5 Figure 12: a point met again in a stacked ring joins the two, standing twice in it") {
-    Rig rig(opposite());
+    Rig rig(oppositeEntry());
     rig.list(0, {5}).stacked({5, 7, 8, 6}).ring({0, 2, 3, 4, 1}).pivot();
     CHECK(rig.state().counters.joins == 1);
     CHECK(rig.state().rings.stack().empty());
@@ -96,7 +96,7 @@ TEST_CASE(
 }
 
 TEST_CASE("6.5 the stack is searched from the top: the most recent ring is joined") {
-    Rig rig(opposite());
+    Rig rig(oppositeEntry());
     rig.list(0, {5}).stacked({5, 7, 8, 6}).stacked({5, 7, 6}).ring({0, 2, 3, 4, 1}).pivot();
     CHECK(rig.activeRing() == Points{2, 3, 4, 1, 5, 7, 6, 5});
     CHECK(rig.stackedRing() == Points{5, 7, 8, 6});
@@ -105,7 +105,7 @@ TEST_CASE("6.5 the stack is searched from the top: the most recent ring is joine
 }
 
 TEST_CASE("6.5 a joined ring leaves the stack wherever it was") {
-    Rig rig(opposite());
+    Rig rig(oppositeEntry());
     rig.list(0, {5}).stacked({5, 7, 6}).stacked({3, 4, 8}).ring({0, 2, 3, 4, 1}).pivot();
     CHECK(rig.all<JoinEvidence>().at(0).depthFromTop == 1);
     CHECK(rig.state().rings.stack().size() == 1);

@@ -1,5 +1,6 @@
 /// Forks: what a person lets happen at one place instead of what the rules say.
 #include "spiraling_edge/stepper/what_if.h"
+#include "spiraling_edge/stepper/edited_points.h"
 
 #include <doctest/doctest.h>
 
@@ -21,7 +22,7 @@ namespace {
 
 using Level = InvariantChecker::Level;
 
-Params with(std::vector<WhatIf> whatIf, std::string_view set = "paper") {
+Params withWhatIfs(std::vector<WhatIf> whatIf, std::string_view set = "paper") {
     Params params = *paramsByName(set);
     params.whatIf = std::move(whatIf);
     return params;
@@ -124,12 +125,12 @@ TEST_CASE("a fork changes the run, and taking it back gives the same hash") {
     const std::uint64_t before = hashOf(points, Params{});
     CHECK(before == stateHash(runAll(points, Params{}).state));
     const Event removed = firstEvent(points, Params{}, verdictIs<SphereEvidence>(Verdict::Removed));
-    const Params fork = with({said(at(removed, "keep", testedPoint(removed)))});
+    const Params fork = withWhatIfs({said(at(removed, "keep", testedPoint(removed)))});
     CHECK(answer(points, fork).ok());
     CHECK(hashOf(points, fork) != before);
     CHECK(hashOf(points, fork) == hashOf(points, fork));
     CHECK(stateHash(runAll(points, fork).state) != before);
-    CHECK(hashOf(points, with({})) == before);
+    CHECK(hashOf(points, withWhatIfs({})) == before);
 }
 
 TEST_CASE("a kept neighbor is in the fan, a dropped one is not, and nothing before it changes") {
@@ -147,7 +148,7 @@ TEST_CASE("a kept neighbor is in the fan, a dropped one is not, and nothing befo
         const Index point = testedPoint(event);
         const std::uint32_t pivot = event.address.pivot;
         CHECK(inFan(usual, pivot, point) != expected);
-        const auto events = eventsOf(points, with({said(at(event, verb, point))}));
+        const auto events = eventsOf(points, withWhatIfs({said(at(event, verb, point))}));
         CHECK(inFan(events, pivot, point) == expected);
         for (std::size_t i = 0; i < usual.size() && usual[i].address.pivot < pivot; ++i) {
             CHECK(describe(events[i]) == describe(usual[i]));
@@ -160,7 +161,7 @@ TEST_CASE("a kept neighbor is in the fan, a dropped one is not, and nothing befo
 TEST_CASE("start and end do not advance to a point that is held off") {
     const PointSet points = sphere();
     const Event moved = firstEvent(points, Params{}, verdictIs<LimitEvidence>(Verdict::Moved));
-    const Params fork = with({said(at(moved, "drop", testedPoint(moved)))});
+    const Params fork = withWhatIfs({said(at(moved, "drop", testedPoint(moved)))});
     CHECK(answer(points, fork).ok());
     const auto events = eventsOf(points, fork);
     CHECK(std::none_of(events.begin(), events.end(), [&](const Event& event) {
@@ -177,7 +178,7 @@ TEST_CASE("the traversal goes on where it was told to") {
     const State& state = stepper.state();
     const Index entry = state.rings.next(state.rings.next(state.pivot.pivot));
     const Index point = state.rings.point(entry);
-    const Params fork = with({said("5.advance pivot " + std::to_string(point))});
+    const Params fork = withWhatIfs({said("5.advance pivot " + std::to_string(point))});
     CHECK(answer(points, fork).ok());
     Stepper forked(points, fork);
     for (int i = 0; i < 5; ++i) forked.stepPivot();
@@ -185,7 +186,8 @@ TEST_CASE("the traversal goes on where it was told to") {
     CHECK(firstBreach(points, fork, Level::AnyInput) == "");
     // A point that is DONE stands on no ring.
     const Index done = state.done.front();
-    const Status refused = answer(points, with({said("5.advance pivot " + std::to_string(done))}));
+    const Status refused =
+        answer(points, withWhatIfs({said("5.advance pivot " + std::to_string(done))}));
     REQUIRE_FALSE(refused.ok());
     CHECK(refused.error().message.find("no edge ring") != std::string::npos);
 }
@@ -197,16 +199,16 @@ TEST_CASE("moved from the first pivot on, a point is as if it had been there") {
     WhatIf what{WhatIfKind::Move, 1, Stage::Pivot, 20, moved.position[20], {}};
     CHECK(said(lineOf(what)) == what);
     // Its list, and those it stands in, are by distance again.
-    const auto edited = editedPoints(points, with({what}));
+    const auto edited = editedPoints(points, withWhatIfs({what}));
     REQUIRE(edited.size() == 1);
     CHECK(validate(edited[0].points).ok());
     moved.neighbors = edited[0].points.neighbors;
-    CHECK(stateHash(runAll(points, with({what})).state) ==
+    CHECK(stateHash(runAll(points, withWhatIfs({what})).state) ==
           stateHash(runAll(moved, Params{}).state));
     // Later on, what came before stays as it was.
     what.pivot = 30;
     Stepper plain(points, Params{});
-    Stepper fork(points, with({what}));
+    Stepper fork(points, withWhatIfs({what}));
     for (int i = 0; i < 29; ++i) {
         plain.stepPivot();
         fork.stepPivot();
@@ -220,11 +222,11 @@ TEST_CASE("a list that is edited from the first pivot on is the list") {
     const auto list = points.neighbors[20];
     what.list.assign(list.begin(), list.begin() + 6);
     std::reverse(what.list.begin(), what.list.end());
-    const auto edited = editedPoints(points, with({what}));
+    const auto edited = editedPoints(points, withWhatIfs({what}));
     REQUIRE(edited.size() == 1);
     const auto made = edited[0].points.neighbors[20];
     CHECK(std::equal(made.begin(), made.end(), list.begin(), list.begin() + 6));
-    CHECK(stateHash(runAll(points, with({what})).state) ==
+    CHECK(stateHash(runAll(points, withWhatIfs({what})).state) ==
           stateHash(runAll(edited[0].points, Params{}).state));
 }
 
@@ -260,7 +262,7 @@ TEST_CASE("a pivot makes no triangle where a person wants none, by any rules") {
         const auto before = eventsAt(points, usual, 20);
         REQUIRE(countOf<EmitEvidence>(before) > 0);
         const std::string line = "20.guard drop " + std::to_string(pivotOf(before));
-        const Params fork = with({said(line)}, set);
+        const Params fork = withWhatIfs({said(line)}, set);
         CHECK(answer(points, fork).ok());
         const auto after = eventsAt(points, fork, 20);
         CHECK(countOf<EmitEvidence>(after) == 0);
@@ -269,7 +271,7 @@ TEST_CASE("a pivot makes no triangle where a person wants none, by any rules") {
         });
         REQUIRE(guard != after.end());
         CHECK(describe(*guard) == "What if: no triangle is made.");
-        CHECK_FALSE(answer(points, with({said("20.guard drop 99")}, set)).ok());
+        CHECK_FALSE(answer(points, withWhatIfs({said("20.guard drop 99")}, set)).ok());
     }
 }
 
@@ -279,7 +281,7 @@ TEST_CASE("start or end advances against a convex ring if a person wants it") {
     for (const Event& event : eventsOf(points, Params{})) {
         const auto* limit = std::get_if<LimitEvidence>(&event.evidence);
         if (limit == nullptr || limit->verdict != Verdict::NotConcave) continue;
-        const Params fork = with({said(at(event, "keep", limit->to))});
+        const Params fork = withWhatIfs({said(at(event, "keep", limit->to))});
         if (!answer(points, fork)) continue;
         for (const Event& now : eventsAt(points, fork, event.address.pivot)) {
             const auto* moved = std::get_if<LimitEvidence>(&now.evidence);
@@ -305,7 +307,7 @@ TEST_CASE("a rule on fans can be overruled, and the mesh stays a manifold") {
             std::vector<Event> here = events;
             std::erase_if(here, [&](const Event& each) { return each.address.pivot != pivot; });
             const Index subject = guard->dropped == kNone ? pivotOf(here) : guard->dropped;
-            const Params fork = with({said(at(event, "keep", subject))}, "robust");
+            const Params fork = withWhatIfs({said(at(event, "keep", subject))}, "robust");
             const std::string what = lineOf(fork.whatIf[0]);
             if (!answer(points, fork)) continue;
             const auto after = eventsAt(points, fork, pivot);
@@ -322,7 +324,8 @@ TEST_CASE("a rule on fans can be overruled, and the mesh stays a manifold") {
 TEST_CASE("what would break an invariant is refused, and it is said which") {
     const PointSet points = sphere();
     const auto reason = [&](const Event& event) {
-        const Status status = answer(points, with({said(at(event, "keep", testedPoint(event)))}));
+        const Status status =
+            answer(points, withWhatIfs({said(at(event, "keep", testedPoint(event)))}));
         REQUIRE_FALSE(status.ok());
         return status.error().message;
     };
@@ -331,22 +334,22 @@ TEST_CASE("what would break an invariant is refused, and it is said which") {
     };
     CHECK(reason(sorted(Verdict::AlreadyDone)).find("invariant 7") != std::string::npos);
     CHECK(reason(sorted(Verdict::NotBeforeEnd)).find("invariant 8") != std::string::npos);
-    CHECK_FALSE(answer(points, with({said("99999.sphere keep 1")})).ok());
-    CHECK_FALSE(answer(points, with({said("5.sphere keep 99999")})).ok());
-    CHECK_FALSE(answer(points, with({said("5 list 20 20")})).ok());
+    CHECK_FALSE(answer(points, withWhatIfs({said("99999.sphere keep 1")})).ok());
+    CHECK_FALSE(answer(points, withWhatIfs({said("5.sphere keep 99999")})).ok());
+    CHECK_FALSE(answer(points, withWhatIfs({said("5 list 20 20")})).ok());
     const Vec3 taken = points.position[7];
     const WhatIf onto{WhatIfKind::Move, 3, Stage::Pivot, 20, taken, {}};
-    const Status there = answer(points, with({onto}));
+    const Status there = answer(points, withWhatIfs({onto}));
     REQUIRE_FALSE(there.ok());
     CHECK(there.error().message.find("section 3") != std::string::npos);
-    CHECK_FALSE(requireWhatIfs(points, with({onto})).ok());
+    CHECK_FALSE(requireWhatIfs(points, withWhatIfs({onto})).ok());
 }
 
 TEST_CASE("forks are the same with a log and without, stepped, run, and gone back to") {
     const PointSet points = sphere();
     const Event removed = firstEvent(points, Params{}, verdictIs<SphereEvidence>(Verdict::Removed));
     WhatIf moved{WhatIfKind::Move, 12, Stage::Pivot, 20, points.position[20] * 1.01, {}};
-    const Params fork = with({said(at(removed, "keep", testedPoint(removed))), moved});
+    const Params fork = withWhatIfs({said(at(removed, "keep", testedPoint(removed))), moved});
     const std::uint64_t hash = stateHash(runAll(points, fork).state);
     EventLog log;
     CHECK(stateHash(runAll(points, fork, &log).state) == hash);
@@ -373,10 +376,10 @@ TEST_CASE(
     for (const PointSet& points : {sphere(), sheet}) {
         for (const std::string_view set : {"paper", "robust"}) {
             const auto events = eventsOf(points, *paramsByName(set));
-            const std::uint64_t hash = hashOf(points, with({}, set));
+            const std::uint64_t hash = hashOf(points, withWhatIfs({}, set));
             for (int i = 0; i < 40; ++i) {
                 const Event& event = events[random() % events.size()];
-                const Params fork = with({anyWhatIf(points, event, random)}, set);
+                const Params fork = withWhatIfs({anyWhatIf(points, event, random)}, set);
                 const std::string what = lineOf(fork.whatIf[0]);
                 const Status status = answer(points, fork);
                 if (!status) {
@@ -389,7 +392,7 @@ TEST_CASE(
                 CHECK_MESSAGE(firstBreach(points, fork, level) == "", what);
                 CHECK_MESSAGE(hashOf(points, fork) != hash, what);
             }
-            CHECK(hashOf(points, with({}, set)) == hash);
+            CHECK(hashOf(points, withWhatIfs({}, set)) == hash);
         }
     }
     CHECK(accepted > 30);

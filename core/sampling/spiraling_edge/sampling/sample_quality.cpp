@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/sampling/sampler.h"
 
 namespace se {
