@@ -34,9 +34,8 @@ viewer=()
 [ ! -d app/viewer ] || mapfile -t viewer < <(sources app/viewer)
 # in_viewer PATTERN: the files of the viewer whose path below app/viewer matches.
 in_viewer() { printf '%s\n' ${viewer[@]+"${viewer[@]}"} | grep -E "^app/viewer/$1"; }
-mapfile -t gl < <(in_viewer 'gl/')
-mapfile -t not_gl < <(printf '%s\n' "${viewer[@]}" | grep -vE '^app/viewer/(gl/|offscreen|window|main|application)')
-mapfile -t plain < <(in_viewer '(run|scene|layers|steps|session|interface)/')
+mapfile -t not_gl < <(printf '%s\n' "${viewer[@]}" | grep -vE '^app/viewer/(render/|offscreen|window|main|application)')
+mapfile -t plain < <(in_viewer '(run|jobs|scene|layers|rows|session|layout|input|panel_state|commands|controllers)/')
 
 # core -> GLM, the standard library, nanoflann in neighbor_search.cpp, zlib in inflate.cpp.
 no "$(include "$window|$programs|app/|viewer|cli/|benchmark|doctest")" "core must not know" "${core[@]}"
@@ -64,23 +63,30 @@ mapfile -t files < <(sources core/spiraling_edge/stepper/robust)
 no "$(include '.*/phases/')" "robust/ must not know" "${files[@]}"
 # cli -> core
 no "$(include "$window|viewer|\\.\\./viewer|glm/gtc|stb")" "the command line must not know" "${cli[@]}"
-# viewer, from the bottom: run -> scene -> gl, layers; session, interface, panels on top of them.
-no "$(include 'glad/|EGL/|KHR/')" "only gl/ may call OpenGL" "${not_gl[@]}"
+# viewer
+no "$(include 'glad/|EGL/|KHR/')" "only render/ may call OpenGL" "${not_gl[@]}"
 no "$(include 'imgui|GLFW/')" "this part works without a window" "${plain[@]}"
+# Rooms of the viewer, from the bottom: a room may include those before it; those of one step do not
+# know each other.
+steps=(run jobs scene 'render|layers' rows session 'layout|input' panel_state commands panels controllers)
 # below ROOM ABOVE: the files of a room must not include one of the rooms above it.
 below() {
     local files
     mapfile -t files < <(in_viewer "$1/")
     no "$(include "$2")" "$1/ must not know" "${files[@]}"
 }
-below run '(scene|gl|layers|steps|session|interface|panels)/'
-below scene '(gl|layers|steps|session|interface|panels)/'
-below gl '(layers|steps|session|interface|panels)/|imgui\.h'
-below layers '(gl|steps|session|interface|panels)/'
-below steps '(scene|gl|layers|session|interface|panels)/'
-below session '(gl|interface|panels)/'
-below interface '(gl|panels)/'
-below panels 'gl/'
+for i in "${!steps[@]}"; do
+    for room in ${steps[i]//|/ }; do
+        above=$(printf '%s\n' "${steps[@]:i}" | tr '|' '\n' | grep -vx "$room" | paste -sd '|')
+        below "$room" "($above)/|(options|application|window|offscreen)\.h"
+    done
+done
+below render 'imgui\.h'
+groups='understand|find|change|frame|dialogs'
+for group in ${groups//|/ }; do
+    below "panels/$group" "panels/($(tr '|' '\n' <<<"$groups" | grep -vx "$group" | paste -sd '|'))/"
+done
+below panels/widgets "panels/($groups)/"
 
 # Files are written in one place, which leaves none half written.
 mapfile -t not_writers < <(printf '%s\n' "${core[@]}" "${cli[@]}" ${viewer[@]+"${viewer[@]}"} |
@@ -97,7 +103,7 @@ while read -r entry; do
 done < <(git ls-tree --name-only HEAD 2>/dev/null)
 
 # Dear ImGui breaks lines within numbers: running text goes through wrappedText().
-no 'ImGui::(TextWrapped|PushTextWrapPos)' "wrap text by panels/widgets.h" "${viewer[@]}"
+no 'ImGui::(TextWrapped|PushTextWrapPos)' "wrap text by panels/widgets/widgets.h" "${viewer[@]}"
 
 # Explicit lists forget.
 while read -r file; do

@@ -1,6 +1,6 @@
 # Writes a C++ file that holds the given shader files as strings.
 #   cmake -DOUT=shaders.cpp -DFILES=a.vert;b.frag -P embed.cmake
-set(content "// Made by shaders/embed.cmake.\n#include \"gl/shader_sources.h\"\n\n")
+set(content "// Made by shaders/embed.cmake.\n#include \"render/shader_sources.h\"\n\n")
 string(APPEND content "namespace se::view {\n\nnamespace {\n\nconstexpr ShaderSource kSources[] = {\n")
 foreach(file IN LISTS FILES)
     get_filename_component(name "${file}" NAME)

@@ -4,7 +4,7 @@
 
 #include "exit_code.h"
 #include "interrupt.h"
-#include "mesh_text.h"
+#include "output/mesh_text.h"
 #include "spiraling_edge/stepper/stepper.h"
 
 namespace se::cli {

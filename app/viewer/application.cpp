@@ -8,14 +8,14 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "gl/context.h"
-#include "gl/screenshot.h"
-#include "interface/alert_actions.h"
-#include "interface/break_commands.h"
-#include "interface/close_up.h"
-#include "interface/command_actions.h"
-#include "interface/compare_commands.h"
-#include "session/questions.h"
+#include "commands/alert_actions.h"
+#include "commands/break_commands.h"
+#include "commands/command_actions.h"
+#include "commands/compare_commands.h"
+#include "controllers/pivot_camera.h"
+#include "jobs/questions.h"
+#include "render/context.h"
+#include "render/screenshot.h"
 
 namespace se::view {
 

@@ -5,17 +5,17 @@
 #include <memory>
 #include <string>
 
-#include "alerting.h"
-#include "comparing.h"
-#include "filing.h"
-#include "growing.h"
-#include "interface/commands.h"
-#include "mesh_saving.h"
+#include "commands/commands.h"
+#include "controllers/alerts.h"
+#include "controllers/compare.h"
+#include "controllers/document.h"
+#include "controllers/mesh_saving.h"
+#include "controllers/sampling.h"
+#include "controllers/scene_painter.h"
 #include "options.h"
 #include "panels/panel.h"
 #include "panels/ui.h"
 #include "scene/camera.h"
-#include "scene_painter.h"
 #include "session/playback.h"
 #include "session/session.h"
 

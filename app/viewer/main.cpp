@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "application.h"
-#include "interface/recent.h"
-#include "interface/settings.h"
 #include "offscreen.h"
 #include "options.h"
+#include "panel_state/recent.h"
+#include "panel_state/settings.h"
 #include "scene/picking.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/io/read_points.h"

@@ -3,8 +3,8 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
-#include "gl/context.h"
-#include "gl/screenshot.h"
+#include "render/context.h"
+#include "render/screenshot.h"
 
 namespace se::view {
 

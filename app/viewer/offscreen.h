@@ -5,7 +5,7 @@
 #include <glm/vec2.hpp>
 #include <memory>
 
-#include "gl/target.h"
+#include "render/target.h"
 #include "spiraling_edge/base/result.h"
 
 namespace se::view {

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <utility>
 
-#include "interface/commands.h"
+#include "commands/commands.h"
+#include "jobs/guarded.h"
 #include "run/exact_text.h"
-#include "run/guarded.h"
-#include "run/text.h"
+#include "run/strings.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/sampling/sampler.h"
 #include "spiraling_edge/scenes/scenes.h"

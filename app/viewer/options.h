@@ -11,9 +11,9 @@
 #include "scene/mesh_style.h"
 #include "scene/palette.h"
 #include "scene/point_tint.h"
-#include "session/arrangement.h"
-#include "session/place.h"
+#include "session/layout_preset.h"
 #include "session/session_file.h"
+#include "session/view_position.h"
 
 namespace se::view {
 

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "application.h"
-#include "session/place.h"
-#include "session/questions.h"
+#include "jobs/questions.h"
 #include "session/selection_facts.h"
+#include "session/view_position.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/io/read_points.h"
 #include "spiraling_edge/io/write_mesh.h"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "application.h"
-#include "gl/context.h"
+#include "render/context.h"
 
 namespace se::view {
 

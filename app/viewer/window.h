@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "interface/key_routing.h"
+#include "input/key_routing.h"
 #include "spiraling_edge/base/result.h"
 
 struct GLFWwindow;

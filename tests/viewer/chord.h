@@ -1,7 +1,7 @@
 /// Keys by their names, for tests.
 #pragma once
 
-#include "interface/keys.h"
+#include "input/keys.h"
 
 namespace se::view::test {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "layers/layer.h"
-#include "rig.h"
+#include "open_session.h"
 #include "run/pivot_record.h"
 
 namespace se::view::test {

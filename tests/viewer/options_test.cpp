@@ -1,5 +1,5 @@
 #include "options.h"
-#include "rig.h"
+#include "open_session.h"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 #include "corner.h"
-#include "run/number_text.h"
+#include "run/number_format.h"
 #include "run/rule_set.h"
 
 namespace se::view {

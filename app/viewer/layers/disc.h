@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "layer.h"
-#include "run/number_text.h"
+#include "run/number_format.h"
 
 namespace se::view {
 

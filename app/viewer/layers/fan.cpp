@@ -1,6 +1,6 @@
 /// §6.4, Fig. 10: the triangles of the fan, one by one, numbered and with their turn.
 #include "disc.h"
-#include "run/measures.h"
+#include "scene/selection_measures.h"
 
 namespace se::view {
 

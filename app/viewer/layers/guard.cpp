@@ -3,7 +3,7 @@
 
 #include "corner.h"
 #include "overlap.h"
-#include "run/measures.h"
+#include "scene/selection_measures.h"
 
 namespace se::view {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "layer.h"
-#include "run/number_text.h"
+#include "run/number_format.h"
 
 namespace se::view {
 

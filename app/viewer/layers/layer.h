@@ -9,11 +9,11 @@
 #include <string_view>
 
 #include "run/component_shape.h"
-#include "run/mesh_index.h"
 #include "run/model.h"
 #include "run/picture.h"
 #include "run/selection.h"
 #include "scene/draw_list.h"
+#include "scene/mesh_index.h"
 #include "scene/motion.h"
 #include "scene/palette.h"
 #include "spiraling_edge/explain/failure_moments.h"

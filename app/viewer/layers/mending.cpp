@@ -1,8 +1,8 @@
 /// Beyond the paper (docs/robust.md): what the steps after the last pivot do to the mesh.
 #include "layer.h"
-#include "run/measures.h"
-#include "run/mended.h"
-#include "run/number_text.h"
+#include "run/number_format.h"
+#include "run/repair_diff.h"
+#include "scene/selection_measures.h"
 
 namespace se::view {
 

@@ -4,10 +4,10 @@
 #include <span>
 #include <string_view>
 
+#include "commands/growth_commands.h"
 #include "fonts.h"
-#include "interface/growth_commands.h"
-#include "interface/layout.h"
-#include "interface/ui_state.h"
+#include "layout/panel_rects.h"
+#include "panel_state/ui_state.h"
 #include "scene/draw_list.h"
 #include "session/session.h"
 

@@ -2,9 +2,9 @@
 #include <vector>
 
 #include "panel.h"
-#include "subject_menu.h"
-#include "tab_rows.h"
-#include "widgets.h"
+#include "panels/find/subject_menu.h"
+#include "panels/widgets/tab_rows.h"
+#include "panels/widgets/widgets.h"
 
 namespace se::view {
 

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "cure.h"
+#include "doctor_fixes.h"
 #include "rule_set.h"
 #include "sample_spec.h"
 #include "spiraling_edge/io/read_points.h"

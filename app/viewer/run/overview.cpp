@@ -4,7 +4,7 @@
 #include <chrono>
 #include <limits>
 
-#include "guarded.h"
+#include "jobs/guarded.h"
 #include "picture.h"
 #include "spiraling_edge/replay/reading.h"
 #include "spiraling_edge/stepper/stepper.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mended.h"
+#include "repair_diff.h"
 #include "spiraling_edge/replay/reading.h"
 #include "spiraling_edge/stepper/verdict_table.h"
 

@@ -9,7 +9,7 @@
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/sampling/sampler.h"
 #include "spiraling_edge/sampling/volume.h"
-#include "text.h"
+#include "strings.h"
 
 namespace se::view {
 

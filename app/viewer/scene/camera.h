@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "run/up_axis.h"
+#include "up_axis.h"
 
 namespace se::view {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "palette.h"
-#include "run/mended.h"
 #include "run/overview.h"
+#include "run/repair_diff.h"
 
 namespace se::view {
 

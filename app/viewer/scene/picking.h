@@ -6,7 +6,7 @@
 #include <span>
 
 #include "camera.h"
-#include "run/mesh_index.h"
+#include "mesh_index.h"
 #include "run/picture.h"
 #include "run/selection.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "run/number_text.h"
+#include "run/number_format.h"
 #include "run/rule_set.h"
 
 namespace se::view {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "run/guarded.h"
+#include "jobs/guarded.h"
 
 namespace se::view {
 

@@ -9,11 +9,11 @@
 #include <thread>
 #include <vector>
 
+#include "compare_sync.h"
 #include "compare_with.h"
 #include "session.h"
 #include "spiraling_edge/explain/run_compare.h"
 #include "spiraling_edge/mesh/mesh_compare.h"
-#include "twin.h"
 
 namespace se::view {
 

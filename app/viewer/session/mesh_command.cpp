@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "run/exact_text.h"
-#include "run/text.h"
+#include "run/strings.h"
 #include "session.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/scenes/scenes.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "inquiry.h"
+#include "jobs/background_query.h"
 #include "mesh_command.h"
 #include "run/model.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "run/measures.h"
+#include "scene/selection_measures.h"
 #include "session.h"
 
 namespace se::view {

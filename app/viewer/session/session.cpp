@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "questions.h"
+#include "jobs/questions.h"
 
 namespace se::view {
 

@@ -14,20 +14,20 @@
 #include <thread>
 #include <utility>
 
-#include "alert_search.h"
-#include "checkup.h"
 #include "history.h"
-#include "hit_search.h"
-#include "remedy_search.h"
-#include "run/loader.h"
-#include "run/mesh_index.h"
+#include "jobs/alert_search.h"
+#include "jobs/doctor_job.h"
+#include "jobs/hit_search.h"
+#include "jobs/loader.h"
+#include "jobs/remedy_search.h"
+#include "jobs/runner.h"
+#include "jobs/watch_scan.h"
 #include "run/model.h"
 #include "run/overview.h"
 #include "run/picture.h"
 #include "run/pivot_record.h"
-#include "run/runner.h"
 #include "run/selection.h"
-#include "watch_scan.h"
+#include "scene/mesh_index.h"
 
 namespace se::view {
 

@@ -6,8 +6,8 @@
 #include <set>
 #include <vector>
 
-#include "layer_text.h"
-#include "run/text.h"
+#include "layers/layer_text.h"
+#include "run/strings.h"
 #include "session_options.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/io/read_points.h"

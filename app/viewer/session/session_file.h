@@ -7,15 +7,15 @@
 #include <string>
 #include <string_view>
 
-#include "arrangement.h"
 #include "bookmarks.h"
 #include "compare_with.h"
 #include "layers/layer.h"
-#include "place.h"
+#include "layout_preset.h"
 #include "run/model.h"
 #include "run/selection.h"
 #include "spiraling_edge/base/result.h"
 #include "spiraling_edge/replay/breakpoint.h"
+#include "view_position.h"
 
 namespace se::view {
 

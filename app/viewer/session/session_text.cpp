@@ -2,7 +2,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "run/text.h"
+#include "run/strings.h"
 #include "session.h"
 
 namespace se::view {

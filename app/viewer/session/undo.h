@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "arrangement.h"
 #include "bookmarks.h"
 #include "layers/layer.h"
-#include "run/cure.h"
+#include "layout_preset.h"
+#include "run/doctor_fixes.h"
 #include "run/rule_set.h"
 #include "run/selection.h"
 #include "scene/camera.h"

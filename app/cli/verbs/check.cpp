@@ -1,0 +1,222 @@
+// spiraling-edge check: what is wrong with a mesh, whoever made it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <unordered_map>
+
+#include "input.h"
+#include "options.h"
+#include "output/failure_totals.h"
+#include "output/mesh_text.h"
+#include "output/output.h"
+#include "spiraling_edge/mesh/inspection.h"
+#include "verbs.h"
+
+namespace se::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct CheckArguments {
+    std::string mesh;
+    std::string cloud;
+    std::vector<std::string> allowed;
+    bool json = false;
+    bool quiet = false;
+
+    void addTo(CLI::App& app) {
+        app.add_option("MESH", mesh, "File with triangles (PLY, OBJ or OFF), or - for stdin")
+            ->required();
+        app.add_option("--points", cloud,
+                       "The points that the mesh was made of: their normals tell what is flipped, "
+                       "their wall types what is no hole, and those in no triangle are named")
+            ->type_name("CLOUD");
+        app.add_option("--allow", allowed, "A class that is no failure here; may be repeated")
+            ->type_name("CLASS")
+            ->allow_extra_args(false);
+        app.add_flag("--json", json,
+                     fmt::format("As JSON, with all indices; of intersecting triangles the first "
+                                 "{}",
+                                 kMostListed));
+        app.add_flag("-q,--quiet", quiet, "Only the exit code: 1 if there is a failure");
+        std::string footer = "\nClasses:\n";
+        for (const FailureClass& each : failureClasses()) {
+            if (each.find == nullptr) continue;
+            footer += fmt::format("  {:<23} {}\n", each.name, each.meaning);
+        }
+        footer.pop_back();
+        app.footer(footer);
+    }
+
+    void validate() const {
+        for (const std::string& name : allowed) {
+            if (findFailureClass(name) == nullptr) {
+                throw Failure(ExitCode::Usage,
+                              fmt::format("--allow {}: there is no such class; see "
+                                          "spiraling-edge check --help",
+                                          name));
+            }
+        }
+    }
+    bool allows(const MeshFailure& failure) const {
+        return std::find(allowed.begin(), allowed.end(), failure.kind->name) != allowed.end();
+    }
+};
+
+PointSet pointsOf(const PointFile& file) {
+    PointSet points;
+    points.position = file.position;
+    points.normal = file.normal;
+    points.type = file.type;
+    return points;
+}
+
+/// A place as both files have it, though one may have written floats.
+struct PlaceHash {
+    std::size_t operator()(const std::array<float, 3>& place) const {
+        std::size_t hash = 0;
+        for (const float x : place) hash = hash * 1000003U ^ std::hash<float>{}(x);
+        return hash;
+    }
+};
+std::array<float, 3> placeOf(const Vec3& x) {
+    // Adding 0 makes -0 the same as 0.
+    return {static_cast<float>(x.x) + 0.0F, static_cast<float>(x.y) + 0.0F,
+            static_cast<float>(x.z) + 0.0F};
+}
+
+/// The triangles with the numbers of the cloud's points. Throws Failure if a corner is none of
+/// them.
+std::vector<Triangle> trianglesOn(const PointFile& cloud, const PointFile& mesh,
+                                  const CheckArguments& names) {
+    std::unordered_map<std::array<float, 3>, Index, PlaceHash> at;
+    for (std::size_t i = 0; i < cloud.position.size(); ++i)
+        at.emplace(placeOf(cloud.position[i]), static_cast<Index>(i));
+    const bool sameCount = cloud.position.size() == mesh.position.size();
+    const auto find = [&](Index corner) {
+        const Vec3& x = mesh.position[corner];
+        if (sameCount && placeOf(cloud.position[corner]) == placeOf(x)) return corner;
+        const auto found = at.find(placeOf(x));
+        if (found != at.end()) return found->second;
+        throw Failure(ExitCode::Input,
+                      fmt::format("{}: vertex {} at ({:.6g}, {:.6g}, {:.6g}) is no point of {}; "
+                                  "leave --points out, or give the points the mesh was made of",
+                                  names.mesh, corner, x.x, x.y, x.z, names.cloud));
+    };
+    std::vector<Triangle> triangles;
+    triangles.reserve(mesh.faces.size());
+    for (const Triangle& t : mesh.faces) triangles.push_back({find(t.a), find(t.b), find(t.c)});
+    return triangles;
+}
+
+/// The classes that a mesh can have: those that only a run has come last.
+std::span<const FailureClass> meshClasses() {
+    const std::span<const FailureClass> all = failureClasses();
+    const auto end =
+        std::find_if(all.begin(), all.end(), [](const auto& each) { return each.find == nullptr; });
+    return {all.begin(), end};
+}
+
+std::string reportText(const CheckArguments& arguments, std::size_t triangles,
+                       const MeshInspection& found) {
+    constexpr std::size_t kShown = 10;
+    std::string text = fmt::format("{}: {}, {}\n", arguments.mesh, counted(triangles, "triangle"),
+                                   totalText(found.totals));
+    for (std::size_t i = 0; i < meshClasses().size(); ++i) {
+        const std::string_view name = meshClasses()[i].name;
+        const ClassTotal& total = found.totals[i];
+        if (total.total == 0) continue;
+        const bool allowed = std::find(arguments.allowed.begin(), arguments.allowed.end(), name) !=
+                             arguments.allowed.end();
+        text += fmt::format("{:>7} {}{}\n", amountText(total), name, allowed ? ", allowed" : "");
+        std::size_t shown = 0;
+        for (const MeshFailure& failure : found.failures) {
+            if (failure.kind->name != name) continue;
+            if (shown++ == kShown) break;
+            text += "          " + describe(failure).substr(name.size() + 2) + "\n";
+        }
+        if (total.total > kShown)
+            text += total.all()
+                        ? "          ... all of them by --json\n"
+                        : fmt::format("          ... the first {} by --json\n", total.listed);
+    }
+    return text;
+}
+
+std::string reportJson(const CheckArguments& arguments, std::size_t triangles,
+                       const MeshInspection& found, bool good) {
+    Json json;
+    json["mesh"] = arguments.mesh;
+    json["points"] = arguments.cloud.empty() ? Json() : Json(arguments.cloud);
+    json["triangles"] = triangles;
+    json["good"] = good;
+    addTotals(found.totals, meshClasses(), json);
+    json["failures"] = Json::array();
+    for (const MeshFailure& failure : found.failures) {
+        Json row = {{"class", failure.kind->name},
+                    {"points", failure.points},
+                    {"triangles", failure.triangles},
+                    {"at", {failure.place.x, failure.place.y, failure.place.z}}};
+        if (failure.length > 0.0) {
+            row["length"] = failure.length;
+            row["area"] = failure.area;
+        }
+        json["failures"].push_back(row);
+    }
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void requireFinite(const PointFile& file, const std::vector<Triangle>& triangles,
+                   const std::string& name) {
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const Triangle& t = triangles[i];
+        for (const Index p : {t.a, t.b, t.c}) {
+            const Vec3& x = file.position[p];
+            if (std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z)) continue;
+            throw Failure(
+                ExitCode::Input,
+                fmt::format("{}: triangle {} has corner {}, which is not finite", name, i, p));
+        }
+    }
+}
+
+}  // namespace
+
+ExitCode checkVerb(const Arguments& words) {
+    CheckArguments arguments;
+    CLI::App app("Says what is wrong with a mesh, whoever made it.", "spiraling-edge check");
+    arguments.addTo(app);
+    if (const auto code = parseArguments(app, words)) return *code;
+    arguments.validate();
+    if (arguments.mesh == kStandardInput && arguments.cloud == kStandardInput)
+        throw Failure(ExitCode::Usage, "--points -: standard input is MESH already; name a file");
+    const PointFile mesh = readInput(arguments.mesh);
+    // A run that made nothing is a mesh as well, if the points are given.
+    if (mesh.faces.empty() && arguments.cloud.empty())
+        throw Failure(
+            ExitCode::Input,
+            fmt::format("{0}: has no triangles; check looks at meshes: spiraling-edge run {0} -o "
+                        "mesh.ply makes one, spiraling-edge why {0} --failures says what "
+                        "goes wrong in the run",
+                        arguments.mesh));
+    const bool alone = arguments.cloud.empty();
+    const PointFile cloud = alone ? PointFile{} : readInput(arguments.cloud);
+    const PointFile& file = alone ? mesh : cloud;
+    const std::vector<Triangle> triangles =
+        alone ? mesh.faces : trianglesOn(cloud, mesh, arguments);
+    requireFinite(file, triangles, arguments.mesh);
+    const MeshInspection found = inspectWithTotals(pointsOf(file), triangles);
+    const bool good =
+        std::all_of(found.failures.begin(), found.failures.end(),
+                    [&](const MeshFailure& failure) { return arguments.allows(failure); });
+    if (!arguments.quiet) {
+        writeOutput("-", arguments.json ? reportJson(arguments, triangles.size(), found, good)
+                                        : reportText(arguments, triangles.size(), found));
+    }
+    return good ? ExitCode::Good : ExitCode::CheckFailed;
+}
+
+}  // namespace se::cli

@@ -1,0 +1,119 @@
+// spiraling-edge compare: two runs on the same points, or a run and the mesh of another program.
+#include <fmt/format.h>
+
+#include "compare_words.h"
+#include "failure_choice.h"
+#include "input.h"
+#include "interrupt.h"
+#include "output/compare_text.h"
+#include "output/output.h"
+#include "progress_work.h"
+#include "verbs.h"
+
+namespace se::cli {
+namespace {
+
+struct CompareArguments {
+    InputArguments input;
+    std::string mesh;
+    std::size_t most = 10;
+    bool json = false;
+    bool quiet = false;
+
+    void addTo(CLI::App& app) {
+        input.addTo(app);
+        // Cut off before the words are read; here for the help.
+        app.add_flag_callback(
+            "--with", [] {},
+            "The other run: all options after this word are those in which B "
+            "differs from A");
+        app.add_option("--mesh", mesh,
+                       "In place of another run: a mesh (PLY, OBJ or OFF) that was made on the "
+                       "same points; its vertices are found again by their places")
+            ->type_name("FILE");
+        app.add_option("--most", most, "List N regions of difference")
+            ->type_name("N")
+            ->capture_default_str();
+        app.add_flag("--json", json, "As JSON, with all triangles that only one of them has");
+        app.add_flag("-q,--quiet", quiet, "Only the exit code: 1 if the meshes differ");
+        app.footer(app.get_footer() +
+                   "\n\nExample: spiraling-edge compare scene:torus --rules paper --with --rules "
+                   "robust\nEvery decision begins with an address: spiraling-edge-viewer IN "
+                   "OPTIONS --goto ADDRESS shows it.");
+    }
+};
+
+/// A and B as two runs.
+Comparison compareTwoRuns(const CompareArguments& arguments, const ParsedInput& other,
+                          ProgressLine& line) {
+    const std::string& input = arguments.input.input();
+    // Once: standard input is gone then.
+    const PointFile file = readInput(input);
+    const PreparedInput a = arguments.input.prepare(file, line);
+    const PreparedInput b = other.input().prepare(file, line);
+    RunComparison runs = workedOut("comparing", input, line, [&](const Progress& progress) {
+        return compareRuns({a.points, a.params}, {b.points, b.params}, progress);
+    });
+    MeshDifference meshes = compareMeshes(a.points.position, runs.a.triangles, runs.b.triangles);
+    return {input,
+            a.points.size(),
+            {titleOf(arguments.input), runs.a},
+            {titleOf(other.input()), runs.b},
+            std::move(meshes),
+            std::move(runs),
+            {}};
+}
+
+/// A as a run, B as a mesh that lies there finished.
+Comparison compareWithMesh(const CompareArguments& arguments, ProgressLine& line) {
+    const std::string& input = arguments.input.input();
+    const PointFile file = readInput(arguments.mesh);
+    if (file.faces.empty())
+        throw Failure(ExitCode::Input, arguments.mesh + ": has no triangles to compare with");
+    const PreparedInput a = arguments.input.prepare(line);
+    MatchedMesh matched = matchMesh(a.points.position, file);
+    // The run alone, to know where each triangle was made.
+    MadeMesh run = workedOut("running", input, line, [&](const Progress& progress) {
+        return makeMesh({a.points, a.params}, progress);
+    });
+    std::vector<Vec3> position = a.points.position;
+    position.insert(position.end(), matched.strangers.begin(), matched.strangers.end());
+    MeshDifference meshes = compareMeshes(position, run.triangles, matched.triangles);
+    MadeMesh other;
+    other.triangles = std::move(matched.triangles);
+    return {input,
+            a.points.size(),
+            {titleOf(arguments.input), std::move(run)},
+            {arguments.mesh, std::move(other)},
+            std::move(meshes),
+            std::nullopt,
+            std::move(matched.strangerVertices)};
+}
+
+}  // namespace
+
+ExitCode compareVerb(const Arguments& words) {
+    const ComparedWords parted = partedAtWith(words);
+    CompareArguments arguments;
+    CLI::App app("Compares two runs on the same points, or a run and the mesh of another program.",
+                 "spiraling-edge compare");
+    arguments.addTo(app);
+    if (const auto code = parseArguments(app, parted.a)) return *code;
+    if (parted.hasWith == !arguments.mesh.empty())
+        throw Failure(ExitCode::Usage, "give the other run after --with, or a mesh by --mesh");
+    if (arguments.input.input() == kStandardInput && arguments.mesh == kStandardInput)
+        throw Failure(ExitCode::Usage, "--mesh -: standard input is IN already; name a file");
+    // Mistakes in B come before long work.
+    const ParsedInput other(wordsOfB(arguments.input, parted.with));
+    catchInterrupts();
+    ProgressLine line(!arguments.quiet);
+    const Comparison found =
+        parted.hasWith ? compareTwoRuns(arguments, other, line) : compareWithMesh(arguments, line);
+    if (!arguments.quiet) {
+        writeOutput("-",
+                    arguments.json ? comparisonJson(found) : comparisonText(found, arguments.most));
+    }
+    return found.meshes.same() ? ExitCode::Good : ExitCode::CheckFailed;
+}
+
+}  // namespace se::cli

@@ -1,0 +1,221 @@
+// spiraling-edge doctor: what in a file will upset the algorithm, and what can be mended.
+#include "spiraling_edge/doctor/doctor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "input.h"
+#include "interrupt.h"
+#include "options.h"
+#include "output/mesh_text.h"
+#include "output/output.h"
+#include "progress.h"
+#include "progress_work.h"
+#include "verbs.h"
+
+namespace se::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct DoctorArguments {
+    std::string input;
+    std::string fixed;
+    std::vector<std::string> drop;
+    bool json = false;
+    bool quiet = false;
+
+    void addTo(CLI::App& app) {
+        app.add_option("IN", input, "File with points, - or scene:ID")->required();
+        auto* fix =
+            addOutputOption(
+                app, "--fix", fixed,
+                "Mend what needs no guessing, and write it to this file; - : to standard output")
+                ->type_name("OUT.ply");
+        app.add_option("--drop", drop,
+                       "With --fix: also drop the points that this check found; may be repeated")
+            ->type_name("CHECK")
+            ->allow_extra_args(false)
+            ->needs(fix);
+        app.add_flag("--json", json, "As JSON, with all indices");
+        app.add_flag("-q,--quiet", quiet, "Only the exit code: 1 if something was found");
+        std::string footer = "\nChecks (docs/doctor.md), * mended by --fix:\n";
+        for (const DoctorCheck& check : doctorChecks()) {
+            footer += fmt::format("{} {:<18} {:<4} {}\n", check.mended() ? "*" : " ", check.name,
+                                  check.section, check.upsets);
+        }
+        footer.pop_back();
+        app.footer(footer);
+    }
+
+    void validate() const {
+        if (!fixed.empty() && fixed != "-" && !fixed.ends_with(".ply"))
+            throw Failure(ExitCode::Usage, fmt::format("--fix {}: only .ply is written", fixed));
+        if (fixed == "-" && json)
+            throw Failure(ExitCode::Usage,
+                          "--fix -: standard output takes the points or --json, not both");
+        requireWritable({{"--fix", fixed}});
+        for (const std::string& name : drop) {
+            if (findDoctorCheck(name) == nullptr)
+                throw Failure(
+                    ExitCode::Usage,
+                    fmt::format("--drop {}: there is no such check; see spiraling-edge doctor "
+                                "--help",
+                                name));
+        }
+    }
+};
+
+/// What was found, and what became of it.
+struct Visit {
+    std::string input;
+    std::size_t points = 0;
+    Diagnosis findings;
+    std::string output;  ///< Empty if nothing was written.
+    Treatment treatment;
+    Diagnosis left;  ///< What the written file still has.
+};
+
+Diagnosis examineInput(const PointFile& file, const std::string& name, ProgressLine& line) {
+    return workedOut("examining", name, line,
+                     [&](const Progress& progress) { return examine(file, progress); });
+}
+
+/// The points of the checks whose findings should go.
+std::vector<Index> pointsToDrop(const Diagnosis& findings, const std::vector<std::string>& names) {
+    std::vector<Index> points;
+    for (const Finding& finding : findings) {
+        if (std::find(names.begin(), names.end(), finding.check->name) != names.end())
+            points.insert(points.end(), finding.points.begin(), finding.points.end());
+    }
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    return points;
+}
+
+// ---- for people ---------------------------------------------------------------------------------
+
+std::string placesText(const std::vector<Index>& points) {
+    constexpr std::size_t kShown = 10;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(kShown, points.size()); ++i)
+        appendPart(text, std::to_string(points[i]));
+    if (points.size() > kShown) text += ", ...";
+    return text;
+}
+
+std::string findingText(const Finding& finding, const std::string& input) {
+    std::string text = fmt::format("  {:<8} {}: {}\n", severityName(finding.severity),
+                                   finding.check->name, finding.text);
+    const auto addLine = [&](std::string_view label, const std::string& sentence) {
+        if (!sentence.empty()) text += fmt::format("           {} {}\n", label, sentence);
+    };
+    addLine("at point", placesText(finding.points));
+    addLine(fmt::format("section {}:", finding.check->section), std::string(finding.check->upsets));
+    addLine("try:", remedyFor(*finding.check, input));
+    return text;
+}
+
+std::string visitText(const Visit& visit) {
+    std::string text = fmt::format(
+        "{}: {}, {}\n", visit.input, counted(visit.points, "point"),
+        visit.findings.empty() ? "nothing found" : counted(visit.findings.size(), "finding"));
+    for (const Finding& finding : visit.findings) text += findingText(finding, visit.input);
+    if (visit.output.empty()) return text;
+    text += fmt::format("{}: written, {}\n", visit.output,
+                        counted(visit.treatment.file.position.size(), "point"));
+    for (const Repair& repair : visit.treatment.repairs) text += "  mended   " + repair.text + "\n";
+    for (const Finding& finding : visit.left) {
+        if (finding.accuses())
+            text += fmt::format("  left     {}: {}\n", finding.check->name, finding.text);
+    }
+    return text;
+}
+
+// ---- for programs -------------------------------------------------------------------------------
+
+Json findingJson(const Finding& finding, const std::string& input) {
+    const std::string remedy = remedyFor(*finding.check, input);
+    Json json;
+    json["name"] = finding.check->name;
+    json["severity"] = severityName(finding.severity);
+    json["count"] = finding.count;
+    json["text"] = finding.text;
+    json["section"] = finding.check->section;
+    json["upsets"] = finding.check->upsets;
+    json["remedy"] = remedy.empty() ? Json() : Json(remedy);
+    json["mended"] = finding.check->mended();
+    json["points"] = finding.points;
+    return json;
+}
+
+Json findingsJson(const Diagnosis& diagnosis, const std::string& input) {
+    Json list = Json::array();
+    for (const Finding& finding : diagnosis) list.push_back(findingJson(finding, input));
+    return list;
+}
+
+std::string visitJson(const Visit& visit) {
+    Json json;
+    json["input"] = visit.input;
+    json["points"] = visit.points;
+    json["accused"] = accuses(visit.findings);
+    json["findings"] = findingsJson(visit.findings, visit.input);
+    json["fixed"] = Json();
+    if (!visit.output.empty()) {
+        Json repairs = Json::array();
+        for (const Repair& repair : visit.treatment.repairs) {
+            repairs.push_back(
+                {{"name", repair.name}, {"count", repair.count}, {"text", repair.text}});
+        }
+        json["fixed"] = {{"output", visit.output},
+                         {"points", visit.treatment.file.position.size()},
+                         {"repairs", repairs},
+                         {"findings", findingsJson(visit.left, visit.output)}};
+    }
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write(const std::string& path, const PointFile& fixed) {
+    if (path == "-") return writeOutput(path, meshPlyBytes(fixed, fixed.faces));
+    const Status status = writeMeshPly(path, fixed, fixed.faces);
+    if (!status) throw Failure(ExitCode::Internal, status.error().message);
+}
+
+}  // namespace
+
+ExitCode doctorVerb(const Arguments& words) {
+    DoctorArguments arguments;
+    CLI::App app("Says what in a file will upset the algorithm, and mends what needs no guessing.",
+                 "spiraling-edge doctor");
+    arguments.addTo(app);
+    if (const auto code = parseArguments(app, words)) return *code;
+    arguments.validate();
+    catchInterrupts();
+    ProgressLine line(!arguments.quiet);
+    const PointFile file = readInput(arguments.input);
+    Visit visit{arguments.input,
+                file.position.size(),
+                examineInput(file, arguments.input, line),
+                arguments.fixed,
+                {},
+                {}};
+    if (!arguments.fixed.empty()) {
+        visit.treatment = treat(file, pointsToDrop(visit.findings, arguments.drop));
+        const PointFile& fixed = visit.treatment.file;
+        visit.left = examineInput(fixed, arguments.fixed, line);
+        write(arguments.fixed, fixed);
+    }
+    // Where the points go to standard output, words go elsewhere.
+    if (arguments.fixed == "-" && !arguments.quiet) {
+        fmt::print(stderr, "{}", visitText(visit));
+    } else if (!arguments.quiet) {
+        writeOutput("-", arguments.json ? visitJson(visit) : visitText(visit));
+    }
+    const bool accused = accuses(arguments.fixed.empty() ? visit.findings : visit.left);
+    return accused ? ExitCode::CheckFailed : ExitCode::Good;
+}
+
+}  // namespace se::cli

@@ -1,0 +1,221 @@
+// spiraling-edge info: what a file holds, before anything is done with it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "input.h"
+#include "options.h"
+#include "output/mesh_text.h"
+#include "output/output.h"
+#include "spiraling_edge/mesh/mesh_report.h"
+#include "verbs.h"
+
+namespace se::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Distances to the nearest point, over the points that have one.
+struct Spacing {
+    std::size_t count = 0;
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0.0;
+    double mean = 0.0;
+};
+
+struct Box {
+    Vec3 low{0.0};
+    Vec3 high{0.0};
+};
+
+/// Everything that is told about a file.
+struct Facts {
+    PointFile file;
+    Box box;
+    Spacing spacing;
+    std::size_t wallPoints = 0;
+    std::size_t cornerPoints = 0;
+    std::size_t rimPoints = 0;
+    PrepareReport prepared;
+    MeshReport mesh;
+};
+
+bool isFinite(const Vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+Box boxOf(const std::vector<Vec3>& positions) {
+    Box box;
+    bool first = true;
+    for (const Vec3& p : positions) {
+        if (!isFinite(p)) continue;
+        box.low = first ? p : glm::min(box.low, p);
+        box.high = first ? p : glm::max(box.high, p);
+        first = false;
+    }
+    return box;
+}
+
+Spacing spacingOf(const PointSet& points, const NeighborLists& nearest) {
+    Spacing spacing;
+    double sum = 0.0;
+    for (Index p = 0; p < nearest.size(); ++p) {
+        if (nearest[p].empty()) continue;
+        const Vec3 d = points.position[nearest[p][0]] - points.position[p];
+        const double distance = std::sqrt(glm::dot(d, d));
+        spacing.least = std::min(spacing.least, distance);
+        spacing.most = std::max(spacing.most, distance);
+        sum += distance;
+        ++spacing.count;
+    }
+    if (spacing.count > 0) spacing.mean = sum / static_cast<double>(spacing.count);
+    return spacing;
+}
+
+/// A set that can be asked for spacing and mesh even if the file has no normals.
+PointSet withSomeNormals(const PointFile& file) {
+    PointSet points;
+    points.position = file.position;
+    points.normal.assign(file.position.size(), Vec3(0.0));
+    return points;
+}
+
+Facts gather(const std::string& input) {
+    Facts facts;
+    facts.file = readInput(input);
+    facts.box = boxOf(facts.file.position);
+    for (const std::uint8_t type : facts.file.type) {
+        facts.wallPoints += isOnWall(type) ? 1U : 0U;
+        facts.rimPoints += isRimPoint(type) ? 1U : 0U;
+        facts.cornerPoints += isCorner(type) ? 1U : 0U;
+    }
+    PointSet points = withSomeNormals(facts.file);
+    if (facts.file.hasNormals()) {
+        NeighborOptions options;
+        options.reach = KNearest{1};
+        Result<Prepared> prepared = prepare(facts.file, {options});
+        if (!prepared) throw Failure(ExitCode::Input, input + ": " + prepared.error().message);
+        facts.prepared = prepared.value().report;
+        points = std::move(prepared.value().points);
+    }
+    std::vector<bool> usable(points.size());
+    std::transform(points.position.begin(), points.position.end(), usable.begin(), isFinite);
+    NeighborOptions nearest;
+    nearest.reach = KNearest{1};
+    nearest.dropOpposingNormals = false;
+    const auto lists = findNeighbors(points.position, {}, usable, nearest);
+    if (lists) facts.spacing = spacingOf(points, lists.value());
+    facts.mesh = reportMesh(points, facts.file.faces);
+    return facts;
+}
+
+Json vectorJson(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
+
+std::string factsJson(const std::string& input, const Facts& facts) {
+    const PointFile& file = facts.file;
+    Json json;
+    json["input"] = input;
+    json["points"] = file.position.size();
+    json["columns"] = file.columns.names.empty() ? Json() : Json(file.columns.names);
+    json["columns_reason"] = file.columns.reason.empty() ? Json() : Json(file.columns.reason);
+    json["normals"] = file.hasNormals();
+    json["box"] = {{"low", vectorJson(facts.box.low)}, {"high", vectorJson(facts.box.high)}};
+    json["nearest_distance"] = Json();
+    if (facts.spacing.count > 0) {
+        json["nearest_distance"] = {{"least", facts.spacing.least},
+                                    {"mean", facts.spacing.mean},
+                                    {"most", facts.spacing.most}};
+    }
+    json["wall_points"] = facts.wallPoints;
+    json["corner_points"] = facts.cornerPoints;
+    json["rim_points"] = facts.rimPoints;
+    json["neighbor_lists"] = file.hasNeighbors();
+    json["neighbor_entries"] = file.neighbors.ids.size();
+    json["set_aside"] = {{"non_finite", facts.prepared.nonFinitePoints},
+                         {"zero_normals", facts.prepared.zeroNormals},
+                         {"duplicates", facts.prepared.duplicatePoints}};
+    json["unscaled_normals"] = facts.prepared.unscaledNormals;
+    json["attributes"] = Json::array();
+    for (const Attribute& attribute : file.attributes) json["attributes"].push_back(attribute.name);
+    json["triangles"] = facts.mesh.triangles;
+    json["components"] = facts.mesh.components;
+    json["boundary_edges"] = facts.mesh.boundaryEdges;
+    json["boundary_loops"] = facts.mesh.boundaryLoops;
+    json["non_manifold_edges"] = facts.mesh.nonManifoldEdges;
+    json["inconsistent_edges"] = facts.mesh.inconsistentEdges;
+    json["euler_characteristic"] = facts.mesh.eulerCharacteristic;
+    json["closed_manifold"] = facts.mesh.closedManifold();
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+/// Significant digits with which the sides of the box can be told apart, far from the origin too.
+int boxDigits(const Facts& facts) {
+    constexpr double kUsual = 6.0;
+    constexpr double kMax = 17.0;
+    const Vec3 size = facts.box.high - facts.box.low;
+    const Vec3 reach = glm::max(glm::abs(facts.box.low), glm::abs(facts.box.high));
+    double digits = kUsual;
+    for (int i = 0; i < 3; ++i) {
+        if (size[i] > 0.0 && std::isfinite(reach[i]))
+            digits = std::max(digits, 4.0 + std::log10(reach[i] / size[i]));
+    }
+    return static_cast<int>(std::min(digits, kMax));
+}
+
+std::string factsText(const std::string& input, const Facts& facts) {
+    const PointFile& file = facts.file;
+    std::string text = fmt::format("{}: {}\n", input, counted(file.position.size(), "point"));
+    const auto addLine = [&](const char* label, const std::string& sentence) {
+        if (!sentence.empty()) text += fmt::format("  {:<10} {}\n", label, sentence);
+    };
+    const Box& box = facts.box;
+    addLine("box", fmt::format("{0:.{6}g} {1:.{6}g} {2:.{6}g} to {3:.{6}g} {4:.{6}g} {5:.{6}g}",
+                               box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z,
+                               boxDigits(facts)));
+    if (facts.spacing.count > 0) {
+        addLine("spacing",
+                fmt::format("nearest point at {:g} on average, {:g} to {:g}", facts.spacing.mean,
+                            facts.spacing.least, facts.spacing.most));
+    }
+    addLine("columns", columnsSentence(file.columns));
+    addLine("normals", file.hasNormals() ? "yes" : "none: they will be derived");
+    if (facts.prepared.unscaledNormals > 0)
+        addLine("", fmt::format("{} not of unit length", facts.prepared.unscaledNormals));
+    addLine("set aside", setAsideSentence(facts.prepared));
+    if (file.hasTypes() && (facts.wallPoints > 0 || facts.rimPoints == 0)) {
+        addLine("walls", fmt::format("{} on a wall, {} of them on two or more", facts.wallPoints,
+                                     facts.cornerPoints));
+    }
+    if (facts.rimPoints > 0)
+        addLine("rims", fmt::format("{} where no wall is", counted(facts.rimPoints, "point")));
+    addLine("neighbors", file.hasNeighbors() ? fmt::format("{} in lists", file.neighbors.ids.size())
+                                             : "none in the file: computed when it is run");
+    std::string names;
+    for (const Attribute& attribute : file.attributes) appendPart(names, attribute.name);
+    addLine("also", names);
+    if (!file.faces.empty()) {
+        addLine("mesh", meshSentence(facts.mesh));
+        addLine("defects", defectSentence(facts.mesh));
+    }
+    return text;
+}
+
+}  // namespace
+
+ExitCode infoVerb(const Arguments& words) {
+    CLI::App app("Says what a file holds.", "spiraling-edge info");
+    std::string input;
+    bool json = false;
+    app.add_option("IN", input, "File with points, - or scene:ID")->required();
+    app.add_flag("--json", json, "As JSON");
+    if (const auto code = parseArguments(app, words)) return *code;
+    const Facts facts = gather(input);
+    writeOutput("-", json ? factsJson(input, facts) : factsText(input, facts));
+    return ExitCode::Good;
+}
+
+}  // namespace se::cli

@@ -1,0 +1,257 @@
+// spiraling-edge reduce: the fewest points that still fail, with a session and a test of them.
+#include "spiraling_edge/explain/reduce.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+#include "failure_choice.h"
+#include "interrupt.h"
+#include "output/mesh_text.h"
+#include "output/output.h"
+#include "output/rule_json.h"
+#include "prepared_input.h"
+#include "progress_work.h"
+#include "spiraling_edge/base/shell_word.h"
+#include "verbs.h"
+
+namespace se::cli {
+namespace {
+
+constexpr std::uint64_t kTestsPerEffort = 1'000'000;
+constexpr std::uint64_t kUsualEffort = 3000;
+constexpr std::uint64_t kMostEffort = 1'000'000'000;
+
+struct ReduceArguments {
+    InputArguments input;
+    std::string failure;
+    std::string output;
+    std::uint64_t effort = kUsualEffort;
+    bool quiet = false;
+
+    void addTo(CLI::App& app) {
+        input.addTo(app);
+        app.add_option(
+               "--failure", failure,
+               "Class of the failure, see spiraling-edge check --help; CLASS:N for the N-th "
+               "of its class")
+            ->type_name("CLASS")
+            ->required();
+        addOutputOption(app, "-o,--output", output,
+                        "Write the points here; beside them a session (.sesession) that opens on "
+                        "them, and a test (.sh) that fails as long as they do")
+            ->type_name("SMALL.ply")
+            ->required();
+        app.add_option("--effort", effort,
+                       "Stop after about N million tests of two points or two triangles, in all "
+                       "runs together, with the best so far; the usual N is a minute at most where "
+                       "runs get tangled")
+            ->type_name("N")
+            ->capture_default_str()
+            ->check(CLI::Range(std::uint64_t{1}, kMostEffort));
+        app.add_flag("-q,--quiet", quiet, "Only say what went wrong");
+    }
+};
+
+/// What a run and a look at its mesh took, in tests. Each point is read and prepared; in each pivot
+/// every listed point may be tested against every other.
+std::uint64_t workOf(const PointSet& points, const State& end, const MeshInspection& found) {
+    constexpr std::uint64_t kPerPoint = 200;
+    const std::uint64_t count = std::max<std::uint64_t>(points.size(), 1);
+    const std::uint64_t listed = points.neighbors.ids.size() / count + 1;
+    return kPerPoint * count + end.counters.pivots * listed * listed + found.work;
+}
+
+/// The places of a failure's points, in order: what a hole is known again by.
+std::vector<Vec3> placesOf(const PointSet& points, const MeshFailure& failure) {
+    std::vector<Vec3> places;
+    places.reserve(failure.points.size());
+    for (const Index p : failure.points) places.push_back(points.position[p]);
+    std::sort(places.begin(), places.end(), [](const Vec3& a, const Vec3& b) {
+        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+    });
+    return places;
+}
+
+/// The way a user would have to type the options again, for a shell.
+std::string optionText(const InputArguments& input) {
+    std::string text;
+    for (const GivenOption& each : input.given()) {
+        for (const std::string& word : each.words) text += " " + shellQuoted(word);
+    }
+    return text;
+}
+
+/// "auto", or the six numbers of the box.
+nlohmann::ordered_json boxJson(const std::string& text) {
+    if (text == "auto") return text;
+    const WallBox box = boxFromText(text);
+    return {box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z};
+}
+
+/// How the points are prepared, by the names that sessions have for it.
+void addPreparing(nlohmann::ordered_json& options, const InputArguments& input) {
+    const auto reach = input.prepareOptions({}).neighbors.reach;
+    for (const GivenOption& each : input.given()) {
+        const std::string& value = each.words.back();
+        if (each.name == "neighbors") options["neighbors"] = std::get<KNearest>(reach).k;
+        if (each.name == "radius") options["radius"] = std::get<WithinRadius>(reach).radius;
+        if (each.name == "reach") options["reach"] = std::get<WithinSpacings>(reach).spacings;
+        if (each.name == "symmetric") options["symmetric"] = true;
+        if (each.name == "keep-opposing") options["keep_opposing"] = true;
+        if (each.name == "keep-noise") options["keep_noise"] = true;
+        if (each.name == "orient") options["normals"] = "oriented";
+        if (each.name == "derive-normals") options["normals"] = "derived";
+        if (each.name == "derive-rim") options["rim"] = true;
+        if (each.name == "box") options["box"] = boxJson(value);
+    }
+}
+
+/// Where the failure comes about among the points that are left; the start if there is no saying.
+std::string addressIn(const PointFile& file, const InputArguments& input, const Params& params,
+                      const FailureChoice& wanted) {
+    const auto prepared = prepare(file, input.prepareOptions(file));
+    if (!prepared) return "0";
+    const auto failures = failuresOfRun(prepared.value().points, params);
+    if (!failures) return "0";
+    for (const RunFailure& each : failures.value()) {
+        if (each.failure.kind == wanted.kind) return toString(each.moments.created.event.address);
+    }
+    return "0";
+}
+
+std::string sessionText(const std::string& points, const PreparedInput& run,
+                        const InputArguments& input, const FailureChoice& wanted,
+                        const std::string& address) {
+    nlohmann::ordered_json json;
+    json["format"] = "spiraling-edge session";
+    json["version"] = 1;
+    const std::string name = std::filesystem::path(points).filename().string();
+    // Not to be taken for a built-in scene, as "scene:a.ply" would be.
+    json["input"]["source"] = name.find(':') == std::string::npos ? name : "./" + name;
+    json["options"]["rules"] = input.ruleSet();
+    const Params plain = paramsByName(input.ruleSet()).value_or(Params{});
+    for (const RuleValue& each : differingRules(run.params, plain)) {
+        json["options"]["switches"][each.name] = ruleJson(*findRuleSetting(each.name), each.value);
+    }
+    addPreparing(json["options"], input);
+    json["address"] = address;
+    json["alert"] = std::string(wanted.kind->name) + ":1";
+    json["notes"] = "Reduced from " + input.input() + ".";
+    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+/// Names of files and options are data there: each is one quoted word.
+std::string testText(const std::string& points, const ReduceArguments& arguments,
+                     const FailureChoice& wanted) {
+    const auto nameOf = [](const std::filesystem::path& path) {
+        return shellQuoted(path.filename().string());
+    };
+    return fmt::format(
+        "#!/bin/sh\n"
+        "# Fails as long as these points, reduced from {0}, end in: {1}\n"
+        "# Usage: [SPIRALING_EDGE=path/to/spiraling-edge] sh {2}\n"
+        "here=${{0%/*}}\n"
+        "[ \"$here\" != \"$0\" ] || here=.\n"
+        "program=${{SPIRALING_EDGE:-spiraling-edge}}\n"
+        "command -v \"$program\" >/dev/null || {{\n"
+        "    echo \"$0: there is no $program; say where it is by SPIRALING_EDGE=PATH\" >&2\n"
+        "    exit 2\n"
+        "}}\n"
+        "mesh=$(mktemp --suffix=.ply) || exit 5\n"
+        "trap 'rm -f \"$mesh\"' EXIT\n"
+        "code=0\n"
+        "\"$program\" run \"$here\"/{3}{4} -q -o \"$mesh\" || code=$?\n"
+        "# 1: a run that had to be stopped; it has a mesh, too.\n"
+        "[ \"$code\" -le 1 ] || exit \"$code\"\n"
+        "if \"$program\" check \"$mesh\" --points \"$here\"/{3} --json | grep -q '\"{1}\": [1-9]'; "
+        "then\n"
+        "    echo \"still fails: {1}\"\n"
+        "    exit 1\n"
+        "fi\n",
+        oneLine(arguments.input.input()), wanted.kind->name,
+        oneLine(nameOf(std::filesystem::path(points).replace_extension(".sh"))), nameOf(points),
+        optionText(arguments.input));
+}
+
+/// Points, session and test, and the line that names them.
+void writeReduced(const ReduceArguments& arguments, const FailureChoice& wanted,
+                  const PreparedInput& run, const Reduced& reduced) {
+    const std::string& output = arguments.output;
+    const auto beside = [&](const char* extension) {
+        return std::filesystem::path(output).replace_extension(extension).string();
+    };
+    const Status status = writeMeshPly(output, reduced.file, {});
+    if (!status) throw Failure(ExitCode::Internal, status.error().message);
+    const std::string address = addressIn(reduced.file, arguments.input, run.params, wanted);
+    writeOutput(beside(".sesession"), sessionText(output, run, arguments.input, wanted, address));
+    writeOutput(beside(".sh"), testText(output, arguments, wanted));
+    if (arguments.quiet) return;
+    fmt::print(stderr, "{}: {} of {} still end in {}; session {}, test {}\n", output,
+               counted(reduced.kept.size(), "point"), run.file.position.size(), wanted.kind->name,
+               beside(".sesession"), beside(".sh"));
+    if (reduced.complete) return;
+    fmt::print(stderr, "stopped early, after {} million tests: fewer points may do",
+               arguments.effort);
+    if (arguments.effort < kMostEffort)
+        fmt::print(stderr, "; use --effort {} to continue",
+                   std::min(10 * arguments.effort, kMostEffort));
+    fmt::print(stderr, "\n");
+}
+
+}  // namespace
+
+ExitCode reduceVerb(const Arguments& words) {
+    ReduceArguments arguments;
+    CLI::App app("Shrinks an input to the fewest points that still fail in the same class.",
+                 "spiraling-edge reduce");
+    arguments.addTo(app);
+    if (const auto code = parseArguments(app, words)) return *code;
+    const FailureChoice wanted = failureChoiceFrom(arguments.failure);
+    if (wanted.kind->find == nullptr) {
+        throw Failure(ExitCode::Usage,
+                      fmt::format("--failure {}: only what is in the mesh can be shrunk to; try "
+                                  "holes",
+                                  arguments.failure));
+    }
+    if (!arguments.output.ends_with(".ply"))
+        throw Failure(ExitCode::Usage,
+                      fmt::format("-o {}: only .ply is written", arguments.output));
+    requireOtherThan(arguments.input.input(), {{"-o", arguments.output}});
+    requireWritable({{"-o", arguments.output}});
+    catchInterrupts();
+    ProgressLine line(!arguments.quiet);
+    const PreparedInput run = arguments.input.prepare(line);
+    if (!run.params.whatIf.empty())
+        throw Failure(ExitCode::Usage, "--what-if names points by numbers that reduce changes");
+    const MeshFailure failure =
+        pickFailure(inspectWithTotals(run.points, endOfRun(run.points, run.params).mesh()), wanted,
+                    arguments.input.input());
+    const std::vector<Vec3> places = placesOf(run.points, failure);
+    const bool isHole = wanted.kind == findFailureClass("holes");
+    // What is cut off leaves a border: a hole must be the very same one.
+    const auto fails = [&](const PointFile& file) -> ReduceTry {
+        const auto prepared = prepare(file, arguments.input.prepareOptions(file));
+        if (!prepared) return {false, file.position.size()};
+        const PointSet& points = prepared.value().points;
+        const State end = endOfRun(points, run.params);
+        const MeshInspection found = inspectWithTotals(points, end.mesh());
+        const std::vector<MeshFailure>& all = found.failures;
+        const bool still = std::any_of(all.begin(), all.end(), [&](const MeshFailure& each) {
+            return each.kind == wanted.kind && (!isHole || placesOf(points, each) == places);
+        });
+        return {still, workOf(points, end, found)};
+    };
+    const Reduced reduced =
+        workedOut("reducing", arguments.input.input(), line, [&](const Progress& progress) {
+            return reduceInput(run.file, failure.place, fails, kTestsPerEffort * arguments.effort,
+                               progress);
+        });
+    writeReduced(arguments, wanted, run, reduced);
+    return ExitCode::Good;
+}
+
+}  // namespace se::cli

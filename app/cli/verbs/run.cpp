@@ -1,0 +1,281 @@
+// spiraling-edge run: points in, mesh, report and trace out.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <span>
+
+#include "input.h"
+#include "interrupt.h"
+#include "options.h"
+#include "output/mesh_text.h"
+#include "output/output.h"
+#include "output/report.h"
+#include "output/trace.h"
+#include "progress.h"
+#include "progress_work.h"
+#include "spiraling_edge/base/stop_watch.h"
+#include "spiraling_edge/io/write_mesh.h"
+#include "spiraling_edge/points/used_points.h"
+#include "spiraling_edge/replay/reconstruct.h"
+#include "verbs.h"
+
+namespace se::cli {
+namespace {
+
+constexpr long long kMostPivots = 0xffffffffLL;
+
+struct RunArguments {
+    std::string input;
+    std::string output;
+    bool usedPoints = false;
+    std::string report;
+    std::string trace;
+    std::optional<std::uint32_t> maxPivots;
+    bool check = false;
+    bool quiet = false;
+    WriteOptions writing;
+    RuleArguments rules;
+    NeighborArguments neighbors;
+    DerivedArguments derived;
+
+    void addTo(CLI::App& app) {
+        app.add_option("IN", input, "File with points, - or scene:ID")->required();
+        auto* out = addOutputOption(app, "-o,--output", output,
+                                    "Write the mesh to this file, as PLY, OBJ, OFF, STL or GLB by "
+                                    "its extension; - : as PLY to standard output");
+        out->type_name("OUT");
+        app.add_flag("--normals", writing.normals,
+                     "With -o FILE.off: write the normals too, as NOFF, which fewer programs read; "
+                     "PLY, OBJ and GLB hold them anyway, STL cannot");
+        app.add_flag("--used-points", usedPoints,
+                     "Write only the points that stand in a triangle (default: all, in their "
+                     "order)")
+            ->needs(out);
+        rules.addTo(app);
+        neighbors.addTo(app);
+        derived.addTo(app);
+        app.add_option("--max-pivots", maxPivots, "Stop after N pivots and write what there is")
+            ->type_name("N")
+            ->check(CLI::Range(0LL, kMostPivots));
+        addOutputOption(app, "--report", report,
+                        "Write counts and times as JSON to this file, or -")
+            ->type_name("FILE");
+        addOutputOption(app, "--trace", trace, "Write one line per decision to this file, or -")
+            ->type_name("FILE");
+        app.add_flag("--check", check,
+                     "Look for faults, crossing triangles included; end with 1 if there are any");
+        app.add_flag("-q,--quiet", quiet, "Only say what went wrong");
+    }
+
+    /// All mistakes that can be told before the work begins.
+    void validate() const {
+        if (output == "-" && ::isatty(STDOUT_FILENO) == 1)
+            throw Failure(ExitCode::Usage, "-o -: will not write a binary file to a terminal");
+        if (output != "-" && meshFormatOf(output) == nullptr)
+            throw Failure(
+                ExitCode::Usage,
+                fmt::format("-o {}: .ply, .obj, .off, .stl and .glb can be written", output));
+        if (writing.normals) requireNormals();
+        // A mesh holds the points of the input: it may take its place.
+        requireOtherThan(input, {{"--report", report}, {"--trace", trace}});
+        requireWritable({{"-o", output}, {"--report", report}, {"--trace", trace}});
+    }
+
+    /// `--normals` is a mistake where no normals can be written.
+    void requireNormals() const {
+        if (output.empty())
+            throw Failure(ExitCode::Usage, "--normals: name a file with -o FILE.off");
+        if (output != "-" && meshFormatOf(output)->bytesWithNormals == nullptr)
+            throw Failure(ExitCode::Usage,
+                          fmt::format("--normals -o {}: this format has no place for normals of "
+                                      "points; .off, .ply, .obj and .glb have",
+                                      output));
+    }
+};
+
+/// Share of the points that are DONE, in [0, 1].
+double shareDone(const State& state) {
+    const auto done = std::count(state.status.begin(), state.status.end(), kDone);
+    return state.status.empty()
+               ? 1.0
+               : static_cast<double>(done) / static_cast<double>(state.status.size());
+}
+
+/// Called between pivots, now and then: shows how far the run is; true if it should end.
+bool lookUp(const State& state, ProgressLine& line) {
+    constexpr std::uint32_t kAskEvery = 64;
+    if (state.counters.pivots % kAskEvery != 0) return false;
+    if (line.due()) line.write("points done", shareDone(state));
+    return interrupted();
+}
+
+/// The whole run, where nobody wants to see the steps.
+Ending triangulateAtOnce(const PointSet& points, const Params& params, ProgressLine& line,
+                         State& state) {
+    Reconstruction made =
+        reconstruct(points, params, [&](const State& s) { return lookUp(s, line); });
+    state = std::move(made.state);
+    line.clear();
+    // Even a run that has just ended does not write anything after Ctrl+C.
+    if (interrupted()) return Ending::Interrupted;
+    return made.reason == StopReason::Capped ? Ending::Capped : Ending::Finished;
+}
+
+/// The run with a limit or a trace; every pivot's events are written as soon as it is complete.
+Ending triangulate(Stepper& stepper, std::optional<std::uint32_t> maxPivots, TraceWriter& trace,
+                   ProgressLine& line) {
+    EventLog log;
+    if (trace.active()) stepper.setLog(&log);
+    const auto flush = [&] {
+        if (!trace.active()) return;
+        trace.write(log.events());
+        log.clear();
+    };
+    Ending ending = Ending::Finished;
+    const State& state = stepper.state();
+    if (maxPivots == 0U) return Ending::MaxPivots;
+    const StopReason reason = stepper.runUntil([&](const State&) {
+        flush();
+        if (maxPivots && state.counters.pivots >= *maxPivots) ending = Ending::MaxPivots;
+        if (lookUp(state, line)) ending = Ending::Interrupted;
+        return ending != Ending::Finished;
+    });
+    flush();
+    line.clear();
+    // Even a run that has just ended does not write anything after Ctrl+C.
+    if (interrupted()) return Ending::Interrupted;
+    return reason == StopReason::Capped ? Ending::Capped : ending;
+}
+
+void writeMeshFile(const std::string& path, const PointFile& file, std::span<const Triangle> mesh,
+                   const WriteOptions& options) {
+    if (path == "-") return writeOutput(path, meshPlyBytes(file, mesh));
+    const Status status = se::writeMesh(path, file, mesh, options);
+    if (!status) throw Failure(ExitCode::Internal, status.error().message);
+}
+
+/// Writes the mesh to where -o says, and notes where, and relative to which place.
+void writeResult(const RunArguments& arguments, const PointFile& file, RunOutcome& outcome) {
+    outcome.output = arguments.output;
+    if (arguments.output.empty()) return;
+    const auto write = [&](const PointFile& points, std::span<const Triangle> mesh) {
+        writeMeshFile(arguments.output, points, mesh, arguments.writing);
+        if (arguments.output != "-")
+            outcome.shift = shiftOf(*meshFormatOf(arguments.output), points, mesh);
+    };
+    if (!arguments.usedPoints) return write(file, outcome.state.mesh());
+    const PointFile used = withUsedPoints(file, outcome.state.mesh());
+    write(used, used.faces);
+}
+
+/// Finds every fault of the mesh, and its place.
+void lookForFaults(const PointSet& points, RunOutcome& outcome) {
+    const std::vector<Triangle>& mesh = outcome.state.mesh();
+    FaultSearch search = searchFaults(points, mesh);
+    outcome.faults = std::move(search.faults);
+    outcome.allFaults = search.complete;
+    for (const Fault& fault : *outcome.faults) {
+        const Triangle& t = mesh[fault.triangle];
+        outcome.faultPlaces.push_back(
+            (points.position[t.a] + points.position[t.b] + points.position[t.c]) / 3.0);
+    }
+}
+
+/// Why a finished run must not pass `--check` although its mesh, if there is one, has no fault;
+/// empty if it may.
+std::string emptinessSentence(const RunOutcome& outcome) {
+    const std::size_t points = outcome.mesh.points;
+    if (outcome.mesh.triangles == 0)
+        return fmt::format("the run made no triangle of {}", counted(points, "point"));
+    const PrepareReport& prepared = outcome.prepared;
+    const std::size_t setAside = prepared.nonFinitePoints + prepared.zeroNormals +
+                                 prepared.duplicatePoints + prepared.noisyPoints;
+    if (setAside <= outcome.mesh.usedPoints) return {};
+    return fmt::format("more points were set aside ({}) than used ({})", setAside,
+                       outcome.mesh.usedPoints);
+}
+
+/// Prints the summary and finds the exit code.
+ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
+    if (!arguments.report.empty()) writeOutput(arguments.report, reportJson(outcome));
+    if (outcome.ending == Ending::Interrupted)
+        throw Failure(ExitCode::Interrupted, "interrupted; no mesh was written");
+    if (arguments.report.empty() && !arguments.quiet)
+        fmt::print(stderr, "{}", summaryText(outcome));
+    if (!arguments.quiet) fmt::print(stderr, "{}", shiftText(outcome));
+    if (outcome.ending == Ending::Capped) {
+        throw Failure(ExitCode::CheckFailed,
+                      fmt::format("{}: stopped at {}, more than a surface can have; the mesh so "
+                                  "far is no surface. See docs/limitations.md",
+                                  outcome.input, counted(outcome.mesh.triangles, "triangle")));
+    }
+    const std::string faults = faultSentence(outcome);
+    if (arguments.check && !faults.empty())
+        throw Failure(ExitCode::CheckFailed, outcome.input + ": the mesh has " + faults);
+    const std::string emptiness = arguments.check ? emptinessSentence(outcome) : "";
+    if (!emptiness.empty()) throw Failure(ExitCode::CheckFailed, outcome.input + ": " + emptiness);
+    if (!faults.empty() && !arguments.quiet)
+        fmt::print(stderr, "{}: the mesh has {}\n", outcome.input, faults);
+    return ExitCode::Good;
+}
+
+}  // namespace
+
+ExitCode runVerb(const Arguments& words) {
+    RunArguments arguments;
+    CLI::App app("Triangulates points with normals.", "spiraling-edge run");
+    arguments.addTo(app);
+    if (const auto code = parseArguments(app, words)) return *code;
+    arguments.validate();
+    RunOutcome outcome;
+    outcome.input = arguments.input;
+    outcome.ruleSet = arguments.rules.setName();
+    outcome.params = paramsFrom(arguments.rules, arguments.neighbors);
+
+    catchInterrupts();
+    ProgressLine line(!arguments.quiet);
+    TraceWriter trace(arguments.trace);
+    StopWatch watch;
+    PointFile file = readInput(arguments.input);
+    outcome.seconds.read = watch.lap();
+    if (file.position.empty())
+        throw Failure(ExitCode::Input,
+                      nameOfInput(arguments.input) + ": holds no points to triangulate");
+    const PrepareOptions prepareOptions =
+        prepareOptionsFrom(outcome.params, arguments.neighbors, arguments.derived, file);
+    const Prepared prepared = workedOut(
+        "preparing", arguments.input, line,
+        [&](const Progress& progress) { return prepare(file, prepareOptions, progress); });
+    requirePossible(prepared.points, outcome.params);
+    outcome.prepared = prepared.report;
+    outcome.columns = file.columns;
+    storeDerived(prepared.points, prepared.report, file);
+    outcome.seconds.prepare = watch.lap();
+    if (trace.active() || arguments.maxPivots) {
+        Stepper stepper(prepared.points, outcome.params);
+        outcome.ending = triangulate(stepper, arguments.maxPivots, trace, line);
+        outcome.state = stepper.takeState();
+    } else {
+        outcome.ending = triangulateAtOnce(prepared.points, outcome.params, line, outcome.state);
+    }
+    outcome.seconds.triangulate = watch.lap();
+    if (outcome.ending != Ending::Interrupted) {
+        // A file takes no long time to write: Ctrl+C ends the program, and leaves no part of it.
+        releaseInterrupts();
+        writeResult(arguments, file, outcome);
+        trace.commit();
+        outcome.seconds.write = watch.lap();
+    }
+    outcome.mesh = reportMesh(prepared.points, outcome.state.mesh());
+    if (arguments.check || !arguments.report.empty()) {
+        lookForFaults(prepared.points, outcome);
+    } else if (!arguments.quiet) {
+        outcome.faults = findLocalFaults(prepared.points, outcome.state.mesh());
+        outcome.crossings = false;
+    }
+    return conclude(arguments, outcome);
+}
+
+}  // namespace se::cli

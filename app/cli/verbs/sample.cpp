@@ -1,0 +1,172 @@
+// spiraling-edge sample: a shape or a volume in, even points on its isosurface out.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "interrupt.h"
+#include "options.h"
+#include "output/mesh_text.h"
+#include "output/output.h"
+#include "progress.h"
+#include "spiraling_edge/base/stop_watch.h"
+#include "spiraling_edge/io/write_mesh.h"
+#include "spiraling_edge/sampling/sampler.h"
+#include "surface_input.h"
+#include "verbs.h"
+
+namespace se::cli {
+namespace {
+
+struct SampleArguments {
+    std::string input;
+    std::string output;
+    std::string box;
+    std::optional<double> isovalue;
+    std::size_t neighbors = 0;
+    SamplerOptions sampler;
+    bool list = false;
+    bool json = false;
+    bool quiet = false;
+
+    void addTo(CLI::App& app) {
+        app.add_option("SHAPE", input, "Name of a shape (see --list), or a volume: .nrrd or .nhdr");
+        addOutputOption(app, "-o,--output", output,
+                        "Write the points to this file, as PLY, OBJ or OFF by its extension; - : "
+                        "as PLY to standard output")
+            ->type_name("OUT");
+        auto* count =
+            app.add_option("-n,--points", sampler.count, "Exactly N points, 10 million at most");
+        count->type_name("N")->check(CLI::Range(std::size_t{1}, kMostParticles));
+        app.add_option("--spacing", sampler.spacing, "As many points as stand S apart")
+            ->type_name("S")
+            ->excludes(count);
+        app.add_option("--iso", isovalue,
+                       "Isovalue (default: that of the shape, or the key `isovalue` of the volume)")
+            ->type_name("V");
+        app.add_option("--seed", sampler.seed, "Another seed gives other points")
+            ->type_name("S")
+            ->capture_default_str();
+        app.add_option("--box", box,
+                       "Cut by the walls of this box, X0,Y0,Z0,X1,Y1,Z1 (default: that of the "
+                       "shape, or the whole volume)")
+            ->type_name("BOX");
+        app.add_option("--curvature", sampler.curvature,
+                       "Denser where the surface bends: spacing divided by 1 + X times the "
+                       "curvature over its mean, at most by 5")
+            ->type_name("X")
+            ->check(CLI::Range(0.0, 100.0));
+        app.add_option("-k,--neighbors", neighbors, "Also write the lists of the K nearest points")
+            ->type_name("K")
+            ->check(CLI::Range(1LL, kMostNeighbors));
+        app.add_flag("--list", list, "List the shapes");
+        app.add_flag("--json", json, "With --list: as JSON");
+        app.add_flag("-q,--quiet", quiet, "Only say what went wrong");
+    }
+
+    void validate() const {
+        if (input.empty())
+            throw Failure(ExitCode::Usage,
+                          "name a shape or a volume; `spiraling-edge sample --list` lists the "
+                          "shapes");
+        if (sampler.count == 0 && !(sampler.spacing > 0.0))
+            throw Failure(ExitCode::Usage, "say how many: -n N, or --spacing S above 0");
+        if (output.empty()) throw Failure(ExitCode::Usage, "name a file with -o OUT.ply");
+        if (output == "-" && ::isatty(STDOUT_FILENO) == 1)
+            throw Failure(ExitCode::Usage, "-o -: will not write a binary file to a terminal");
+        const MeshFormat* format = output == "-" ? nullptr : meshFormatOf(output);
+        const bool holdsPoints =
+            output == "-" ||
+            (format != nullptr && (format->extension == ".ply" || format->extension == ".obj" ||
+                                   format->extension == ".off"));
+        if (!holdsPoints)
+            throw Failure(
+                ExitCode::Usage,
+                fmt::format("-o {}: points can be written as .ply, .obj and .off", output));
+        requireWritable({{"-o", output}});
+    }
+};
+
+std::string shapesText() {
+    std::size_t width = 0;
+    for (const Shape& shape : shapes()) width = std::max(width, shape.id.size());
+    std::string text;
+    for (const Shape& shape : shapes())
+        text += fmt::format("{:<{}}  {}\n", shape.id, width, shape.title);
+    return text;
+}
+
+std::string shapesJson() {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const Shape& shape : shapes()) {
+        list.push_back({{"id", shape.id},
+                        {"title", shape.title},
+                        {"isovalue", shape.isovalue},
+                        {"low", {shape.low.x, shape.low.y, shape.low.z}},
+                        {"high", {shape.high.x, shape.high.y, shape.high.z}}});
+    }
+    return list.dump(2) + "\n";
+}
+
+/// Lists of the k nearest, as `run` would compute them.
+void addNeighbors(std::size_t k, PointFile& file) {
+    PrepareOptions options;
+    options.neighbors.reach = KNearest{k};
+    Result<Prepared> prepared = prepare(file, options);
+    if (!prepared) throw Failure(ExitCode::Internal, prepared.error().message);
+    file.neighbors = std::move(prepared.value().points.neighbors);
+}
+
+void writePoints(const std::string& path, const PointFile& file) {
+    if (path == "-") return writeOutput(path, meshPlyBytes(file, {}));
+    const Status status =
+        writeMesh(path, file, {}, {.normals = true});  // They are half the result.
+    if (!status) throw Failure(ExitCode::Internal, status.error().message);
+}
+
+std::string summary(const std::string& input, const PointFile& file, const SampleQuality& quality,
+                    double seconds) {
+    const auto walls =
+        static_cast<std::size_t>(std::count_if(file.type.begin(), file.type.end(), isBoundary));
+    const auto corners =
+        static_cast<std::size_t>(std::count_if(file.type.begin(), file.type.end(), isCorner));
+    std::string text = fmt::format("{}: {}", input, counted(file.position.size(), "point"));
+    if (walls > 0)
+        text += fmt::format(", {} of them on walls, {}", walls, counted(corners, "corner"));
+    text += fmt::format("\n  spacing    {:.4g}, varying by {:.1f} %\n", quality.spacing,
+                        100.0 * quality.variation);
+    text += fmt::format("  off        {:.1g} spacings at most\n", quality.off);
+    return text + fmt::format("  time       {:.2f} s\n", seconds);
+}
+
+}  // namespace
+
+ExitCode sampleVerb(const Arguments& words) {
+    SampleArguments arguments;
+    CLI::App app("Spreads particles evenly over an isosurface and writes them as points.",
+                 "spiraling-edge sample");
+    arguments.addTo(app);
+    if (const auto code = parseArguments(app, words)) return *code;
+    if (arguments.list) {
+        writeOutput("-", arguments.json ? shapesJson() : shapesText());
+        return ExitCode::Good;
+    }
+    arguments.validate();
+    Field field = readSurface(arguments.input, arguments.isovalue);
+    if (!arguments.box.empty()) cutBy(boxFromText(arguments.box), arguments.input, field);
+
+    catchInterrupts();
+    ProgressLine line(!arguments.quiet);
+    StopWatch watch;
+    PointFile file = samplePoints(field, arguments.sampler, arguments.input, line);
+    const double seconds = watch.lap();
+    if (arguments.neighbors > 0) addNeighbors(arguments.neighbors, file);
+    writePoints(arguments.output, file);
+    if (arguments.quiet) return ExitCode::Good;
+    fmt::print(stderr, "{}", summary(arguments.input, file, measureSample(field, file), seconds));
+    return ExitCode::Good;
+}
+
+}  // namespace se::cli

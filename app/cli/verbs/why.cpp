@@ -1,0 +1,271 @@
+// spiraling-edge why: why a point, an edge or a triangle is in the mesh, or why it is not.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "failure_choice.h"
+#include "interrupt.h"
+#include "output/ledger_text.h"
+#include "output/output.h"
+#include "output/proof_text.h"
+#include "prepared_input.h"
+#include "progress_work.h"
+#include "spiraling_edge/replay/decision_query.h"
+#include "spiraling_edge/replay/named_points.h"
+#include "verbs.h"
+
+namespace se::cli {
+namespace {
+
+/// Point numbers from "812,640". Throws Failure unless there are `count` of them.
+std::array<Index, 3> pointsFrom(const std::string& option, const std::string& text,
+                                std::size_t count) {
+    std::array<Index, 3> points{};
+    std::size_t found = 0;
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    while (found < count) {
+        const auto [next, error] = std::from_chars(at, end, points[found]);
+        if (error != std::errc()) break;
+        ++found;
+        at = next;
+        if (at == end || *at != ',') break;
+        ++at;
+    }
+    if (found == count && at == end) return points;
+    throw Failure(ExitCode::Usage, fmt::format("{} {}: expected {}", option, text,
+                                               count == 1   ? "the number of a point, such as 812"
+                                               : count == 2 ? "two points, such as 812,640"
+                                                            : "three points, such as 812,640,77"));
+}
+
+std::string wordList() {
+    std::string text;
+    for (const QueryTerm& term : queryTerms())
+        text += fmt::format("  {:<18} {}\n", term.form, term.meaning);
+    return text;
+}
+
+struct WhyArguments {
+    InputArguments input;
+    std::string point;
+    std::string edge;
+    std::string triangle;
+    std::string ring;
+    bool charts = false;
+    std::string query;
+    std::string failure;
+    bool failures = false;
+    bool remedy = false;
+    bool prove = false;
+    std::size_t closest = 0;
+    std::size_t most = 100;
+    bool json = false;
+    bool quiet = false;
+
+    void addTo(CLI::App& app) {
+        input.addTo(app);
+        auto* subject = app.add_option_group("What is asked about");
+        subject->add_option("--point", point, "A point, by its number from 0")->type_name("P");
+        subject->add_option("--edge", edge, "The edge of two points")->type_name("P,Q");
+        subject->add_option("--triangle", triangle, "The triangle of three points")
+            ->type_name("P,Q,R");
+        subject
+            ->add_option("--ring", ring,
+                         "The edge ring at an address: the active one, or with #K the K-th on the "
+                         "stack")
+            ->type_name("ADDRESS[#K]");
+        subject->add_flag("--charts", charts,
+                          "No subject: refusals by stage; ring length, candidates and tests of the "
+                          "pivots; each with the --find line that lists them");
+        subject
+            ->add_option("--closest", closest,
+                         "No subject: the N decisions that came nearest to going the other way")
+            ->type_name("N")
+            ->check(CLI::PositiveNumber);
+        subject
+            ->add_option("--find", query,
+                         "No subject: the decisions that a line such as \"stage=sphere kept "
+                         "margin<1e-4\" asks for")
+            ->type_name("LINE");
+        subject
+            ->add_option("--failure", failure,
+                         "No subject: when the first failure of a class, or the N-th, came about; "
+                         "classes: spiraling-edge check --help, and leftover_rings, triangle_cap")
+            ->type_name("CLASS[:N]");
+        subject->add_flag("--failures", failures,
+                          "No subject: everything that went wrong, with its three moments");
+        subject->require_option(1);
+        app.add_flag("--remedy", remedy,
+                     "With --failure: also which rules of --rules robust would have prevented it, "
+                     "by running again with each of them on");
+        app.add_flag("--prove", prove,
+                     "With --failures: turns the decision that made each of them unavoidable, and "
+                     "tells which failures are gone then");
+        app.add_option("--most", most,
+                       "With --find and --failures: list N of them, of each class; with --prove "
+                       "try N of each, spread over all")
+            ->type_name("N");
+        app.add_flag("--json", json, "As JSON");
+        app.add_flag("-q,--quiet", quiet, "No line of progress");
+        app.footer("\nThe words of a LINE; all of them must hold:\n" + wordList() +
+                   "\nEvery line begins with an address: spiraling-edge-viewer IN --goto ADDRESS "
+                   "shows it.\nThe line marked > settled the question.");
+    }
+
+    Subject subject() const {
+        if (!point.empty()) return Subject::point(pointsFrom("--point", point, 1)[0]);
+        if (!edge.empty()) {
+            const auto p = pointsFrom("--edge", edge, 2);
+            return Subject::edge(p[0], p[1]);
+        }
+        const auto p = pointsFrom("--triangle", triangle, 3);
+        return Subject::triangle(p[0], p[1], p[2]);
+    }
+};
+
+/// The answer to one subject.
+std::string askWhy(const WhyArguments& arguments, const PreparedInput& run, ProgressLine& line) {
+    const std::string& input = arguments.input.input();
+    const Ledger ledger = workedOut("asking", input, line, [&](const Progress& progress) {
+        return why(run.points, run.params, arguments.subject(), progress);
+    });
+    return arguments.json ? ledgerJson(input, ledger) : ledgerText(ledger);
+}
+
+std::string askQuery(const WhyArguments& arguments, const DecisionQuery& query,
+                     const PreparedInput& run, ProgressLine& line) {
+    const std::string& input = arguments.input.input();
+    const FoundDecisions found = workedOut("asking", input, line, [&](const Progress& progress) {
+        return findDecisions(run.points, run.params, query, arguments.most, progress);
+    });
+    return arguments.json ? foundJson(input, found) : foundText(found);
+}
+
+/// Everything that went wrong in the run.
+RunFailureSearch failuresIn(const WhyArguments& arguments, const PreparedInput& run,
+                            ProgressLine& line) {
+    return workedOut("asking", arguments.input.input(), line, [&](const Progress& progress) {
+        return searchFailures(run.points, run.params, progress);
+    });
+}
+
+/// The three moments of a failure.
+std::string askFailure(const WhyArguments& arguments, const FailureChoice& choice,
+                       const PreparedInput& run, ProgressLine& line) {
+    const std::string& input = arguments.input.input();
+    const RunFailureSearch found = failuresIn(arguments, run, line);
+    const RunFailure failure = pickFailure(found, choice, input);
+    if (!arguments.remedy)
+        return arguments.json ? momentsJson(input, failure) : momentsText(failure);
+    const Remedies remedies = workedOut("trying", input, line, [&](const Progress& progress) {
+        return findRemedies(run.points, run.params, failure.failure, progress);
+    });
+    return arguments.json ? momentsJson(input, failure, &remedies)
+                          : momentsText(failure) + remediesText(remedies);
+}
+
+/// Are the decisions the causes? Of large classes a sample is tried.
+std::string askProofs(const WhyArguments& arguments, const PreparedInput& run,
+                      const std::vector<RunFailure>& all, ProgressLine& line) {
+    const std::string& input = arguments.input.input();
+    const std::vector<std::size_t> chosen = sampleOfEach(all, arguments.most);
+    const auto proofs = workedOut("turning", input, line, [&](const Progress& progress) {
+        return proveCauses(run.points, run.params, all, chosen, progress);
+    });
+    std::vector<ProvenFailure> proven;
+    proven.reserve(chosen.size());
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        const auto at = all.begin() + static_cast<std::ptrdiff_t>(chosen[i]);
+        const auto before = std::count_if(all.begin(), at, [&](const RunFailure& each) {
+            return each.failure.kind == at->failure.kind;
+        });
+        proven.push_back({&*at, static_cast<std::size_t>(before) + 1, proofs[i]});
+    }
+    return arguments.json ? proofsJson(input, proven) : proofsText(proven);
+}
+
+std::string askFailures(const WhyArguments& arguments, const PreparedInput& run,
+                        ProgressLine& line) {
+    const RunFailureSearch found = failuresIn(arguments, run, line);
+    if (arguments.prove) return askProofs(arguments, run, found.failures, line);
+    return arguments.json ? failuresJson(arguments.input.input(), found)
+                          : failuresText(found, arguments.most);
+}
+
+std::string askRing(const WhyArguments& arguments, const RingPlace& ring, const PreparedInput& run,
+                    ProgressLine& line) {
+    const std::string& input = arguments.input.input();
+    const RingHistory history = workedOut("asking", input, line, [&](const Progress& progress) {
+        return whyRing(run.points, run.params, ring, progress);
+    });
+    return arguments.json ? historyJson(input, history) : historyText(history);
+}
+
+std::string askCharts(const WhyArguments& arguments, const PreparedInput& run, ProgressLine& line) {
+    const std::string& input = arguments.input.input();
+    const auto charts = workedOut("asking", input, line, [&](const Progress& progress) {
+        return runCharts(run.points, run.params, progress);
+    });
+    return arguments.json ? chartsJson(input, charts) : chartsText(charts);
+}
+
+std::string askClosest(const WhyArguments& arguments, const PreparedInput& run,
+                       ProgressLine& line) {
+    const std::string& input = arguments.input.input();
+    const ClosestCalls calls = workedOut("asking", input, line, [&](const Progress& progress) {
+        return closestCalls(run.points, run.params, arguments.closest, progress);
+    });
+    return arguments.json ? callsJson(input, calls) : callsText(calls);
+}
+
+}  // namespace
+
+ExitCode whyVerb(const Arguments& words) {
+    WhyArguments arguments;
+    CLI::App app(
+        "Says why a point, an edge or a triangle is in the mesh, or why it is not, and what went "
+        "wrong. Exactly one option asks: --point, --edge, --triangle, --ring, --charts, --closest, "
+        "--find, --failure or --failures, listed at the end of the options.",
+        "spiraling-edge why");
+    arguments.addTo(app);
+    if (const auto code = parseArguments(app, words)) return *code;
+    // Mistakes in the question come before long work.
+    const auto query = DecisionQuery::parse(arguments.query);
+    if (arguments.remedy && arguments.failure.empty())
+        throw Failure(ExitCode::Usage, "--remedy: needs --failure CLASS[:N]");
+    if (arguments.prove && !arguments.failures)
+        throw Failure(ExitCode::Usage, "--prove: needs --failures");
+    if (!query) throw Failure(ExitCode::Usage, "--find: " + query.error().message);
+    const bool asksFailure = !arguments.failure.empty();
+    const auto choice =
+        asksFailure ? std::optional(failureChoiceFrom(arguments.failure)) : std::nullopt;
+    const bool asksSubject =
+        !(arguments.point.empty() && arguments.edge.empty() && arguments.triangle.empty());
+    if (asksSubject) (void)arguments.subject();
+    std::optional<RingPlace> ring;
+    if (!arguments.ring.empty()) {
+        const auto place = ringPlaceFromString(arguments.ring);
+        if (!place) throw Failure(ExitCode::Usage, "--ring " + place.error().message);
+        ring = place.value();
+    }
+    catchInterrupts();
+    ProgressLine line(!arguments.quiet);
+    const PreparedInput run = arguments.input.prepare(line);
+    const std::string missing = missingPointIn(arguments.query, run.points.size());
+    if (!missing.empty()) throw Failure(ExitCode::Input, arguments.input.input() + ": " + missing);
+    const std::string answer = arguments.failures ? askFailures(arguments, run, line)
+                               : choice           ? askFailure(arguments, *choice, run, line)
+                               : asksSubject      ? askWhy(arguments, run, line)
+                               : ring             ? askRing(arguments, *ring, run, line)
+                               : arguments.charts ? askCharts(arguments, run, line)
+                               : arguments.closest > 0
+                                   ? askClosest(arguments, run, line)
+                                   : askQuery(arguments, query.value(), run, line);
+    writeOutput("-", answer);
+    return ExitCode::Good;
+}
+
+}  // namespace se::cli

@@ -1,0 +1,181 @@
+#include "alert_actions.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "command_actions.h"
+#include "jobs/questions.h"
+#include "run/overview.h"
+#include "run/rule_set.h"
+#include "run/strings.h"
+
+namespace se::view {
+
+namespace {
+
+auto rankOf(const Address& at) { return std::tuple(at.pivot, at.stage, at.n); }
+
+/// The points to frame: with the triangles, of which an edge tells too little.
+std::vector<Index> placesOf(const Model& model, const RunFailure& alert) {
+    std::vector<Index> points = alert.failure.points;
+    if (alert.failure.kind->name != "holes") {
+        for (const Triangle& t : alert.corners) points.insert(points.end(), {t.a, t.b, t.c});
+    }
+    std::erase_if(points, [&](Index p) { return !model.drawable[p]; });
+    return points;
+}
+
+RuleSet rulesWith(const RuleSet& rules, const Remedy& remedy) {
+    if (remedy.rule == nullptr) return {std::string(remedy.set), {}, rules.whatIf};
+    return withRule(rules, remedy.rule->name, 1.0);
+}
+
+}  // namespace
+
+void frameAlert(CommandContext& context) {
+    const RunFailure* alert = context.session.alert();
+    if (alert == nullptr) return;
+    const Model& model = context.session.model();
+    const std::vector<Index> points = placesOf(model, *alert);
+    if (points.empty()) return;
+    const MarkedPlace place = placeOf(model, points);
+    if (place.normal != glm::vec3(0.0F)) context.camera.face(place.normal);
+    context.camera.frame(place.center, place.radius);
+}
+
+std::string_view momentName(AlertMoment moment) {
+    constexpr std::array<std::string_view, 3> kNames{"created", "unavoidable", "first touched"};
+    return kNames[static_cast<std::size_t>(moment)];
+}
+
+const LedgerLine& momentOf(const RunFailure& alert, AlertMoment moment) {
+    switch (moment) {
+        case AlertMoment::Created:
+            return alert.moments.created;
+        case AlertMoment::Unavoidable:
+            return alert.moments.unavoidable;
+        case AlertMoment::Touched:
+            break;
+    }
+    return alert.moments.touched;
+}
+
+Selection subjectOf(const RunFailure& alert) {
+    const MeshFailure& failure = alert.failure;
+    if (failure.points.size() == 1) return Selection::ofPoint(failure.points[0]);
+    const bool border = failure.kind->name == "holes" || failure.triangles.empty();
+    if (border) {
+        const LedgerLine& line = alert.moments.unavoidable;
+        const Index tested = testedPoint(line.event);
+        return Selection::ofPoint(tested != kNone       ? tested
+                                  : line.pivot != kNone ? line.pivot
+                                                        : failure.points[0]);
+    }
+    if (failure.points.size() == 2) return Selection::ofEdge(failure.points[0], failure.points[1]);
+    const auto* made = std::get_if<EmitEvidence>(&alert.moments.created.event.evidence);
+    return Selection::ofTriangle(made != nullptr ? made->corners : alert.corners.back());
+}
+
+std::string titleOf(const FailureClass& kind) {
+    std::string title(kind.name);
+    std::replace(title.begin(), title.end(), '_', ' ');
+    return title;
+}
+
+std::string pointsText(const MeshFailure& failure, std::size_t most) {
+    std::string text;
+    for (std::size_t i = 0; i < std::min(most, failure.points.size()); ++i)
+        text += (i == 0 ? "" : ", ") + std::to_string(failure.points[i]);
+    if (failure.points.size() > most)
+        text += ", ... (" + std::to_string(failure.points.size()) + ")";
+    return text;
+}
+
+std::string watchNote(std::size_t points, std::size_t noticed) {
+    if (points > kMostWatched)
+        return "Runs on more than " + grouped(kMostWatched) +
+               " points are not watched while one steps: their failures are only listed here.";
+    if (noticed >= kMostNoticed)
+        return "While one steps, only the first " + grouped(kMostNoticed) +
+               " failures are told: the others are only listed here.";
+    return {};
+}
+
+void showAlert(CommandContext& context, std::size_t alert, std::optional<AlertMoment> moment) {
+    Session& session = context.session;
+    context.playback.pause();
+    session.chooseAlert(alert);
+    const RunFailure& chosen = *session.alert();
+    session.mark({});
+    const Selection subject = subjectOf(chosen);
+    session.select(subject);
+    // The ledger has the answer when one opens it; its first sentence stands with the alert.
+    if (session.questions().subject() != subject) session.questions().askWhy(subject);
+    if (moment) session.goTo(momentOf(chosen, *moment).event.address);
+    context.ui.requests.frameAlert = true;
+    context.ui.revealAlert = true;
+}
+
+void nextAlert(CommandContext& context, int direction) {
+    Session& session = context.session;
+    if (!session.ready()) return;
+    const AlertSearch& alerts = session.alerts();
+    if (!alerts.done())
+        return session.say(alerts.busy() ? "Still looking for what went wrong."
+                                         : "What went wrong has not been looked for yet.");
+    const auto order = alerts.inOrder();
+    if (order.empty()) return session.say("No failures found.");
+    const auto created = [&](std::size_t i) {
+        return rankOf(alerts.failures()[i].moments.created.event.address);
+    };
+    std::ptrdiff_t place = 0;
+    if (const auto chosen = session.chosenAlert()) {
+        place = std::find(order.begin(), order.end(), *chosen) - order.begin() + direction;
+    } else {
+        const auto here =
+            session.event() != nullptr ? rankOf(session.address()) : rankOf({0, Stage{}, 0});
+        const auto behind = std::partition_point(order.begin(), order.end(),
+                                                 [&](std::size_t i) { return created(i) <= here; });
+        place = behind - order.begin() - (direction > 0 ? 0 : 1);
+        // At one: that is behind us.
+        if (direction < 0 && place >= 0 && created(order[static_cast<std::size_t>(place)]) == here)
+            --place;
+    }
+    if (place < 0) return session.say("There is no alert before this one.");
+    if (place >= static_cast<std::ptrdiff_t>(order.size()))
+        return session.say("There is no alert after this one.");
+    showAlert(context, order[static_cast<std::size_t>(place)], AlertMoment::Created);
+}
+
+void switchOn(CommandContext& context, const Remedy& remedy) {
+    context.ui.requests.rules = rulesWith(rulesOf(context.session.spec()), remedy);
+    context.ui.requests.resume = Resume::End;
+}
+
+void showBeside(CommandContext& context, const Remedy& remedy) {
+    const InputSpec& spec = context.session.spec();
+    actions::pause(context);
+    actions::arrange(context, Arrangement::Compare);
+    context.ui.compare.begin =
+        CompareWith::otherRun(withRules(spec, rulesWith(rulesOf(spec), remedy)));
+}
+
+bool openOnFirstAlert(CommandContext& context) {
+    Session& session = context.session;
+    const auto order = session.alerts().inOrder();
+    const bool untouched =
+        session.event() == nullptr && !session.busy() && !context.playback.playing() &&
+        session.selection().kind == SelectionKind::None && session.marked().empty();
+    if (order.empty() || !untouched || context.ui.arrangement != Arrangement::Debug) return false;
+    // What was said of the input stays.
+    const std::string said = session.notice();
+    showAlert(context, order.front(), AlertMoment::Created);
+    const std::size_t count = order.size();
+    session.say(said + (said.empty() ? "" : " ") +
+                (count == 1 ? "One alert: this is where it came about. Home goes to the start."
+                            : "The first of " + std::to_string(count) +
+                                  " alerts; F8 goes to the next, Home to the start."));
+    return true;
+}
+
+}  // namespace se::view

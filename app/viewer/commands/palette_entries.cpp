@@ -1,0 +1,135 @@
+#include "palette_entries.h"
+
+#include <algorithm>
+#include <array>
+
+#include "command_actions.h"
+#include "growth_commands.h"
+#include "run/model.h"
+#include "run/strings.h"
+#include "spiraling_edge/scenes/scenes.h"
+
+namespace se::view {
+
+namespace {
+
+constexpr std::string_view kPanelNote = "Panel";
+constexpr std::string_view kSceneNote = "Scene";
+
+/// Other words for panels that no action opens.
+struct PanelWords {
+    std::string_view title;
+    std::string_view synonyms;
+};
+constexpr auto kPanelWords = std::to_array<PanelWords>({
+    {"Steps", "tree list events pivots"},
+    {"Rings", "stack edge"},
+    {"Dial", "angles tangent plane circle"},
+    {"Inspect", "values properties details numbers selection"},
+    {"Paper", "rule pseudocode section"},
+    {"Counts", "counters statistics numbers"},
+    {"Layers", "show hide visible"},
+    {"Notes", "bookmarks text"},
+    {"Alerts", "errors failures holes defects problems"},
+    {"Doctor", "check repair problems input"},
+    {"Ledger", "why history explain"},
+    {"Query", "find search filter"},
+});
+
+std::string_view wordsForPanel(std::string_view title) {
+    const auto found = std::find_if(kPanelWords.begin(), kPanelWords.end(),
+                                    [&](const PanelWords& each) { return each.title == title; });
+    return found == kPanelWords.end() ? std::string_view{} : found->synonyms;
+}
+
+PaletteEntry entryOf(const Scene& scene, std::string_view synonyms) {
+    return {PaletteEntry::Kind::Scene, scene.title, kSceneNote, synonyms, scene.id, scene.watch};
+}
+
+/// Does a word of the text begin so? Words are letters and digits; all else lies between them.
+bool hasWordStart(std::string_view text, std::string_view start) {
+    const auto isInner = [](char sign) {
+        return (sign >= 'a' && sign <= 'z') || (sign >= '0' && sign <= '9');
+    };
+    for (std::size_t at = text.find(start); at != std::string_view::npos;
+         at = text.find(start, at + 1)) {
+        if (at == 0 || !isInner(text[at - 1])) return true;
+    }
+    return false;
+}
+
+bool hasAll(const std::string& text, std::span<const std::string_view> words) {
+    return std::all_of(words.begin(), words.end(),
+                       [&](std::string_view word) { return hasWordStart(text, word); });
+}
+
+/// How well an entry fits, the best first.
+enum class Fit : std::uint8_t { Named, Title, Synonyms, Elsewhere, None };
+
+Fit fitOf(const PaletteEntry& entry, std::string_view filter,
+          std::span<const std::string_view> words) {
+    std::string text = lowerCase(entry.title);
+    if (text == filter) return Fit::Named;
+    if (hasAll(text, words)) return Fit::Title;
+    text.append(" ").append(entry.synonyms);
+    if (hasAll(text, words)) return Fit::Synonyms;
+    text.append(" ").append(lowerCase(entry.note));
+    text.append(" ").append(entry.id).append(" ").append(lowerCase(entry.help));
+    return hasAll(text, words) ? Fit::Elsewhere : Fit::None;
+}
+
+void showPanel(CommandContext& context, std::string_view title) {
+    // Learn has all but these two.
+    const bool debugOnly = title == "Steps" || title == "Rings";
+    if (debugOnly && context.ui.arrangement == Arrangement::Learn)
+        actions::arrange(context, Arrangement::Debug);
+    actions::openTab(context, title);
+}
+
+}  // namespace
+
+std::vector<PaletteEntry> paletteEntries(std::span<const std::string_view> panels) {
+    std::vector<PaletteEntry> entries;
+    for (const Command& each : commands())
+        entries.push_back({PaletteEntry::Kind::Action, each.title, each.group, each.synonyms,
+                           each.id, each.help});
+    for (const std::string_view title : panels) {
+        const auto all = commands();
+        const bool known = std::any_of(all.begin(), all.end(),
+                                       [&](const Command& each) { return each.title == title; });
+        if (!known)
+            entries.push_back({PaletteEntry::Kind::Panel, title, kPanelNote, wordsForPanel(title),
+                               title, "Show this panel."});
+    }
+    for (const Scene& scene : scenes()) entries.push_back(entryOf(scene, "example open"));
+    for (const FailureScene& each : failureScenes())
+        entries.push_back(entryOf(each.scene, "example open failure gallery wrong"));
+    return entries;
+}
+
+std::vector<PaletteEntry> matchingEntries(std::span<const PaletteEntry> entries,
+                                          std::string_view filter) {
+    const std::string low = lowerCase(trimmed(filter));
+    const std::vector<std::string_view> words = wordsOf(low);
+    std::array<std::vector<PaletteEntry>, static_cast<std::size_t>(Fit::None) + 1> byFit;
+    for (const PaletteEntry& each : entries)
+        byFit[static_cast<std::size_t>(fitOf(each, low, words))].push_back(each);
+    byFit.back().clear();
+    std::vector<PaletteEntry> matches;
+    for (const auto& list : byFit) matches.insert(matches.end(), list.begin(), list.end());
+    return matches;
+}
+
+void choose(const PaletteEntry& entry, CommandContext& context) {
+    switch (entry.kind) {
+        case PaletteEntry::Kind::Action:
+            return runCommand(*findCommand(entry.id), context);
+        case PaletteEntry::Kind::Panel:
+            return showPanel(context, entry.id);
+        case PaletteEntry::Kind::Scene:
+            context.ui.requests.open = sceneSource(entry.id);
+            return;
+    }
+}
+
+}  // namespace se::view

@@ -1,0 +1,88 @@
+#include "alerts.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "commands/alert_actions.h"
+#include "run/gallery.h"
+
+namespace se::view {
+
+namespace {
+
+/// Why a run has no alert of the name CLASS:N.
+std::string whyNone(const AlertSearch& alerts, const std::string& name) {
+    const FailureClass* kind = findFailureClass(name.substr(0, name.find(':')));
+    if (kind == nullptr && name != "first")
+        return "there is no such class; spiraling-edge check --help lists them.";
+    if (!alerts.complaint().empty()) return alerts.complaint();
+    const std::span<const RunFailure> failures = alerts.failures();
+    if (failures.empty()) return "the run has no such failure; it has none at all.";
+    const auto count = std::count_if(failures.begin(), failures.end(), [&](const RunFailure& each) {
+        return each.failure.kind == kind;
+    });
+    const char* has = alerts.complete() ? "the run has no such failure; it has "
+                                        : "no such failure is listed; there are ";
+    return has + std::to_string(count) + " of this class and " + std::to_string(failures.size()) +
+           " in all.";
+}
+
+}  // namespace
+
+void Alerting::begin(const Options& options) {
+    asked_ = options.alert;
+    person_ = options.screenshot.empty() && options.benchFrames == 0;
+}
+
+void Alerting::poll() {
+    Session& session = c_.session;
+    if (!session.takeAlertNews()) return;
+    const std::string& source = session.spec().source;
+    const bool fresh = std::exchange(source_, source) != source;
+    if (!asked_.empty()) return showAsked();
+    if (const std::string kept = filing_.takeAlert(); !kept.empty())
+        session.chooseAlert(alertNamed(session.alerts(), kept));
+    if (fresh) chooseOfGallery();
+    // Built-in scenes and points that were made here are looked at for how the run goes.
+    const bool file = !isScene(source) && !isSample(source);
+    if (!fresh || !file || !person_ || filing_.placed()) return;
+    opened_ = openOnFirstAlert(c_);
+    // What is wrong with the input comes first: the doctor has the tab.
+    if (opened_ && c_.ui.wantedTab.empty() && c_.ui.openTab != kDoctorTab)
+        c_.ui.wantedTab = kAlertsTab;
+}
+
+/// Of a scene that fails the alert that it is there for; its story is beside the paper's rule.
+void Alerting::chooseOfGallery() {
+    Session& session = c_.session;
+    const FailureScene* failing = galleryScene(session.spec().source);
+    if (failing == nullptr || session.chosenAlert()) return;
+    const auto failures = session.alerts().failures();
+    const auto rate = [&](const RunFailure& each) {
+        if (each.failure.kind->name != failing->failure) return 0;
+        const auto address = addressFromString(failing->address);
+        if (toString(each.moments.unavoidable.event.address) == failing->address) return 3;
+        return address && each.moments.created.event.address.pivot == address->pivot ? 2 : 1;
+    };
+    const auto best = std::max_element(
+        failures.begin(), failures.end(),
+        [&](const RunFailure& a, const RunFailure& b) { return rate(a) < rate(b); });
+    if (best == failures.end() || rate(*best) == 0) return;
+    session.chooseAlert(static_cast<std::size_t>(best - failures.begin()));
+    if (c_.ui.wantedTab.empty()) c_.ui.wantedTab = "Paper";
+}
+
+void Alerting::showAsked() {
+    Session& session = c_.session;
+    const std::string name = std::exchange(asked_, {});
+    const auto alert = alertNamed(session.alerts(), name);
+    c_.ui.wantedTab = kAlertsTab;
+    // At the place that was named, if one was.
+    std::optional<AlertMoment> moment;
+    if (!filing_.placed()) moment = AlertMoment::Created;
+    if (alert) return showAlert(c_, *alert, moment);
+    status_ = Error{"--alert " + name + ": " + whyNone(session.alerts(), name)};
+    session.say(status_.error().message);
+}
+
+}  // namespace se::view

@@ -1,0 +1,231 @@
+#include "compare.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "jobs/doctor_job.h"
+#include "jobs/questions.h"
+
+namespace se::view {
+
+namespace {
+
+/// More outlines than these hide what they are about.
+constexpr std::size_t kMostGhosts = 600;
+
+}  // namespace
+
+Comparing::Comparing(CommandContext& context) : c_(context) { c_.ui.compare.now = &comparison_; }
+
+bool Comparing::otherBusy() const {
+    const Session* other = comparison_.other();
+    return other != nullptr && (other->busy() || other->questions().busy());
+}
+
+/// The same input opened anew with other options: what it was before can be compared with.
+void Comparing::rememberBefore() {
+    const Session& run = c_.session;
+    if (!run.ready() || std::exchange(generation_, run.generation()) == run.generation()) return;
+    ComparePage& page = c_.ui.compare;
+    page.why.reset();
+    const bool same = spec_ && spec_->source == run.spec().source;
+    if (!same) {
+        page.before.reset();
+        page.form.take(run.spec(), run.model());
+    } else if (differenceText(*spec_, run.spec()) != "the same") {
+        page.before = spec_;
+        page.form.follow(*spec_, run.spec(), run.model());
+    }
+    spec_ = run.spec();
+}
+
+bool Comparing::poll() {
+    rememberBefore();
+    if (waiting_ && c_.session.ready() && c_.session.phase() != SessionPhase::Loading)
+        begin(*std::exchange(waiting_, std::nullopt));
+    const bool changed = comparison_.poll(c_.session);
+    if (comparison_.result() != shaded_) makeShades();
+    shareSelection();
+    return changed;
+}
+
+void Comparing::settle() {
+    poll();
+    comparison_.settle(c_.session);
+    poll();
+}
+
+/// What is selected or pointed at in one view is so in both: points have the same numbers.
+void Comparing::shareSelection() {
+    Session* other = comparison_.other();
+    if (other == nullptr || !c_.session.ready()) return;
+    const bool there = !(other->selection() == selected_);
+    selected_ = there ? other->selection() : c_.session.selection();
+    c_.session.select(selected_);
+    other->select(selected_);
+    other->hover(c_.session.hovered());
+}
+
+void Comparing::makeShades() {
+    shaded_ = comparison_.result();
+    shades_ = {};
+    ghosts_ = {};
+    c_.ui.compare.region.reset();
+    ++lookRevision_;
+    if (shaded_ == nullptr) return;
+    const RunComparison& runs = shaded_->runs;
+    shades_[0] =
+        DifferenceShade(runs.a.inOrder(), std::make_shared<const TriangleSet>(shaded_->setB));
+    shades_[1] =
+        DifferenceShade(runs.b.inOrder(), std::make_shared<const TriangleSet>(shaded_->setA));
+}
+
+const DifferenceLook* Comparing::look() {
+    if (!inLayout() || shaded_ == nullptr) return nullptr;
+    const Theme theme = c_.ui.settings.theme;
+    if (std::exchange(theme_, theme) != theme) ++lookRevision_;
+    const Palette& palette = paletteOf(theme);
+    looks_[0] = {&shades_[0], palette.used, palette.rejected,
+                 ghosts_[0],  palette.last, lookRevision_ + 1};
+    looks_[1] = {&shades_[1], palette.last, palette.rejected,
+                 ghosts_[1],  palette.used, lookRevision_ + 1};
+    return &looks_[0];
+}
+
+void Comparing::fill(bool onPaper) {
+    shown_ = false;
+    if (!inLayout() || !comparison_.chosen() || failed_) return;
+    Session* other = comparison_.other();
+    const bool mesh = comparison_.with().kind == CompareWith::Kind::Mesh && shaded_ != nullptr;
+    if (other == nullptr && !mesh) return;
+    if (!painter_) {
+        painter_ = std::make_unique<ScenePainter>();
+        if (const Status status = painter_->start(shaders_); !status) {
+            failed_ = true;
+            return c_.session.say(status.error().message);
+        }
+    }
+    const DifferenceLook* mine = look() != nullptr ? &looks_[1] : nullptr;
+    if (other != nullptr) {
+        CommandContext context{*other, c_.playback, c_.camera, c_.ui};
+        painter_->fill(context, onPaper, mine);
+    } else {
+        painter_->fillStill(shaded_->b, shaded_->runs.b.triangles, c_.ui.settings, mine);
+    }
+    shown_ = true;
+}
+
+void Comparing::draw(glm::ivec2 size, float em) {
+    if (!shown_) return;
+    Session* other = comparison_.other();
+    const CommandContext context{other != nullptr ? *other : c_.session, c_.playback, c_.camera,
+                                 c_.ui};
+    painter_->draw(context, size, em);
+}
+
+/// Points have the same numbers in both.
+void Comparing::askWhy(const Selection& what) {
+    c_.ui.compare.why = what;
+    c_.session.questions().askWhy(what);
+    if (Session* other = comparison_.other()) other->questions().askWhy(what);
+}
+
+void Comparing::begin(CompareWith with) {
+    c_.ui.compare.choosing = false;
+    c_.ui.compare.why.reset();
+    comparison_.begin(c_.session, std::move(with));
+}
+
+void Comparing::carryOut() {
+    ComparePage& page = c_.ui.compare;
+    if (page.begin) begin(*std::exchange(page.begin, std::nullopt));
+    if (const CompareAsk ask = std::exchange(page.ask, CompareAsk::Nothing);
+        ask != CompareAsk::Nothing)
+        carryOut(ask);
+    if (page.wantsWhy) askWhy(*std::exchange(page.wantsWhy, std::nullopt));
+    if (page.goTo) comparison_.goTo(c_.session, *std::exchange(page.goTo, std::nullopt));
+    if (page.show) showRegion(*std::exchange(page.show, std::nullopt));
+}
+
+void Comparing::carryOut(CompareAsk ask) {
+    if (ask == CompareAsk::Stop) return comparison_.stop();
+    if (ask == CompareAsk::Usual)
+        return begin(CompareWith::otherRun(usualOther(c_.session.spec())));
+    if (ask == CompareAsk::Swap) return swap();
+    if (shaded_ == nullptr) return c_.session.say("It is still being compared.");
+    const std::size_t count = shaded_->meshes.regions.size();
+    const auto& at = c_.ui.compare.region;
+    switch (ask) {
+        case CompareAsk::FirstDifference:
+            return goTo(shaded_->runs.first, "These two runs do the same from start to end.");
+        case CompareAsk::FirstHarmless:
+            return goTo(shaded_->runs.harmless, "No decision fell differently before that.");
+        case CompareAsk::NextRegion:
+            if (count == 0) return c_.session.say("The meshes are the same.");
+            return showRegion(at ? (*at + 1) % count : 0);
+        case CompareAsk::PreviousRegion:
+            if (count == 0) return c_.session.say("The meshes are the same.");
+            return showRegion(at ? (*at + count - 1) % count : count - 1);
+        default:
+            return;
+    }
+}
+
+void Comparing::goTo(const std::optional<RunDifference>& difference, const char* nothing) {
+    if (comparison_.with().kind == CompareWith::Kind::Mesh) {
+        // A mesh has no decisions: the first triangle of the run that it has not.
+        const MadeMesh& run = shaded_->runs.a;
+        std::optional<Address> first;
+        for (std::size_t i = 0; i < run.triangles.size(); ++i) {
+            const Address& made = run.made[i];
+            if (shaded_->meshes.a[i] == Standing::Both) continue;
+            if (!first || made.pivot < first->pivot) first = made;
+        }
+        if (!first) return c_.session.say("All triangles of the run are in the mesh.");
+        return comparison_.goTo(c_.session, {first, std::nullopt});
+    }
+    if (!difference) return c_.session.say(nothing);
+    const auto addressOf = [](const DifferenceSide& side) {
+        return side.line ? std::optional(side.line->event.address) : std::nullopt;
+    };
+    c_.ui.requests.frame = FrameWish::Pivot;
+    comparison_.goTo(c_.session, {addressOf(difference->a), addressOf(difference->b)});
+}
+
+std::vector<Triangle> Comparing::ghostsOf(const std::vector<Index>& region,
+                                          const std::vector<Triangle>& mesh) const {
+    std::vector<Triangle> ghosts;
+    if (region.size() > kMostGhosts) return ghosts;
+    ghosts.reserve(region.size());
+    for (const Index i : region) ghosts.push_back(mesh[i]);
+    return ghosts;
+}
+
+/// Both meshes as they are in the end, with the region in the middle.
+void Comparing::showRegion(std::size_t number) {
+    if (shaded_ == nullptr || number >= shaded_->meshes.regions.size()) return;
+    const DifferenceRegion& region = shaded_->meshes.regions[number];
+    c_.ui.compare.region = number;
+    // A vertex of the mesh that is no point of the run has no place in the view of the run.
+    const std::size_t points = shaded_->a->place.size();
+    ghosts_[0] = ghostsOf(region.inB, shaded_->runs.b.triangles);
+    std::erase_if(ghosts_[0], [&](const Triangle& t) {
+        return std::max({t.a, t.b, t.c}) >= points;
+    });
+    ghosts_[1] = ghostsOf(region.inA, shaded_->runs.a.triangles);
+    ++lookRevision_;
+    const MarkedPlace place = placeOf(*shaded_->b, region.points);
+    if (place.normal != glm::vec3(0.0F)) c_.camera.face(place.normal);
+    c_.camera.frame(place.center, place.radius);
+    if (!c_.session.atEnd()) c_.session.toEnd();
+}
+
+void Comparing::swap() {
+    const Session* other = comparison_.other();
+    if (other == nullptr) return c_.session.say("A mesh has no decisions to step through.");
+    waiting_ = CompareWith::otherRun(c_.session.spec());
+    c_.ui.requests.openSpec = other->spec();
+    comparison_.stop();
+}
+
+}  // namespace se::view

@@ -1,0 +1,76 @@
+/// The layout Compare: ties its page, the comparison and what is drawn of the other run. Knows
+/// neither window nor Dear ImGui.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "commands/commands.h"
+#include "scene_painter.h"
+#include "session/comparison.h"
+
+namespace se::view {
+
+class Comparing {
+  public:
+    explicit Comparing(CommandContext& context);
+
+    /// Where the shaders of the second view come from; empty: those that are built in.
+    void setShaders(const std::filesystem::path& folder) { shaders_ = folder; }
+    /// Compares with this as soon as something is open.
+    void beginWith(CompareWith with) { waiting_ = std::move(with); }
+    /// Takes over what threads have made. True if there is something new to draw.
+    bool poll();
+    /// Blocks until nothing is under way.
+    void settle();
+    bool moving() const { return comparison_.working() || otherBusy(); }
+    /// Carries out what page and commands asked for.
+    void carryOut();
+
+    /// How the difference looks in the view of the run that is open; null: not at all.
+    const DifferenceLook* look();
+    /// Makes the list of the second view. Requires a current OpenGL context.
+    void fill(bool onPaper);
+    void draw(glm::ivec2 size, float em);
+    /// The second view has something to show.
+    bool shows() const { return shown_; }
+    const DrawList& list() const { return painter_->list(); }
+    unsigned texture() const { return painter_->texture(); }
+    /// The other run; null if there is none, or a mesh.
+    Session* other() { return comparison_.other(); }
+    const Comparison& comparison() const { return comparison_; }
+
+  private:
+    bool otherBusy() const;
+    bool inLayout() const { return c_.ui.arrangement == Arrangement::Compare; }
+    void rememberBefore();
+    void shareSelection();
+    void makeShades();
+    void begin(CompareWith with);
+    void askWhy(const Selection& what);
+    void carryOut(CompareAsk ask);
+    void goTo(const std::optional<RunDifference>& difference, const char* nothing);
+    void showRegion(std::size_t number);
+    void swap();
+    std::vector<Triangle> ghostsOf(const std::vector<Index>& region,
+                                   const std::vector<Triangle>& mesh) const;
+
+    CommandContext& c_;
+    Comparison comparison_;
+    std::optional<CompareWith> waiting_;
+    std::filesystem::path shaders_;
+    std::unique_ptr<ScenePainter> painter_;
+    bool failed_ = false;  ///< The second view cannot be drawn.
+    bool shown_ = false;
+    const Compared* shaded_ = nullptr;  ///< What the shades are of.
+    std::array<DifferenceShade, 2> shades_;
+    std::array<std::vector<Triangle>, 2> ghosts_;  ///< For the view of A, of B.
+    std::array<DifferenceLook, 2> looks_;
+    std::uint32_t lookRevision_ = 0;
+    Theme theme_ = Theme::Dark;
+    Selection selected_{};
+    std::uint32_t generation_ = 0;
+    std::optional<InputSpec> spec_;  ///< Of the run that was open before.
+};
+
+}  // namespace se::view

@@ -1,0 +1,412 @@
+#include "document.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#include "commands/growth_commands.h"
+#include "run/gallery.h"
+
+namespace se::view {
+
+SessionFile captureSession(const CommandContext& context) {
+    const Session& session = context.session;
+    SessionFile file;
+    file.input = session.spec();
+    file.inputHash = session.model().hash;
+    file.place.address = session.event() != nullptr ? toString(session.address()) : "";
+    file.place.camera = context.camera.pose();
+    file.layers = context.ui.settings.layers;
+    file.layout = context.ui.arrangement;
+    file.selected = session.selection();
+    if (session.chosenAlert()) file.alert = alertName(session.alerts(), *session.chosenAlert());
+    file.bookmarks = context.ui.bookmarks;
+    file.notes = context.ui.notes;
+    file.query = context.ui.query.typed;
+    file.breakpoints = context.ui.breakpoints;
+    file.watches = context.ui.watches;
+    if (context.ui.compare.now != nullptr) file.with = context.ui.compare.now->with();
+    return file;
+}
+
+Edits captureEdits(const CommandContext& context) {
+    const UiState& ui = context.ui;
+    return {ui.settings.theme,
+            ui.settings.uiScale,
+            ui.settings.legend,
+            ui.settings.layers,
+            ui.arrangement,
+            context.camera.pose(),
+            context.session.selection(),
+            ui.bookmarks,
+            ui.notes,
+            ui.breakpoints,
+            ui.watches,
+            context.session.spec().cures,
+            rulesOf(context.session.spec())};
+}
+
+void applyEdits(const Edits& edits, CommandContext& context) {
+    UiState& ui = context.ui;
+    ui.settings.theme = edits.theme;
+    ui.settings.uiScale = edits.uiScale;
+    ui.settings.legend = edits.legend;
+    ui.settings.layers = edits.layers;
+    ui.arrangement = edits.layout;
+    if (context.camera.pose() != edits.camera) context.camera.setPose(edits.camera);
+    ui.bookmarks = edits.bookmarks;
+    ui.notes = edits.notes;
+    ui.breakpoints = edits.breakpoints;
+    ui.watches = edits.watches;
+    if (edits.rules != rulesOf(context.session.spec())) ui.requests.rules = edits.rules;
+    if (edits.cures != context.session.spec().cures) {
+        // The numbers of points may mean others there.
+        ui.requests.cures = edits.cures;
+    } else {
+        context.session.select(edits.selected);
+    }
+}
+
+void Filing::begin(const Options& options) {
+    if (options.session) takeLooks(*options.session, options.sessionPath);
+    if (options.with) with_ = options.with;
+    if (options.layout) c_.ui.arrangement = *options.layout;
+    keptLayout_ = c_.ui.arrangement;
+    if (options.input.source.empty()) return;
+    arrival_.pending = true;
+    arrival_.generation = c_.session.generation();
+    notebookOf_ = options.input.source;
+    arrival_.focus = options.focus;
+    arrival_.file = options.session ? options.sessionPath : options.input.source;
+    if (!options.goTo.empty()) arrival_.goTo = options.goTo;
+    const bool named = !options.goTo.empty() || !options.alert.empty() || options.camera ||
+                       options.atDifference || options.session;
+    if (!named && options.benchFrames == 0) aimAtScene(options.input.source);
+    if (options.camera) arrival_.camera = options.camera;
+    c_.session.open(options.input);
+}
+
+/// A scene opens at the decision that it is about, framed.
+void Filing::aimAtScene(const std::string& source) {
+    const std::string_view address = openingAddress(source);
+    if (address.empty()) return;
+    arrival_.goTo = address;
+    arrival_.focus = true;
+}
+
+void Filing::keepIn(const std::filesystem::path& path, bool resetLayout) {
+    kept_ = path;
+    const KeptState state = readKeptState(path);
+    c_.ui.recent = state.recent;
+    keptLayout_ = state.layout;
+    if (!resetLayout) c_.ui.arrangement = state.layout;
+    if (resetLayout && state.layout != c_.ui.arrangement) keepLayout();
+}
+
+void Filing::changeNotebook(const std::string& source) {
+    UiState& ui = c_.ui;
+    if (source == notebookOf_) return;
+    notebooks_[std::exchange(notebookOf_, source)] = {noted(), saved_, ui.sessionPath, original_};
+    const Notebook& other = notebooks_[source];
+    putBack(other.noted);
+    saved_ = other.saved;
+    ui.sessionPath = other.sessionPath;
+    original_ = other.original;
+}
+
+/// The page with new points gives way to what is being opened.
+void Filing::openInput(InputSpec spec) {
+    if (c_.ui.growth.open) c_.ui.growth.asked = GrowthAsk::Leave;
+    c_.session.open(std::move(spec));
+}
+
+/// A volume is no set of points yet: they are spread first.
+void Filing::spreadOver(const std::string& volume) {
+    c_.ui.growth.form.chooseVolume(volume);
+    openGrowthPage(c_, GrowthSource::Volume);
+    c_.ui.growth.asked = GrowthAsk::Begin;
+}
+
+void Filing::open(const std::string& path) {
+    c_.playback.pause();
+    if (isVolumePath(path)) return spreadOver(path);
+    const bool named = isScene(path) || isSample(path);
+    if (!named && looksLikeSession(path)) return openSession(path);
+    const Session& session = c_.session;
+    InputSpec spec = session.ready() ? session.spec() : session.opening();
+    spec.cures.clear();
+    if (std::exchange(spec.source, path) != path) {
+        // Asked of another input.
+        spec.normals = NormalSource::AsGiven;
+        spec.walls = {};
+        spec.rim = false;
+        spec.points = nullptr;
+        spec.whatIf.clear();
+    }
+    arrival_ = {};
+    arrival_.pending = true;
+    arrival_.generation = session.generation();
+    arrival_.file = path;
+    aimAtScene(path);
+    openInput(std::move(spec));
+}
+
+void Filing::openSpec(InputSpec spec) {
+    c_.playback.pause();
+    const Session& session = c_.session;
+    arrival_ = {};
+    arrival_.pending = true;
+    arrival_.generation = session.generation();
+    arrival_.file = spec.source;
+    if (c_.ui.growth.open) arrival_.camera = c_.camera.pose();
+    const bool same = session.ready() && session.spec().source == spec.source;
+    if (same) arrival_.selected = session.selection();
+    openInput(std::move(spec));
+}
+
+void Filing::openSession(const std::string& path) {
+    const Result<SessionFile> read = readSessionFile(path);
+    if (!read) return c_.session.say(read.error().message);
+    arrival_ = {};
+    arrival_.pending = true;
+    arrival_.generation = c_.session.generation();
+    arrival_.sessionPath = path;
+    arrival_.session = read.value();
+    arrival_.file = path;
+    openInput(read.value().input);
+}
+
+void Filing::takeLooks(const SessionFile& file, const std::string& path) {
+    UiState& ui = c_.ui;
+    if (file.layers) ui.settings.layers = *file.layers;
+    if (file.layout) ui.arrangement = keptLayout_ = *file.layout;
+    putBack({file.bookmarks, file.notes, file.breakpoints, file.watches});
+    ui.query.typed = file.query;
+    ui.sessionPath = path;
+    original_ = file.original;
+    noteSaved();
+    if (file.with.kind != CompareWith::Kind::Nothing) with_ = file.with;
+    if (!file.leftOut.empty()) warnLater(file.leftOut);
+    arrival_.ofSession = true;
+    arrival_.goTo = file.place.address;
+    arrival_.camera = file.place.camera;
+    arrival_.selected = file.selected;
+    arrival_.alert = file.alert;
+    arrival_.expectedHash = file.inputHash;
+}
+
+void Filing::poll() {
+    const SessionPhase phase = c_.session.phase();
+    if (arrival_.pending && phase != SessionPhase::Loading) {
+        const bool opened = c_.session.generation() != arrival_.generation;
+        // It failed, or was cancelled: what was open stays as it is.
+        if (!opened) arrival_ = {};
+        if (opened && phase == SessionPhase::Ready) arrive();
+    }
+    if (c_.ui.arrangement != keptLayout_) keepLayout();
+    if (!arrival_.pending && !c_.session.busy()) warn();
+}
+
+/// Changes over to the notes and looks that belong to what is open now.
+void Filing::takeUp() {
+    const std::optional<SessionFile> session = std::exchange(arrival_.session, std::nullopt);
+    changeNotebook(c_.session.spec().source);
+    if (session) takeLooks(*session, arrival_.sessionPath);
+    if (!arrival_.notice.empty()) sayLater(std::exchange(arrival_.notice, {}));
+}
+
+void Filing::arrive() {
+    takeUp();
+    arrival_.pending = false;
+    alert_ = std::exchange(arrival_.alert, {});
+    placed_ = !arrival_.goTo.empty() || arrival_.camera;
+    ofSession_ = arrival_.ofSession;
+    note(arrival_.file);
+    const std::string& hash = c_.session.model().hash;
+    if (!arrival_.expectedHash.empty() && arrival_.expectedHash != hash) {
+        warnLater(
+            "The input has changed since this session was saved: addresses and bookmarks "
+            "may mean other decisions.");
+    }
+    const auto corners = arrival_.selected.corners();
+    const std::size_t count = c_.session.model().points.size();
+    if (std::all_of(corners.begin(), corners.end(), [&](Index p) { return p < count; })) {
+        c_.session.select(arrival_.selected);
+    }
+    const bool atStart = arrival_.goTo.empty() || arrival_.goTo == "0";
+    if (atStart) return;
+    focus_ = arrival_.focus;
+    placeStatus_ = c_.session.goToText(arrival_.goTo);
+    if (!placeStatus_) c_.session.say(placeStatus_.error().message);
+}
+
+void Filing::warnLater(const std::string& warning) {
+    std::fprintf(stderr, "spiraling-edge-viewer: warning: %s\n", warning.c_str());
+    sayLater(warning);
+}
+
+void Filing::sayLater(const std::string& sentence) {
+    said_ += (said_.empty() ? "" : " ") + sentence;
+}
+
+void Filing::warn() {
+    if (!said_.empty()) c_.session.say(std::exchange(said_, {}));
+}
+
+void Filing::carryOut(UiRequests& requests) {
+    answer();
+    if (std::exchange(requests.saveSession, false)) save();
+    if (!requests.saveSessionAs.empty()) saveAs(std::exchange(requests.saveSessionAs, {}));
+    // Nobody named a file, or it could not be written: one stays.
+    if (afterSaving_ && !c_.ui.fileBrowser) {
+        const Leave to = *std::exchange(afterSaving_, std::nullopt);
+        if (unsaved().empty()) go(to);
+    }
+    if (!requests.open.empty()) {
+        leave({LeaveFor::Open, std::exchange(requests.open, {}), {}});
+    }
+    if (requests.cures) takeCures(*std::exchange(requests.cures, std::nullopt));
+    const Resume resume = std::exchange(requests.resume, Resume::SamePlace);
+    if (requests.rules) takeRules(*std::exchange(requests.rules, std::nullopt), resume);
+    if (requests.openSpec) {
+        const InputSpec spec = *std::exchange(requests.openSpec, std::nullopt);
+        const bool same = c_.session.ready() && c_.session.spec().source == spec.source;
+        leave({same ? LeaveFor::Reload : LeaveFor::Open, spec.source, {}, spec});
+    }
+    if (std::exchange(requests.reload, false)) leave({LeaveFor::Reload, {}, {}});
+    if (std::exchange(requests.quit, false)) leave({LeaveFor::Quit, {}, {}});
+}
+
+void Filing::leave(Leave to) {
+    if (c_.ui.leaving.asked) return;
+    const bool stays = to.what == LeaveFor::Open && !to.spec && isVolumePath(to.path);
+    const std::string atStake = unsaved();
+    if (atStake.empty() || stays) return go(to);
+    c_.playback.pause();
+    c_.ui.leaving.ask(std::move(to), atStake);
+}
+
+void Filing::go(const Leave& to) {
+    if (to.spec) return openSpec(*to.spec);
+    switch (to.what) {
+        case LeaveFor::Quit:
+            c_.ui.quitting = true;
+            break;
+        case LeaveFor::Open:
+            open(to.path);
+            arrival_.notice = to.notice;
+            break;
+        case LeaveFor::Reload:
+            reload();
+            break;
+    }
+}
+
+void Filing::reload() {
+    const Session& session = c_.session;
+    const bool failed = session.phase() == SessionPhase::Failed || !session.ready();
+    const InputSpec spec = failed ? session.opening() : session.spec();
+    if (!spec.source.empty()) c_.session.open(spec);
+}
+
+/// Opens what is open anew, mended or as it is; bookmarks and notes stay.
+void Filing::takeCures(Cures cures) {
+    if (!c_.session.ready() || c_.session.phase() == SessionPhase::Loading) return;
+    c_.playback.pause();
+    InputSpec spec = c_.session.spec();
+    spec.cures = std::move(cures);
+    openInput(std::move(spec));
+}
+
+/// Runs what is open anew; nothing that a person noted is touched.
+void Filing::takeRules(const RuleSet& rules, Resume resume) {
+    if (!c_.session.ready() || rules == c_.session.rules()) return;
+    c_.playback.pause();
+    c_.session.runAnew(rules, resume);
+}
+
+void Filing::answer() {
+    LeaveQuestion& question = c_.ui.leaving;
+    const LeaveAnswer answer = std::exchange(question.answer, LeaveAnswer::None);
+    if (!question.asked || answer == LeaveAnswer::None) return;
+    question.asked = false;
+    if (answer == LeaveAnswer::Save) {
+        afterSaving_ = question.leave;
+        save();
+    }
+    if (answer == LeaveAnswer::Discard) {
+        putBack(Noted(saved_));
+        go(question.leave);
+    }
+}
+
+void Filing::drop(const std::vector<std::string>& paths) {
+    Leave to{LeaveFor::Open, paths.front(), {}};
+    if (paths.size() > 1) {
+        to.notice = std::to_string(paths.size()) + " files were dropped; only the first is open: " +
+                    std::filesystem::path(paths.front()).filename().string() + ".";
+    }
+    leave(std::move(to));
+}
+
+void Filing::save() {
+    if (!c_.session.ready()) return c_.session.say("There is nothing open to save.");
+    if (isStandardInput(c_.session.spec().source))
+        return c_.session.say(
+            "A session names a file, but these points came from standard input. Save them to a "
+            "file "
+            "first.");
+    if (c_.ui.sessionPath.empty()) {
+        c_.ui.browser = BrowserTask::SaveSession;
+        c_.ui.fileBrowser = true;
+    } else {
+        saveAs(c_.ui.sessionPath);
+    }
+}
+
+void Filing::saveAs(const std::string& path) {
+    if (!c_.session.ready()) return;
+    SessionFile file = captureSession(c_);
+    file.original = original_;
+    const Status written = writeSessionFile(path, file);
+    if (!written) return c_.session.say(written.error().message);
+    c_.ui.sessionPath = path;
+    original_ = sessionToJson(file, std::filesystem::path(path).parent_path());
+    noteSaved();
+    note(path);
+    c_.session.say("Saved " + path + ".");
+}
+
+Noted Filing::noted() const {
+    return {c_.ui.bookmarks, c_.ui.notes, c_.ui.breakpoints, c_.ui.watches};
+}
+
+void Filing::putBack(const Noted& noted) {
+    c_.ui.bookmarks = noted.bookmarks;
+    c_.ui.notes = noted.notes;
+    c_.ui.breakpoints = noted.breakpoints;
+    c_.ui.watches = noted.watches;
+}
+
+void Filing::noteSaved() { saved_ = noted(); }
+
+std::string Filing::unsaved() const { return differenceOf(noted(), saved_); }
+
+void Filing::note(const std::string& file) {
+    if (kept_.empty() || file.empty() || isStandardInput(file)) return;
+    // Another window may have noted something since.
+    KeptState state = readKeptState(kept_);
+    remember(state, file);
+    c_.ui.recent = state.recent;
+    if (const Status s = writeKeptState(kept_, state); !s) c_.session.say(s.error().message);
+}
+
+void Filing::keepLayout() {
+    keptLayout_ = c_.ui.arrangement;
+    if (kept_.empty()) return;
+    KeptState state = readKeptState(kept_);
+    state.layout = keptLayout_;
+    if (const Status s = writeKeptState(kept_, state); !s) c_.session.say(s.error().message);
+}
+
+}  // namespace se::view

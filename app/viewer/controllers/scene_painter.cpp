@@ -1,0 +1,215 @@
+#include "scene_painter.h"
+
+#include <utility>
+
+#include "jobs/questions.h"
+#include "session/session.h"
+
+namespace se::view {
+
+namespace {
+
+/// Steps played faster than this, per second, do not leave the time to see them move.
+constexpr double kFollowedRate = 1.5;
+
+/// How many triangles there were at the last seed before the cursor.
+std::size_t componentBegin(const Session& session) {
+    const RunOverview& run = session.overview();
+    const std::uint32_t pivot = session.record().pivot;
+    std::size_t begin = 0;
+    for (const RunMark& mark : run.marks) {
+        if (mark.kind != MarkKind::Seed || mark.pivot > pivot || mark.pivot < 2) continue;
+        const std::size_t before = mark.pivot - 2;
+        if (before < run.triangles.size()) begin = run.triangles[before];
+    }
+    return begin;
+}
+
+/// The point that the last ring before that at the cursor began with.
+Index seedBefore(const Session& session) {
+    const RunOverview& run = session.overview();
+    const std::uint32_t pivot = session.record().pivot;
+    Index seed = kNone;
+    for (const ComponentSummary& each : run.components) {
+        if (each.firstPivot >= pivot) break;
+        if (each.firstPivot <= run.pivots.size()) seed = run.pivots[each.firstPivot - 1].point;
+    }
+    return seed;
+}
+
+/// Not 0 if the points are to be colored by their margins, and those are known.
+std::uint32_t tintOf(const Session& session, PointTint tint) {
+    const bool known = !session.questions().leastMargin().empty();
+    return tint == PointTint::Margin && known ? session.generation() + 1 : 0;
+}
+
+/// Colors what the other mesh has not, and outlines what it has in the region that is shown.
+void addDifference(const DifferenceLook& look, const Model& model, std::size_t finished,
+                   const std::shared_ptr<const std::vector<Triangle>>& mended, DrawList& out) {
+    if (look.shade != nullptr)
+        out.tinted = look.shade->at(finished, mended, look.only, look.turned);
+    for (const Triangle& t : look.ghosts) {
+        for (const auto& [u, v] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}})
+            out.dashed(model.place[u], model.place[v], look.ghost, 0.1F, 0.35F);
+    }
+}
+
+}  // namespace
+
+Status ScenePainter::start(const std::filesystem::path& shaders) {
+    Result<std::unique_ptr<Renderer>> renderer = Renderer::create(shaders);
+    if (!renderer) return renderer.error();
+    renderer_ = std::move(renderer.value());
+    return success();
+}
+
+/// At which point of its short movements the scene is to be drawn.
+const Moment& ScenePainter::lookAtMoment(const CommandContext& context, bool onPaper) {
+    static constexpr Moment kPaper{Moment::Kind::Paper, 0.0, false};
+    if (onPaper) return kPaper;
+    const Session& session = context.session;
+    const Playback& playback = context.playback;
+    const bool tooFast =
+        playback.playing() && (playback.unlimited() || playback.rate() > kFollowedRate);
+    const bool still = session.busy() || tooFast || context.ui.look.on();
+    return motion_.look({session.generation(), session.record().pivot, session.cursor()},
+                        still ? 0.0 : motionSeconds(session.picture()), context.ui.clock);
+}
+
+void ScenePainter::upload(const Session& session) {
+    const bool another =
+        std::exchange(uploadedGeneration_, session.generation()) != session.generation();
+    // A what-if moves points from a pivot on.
+    if (std::exchange(uploaded_, &session.shown()) != &session.shown() || another) {
+        renderer_->setModel(session.shown());
+        filled_.revision = 0;
+    }
+    renderer_->setTriangles(session.shown(), session.triangles());
+    renderer_->setMended(session.shown(), session.picture().mended);
+}
+
+MeshColoring ScenePainter::coloringOf(const Session& session, MeshStyle style) {
+    MeshColoring mesh = meshColoring(style, session.overview(), session.triangles().size());
+    const auto& mended = session.picture().mended;
+    if (style == MeshStyle::Component && mended) {
+        mesh.mended = mendedComponents_.of(mended, session.triangles(), mesh.starts,
+                                           session.model().points.size());
+    }
+    return mesh;
+}
+
+void ScenePainter::fill(CommandContext& context, bool onPaper, const DifferenceLook* look) {
+    const Session& session = context.session;
+    particles_ = false;
+    if (!session.ready()) return;
+    // A mesh that lies still has been uploaded in between.
+    if (std::exchange(still_, nullptr)) uploadedGeneration_ = 0;
+    model_ = session.sharedModel();
+    upload(session);
+    const ViewSettings& settings = context.ui.settings;
+    shownLayers_ = shownLayers(settings.layers, session.stage());
+    const std::size_t shapes = session.overview().shapes.size();
+    Filled now{session.revision(),
+               shownLayers_,
+               settings.theme,
+               coloringOf(session, settings.meshStyle),
+               lookAtMoment(context, onPaper),
+               shapes,
+               tintOf(session, settings.pointTint),
+               session.noticedHere().size(),
+               look != nullptr ? look->revision : 0U};
+    if (now == filled_) return;
+    const LayerInput input{
+        session.shown(),
+        session.picture(),
+        paletteOf(settings.theme),
+        session.selected(),
+        session.litRing(),
+        session.hovered(),
+        session.triangles(),
+        componentBegin(session),
+        shapeAt(session.overview().shapes, session.record().pivot),
+        session.selection(),
+        context.ui.facts.of(session).present,
+        now.mesh,
+        session.marked(),
+        now.moment,
+        &session.meshIndex(),
+        seedBefore(session),
+        now.tint == 0 ? std::span<const double>{} : session.questions().leastMargin(),
+        now.tint,
+        settings.theme,
+        session.alert(),
+        session.noticedHere()};
+    fillDrawList(input, shownLayers_, drawList_);
+    if (look != nullptr)
+        addDifference(*look, session.model(), session.picture().finishedTriangles,
+                      session.picture().mended, drawList_);
+    filled_ = std::move(now);
+    ++fills_;
+}
+
+void ScenePainter::fillStill(const std::shared_ptr<const Model>& model,
+                             const std::vector<Triangle>& triangles, const ViewSettings& settings,
+                             const DifferenceLook* look) {
+    Filled now;
+    now.theme = settings.theme;
+    now.difference = look != nullptr ? look->revision : 0U;
+    now.mesh.style =
+        settings.meshStyle == MeshStyle::Shaded || settings.meshStyle == MeshStyle::Wire
+            ? settings.meshStyle
+            : MeshStyle::Flat;
+    const bool fresh = std::exchange(still_, model) != model || uploadedStill_ != &triangles;
+    if (!fresh && now == filled_) return;
+    if (fresh) {
+        renderer_->setModel(*model);
+        renderer_->setTriangles(*model, triangles);
+        uploadedStill_ = &triangles;
+        model_ = model;
+    }
+    const Palette& palette = paletteOf(settings.theme);
+    drawList_ = {};
+    drawList_.cloudVisible = false;
+    drawList_.finishedTriangles = triangles.size();
+    drawList_.meshColor = palette.mesh;
+    drawList_.meshEdgeColor = now.mesh.style == MeshStyle::Wire ? palette.done : palette.meshEdge;
+    drawList_.meshStyle = now.mesh.style;
+    if (look != nullptr) addDifference(*look, *model, triangles.size(), nullptr, drawList_);
+    filled_ = std::move(now);
+    ++fills_;
+}
+
+void ScenePainter::fillParticles(Growing& growing, Theme theme) {
+    const bool fresh = !std::exchange(particles_, true) || particleTheme_ != theme ||
+                       filledParticles_ != growing.revision();
+    if (!fresh) return;
+    // Whatever was drawn for the run is made anew when these are left.
+    uploadedGeneration_ = 0;
+    filled_.revision = 0;
+    filledParticles_ = growing.revision();
+    particleTheme_ = theme;
+    if (growing.model() != nullptr) renderer_->setModel(*growing.model());
+    particleList_ = growing.drawList(paletteOf(theme));
+    ++fills_;
+}
+
+void ScenePainter::draw(const CommandContext& context, glm::ivec2 size, float em) {
+    if (size.x < 1 || size.y < 1) return;
+    const Session& session = context.session;
+    const Theme theme = context.ui.settings.theme;
+    const Drawn key{session.revision(),
+                    session.generation(),
+                    context.camera.revision(),
+                    size,
+                    shownLayers_,
+                    theme,
+                    em,
+                    fills_};
+    if (key == drawn_) return;
+    drawn_ = key;
+    if (model_ && !particles_) renderer_->setTinted(*model_, list());
+    const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
+    renderer_->draw(list(), context.camera.matrices(aspect), size, em, paletteOf(theme).background);
+}
+
+}  // namespace se::view

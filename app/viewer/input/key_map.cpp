@@ -1,0 +1,139 @@
+#include "key_map.h"
+
+#include <algorithm>
+#include <set>
+
+#include "commands/commands.h"
+#include "run/strings.h"
+
+namespace se::view {
+
+namespace {
+
+std::vector<std::string> keyWords(std::string_view text) {
+    const auto words = wordsOf(text);
+    return {words.begin(), words.end()};
+}
+
+std::string joined(const std::vector<std::string>& words, const char* between) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
+    return text;
+}
+
+}  // namespace
+
+std::string KeyMap::keysOf(const Command& command) const {
+    const auto changed = changes_.find(command.id);
+    return changed != changes_.end() ? changed->second : std::string(command.keys);
+}
+
+std::string KeyMap::first(const Command& command) const {
+    const auto words = keyWords(keysOf(command));
+    return words.empty() ? std::string{} : words.front();
+}
+
+std::string KeyMap::all(const Command& command) const {
+    return joined(keyWords(keysOf(command)), ", ");
+}
+
+const Command* KeyMap::commandFor(const KeyChord& chord) const {
+    for (const Command& command : commands()) {
+        for (const std::string& word : keyWords(keysOf(command))) {
+            if (keyFromString(word) == chord) return &command;
+        }
+    }
+    return nullptr;
+}
+
+void KeyMap::assign(const Command& command, const std::string& keys) {
+    if (keys == command.keys) {
+        changes_.erase(std::string(command.id));
+    } else {
+        changes_[std::string(command.id)] = keys;
+    }
+}
+
+void KeyMap::takeAway(const KeyChord& chord) {
+    const Command* owner = commandFor(chord);
+    if (owner == nullptr) return;
+    std::vector<std::string> rest = keyWords(keysOf(*owner));
+    std::erase_if(rest, [&](const std::string& word) { return keyFromString(word) == chord; });
+    assign(*owner, joined(rest, " "));
+}
+
+void KeyMap::bind(const Command& command, const KeyChord& chord) {
+    takeAway(chord);
+    assign(command, toString(chord));
+}
+
+void KeyMap::unbind(const Command& command) { assign(command, ""); }
+
+void KeyMap::reset(const Command& command) {
+    for (const std::string& word : keyWords(command.keys)) takeAway(*keyFromString(word));
+    assign(command, std::string(command.keys));
+}
+
+bool KeyMap::isChanged(const Command& command) const { return changes_.contains(command.id); }
+
+std::vector<std::string> KeyMap::load(const Changes& wanted) {
+    changes_.clear();
+    std::vector<std::string> complaints;
+    std::set<std::string> taken;  // by the settings themselves
+    for (const auto& [id, keys] : wanted) {
+        const Command* command = findCommand(id);
+        if (command == nullptr) {
+            complaints.push_back("Keys: there is no action " + id + ".");
+            continue;
+        }
+        std::vector<std::string> good;
+        const auto refused = [&complaints, &which = id](const std::string& word, const char* why) {
+            complaints.push_back(std::string("Keys: ").append(word).append(" (for ").append(which) +
+                                 why);
+        };
+        for (const std::string& word : keyWords(keys)) {
+            const auto chord = keyFromString(word);
+            if (!chord) {
+                refused(word, ") is no key.");
+            } else if (!taken.insert(toString(*chord)).second) {
+                refused(word, ") has another action.");
+            } else {
+                takeAway(*chord);
+                good.push_back(toString(*chord));
+            }
+        }
+        assign(*command, joined(good, " "));
+    }
+    return complaints;
+}
+
+void KeyCapture::begin(std::string_view command) {
+    *this = {};
+    command_ = command;
+    note_ = "Press the new key. Esc: leave it; Backspace: no key.";
+}
+
+void KeyCapture::press(const KeyChord& chord, KeyMap& map) {
+    const Command* command = findCommand(command_);
+    if (isModifierKey(chord.key) || command == nullptr) return;
+    if (chord.key == key::kEscape) return cancel();
+    const bool none = chord.key == key::kBackspace && chord.mods == 0;
+    const std::string name = toString(chord);
+    if (!none && keyFromString(name) != chord) {
+        note_ = "This key has no name and cannot be used. Press another one, or Esc.";
+        return;
+    }
+    const Command* owner = none ? nullptr : map.commandFor(chord);
+    if (owner != nullptr && owner != command && chord != conflict_) {
+        conflict_ = chord;
+        note_ = name + " is the key of \"" + std::string(owner->title) +
+                "\". Press it again to take it from there, or another one.";
+        return;
+    }
+    none ? map.unbind(*command) : map.bind(*command, chord);
+    const std::string title(command->title);
+    cancel();
+    note_ = title + ": " + (none ? "no key" : name) + ".";
+}
+
+}  // namespace se::view

@@ -1,0 +1,98 @@
+/// The hits of the lines that a person breaks at, looked for in a thread of its own: one run for
+/// all lines that are new. What was found stays until another run is open.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "background_job.h"
+#include "run/model.h"
+#include "spiraling_edge/replay/breakpoint.h"
+
+namespace se::view {
+
+/// Of a log-only line, so many hits are kept with their sentences.
+inline constexpr std::size_t kMostLogged = 10000;
+
+/// What is known of a line.
+struct LineHits {
+    HitList list;
+    /// The sentences of the first hits; fewer than hits if the line is not one to be listed.
+    std::vector<std::string> sentences;
+    /// Up to this pivot nothing is missing.
+    std::uint32_t knownTo = 0;
+    bool complete = false;
+};
+
+/// The pivots with hits that the breakpoint picks, at most one for each of `columns` stretches of
+/// the range from `window.first` to `window.second`; for marks. O(columns log hits).
+std::vector<std::uint32_t> stopPivots(const Breakpoint& breakpoint, const HitList& list,
+                                      std::pair<double, double> window, std::size_t columns);
+
+class HitSearch {
+  public:
+    /// Another run: nothing is known of it.
+    void open(std::shared_ptr<const Model> model);
+    /// The breakpoints there are; the lines of those that are on are looked for. Cheap if nothing
+    /// is new.
+    void want(std::span<const Breakpoint> breakpoints);
+    /// Takes over what was found. True if that is news.
+    bool poll();
+    /// Blocks until everything that is wanted is known.
+    void finish();
+    /// Gives up looking, until something else is wanted or resume() is called.
+    void cancel();
+    void resume();
+
+    bool busy() const { return errand_.busy(); }
+    /// Given up by cancel() before all was known, or because the search failed.
+    bool cancelled() const { return givenUp_; }
+    /// Why a search failed: a sentence, once; empty if none has failed since.
+    std::string takeComplaint() { return std::exchange(complaint_, {}); }
+    /// In [0, 1], while busy.
+    double share() const { return errand_.share(); }
+    /// Null if the line was never looked for, or is not understood.
+    const LineHits* of(const std::string& line) const;
+
+    /// Whether what stop() says holds.
+    enum class Known : std::uint8_t { Yes, NotYet, GivenUp };
+    struct Answer {
+        Known known = Known::Yes;
+        std::optional<Stop> stop;  ///< Its breakpoint is the place in the list that is wanted.
+    };
+    /// The next (1) or previous (-1) stop from `here`.
+    Answer stop(RunPlace here, int direction) const;
+    const std::vector<Breakpoint>& wanted() const { return wanted_; }
+
+  private:
+    struct Line {
+        std::string text;
+        DecisionQuery query;
+        bool listed = false;  ///< With sentences.
+    };
+    struct Found {
+        std::size_t line;
+        se::Hit hit;
+        std::string sentence;
+    };
+    static void work(const Model& model, const std::vector<Line>& lines,
+                     RunErrand<Found>::Basket& basket);
+    std::vector<Line> missing() const;
+    void beginNext();
+    bool take();
+
+    std::shared_ptr<const Model> model_;
+    std::vector<Breakpoint> wanted_;
+    std::map<std::string, LineHits> known_;
+    bool givenUp_ = false;
+    std::string complaint_;
+    std::vector<Line> sought_;  ///< What is under way.
+    RunErrand<Found> errand_;
+};
+
+}  // namespace se::view

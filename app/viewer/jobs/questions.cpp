@@ -1,0 +1,182 @@
+#include "questions.h"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include "run/strings.h"
+
+namespace se::view {
+
+void Questions::begin(std::shared_ptr<const Model> model) {
+    model_ = std::move(model);
+    subject_ = {};
+    subjectName_.clear();
+    line_.clear();
+    ledger_.forget();
+    found_.forget();
+    closest_.forget();
+    charts_.forget();
+}
+
+bool Questions::poll() {
+    bool news = ledger_.poll();
+    news = found_.poll() || news;
+    news = closest_.poll() || news;
+    return charts_.poll() || news;
+}
+
+void Questions::finish() {
+    ledger_.finish();
+    found_.finish();
+    closest_.finish();
+    charts_.finish();
+    poll();
+}
+
+bool Questions::busy() const {
+    return ledger_.busy() || found_.busy() || closest_.busy() || charts_.busy();
+}
+
+void Questions::askWhy(const Selection& what) {
+    subject_ = what;
+    subjectName_ = selectionText(what);
+    ledger_.ask([model = model_, what](const Progress& progress) -> Result<WhyAnswer> {
+        Result<Ledger> found = why(model->points, model->params, toSubject(what), progress);
+        if (!found) return found.error();
+        Ledger& ledger = found.value();
+        return WhyAnswer{nameOf(ledger.subject), ledger.present, std::move(ledger.lines),
+                         ledger.cause, std::move(ledger.answer)};
+    });
+}
+
+void Questions::askWhy(const RingPlace& ring) {
+    subject_ = {};
+    ring_ = ring;
+    subjectName_ = nameOf(ring);
+    ledger_.ask([model = model_, ring](const Progress& progress) -> Result<WhyAnswer> {
+        Result<RingHistory> found = whyRing(model->points, model->params, ring, progress);
+        if (!found) return found.error();
+        RingHistory& history = found.value();
+        return WhyAnswer{nameOf(ring), true, std::move(history.lines), history.cause,
+                         std::move(history.answer)};
+    });
+}
+
+void Questions::askAgain() {
+    if (subject_.kind != SelectionKind::None) return askWhy(Selection(subject_));
+    if (!subjectName_.empty()) askWhy(RingPlace(ring_));
+}
+
+Status Questions::find(const std::string& line) {
+    Result<DecisionQuery> query = DecisionQuery::parse(line);
+    if (!query) return query.error();
+    line_ = line;
+    found_.ask([model = model_, query = std::move(query.value())](const Progress& progress) {
+        return findDecisions(model->points, model->params, query, kMostFound, progress);
+    });
+    return success();
+}
+
+namespace {
+
+template <typename Answer>
+bool isNew(const Inquiry<Answer>& inquiry) {
+    return !inquiry.busy() && inquiry.answer() == nullptr && inquiry.complaint().empty();
+}
+
+LedgerLine lineOf(const ClosestCall& call) {
+    const bool taken = outcomeOf(call.event) == Outcome::Taken;
+    return {call.event, call.pivot, taken ? LineRole::Taken : LineRole::Refused, call.reading};
+}
+
+}  // namespace
+
+void Questions::wantClosest() {
+    if (!isNew(closest_)) return;
+    closest_.ask([model = model_](const Progress& progress) -> Result<ClosestAnswer> {
+        Result<ClosestCalls> calls = closestCalls(model->points, model->params, kClosest, progress);
+        if (!calls) return calls.error();
+        ClosestAnswer answer{std::move(calls.value()), {}};
+        for (const ClosestCall& call : answer.calls.calls) answer.lines.push_back(lineOf(call));
+        return answer;
+    });
+}
+
+std::span<const double> Questions::leastMargin() const {
+    const ClosestAnswer* answer = closest_.answer();
+    return answer != nullptr ? std::span<const double>(answer->calls.leastMargin)
+                             : std::span<const double>{};
+}
+
+void Questions::wantCharts() {
+    if (!isNew(charts_)) return;
+    charts_.ask([model = model_](const Progress& progress) {
+        return runCharts(model->points, model->params, progress);
+    });
+}
+
+Subject toSubject(const Selection& what) {
+    const auto& p = what.points;
+    switch (what.kind) {
+        case SelectionKind::Edge:
+            return Subject::edge(p[0], p[1]);
+        case SelectionKind::Triangle:
+            return Subject::triangle(p[0], p[1], p[2]);
+        case SelectionKind::None:
+        case SelectionKind::Point:
+            break;
+    }
+    return Subject::point(p[0]);
+}
+
+namespace {
+
+constexpr const char* kExpected =
+    "Expected one point, two for an edge or three for a triangle, such as 812 or 812,640.";
+
+Selection selectionOf(const std::vector<Index>& points) {
+    if (points.size() == 1) return Selection::ofPoint(points[0]);
+    if (points.size() == 2) return Selection::ofEdge(points[0], points[1]);
+    return Selection::ofTriangle({points[0], points[1], points[2]});
+}
+
+}  // namespace
+
+Result<Selection> selectionFromText(std::string_view text, std::size_t count) {
+    std::vector<Index> points;
+    while (true) {
+        text.remove_prefix(std::min(text.find_first_not_of(" ,;-()"), text.size()));
+        if (text.empty()) break;
+        const std::string word(text.substr(0, text.find_first_of(" ,;-()")));
+        text.remove_prefix(word.size());
+        const bool named = word == "point" || word == "edge" || word == "triangle";
+        if (named && points.empty()) continue;
+        Index point = kNone;
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), point);
+        if (error == std::errc::invalid_argument || end != word.data() + word.size())
+            return Error{"\"" + word + "\" is no point. " + kExpected};
+        if (error != std::errc() || point >= count)
+            return Error{"There is no point " + word + ": the points are 0 to " +
+                         std::to_string(count - 1) + "."};
+        if (std::find(points.begin(), points.end(), point) != points.end())
+            return Error{"Point " + word + " stands there twice."};
+        points.push_back(point);
+    }
+    if (points.empty() || points.size() > 3) return Error{kExpected};
+    return selectionOf(points);
+}
+
+std::optional<Result<RingPlace>> ringFromText(std::string_view text, const Address& here) {
+    text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+    if (!text.starts_with("ring")) return {};
+    text.remove_prefix(4);
+    std::string rest;
+    std::copy_if(text.begin(), text.end(), std::back_inserter(rest),
+                 [](char c) { return c != ' '; });
+    if (rest.empty()) return Result<RingPlace>(RingPlace{here, 0});
+    if (rest[0] == '#') rest = toString(here) + rest;
+    return ringPlaceFromString(rest);
+}
+
+}  // namespace se::view

@@ -1,0 +1,144 @@
+#include "runner.h"
+
+#include <algorithm>
+
+#include "guarded.h"
+#include "run/picture.h"
+#include "spiraling_edge/stepper/stepper.h"
+
+namespace se::view {
+
+namespace {
+
+/// How long to run between two pictures of a long way.
+constexpr std::chrono::milliseconds kSlice{120};
+
+}  // namespace
+
+Runner::Runner(std::shared_ptr<const Model> model)
+    : model_(std::move(model)),
+      timeline_(model_->points, model_->params),
+      thread_([this](const std::stop_token& stop) { work(stop); }) {}
+
+Runner::~Runner() { cancelled_ = true; }
+
+void Runner::request(std::uint32_t pivot) { ask({pivot, kNone}); }
+
+void Runner::requestPoint(Index point, std::uint32_t pivot) { ask({pivot, point}); }
+
+void Runner::ask(const Request& request) {
+    {
+        const std::lock_guard lock(mutex_);
+        cancelled_ = false;
+        wanted_ = request;
+    }
+    changed_.notify_all();
+}
+
+bool Runner::wait(std::chrono::milliseconds patience) {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, patience, [&] { return answer_ && answer_->final; });
+}
+
+std::optional<RunnerAnswer> Runner::take() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(answer_, std::nullopt);
+}
+
+void Runner::work(const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+        Request request;
+        {
+            std::unique_lock lock(mutex_);
+            if (!changed_.wait(lock, stop, [&] { return wanted_.has_value(); })) return;
+            request = *std::exchange(wanted_, std::nullopt);
+        }
+        const Status good = guarded([&] {
+            if (!complaint_.empty()) return;
+            request.point == kNone ? serve(request.pivot, stop) : servePoint(request, stop);
+        });
+        if (!good) complaint_ = good.error().message;
+        if (!complaint_.empty()) publishComplaint();
+    }
+}
+
+/// Moves the timeline, with a look at it now and then. False if cancelled.
+bool Runner::goTo(std::uint32_t position, const std::stop_token& stop) {
+    bool arrived = false;
+    while (!arrived && !cancelled_ && !stop.stop_requested()) {
+        const auto deadline = std::chrono::steady_clock::now() + kSlice;
+        arrived = true;
+        timeline_.seek(position, [&] {
+            position_ = timeline_.position();
+            arrived = std::chrono::steady_clock::now() < deadline && !cancelled_;
+            return arrived;
+        });
+        if (!arrived && !cancelled_) publish(timeline_.position(), false);
+    }
+    return arrived;
+}
+
+void Runner::serve(std::uint32_t pivot, const std::stop_token& stop) {
+    const bool arrived = goTo(pivot == 0 ? 0 : pivot - 1, stop);
+    publish(arrived ? pivot : timeline_.position(), true);
+}
+
+void Runner::servePoint(const Request& request, const std::stop_token& stop) {
+    if (!goTo(request.pivot, stop)) return publish(timeline_.position(), true);
+    // With a stepper of its own: the timeline would make each pivot twice.
+    EventLog log;
+    Stepper stepper(model_->points, model_->params, &log);
+    stepper.setState(timeline_.state());
+    bool found = false;
+    std::uint32_t pivot = request.pivot;
+    for (bool more = true; more && !found && !cancelled_ && !stop.stop_requested();) {
+        log.clear();
+        more = stepper.stepPivot();
+        found = std::any_of(log.events().begin(), log.events().end(), [&](const Event& event) {
+            if (subjectOf(event) != request.point) return false;
+            pivot = event.address.pivot;
+            return true;
+        });
+        position_ = stepper.state().counters.pivots;
+    }
+    if (found) return serve(pivot, stop);
+    found_ = false;
+    serve(request.pivot, stop);
+    found_ = true;
+}
+
+void Runner::publishComplaint() {
+    {
+        const std::lock_guard lock(mutex_);
+        if (!answer_) answer_.emplace();
+        answer_->complaint = complaint_;
+        answer_->final = true;
+    }
+    changed_.notify_all();
+}
+
+std::string Runner::complaint() {
+    const std::lock_guard lock(mutex_);
+    return answer_ ? answer_->complaint : std::string{};
+}
+
+void Runner::publish(std::uint32_t pivot, bool final) {
+    std::shared_ptr<const PivotRecord> record = recordPivot(timeline_, pivot, status_);
+    position_ = timeline_.position();
+    const std::vector<Triangle>& all = timeline_.state().triangles;
+    {
+        const std::lock_guard lock(mutex_);
+        if (!answer_) answer_.emplace();
+        answer_->record = std::move(record);
+        answer_->final = final;
+        answer_->found = found_;
+        if (all.size() > publishedTriangles_) {
+            const auto from = all.begin() + static_cast<std::ptrdiff_t>(publishedTriangles_);
+            answer_->newTriangles.insert(answer_->newTriangles.end(), from, all.end());
+            publishedTriangles_ = all.size();
+        }
+    }
+    changed_.notify_all();
+}
+
+}  // namespace se::view

@@ -1,0 +1,120 @@
+/// What becomes of a key: a question, the go-to box, a text field, a panel or an action.
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include "application.h"
+#include "commands/growth_commands.h"
+#include "input/key_routing.h"
+#include "session/view_position.h"
+
+namespace se::view {
+
+namespace {
+
+std::string clipboard() {
+    const char* text = ImGui::GetClipboardText();
+    return text != nullptr ? text : "";
+}
+
+}  // namespace
+
+void Application::character(unsigned sign) {
+    if (ui_.goTo.active()) {
+        ui_.goTo.type(sign);
+    } else if (sign == '?' && !ui_.keyEditor) {
+        // Where the question mark lies differs between keyboards.
+        key({'?', kNoMods}, false);
+    }
+}
+
+/// The box where an address is typed comes before all actions.
+bool Application::goToBoxTakes(const KeyChord& chord) {
+    GoToBox& box = ui_.goTo;
+    if (chord == KeyChord{'V', kCtrl}) {
+        const std::string text = clipboard();
+        const Result<Place> place = placeFromText(text);
+        box.paste(place ? place.value().address : text);
+        return true;
+    }
+    if (!box.press(chord)) return false;
+    if (const std::string copied = box.takeCopied(); !copied.empty()) {
+        ImGui::SetClipboardText(copied.c_str());
+    }
+    if (box.takeSubmitted()) goToTyped();
+    return true;
+}
+
+void Application::goToTyped() {
+    playback_.pause();
+    const Status status = session_.goToText(ui_.goTo.text());
+    if (!status) session_.say(status.error().message);
+}
+
+bool Application::key(const KeyChord& chord, bool repeated) {
+    if (ui_.keyCapture.active()) {
+        ui_.keyCapture.press(chord, ui_.settings.keys);
+        return false;
+    }
+    if (ui_.goTo.active() && goToBoxTakes(chord)) return false;
+    const ImGuiIO& io = ImGui::GetIO();
+    if (chord.key == key::kEscape && io.WantTextInput && !ui_.dialogOpen()) {
+        // Dear ImGui would take back what was typed.
+        ImGui::ClearActiveID();
+        return true;
+    }
+    const bool enter = chord.key == key::kEnter || chord.key == key::kKeypadEnter;
+    const bool panel = ui_.walk.at() != KeyStop::View || (session_.startPage() && !ui_.growth.open);
+    if (enter && chord.mods == kNoMods && panel && io.NavVisible && !io.WantTextInput &&
+        !ui_.dialogOpen()) {
+        // Dear ImGui itself takes Space alone.
+        ImGui::ActivateItem(ImGui::GetFocusID());
+        return true;
+    }
+    if (isShiftKey(chord.key) && !repeated) ui_.look.shift(true, ui_.clock);
+    const Command* command = ui_.settings.keys.commandFor(chord);
+    // A question comes first.
+    if (ui_.leaving.asked && command != findCommand("help.leave")) return false;
+    if (command == nullptr || (repeated && !command->repeats)) return false;
+    const bool closes = ui_.cheatSheet && command == findCommand("help.keys");
+    const Keyboard keyboard{io.WantTextInput, ui_.dialogOpen() && !closes,
+                            io.NavVisible && io.WantCaptureKeyboard};
+    const bool reaches = reachesActions(chord, keyboard);
+    if (reaches && !holdsLook(*command, chord.key)) runCommand(*command, commands_);
+    // At once: two keys may come within a frame.
+    growing_.carryOut();
+    ui_.typing.see(ui_.typedFields());
+    // Dear ImGui has ways of its own to walk.
+    return reaches && chord.key == key::kTab;
+}
+
+/// The two actions that last as long as their key is held.
+bool Application::holdsLook(const Command& command, int key) {
+    if (ui_.growth.open) return false;
+    const bool blinks = &command == findCommand("step.blink");
+    if (!blinks && &command != findCommand("step.before")) return false;
+    ui_.look.begin(blinks ? LookBack::Mode::Blink : LookBack::Mode::Before, key, ui_.clock);
+    return true;
+}
+
+void Application::keyReleased(const KeyChord& chord) {
+    ui_.look.released(chord.key);
+    if (isShiftKey(chord.key)) ui_.look.shift(false, ui_.clock);
+}
+
+void Application::copyPlace() {
+    if (!session_.ready()) return;
+    const std::string address = session_.event() != nullptr ? toString(session_.address()) : "0";
+    ImGui::SetClipboardText(toText(Place{address, camera_.pose()}).c_str());
+    session_.say("Copied: " + address + " and the camera.");
+}
+
+void Application::pastePlace() {
+    const Result<Place> place = placeFromText(clipboard());
+    if (!place) return session_.say(place.error().message);
+    playback_.pause();
+    if (place.value().camera) camera_.setPose(*place.value().camera);
+    const Status status = session_.goToText(place.value().address);
+    if (!status) session_.say(status.error().message);
+}
+
+}  // namespace se::view

@@ -1,0 +1,148 @@
+#include "labels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <optional>
+
+namespace se::view {
+
+namespace {
+
+/// How far off a plate may stand from its point, in em.
+constexpr std::array kFar = {0.45F, 0.8F, 1.2F, 1.7F, 2.4F, 3.2F, 4.2F, 5.4F, 7.0F, 9.0F, 12.0F};
+constexpr std::size_t kMinorReach = 4;
+constexpr std::size_t kStrongReach = 8;
+/// From this on a line leads to it, in em.
+constexpr float kLeaderFrom = 0.95F;
+/// What one em of distance, covering a cell full of lines, and turning to the pivot cost.
+constexpr float kPerEm = 0.4F;
+constexpr float kPerInk = 0.16F;
+constexpr float kInward = 0.7F;
+/// Right above is where one looks first.
+constexpr float kUnusual = 0.12F;
+/// Between two plates, in em.
+constexpr float kApart = 0.08F;
+
+struct Way {
+    glm::vec2 to;
+    float unusual;  ///< 0 for the usual places.
+};
+
+constexpr float kDiagonal = 0.70710678F;
+constexpr std::array kWays = {
+    Way{{kDiagonal, -kDiagonal}, 0.0F},
+    Way{{kDiagonal, kDiagonal}, 1.0F},
+    Way{{-kDiagonal, -kDiagonal}, 1.0F},
+    Way{{-kDiagonal, kDiagonal}, 1.5F},
+    Way{{1.0F, 0.0F}, 1.0F},
+    Way{{-1.0F, 0.0F}, 1.5F},
+    Way{{0.0F, -1.0F}, 1.5F},
+    Way{{0.0F, 1.0F}, 2.0F},
+};
+
+/// The plate whose side or corner that looks back to `at` is `distance` away from it.
+Rect plateAt(glm::vec2 at, glm::vec2 plate, glm::vec2 way, float distance) {
+    const glm::vec2 near = at + way * distance;
+    const auto part = [](float along) { return along > 0.5F ? 0.0F : along < -0.5F ? 1.0F : 0.5F; };
+    return {glm::round(near - plate * glm::vec2(part(way.x), part(way.y))), plate};
+}
+
+bool within(const Rect& rect, const Rect& area) {
+    return rect.min.x >= area.min.x && rect.min.y >= area.min.y && rect.max().x <= area.max().x &&
+           rect.max().y <= area.max().y;
+}
+
+std::size_t reachOf(LabelRank rank) {
+    switch (rank) {
+        case LabelRank::Essential:
+            return kFar.size();
+        case LabelRank::Strong:
+            return kStrongReach;
+        case LabelRank::Minor:
+            return kMinorReach;
+    }
+    return 0;
+}
+
+class Placer {
+  public:
+    explicit Placer(const LabelRoom& room) : room_(room) {
+        taken_.assign(room.taken.begin(), room.taken.end());
+    }
+
+    std::optional<PlacedLabel> place(const LabelWish& wish) {
+        if (!room_.area.contains(wish.at)) return std::nullopt;
+        const std::size_t reach = reachOf(wish.rank);
+        std::optional<PlacedLabel> best;
+        float least = std::numeric_limits<float>::max();
+        for (std::size_t i = 0; i < reach && kFar[i] * kPerEm < least; ++i) {
+            for (const Way& way : kWays) {
+                const Rect plate = plateAt(wish.at, wish.plate, way.to, kFar[i] * room_.em);
+                const float price = priceOf(wish, way, kFar[i], plate);
+                if (price >= least || !isFree(plate)) continue;
+                least = price;
+                best = PlacedLabel{0, plate, kFar[i] > kLeaderFrom};
+            }
+        }
+        if (best) taken_.push_back(best->plate);
+        return best;
+    }
+
+  private:
+    float priceOf(const LabelWish& wish, const Way& way, float far, const Rect& plate) const {
+        const glm::vec2 outward = wish.at - room_.middle;
+        const float length = glm::length(outward);
+        // At the pivot itself every way leads out.
+        const float turn = length > 0.5F * room_.em ? glm::dot(outward / length, way.to) : 1.0F;
+        const float ink = room_.clutter != nullptr ? room_.clutter->under(plate) : 0.0F;
+        return kPerEm * far + kUnusual * way.unusual + kInward * (1.0F - turn) + kPerInk * ink;
+    }
+
+    bool isFree(const Rect& plate) const {
+        const glm::vec2 apart(kApart * room_.em);
+        const Rect wide{plate.min - apart, plate.size + 2.0F * apart};
+        return within(plate, room_.area) &&
+               std::none_of(taken_.begin(), taken_.end(),
+                            [&](const Rect& other) { return overlap(wide, other); }) &&
+               std::none_of(room_.marks.begin(), room_.marks.end(),
+                            [&](const LabelMark& mark) { return overlap(wide, mark); });
+    }
+
+    const LabelRoom& room_;
+    std::vector<Rect> taken_;
+};
+
+}  // namespace
+
+bool overlap(const Rect& a, const Rect& b) {
+    return a.min.x < b.max().x && b.min.x < a.max().x && a.min.y < b.max().y && b.min.y < a.max().y;
+}
+
+glm::vec2 nearestIn(const Rect& rect, glm::vec2 from) {
+    return glm::clamp(from, rect.min, rect.max());
+}
+
+bool overlap(const Rect& rect, const LabelMark& mark) {
+    return glm::distance(nearestIn(rect, mark.at), mark.at) < mark.radius;
+}
+
+std::vector<PlacedLabel> placeLabels(const LabelRoom& room, std::span<const LabelWish> wishes) {
+    Placer placer(room);
+    std::vector<PlacedLabel> placed;
+    for (const LabelRank rank : {LabelRank::Essential, LabelRank::Strong, LabelRank::Minor}) {
+        for (std::size_t i = 0; i < wishes.size(); ++i) {
+            if (wishes[i].rank != rank) continue;
+            std::optional<PlacedLabel> found = placer.place(wishes[i]);
+            if (!found) continue;
+            found->wish = i;
+            placed.push_back(*found);
+        }
+    }
+    return placed;
+}
+
+}  // namespace se::view

@@ -1,0 +1,184 @@
+#include "panel_rects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+namespace se::view {
+
+namespace {
+
+constexpr float kMenu = 1.56F;
+constexpr float kTransport = 2.7F;
+constexpr float kStatus = 1.7F;
+/// Of the narration: two lines of a wide view, three of one narrower than kWideView.
+constexpr float kNarration = 3.6F;
+constexpr float kNarrationNarrow = 4.7F;
+/// Below half of a view: sentences take three lines there.
+constexpr float kNarrationHalf = 5.6F;
+/// ... but no more than this share of the height: titles take some of it as well.
+constexpr float kMostHalf = 0.42F;
+constexpr float kWideView = 40.0F;
+/// In a low window the view comes first: a large caption gets this share of the height at most.
+constexpr float kMostNarration = 0.5F;
+/// Above it, where nothing else says where one is.
+constexpr float kAddressLine = 1.4F;
+/// Of the strips: RUN in a folded drawer, in an open one, in an open one of a high window.
+constexpr float kRunFolded = 3.0F;
+constexpr float kRunOpen = 4.9F;
+constexpr float kRunHigh = 6.4F;
+constexpr float kPivotStrip = 2.9F;
+constexpr float kStageStrip = 2.3F;
+/// Below these the window is narrow, or low.
+constexpr float kNarrowBelow = 58.0F;
+constexpr float kLowBelow = 43.75F;
+constexpr float kHighFrom = 54.0F;
+/// No drawer is opened below this: nothing would be left of the view.
+constexpr float kDrawerFrom = 30.0F;
+/// From these on the dial stands by itself: below, the panels under it would be too short.
+constexpr float kDialFrom = 75.0F;
+constexpr float kDialRoom = 30.0F;
+/// Who learns or looks on from afar reads the caption first.
+constexpr float kLargeCaption = 1.5F;
+
+/// Of each of two views.
+constexpr float kTitle = 1.7F;
+
+/// Of a page with a form: its column, and the controls below the view, wide and narrow.
+constexpr float kPageColumn = 17.0F;
+constexpr float kPageColumnWide = 26.0F;
+constexpr float kPageBar = 5.4F;
+constexpr float kPageBarNarrow = 8.6F;
+
+/// Widths of the side columns, in em.
+struct Columns {
+    float left = 0.0F;
+    float right = 0.0F;
+};
+
+Columns columnsFor(Arrangement arrangement, float width, bool narrow) {
+    if (arrangement == Arrangement::Present) return {};
+    if (arrangement == Arrangement::Learn) return {std::clamp(0.32F * width, 14.0F, 28.0F), 0.0F};
+    if (arrangement == Arrangement::Compare) return {std::clamp(0.28F * width, 13.0F, 24.0F), 0.0F};
+    if (narrow) return {0.0F, std::clamp(0.48F * width, 12.0F, 20.0F)};
+    return {std::clamp(0.225F * width, 15.0F, 22.0F), std::clamp(0.24F * width, 17.0F, 26.0F)};
+}
+
+bool isFolded(float emsHigh, DrawerWish wish) {
+    if (emsHigh < kDrawerFrom || wish == DrawerWish::Folded) return true;
+    return wish == DrawerWish::Auto && emsHigh < kLowBelow;
+}
+
+/// Cuts the drawer into its strips, which are `run` and `pivot` high; the rest is the stage's.
+void layOutStrips(Layout& l, float run, float pivot) {
+    const Rect& d = l.drawer;
+    const auto part = [&](float from, float to) {
+        return Rect{{d.min.x, d.min.y + from}, {d.size.x, std::max(0.0F, to - from)}};
+    };
+    l.runStrip = part(0.0F, std::min(run, d.size.y));
+    if (l.drawerFolded) return;
+    l.pivotStrip = part(run, run + pivot);
+    l.stageStrip = part(run + pivot, d.size.y);
+}
+
+/// Cuts view and narration in two, each view with its title.
+void splitInTwo(Layout& l, float title) {
+    const Rect both = l.view;
+    const glm::vec2 half = glm::floor(0.5F * both.size);
+    const bool beside = std::min(half.x, both.size.y) >= std::min(both.size.x, half.y);
+    Rect first{both.min, beside ? glm::vec2(half.x, both.size.y) : glm::vec2(both.size.x, half.y)};
+    Rect second{
+        beside ? glm::vec2(first.max().x, both.min.y) : glm::vec2(both.min.x, first.max().y),
+        beside ? glm::vec2(both.size.x - half.x, both.size.y)
+               : glm::vec2(both.size.x, both.size.y - half.y)};
+    const auto cutTitle = [title](Rect& view) {
+        const Rect bar{view.min, {view.size.x, std::min(title, view.size.y)}};
+        view.min.y += bar.size.y;
+        view.size.y -= bar.size.y;
+        return bar;
+    };
+    l.title = cutTitle(first);
+    l.otherTitle = cutTitle(second);
+    l.view = first;
+    l.otherView = second;
+    l.otherNarration = l.narration;
+    l.narration.size.x = half.x;
+    l.otherNarration.min.x += half.x;
+    l.otherNarration.size.x -= half.x;
+}
+
+}  // namespace
+
+Layout computePageLayout(glm::vec2 size, float em) {
+    const glm::vec2 ems = size / em;
+    const auto px = [em](float length) { return std::round(length * em); };
+    Layout l;
+    const float top = px(kMenu);
+    const float column = px(std::clamp(0.3F * ems.x, kPageColumn, kPageColumnWide));
+    const float left = std::min(column, 0.5F * size.x);
+    const float bar = px(ems.x - left / em >= kWideView ? kPageBar : kPageBarNarrow);
+    const float middle = std::max(0.0F, size.y - top);
+    const float width = std::max(0.0F, size.x - left);
+    l.menu = {{0.0F, 0.0F}, {size.x, top}};
+    l.left = {{0.0F, top}, {left, middle}};
+    l.view = {{left, top}, {width, std::max(0.0F, middle - bar)}};
+    l.narration = {{left, top + l.view.size.y}, {width, std::min(bar, middle)}};
+    l.status = {{0.0F, size.y}, {size.x, 0.0F}};
+    return l;
+}
+
+Layout computeLayout(glm::vec2 size, float em, Arrangement arrangement, DrawerWish wish) {
+    const glm::vec2 ems = size / em;
+    const bool present = arrangement == Arrangement::Present;
+    const bool debug = arrangement == Arrangement::Debug;
+    const bool compare = arrangement == Arrangement::Compare;
+    if (compare && wish == DrawerWish::Auto) wish = DrawerWish::Folded;
+    Layout l;
+    l.arrangement = arrangement;
+    l.caption = debug || compare ? 1.0F : kLargeCaption;
+    l.narrow = debug && ems.x < kNarrowBelow;
+    l.drawerFolded = present || isFolded(ems.y, wish);
+    const auto px = [em](float length) { return std::round(length * em); };
+    const Columns columns = columnsFor(arrangement, ems.x, l.narrow);
+    const float left = px(columns.left);
+    const float right = px(columns.right);
+    const float run = px(l.drawerFolded ? kRunFolded : ems.y < kHighFrom ? kRunOpen : kRunHigh);
+    const float drawer = run + (l.drawerFolded ? 0.0F : px(kPivotStrip) + px(kStageStrip));
+    const float shown = size.x - left - right;
+    const bool wide = (compare ? 0.5F * shown : shown) >= px(kWideView);
+    l.addressLine = present ? px(kAddressLine) : 0.0F;
+    const float wished = l.addressLine + px((wide      ? kNarration
+                                             : compare ? kNarrationHalf
+                                                       : kNarrationNarrow) *
+                                            l.caption);
+    float y = 0.0F;
+    const auto row = [&](float height) {
+        const Rect r{{0.0F, y}, {size.x, height}};
+        y += height;
+        return r;
+    };
+    l.menu = row(present ? 0.0F : px(kMenu));
+    l.transport = row(present ? 0.0F : px(kTransport));
+    const float status = present ? 0.0F : px(kStatus);
+    const float bottom = size.y - status - drawer;
+    const float middle = std::max(0.0F, bottom - y);
+    const float narration =
+        std::min(wished, std::max(l.addressLine + px(kNarration),
+                                  std::round((compare ? kMostHalf : kMostNarration) * middle)));
+    l.left = {{0.0F, y}, {left, middle}};
+    l.dialApart = debug && !l.narrow && ems.x >= kDialFrom && middle >= px(kDialRoom);
+    const float dial = l.dialApart ? std::min(right + px(1.0F), 0.45F * middle) : 0.0F;
+    l.dial = {{size.x - right, y}, {right, dial}};
+    l.right = {{size.x - right, y + dial}, {right, middle - dial}};
+    const float viewWidth = std::max(0.0F, size.x - left - right);
+    l.view = {{left, y}, {viewWidth, std::max(0.0F, middle - narration)}};
+    l.narration = {{left, y + l.view.size.y}, {viewWidth, std::min(narration, middle)}};
+    if (compare) splitInTwo(l, px(kTitle));
+    y = bottom;
+    l.drawer = row(drawer);
+    layOutStrips(l, run, px(kPivotStrip));
+    l.status = row(status);
+    return l;
+}
+
+}  // namespace se::view

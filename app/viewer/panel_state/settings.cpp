@@ -1,0 +1,115 @@
+#include "settings.h"
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "layers/layer_text.h"
+#include "run/strings.h"
+#include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/io/read_points.h"
+
+namespace se::view {
+
+namespace {
+
+using nlohmann::json;
+
+template <typename T>
+T numberIn(const json& object, const char* name, T low, T high, T otherwise) {
+    const auto found = object.find(name);
+    if (found == object.end() || !found->is_number()) return otherwise;
+    const T value = found->template get<T>();
+    return value >= low && value <= high ? value : otherwise;
+}
+
+/// "keys": {"step.pivot.next": "F10 ."}
+KeyMap keysIn(const json& object, std::vector<std::string>& complaints) {
+    KeyMap map;
+    KeyMap::Changes wanted;
+    const auto found = object.find("keys");
+    if (found == object.end() || !found->is_object()) return map;
+    for (const auto& [id, keys] : found->items()) {
+        if (keys.is_string()) wanted[id] = keys.get<std::string>();
+    }
+    complaints = map.load(wanted);
+    return map;
+}
+
+}  // namespace
+
+std::filesystem::path xdgFolder(const char* variable, const char* below) {
+    // The XDG standard: relative paths are to be ignored.
+    if (const char* folder = std::getenv(variable); folder != nullptr && folder[0] == '/') {
+        return folder;
+    }
+    const char* home = std::getenv("HOME");
+    if (home == nullptr || home[0] != '/') return {};
+    return std::filesystem::path(home) / below;
+}
+
+std::filesystem::path settingsPath() {
+    const std::filesystem::path folder = xdgFolder("XDG_CONFIG_HOME", ".config");
+    return folder.empty() ? folder : folder / "spiraling-edge" / "settings.json";
+}
+
+Result<ViewSettings> settingsFromJson(std::string_view text) {
+    const json object = json::parse(text, nullptr, false);
+    if (!object.is_object()) return Error{"The settings are not a JSON object."};
+    ViewSettings s;
+    if (const auto theme = object.find("theme"); theme != object.end() && theme->is_string()) {
+        s.theme = themeFromName(theme->get<std::string>()).value_or(s.theme);
+    }
+    s.uiScale = numberIn(object, "uiScale", 0.75, 3.0, s.uiScale);
+    s.width = numberIn(object, "width", 320, 16384, s.width);
+    s.height = numberIn(object, "height", 240, 16384, s.height);
+    s.playRate = numberIn(object, "playRate", Playback::kSlowest, Playback::kFastest, s.playRate);
+    if (const auto legend = object.find("legend"); legend != object.end() && legend->is_boolean()) {
+        s.legend = legend->get<bool>();
+    }
+    s.keys = keysIn(object, s.complaints);
+    if (const auto up = object.find("up"); up != object.end() && up->is_string())
+        s.up = upAxisFromName(up->get<std::string>());
+    if (const auto style = object.find("meshStyle"); style != object.end() && style->is_string()) {
+        s.meshStyle = meshStyleFromName(style->get<std::string>()).value_or(s.meshStyle);
+    }
+    if (const auto tint = object.find("pointTint"); tint != object.end() && tint->is_string()) {
+        s.pointTint = pointTintFromName(tint->get<std::string>()).value_or(s.pointTint);
+    }
+    if (const auto modes = object.find("layers"); modes != object.end()) {
+        const ReadLayers read = layersFromJson(*modes);
+        s.layers = read.modes;
+        if (!read.unknown.empty()) s.complaints.push_back("settings.json: " + read.complaint());
+    }
+    return s;
+}
+
+std::string settingsToJson(const ViewSettings& s) {
+    json object = {{"version", 1},
+                   {"theme", themeName(s.theme)},
+                   {"width", s.width},
+                   {"height", s.height},
+                   {"playRate", s.playRate},
+                   {"legend", s.legend},
+                   {"layers", layersToJson(s.layers)}};
+    if (!s.keys.changes().empty()) object["keys"] = s.keys.changes();
+    object["meshStyle"] = rowOf(s.meshStyle).name;
+    object["pointTint"] = rowOf(s.pointTint).name;
+    if (s.up) object["up"] = upAxisName(*s.up);
+    if (s.uiScale > 0.0) object["uiScale"] = s.uiScale;
+    return object.dump(2) + "\n";
+}
+
+Result<ViewSettings> readSettings(const std::filesystem::path& path) {
+    const std::optional<std::string> text = readText(path);
+    return text ? settingsFromJson(*text) : ViewSettings{};
+}
+
+Status writeSettings(const std::filesystem::path& path, const ViewSettings& settings) {
+    if (path.empty()) return success();
+    std::error_code error;
+    std::filesystem::create_directories(path.parent_path(), error);
+    if (error) return Error{"Cannot make the folder " + path.parent_path().string() + "."};
+    return writeFileAtomically(path, settingsToJson(settings));
+}
+
+}  // namespace se::view

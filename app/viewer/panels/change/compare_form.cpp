@@ -1,0 +1,138 @@
+// The form of the layout Compare: what the other run is to be.
+#include "compare_parts.h"
+#include "panels/widgets/prepare_fields.h"
+#include "panels/widgets/text_field.h"
+#include "panels/widgets/widgets.h"
+#include "rows/rule_rows.h"
+#include "rule_list.h"
+#include "run/strings.h"
+
+namespace se::view {
+
+namespace {
+
+/// A part of the form that can be opened, and a note behind its name.
+bool beginPart(const PanelContext& context, const char* name, const std::string& note,
+               const std::string& help) {
+    const std::string title = std::string(name) + ": " + note + "###" + name;
+    const bool open = ImGui::TreeNodeEx(title.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen);
+    context.ui().where[std::string("compare part ") + name] = lastItem();
+    tooltip(help);
+    return open;
+}
+
+void drawRuleFields(const PanelContext& context, CompareForm& form) {
+    const RuleListPlace place{form.ruleFilter, "compare "};
+    ImGui::PushID("rules");
+    if (const auto set = drawRuleSets(context, form.rules, place)) form.rules = *set;
+    const std::size_t differing = differingCount(form.rules);
+    const std::string note =
+        differing == 0 ? "as the set has them" : counted(differing, "differs", "differ");
+    if (beginPart(context, "Rules", note, "Every rule as a switch, a choice or a number")) {
+        if (const auto chosen = drawRuleList(context, form.rules, place)) form.rules = *chosen;
+        ImGui::Spacing();
+    }
+    ImGui::PopID();
+}
+
+/// In what the other input is prepared otherwise.
+std::string prepareNote(const PanelContext& context, const CompareForm& form) {
+    const InputSpec& here = context.session().spec();
+    const Result<InputSpec> there = form.prepare.spec(here);
+    if (!there) return "a field is wrong";
+    const std::string text = differenceText(here, there.value());
+    return text == "the same" ? "as in A" : text;
+}
+
+void drawPrepared(const PanelContext& context, CompareForm& form) {
+    if (!beginPart(context, "Input", prepareNote(context, form),
+                   "Neighbor lists, normals, walls and rims of B, as in File > Prepare"))
+        return;
+    ImGui::PushID("input");
+    drawPrepareFields(context, form.prepare, "compare prepare ");
+    ImGui::Spacing();
+    ImGui::PopID();
+}
+
+void drawWhatIfs(const PanelContext& context, CompareForm& form) {
+    const auto& all = form.rules.whatIf;
+    const std::string note =
+        all.empty() ? "the true run" : counted(all.size(), "change", "changes");
+    if (!beginPart(context, "What if", note, "What happens in B instead of what the rules say"))
+        return;
+    ImGui::PushID("what if");
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        const bool gone = ImGui::SmallButton("x");
+        context.ui().where["compare what if " + std::to_string(i + 1)] = lastItem();
+        tooltip("Not in B");
+        ImGui::SameLine();
+        ImGui::TextUnformatted(fitted(lineOf(all[i]), ImGui::GetContentRegionAvail().x).c_str());
+        tooltip(describe(all[i]));
+        ImGui::PopID();
+        if (gone) {
+            form.rules = withoutWhatIf(form.rules, i);
+            break;
+        }
+    }
+    ImGui::SetNextItemWidth(-1.0F);
+    if (textField("##line", "137.sphere keep 812, Enter", form.whatIf,
+                  ImGuiInputTextFlags_EnterReturnsTrue))
+        form.addWhatIf();
+    context.ui().where["compare what if line"] = lastItem();
+    tooltip("One more, in the words of --what-if; Enter adds it.");
+    ImGui::Spacing();
+    ImGui::PopID();
+}
+
+void begin(const PanelContext& context, const Result<InputSpec>& spec) {
+    ComparePage& page = context.ui().compare;
+    page.form.complaint = spec ? std::string{} : spec.error().message;
+    if (spec) page.begin = CompareWith::otherRun(spec.value());
+}
+
+/// What needs one click only.
+void drawShortcuts(const PanelContext& context) {
+    ComparePage& page = context.ui().compare;
+    const InputSpec& here = context.session().spec();
+    dimText("Or one of these:");
+    if (compareButton(context, "Mesh from file...", "mesh",
+                      "A mesh that another program made on the same points"))
+        context.run("run.compare.mesh");
+    if (!here.whatIf.empty() &&
+        compareButton(context, "The true run", "true run",
+                      "This run without its what-ifs: what the fork changed"))
+        page.begin = CompareWith::otherRun(trueRunOf(here));
+    if (page.before && compareButton(context, "The run before my last change", "before",
+                                     "This run as it was: " + differenceText(here, *page.before)))
+        page.begin = CompareWith::otherRun(*page.before);
+    if (page.choosing && compareButton(context, "Back", "back", "Leave the comparison as it is"))
+        page.choosing = false;
+}
+
+}  // namespace
+
+void drawCompareForm(const PanelContext& context) {
+    CompareForm& form = context.ui().compare.form;
+    const InputSpec& here = context.session().spec();
+    dimText("B, beside the run that is open:");
+    drawRuleFields(context, form);
+    drawPrepared(context, form);
+    drawWhatIfs(context, form);
+    ImGui::Spacing();
+    const Result<InputSpec> spec = form.spec(here);
+    const std::string difference = spec ? differenceText(here, spec.value()) : "";
+    if (compareButton(context, "Compare", "begin", "Run it in the background and compare"))
+        begin(context, spec);
+    ImGui::SameLine();
+    dimText(difference == "the same" ? "B is the same as A" : difference);
+    if (!form.complaint.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
+        wrappedText("! " + form.complaint);
+        ImGui::PopStyleColor();
+    }
+    ImGui::Spacing();
+    drawShortcuts(context);
+}
+
+}  // namespace se::view

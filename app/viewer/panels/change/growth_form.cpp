@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <filesystem>
+
+#include "panels/panel.h"
+#include "panels/widgets/text_field.h"
+#include "panels/widgets/widgets.h"
+#include "spiraling_edge/sampling/field.h"
+
+namespace se::view {
+
+namespace {
+
+constexpr int kShapesShown = 8;  ///< Rows of the list at once.
+constexpr float kName = 6.4F;    ///< Width of the names before the fields, in em.
+
+/// A dim name, with what follows beside it.
+void name(const PanelContext& context, const char* text) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", text);
+    ImGui::SameLine(kName * context.em);
+    ImGui::SetNextItemWidth(-1.0F);
+}
+
+/// The particles have the keyboard again.
+void beginByEnter(const PanelContext& context) {
+    context.ui().growth.asked = GrowthAsk::Begin;
+    context.ui().requests.closePopups = true;
+}
+
+/// A click selects what stands there: who types replaces it. Enter begins.
+constexpr ImGuiInputTextFlags kNumber =
+    ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll;
+
+/// A field after its name. Enter in it begins.
+void field(const PanelContext& context, const char* title, const char* hint, std::string& text) {
+    name(context, title);
+    const std::string id = std::string("##") + title;
+    if (textField(id.c_str(), hint, text, kNumber)) {
+        beginByEnter(context);
+    }
+    context.ui().where[std::string("field ") + title] = lastItem();
+}
+
+void drawSources(const PanelContext& context) {
+    GrowthForm& form = context.ui().growth.form;
+    if (ImGui::RadioButton("Shape", form.from == GrowthSource::Shape)) {
+        context.run("file.new.shape");
+    }
+    ImGui::SameLine(kName * context.em);
+    if (ImGui::RadioButton("Volume", form.from == GrowthSource::Volume)) {
+        context.run("file.new.volume");
+    }
+}
+
+void drawShapes(const PanelContext& context) {
+    GrowthPage& page = context.ui().growth;
+    const float row = ImGui::GetTextLineHeightWithSpacing();
+    const auto all = static_cast<int>(shapes().size());
+    const float high = row * static_cast<float>(context.layout.left.size.y > 44.0F * context.em
+                                                    ? all
+                                                    : std::min(all, kShapesShown));
+    const ImGuiStyle& style = ImGui::GetStyle();
+    if (ImGui::BeginChild("##shapes", {-1.0F, high + 2.0F * style.WindowPadding.y}, true)) {
+        const float room = ImGui::GetContentRegionAvail().x;
+        for (const se::Shape& shape : shapes()) {
+            const std::string id(shape.id);
+            const bool chosen = page.form.shape == id;
+            const std::string label = fittedWords(std::string(shape.title), room) + "##" + id;
+            if (ImGui::Selectable(label.c_str(), chosen)) {
+                page.form.choose(id);
+                page.asked = GrowthAsk::Begin;
+            }
+            if (ImGui::IsItemVisible()) context.ui().where["shape " + id] = lastItem();
+            tooltip(std::string(shape.title) + " (" + id + ")");
+        }
+    }
+    ImGui::EndChild();
+}
+
+void drawVolume(const PanelContext& context) {
+    GrowthForm& form = context.ui().growth.form;
+    field(context, "File", "path of a .nrrd or .nhdr", form.volume);
+    tooltip(form.volume);
+    // A long path shows its beginning.
+    const std::string file = std::filesystem::path(form.volume).filename().string();
+    if (file != form.volume && !file.empty()) {
+        name(context, "");
+        ImGui::TextUnformatted(fitted(file, ImGui::GetContentRegionAvail().x).c_str());
+    }
+    if (ImGui::Button("Choose...", {-1.0F, 0.0F})) {
+        context.ui().browser = BrowserTask::Volume;
+        context.ui().fileBrowser = true;
+    }
+}
+
+/// One of the two ways to say how many, with its field; to type there chooses it.
+void drawNumber(const PanelContext& context, const char* title, const char* help, bool spacing) {
+    GrowthForm& form = context.ui().growth.form;
+    std::string& text = spacing ? form.spacing : form.count;
+    if (ImGui::RadioButton(title, form.bySpacing == spacing)) form.bySpacing = spacing;
+    tooltip(help);
+    ImGui::SameLine(kName * context.em);
+    ImGui::SetNextItemWidth(-1.0F);
+    const std::string before = text;
+    const std::string id = std::string("##") + title;
+    const bool entered = textField(id.c_str(), "", text, kNumber);
+    // Enter begins; only what is typed here chooses this one.
+    if (text != before) form.bySpacing = spacing;
+    context.ui().where[std::string("field ") + title] = lastItem();
+    if (entered) beginByEnter(context);
+}
+
+void drawBox(const PanelContext& context) {
+    GrowthPage& page = context.ui().growth;
+    bool cut = page.form.cut;
+    if (ImGui::Checkbox("Cut by a box", &cut)) {
+        if (cut) page.form.cutByOwnBox();
+        page.form.cut = cut;
+    }
+    tooltip("Points on its walls are boundary points");
+    if (page.form.cut && drawBoxFields(context, page.form.box)) beginByEnter(context);
+}
+
+}  // namespace
+
+bool drawBoxFields(const PanelContext& context, BoxFields& fields) {
+    bool entered = false;
+    const float gap = 0.3F * context.em;
+    const float room = ImGui::GetContentRegionAvail().x - 3.0F * context.em;
+    for (std::size_t row = 0; row < 2; ++row) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("%s", row == 0 ? "from" : "to");
+        for (std::size_t i = 0; i < 3; ++i) {
+            ImGui::SameLine(i == 0 ? 3.0F * context.em : 0.0F, i == 0 ? -1.0F : gap);
+            ImGui::SetNextItemWidth((room - 2.0F * gap) / 3.0F);
+            const std::string id = "##box" + std::to_string(3 * row + i);
+            constexpr const char* kHints[] = {"x", "y", "z"};
+            entered = textField(id.c_str(), kHints[i], fields[3 * row + i], kNumber) || entered;
+        }
+    }
+    return entered;
+}
+
+void drawGrowthForm(const PanelContext& context) {
+    GrowthPage& page = context.ui().growth;
+    heading(context, "New points");
+    drawSources(context);
+    page.form.from == GrowthSource::Shape ? drawShapes(context) : drawVolume(context);
+    ImGui::Spacing();
+    field(context, "Isovalue",
+          page.form.from == GrowthSource::Shape ? "that of the shape" : "that of the volume",
+          page.form.isovalue);
+    drawNumber(context, "Points", "Exactly so many", false);
+    drawNumber(context, "Spacing", "As many as stand so far apart", true);
+    field(context, "Seed", "a whole number", page.form.seed);
+    tooltip("Another seed gives other points");
+    field(context, "Curvature", "0 to 100", page.form.curvature);
+    tooltip(
+        "Denser where the surface bends: the spacing is divided by 1 + this times the curvature "
+        "over its mean, at most by 5");
+    drawBox(context);
+    ImGui::Spacing();
+    if (ImGui::Button("Begin anew", {-1.0F, 0.0F})) page.asked = GrowthAsk::Begin;
+    context.ui().where["growth begin"] = lastItem();
+    tooltip("Spread these particles (Enter in a field, or " + context.key("run.start") + ")");
+    if (page.complaint.empty()) return;
+    wrappedText("! " + page.complaint, context.palette.rejected);
+}
+
+}  // namespace se::view

@@ -1,0 +1,163 @@
+#include "rule_list.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "panels/widgets/widgets.h"
+#include "rows/rule_rows.h"
+
+namespace se::view {
+
+namespace {
+
+/// Of what is not a switch: where it stands behind its name, and its width, in em.
+constexpr float kNameWidth = 7.0F;
+constexpr float kControl = 8.2F;
+/// The width of the longest option; where it stands below its name.
+constexpr float kLongestControl = 11.0F;
+constexpr float kIndentWidth = 2.0F;
+
+/// What is drawn, and what was chosen.
+struct RuleList {
+    const PanelContext& context;
+    const RuleSet& rules;
+    const RuleListPlace& place;
+    std::optional<RuleSet> chosen = std::nullopt;
+
+    void set(const RuleSetting& setting, double value) {
+        chosen = withRule(rules, setting.name, value);
+    }
+    /// Scripts find the item drawn last by this name.
+    void name(const std::string& item) const {
+        context.ui().where[place.prefix + item] = lastItem();
+    }
+};
+
+void drawFilter(const RuleList& list) {
+    auto& filter = list.place.filter;
+    ImGui::SetNextItemWidth(-1.0F);
+    ImGui::InputTextWithHint("##rulefilter", "filter: name, section, word, differs", filter.data(),
+                             filter.size());
+    list.name("rules filter");
+}
+
+void drawOption(RuleList& list, const RuleRow& row) {
+    const RuleSetting& setting = *row.setting;
+    const std::string value = valueText(setting, row.value);
+    if (!ImGui::BeginCombo("##value", value.c_str())) return;
+    for (std::size_t i = 0; i < setting.options.size(); ++i) {
+        const std::string name(setting.options[i]);
+        if (ImGui::Selectable(name.c_str(), name == value)) {
+            list.set(setting, static_cast<double>(i));
+        }
+    }
+    ImGui::EndCombo();
+}
+
+/// Takes effect with Enter, or when it is left.
+void drawNumber(RuleList& list, const RuleRow& row) {
+    const RuleSetting& setting = *row.setting;
+    double value = row.value;
+    const char* format = setting.kind == SettingKind::Whole ? "%.0f" : "%.6g";
+    const bool entered = ImGui::InputDouble("##value", &value, 0.0, 0.0, format,
+                                            ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool left = ImGui::IsItemDeactivatedAfterEdit();
+    if ((!entered && !left) || value == row.value) return;
+    if (isValue(setting, value)) return list.set(setting, value);
+    list.context.session().say(std::string(setting.name) + ": " + valuesText(setting) + ".");
+}
+
+/// A dot before what is not as the set has it, and the way back behind it.
+void drawRow(RuleList& list, const RuleRow& row) {
+    const PanelContext& context = list.context;
+    const RuleSetting& setting = *row.setting;
+    const std::string name(setting.name);
+    const float em = context.em;
+    ImGui::PushID(name.c_str());
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = ImGui::GetFrameHeight();
+    if (row.differs()) {
+        ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 0.3F * em, at.y + 0.5F * height},
+                                                    0.2F * em, toU32(context.palette.test));
+    }
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.8F * em);
+    ImGui::BeginGroup();
+    if (row.differs()) ImGui::PushFont(context.fonts.strong);
+    if (setting.kind == SettingKind::Switch) {
+        bool on = row.value != 0.0;
+        if (ImGui::Checkbox(name.c_str(), &on)) list.set(setting, on ? 1.0 : 0.0);
+        list.name("rule " + name);
+    } else {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(name.c_str());
+    }
+    if (row.differs()) ImGui::PopFont();
+    if (setting.kind != SettingKind::Switch) {
+        // A name with no room behind it for what can be chosen has it below.
+        ImGui::SameLine(kNameWidth * em);
+        const float reset = row.differs() ? 3.0F * em : 0.3F * em;
+        const bool below = setting.kind == SettingKind::Option &&
+                           ImGui::GetContentRegionAvail().x - reset < kLongestControl * em;
+        if (below) ImGui::SetCursorPos({kIndentWidth * em, ImGui::GetCursorPosY() + height});
+        ImGui::SetNextItemWidth(
+            std::clamp(ImGui::GetContentRegionAvail().x - reset, em, kLongestControl * em));
+        setting.kind == SettingKind::Option ? drawOption(list, row) : drawNumber(list, row);
+        list.name("rule " + name);
+    }
+    ImGui::EndGroup();
+    if (ImGui::IsItemHovered()) showTooltip(ruleHelp(row));
+    if (row.differs()) {
+        ImGui::SameLine(ImGui::GetContentRegionMax().x - 2.9F * em);
+        if (ImGui::SmallButton("reset")) list.set(setting, row.usual);
+        list.name("reset " + name);
+        tooltip("Back to " + valueText(setting, row.usual));
+    }
+    ImGui::PopID();
+}
+
+}  // namespace
+
+std::optional<RuleSet> drawRuleSets(const PanelContext& context, const RuleSet& rules,
+                                    const RuleListPlace& place) {
+    RuleList list{context, rules, place};
+    const float reset = ImGui::CalcTextSize("Reset all").x + 2.0F * context.em;
+    ImGui::SetNextItemWidth(std::clamp(ImGui::GetContentRegionAvail().x - reset, 4.0F * context.em,
+                                       kControl * context.em));
+    if (ImGui::BeginCombo("##set", rules.name.c_str())) {
+        for (const std::string_view name : paramSetNames()) {
+            const std::string text(name);
+            if (ImGui::Selectable(text.c_str(), text == rules.name))
+                list.chosen = RuleSet{text, {}, rules.whatIf};
+        }
+        ImGui::EndCombo();
+    }
+    list.name("rules set");
+    tooltip("The set of rules (--rules). Another one takes back what was changed singly.");
+    ImGui::SameLine();
+    ImGui::BeginDisabled(differingCount(rules) == 0);
+    if (ImGui::Button("Reset all")) list.chosen = RuleSet{rules.name, {}, rules.whatIf};
+    list.name("rules reset all");
+    ImGui::EndDisabled();
+    tooltip("All rules as the set has them");
+    return list.chosen;
+}
+
+std::optional<RuleSet> drawRuleList(const PanelContext& context, const RuleSet& rules,
+                                    const RuleListPlace& place) {
+    RuleList list{context, rules, place};
+    drawFilter(list);
+    const auto groups = ruleGroups(rules, place.filter.data());
+    if (groups.empty()) ImGui::TextDisabled("No rule has these words.");
+    const ImVec2 usual = ImGui::GetStyle().FramePadding;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {usual.x, 0.4F * usual.y});
+    for (const RuleGroup& group : groups) {
+        ImGui::Spacing();
+        ImGui::TextDisabled("%s", group.title.c_str());
+        for (const RuleRow& row : group.rows) drawRow(list, row);
+    }
+    ImGui::PopStyleVar();
+    return list.chosen;
+}
+
+}  // namespace se::view

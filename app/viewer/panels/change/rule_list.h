@@ -1,0 +1,26 @@
+/// All rules as switches, choices and numbers: the list of the panel Rules, and of the other run in
+/// the layout Compare.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "panels/panel.h"
+#include "run/rule_set.h"
+
+namespace se::view {
+
+struct RuleListPlace {
+    std::array<char, 64>& filter;
+    std::string prefix;  ///< Of the names that scripts find its items by: "", "compare ".
+};
+
+/// A set of rules, as it is chosen here; nothing if nothing is changed in this frame.
+std::optional<RuleSet> drawRuleSets(const PanelContext& context, const RuleSet& rules,
+                                    const RuleListPlace& place);
+/// The filter, and all rules that have its words.
+std::optional<RuleSet> drawRuleList(const PanelContext& context, const RuleSet& rules,
+                                    const RuleListPlace& place);
+
+}  // namespace se::view

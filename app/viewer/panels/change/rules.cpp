@@ -1,0 +1,29 @@
+/// All rules as switches: what is changed is run anew at once.
+#include <imgui.h>
+
+#include "panels/panel.h"
+#include "panels/widgets/widgets.h"
+#include "rows/rule_rows.h"
+#include "rule_list.h"
+
+namespace se::view {
+
+void drawRules(const PanelContext& context) {
+    const Session& session = context.session();
+    if (!session.ready()) {
+        ImGui::TextDisabled("Nothing is open.");
+        return;
+    }
+    const RuleSet rules = session.rules();
+    const std::size_t count = differingCount(rules);
+    heading(context, "Rules",
+            session.runsAnew() ? "running anew ..."
+            : count == 0       ? "as the set has them"
+                               : std::to_string(count) + (count == 1 ? " differs" : " differ"));
+    const RuleListPlace place{context.ui().ruleFilter, ""};
+    std::optional<RuleSet> chosen = drawRuleSets(context, rules, place);
+    if (auto single = drawRuleList(context, rules, place)) chosen = std::move(single);
+    if (chosen) context.ui().requests.rules = *chosen;
+}
+
+}  // namespace se::view

@@ -1,0 +1,186 @@
+/// What may happen otherwise at the cursor: the run forks, and comes back.
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "panel_state/what_if_offers.h"
+#include "panels/panel.h"
+#include "panels/widgets/text_field.h"
+#include "panels/widgets/widgets.h"
+
+namespace se::view {
+
+namespace {
+
+void ask(const PanelContext& context, const RuleSet& rules) { context.ui().requests.rules = rules; }
+
+/// A button that asks for one more what-if.
+void offer(const PanelContext& context, const RuleSet& rules, const WhatIf& what,
+           const std::string& label, const std::string& name) {
+    if (ImGui::Button(label.c_str())) ask(context, withWhatIf(rules, what));
+    context.ui().where["what if " + name] = lastItem();
+    tooltip(describe(what) + "\n--what-if \"" + lineOf(what) + "\"\nCtrl+Z takes it back.");
+}
+
+void drawPresent(const PanelContext& context, const RuleSet& rules) {
+    Session& session = context.session();
+    for (std::size_t i = 0; i < rules.whatIf.size(); ++i) {
+        const WhatIf& what = rules.whatIf[i];
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::SmallButton("x")) ask(context, withoutWhatIf(rules, i));
+        context.ui().where["what if remove " + std::to_string(i + 1)] = lastItem();
+        tooltip("Take this back");
+        ImGui::SameLine();
+        const std::string text = lineOf(what);
+        if (ImGui::Selectable(fitted(text, ImGui::GetContentRegionAvail().x).c_str())) {
+            session.goTo(placeOf(what));
+        }
+        context.ui().where["what if " + std::to_string(i + 1)] = lastItem();
+        tooltip(describe(what) + "\nA click goes there.");
+        const std::string& problem = session.whatIfProblem(i);
+        if (!problem.empty() && !session.runsAnew()) {
+            ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
+            wrappedText("No effect. " + problem);
+            ImGui::PopStyleColor();
+        }
+        ImGui::PopID();
+    }
+    if (rules.whatIf.empty()) {
+        ImGui::TextDisabled("None: this is the true run.");
+        return;
+    }
+    if (ImGui::Button("Return to the true run")) context.run("edit.whatif.clear");
+    context.ui().where["what if clear"] = lastItem();
+}
+
+void drawOffers(const PanelContext& context, const RuleSet& rules) {
+    const Session& session = context.session();
+    const Event* event = session.event();
+    heading(context, "Here", addressText(session));
+    if (event == nullptr) {
+        ImGui::TextDisabled("Nothing is decided at the start of the run.");
+        return;
+    }
+    const auto offers = offersHere(session);
+    for (std::size_t i = 0; i < offers.size(); ++i) {
+        const std::string name = i == 0 ? "here" : "here " + std::to_string(i + 1);
+        offer(context, rules, offers[i].what, offers[i].label, name);
+    }
+    const bool said = describe(*event).starts_with("What if");
+    if (said) wrappedText("A what-if decides here: the cross above takes it back.");
+    if (offers.empty() && !said) {
+        wrappedText(noOfferText(*event));
+    }
+}
+
+/// To the pivot, if nothing is selected.
+Index subject(const Session& session) {
+    return session.selected() != kNone ? session.selected() : session.picture().pivot;
+}
+
+void drawMove(const PanelContext& context, const RuleSet& rules, std::uint32_t pivot) {
+    WhatIfForm& form = context.ui().whatIf;
+    constexpr const char* kNames[] = {"x", "y", "z"};
+    for (std::size_t i = 0; i < 3; ++i) {
+        // Each has a line of its own: all of its digits count.
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("%s", kNames[i]);
+        ImGui::SameLine();
+        ImGui::SetNextItemWidth(-1.0F);
+        ImGui::PushID(kNames[i]);
+        textField("##to", kNames[i], form.to[i]);
+        ImGui::PopID();
+        context.ui().where[std::string("what if ") + kNames[i]] = lastItem();
+    }
+    if (ImGui::Button("Move it there")) {
+        const auto what = form.move(pivot);
+        what ? ask(context, withWhatIf(rules, what.value()))
+             : context.session().say(what.error().message);
+    }
+    context.ui().where["what if move"] = lastItem();
+    tooltip("From pivot " + std::to_string(pivot) + " on; its triangles go along.");
+}
+
+void drawList(const PanelContext& context, const RuleSet& rules, std::uint32_t pivot) {
+    WhatIfForm& form = context.ui().whatIf;
+    ImGui::SetNextItemWidth(-1.0F);
+    textField("##list", "its neighbors, as numbers", form.list);
+    context.ui().where["what if list"] = lastItem();
+    if (ImGui::Button("Give it this list")) {
+        const auto what = form.neighbors(pivot);
+        what ? ask(context, withWhatIf(rules, what.value()))
+             : context.session().say(what.error().message);
+    }
+    context.ui().where["what if neighbors"] = lastItem();
+    tooltip("From pivot " + std::to_string(pivot) + " on; by distance, whatever the order here.");
+}
+
+void drawPoint(const PanelContext& context, const RuleSet& rules) {
+    const Session& session = context.session();
+    const Index point = subject(session);
+    ImGui::Spacing();
+    if (point == kNone) {
+        heading(context, "Point");
+        ImGui::TextDisabled("Select a point to move it or to edit its list.");
+        return;
+    }
+    heading(context, ("Point " + std::to_string(point)).c_str(),
+            session.selected() == kNone ? "the pivot" : "selected");
+    context.ui().whatIf.take(session, point);
+    const std::uint32_t pivot = forkPivot(session);
+    if (session.selected() != kNone && session.record().pivot > 0) {
+        offer(context, rules, {WhatIfKind::Pivot, pivot, Stage::Advance, point, Vec3(0.0), {}},
+              "Go on at it behind this pivot", "pivot");
+    }
+    drawMove(context, rules, pivot);
+    drawList(context, rules, pivot);
+}
+
+}  // namespace
+
+void drawWhatIf(const PanelContext& context) {
+    const Session& session = context.session();
+    if (!session.ready()) {
+        ImGui::TextDisabled("Nothing is open.");
+        return;
+    }
+    const RuleSet rules = session.rules();
+    const std::size_t count = rules.whatIf.size();
+    heading(context, "What if",
+            count == 0 ? "" : std::to_string(count) + (count == 1 ? " change" : " changes"));
+    drawPresent(context, rules);
+    ImGui::Spacing();
+    drawOffers(context, rules);
+    drawPoint(context, rules);
+}
+
+void drawWhatIfBanner(const PanelContext& context) {
+    const Session& session = context.session();
+    if (!session.ready() || context.layout.arrangement == Arrangement::Present) return;
+    const std::size_t count = session.spec().whatIf.size();
+    if (count == 0) return;
+    const Rect& view = context.layout.view;
+    const float em = context.em;
+    ImGui::SetNextWindowPos({view.min.x + 0.5F * view.size.x, view.min.y + 0.6F * em},
+                            ImGuiCond_Always, {0.5F, 0.0F});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.6F * em, 0.3F * em});
+    ImGui::PushStyleColor(ImGuiCol_Border, toVec4(context.palette.test));
+    if (ImGui::Begin("##whatif", nullptr,
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                         ImGuiWindowFlags_AlwaysAutoResize)) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(
+            ("What if: " + std::to_string(count) + (count == 1 ? " change" : " changes")).c_str());
+        ImGui::SameLine();
+        if (ImGui::SmallButton("True run")) context.run("edit.whatif.clear");
+        context.ui().where["true run"] = lastItem();
+        tooltip("Take all what-ifs back");
+    }
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(2);
+}
+
+}  // namespace se::view

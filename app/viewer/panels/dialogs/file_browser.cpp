@@ -1,0 +1,283 @@
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "mesh_fields.h"
+#include "panels/panel.h"
+#include "panels/widgets/text_field.h"
+#include "panels/widgets/widgets.h"
+#include "session/session_file.h"
+#include "spiraling_edge/scenes/scenes.h"
+
+namespace se::view {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Frames in which the line gets the keyboard and its text is selected: Dear ImGui needs two.
+constexpr int kSettling = 3;
+
+void openSource(const PanelContext& context, const std::string& source) {
+    UiState& ui = context.ui();
+    ui.fileBrowser = false;
+    if (ui.browser == BrowserTask::Mesh) {
+        ui.compare.begin = CompareWith::otherMesh(source);
+        return;
+    }
+    if (ui.browser != BrowserTask::Volume) {
+        ui.requests.open = source;
+        return;
+    }
+    ui.growth.form.chooseVolume(source);
+    ui.growth.asked = GrowthAsk::Begin;
+}
+
+/// MeshSaving asks before it replaces a file.
+void saveMeshTo(const PanelContext& context, const std::string& typed) {
+    MeshForm& form = context.ui().mesh;
+    form.path = form.withFormat(typed);
+    form.ask = MeshAsk::Save;
+}
+
+/// What is there is replaced only at the second time.
+void saveTo(const PanelContext& context, FileBrowsing& state, const fs::path& typed) {
+    if (context.ui().browser == BrowserTask::SaveMesh) return saveMeshTo(context, typed.string());
+    const bool points = context.ui().browser == BrowserTask::SavePoints;
+    const fs::path path = withExtension(typed, points ? ".ply" : kSessionExtension);
+    std::error_code error;
+    const bool own = !points && path == context.ui().sessionPath;
+    if (!own && fs::exists(path, error) && state.overwrite != path) {
+        state.overwrite = path;
+        state.error = path.filename().string() + " exists already. Save once more to replace it.";
+        return;
+    }
+    (points ? context.ui().growth.savePath : context.ui().requests.saveSessionAs) = path.string();
+    context.ui().fileBrowser = false;
+}
+
+/// Which points were made here: on the page, or those that are open.
+std::string stemOfMade(const PanelContext& context) {
+    const GrowthPage& page = context.ui().growth;
+    if (page.open) return sampleStem(page.made, page.numbers.points);
+    const Session& session = context.session();
+    const Result<SampleSpec> spec = sampleFromSource(session.spec().source);
+    return spec && session.ready() ? sampleStem(spec.value(), session.model().points.size()) : "";
+}
+
+/// Where the mesh of this input was saved last; empty: not yet.
+fs::path savedMesh(const PanelContext& context) {
+    const MeshForm& form = context.ui().mesh;
+    const bool mesh = context.ui().browser == BrowserTask::SaveMesh;
+    return mesh && form.savedSource == context.session().spec().source ? form.savedPath : "";
+}
+
+/// A name to begin with: that of the session, else that of the input.
+std::string proposedName(const PanelContext& context) {
+    if (context.ui().browser == BrowserTask::SavePoints) return stemOfMade(context) + ".ply";
+    if (context.ui().browser == BrowserTask::SaveMesh) {
+        const fs::path saved = savedMesh(context);
+        return saved.empty() ? context.ui().mesh.withFormat(meshStem(context.session()))
+                             : saved.filename().string();
+    }
+    const std::string& session = context.ui().sessionPath;
+    if (!session.empty()) return fs::path(session).filename().string();
+    if (!context.session().ready()) return {};
+    if (const std::string made = stemOfMade(context); !made.empty()) {
+        return made + std::string(kSessionExtension);
+    }
+    std::string name = context.session().model().name;
+    if (isScene(name)) name = name.substr(kScenePrefix.size());
+    return fs::path(name).stem().string() + std::string(kSessionExtension);
+}
+
+/// The folder of what is open, else where the program was started, else home.
+fs::path firstFolder(const PanelContext& context) {
+    std::error_code error;
+    const UiState& ui = context.ui();
+    const std::string& source = context.session().spec().source;
+    const bool file = !source.empty() && !isScene(source) && !isSample(source);
+    const fs::path saved = savedMesh(context);
+    const fs::path near = !saved.empty()            ? saved
+                          : !ui.sessionPath.empty() ? fs::path(ui.sessionPath)
+                          : file                    ? fs::path(source)
+                                                    : fs::path();
+    if (near.empty()) return fs::current_path(error);
+    return fs::absolute(near, error).lexically_normal().parent_path();
+}
+
+void drawScenes(const PanelContext& context) {
+    heading(context, "Scenes");
+    if (ImGui::BeginChild("##scenes", {0, 0}, false)) {
+        for (const Scene& scene : scenes()) {
+            const std::string title =
+                fitted(std::string(scene.title), ImGui::GetContentRegionAvail().x);
+            if (ImGui::Selectable((title + "##" + std::string(scene.id)).c_str())) {
+                openSource(context, sceneSource(scene.id));
+            }
+            tooltip(sceneSource(scene.id) + "\n" + std::string(scene.watch));
+        }
+    }
+    ImGui::EndChild();
+}
+
+bool saving(const PanelContext& context) {
+    const BrowserTask task = context.ui().browser;
+    return task == BrowserTask::SaveSession || task == BrowserTask::SavePoints ||
+           task == BrowserTask::SaveMesh;
+}
+
+/// What differs between the tasks, in words.
+struct Words {
+    const char* title;
+    const char* hint;     ///< In the line to type into.
+    const char* nothing;  ///< Where a folder holds nothing of the kind.
+};
+
+Words wordsFor(BrowserTask task) {
+    switch (task) {
+        case BrowserTask::SaveSession:
+            return {"Save session###browser", "name of the session file",
+                    "No sessions in this folder."};
+        case BrowserTask::SavePoints:
+            return {"Save new points###browser", "name of the PLY file",
+                    "No PLY files in this folder."};
+        case BrowserTask::Volume:
+            return {"New from volume###browser", "path of a volume, .nrrd or .nhdr",
+                    "No volumes (.nrrd, .nhdr) in this folder."};
+        case BrowserTask::Mesh:
+            return {"Compare with a mesh###browser", "path of a mesh: PLY, OBJ or OFF",
+                    "No files that can hold a mesh in this folder."};
+        case BrowserTask::SaveMesh:
+            return {"Save mesh###browser", "name of the mesh file",
+                    "No PLY, OBJ, OFF, STL or GLB files in this folder."};
+        case BrowserTask::Open:
+            break;
+    }
+    return {"Open###browser", "path of a file or folder",
+            "No point files or sessions in this folder."};
+}
+
+/// The line to type into, with its button.
+void drawPathLine(const PanelContext& context, FileBrowsing& state) {
+    const bool save = saving(context);
+    const bool waits = meshDialogWaits(context);
+    ImGui::BeginDisabled(waits);
+    ImGui::SetNextItemWidth(-5.0F * context.em);
+    // A click beside the line must not leave the keys to nobody.
+    // Nor must a page that opens together with the browser and takes the keyboard.
+    if (!waits && (state.settling > 0 || state.refocus)) ImGui::SetKeyboardFocusHere();
+    // The proposed name is selected, also if the field was typed into before.
+    const int select = state.settling > 0 ? ImGuiInputTextFlags_AutoSelectAll : 0;
+    const bool entered = textField("##path", wordsFor(context.ui().browser).hint, state.path,
+                                   ImGuiInputTextFlags_EnterReturnsTrue | select);
+    if (ImGui::IsItemActive()) context.ui().typing.takesKeys();
+    ImGui::SameLine();
+    const bool pressed = ImGui::Button(save ? "Save" : "Open", {-1.0F, 0.0F});
+    ImGui::EndDisabled();
+    // Enter takes the keyboard from the line: where the name is refused, the next one is typed
+    // there.
+    if (entered) state.settling = kSettling;
+    if ((pressed || entered) && !waits) {
+        const std::string source = typedSource(state.folder, state.path);
+        std::error_code error;
+        if (source.empty()) {
+            state.error = "A name is needed.";
+        } else if (fs::is_directory(source, error)) {
+            state.readFolder(source);
+        } else if (save) {
+            saveTo(context, state, source);
+        } else {
+            openSource(context, source);
+        }
+    }
+    if (!state.error.empty()) {
+        wrappedText("! " + state.error, context.palette.rejected);
+    }
+}
+
+void drawFiles(const PanelContext& context, FileBrowsing& state) {
+    const float room = std::max(6.0F * context.em, ImGui::GetContentRegionAvail().x * 0.75F);
+    heading(context, "Files", fitted(state.folder.string(), room));
+    drawPathLine(context, state);
+    if (context.ui().browser == BrowserTask::SaveMesh && context.session().ready()) {
+        const std::string path = typedSource(state.folder, state.path);
+        drawMeshFields(context, state.path,
+                       path.empty() ? path : context.ui().mesh.withFormat(path));
+    }
+    ImGui::BeginDisabled(meshDialogWaits(context));
+    if (ImGui::BeginChild("##files", {0, 0}, false)) {
+        if (ImGui::Selectable("..")) state.readFolder(fs::path(state.folder).parent_path());
+        const std::vector<BrowserEntry> entries = state.entries;
+        for (const BrowserEntry& entry : entries) {
+            const std::string shown = entry.folder ? entry.name + "/" : entry.name;
+            if (!ImGui::Selectable(shown.c_str())) continue;
+            const fs::path path = state.folder / entry.name;
+            if (entry.folder) {
+                state.readFolder(path);
+            } else if (saving(context)) {
+                state.path = entry.name;
+            } else {
+                openSource(context, path.string());
+            }
+        }
+        if (entries.empty()) ImGui::TextDisabled("%s", wordsFor(state.task).nothing);
+    }
+    ImGui::EndChild();
+    ImGui::EndDisabled();
+}
+
+void drawOpen(const PanelContext& context, FileBrowsing& state) {
+    // The lists in it scroll, not the whole.
+    if (!ImGui::BeginTable("##open", 2, ImGuiTableFlags_BordersInnerV)) return;
+    ImGui::TableSetupColumn("scenes", ImGuiTableColumnFlags_WidthStretch, 0.42F);
+    ImGui::TableSetupColumn("files", ImGuiTableColumnFlags_WidthStretch, 0.58F);
+    ImGui::TableNextColumn();
+    drawScenes(context);
+    ImGui::TableNextColumn();
+    drawFiles(context, state);
+    ImGui::EndTable();
+}
+
+/// Once for every time that the browser opens: files may have come and gone.
+void prepare(const PanelContext& context, FileBrowsing& state) {
+    state.task = context.ui().browser;
+    if (state.folder.empty() || saving(context)) state.folder = firstFolder(context);
+    state.readFolder(fs::path(state.folder));
+    state.path = saving(context) ? proposedName(context) : std::string{};
+    state.settling = kSettling;
+    state.overwrite.clear();
+}
+
+}  // namespace
+
+void drawFileBrowser(const PanelContext& context) {
+    bool& open = context.ui().fileBrowser;
+    FileBrowsing& state = context.ui().browsing;
+    if (!open) {
+        state.shown = false;
+        return;
+    }
+    if (!state.shown || state.task != context.ui().browser) prepare(context, state);
+    const float em = context.em;
+    const Layout& l = context.layout;
+    const glm::vec2 screen(l.status.size.x, l.status.max().y);
+    ImGui::SetNextWindowPos({0.5F * screen.x, 0.5F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize(
+        {std::min(48.0F * em, screen.x - 2.0F * em), std::min(32.0F * em, screen.y - 2.0F * em)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+    const bool shown = ImGui::Begin(
+        wordsFor(context.ui().browser).title, &open,
+        ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar);
+    ImGui::PopStyleVar();
+    const bool scenes = context.ui().browser == BrowserTask::Open;
+    if (shown) scenes ? drawOpen(context, state) : drawFiles(context, state);
+    state.shown = true;
+    // A question that was answered gives the keyboard back.
+    state.settling = meshDialogWaits(context) ? 2 : std::max(0, state.settling - 1);
+    state.refocus = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+    ImGui::End();
+}
+
+}  // namespace se::view

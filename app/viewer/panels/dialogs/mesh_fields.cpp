@@ -1,0 +1,161 @@
+#include "mesh_fields.h"
+
+#include <utility>
+
+#include "panels/widgets/widgets.h"
+#include "run/strings.h"
+#include "spiraling_edge/io/write_mesh.h"
+
+namespace se::view {
+
+namespace {
+
+/// Where the fields stand after their names, in em.
+constexpr float kFieldColumn = 4.5F;
+
+void drawName(const PanelContext& context, const char* name) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", name);
+    ImGui::SameLine(kFieldColumn * context.em);
+}
+
+/// One of several, beside the one before if there is room. True if it was chosen.
+bool drawChoice(const PanelContext& context, const char* label, bool on, const char* where,
+                bool first) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float width =
+        ImGui::GetFrameHeight() + style.ItemInnerSpacing.x + ImGui::CalcTextSize(label).x;
+    if (!first) {
+        ImGui::SameLine(0.0F, context.em);
+        if (ImGui::GetContentRegionAvail().x < width) {
+            ImGui::NewLine();
+            ImGui::SameLine(kFieldColumn * context.em);
+        }
+    }
+    const bool chosen = ImGui::RadioButton(label, on);
+    context.ui().where[where] = lastItem();
+    return chosen;
+}
+
+/// "PLY" of ".ply".
+std::string formatName(const MeshFormat& format) {
+    std::string name;
+    for (const char c : format.extension.substr(1)) {
+        name += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    }
+    return name;
+}
+
+std::string leftOutText(const MeshFormat& format) {
+    return std::string(format.title) + ". " +
+           (format.leavesOut.empty() ? "Keeps everything."
+                                     : "Leaves out: " + std::string(format.leavesOut) + ".");
+}
+
+void drawFormats(const PanelContext& context, std::string& name) {
+    MeshForm& form = context.ui().mesh;
+    form.followName(name);
+    drawName(context, "Format");
+    for (std::size_t i = 0; i < meshFormats().size(); ++i) {
+        const MeshFormat& format = meshFormats()[i];
+        const std::string label = formatName(format);
+        if (drawChoice(context, label.c_str(), form.format == i, ("mesh " + label).c_str(), i == 0))
+            form.choose(i, name);
+        tooltip(leftOutText(format));
+    }
+    ImGui::SetCursorPosX(kFieldColumn * context.em);
+    dimText(leftOutText(meshFormats()[form.format]));
+}
+
+void drawPoints(const PanelContext& context) {
+    MeshForm& form = context.ui().mesh;
+    drawName(context, "Points");
+    if (drawChoice(context, "All, in the order of the input", !form.usedOnly, "mesh all points",
+                   true))
+        form.usedOnly = false;
+    tooltip("Also those that stand in no triangle");
+    if (drawChoice(context, "Used points only", form.usedOnly, "mesh used points", false))
+        form.usedOnly = true;
+    tooltip("Without those that stand in no triangle (--used-points)");
+}
+
+/// How large the mesh is, and of which moment.
+void drawSize(const PanelContext& context) {
+    const MeshForm& form = context.ui().mesh;
+    if (!form.size) {
+        ImGui::ProgressBar(static_cast<float>(form.share), {-1.0F, 0.0F}, "running to the end");
+        return;
+    }
+    if (form.size->triangles == 0) {
+        return wrappedText("This run makes no triangle: there is no mesh to save.");
+    }
+    std::string text = sizeText(*form.size, form.usedOnly) + ": the mesh at the end of the run.";
+    if (form.size->capped) text += " The run was stopped by the rule cap: the mesh is incomplete.";
+    wrappedText(text);
+}
+
+void drawCopy(const PanelContext& context, const std::string& path) {
+    MeshForm& form = context.ui().mesh;
+    if (ImGui::Button("Copy command")) {
+        form.path = path;
+        form.ask = MeshAsk::CopyCommand;
+    }
+    context.ui().where["mesh copy command"] = lastItem();
+    tooltip("The command line that writes the same file, for a terminal");
+    if (form.note.empty()) return;
+    ImGui::SameLine();
+    dimText(form.note);
+}
+
+void drawQuestion(const PanelContext& context) {
+    MeshForm& form = context.ui().mesh;
+    wrappedText(replaceText(form.question, context.session().spec().source));
+    const bool replace = ImGui::Button("Replace");
+    const bool chosen = ImGui::IsItemFocused();
+    context.ui().where["mesh replace"] = lastItem();
+    ImGui::SameLine();
+    const bool keep = ImGui::Button("Cancel (Esc)");
+    context.ui().where["mesh keep"] = lastItem();
+    // The answer that loses nothing has the keyboard. Space is Dear ImGui's own key for it.
+    if (std::exchange(form.justAsked, false)) takeKeyboard();
+    const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
+                       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
+    if (replace || (enter && chosen)) {
+        form.ask = MeshAsk::Replace;
+    } else if (keep || enter) {
+        form.ask = MeshAsk::Keep;
+    }
+}
+
+void drawWork(const PanelContext& context) {
+    MeshForm& form = context.ui().mesh;
+    const float button = 5.5F * context.em;
+    ImGui::ProgressBar(form.writing ? 1.0F : static_cast<float>(form.share),
+                       {ImGui::GetContentRegionAvail().x - button, 0.0F},
+                       form.writing ? "writing" : "running to the end");
+    ImGui::SameLine();
+    ImGui::BeginDisabled(form.writing);
+    if (ImGui::Button("Cancel", {-1.0F, 0.0F})) form.ask = MeshAsk::Cancel;
+    context.ui().where["mesh cancel"] = lastItem();
+    ImGui::EndDisabled();
+}
+
+}  // namespace
+
+bool meshDialogWaits(const PanelContext& context) {
+    return context.ui().browser == BrowserTask::SaveMesh && context.ui().mesh.waits();
+}
+
+void drawMeshFields(const PanelContext& context, std::string& name, const std::string& path) {
+    const MeshForm& form = context.ui().mesh;
+    if (!form.complaint.empty()) wrappedText("! " + form.complaint, context.palette.rejected);
+    if (form.saving) return drawWork(context);
+    if (!form.question.empty()) return drawQuestion(context);
+    drawFormats(context, name);
+    drawPoints(context);
+    drawSize(context);
+    drawCopy(context, path);
+    ImGui::Separator();
+}
+
+}  // namespace se::view

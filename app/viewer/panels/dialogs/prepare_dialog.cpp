@@ -1,0 +1,60 @@
+#include <algorithm>
+
+#include "panels/panel.h"
+#include "panels/widgets/prepare_fields.h"
+#include "panels/widgets/widgets.h"
+
+namespace se::view {
+
+namespace {
+
+void drawButtons(const PanelContext& context, PrepareForm& form, bool entered) {
+    if (ImGui::Button("Prepare anew") || entered) {
+        Result<InputSpec> spec = form.spec(context.session().spec());
+        form.complaint = spec ? std::string{} : spec.error().message;
+        if (spec) {
+            context.ui().requests.openSpec = std::move(spec.value());
+            form.open = false;
+        }
+    }
+    context.ui().where["prepare ok"] = lastItem();
+    tooltip("Read the input again with these options, and go to the start");
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel (Esc)")) form.open = false;
+    context.ui().where["prepare cancel"] = lastItem();
+    if (form.complaint.empty()) return;
+    wrappedText("! " + form.complaint, context.palette.rejected);
+}
+
+}  // namespace
+
+void drawPrepareDialog(const PanelContext& context) {
+    PrepareForm& form = context.ui().prepare;
+    if (!form.open || !context.session().ready()) return;
+    const float em = context.em;
+    const glm::vec2 screen(context.layout.status.size.x, context.layout.status.max().y);
+    ImGui::SetNextWindowPos({0.5F * screen.x, 0.5F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize(
+        {std::min(30.0F * em, screen.x - 2.0F * em), std::min(39.3F * em, screen.y - 1.0F * em)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+    const bool shown = ImGui::Begin(
+        "Prepare", &form.open,
+        ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar);
+    ImGui::PopStyleVar();
+    if (shown) {
+        const float buttons =
+            (form.complaint.empty() ? 1.0F : 2.6F) * ImGui::GetFrameHeightWithSpacing() + 0.4F * em;
+        bool entered = false;
+        // The buttons stay in sight where the window is low.
+        // To keys they and the fields are one.
+        if (ImGui::BeginChild("##fields", {0.0F, -buttons}, false, ImGuiWindowFlags_NavFlattened)) {
+            entered = drawPrepareFields(context, form, "prepare ");
+        }
+        ImGui::EndChild();
+        drawButtons(context, form, entered);
+    }
+    ImGui::End();
+}
+
+}  // namespace se::view

@@ -1,0 +1,350 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "commands/alert_actions.h"
+#include "commands/ask_actions.h"
+#include "jobs/questions.h"
+#include "panels/panel.h"
+#include "panels/widgets/widgets.h"
+#include "run/number_format.h"
+
+namespace se::view {
+
+namespace {
+
+/// With more alerts than this, classes are folded to begin with.
+constexpr std::size_t kManyAlerts = 40;
+
+/// A line of the list: the head of a class, or an alert.
+struct AlertRow {
+    const AlertGroup* head = nullptr;
+    std::size_t alert = 0;
+};
+
+bool isOpen(const PanelContext& context, const AlertGroup& group) {
+    const auto& byHand = context.ui().alertsOpen;
+    const auto found = byHand.find(std::string(group.kind->name));
+    const auto chosen = context.session().chosenAlert();
+    const bool holdsChosen =
+        chosen && *chosen >= group.first && *chosen < group.first + group.count;
+    if (holdsChosen && context.ui().revealAlert) return true;
+    if (found != byHand.end()) return found->second;
+    return holdsChosen || context.session().alerts().failures().size() <= kManyAlerts;
+}
+
+std::vector<AlertRow> rowsOf(const PanelContext& context) {
+    std::vector<AlertRow> rows;
+    for (const AlertGroup& group : context.session().alerts().groups()) {
+        rows.push_back({&group, 0});
+        if (!isOpen(context, group)) continue;
+        for (std::size_t i = 0; i < group.count; ++i) rows.push_back({nullptr, group.first + i});
+    }
+    return rows;
+}
+
+/// Down at what is unfolded, else to the right.
+void drawArrow(const PanelContext& context, ImVec2 at, bool open) {
+    const float r = 0.3F * context.em;
+    const ImVec2 c(at.x + 0.5F * context.em, at.y + 0.5F * ImGui::GetTextLineHeight());
+    const ImVec2 right[3] = {{c.x - 0.7F * r, c.y - r}, {c.x + r, c.y}, {c.x - 0.7F * r, c.y + r}};
+    const ImVec2 down[3] = {{c.x - r, c.y - 0.7F * r}, {c.x + r, c.y - 0.7F * r}, {c.x, c.y + r}};
+    const ImVec2* p = open ? down : right;
+    ImGui::GetWindowDrawList()->AddTriangleFilled(p[0], p[1], p[2], toU32(context.palette.textDim));
+}
+
+/// "12", "first 430 of at least 1 204 331".
+std::string amountOf(const AlertGroup& group) {
+    const ClassTotal& total = group.total;
+    const std::string known = grouped(total.total);
+    if (total.all()) return known;
+    return "first " + grouped(total.listed) + " of " + (total.exact ? "" : "at least ") + known;
+}
+
+void drawHead(const PanelContext& context, const AlertGroup& group) {
+    const bool open = isOpen(context, group);
+    ImGui::PushID(group.kind);
+    ImGui::PushFont(context.fonts.strong);
+    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float left = ImGui::GetCursorPosX();
+    const bool clicked = ImGui::Selectable("##head");
+    const std::string name(group.kind->name);
+    context.ui().where["alerts " + name] = lastItem();
+    tooltip(std::string(group.kind->meaning) + (open ? "\nFold" : "\nUnfold"));
+    if (clicked) context.ui().alertsOpen[name] = !open;
+    drawArrow(context, at, open);
+    ImGui::SameLine(left + 1.3F * context.em);
+    const std::string count = amountOf(group);
+    const float end = ImGui::GetContentRegionMax().x;
+    const float room =
+        end - ImGui::GetCursorPosX() - ImGui::CalcTextSize(count.c_str()).x - context.em;
+    ImGui::TextUnformatted(fitted(titleOf(*group.kind), room).c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    ImGui::SameLine(end - ImGui::CalcTextSize(count.c_str()).x);
+    ImGui::TextDisabled("%s", count.c_str());
+    ImGui::PopID();
+}
+
+void drawRow(const PanelContext& context, std::size_t index) {
+    const Session& session = context.session();
+    const RunFailure& alert = session.alerts().failures()[index];
+    const bool chosen = session.chosenAlert() == index;
+    ImGui::PushID(static_cast<int>(index));
+    const float left = ImGui::GetCursorPosX();
+    const bool clicked = ImGui::Selectable("##alert", chosen);
+    context.ui().where["alert " + alertName(session.alerts(), index)] = lastItem();
+    tooltip("Go to where it came about, frame it, and see why");
+    if (clicked) showAlert(context.commands, index, AlertMoment::Created);
+    ImGui::SameLine(left + 1.3F * context.em);
+    ImGui::PushFont(context.fonts.mono);
+    const std::string address = toString(alert.moments.created.event.address);
+    ImGui::TextUnformatted(address.c_str());
+    const float width = ImGui::CalcTextSize(address.c_str()).x;
+    ImGui::PopFont();
+    const float at = left + std::max(8.6F * context.em, width + 2.0F * context.em);
+    ImGui::SameLine(at);
+    const std::string points = pointsText(alert.failure, 6);
+    ImGui::TextDisabled("%s", fitted(points, ImGui::GetContentRegionMax().x - at).c_str());
+    ImGui::PopID();
+}
+
+/// Name and address of a moment, to be clicked, and below what was decided there.
+void drawMoment(const PanelContext& context, const RunFailure& alert, AlertMoment moment) {
+    const Session& session = context.session();
+    const LedgerLine& line = momentOf(alert, moment);
+    const Address& address = line.event.address;
+    const bool here = session.event() != nullptr && session.address() == address;
+    ImGui::PushID(static_cast<int>(moment));
+    const float left = ImGui::GetCursorPosX();
+    const bool clicked = ImGui::Selectable("##moment", here);
+    const std::string name(momentName(moment));
+    context.ui().where["alert " + name] = lastItem();
+    if (clicked) showAlert(context.commands, *session.chosenAlert(), moment);
+    ImGui::SameLine(left);
+    ImGui::PushFont(context.fonts.strong);
+    ImGui::TextUnformatted(name.c_str());
+    ImGui::PopFont();
+    ImGui::PushFont(context.fonts.mono);
+    const std::string text = toString(address);
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopFont();
+    wrappedText(shortSentence(line.event));
+    tooltip(describe(line.event));
+    if (line.reading) {
+        const Reading& r = *line.reading;
+        const std::string unit(r.unit.empty() ? "" : " " + std::string(r.unit));
+        dimText(std::string(r.quantity) + " " + numberText(r.value) + unit + " against " +
+                numberText(r.threshold) + unit + ", margin " + numberText(r.margin));
+    }
+    ImGui::PopID();
+    ImGui::Spacing();
+}
+
+/// What the ledger says of the thing that is at fault.
+void drawWhy(const PanelContext& context, const RunFailure& alert) {
+    Session& session = context.session();
+    const Selection subject = subjectOf(alert);
+    const Questions& questions = session.questions();
+    if (ImGui::SmallButton(("Why? " + selectionText(subject)).c_str())) {
+        askWhy(context.commands, subject);
+    }
+    context.ui().where["alert why"] = lastItem();
+    tooltip("Every decision about it, in the panel Ledger");
+    const bool mine = questions.subject() == subject;
+    const WhyAnswer* answer = mine ? questions.ledger().answer() : nullptr;
+    if (answer != nullptr) dimText(withShortNumbers(answer->answer));
+    ImGui::Spacing();
+}
+
+/// A rule with what it would do, and a button that turns it on.
+void drawRemedy(const PanelContext& context, const Remedy& remedy) {
+    const std::string name(nameOf(remedy));
+    ImGui::PushID(name.c_str());
+    if (ImGui::SmallButton("Switch on")) switchOn(context.commands, remedy);
+    context.ui().where["remedy " + name] = lastItem();
+    tooltip(remedy.rule != nullptr ? std::string(remedy.rule->summary)
+                                   : "All rules of the set; see docs/robust.md.");
+    ImGui::SameLine();
+    if (ImGui::SmallButton("Beside")) showBeside(context.commands, remedy);
+    context.ui().where["beside " + name] = lastItem();
+    tooltip("This run and the one with it side by side, at this place");
+    ImGui::SameLine();
+    ImGui::PushFont(context.fonts.mono);
+    ImGui::TextUnformatted(name.c_str());
+    ImGui::PopFont();
+    ImGui::SameLine();
+    const std::string left = "leaves " + grouped(remedy.all);
+    const float at = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(left.c_str()).x;
+    ImGui::SameLine(std::max(at, ImGui::GetCursorPosX()));
+    ImGui::TextDisabled("%s", left.c_str());
+    ImGui::PopID();
+}
+
+void drawTried(const PanelContext& context, const Remedies& remedies) {
+    std::string others;
+    std::string unknown;
+    bool any = false;
+    for (const Remedy& each : remedies.tried) {
+        if (each.prevents) {
+            if (!any)
+                dimText("Prevented by each of these alone; the run has " + grouped(remedies.all) +
+                        " alerts now, with one of them it has as many as "
+                        "stand at the right.");
+            any = true;
+            drawRemedy(context, each);
+        } else {
+            std::string& list = each.unknown ? unknown : others;
+            list += (list.empty() ? "" : ", ") + std::string(nameOf(each));
+        }
+    }
+    if (!any) wrappedText("No rule beyond the paper prevents this.");
+    if (!others.empty()) dimText("It stays with: " + others + ".");
+    if (!unknown.empty())
+        dimText("Unknown, since too many alerts are left, with: " + unknown + ".");
+}
+
+/// Which rule beyond the paper would have prevented it.
+void drawRemedies(const PanelContext& context) {
+    Session& session = context.session();
+    const RemedySearch& search = session.remedies();
+    const bool mine = search.about() == session.chosenAlert();
+    heading(context, "What would have prevented it");
+    if (mine && search.found() != nullptr) return drawTried(context, *search.found());
+    if (mine && search.busy()) {
+        ImGui::ProgressBar(static_cast<float>(search.share()), {-1.0F, 0.0F});
+        if (ImGui::SmallButton("Stop")) session.stopRemedies();
+        return;
+    }
+    if (mine && !search.complaint().empty()) dimText(search.complaint());
+    if (ImGui::SmallButton("Try the rules beyond the paper")) session.seekRemedies();
+    context.ui().where["alert remedies"] = lastItem();
+    tooltip("Runs again with each of them on, one at a time");
+}
+
+void drawChosen(const PanelContext& context) {
+    const Session& session = context.session();
+    const RunFailure* alert = session.alert();
+    const MeshFailure& failure = alert->failure;
+    std::string what =
+        (failure.points.size() == 1 ? "Point " : "Points ") + pointsText(failure, 12);
+    if (!failure.triangles.empty()) {
+        what += failure.triangles.size() == 1 ? "; triangle " : "; triangles ";
+        for (std::size_t i = 0; i < std::min<std::size_t>(6, failure.triangles.size()); ++i)
+            what += (i == 0 ? "" : ", ") + std::to_string(failure.triangles[i]);
+        if (failure.triangles.size() > 6) what += ", ...";
+    }
+    if (failure.length > 0.0)
+        what += "; length " + numberText(failure.length) + ", area " + numberText(failure.area);
+    wrappedText(what + ".");
+    ImGui::Spacing();
+    for (const AlertMoment moment : kAlertMoments) drawMoment(context, *alert, moment);
+    drawWhy(context, *alert);
+    drawRemedies(context);
+}
+
+void drawRows(const PanelContext& context, std::span<const AlertRow> rows) {
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(rows.size()), ImGui::GetTextLineHeightWithSpacing());
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            const AlertRow& row = rows[static_cast<std::size_t>(i)];
+            row.head != nullptr ? drawHead(context, *row.head) : drawRow(context, row.alert);
+        }
+    }
+    clipper.End();
+}
+
+/// All rows; what there is to say of the chosen alert stands below its own.
+void drawList(const PanelContext& context) {
+    const std::vector<AlertRow> rows = rowsOf(context);
+    const auto chosen = context.session().chosenAlert();
+    const auto found = std::find_if(rows.begin(), rows.end(), [&](const AlertRow& each) {
+        return chosen && each.head == nullptr && each.alert == *chosen;
+    });
+    if (found == rows.end()) return drawRows(context, rows);
+    const auto above = static_cast<std::size_t>(found - rows.begin());
+    const float pitch = ImGui::GetTextLineHeightWithSpacing();
+    if (context.ui().revealAlert) {
+        // At the top: what there is to say takes the room below.
+        const float y = ImGui::GetCursorPosY() + static_cast<float>(above) * pitch;
+        ImGui::SetScrollY(std::max(0.0F, y - 0.3F * pitch));
+    }
+    drawRows(context, std::span(rows).first(above + 1));
+    ImGui::Indent(1.3F * context.em);
+    ImGui::Spacing();
+    drawChosen(context);
+    ImGui::Spacing();
+    ImGui::Unindent(1.3F * context.em);
+    drawRows(context, std::span(rows).subspan(above + 1));
+}
+
+/// What was checked, if nothing was found.
+void drawNothing() {
+    ImGui::TextUnformatted("No failures found.");
+    ImGui::Spacing();
+    std::string checked;
+    for (const FailureClass& each : failureClasses())
+        checked += (checked.empty() ? "" : ", ") + titleOf(each);
+    dimText("Looked for: " + checked + ".");
+}
+
+void drawSearch(const PanelContext& context) {
+    Session& session = context.session();
+    const AlertSearch& alerts = session.alerts();
+    const std::string& complaint = alerts.complaint();
+    if (alerts.stopped() || !complaint.empty()) {
+        dimText(alerts.stopped() ? "The search was stopped." : complaint);
+        if (ImGui::SmallButton("Look for failures")) session.resumeAlerts();
+        context.ui().where["alerts resume"] = lastItem();
+        return;
+    }
+    dimText(alerts.busy() ? "Looking for what went wrong ..."
+                          : "What went wrong is looked for once the run was gone through.");
+    if (!alerts.busy()) return;
+    ImGui::ProgressBar(static_cast<float>(alerts.share()), {-1.0F, 0.0F});
+    if (ImGui::SmallButton("Stop")) session.stopAlerts();
+    context.ui().where["alerts stop"] = lastItem();
+}
+
+std::string headingNote(const AlertSearch& alerts) {
+    const std::size_t count = alerts.failures().size();
+    if (!alerts.done() || count == 0) return {};
+    if (!alerts.complete()) return "first " + grouped(count) + " alerts";
+    return count == 1 ? "1 alert" : grouped(count) + " alerts";
+}
+
+}  // namespace
+
+void drawAlerts(const PanelContext& context) {
+    const Session& session = context.session();
+    if (!session.ready()) {
+        ImGui::TextDisabled("Nothing is open.");
+        return;
+    }
+    const AlertSearch& alerts = session.alerts();
+    heading(context, "Alerts", headingNote(alerts));
+    const std::string note =
+        watchNote(session.shown().points.size(), session.overview().failures.size());
+    if (!note.empty()) dimText(note);
+    if (!alerts.done()) return drawSearch(context);
+    if (alerts.failures().empty()) return drawNothing();
+    if (!alerts.complete())
+        dimText(
+            "There are too many failures to follow them all: of each class the first are listed.");
+    if (!session.chosenAlert()) {
+        dimText(
+            "A click on an alert goes to where it came about, frames it, and tells its three "
+            "moments. " +
+            context.key("step.alert.next") + " goes to the next one.");
+    }
+    drawList(context);
+    context.ui().revealAlert = false;
+}
+
+}  // namespace se::view

@@ -1,0 +1,89 @@
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "panels/panel.h"
+#include "panels/widgets/text_field.h"
+#include "panels/widgets/widgets.h"
+
+namespace se::view {
+
+namespace {
+
+/// The key that leads to a bookmark, empty beyond the tenth.
+std::string keyOf(const PanelContext& context, std::size_t place) {
+    if (place >= kBookmarkKeys) return {};
+    const Command* command = findCommand("notes.go." + std::to_string(place + 1));
+    return command != nullptr ? context.key(*command) : std::string{};
+}
+
+/// One bookmark: its address (a click goes there), what one wrote, a cross that takes it away.
+/// True if it is to go.
+bool drawBookmark(const PanelContext& context, Bookmark& mark, std::size_t place) {
+    Session& session = context.session();
+    const bool here =
+        session.ready() && session.event() != nullptr && session.address() == mark.address;
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    const std::string name = toString(mark.address);
+    ImGui::PushFont(context.fonts.mono);
+    ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.0F, 0.5F});
+    const bool chosen = ImGui::Selectable(name.c_str(), here, 0, {0.0F, ImGui::GetFrameHeight()});
+    ImGui::PopStyleVar();
+    if (chosen) {
+        context.playback().pause();
+        session.goTo(mark.address);
+    }
+    ImGui::PopFont();
+    const std::string key = keyOf(context, place);
+    tooltip("Go to " + name + (key.empty() ? "" : " (" + key + ")"));
+    ImGui::TableNextColumn();
+    ImGui::SetNextItemWidth(-1.0F);
+    textField("##note", "what is here", mark.note);
+    ImGui::TableNextColumn();
+    const bool gone = ImGui::SmallButton("x");
+    tooltip("Take this bookmark away");
+    return gone;
+}
+
+void drawBookmarks(const PanelContext& context) {
+    Bookmarks& marks = context.ui().bookmarks;
+    heading(context, "Bookmarks", marks.empty() ? "" : std::to_string(marks.size()));
+    if (marks.empty()) {
+        const std::string key = context.key("notes.bookmark");
+        dimText(key + " sets a bookmark at the decision shown, and takes it away again.");
+        return;
+    }
+    if (!ImGui::BeginTable("##marks", 3, ImGuiTableFlags_SizingStretchProp)) return;
+    ImGui::TableSetupColumn("address", ImGuiTableColumnFlags_WidthFixed, 7.5F * context.em);
+    ImGui::TableSetupColumn("note", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("away", ImGuiTableColumnFlags_WidthFixed, 1.4F * context.em);
+    std::optional<std::size_t> gone;
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (drawBookmark(context, marks[i], i)) gone = i;
+        ImGui::PopID();
+    }
+    ImGui::EndTable();
+    if (gone) marks.erase(marks.begin() + static_cast<std::ptrdiff_t>(*gone));
+}
+
+}  // namespace
+
+void drawNotes(const PanelContext& context) {
+    if (!context.session().ready()) {
+        ImGui::TextDisabled("Nothing is open.");
+        return;
+    }
+    drawBookmarks(context);
+    ImGui::Spacing();
+    heading(context, "Notes");
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const ImVec2 size(room.x, std::max(6.0F * context.em, room.y - 2.0F * context.em));
+    textArea("##notes", context.ui().notes, size);
+    context.ui().where["field notes"] = lastItem();
+    const std::string key = context.key("file.save");
+    ImGui::TextDisabled("%s keeps them in a session file.", key.c_str());
+}
+
+}  // namespace se::view

@@ -1,0 +1,99 @@
+#include <algorithm>
+
+#include "commands/ask_actions.h"
+#include "decision_rows.h"
+#include "jobs/questions.h"
+#include "panels/widgets/widgets.h"
+
+namespace se::view {
+
+namespace {
+
+/// Where a chart has its columns, in pixels from its left edge.
+struct ChartColumns {
+    float label = 0.0F;  ///< Width of the labels.
+    float count = 0.0F;  ///< Width of the counts.
+    std::uint64_t most = 1;
+};
+
+ChartColumns columnsOf(const RunChart& chart) {
+    ChartColumns columns;
+    for (const ChartBar& bar : chart.bars) {
+        columns.label = std::max(columns.label, ImGui::CalcTextSize(bar.label.c_str()).x);
+        columns.count = std::max(columns.count, ImGui::CalcTextSize(grouped(bar.count).c_str()).x);
+        columns.most = std::max(columns.most, bar.count);
+    }
+    return columns;
+}
+
+/// Label, bar, count; a click asks for its decisions.
+void drawBar(const PanelContext& context, const RunChart& chart, const ChartBar& bar,
+             const ChartColumns& columns) {
+    const float em = context.em;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float height = ImGui::GetTextLineHeight();
+    ImGui::PushID(bar.query.c_str());
+    const bool asked = context.session().questions().line() == bar.query;
+    const bool chosen = ImGui::Selectable("##bar", asked, 0, {0.0F, height});
+    ImGui::PopID();
+    if (ImGui::IsItemVisible())
+        context.ui().where["bar " + std::string(chart.name) + " " + bar.label] = lastItem();
+    tooltip(grouped(bar.count) + " " + std::string(chart.unit) + "\n" + bar.query);
+    if (chosen) askQuery(context.commands, bar.query);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float labelWidth = ImGui::CalcTextSize(bar.label.c_str()).x;
+    const bool named = !bar.label.empty() && bar.label[0] > '9';
+    const float indent = named ? 0.0F : columns.label - labelWidth;
+    list->AddText({at.x + 0.2F * em + indent, at.y}, toU32(context.palette.text),
+                  bar.label.c_str());
+    const std::string count = grouped(bar.count);
+    const float countWidth = ImGui::CalcTextSize(count.c_str()).x;
+    const float right = at.x + room - 0.2F * em;
+    list->AddText({right - countWidth, at.y}, toU32(context.palette.textDim), count.c_str());
+    const float from = at.x + columns.label + 0.8F * em;
+    const float full = std::max(0.0F, right - columns.count - 0.6F * em - from);
+    const float share = static_cast<float>(bar.count) / static_cast<float>(columns.most);
+    // What is there can be seen, however little it is.
+    const float width = bar.count == 0 ? 0.0F : std::max(0.12F * em, share * full);
+    list->AddRectFilled({from, at.y + 0.18F * height}, {from + width, at.y + 0.86F * height},
+                        toU32(context.palette.accent), 0.1F * em);
+}
+
+void drawChart(const PanelContext& context, const RunChart& chart) {
+    ImGui::Spacing();
+    heading(context, std::string(chart.title).c_str(), std::string(chart.unit));
+    if (chart.bars.empty()) return dimText("There are none.");
+    const ChartColumns columns = columnsOf(chart);
+    ImGui::PushID(chart.name.data());
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.12F * context.em});
+    for (const ChartBar& bar : chart.bars) drawBar(context, chart, bar, columns);
+    ImGui::PopStyleVar();
+    ImGui::PopID();
+}
+
+}  // namespace
+
+void drawCharts(const PanelContext& context) {
+    if (!context.session().ready()) {
+        ImGui::TextDisabled("Nothing is open.");
+        return;
+    }
+    Questions& questions = context.session().questions();
+    Inquiry<std::vector<RunChart>>& charts = questions.charts();
+    questions.wantCharts();
+    if (charts.busy()) {
+        if (drawAsking(context, "Making the run again ...", charts.share())) charts.stop();
+        return;
+    }
+    const std::vector<RunChart>* answer = charts.answer();
+    if (answer == nullptr) {
+        dimText(charts.complaint());
+        if (ImGui::SmallButton("Ask again")) charts.forget();
+        return;
+    }
+    dimText("A click on a bar lists its decisions in the panel Query.");
+    for (const RunChart& chart : *answer) drawChart(context, chart);
+}
+
+}  // namespace se::view

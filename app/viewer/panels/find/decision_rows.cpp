@@ -1,0 +1,235 @@
+#include "decision_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "panels/widgets/widgets.h"
+#include "rows/evidence_rows.h"
+#include "rows/line_text.h"
+#include "run/number_format.h"
+#include "session/line_position.h"
+
+namespace se::view {
+
+namespace {
+
+/// Between two rows, in em.
+constexpr float kRowGap = 0.25F;
+/// Room that a body of its own is worth, in em.
+constexpr float kLeastBody = 7.0F;
+/// Frames that the watch of the cursor calls a move.
+constexpr int kSettlingFrames = 4;
+
+/// What became of the subject, by shape and color.
+struct RoleLook {
+    Shape shape;
+    float size;
+    Color Palette::*color;
+};
+
+RoleLook lookOf(LineRole role) {
+    switch (role) {
+        case LineRole::Taken:
+            return {Shape::Disc, 0.56F, &Palette::used};
+        case LineRole::Refused:
+            return {Shape::Cross, 0.6F, &Palette::rejected};
+        case LineRole::Made:
+            return {Shape::Diamond, 0.74F, &Palette::test};
+        case LineRole::Undone:
+            return {Shape::OpenDiamond, 0.74F, &Palette::rejected};
+        case LineRole::Fact:
+            break;
+    }
+    return {Shape::Dot, 0.3F, &Palette::textDim};
+}
+
+/// One row, two lines of text high.
+class RowDrawer {
+  public:
+    RowDrawer(const PanelContext& context, const DecisionRows& rows, const LinePlace& place)
+        : context_(context), rows_(rows), place_(place) {}
+
+    float pitch() const { return height() + kRowGap * context_.em; }
+
+    /// True if it was chosen.
+    bool draw(std::size_t i) {
+        const LedgerLine& line = rows_.lines[i];
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float room = ImGui::GetContentRegionAvail().x;
+        const bool here = place_.here == i;
+        ImGui::PushID(static_cast<int>(i));
+        const bool chosen = ImGui::Selectable("##line", here, 0, {0.0F, height()});
+        const bool hovered = ImGui::IsItemHovered();
+        const std::string address = toString(line.event.address);
+        if (ImGui::IsItemVisible()) context_.ui().where["line " + address] = lastItem();
+        const Index tested = testedPoint(line.event);
+        if (hovered) context_.ui().pointedAt = tested != kNone ? tested : line.pivot;
+        if (hovered && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) {
+            context_.ui().subjectMenu.open(
+                Selection::ofPoint(tested != kNone ? tested : line.pivot));
+        }
+        const RowNote note = rows_.note ? rows_.note(i) : RowNote{};
+        tooltip(lineText(line) + (note.tooltip.empty() ? "" : "\n" + note.tooltip));
+        ImGui::PopID();
+        drawTop(line, at, room, i == rows_.cause, here);
+        drawBelow(line, {at.x, at.y + ImGui::GetTextLineHeight()}, room, note.below);
+        drawCursorLine(i, at, room);
+        return chosen;
+    }
+
+  private:
+    float em() const { return context_.em; }
+    float height() const { return ImGui::GetTextLineHeight() + 1.15F * smallSize(); }
+    float smallSize() const { return 0.86F * em(); }
+    float left() const { return 1.5F * em(); }
+
+    /// Mark, address, role; the section at the right end.
+    void drawTop(const LedgerLine& line, ImVec2 at, float room, bool cause, bool here) const {
+        ImDrawList* list = ImGui::GetWindowDrawList();
+        const Palette& palette = context_.palette;
+        const RoleLook look = lookOf(line.role);
+        const float middle = at.y + 0.5F * ImGui::GetTextLineHeight();
+        drawShape(list, {at.x + 0.85F * em(), middle}, look.size * em(), look.shape,
+                  toU32(palette.*look.color));
+        if (here) {
+            drawShape(list, {at.x + 0.2F * em(), middle}, 0.6F * em(), Shape::Forward,
+                      toU32(palette.pivot));
+        }
+        const std::string section = sectionOf(line.event);
+        float right = at.x + room - 0.2F * em();
+        right -= ImGui::CalcTextSize(section.c_str()).x;
+        list->AddText({right, at.y}, toU32(palette.textDim), section.c_str());
+        float x = at.x + left();
+        ImFont* font = cause ? context_.fonts.strong : context_.fonts.text;
+        const auto put = [&](const std::string& text, const Color& color) {
+            const float width = font->CalcTextSizeA(em(), 1e9F, 0.0F, text.c_str()).x;
+            if (x + width > right - 0.3F * em()) return;
+            list->AddText(font, em(), {x, at.y}, toU32(color), text.c_str());
+            x += width + 0.6F * em();
+        };
+        put(toString(line.event.address), palette.text);
+        if (line.role != LineRole::Fact) put(std::string(roleName(line.role)), palette.*look.color);
+        if (cause) put("\xE2\x97\x80 cause", palette.text);
+    }
+
+    /// Whose turn it was, and the numbers; the margin, which is what one compares, at the right
+    /// end.
+    void drawBelow(const LedgerLine& line, ImVec2 at, float room, const std::string& note) const {
+        ImDrawList* list = ImGui::GetWindowDrawList();
+        const ImU32 color = toU32(context_.palette.textDim);
+        ImGui::PushFont(context_.fonts.small);
+        float rest = room - left() - 0.2F * em();
+        if (line.reading) {
+            const std::string margin = marginText(line.reading->margin);
+            const float width = ImGui::CalcTextSize(margin.c_str()).x;
+            list->AddText({at.x + room - 0.2F * em() - width, at.y}, color, margin.c_str());
+            rest -= width + 0.6F * em();
+        }
+        const std::string text = note.empty() ? numbersOf(line, rest) : note;
+        list->AddText({at.x + left(), at.y}, color, fitted(text, rest).c_str());
+        ImGui::PopFont();
+    }
+
+    /// With the name of what was measured, where there is room for it.
+    static std::string numbersOf(const LedgerLine& line, float room) {
+        if (!line.reading) return shortSentence(line.event);
+        const std::string at =
+            line.pivot != kNone ? "at " + std::to_string(line.pivot) + ": " : std::string{};
+        const std::string full = at + comparisonText(*line.reading, true);
+        const bool fits = ImGui::CalcTextSize(full.c_str()).x <= room;
+        return fits ? full : at + comparisonText(*line.reading, false);
+    }
+
+    /// Where the cursor stands between two lines.
+    void drawCursorLine(std::size_t i, ImVec2 at, float room) const {
+        if (!rows_.inOrder || place_.here || place_.before != i) return;
+        const float y = std::round(at.y - 0.12F * em());
+        ImGui::GetWindowDrawList()->AddLine({at.x, y}, {at.x + room, y},
+                                            toU32(context_.palette.pivot),
+                                            std::max(1.0F, 0.1F * em()));
+    }
+
+    const PanelContext& context_;
+    const DecisionRows& rows_;
+    LinePlace place_;
+};
+
+/// Without an order only the line that the cursor stands on has a mark.
+LinePlace placeOfCursor(const DecisionRows& rows, const Session& session) {
+    if (rows.inOrder) return placeAmong(rows.lines, session);
+    LinePlace place;
+    for (std::size_t i = 0; i < rows.lines.size(); ++i) {
+        if (session.event() != nullptr && rows.lines[i].event.address == session.address())
+            place.here = i;
+    }
+    return place;
+}
+
+/// Brings the line that the cursor moves to into view; `top` is where the first one begins.
+void follow(const PanelContext& context, const DecisionRows& rows, const LinePlace& place,
+            float top, float pitch) {
+    const Session& session = context.session();
+    const bool moved =
+        rows.list.watch.moved(session.generation(), session.record().pivot, session.cursor());
+    // Of an answer that is new its beginning comes first.
+    const void* answer = rows.lines.data();
+    if (std::exchange(rows.list.answer, answer) != answer) {
+        rows.list.settling = kSettlingFrames;
+        ImGui::SetScrollY(0.0F);
+    }
+    if (rows.list.settling > 0) --rows.list.settling;
+    if (!moved || !place.here || rows.list.settling > 0) return;
+    const float y = top + static_cast<float>(*place.here) * pitch;
+    const float height = ImGui::GetWindowHeight();
+    const float scroll = ImGui::GetScrollY();
+    if (y < scroll || y + pitch > scroll + height)
+        ImGui::SetScrollY(std::max(0.0F, y - 0.4F * height));
+}
+
+}  // namespace
+
+std::optional<std::size_t> drawDecisionRows(const PanelContext& context, const DecisionRows& rows) {
+    std::optional<std::size_t> chosen;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, kRowGap * context.em});
+    const LinePlace place = placeOfCursor(rows, context.session());
+    RowDrawer drawer(context, rows, place);
+    follow(context, rows, place, ImGui::GetCursorPosY(), drawer.pitch());
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(rows.lines.size()), drawer.pitch());
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            if (drawer.draw(static_cast<std::size_t>(i))) chosen = static_cast<std::size_t>(i);
+        }
+    }
+    ImGui::PopStyleVar();
+    return chosen;
+}
+
+ScrolledBody::ScrolledBody(const PanelContext& context, const char* id)
+    : apart_(ImGui::GetContentRegionAvail().y >= kLeastBody * context.em) {
+    if (apart_) ImGui::BeginChild(id, {0.0F, 0.0F}, false, ImGuiWindowFlags_NavFlattened);
+}
+
+ScrolledBody::~ScrolledBody() {
+    if (apart_) ImGui::EndChild();
+}
+
+void goToDecision(const PanelContext& context, const Address& address, FrameWish frame) {
+    context.playback().pause();
+    context.session().goTo(address);
+    context.ui().requests.frame = frame;
+}
+
+bool drawAsking(const PanelContext& context, const char* what, double share) {
+    ImGui::TextDisabled("%s", what);
+    const float button = 4.0F * context.em;
+    ImGui::ProgressBar(static_cast<float>(share),
+                       {ImGui::GetContentRegionAvail().x - button, 0.0F});
+    ImGui::SameLine();
+    const bool stop = ImGui::Button("Stop");
+    context.ui().where["stop asking"] = lastItem();
+    return stop;
+}
+
+}  // namespace se::view

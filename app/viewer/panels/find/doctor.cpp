@@ -1,0 +1,191 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "panels/panel.h"
+#include "panels/widgets/widgets.h"
+#include "run/strings.h"
+#include "spiraling_edge/base/shell_word.h"
+
+namespace se::view {
+
+namespace {
+
+Color severityColor(const PanelContext& context, Severity severity) {
+    switch (severity) {
+        case Severity::Error:
+            return context.palette.rejected;
+        case Severity::Warning:
+            return context.palette.test;
+        case Severity::Note:
+            return context.palette.textDim;
+    }
+    return context.palette.text;
+}
+
+/// Lights up the points of a finding and frames them; a second click puts the light out.
+void show(const PanelContext& context, const Finding& finding, bool shown) {
+    Session& session = context.session();
+    if (shown) return session.mark({});
+    std::vector<Index> points = pointsToMark(session.model(), finding);
+    if (points.empty()) {
+        session.mark({});
+        return session.say(finding.points.empty() ? "This is about the file as a whole."
+                                                  : "These points have no place to be shown at.");
+    }
+    const MarkedPlace place = placeOf(session.model(), points);
+    if (place.normal != glm::vec3(0.0F)) context.camera().face(place.normal);
+    context.camera().frame(place.center, place.radius);
+    session.mark(std::move(points));
+}
+
+/// How many are lit up, if not all are.
+std::string markedText(const Session& session, const Finding& finding) {
+    const std::size_t marked = session.marked().size();
+    if (marked == finding.points.size()) return {};
+    return "Marked: " + grouped(marked) + " of " + grouped(finding.points.size()) + " points.";
+}
+
+/// Points that were made here go to a file first; none for those of a step on the way.
+std::string commandForMade(const std::string& source, const DoctorCheck& check) {
+    const Result<SampleSpec> spec = sampleFromSource(source);
+    const std::string making = spec ? sampleCommand(spec.value()) : std::string{};
+    if (making.empty()) return {};
+    const std::string stem = sampleStem(spec.value(), spec.value().count);
+    return making + " && " +
+           remedyFor(check, shellQuoted(stem + ".ply"), shellQuoted(stem + "-mended.ply"));
+}
+
+/// The command that helps, ready to be pasted: who does so may stand in another folder.
+std::string commandFor(const PanelContext& context, const DoctorCheck& check) {
+    namespace fs = std::filesystem;
+    const std::string& source = context.session().spec().source;
+    if (isScene(source) || isStandardInput(source)) return remedyFor(check, source);
+    if (isSample(source)) return commandForMade(source, check);
+    std::error_code error;
+    const fs::path whole = fs::absolute(source, error);
+    const std::string input = (error ? fs::path(source) : whole).lexically_normal().string();
+    const std::string output = fs::path(source).stem().string() + "-mended.ply";
+    return remedyFor(check, shellQuoted(input), shellQuoted(output));
+}
+
+/// Asks for the input to be opened anew, with these cures besides those it has.
+void follow(const PanelContext& context, const Cures& more) {
+    Cures cures = context.session().spec().cures;
+    cures.insert(cures.end(), more.begin(), more.end());
+    context.ui().requests.cures = std::move(cures);
+}
+
+void drawRemedy(const PanelContext& context, const Finding& finding) {
+    const DoctorCheck& check = *finding.check;
+    const std::string name(check.name);
+    if (canCure(check)) {
+        if (ImGui::SmallButton("Apply the fix")) follow(context, {name});
+        context.ui().where["fix " + name] = lastItem();
+        tooltip(std::string(cureText(check.cure)) + "\nCtrl+Z takes it back.");
+    }
+    const std::string command = commandFor(context, check);
+    if (command.empty()) return;
+    if (canCure(check)) ImGui::SameLine();
+    if (ImGui::SmallButton("Copy the command")) {
+        ImGui::SetClipboardText(command.c_str());
+        context.session().say("Copied the command.");
+    }
+    context.ui().where["copy " + name] = lastItem();
+    tooltip("For a terminal; it writes a file of its own and leaves yours alone.");
+    ImGui::PushFont(context.fonts.mono);
+    wrappedText(command);
+    ImGui::PopFont();
+}
+
+/// What was done to the input, and the way back.
+void drawMended(const PanelContext& context) {
+    const Session& session = context.session();
+    if (session.spec().cures.empty()) return;
+    wrappedText("Mended here, not in the file: " + mendedText(session.model()) + ".");
+    if (ImGui::SmallButton("As the file is")) context.ui().requests.cures = Cures{};
+    context.ui().where["doctor as it is"] = lastItem();
+    tooltip("Open the input as it is in the file");
+    ImGui::Spacing();
+    ImGui::Separator();
+}
+
+void drawFixAll(const PanelContext& context) {
+    const Cures cures = plainCures(context.session().checkup().findings());
+    if (cures.empty()) return;
+    if (ImGui::Button("Apply all that needs no guessing")) follow(context, cures);
+    context.ui().where["doctor fix all"] = lastItem();
+    std::string text;
+    for (const std::string& name : cures) {
+        text += (text.empty() ? "" : "\n") + std::string(cureText(findDoctorCheck(name)->cure));
+    }
+    tooltip(text + "\nCtrl+Z takes it back.");
+}
+
+void drawFinding(const PanelContext& context, const Finding& finding) {
+    Session& session = context.session();
+    const Index first = session.marked().empty() ? kNone : session.marked().front();
+    const bool shown = context.ui().shownCheck == finding.check->name && first != kNone;
+    const std::string name(finding.check->name);
+    ImGui::PushID(name.c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(severityColor(context, finding.severity)));
+    ImGui::PushFont(context.fonts.strong);
+    const std::string title = std::string(severityName(finding.severity)) + "  " + name;
+    if (ImGui::Selectable(title.c_str(), shown)) {
+        context.ui().shownCheck = name;
+        show(context, finding, shown);
+    }
+    ImGui::PopFont();
+    ImGui::PopStyleColor();
+    context.ui().where["finding " + name] = lastItem();
+    tooltip(finding.points.empty() ? "About the file as a whole"
+            : shown                ? "Put the marks out"
+                                   : "Mark these points in the view, and frame them");
+    wrappedText(finding.text + ".");
+    if (shown) {
+        const std::string marked = markedText(session, finding);
+        if (!marked.empty()) dimText(marked);
+    }
+    dimText("Section " + std::string(finding.check->section) + ": " +
+            std::string(finding.check->upsets));
+    drawRemedy(context, finding);
+    ImGui::PopID();
+    ImGui::Spacing();
+    ImGui::Separator();
+}
+
+std::string headingNote(std::size_t findings) {
+    if (findings == 0) return {};
+    return findings == 1 ? "1 finding" : grouped(findings) + " findings";
+}
+
+}  // namespace
+
+void drawDoctor(const PanelContext& context) {
+    const Session& session = context.session();
+    if (!session.ready()) {
+        ImGui::TextDisabled("Nothing is open.");
+        return;
+    }
+    const Checkup& checkup = session.checkup();
+    heading(context, "Doctor", headingNote(checkup.findings().size()));
+    drawMended(context);
+    if (!checkup.complaint().empty()) return dimText(checkup.complaint());
+    if (!checkup.done()) {
+        dimText(checkup.busy() ? "Looking for what could upset the algorithm ..."
+                               : "The doctor looks at the points once the run was gone through.");
+        if (checkup.busy()) ImGui::ProgressBar(static_cast<float>(checkup.share()), {-1.0F, 0.0F});
+        return;
+    }
+    if (checkup.findings().empty()) {
+        dimText("Nothing found: " + std::to_string(doctorChecks().size()) +
+                " checks say that these points will not upset the algorithm.");
+        return;
+    }
+    drawFixAll(context);
+    dimText("A click on a finding marks its points and frames them.");
+    for (const Finding& finding : checkup.findings()) drawFinding(context, finding);
+}
+
+}  // namespace se::view

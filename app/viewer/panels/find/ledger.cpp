@@ -1,0 +1,112 @@
+#include "commands/ask_actions.h"
+#include "decision_rows.h"
+#include "jobs/questions.h"
+#include "panels/widgets/text_field.h"
+#include "panels/widgets/widgets.h"
+#include "rows/line_text.h"
+#include "run/number_format.h"
+
+namespace se::view {
+
+namespace {
+
+/// Broken at blanks only: never inside of an address.
+void paragraph(const PanelContext& context, const std::string& text) {
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.05F * context.em});
+    for (const std::string& line : wrapped(text, ImGui::GetContentRegionAvail().x))
+        ImGui::TextUnformatted(line.c_str());
+    ImGui::PopStyleVar();
+    ImGui::Dummy({0.0F, 0.1F * context.em});
+}
+
+/// What one can ask about without finding it in the view: also what is not there.
+void drawQuestionBox(const PanelContext& context) {
+    LedgerPanel& panel = context.ui().ledger;
+    const float button = ImGui::CalcTextSize("Why?").x + 1.5F * context.em;
+    if (std::exchange(panel.wantsKeyboard, false)) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button);
+    const bool entered = textField("##subject", "812 or 812,640 or ring", panel.typed,
+                                   ImGuiInputTextFlags_EnterReturnsTrue);
+    if (ImGui::IsItemActive()) context.ui().typing.takesKeys();
+    if (ImGui::IsItemVisible()) context.ui().where["ledger box"] = lastItem();
+    ImGui::SameLine();
+    if (ImGui::Button("Why?") || entered) askTyped(context.commands);
+    if (!panel.complaint.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
+        paragraph(context, panel.complaint);
+        ImGui::PopStyleColor();
+    }
+}
+
+void drawEmpty(const PanelContext& context) {
+    const std::string key = context.key("ask.why");
+    dimText(
+        "Why is it there? Why is it not? Click a point, an edge or a triangle in the "
+        "view and press " +
+        key + ", or click it with the right button.");
+    ImGui::Spacing();
+    dimText(
+        "For what is not there: type its points above, such as 812,640 for an edge. Or select one "
+        "point, and click the other with the right button.");
+    ImGui::Spacing();
+    dimText("ring asks what made the active ring, ring #2 the second on the stack.");
+}
+
+void drawAnswer(const PanelContext& context, const WhyAnswer& ledger) {
+    ImGui::Spacing();
+    paragraph(context, withShortNumbers(ledger.answer));
+    if (ImGui::SmallButton("Go to the cause")) {
+        goToDecision(context, ledger.lines[ledger.cause].event.address, FrameWish::Focus);
+    }
+    if (ImGui::IsItemVisible()) context.ui().where["ledger cause"] = lastItem();
+    tooltip(toString(ledger.lines[ledger.cause].event.address));
+    ImGui::SameLine();
+    if (ImGui::SmallButton("Copy as text")) {
+        ImGui::SetClipboardText(ledgerText(ledger.answer, ledger.lines, ledger.cause).c_str());
+        context.session().say("Copied the answer and its " + grouped(ledger.lines.size()) +
+                              " lines.");
+    }
+    if (ImGui::IsItemVisible()) context.ui().where["ledger copy"] = lastItem();
+    ImGui::Spacing();
+    const DecisionRows rows{ledger.lines, context.ui().ledger.list, ledger.cause};
+    if (const auto line = drawDecisionRows(context, rows))
+        goToDecision(context, ledger.lines[*line].event.address, FrameWish::Focus);
+}
+
+/// While the panel is in sight, what is picked is asked about.
+void followSelection(const PanelContext& context) {
+    Session& session = context.session();
+    Selection& seen = context.ui().ledger.seen;
+    if (session.selection() == seen) return;
+    seen = session.selection();
+    if (seen.kind == SelectionKind::None || seen == session.questions().subject()) return;
+    session.questions().askWhy(seen);
+}
+
+}  // namespace
+
+void drawLedger(const PanelContext& context) {
+    Session& session = context.session();
+    if (!session.ready()) {
+        ImGui::TextDisabled("Nothing is open.");
+        return;
+    }
+    followSelection(context);
+    Questions& questions = session.questions();
+    heading(context, "Ledger", questions.subjectName());
+    drawQuestionBox(context);
+    const ScrolledBody body(context, "##ledgerBody");
+    Inquiry<WhyAnswer>& ledger = questions.ledger();
+    if (ledger.busy()) {
+        if (drawAsking(context, "Making the run again ...", ledger.share())) ledger.stop();
+    } else if (!ledger.complaint().empty()) {
+        dimText(ledger.complaint());
+        if (ImGui::SmallButton("Ask again")) questions.askAgain();
+    } else if (const WhyAnswer* answer = ledger.answer()) {
+        drawAnswer(context, *answer);
+    } else {
+        drawEmpty(context);
+    }
+}
+
+}  // namespace se::view

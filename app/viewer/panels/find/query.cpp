@@ -1,0 +1,209 @@
+#include <algorithm>
+#include <cstdio>
+#include <glm/geometric.hpp>
+
+#include "commands/ask_actions.h"
+#include "commands/break_commands.h"
+#include "decision_rows.h"
+#include "jobs/questions.h"
+#include "panels/widgets/text_field.h"
+#include "panels/widgets/widgets.h"
+#include "query_field.h"
+#include "rows/line_text.h"
+#include "rows/query_words.h"
+
+namespace se::view {
+
+namespace {
+
+/// Ready to be asked; each shows something on most inputs.
+constexpr const char* kExamples[] = {"stage=sphere kept margin<1e-3", "refused section=6.1",
+                                     "failure", "angle<10", "stage=split"};
+
+/// The two lists of the panel, one of them in sight.
+void drawChoice(const PanelContext& context) {
+    QueryPanel& panel = context.ui().query;
+    const auto choice = [&](const char* title, const char* name, QueryList list) {
+        const bool on = panel.shown == list;
+        if (on) ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent));
+        if (on) ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.accentText));
+        if (ImGui::Button(title)) panel.shown = list;
+        if (on) ImGui::PopStyleColor(2);
+        context.ui().where[name] = lastItem();
+    };
+    choice("By words", "query words", QueryList::Found);
+    ImGui::SameLine();
+    choice("Closest calls", "query closest", QueryList::Closest);
+}
+
+/// Keeps what is typed and what is offered in step with each other.
+void drawLine(const PanelContext& context) {
+    QueryPanel& panel = context.ui().query;
+    const float button = ImGui::CalcTextSize("Find").x + 1.5F * context.em;
+    if (std::exchange(panel.wantsKeyboard, false)) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button);
+    const bool entered = textField("##query", "stage=sphere kept margin<1e-4", panel.typed,
+                                   ImGuiInputTextFlags_EnterReturnsTrue);
+    panel.typing = ImGui::IsItemActive();
+    if (panel.typing) context.ui().typing.takesKeys();
+    context.ui().where["query box"] = lastItem();
+    ImGui::SameLine();
+    if (ImGui::Button("Find") || entered) findTyped(context.commands);
+}
+
+/// What is wrong with the line, as soon as it is: but not with the word that is being typed.
+void drawMistake(const PanelContext& context) {
+    const QueryPanel& panel = context.ui().query;
+    const std::string& asked = context.session().questions().line();
+    const bool done = !panel.typing || panel.typed.ends_with(' ') || panel.typed == asked;
+    const std::string complaint = queryComplaint(context, panel.typed);
+    if (complaint.empty() || !done) return;
+    wrappedText(complaint, context.palette.rejected);
+}
+
+void drawTerm(const PanelContext& context, const QueryTerm& term, bool wide) {
+    QueryPanel& panel = context.ui().query;
+    const std::string form(term.form);
+    const std::string meaning(term.meaning);
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    if (ImGui::Selectable(form.c_str(), false, ImGuiSelectableFlags_SpanAllColumns)) {
+        panel.typed = completed(panel.typed, term);
+        panel.wantsKeyboard = true;
+    }
+    if (ImGui::IsItemVisible()) context.ui().where["term " + form] = lastItem();
+    if (!wide) return tooltip(meaning);
+    ImGui::TableNextColumn();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.05F * context.em});
+    for (const std::string& line : wrapped(meaning, ImGui::GetContentRegionAvail().x))
+        ImGui::TextDisabled("%s", line.c_str());
+    ImGui::PopStyleVar();
+}
+
+/// The terms that the last word may become; a click completes it.
+void drawTerms(const PanelContext& context) {
+    const bool wide = ImGui::GetContentRegionAvail().x > 15.0F * context.em;
+    if (!ImGui::BeginTable("##terms", wide ? 2 : 1, ImGuiTableFlags_SizingStretchProp)) return;
+    if (wide) {
+        ImGui::TableSetupColumn("form", ImGuiTableColumnFlags_WidthFixed, 7.6F * context.em);
+        ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthStretch);
+    }
+    for (const QueryTerm* term : termsFor(context.ui().query.typed)) drawTerm(context, *term, wide);
+    ImGui::EndTable();
+}
+
+void drawHelp(const PanelContext& context) {
+    QueryPanel& panel = context.ui().query;
+    dimText("Finds decisions of the whole run. All words must hold. Such as:");
+    for (const char* example : kExamples) {
+        if (ImGui::Selectable(example)) {
+            panel.typed = example;
+            findTyped(context.commands);
+        }
+        context.ui().where[std::string("example ") + example] = lastItem();
+    }
+    ImGui::Spacing();
+    dimText("The words; a click puts one into the line:");
+    drawTerms(context);
+}
+
+void drawFound(const PanelContext& context, const FoundDecisions& found) {
+    const bool all = found.total == found.lines.size();
+    std::string text = found.total == 0   ? "No decision is like that."
+                       : found.total == 1 ? "1 decision"
+                                          : grouped(found.total) + " decisions";
+    if (!all) text += ", the first " + grouped(found.lines.size());
+    ImGui::TextUnformatted(text.c_str());
+    if (found.lines.empty()) return;
+    const std::string keys = context.key("ask.hit.previous") + " / " + context.key("ask.hit.next");
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", keys.c_str());
+    tooltip("To the previous / next one from where the cursor is");
+    if (ImGui::SmallButton("Break at these"))
+        addBreakpoint(context.commands, {"", context.session().questions().line()});
+    context.ui().where["query break"] = lastItem();
+    const DecisionRows rows{found.lines, context.ui().query.found};
+    if (const auto line = drawDecisionRows(context, rows))
+        goToDecision(context, found.lines[*line].event.address, FrameWish::Pivot);
+}
+
+void drawByWords(const PanelContext& context) {
+    const QueryPanel& panel = context.ui().query;
+    Questions& questions = context.session().questions();
+    drawLine(context);
+    drawMistake(context);
+    const ScrolledBody body(context, "##queryBody");
+    Inquiry<FoundDecisions>& found = questions.found();
+    // While somebody types, the words are of more use than what was found before.
+    if (panel.typing && panel.typed != questions.line()) return drawTerms(context);
+    if (found.busy()) {
+        if (drawAsking(context, "Making the run again ...", found.share())) found.stop();
+    } else if (!found.complaint().empty()) {
+        dimText(found.complaint());
+    } else if (const FoundDecisions* answer = found.answer()) {
+        drawFound(context, *answer);
+    } else {
+        drawHelp(context);
+    }
+}
+
+/// The move in full stands in the tooltip.
+std::string nudgeText(const Nudge& nudge) {
+    char text[64];
+    std::snprintf(text, sizeof text, "moving %u by %.2g turns it", nudge.point,
+                  glm::length(nudge.by));
+    return text;
+}
+
+std::string moveText(const Nudge& nudge) {
+    char text[120];
+    std::snprintf(text, sizeof text, "Moving %u by (%.6g, %.6g, %.6g) turns it.", nudge.point,
+                  nudge.by.x, nudge.by.y, nudge.by.z);
+    return text;
+}
+
+void drawCalls(const PanelContext& context, const ClosestAnswer& closest) {
+    if (closest.lines.empty()) return dimText("No decision of this run compared a number.");
+    dimText("The decisions nearest to going the other way, the nearest first.");
+    bool tinted = context.ui().settings.pointTint == PointTint::Margin;
+    if (ImGui::Checkbox("Tint points by margin", &tinted))
+        context.run(tinted ? "view.points.margin" : "view.points.status");
+    context.ui().where["tint margin"] = lastItem();
+    const DecisionRows rows{
+        closest.lines, context.ui().query.closest, {}, false, [&](std::size_t i) {
+            const ClosestCall& call = closest.calls.calls[i];
+            return RowNote{nudgeText(call.nudge), moveText(call.nudge)};
+        }};
+    if (const auto line = drawDecisionRows(context, rows))
+        goToDecision(context, closest.lines[*line].event.address, FrameWish::Pivot);
+}
+
+void drawClosest(const PanelContext& context) {
+    Questions& questions = context.session().questions();
+    Inquiry<ClosestAnswer>& closest = questions.closest();
+    questions.wantClosest();
+    const ScrolledBody body(context, "##closestBody");
+    if (closest.busy()) {
+        if (drawAsking(context, "Making the run again ...", closest.share())) closest.stop();
+    } else if (const ClosestAnswer* answer = closest.answer()) {
+        drawCalls(context, *answer);
+    } else {
+        dimText(closest.complaint());
+        if (ImGui::SmallButton("Ask again")) closest.forget();
+    }
+}
+
+}  // namespace
+
+void drawQuery(const PanelContext& context) {
+    const Session& session = context.session();
+    if (!session.ready()) {
+        ImGui::TextDisabled("Nothing is open.");
+        return;
+    }
+    heading(context, "Query");
+    drawChoice(context);
+    context.ui().query.shown == QueryList::Found ? drawByWords(context) : drawClosest(context);
+}
+
+}  // namespace se::view

@@ -1,0 +1,135 @@
+#include "subject_menu.h"
+
+#include <algorithm>
+#include <array>
+
+#include "commands/ask_actions.h"
+#include "panel_state/what_if_offers.h"
+#include "panels/widgets/widgets.h"
+
+namespace se::view {
+
+namespace {
+
+/// The edge or triangle of what is selected and this point: the way to ask for one that is not
+/// there.
+std::optional<Selection> together(const Selection& selected, const Selection& what) {
+    if (what.kind != SelectionKind::Point) return std::nullopt;
+    const Index p = what.points[0];
+    const auto corners = selected.corners();
+    if (std::find(corners.begin(), corners.end(), p) != corners.end()) return std::nullopt;
+    if (selected.kind == SelectionKind::Point) return Selection::ofEdge(corners[0], p);
+    if (selected.kind == SelectionKind::Edge)
+        return Selection::ofTriangle({corners[0], corners[1], p});
+    return std::nullopt;
+}
+
+void drawTogether(const PanelContext& context, const Selection& what) {
+    const auto both = together(context.session().selection(), what);
+    if (!both) return;
+    const std::string title = "Why, or why not: " + selectionText(*both);
+    if (ImGui::MenuItem(title.c_str())) askWhy(context.commands, *both);
+    context.ui().where["menu together"] = lastItem();
+}
+
+/// What may happen otherwise to a point: the run forks.
+void drawWhatIfs(const PanelContext& context, Index point) {
+    Session& session = context.session();
+    ImGui::Separator();
+    ImGui::TextDisabled("What if ...");
+    const RuleSet rules = session.rules();
+    const auto offers = offersAbout(session, point);
+    for (std::size_t i = 0; i < offers.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::MenuItem(offers[i].label.c_str())) {
+            context.ui().requests.rules = withWhatIf(rules, offers[i].what);
+        }
+        ImGui::PopID();
+        context.ui().where["menu what if " + std::to_string(i + 1)] = lastItem();
+        tooltip(describe(offers[i].what));
+    }
+    if (ImGui::MenuItem("Move it, or edit its list...")) {
+        session.select(point);
+        context.run("view.whatif");
+    }
+}
+
+void drawEntries(const PanelContext& context, const Selection& what) {
+    Session& session = context.session();
+    if (ImGui::MenuItem("Why? Why not?", context.key("ask.why").c_str()))
+        askWhy(context.commands, what);
+    context.ui().where["menu why"] = lastItem();
+    drawTogether(context, what);
+    ImGui::Separator();
+    if (ImGui::MenuItem("Select", nullptr, session.selection() == what)) session.select(what);
+    if (ImGui::MenuItem("Frame", context.key("view.frame").c_str())) {
+        session.select(what);
+        context.ui().requests.frame = FrameWish::Focus;
+    }
+    if (ImGui::MenuItem("Breakpoint", context.key("run.break").c_str())) {
+        session.select(what);
+        context.run("run.break");
+    }
+    context.ui().where["menu break"] = lastItem();
+    if (what.kind == SelectionKind::Point) {
+        if (ImGui::MenuItem("Go to its next decision")) {
+            context.playback().pause();
+            session.select(what);
+            session.goToPoint(what.points[0]);
+        }
+        drawWhatIfs(context, what.points[0]);
+    } else if (ImGui::MenuItem("Go to where it was made")) {
+        session.select(what);
+        context.run("step.birth");
+    }
+}
+
+/// Of a thing in the view of the other run: what can be asked and done there.
+void drawBeside(const PanelContext& context, const Selection& what) {
+    const Comparison* now = context.ui().compare.now;
+    if (what.kind == SelectionKind::None || now == nullptr || now->other() == nullptr) {
+        ImGui::TextDisabled("B is a finished mesh: it has no decisions to ask about.");
+        context.ui().where["menu beside"] = lastItem();
+        return;
+    }
+    ImGui::TextDisabled("B: %s", selectionText(what).c_str());
+    if (ImGui::MenuItem("Why? Why not? In both runs", context.key("ask.why").c_str()))
+        askWhy(context.commands, what);
+    context.ui().where["menu why"] = lastItem();
+    ImGui::Separator();
+    if (ImGui::MenuItem("Select", nullptr, context.session().selection() == what))
+        context.session().select(what);
+    if (ImGui::MenuItem("Frame", context.key("view.frame").c_str())) {
+        context.session().select(what);
+        context.ui().requests.frame = FrameWish::Focus;
+    }
+    ImGui::Separator();
+    ImGui::TextDisabled("Breakpoints and what-ifs are those of A.");
+    if (ImGui::MenuItem("Make B the run A (Swap)")) {
+        context.session().select(what);
+        context.ui().compare.ask = CompareAsk::Swap;
+    }
+    context.ui().where["menu swap"] = lastItem();
+}
+
+void drawMenu(const PanelContext& context, const SubjectMenu& menu) {
+    if (menu.other) return drawBeside(context, menu.what);
+    ImGui::TextDisabled("%s",
+                        menu.ring ? nameOf(*menu.ring).c_str() : selectionText(menu.what).c_str());
+    if (!menu.ring) return drawEntries(context, menu.what);
+    if (ImGui::MenuItem("Why? What made it?")) askWhy(context.commands, *menu.ring);
+    context.ui().where["menu why"] = lastItem();
+}
+
+}  // namespace
+
+void drawSubjectMenu(const PanelContext& context) {
+    SubjectMenu& menu = context.ui().subjectMenu;
+    if (!context.session().ready()) return;
+    if (std::exchange(menu.wanted, false)) ImGui::OpenPopup("##subjectMenu");
+    if (!ImGui::BeginPopup("##subjectMenu")) return;
+    drawMenu(context, menu);
+    ImGui::EndPopup();
+}
+
+}  // namespace se::view

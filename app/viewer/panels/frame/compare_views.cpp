@@ -1,0 +1,156 @@
+// The two views of the layout Compare: their titles, the second one, and its sentence.
+#include <algorithm>
+
+#include "panels/panel.h"
+#include "panels/widgets/camera_mouse.h"
+#include "panels/widgets/widgets.h"
+#include "view_parts.h"
+
+namespace se::view {
+
+namespace {
+
+/// "A  paper rules", and at the right end what only this one has.
+void drawTitle(const PanelContext& context, const Rect& bar, const char* letter,
+               const std::string& name, const Color& color, const std::string& note) {
+    const float em = context.em;
+    if (bar.size.x < em) return;
+    const std::string window = std::string("##title") + letter;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    // Lower than windows are: else it would cover the top of the view.
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    const bool open =
+        beginRegion(window.c_str(), bar, ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoScrollbar);
+    ImGui::PopStyleVar(2);
+    if (open) {
+        ImDrawList* list = ImGui::GetWindowDrawList();
+        list->AddRectFilled(toVec2(bar.min), toVec2(bar.max()), toU32(context.palette.panelRaised));
+        list->AddRectFilled(toVec2(bar.min), {bar.min.x + 0.3F * em, bar.max().y}, toU32(color));
+        const float y = bar.min.y + 0.5F * (bar.size.y - em);
+        list->AddText(context.fonts.strong, em, {bar.min.x + 0.8F * em, y}, toU32(color), letter);
+        const float noteWidth = note.empty() ? 0.0F : ImGui::CalcTextSize(note.c_str()).x;
+        const float room = bar.size.x - 2.2F * em - 0.7F * em;
+        const bool both = noteWidth + 6.0F * em <= room;
+        const std::string shown = fitted(name, both ? room - noteWidth - em : room);
+        list->AddText({bar.min.x + 2.2F * em, y}, toU32(context.palette.text), shown.c_str());
+        if (both)
+            list->AddText({bar.max().x - 0.7F * em - noteWidth, y}, toU32(color), note.c_str());
+    }
+    ImGui::End();
+}
+
+/// Nothing is there yet.
+void drawEmptyView(const PanelContext& context) {
+    const Rect& view = context.layout.otherView;
+    if (beginRegion("##otherEmpty", view)) {
+        const Comparison* now = context.ui().compare.now;
+        const bool chosen = now != nullptr && now->chosen();
+        const float width = std::min(view.size.x - 2.0F * context.em, 20.0F * context.em);
+        // In a low view too the button is in sight.
+        const float top = std::max(0.3F * context.em,
+                                   std::min(0.35F * view.size.y, view.size.y - 5.8F * context.em));
+        ImGui::SetCursorPos({0.5F * (view.size.x - width), top});
+        ImGui::BeginGroup();
+        if (chosen) {
+            dimText(now->complaint().empty() ? "Being opened and compared ..." : now->complaint(),
+                    width);
+        } else {
+            dimText("Choose on the left what to compare this run with, or", width);
+            const std::string usual = usualOther(context.session().spec()).rules + " rules";
+            if (ImGui::Button(("Compare with the " + usual).c_str())) context.run("run.compare");
+            context.ui().where["compare usual"] = lastItem();
+        }
+        ImGui::EndGroup();
+    }
+    ImGui::End();
+}
+
+/// A mesh from a file: it can be looked at, there is nothing to step through.
+void drawStill(const PanelContext& context) {
+    const Rect& view = context.layout.view;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    const bool open = beginRegion(
+        "##otherStill", view, ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar();
+    if (open && view.size.x >= 1.0F && view.size.y >= 1.0F) {
+        ImGui::SetCursorScreenPos(toVec2(view.min));
+        ImGui::InvisibleButton("##scene", toVec2(view.size),
+                               ImGuiButtonFlags_MouseButtonLeft |
+                                   ImGuiButtonFlags_MouseButtonRight |
+                                   ImGuiButtonFlags_MouseButtonMiddle);
+        moveCameraByMouse(context);
+        if (isClick(context, ImGuiMouseButton_Right)) context.ui().subjectMenu.openBeside({});
+        const auto texture =
+            reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(context.viewTexture));
+        ImGui::GetWindowDrawList()->AddImage(texture, toVec2(view.min), toVec2(view.max()), {0, 1},
+                                             {1, 0});
+    }
+    ImGui::End();
+}
+
+/// The same window, seen from the other run.
+void drawOther(const PanelContext& context) {
+    const OtherView& other = *context.other;
+    Layout layout = context.layout;
+    layout.view = layout.otherView;
+    layout.narration = layout.otherNarration;
+    const PanelContext there{other.commands != nullptr ? *other.commands : context.commands,
+                             context.palette,
+                             context.fonts,
+                             layout,
+                             other.list,
+                             other.counts,
+                             context.em,
+                             other.texture,
+                             nullptr,
+                             true,
+                             &context.session()};
+    if (other.commands == nullptr) return drawStill(there);
+    drawScene(there, "##otherView");
+    drawSentence(there, "##otherNarration");
+}
+
+/// "B 212.sphere.3" where it stands.
+std::string noteOf(const Session& session, std::size_t only) {
+    const std::string place =
+        session.event() != nullptr ? toString(session.address()) : std::string("start");
+    return place + "   " + grouped(only) + " only here";
+}
+
+void drawEmptySentence(const PanelContext& context) {
+    if (beginRegion("##otherNarration", context.layout.otherNarration)) {
+        const bool mesh = context.other != nullptr && context.other->commands == nullptr;
+        if (mesh) ImGui::TextDisabled("A finished mesh: no decisions of its own.");
+    }
+    ImGui::End();
+}
+
+}  // namespace
+
+void drawComparedViews(const PanelContext& context) {
+    const Layout& layout = context.layout;
+    const Session& run = context.session();
+    context.ui().where["region other view"] = layout.otherView;
+    const Comparison* now = context.ui().compare.now;
+    const Compared* found = context.ui().compare.result();
+    const bool chosen = now != nullptr && now->chosen();
+    const std::string noteA = found != nullptr ? noteOf(run, found->meshes.onlyA) : "";
+    drawTitle(context, layout.title, "A", run.ready() ? runTitle(run.spec()) : "",
+              context.palette.used, noteA);
+    std::string nameB = "nothing yet";
+    std::string noteB;
+    if (chosen && now->with().kind == CompareWith::Kind::Mesh) {
+        nameB = meshTitle(now->with());
+        if (found != nullptr) noteB = grouped(found->meshes.onlyB) + " only here";
+    } else if (chosen && run.ready()) {
+        nameB = differenceText(run.spec(), now->with().run);
+        if (found != nullptr && now->other() != nullptr)
+            noteB = noteOf(*now->other(), found->meshes.onlyB);
+    }
+    drawTitle(context, layout.otherTitle, "B", nameB, context.palette.last, noteB);
+    if (context.other == nullptr) drawEmptyView(context);
+    if (context.other != nullptr) drawOther(context);
+    if (context.other == nullptr || context.other->commands == nullptr) drawEmptySentence(context);
+}
+
+}  // namespace se::view

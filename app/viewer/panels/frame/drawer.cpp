@@ -1,0 +1,75 @@
+#include <algorithm>
+
+#include "panels/widgets/widgets.h"
+#include "strips.h"
+
+namespace se::view {
+
+namespace {
+
+/// Left of the bars: the names. Right of them: a margin.
+constexpr float kGutter = 4.4F;
+constexpr float kDrawerMargin = 0.9F;
+
+void drawFoldButton(const PanelContext& context) {
+    const float em = context.em;
+    const Rect& run = context.layout.runStrip;
+    const bool folded = context.layout.drawerFolded;
+    const ImVec2 at(run.min.x + 0.4F * em, run.max().y - 1.6F * em);
+    ImGui::SetCursorScreenPos(at);
+    const float side = 1.3F * em;
+    if (ImGui::InvisibleButton("##fold", {side, side})) context.run("view.drawer");
+    const bool hovered = ImGui::IsItemHovered();
+    tooltip(folded ? "Show the strips PIVOT and STAGE too (Ctrl+J)"
+                   : "Fold the drawer to the strip RUN (Ctrl+J)");
+    const ImVec2 c(at.x + 0.5F * side, at.y + 0.5F * side);
+    const float r = 0.32F * em;
+    const float tip = folded ? -0.5F * r : 0.5F * r;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    if (hovered) {
+        list->AddRectFilled(at, {at.x + side, at.y + side}, toU32(context.palette.panelRaised),
+                            0.2F * em);
+    }
+    const ImVec2 chevron[3] = {{c.x - r, c.y - tip}, {c.x, c.y + tip}, {c.x + r, c.y - tip}};
+    list->AddPolyline(chevron, 3, toU32(hovered ? context.palette.text : context.palette.textDim),
+                      0, std::max(1.5F, 0.12F * em));
+}
+
+}  // namespace
+
+Rect barsOf(const PanelContext& context, const Rect& strip, float height, float top) {
+    const float left = kGutter * context.em;
+    const float right = kDrawerMargin * context.em;
+    return {{strip.min.x + left, strip.min.y + top},
+            {std::max(1.0F, strip.size.x - left - right), std::max(1.0F, height)}};
+}
+
+void stripName(const PanelContext& context, const char* name, const Rect& bars) {
+    ImFont* font = context.fonts.strong;
+    const float size = 0.85F * context.em;
+    const float y = bars.min.y + 0.5F * (std::min(bars.size.y, 1.6F * context.em) - size);
+    ImGui::GetWindowDrawList()->AddText(font, size, {0.7F * context.em, y - 0.1F * size},
+                                        toU32(context.palette.textDim), name);
+}
+
+void keepSteps(const PanelContext& context) {
+    const Session& session = context.session();
+    if (!session.ready()) return;
+    context.ui().navigation.steps.update(session.overview(), session.generation(), session.record(),
+                                         session.cursor());
+}
+
+void drawDrawer(const PanelContext& context) {
+    if (beginRegion("##drawer", context.layout.drawer,
+                    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
+        drawRunStrip(context, context.layout.runStrip);
+        if (!context.layout.drawerFolded) {
+            drawPivotStrip(context, context.layout.pivotStrip);
+            drawStageStrip(context, context.layout.stageStrip);
+        }
+        drawFoldButton(context);
+    }
+    ImGui::End();
+}
+
+}  // namespace se::view

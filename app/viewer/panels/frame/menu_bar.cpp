@@ -1,0 +1,155 @@
+#include "panel_state/recent.h"
+#include "panels/panel.h"
+#include "panels/widgets/widgets.h"
+#include "spiraling_edge/scenes/scenes.h"
+
+namespace se::view {
+
+namespace {
+
+void drawRecent(const PanelContext& context) {
+    const std::vector<std::string>& recent = context.ui().recent;
+    if (!ImGui::BeginMenu("Recent", !recent.empty())) return;
+    for (const std::string& path : recent) {
+        const std::string shown = isSample(path) ? recentName(path) : path;
+        const std::string name = fitted(shown, 30.0F * context.em) + "##" + path;
+        if (ImGui::MenuItem(name.c_str())) context.ui().requests.open = path;
+    }
+    ImGui::EndMenu();
+}
+
+void drawScene(const PanelContext& context, const Scene& scene) {
+    if (ImGui::MenuItem(std::string(scene.title).c_str()))
+        context.ui().requests.open = sceneSource(scene.id);
+    tooltip(std::string(scene.watch));
+}
+
+/// Built-in inputs: those that work, and those that fail.
+void drawSceneMenu(const PanelContext& context) {
+    if (ImGui::BeginMenu("Scenes")) {
+        for (const Scene& scene : scenes()) drawScene(context, scene);
+        ImGui::EndMenu();
+    }
+    if (!ImGui::BeginMenu("What goes wrong")) return;
+    for (const FailureScene& each : failureScenes()) drawScene(context, each.scene);
+    ImGui::EndMenu();
+}
+
+/// The layouts are rows of the table of commands as well, but here one sees which one is on.
+void drawLayouts(const PanelContext& context) {
+    if (!ImGui::BeginMenu("Layout")) return;
+    for (const ArrangementRow& row : arrangements()) {
+        const bool on = context.ui().arrangement == row.id;
+        const std::string command = "view.layout." + std::string(row.name);
+        if (ImGui::MenuItem(std::string(row.title).c_str(), nullptr, on)) context.run(command);
+    }
+    ImGui::EndMenu();
+}
+
+/// The styles of the mesh likewise.
+void drawMeshStyles(const PanelContext& context) {
+    if (!ImGui::BeginMenu("Mesh")) return;
+    for (const MeshStyleRow& row : meshStyles()) {
+        const bool on = context.ui().settings.meshStyle == row.id;
+        const std::string command = "view.mesh." + std::string(row.name);
+        if (ImGui::MenuItem(std::string(row.title).c_str(), nullptr, on)) context.run(command);
+    }
+    ImGui::EndMenu();
+}
+
+/// So are the colors of the points.
+void drawPointTints(const PanelContext& context) {
+    if (!ImGui::BeginMenu("Points")) return;
+    for (const PointTintRow& row : pointTints()) {
+        const bool on = context.ui().settings.pointTint == row.id;
+        const std::string command = "view.points." + std::string(row.name);
+        if (ImGui::MenuItem(std::string(row.title).c_str(), nullptr, on)) context.run(command);
+    }
+    ImGui::EndMenu();
+}
+
+/// The submenu Up axis, with a check at the axis of the view.
+void drawUpAxes(const PanelContext& context) {
+    if (!ImGui::BeginMenu("Up axis")) return;
+    const bool chosen = context.ui().settings.up.has_value();
+    if (ImGui::MenuItem("By a guess", nullptr, !chosen)) context.run("view.up.auto");
+    for (const UpAxis axis : {UpAxis::X, UpAxis::Y, UpAxis::Z}) {
+        const std::string name(upAxisName(axis));
+        if (ImGui::MenuItem(name.c_str(), nullptr, context.camera().up() == axis))
+            context.run("view.up." + name);
+    }
+    ImGui::EndMenu();
+}
+
+/// Stands in a menu within the menu.
+bool isChoice(const Command& command) {
+    const auto among = [&](std::string_view menu) { return command.id.starts_with(menu); };
+    return (among("view.layout.") || among("view.mesh.") || among("view.points.") ||
+            among("view.up.")) &&
+           !command.id.ends_with(".next");
+}
+
+void drawItem(const PanelContext& context, const Command& command) {
+    const std::string key = context.key(command);
+    if (ImGui::MenuItem(std::string(command.title).c_str(), key.c_str())) {
+        runCommand(command, context.commands);
+    }
+}
+
+/// One menu from all commands of a group.
+void drawMenuGroup(const PanelContext& context, std::string_view group) {
+    if (!ImGui::BeginMenu(std::string(group).c_str())) return;
+    for (const Command& command : commands()) {
+        if (command.group != group) continue;
+        if (command.id == "view.up.auto") drawUpAxes(context);
+        if (isChoice(command)) continue;
+        drawItem(context, command);
+        if (command.id == "file.open") {
+            drawRecent(context);
+            drawSceneMenu(context);
+        }
+        if (command.id == "view.layout.next") drawLayouts(context);
+        if (command.id == "view.mesh.next") drawMeshStyles(context);
+        if (command.id == "view.mesh.next") drawPointTints(context);
+    }
+    ImGui::EndMenu();
+}
+
+/// What is open, as much of it as there is room for in whole words: or nothing.
+std::string fittingNote(const PanelContext& context, float room) {
+    const Session& session = context.session();
+    if (!session.ready() || context.ui().growth.open) return {};
+    const std::string& name = session.model().name;
+    // Of new points the name says how many.
+    const std::string number = isSample(session.spec().source)
+                                   ? std::string{}
+                                   : "   " + grouped(session.model().points.size()) + " points";
+    const std::string points = name + number;
+    for (const std::string& note :
+         {points + "   " + session.spec().rules + " rules", points, name}) {
+        if (ImGui::CalcTextSize(note.c_str()).x <= room) return note;
+    }
+    return room > 6.0F * context.em ? fitted(name, room) : std::string{};
+}
+
+}  // namespace
+
+void drawMenuBar(const PanelContext& context) {
+    if (!ImGui::BeginMainMenuBar()) return;
+    std::string_view last;
+    for (const Command& command : commands()) {
+        if (command.group == last) continue;
+        last = command.group;
+        drawMenuGroup(context, last);
+    }
+    // Its right end stands above that of the headings below.
+    const float end = context.layout.menu.max().x - 0.7F * context.em;
+    const float room = end - ImGui::GetCursorScreenPos().x;
+    const std::string note = fittingNote(context, room - context.em);
+    const float width = ImGui::CalcTextSize(note.c_str()).x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room - width);
+    ImGui::TextDisabled("%s", note.c_str());
+    ImGui::EndMainMenuBar();
+}
+
+}  // namespace se::view

@@ -1,0 +1,115 @@
+#include <algorithm>
+
+#include "panels/panel.h"
+#include "panels/widgets/widgets.h"
+#include "run/number_format.h"
+#include "scene/outcome.h"
+
+namespace se::view {
+
+namespace {
+
+struct Caption {
+    ImFont* font = nullptr;
+    std::vector<std::string> lines;
+    bool cut = false;  ///< The tooltip has all of it.
+};
+
+/// Too long even in the smallest print: whole lines only, and the last one says so.
+void shorten(Caption& caption, const ImVec2& room) {
+    ImGui::PushFont(caption.font);
+    const float lines =
+        (room.y + ImGui::GetStyle().ItemSpacing.y) / ImGui::GetTextLineHeightWithSpacing();
+    const auto fit = static_cast<std::size_t>(std::max(1.0F, lines));
+    if (caption.lines.size() > fit) {
+        const std::string next = caption.lines[fit];
+        caption.cut = true;
+        caption.lines.resize(fit);
+        caption.lines.back() = fittedWords(caption.lines.back() + " " + next, room.x);
+    }
+    ImGui::PopFont();
+}
+
+/// In the largest print of the layout that leaves no line out, nor of the sentence beside it.
+Caption fittingCaption(const PanelContext& context, const std::string& sentence,
+                       const std::string& beside) {
+    const Fonts& fonts = context.fonts;
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float high = room.y + ImGui::GetStyle().ItemSpacing.y;
+    Caption caption;
+    for (ImFont* font : {fonts.caption, fonts.large, fonts.text, fonts.small}) {
+        if (font == fonts.caption && context.layout.caption <= 1.0F) continue;
+        ImGui::PushFont(font);
+        caption = {font, wrapped(sentence, room.x), false};
+        const std::size_t lines = std::max(caption.lines.size(), wrapped(beside, room.x).size());
+        const float height = ImGui::GetTextLineHeightWithSpacing() * static_cast<float>(lines);
+        ImGui::PopFont();
+        if (height <= high) return caption;
+    }
+    shorten(caption, room);
+    return caption;
+}
+
+/// What is decided where a run stands, with all digits; without an event what else there is to say.
+std::string sentenceOf(const Session& session) {
+    if (const Event* event = session.event(); event != nullptr)
+        return (session.showsBefore() ? "Before this: " : "") + describe(*event) +
+               session.noticedText();
+    if (!session.message().empty()) return session.message();
+    return session.ready() ? "Nothing has been done yet: all points are UNUSED." : "";
+}
+
+/// Where nothing else says where one is.
+void drawAddressLine(const PanelContext& context) {
+    context.ui().addressLine.clear();
+    const Layout& layout = context.layout;
+    if (layout.addressLine <= 0.0F || !context.session().ready()) return;
+    const std::string text = addressAndSection(context.session());
+    const glm::vec2 at = layout.narration.min + glm::vec2(1.2F, 0.42F) * context.em;
+    const ImVec2 extent = context.fonts.text->CalcTextSizeA(context.em, 1e9F, 0.0F, text.c_str());
+    ImGui::GetWindowDrawList()->AddText(context.fonts.text, context.em, toVec2(at),
+                                        toU32(context.palette.textDim), text.c_str());
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + layout.addressLine);
+    context.ui().addressLine = text;
+    context.ui().where["address line"] = {at, {extent.x, extent.y}};
+}
+
+}  // namespace
+
+void drawNarration(const PanelContext& context) { drawSentence(context, "##narration"); }
+
+void drawSentence(const PanelContext& context, const char* window) {
+    const Session& session = context.session();
+    if (beginRegion(window, context.layout.narration)) {
+        // What else there is to say stands in the view for a while: see drawNotices().
+        const std::string whole = sentenceOf(session);
+        const std::string sentence = withShortNumbers(whole);
+        Color color = context.palette.accent;
+        if (const Event* event = session.event(); event != nullptr) {
+            color = outcomeColor(context.palette, *event).value_or(color);
+            if (!session.noticedHere().empty()) color = context.palette.rejected;
+        }
+        const Rect& area = context.layout.narration;
+        ImDrawList* list = ImGui::GetWindowDrawList();
+        list->PushClipRect(toVec2(area.min), toVec2(area.max()));
+        list->AddRectFilled(toVec2(area.min), {area.min.x + 0.3F * context.em, area.max().y},
+                            toU32(color));
+        list->PopClipRect();
+        drawAddressLine(context);
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5F * context.em);
+        const float left = ImGui::GetCursorPosX();
+        const Caption caption = fittingCaption(
+            context, sentence,
+            context.otherRun != nullptr ? withShortNumbers(sentenceOf(*context.otherRun)) : "");
+        ImGui::PushFont(caption.font);
+        for (const std::string& line : caption.lines) {
+            ImGui::SetCursorPosX(left);
+            ImGui::TextUnformatted(line.c_str());
+        }
+        ImGui::PopFont();
+        if ((caption.cut || sentence != whole) && ImGui::IsWindowHovered()) showTooltip(whole);
+    }
+    ImGui::End();
+}
+
+}  // namespace se::view

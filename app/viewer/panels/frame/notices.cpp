@@ -1,0 +1,172 @@
+#include <algorithm>
+#include <cmath>
+
+#include "panels/panel.h"
+#include "panels/widgets/widgets.h"
+
+namespace se::view {
+
+namespace {
+
+/// A plate in the middle of the view.
+bool beginNotice(const PanelContext& context, const char* name) {
+    const Rect& view = context.layout.view;
+    const glm::vec2 middle = view.min + 0.5F * view.size;
+    ImGui::SetNextWindowPos(toVec2(middle), ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize({std::min(26.0F * context.em, 0.9F * view.size.x), 0.0F});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
+    const bool open = ImGui::Begin(
+        name, nullptr,
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+            ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PopStyleVar();
+    return open;
+}
+
+const char* partName(LoadPart part) {
+    switch (part) {
+        case LoadPart::Reading:
+            return "reading the points";
+        case LoadPart::Sampling:
+            return "spreading the points";
+        case LoadPart::Preparing:
+            return "finding neighbors";
+        case LoadPart::Placing:
+            return "making the picture";
+        case LoadPart::Beginning:
+            return "beginning the run";
+    }
+    return "";
+}
+
+void drawLoading(const PanelContext& context) {
+    Session& session = context.session();
+    if (beginNotice(context, "##loading")) {
+        const std::string& source = session.opening().source;
+        heading(context, session.runsAnew() ? "Running anew" : "Opening",
+                fitted(source, 16.0F * context.em));
+        ImGui::ProgressBar(static_cast<float>(session.loadShare()), {-1.0F, 0.0F},
+                           partName(session.loadPart()));
+        if (ImGui::Button("Cancel")) session.cancelOpening();
+        context.ui().where["cancel opening"] = lastItem();
+    }
+    ImGui::End();
+}
+
+void drawError(const PanelContext& context) {
+    Session& session = context.session();
+    if (beginNotice(context, "##error")) {
+        ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
+        heading(context, "Could not open");
+        ImGui::PopStyleColor();
+        wrappedText(session.error());
+        ImGui::Spacing();
+        if (ImGui::Button("Open another...")) context.ui().fileBrowser = true;
+        ImGui::SameLine();
+        if (ImGui::Button(session.ready() ? "Go on" : "Start page")) session.dismissError();
+        context.ui().where["go on"] = lastItem();
+    }
+    ImGui::End();
+}
+
+struct Progressed {
+    std::string text;
+    float share = 0.0F;
+};
+
+/// How far the runner thread is on its way to another pivot.
+Progressed moved(const Session& session) {
+    const RunOverview& run = session.overview();
+    const std::uint32_t at = session.runnerPosition();
+    const std::uint32_t end =
+        std::max(1U, run.complete ? std::min(session.runnerTarget(), run.lastPivot)
+                                  : session.runnerTarget());
+    if (end == 0xffffffffU) return {"pivot " + grouped(at), 0.0F};
+    return {"pivot " + grouped(at) + " of " + grouped(end),
+            static_cast<float>(at) / static_cast<float>(end)};
+}
+
+/// How much of the run is known. A closed surface has two triangles to a point.
+Progressed goneThrough(const Session& session) {
+    const RunOverview& run = session.overview();
+    const auto expected = 2.0F * static_cast<float>(session.model().points.size());
+    const auto made = static_cast<float>(run.triangles.empty() ? 0 : run.triangles.back());
+    return {"pivot " + grouped(run.lastPivot), made / std::max(1.0F, expected)};
+}
+
+/// How far the hits of the breakpoints are known.
+Progressed searched(const Session& session) {
+    return {"hits", static_cast<float>(session.hits().share())};
+}
+
+/// Only for moves that take a while; others are over before this is drawn.
+void drawMove(const PanelContext& context) {
+    Session& session = context.session();
+    const Rect& view = context.layout.view;
+    ImGui::SetNextWindowPos({view.min.x + 0.5F * view.size.x, view.min.y + 1.0F * context.em},
+                            ImGuiCond_Always, {0.5F, 0.0F});
+    ImGui::SetNextWindowSize({std::min(22.0F * context.em, 0.9F * view.size.x), 0.0F});
+    if (ImGui::Begin("##move", nullptr,
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                         ImGuiWindowFlags_AlwaysAutoResize)) {
+        const Progressed move = session.awaitsStop()     ? searched(session)
+                                : session.awaitsLength() ? goneThrough(session)
+                                                         : moved(session);
+        if (session.awaitsStop()) ImGui::TextDisabled("Looking for the breakpoint ...");
+        if (session.awaitsLength()) {
+            ImGui::TextDisabled("How long is the run? It is gone through first.");
+        }
+        const float button = 4.5F * context.em;
+        ImGui::ProgressBar(std::min(1.0F, move.share),
+                           {ImGui::GetContentRegionAvail().x - button, 0.0F}, move.text.c_str());
+        ImGui::SameLine();
+        if (ImGui::Button("Stop")) session.cancelMove();
+        tooltip("Stop (Esc)");
+        context.ui().where["stop move"] = lastItem();
+    }
+    ImGui::End();
+}
+
+/// What was said lately, above the sentence of the decision and never instead of it.
+void drawSaid(const PanelContext& context) {
+    const std::string text = context.session().notice();
+    const Rect& view = context.layout.view;
+    const float em = context.em;
+    const float room = view.size.x - 4.0F * em;
+    if (text.empty() || room < 6.0F * em) return;
+    const ImVec2 pad(0.7F * em, 0.35F * em);
+    const ImVec2 extent = ImGui::CalcTextSize(text.c_str(), nullptr, false, room);
+    const ImVec2 low(std::round(view.min.x + 0.5F * (view.size.x - extent.x) - pad.x),
+                     std::round(view.max().y - extent.y - 2.0F * pad.y - 0.4F * em));
+    const ImVec2 high(low.x + extent.x + 2.0F * pad.x, low.y + extent.y + 2.0F * pad.y);
+    ImDrawList* list = ImGui::GetForegroundDrawList();
+    list->AddRectFilled(low, high, toU32(context.palette.panelRaised), 0.3F * em);
+    list->AddRect(low, high, toU32(context.palette.accent), 0.3F * em, 0,
+                  std::max(1.0F, 0.08F * em));
+    list->AddText(context.fonts.text, em, {low.x + pad.x, low.y + pad.y},
+                  toU32(context.palette.text), text.c_str(), nullptr, room);
+}
+
+/// A popup covers the view, and the start page has a place of its own for what was said.
+bool viewIsFree(const PanelContext& context) {
+    const UiState& ui = context.ui();
+    return !ui.cheatSheet && !ui.keyEditor && !ui.fileBrowser && !ui.palette.open &&
+           !ui.prepare.open && !ui.leaving.asked;
+}
+
+}  // namespace
+
+void drawNotices(const PanelContext& context) {
+    const Session& session = context.session();
+    // A run anew is over before this could be read, as a rule.
+    const bool soon = session.runsAnew() && session.anewSeconds() < kLongMove;
+    if (session.phase() == SessionPhase::Loading && !soon) drawLoading(context);
+    if (session.phase() == SessionPhase::Failed) drawError(context);
+    if (session.phase() == SessionPhase::Ready && session.busySeconds() > kLongMove)
+        drawMove(context);
+    // At the start the caption says it, and keeps it: no decision waits there.
+    if (session.ready() && session.event() != nullptr && viewIsFree(context)) drawSaid(context);
+}
+
+}  // namespace se::view

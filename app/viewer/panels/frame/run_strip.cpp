@@ -1,0 +1,360 @@
+#include <algorithm>
+#include <cmath>
+
+#include "jobs/hit_search.h"
+#include "lane_strip.h"
+#include "panels/widgets/widgets.h"
+#include "strips.h"
+
+namespace se::view {
+
+namespace {
+
+/// Paints the lanes anew if the run, the window or the room for them has changed.
+void keepPainted(const PanelContext& context, const LaneRoom& room) {
+    const Session& session = context.session();
+    const RunOverview& run = session.overview();
+    Navigation& nav = context.ui().navigation;
+    PaintedLanes& painted = nav.lanes;
+    const bool same =
+        painted.generation == session.generation() && painted.pivots == run.pivots.size() &&
+        painted.changes == run.laneChanges.size() && painted.complete == run.complete &&
+        painted.window == nav.strip && painted.room == room;
+    if (same) return;
+    painted = {session.generation(),
+               run.pivots.size(),
+               run.laneChanges.size(),
+               run.complete,
+               nav.strip,
+               room,
+               makeLanePicture(run, nav.strip, room)};
+}
+
+/// Pivots along the top, at round numbers.
+void drawScale(const RunStrip& strip) {
+    const float em = strip.context.em;
+    const double room =
+        6.0 * em / strip.bars.size.x * (strip.window().to() - strip.window().from());
+    double step = std::pow(10.0, std::ceil(std::log10(std::max(1.0, room))));
+    if (step / 5.0 >= room) {
+        step /= 5.0;
+    } else if (step / 2.0 >= room) {
+        step /= 2.0;
+    }
+    step = std::max(1.0, step);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const ImU32 color = toU32(strip.context.palette.textDim);
+    const ImU32 line = toU32(strip.context.palette.textDim.withAlpha(0.22F));
+    const float size = 0.78F * em;
+    for (double pivot = std::ceil(strip.window().from() / step) * step;
+         pivot <= strip.window().to(); pivot += step) {
+        const float x = std::round(strip.xOf(pivot));
+        const std::string text = grouped(static_cast<std::size_t>(pivot));
+        const float width =
+            strip.context.fonts.text->CalcTextSizeA(size, 1e9F, 0.0F, text.c_str()).x;
+        list->AddRectFilled({x, strip.lanes.min.y}, {x + 1.0F, strip.lanes.max().y}, line);
+        const float left =
+            std::clamp(x - 0.5F * width, strip.bars.min.x, strip.bars.max().x - width);
+        list->AddText(strip.context.fonts.text, size, {left, strip.bars.min.y}, color,
+                      text.c_str());
+    }
+}
+
+void drawAlertMarks(const RunStrip& strip) {
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float em = strip.context.em;
+    const float y = strip.lanes.min.y;
+    for (const LaneAlert& alert : strip.picture().alerts) {
+        const float x = strip.bars.min.x + alert.x;
+        list->AddTriangleFilled({x - 0.3F * em, y - 0.25F * em}, {x + 0.3F * em, y - 0.25F * em},
+                                {x, y + 0.25F * em}, toU32(strip.context.palette.rejected));
+    }
+}
+
+/// What went wrong on the way: thin strokes along the top of the lanes, one per pixel; and the
+/// three moments of the alert that is looked at.
+void drawNoticed(const RunStrip& strip) {
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const Session& session = strip.context.session();
+    const Palette& palette = strip.context.palette;
+    const float em = strip.context.em;
+    const float top = strip.lanes.min.y;
+    float last = -1.0F;
+    for (const LiveFailure& each : session.overview().failures) {
+        const float x = std::round(strip.xOf(each.address.pivot));
+        if (x == last || x < strip.bars.min.x || x > strip.bars.max().x) continue;
+        last = x;
+        list->AddRectFilled({x, top - 0.1F * em}, {x + 1.0F, top + 0.3F * em},
+                            toU32(palette.rejected));
+    }
+    const RunFailure* alert = session.alert();
+    if (alert == nullptr) return;
+    const FailureMoments& moments = alert->moments;
+    for (const LedgerLine* line : {&moments.created, &moments.unavoidable, &moments.touched}) {
+        const float x = std::round(strip.xOf(line->event.address.pivot));
+        if (x < strip.bars.min.x || x > strip.bars.max().x) continue;
+        const bool created = line == &moments.created;
+        const Color color = created ? palette.rejected : palette.text;
+        list->AddRectFilled({x - 0.04F * em, top}, {x + 0.04F * em + 1.0F, strip.lanes.max().y},
+                            toU32(color.withAlpha(0.8F)));
+        list->AddCircleFilled({x + 0.5F, strip.lanes.max().y - 0.3F * em}, 0.28F * em,
+                              toU32(color));
+    }
+}
+
+/// A flag with the number of the bookmark, as long as there is a key for it.
+void drawBookmarkMarks(const RunStrip& strip) {
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float em = strip.context.em;
+    const ImU32 color = toU32(strip.context.palette.text);
+    const Bookmarks& marks = strip.context.ui().bookmarks;
+    const float bottom = strip.lanes.max().y;
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        const float x = std::round(strip.xOf(marks[i].address.pivot));
+        if (x < strip.bars.min.x || x > strip.bars.max().x) continue;
+        list->AddRectFilled({x, strip.lanes.min.y}, {x + 1.0F, bottom},
+                            toU32(strip.context.palette.text.withAlpha(0.45F)));
+        list->AddTriangleFilled({x, bottom - 0.8F * em}, {x + 0.6F * em, bottom - 0.55F * em},
+                                {x, bottom - 0.3F * em}, color);
+        if (i >= kBookmarkKeys) continue;
+        const std::string number = std::to_string((i + 1) % kBookmarkKeys);
+        list->AddText(strip.context.fonts.text, 0.75F * em, {x + 0.65F * em, bottom - 0.95F * em},
+                      color, number.c_str());
+    }
+}
+
+/// A tick at each pivot where the run stops: upright, from the lower edge of the lanes.
+void drawStops(const RunStrip& strip) {
+    const PanelContext& context = strip.context;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float bottom = strip.lanes.max().y;
+    const float top = bottom - 0.45F * context.em;
+    const auto columns = static_cast<std::size_t>(std::max(1.0F, strip.bars.size.x));
+    const float width = std::max(2.0F, 0.12F * context.em);
+    for (const Breakpoint& each : context.session().hits().wanted()) {
+        const LineHits* known = context.session().hits().of(each.line);
+        if (!each.on || known == nullptr) continue;
+        const ImU32 color = toU32(each.logOnly ? context.palette.textDim : context.palette.test);
+        for (const std::uint32_t pivot :
+             stopPivots(each, known->list, {strip.window().from(), strip.window().to()}, columns)) {
+            const float x = std::round(strip.xOf(pivot));
+            list->AddRectFilled({x - 0.5F * width, top}, {x + 0.5F * width, bottom}, color);
+        }
+    }
+}
+
+/// Where the run and the one beside it part: half in the color of each.
+float differencePlace(const RunStrip& strip) {
+    const Compared* found = strip.context.ui().compare.result();
+    if (found == nullptr || !found->runs.first || !found->runs.first->a.line) return -1.0F;
+    return std::round(strip.xOf(found->runs.first->a.line->event.address.pivot));
+}
+
+/// The diamond that stands there; empty where there is none.
+Rect differenceMark(const RunStrip& strip) {
+    const float x = differencePlace(strip);
+    if (x < strip.bars.min.x || x > strip.bars.max().x) return {};
+    const float half = 0.4F * strip.context.em;
+    return {{x + 0.5F - half, strip.lanes.max().y - 2.0F * half}, glm::vec2(2.0F * half)};
+}
+
+void drawDifference(const RunStrip& strip) {
+    const Rect mark = differenceMark(strip);
+    if (mark.size.x <= 0.0F) return;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const Palette& palette = strip.context.palette;
+    const glm::vec2 at = mark.min + 0.5F * mark.size;
+    list->AddRectFilled({at.x - 0.5F, strip.lanes.min.y}, {at.x + 0.5F, mark.min.y},
+                        toU32(palette.text.withAlpha(0.6F)));
+    list->AddTriangleFilled({mark.min.x, at.y}, {at.x, mark.min.y}, {at.x, mark.max().y},
+                            toU32(palette.used));
+    list->AddTriangleFilled({at.x, mark.min.y}, {mark.max().x, at.y}, {at.x, mark.max().y},
+                            toU32(palette.last));
+    list->AddQuad({mark.min.x, at.y}, {at.x, mark.min.y}, {mark.max().x, at.y},
+                  {at.x, mark.max().y}, toU32(palette.background), 1.0F);
+    strip.context.ui().where["strip difference"] = mark;
+}
+
+/// About the first difference, if the mouse is there.
+std::string differenceText(const RunStrip& strip, ImVec2 mouse) {
+    const float x = differencePlace(strip);
+    if (x < 0.0F || std::abs(mouse.x - x) > 0.5F * strip.context.em) return {};
+    const RunDifference& first = *strip.context.ui().compare.result()->runs.first;
+    const auto at = [](const DifferenceSide& side) {
+        return side.line ? toString(side.line->event.address) : std::string("the run is over");
+    };
+    return "\nfirst difference: A " + at(first.a) + ", B " + at(first.b) + "\n" + first.words;
+}
+
+/// The stretch that is played again and again; a mark alone is a bracket.
+void drawLoop(const RunStrip& strip) {
+    const PlayLoop& loop = strip.context.playback().loop;
+    if (loop.empty()) return;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float em = strip.context.em;
+    const Color& tint = strip.context.palette.pivot;
+    const float top = strip.lanes.min.y;
+    const float bottom = strip.lanes.max().y;
+    if (loop.complete()) {
+        list->AddRectFilled({strip.xOf(loop.from->pivot), top}, {strip.xOf(loop.to->pivot), bottom},
+                            toU32(tint.withAlpha(0.10F)));
+    }
+    const auto bracket = [&](const Address& at, float side, const char* letter) {
+        const float x = strip.xOf(at.pivot);
+        const float width = 0.14F * em;
+        list->AddRectFilled({x - 0.5F * width, top}, {x + 0.5F * width, bottom}, toU32(tint));
+        for (const float y : {top, bottom - width}) {
+            list->AddRectFilled({std::min(x, x + side * 0.4F * em), y},
+                                {std::max(x, x + side * 0.4F * em), y + width}, toU32(tint));
+        }
+        list->AddText(
+            strip.context.fonts.text, 0.8F * em,
+            {x + side * 0.55F * em - (side < 0.0F ? 0.45F * em : 0.0F), bottom - 1.2F * em},
+            toU32(tint), letter);
+    };
+    if (loop.from) bracket(*loop.from, 1.0F, "A");
+    if (loop.to) bracket(*loop.to, -1.0F, "B");
+}
+
+void drawPlayhead(const RunStrip& strip) {
+    const Session& session = strip.context.session();
+    const float at = strip.xOf(std::min<double>(session.record().pivot, strip.window().last()));
+    if (at < strip.bars.min.x - 1.0F || at > strip.bars.max().x + 1.0F) return;
+    const float x = std::round(at);
+    const float em = strip.context.em;
+    const float top = strip.bars.min.y;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const ImU32 color = toU32(strip.context.palette.pivot);
+    list->AddRectFilled({x - 0.06F * em, top}, {x + 0.06F * em + 1.0F, strip.bars.max().y}, color);
+    list->AddTriangleFilled({x - 0.38F * em, top - 0.2F * em}, {x + 0.38F * em, top - 0.2F * em},
+                            {x, top + 0.4F * em}, color);
+}
+
+std::string tooltipText(const RunStrip& strip, std::uint32_t pivot, ImVec2 mouse) {
+    const RunOverview& run = strip.context.session().overview();
+    std::string text = "pivot " + grouped(pivot);
+    if (pivot > 0 && pivot <= run.ringLength.size()) {
+        text += "\nring of " + grouped(run.ringLength[pivot - 1]) + ", " +
+                grouped(run.stackDepth[pivot - 1]) + " stacked\n" +
+                grouped(run.triangles[pivot - 1]) + " triangles";
+    }
+    text += differenceText(strip, mouse);
+    text += gatheredText(strip, mouse);
+    // The triangle of an alert stands above the lanes, and is as wide as this.
+    const LaneAlert* alert =
+        alertNear(strip.picture(), mouse.x - strip.bars.min.x, 0.6F * strip.context.em);
+    if (alert != nullptr) text += "\n" + alertText(*alert);
+    // What the sign next to the pointer means.
+    const LaneSign* nearest = nullptr;
+    float best = 0.7F * strip.context.em;
+    for (const LaneSign& sign : strip.picture().signs) {
+        const float dx = strip.bars.min.x + sign.x - mouse.x;
+        const float distance = std::hypot(dx, strip.yOf(sign.row) - mouse.y);
+        if (distance < best) best = distance, nearest = &sign;
+    }
+    if (nearest == nullptr) return text;
+    return text + "\nring " + laneChangeText(nearest->kind) + " at pivot " +
+           grouped(nearest->pivot);
+}
+
+void handleMouse(const RunStrip& strip) {
+    Session& session = strip.context.session();
+    StripWindow& window = strip.context.ui().navigation.strip;
+    ImGui::SetCursorScreenPos(toVec2(strip.bars.min));
+    ImGui::InvisibleButton("##run", toVec2(strip.bars.size),
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+    const ImGuiIO& io = ImGui::GetIO();
+    const double share =
+        std::clamp((io.MousePos.x - strip.bars.min.x) / strip.bars.size.x, 0.0F, 1.0F);
+    const auto pivot = static_cast<std::uint32_t>(std::llround(window.pivotAt(share)));
+    const bool moved = io.MouseDelta.x != 0.0F;
+    ViewDrag& drag = strip.context.ui().viewDrag;
+    if (ImGui::IsItemActivated()) drag.begin();
+    const bool onMark = differenceMark(strip).contains({io.MousePos.x, io.MousePos.y});
+    if (ImGui::IsItemActivated() && onMark && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        // Each to its own address, as its key does.
+        strip.context.playback().pause();
+        strip.context.ui().compare.ask = CompareAsk::FirstDifference;
+    } else if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
+        const float by = drag.move({io.MousePos.x, io.MousePos.y}, 0.0F).x;
+        if (by != 0.0F) window.pan(-by / strip.bars.size.x);
+    } else if (ImGui::IsItemActive() && session.record().pivot != pivot &&
+               (ImGui::IsItemActivated() || moved)) {
+        strip.context.playback().pause();
+        session.goToPivot(pivot);
+    }
+    if (!ImGui::IsItemHovered()) return;
+    if (io.MouseWheel != 0.0F) window.zoomAt(share, io.MouseWheel);
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) window.showAll();
+    tooltip(tooltipText(strip, pivot, io.MousePos));
+}
+
+/// Keeps the strip's window on the run, and on the cursor when that moves.
+void keepWindow(const PanelContext& context) {
+    const Session& session = context.session();
+    Navigation& nav = context.ui().navigation;
+    if (nav.lanes.generation != session.generation()) nav.strip.showAll();
+    nav.strip.setLast(std::max({1U, session.overview().lastPivot, session.record().pivot}));
+    const bool moved =
+        nav.stripWatch.moved(session.generation(), session.record().pivot, session.cursor());
+    if (moved && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        nav.strip.reveal(session.record().pivot);
+    }
+}
+
+/// How much of the run there is, under the strip's name.
+void drawTotal(const RunStrip& strip) {
+    const RunOverview& run = strip.context.session().overview();
+    const float em = strip.context.em;
+    const std::string total = (run.complete ? "" : "\xE2\x89\xA5") +
+                              grouped(static_cast<std::size_t>(strip.window().last()));
+    if (strip.context.layout.drawerFolded) return;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float size = 0.85F * em;
+    const auto line = [&](float y, const std::string& text) {
+        list->AddText(strip.context.fonts.text, size, {0.7F * em, strip.bars.min.y + y * em},
+                      toU32(strip.context.palette.textDim), text.c_str());
+    };
+    line(1.15F, total);
+}
+
+}  // namespace
+
+void drawRunStrip(const PanelContext& context, const Rect& area) {
+    const Session& session = context.session();
+    const float em = context.em;
+    const bool folded = context.layout.drawerFolded;
+    const float top = 0.55F * em;
+    const Rect bars = barsOf(context, area, area.size.y - top - (folded ? 0.3F : 0.2F) * em, top);
+    stripName(context, "RUN", bars);
+    context.ui().where["strip run"] = bars;
+    if (!session.ready()) return;
+    keepWindow(context);
+    // Folded, there is room for the scale only where it covers nothing.
+    const float scale = folded ? 0.35F * em : 1.0F * em;
+    RunStrip strip{context, bars, {{bars.min.x, bars.min.y + scale}, bars.size}, 1.0F};
+    strip.lanes.size.y = bars.size.y - scale;
+    keepPainted(context, {bars.size.x, rowsFor(strip), 0.7F * em});
+    strip.pitch = pitchOf(strip);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(toVec2(strip.lanes.min), toVec2(strip.lanes.max()),
+                        toU32(context.palette.background), 0.2F * em);
+    ImGui::PushClipRect({bars.min.x - 0.4F * em, area.min.y},
+                        {bars.max().x + 0.4F * em, area.max().y}, true);
+    drawRingLengths(strip);
+    if (!folded) drawScale(strip);
+    drawLanes(strip);
+    drawAlertMarks(strip);
+    drawNoticed(strip);
+    drawLoop(strip);
+    drawStops(strip);
+    drawBookmarkMarks(strip);
+    drawPlayhead(strip);
+    drawDifference(strip);
+    ImGui::PopClipRect();
+    drawTotal(strip);
+    drawMore(strip);
+    handleMouse(strip);
+}
+
+}  // namespace se::view

@@ -1,0 +1,95 @@
+#include "screen_projection.h"
+
+#include <algorithm>
+#include <array>
+
+#include "run/pivot_neighborhood.h"
+
+namespace se::view {
+
+namespace {
+
+/// More than these are not looked at: a place has to be found within a frame.
+constexpr std::size_t kMostLines = 4000;
+constexpr std::size_t kMostSprites = 400;
+constexpr std::size_t kMostFaces = 400;
+constexpr std::size_t kMostSights = 48;
+/// Marks of this size, in em, are of points that must stay in sight.
+constexpr float kMarkFrom = 0.9F;
+/// Marks grow with the view: at most by this (gl/renderer.cpp).
+constexpr float kMarkGrowth = 1.15F;
+/// Size of a cell of the clutter, in em, and what is filled counts in it.
+constexpr float kCell = 0.5F;
+constexpr float kFaceWeight = 0.5F;
+constexpr float kSpotWeight = 1.0F;
+/// Marks of candidates, from this size on, count more.
+constexpr float kCandidateFrom = 0.6F;
+constexpr float kCandidateWeight = 4.0F;
+/// What is kept free about the pivot and about the others, in em.
+constexpr float kAboutPivot = 1.6F;
+constexpr float kAboutOthers = 0.7F;
+
+}  // namespace
+
+Sight::Sight(const PanelContext& context)
+    : context_(context),
+      view_(context.layout.view),
+      camera_(context.camera().matrices(view_.size.x / view_.size.y)) {}
+
+std::optional<glm::vec2> Sight::at(const glm::vec3& place) const {
+    const glm::vec3 seen = project(camera_, place, view_.size);
+    if (seen.z <= 0.0F) return std::nullopt;
+    return view_.min + glm::vec2(seen);
+}
+
+std::vector<LabelMark> Sight::marks() const {
+    std::vector<LabelMark> all;
+    for (const Sprite& sprite : context_.drawList.sprites) {
+        if (sprite.style.size < kMarkFrom || all.size() == kMostSights) continue;
+        const auto place = at(sprite.position);
+        if (!place || !view_.contains(*place)) continue;
+        all.push_back({*place, 0.5F * kMarkGrowth * sprite.style.size * context_.em});
+    }
+    return all;
+}
+
+std::vector<LabelMark> Sight::surroundings() const {
+    std::vector<LabelMark> all;
+    if (!context_.session().ready()) return all;
+    const Session& session = context_.session();
+    for (const Index point : surroundingsOf(session.picture())) {
+        const auto place = at(session.shown().place[point]);
+        if (!place) continue;
+        const bool pivot = point == session.picture().pivot;
+        all.push_back({*place, (pivot ? kAboutPivot : kAboutOthers) * context_.em});
+    }
+    return all;
+}
+
+Clutter Sight::clutter() const {
+    const DrawList& drawn = context_.drawList;
+    Clutter all(view_, kCell * context_.em);
+    for (std::size_t i = 0; i < std::min(kMostLines, drawn.lines.size()); ++i) {
+        const Line& line = drawn.lines[i];
+        const auto from = at(line.from);
+        const auto to = at(line.to);
+        if (from && to) all.addLine(*from, *to, line.color.a);
+    }
+    for (std::size_t i = 0; i < std::min(kMostSprites, drawn.sprites.size()); ++i) {
+        const PointStyle& style = drawn.sprites[i].style;
+        const auto place = at(drawn.sprites[i].position);
+        const float weight = style.size >= kCandidateFrom ? kCandidateWeight : kSpotWeight;
+        if (place) all.addSpot(*place, 0.5F * style.size * context_.em, weight);
+    }
+    for (std::size_t i = 0; i < std::min(kMostFaces, drawn.faces.size()); ++i) {
+        const std::array<glm::vec3, 3>& corners = drawn.faces[i].corners;
+        const auto a = at(corners[0]);
+        const auto b = at(corners[1]);
+        const auto c = at(corners[2]);
+        if (a && b && c) all.addTriangle(*a, *b, *c, kFaceWeight);
+    }
+    all.finish();
+    return all;
+}
+
+}  // namespace se::view

@@ -1,0 +1,237 @@
+#include <algorithm>
+#include <cmath>
+
+#include "panels/widgets/widgets.h"
+#include "scene/outcome.h"
+#include "spiraling_edge/replay/reading.h"
+#include "strips.h"
+
+namespace se::view {
+
+namespace {
+
+/// Narrower cells are not drawn one by one.
+constexpr float kLeastTick = 2.0F;
+/// Cells of the STAGE strip, in em.
+constexpr float kWidestCell = 10.0F;
+constexpr float kLeastCell = 2.4F;
+
+Color cellColor(const PanelContext& context, const Event& event) {
+    if (event.address.stage == Stage::Emit) return context.palette.test;
+    return outcomeColor(context.palette, event).value_or(context.palette.textDim);
+}
+
+void frameHere(const PanelContext& context, const Rect& cell) {
+    ImGui::GetWindowDrawList()->AddRect(
+        {cell.min.x - 1.0F, cell.min.y - 1.0F}, {cell.max().x + 1.0F, cell.max().y + 1.0F},
+        toU32(context.palette.pivot), 0.2F * context.em, 0, std::max(1.5F, 0.13F * context.em));
+}
+
+// ---- PIVOT: one block per stage ---------------------------------------------------------------
+
+/// A stage is as wide as its tests, but at least as wide as its name.
+std::vector<float> widthsOf(const PanelContext& context, const std::vector<StageRun>& runs,
+                            float total, float gap) {
+    const float size = 0.85F * context.em;
+    std::vector<float> widths;
+    float sum = 0.0F;
+    for (const StageRun& run : runs) {
+        const std::string name(stageName(run.stage));
+        const float text = context.fonts.text->CalcTextSizeA(size, 1e9F, 0.0F, name.c_str()).x;
+        const float cells = static_cast<float>(run.size()) * 1.15F * context.em;
+        widths.push_back(std::max(text + 0.2F * gap, std::min(cells, 0.5F * total)));
+        sum += widths.back();
+    }
+    const float room = total - gap * static_cast<float>(runs.size());
+    const float factor = std::min(1.0F, room / std::max(1.0F, sum));
+    for (float& width : widths) width *= factor;
+    return widths;
+}
+
+/// The events of a stage, one tick each; as one piece where they are too many.
+void drawTicks(const PanelContext& context, const StageRun& run, const Rect& block) {
+    const Session& session = context.session();
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float width = block.size.x / static_cast<float>(run.size());
+    if (width < kLeastTick) {
+        const bool later = run.begin > session.cursor();
+        const Color color = run.refused > 0 ? context.palette.rejected : context.palette.textDim;
+        list->AddRectFilled(toVec2(block.min), toVec2(block.max()),
+                            toU32(color.withAlpha(later ? 0.3F : 0.7F)), 0.15F * context.em);
+        return;
+    }
+    for (std::size_t e = run.begin; e < run.end; ++e) {
+        const Event& event = session.record().events[e];
+        const bool later = e > session.cursor();
+        const float x = block.min.x + width * static_cast<float>(e - run.begin);
+        const float inset = width > 4.0F ? 1.0F : 0.0F;
+        list->AddRectFilled({x + inset, block.min.y}, {x + width - inset, block.max().y},
+                            toU32(cellColor(context, event).withAlpha(later ? 0.3F : 0.85F)),
+                            0.12F * context.em);
+        if (rejects(event) && width > 0.6F * context.em) {
+            drawShape(list, {x + 0.5F * width, block.min.y + 0.5F * block.size.y},
+                      0.5F * context.em, Shape::Cross,
+                      toU32(context.palette.background.withAlpha(later ? 0.6F : 1.0F)));
+        }
+    }
+}
+
+std::string stageSummary(const StageRun& run) {
+    std::string text(stageName(run.stage));
+    const std::string section(stageSection(run.stage));
+    text += section.empty() ? ", a rule beyond the paper\n" : ", section " + section + "\n";
+    if (run.tests == 0) return text + grouped(run.size()) + (run.size() == 1 ? " step" : " steps");
+    text += grouped(run.tests) + (run.tests == 1 ? " test, " : " tests, ");
+    return text + grouped(run.refused) + " refused";
+}
+
+void drawStageBlock(const PanelContext& context, const StageRun& run, const Rect& block,
+                    float textTop) {
+    Session& session = context.session();
+    const float em = context.em;
+    const bool here = run.contains(session.cursor());
+    const float size = 0.85F * em;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const std::string name(stageName(run.stage));
+    list->PushClipRect({block.min.x, textTop}, {block.max().x + 0.3F * em, block.max().y}, true);
+    list->AddText(context.fonts.text, size, {block.min.x, textTop},
+                  toU32(here ? context.palette.text : context.palette.textDim), name.c_str());
+    list->PopClipRect();
+    drawTicks(context, run, block);
+    if (here) frameHere(context, block);
+    ImGui::SetCursorScreenPos({block.min.x, textTop});
+    ImGui::PushID(static_cast<int>(run.begin));
+    if (ImGui::InvisibleButton("##stage",
+                               {std::max(1.0F, block.size.x), block.max().y - textTop})) {
+        context.playback().pause();
+        session.goToEvent(run.begin);
+    }
+    tooltip(stageSummary(run));
+    ImGui::PopID();
+}
+
+/// The wheel anywhere on a strip. Goes first, so that what lies over it can be clicked.
+float wheelOver(const Rect& area) {
+    const ImVec2 low = toVec2(area.min);
+    const ImVec2 high = toVec2(area.max());
+    const bool here = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high);
+    return here ? ImGui::GetIO().MouseWheel : 0.0F;
+}
+
+// ---- STAGE: one cell per test -----------------------------------------------------------------
+
+std::string cellText(const Event& event, float room) {
+    if (const auto* emit = std::get_if<EmitEvidence>(&event.evidence)) {
+        // The whole number, whatever becomes of the word.
+        const std::string number = grouped(emit->triangle);
+        const std::string named = "triangle " + number;
+        return ImGui::CalcTextSize(named.c_str()).x <= room ? named : number;
+    }
+    const Index subject = subjectOf(event);
+    std::string text = subject == kNone ? std::string{} : std::to_string(subject);
+    if (const std::string_view ending = endingText(event); !ending.empty())
+        text += (text.empty() ? "" : " ") + std::string(ending);
+    if (const std::string_view word = wordOf(event); !word.empty()) {
+        text += (text.empty() ? "" : " ") + std::string(word);
+    }
+    return text.empty() ? std::string(stageName(event.address.stage)) : text;
+}
+
+void drawCell(const PanelContext& context, const Rect& cell, std::size_t index) {
+    Session& session = context.session();
+    const Event& event = session.record().events[index];
+    const float em = context.em;
+    const bool later = index > session.cursor();
+    const Color color = cellColor(context, event);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(toVec2(cell.min), toVec2(cell.max()),
+                        toU32(color.withAlpha(later ? 0.10F : 0.22F)), 0.2F * em);
+    list->AddRectFilled(toVec2(cell.min), {cell.min.x + 0.22F * em, cell.max().y},
+                        toU32(color.withAlpha(later ? 0.45F : 1.0F)), 0.1F * em);
+    const float middle = cell.min.y + 0.5F * cell.size.y;
+    float x = cell.min.x + 0.45F * em;
+    if (rejects(event)) {
+        drawShape(list, {x + 0.3F * em, middle}, 0.55F * em, Shape::Cross, toU32(color));
+        x += 0.8F * em;
+    }
+    const float room = cell.max().x - x - 0.1F * em;
+    const std::string text = fitted(cellText(event, room), room);
+    const Color ink = later ? context.palette.textDim : context.palette.text;
+    list->AddText({x, middle - 0.5F * ImGui::GetTextLineHeight()}, toU32(ink), text.c_str());
+    if (index == session.cursor()) frameHere(context, cell);
+    ImGui::SetCursorScreenPos(toVec2(cell.min));
+    ImGui::PushID(static_cast<int>(index));
+    if (ImGui::InvisibleButton("##cell", toVec2(cell.size))) {
+        context.playback().pause();
+        session.goToEvent(index);
+    }
+    if (ImGui::IsItemHovered()) {
+        context.ui().pointedAt = subjectOf(event);
+        tooltip(toString(event.address) + "\n" + describe(event));
+    }
+    ImGui::PopID();
+}
+
+const StageRun* runAtCursor(const PanelContext& context) {
+    const auto& runs = context.ui().navigation.steps.runs();
+    const std::size_t cursor = context.session().cursor();
+    const auto at = std::find_if(runs.begin(), runs.end(),
+                                 [&](const StageRun& run) { return run.contains(cursor); });
+    return at == runs.end() ? nullptr : &*at;
+}
+
+}  // namespace
+
+void drawPivotStrip(const PanelContext& context, const Rect& area) {
+    Session& session = context.session();
+    const float em = context.em;
+    const float top = 1.35F * em;
+    const Rect bars = barsOf(context, area, area.size.y - top - 0.35F * em, top);
+    stripName(context, "PIVOT", bars);
+    context.ui().where["strip pivot"] = bars;
+    if (!session.ready()) return;
+    if (const float wheel = wheelOver(area); wheel != 0.0F) {
+        context.run(wheel > 0.0F ? "step.pivot.previous" : "step.pivot.next");
+    }
+    keepSteps(context);
+    const auto& runs = context.ui().navigation.steps.runs();
+    const float gap = 0.5F * em;
+    const std::vector<float> widths = widthsOf(context, runs, bars.size.x, gap);
+    float x = bars.min.x;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        drawStageBlock(context, runs[i], {{x, bars.min.y}, {widths[i], bars.size.y}},
+                       area.min.y + 0.2F * em);
+        x += widths[i] + gap;
+    }
+}
+
+void drawStageStrip(const PanelContext& context, const Rect& area) {
+    const float em = context.em;
+    const Rect bars = barsOf(context, area, area.size.y - 0.75F * em, 0.2F * em);
+    stripName(context, "STAGE", bars);
+    context.ui().where["strip stage"] = bars;
+    const Session& session = context.session();
+    if (!session.ready()) return;
+    if (const float wheel = wheelOver(area); wheel != 0.0F) {
+        context.run(wheel > 0.0F ? "step.event.previous" : "step.event.next");
+    }
+    keepSteps(context);
+    const StageRun* run = runAtCursor(context);
+    if (run == nullptr) return;
+    // Very many: those about the cursor.
+    const auto fits = static_cast<std::size_t>(std::max(1.0F, bars.size.x / (kLeastCell * em)));
+    const std::size_t count = std::min(run->size(), fits);
+    std::size_t first = run->begin;
+    if (run->size() > count) {
+        const std::size_t before = session.cursor() - run->begin;
+        first += std::min(before - std::min(before, count / 2), run->size() - count);
+    }
+    const float pitch = std::min(kWidestCell * em, bars.size.x / static_cast<float>(count));
+    const float gap = std::min(0.3F * em, 0.1F * pitch);
+    for (std::size_t i = 0; i < count; ++i) {
+        const float x = bars.min.x + pitch * static_cast<float>(i);
+        drawCell(context, {{x, bars.min.y}, {pitch - gap, bars.size.y}}, first + i);
+    }
+}
+
+}  // namespace se::view

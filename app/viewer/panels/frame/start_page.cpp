@@ -1,0 +1,261 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include "panel_state/recent.h"
+#include "panels/panel.h"
+#include "panels/widgets/widgets.h"
+#include "run/gallery.h"
+
+namespace se::view {
+
+namespace {
+
+constexpr float kLeastTile = 14.5F;  ///< Width in em.
+constexpr float kPicture = 7.4F;     ///< Height of the picture in a tile, in em.
+constexpr const char* kDropFormats = "PLY, XYZ, PCD, OBJ, OFF; .sesession";
+constexpr float kSide = 19.0F;  ///< Width of the column beside the tiles, in em.
+
+/// Around something that can be opened.
+struct PageFrame {
+    Color color;
+    float width;
+};
+
+bool hasKeyboard() { return ImGui::IsItemFocused() && ImGui::GetIO().NavVisible; }
+
+/// Of the item drawn last: the one that has the keyboard stands out most.
+PageFrame frameOf(const Palette& palette, float em) {
+    if (hasKeyboard()) return {palette.pivot, 0.18F * em};
+    if (ImGui::IsItemHovered()) return {palette.accent, 0.12F * em};
+    return {palette.border, std::max(1.0F, 0.06F * em)};
+}
+
+void drawPicture(const PanelContext& context, ImDrawList* list, const SceneTile& tile, ImVec2 low,
+                 ImVec2 high) {
+    const Palette& palette = context.palette;
+    const ImVec2 middle(0.5F * (low.x + high.x), 0.5F * (low.y + high.y));
+    const float scale = std::min(0.44F * (high.x - low.x) / std::max(0.01F, tile.reach.x),
+                                 0.42F * (high.y - low.y) / std::max(0.01F, tile.reach.y));
+    const float dot = std::max(1.0F, 0.08F * context.em);
+    for (const ThumbnailDot& each : tile.dots) {
+        if (each.facing <= 0.0F) continue;
+        const ImU32 color = toU32(mix(palette.done, palette.used, std::min(1.0F, each.facing)));
+        const ImVec2 at(middle.x + each.at.x * scale, middle.y - each.at.y * scale);
+        list->AddRectFilled({at.x - dot, at.y - dot}, {at.x + dot, at.y + dot}, color, dot);
+    }
+}
+
+void drawSentence(const PanelContext& context, ImDrawList* list, const SceneTile& tile, ImVec2 at,
+                  float width) {
+    ImGui::PushFont(context.fonts.small);
+    for (const std::string& line : wrapped(std::string(tile.watch), width)) {
+        list->AddText(at, toU32(context.palette.textDim), line.c_str());
+        at.y += ImGui::GetTextLineHeight();
+    }
+    ImGui::PopFont();
+}
+
+/// All tiles are as high as the longest sentence needs.
+float sentenceHeight(const PanelContext& context, const StartPage& page, float width) {
+    ImGui::PushFont(context.fonts.small);
+    std::size_t lines = 1;
+    for (const SceneTile& tile : page.tiles) {
+        lines = std::max(lines, wrapped(std::string(tile.watch), width).size());
+    }
+    const float height = static_cast<float>(lines) * ImGui::GetTextLineHeight();
+    ImGui::PopFont();
+    return height;
+}
+
+void drawTile(const PanelContext& context, const SceneTile& tile, ImVec2 size) {
+    const float em = context.em;
+    const Palette& palette = context.palette;
+    const std::string id = sceneSource(tile.id);
+    if (ImGui::InvisibleButton(id.c_str(), size)) context.ui().requests.open = id;
+    const bool first = &tile == &context.ui().startPage.tiles.front();
+    if (first && context.ui().walk.offer(KeyStop::Scenes)) takeKeyboard();
+    const std::string name = (hasKeyboard() ? "chosen " : "tile ") + std::string(tile.id);
+    context.ui().where[name] = lastItem();
+    tooltip(std::string(tile.title) + " (" + id + ")\n" + std::string(tile.watch));
+    if (!ImGui::IsItemVisible()) return;
+    const PageFrame frame = frameOf(palette, em);
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float picture = low.y + kPicture * em;
+    list->AddRectFilled(low, high, toU32(palette.panelRaised), 0.3F * em);
+    list->AddRectFilled(low, {high.x, picture}, toU32(palette.background), 0.3F * em,
+                        ImDrawFlags_RoundCornersTop);
+    drawPicture(context, list, tile, low, {high.x, picture});
+    list->AddRect(low, high, toU32(frame.color), 0.3F * em, 0, frame.width);
+    const float room = size.x - 1.0F * em;
+    ImGui::PushFont(context.fonts.strong);
+    list->AddText({low.x + 0.5F * em, picture + 0.35F * em}, toU32(palette.text),
+                  fitted(std::string(tile.title), room).c_str());
+    ImGui::PopFont();
+    drawSentence(context, list, tile, {low.x + 0.5F * em, picture + 1.65F * em}, room);
+}
+
+void drawTiles(const PanelContext& context) {
+    const float em = context.em;
+    heading(context, "Scenes");
+    StartPage& page = context.ui().startPage;
+    page.prepare();
+    if (ImGui::BeginChild("##tiles", {0, 0}, false, ImGuiWindowFlags_NavFlattened)) {
+        const float gap = 0.7F * em;
+        const float width = ImGui::GetContentRegionAvail().x;
+        const int columns = std::max(1, static_cast<int>((width + gap) / (kLeastTile * em + gap)));
+        const float share = (width + gap) / static_cast<float>(columns) - gap;
+        const float sentence = sentenceHeight(context, page, std::floor(share) - 1.0F * em);
+        const ImVec2 size(std::floor(share), std::round((kPicture + 2.1F) * em + sentence));
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
+        int column = 0;
+        bool failing = false;
+        for (const SceneTile& tile : page.tiles) {
+            // Scenes that fail stand behind the others, under a heading of their own.
+            if (galleryScene(tile.id) != nullptr && !std::exchange(failing, true)) {
+                column = 0;
+                ImGui::Spacing();
+                heading(context, "What goes wrong, and why");
+            }
+            if (column++ % columns != 0) ImGui::SameLine();
+            drawTile(context, tile, size);
+        }
+        ImGui::PopStyleVar();
+    }
+    ImGui::EndChild();
+}
+
+void drawDropHint(const PanelContext& context) {
+    struct Part {
+        ImFont* font;
+        std::string text;
+        Color ink;
+    };
+    const float em = context.em;
+    const Palette& palette = context.palette;
+    const Part parts[] = {
+        {context.fonts.strong, "Drop a file here", palette.text},
+        {context.fonts.text, "or click to choose one (" + context.key("file.open") + ")",
+         palette.textDim},
+        {context.fonts.small, kDropFormats, palette.textDim}};
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float margin = 0.8F * em;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    float y = low.y + margin;
+    for (const Part& part : parts) {
+        ImGui::PushFont(part.font);
+        for (const std::string& line : wrapped(part.text, width - margin)) {
+            const float extent = ImGui::CalcTextSize(line.c_str()).x;
+            list->AddText({low.x + 0.5F * (width - extent), y}, toU32(part.ink), line.c_str());
+            y += ImGui::GetTextLineHeight();
+        }
+        ImGui::PopFont();
+        y += 0.2F * em;
+    }
+    const ImVec2 size(width, y - low.y + margin - 0.2F * em);
+    if (ImGui::InvisibleButton("##drop", size)) context.run("file.open");
+    if (context.ui().walk.offer(KeyStop::Files)) takeKeyboard();
+    const PageFrame frame = frameOf(palette, em);
+    list->AddRect(low, ImGui::GetItemRectMax(), toU32(frame.color), 0.4F * em, 0, frame.width);
+}
+
+void drawNew(const PanelContext& context) {
+    heading(context, "New points");
+    for (const char* id : {"file.new.shape", "file.new.volume"}) {
+        const Command& command = *findCommand(id);
+        const std::string key = context.key(command);
+        if (ImGui::Button(std::string(command.title).c_str(), {-1.0F, 0.0F})) context.run(id);
+        context.ui().where[std::string(hasKeyboard() ? "chosen " : "start ") + id] = lastItem();
+        tooltip(std::string(command.help) + (key.empty() ? "" : " (" + key + ")"));
+    }
+    ImGui::Spacing();
+}
+
+void drawRecentFiles(const PanelContext& context) {
+    heading(context, "Recent files");
+    const std::vector<std::string>& recent = context.ui().recent;
+    if (recent.empty()) {
+        dimText("Files that you open are listed here.");
+    }
+    const float width = ImGui::GetContentRegionAvail().x;
+    std::string chosen;
+    int place = 0;
+    for (const std::string& path : recent) {
+        const std::string label = fitted(recentName(path), width) + "##" + path;
+        if (ImGui::Selectable(label.c_str())) chosen = path;
+        const std::string what = hasKeyboard() ? "chosen recent " : "recent ";
+        context.ui().where[what + std::to_string(++place)] = lastItem();
+        tooltip(path);
+    }
+    if (!chosen.empty()) context.ui().requests.open = chosen;
+    ImGui::Spacing();
+}
+
+void drawKeys(const PanelContext& context) {
+    heading(context, "Three keys");
+    for (const char* id : {"step.event.next", "step.pivot.next", "help.keys"}) {
+        const Command& command = *findCommand(id);
+        ImGui::PushFont(context.fonts.mono);
+        ImGui::TextUnformatted(context.key(command).c_str());
+        ImGui::PopFont();
+        ImGui::SameLine(5.0F * context.em);
+        ImGui::TextUnformatted(std::string(command.title).c_str());
+    }
+    ImGui::Spacing();
+}
+
+void drawMessage(const PanelContext& context) {
+    const std::string& message = context.session().message();
+    if (message.empty()) return;
+    wrappedText("! " + message, context.palette.rejected);
+    ImGui::Spacing();
+}
+
+void drawSide(const PanelContext& context) {
+    if (ImGui::BeginChild("##startSide", {0, 0}, false, ImGuiWindowFlags_NavFlattened)) {
+        drawMessage(context);
+        drawDropHint(context);
+        ImGui::Spacing();
+        drawNew(context);
+        drawKeys(context);
+        drawRecentFiles(context);
+    }
+    ImGui::EndChild();
+}
+
+}  // namespace
+
+void drawStartPage(const PanelContext& context) {
+    const float em = context.em;
+    const glm::vec2 screen(context.layout.status.size.x, context.layout.status.max().y);
+    const float top = std::max(context.layout.menu.max().y, ImGui::GetFrameHeight());
+    const Rect area{{0.0F, top}, {screen.x, screen.y - top}};
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {1.2F * em, 0.9F * em});
+    const bool open = beginRegion("##start", area);
+    ImGui::PopStyleVar();
+    if (open) {
+        ImGui::PushFont(context.fonts.large);
+        ImGui::TextUnformatted("Watch the Spiraling Edge triangulate points, decision by decision");
+        ImGui::PopFont();
+        ImGui::Spacing();
+        const float side = std::min(kSide * em, 0.4F * area.size.x);
+        ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {0.6F * em, 0.0F});
+        if (ImGui::BeginTable("##page", 2, 0, ImGui::GetContentRegionAvail())) {
+            ImGui::TableSetupColumn("side", ImGuiTableColumnFlags_WidthFixed, side);
+            ImGui::TableSetupColumn("tiles", ImGuiTableColumnFlags_WidthStretch);
+            ImGui::TableNextColumn();
+            drawSide(context);
+            ImGui::TableNextColumn();
+            drawTiles(context);
+            ImGui::EndTable();
+        }
+        ImGui::PopStyleVar();
+    }
+    ImGui::End();
+}
+
+}  // namespace se::view

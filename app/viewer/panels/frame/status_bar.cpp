@@ -1,0 +1,94 @@
+#include <algorithm>
+#include <vector>
+
+#include "layout/status_fit.h"
+#include "panels/panel.h"
+#include "panels/widgets/widgets.h"
+
+namespace se::view {
+
+namespace {
+
+/// The address has at least this much room, so that what follows it stays where it is.
+constexpr float kAddressWidth = 10.3F;
+constexpr float kPartGap = 1.2F;
+
+/// The most important first.
+std::vector<std::string> partsOf(const PanelContext& context) {
+    const Session& session = context.session();
+    const Picture& picture = session.picture();
+    std::vector<std::string> parts;
+    if (!session.record().events.empty()) {
+        parts.push_back("event " + std::to_string(session.cursor() + 1) + "/" +
+                        std::to_string(session.record().events.size()));
+    }
+    parts.push_back("triangles " +
+                    grouped(picture.finishedTriangles + picture.newTriangles.size()));
+    const std::size_t alerts = noticedUpTo(session.overview(), session.address());
+    if (session.shown().points.size() > kMostWatched) {
+        parts.push_back("alerts not watched");
+    } else if (alerts > 0) {
+        parts.push_back("alerts " + grouped(alerts));
+    }
+    parts.push_back("unused " + grouped(context.counts.unused) + "   used " +
+                    grouped(context.counts.used) + "   done " + grouped(context.counts.done));
+    return parts;
+}
+
+/// The keys that everybody needs, as this person has them; those without a key are left out.
+std::string keysText(const PanelContext& context) {
+    struct Hint {
+        const char* command;
+        const char* what;
+    };
+    std::string text;
+    for (const Hint& each : {Hint{"step.event.next", "sub-step"}, Hint{"step.pivot.next", "pivot"},
+                             Hint{"run.play", "play"}, Hint{"help.keys", "keys"}}) {
+        const std::string key = context.key(each.command);
+        if (key.empty()) continue;
+        text += (text.empty() ? "" : "   ") + key + " " + each.what;
+    }
+    return text;
+}
+
+}  // namespace
+
+void drawStatusBar(const PanelContext& context) {
+    const float em = context.em;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.7F * em, 0.3F * em});
+    const bool open = beginRegion("##status", context.layout.status, ImGuiWindowFlags_NoScrollbar);
+    ImGui::PopStyleVar();
+    if (open) {
+        const float total = ImGui::GetContentRegionAvail().x;
+        const float left = ImGui::GetCursorPosX();
+        ImGui::PushFont(context.fonts.mono);
+        const std::string address = addressText(context.session());
+        const float width = ImGui::CalcTextSize(address.c_str()).x;
+        ImGui::TextUnformatted(address.c_str());
+        ImGui::PopFont();
+        std::vector<std::string> parts;
+        if (context.session().ready()) parts = partsOf(context);
+        const std::string keys = keysText(context);
+        std::vector<float> widths;
+        widths.reserve(parts.size() + 1);
+        for (const std::string& part : parts) {
+            widths.push_back(ImGui::CalcTextSize(part.c_str()).x);
+        }
+        widths.push_back(ImGui::CalcTextSize(keys.c_str()).x);
+        float x = left + std::max(kAddressWidth * em, width + kPartGap * em);
+        const std::size_t fits = fittingParts(left + total - x, widths, kPartGap * em);
+        for (std::size_t i = 0; i < std::min(fits, parts.size()); ++i) {
+            ImGui::SameLine(x);
+            ImGui::TextUnformatted(parts[i].c_str());
+            context.ui().where["status " + std::to_string(i + 1)] = lastItem();
+            x += widths[i] + kPartGap * em;
+        }
+        if (fits > parts.size()) {
+            ImGui::SameLine(left + total - widths.back());
+            ImGui::TextDisabled("%s", keys.c_str());
+        }
+    }
+    ImGui::End();
+}
+
+}  // namespace se::view

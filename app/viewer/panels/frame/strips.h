@@ -1,0 +1,16 @@
+/// What the three strips of the drawer have in common.
+#pragma once
+
+#include "panels/panel.h"
+
+namespace se::view {
+
+/// Where the bars of a strip are: right of its name, in the middle of its height.
+Rect barsOf(const PanelContext& context, const Rect& strip, float height, float top);
+/// The name of a strip, in the margin to the left of its bars.
+void stripName(const PanelContext& context, const char* name, const Rect& bars);
+void drawRunStrip(const PanelContext& context, const Rect& area);
+void drawPivotStrip(const PanelContext& context, const Rect& area);
+void drawStageStrip(const PanelContext& context, const Rect& area);
+
+}  // namespace se::view

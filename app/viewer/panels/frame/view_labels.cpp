@@ -1,0 +1,75 @@
+/// The labels of the view.
+#include <algorithm>
+
+#include "panels/widgets/widgets.h"
+#include "screen_projection.h"
+#include "view_parts.h"
+
+namespace se::view {
+
+namespace {
+
+struct Print {
+    ImFont* font;
+    float size;
+};
+
+Print printOf(const PanelContext& context, const Label& label) {
+    if (label.strong) return {context.fonts.strong, context.em};
+    return {context.fonts.text, 0.88F * context.em};
+}
+
+LabelRank rankOf(const Label& label) {
+    return label.essential ? LabelRank::Essential
+           : label.strong  ? LabelRank::Strong
+                           : LabelRank::Minor;
+}
+
+void drawPlate(const PanelContext& context, const Label& label, const Rect& plate) {
+    const float em = context.em;
+    const Print print = printOf(context, label);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(toVec2(plate.min), toVec2(plate.max()),
+                        toU32(context.palette.background.withAlpha(0.78F)), 0.2F * em);
+    list->AddText(print.font, print.size, {plate.min.x + 0.22F * em, plate.min.y + 0.02F * em},
+                  toU32(label.color), label.text.c_str());
+}
+
+}  // namespace
+
+void drawLabels(const PanelContext& context, std::span<const Rect> taken) {
+    const std::vector<Label>& labels = context.drawList.labels;
+    if (labels.empty()) return;
+    const Sight sight(context);
+    const float em = context.em;
+    std::vector<const Label*> seen;
+    std::vector<LabelWish> wishes;
+    for (const Label& label : labels) {
+        const auto at = sight.at(label.position);
+        if (!at) continue;
+        const Print print = printOf(context, label);
+        const ImVec2 extent = print.font->CalcTextSizeA(print.size, 1e9F, 0.0F, label.text.c_str());
+        seen.push_back(&label);
+        wishes.push_back({*at, {extent.x + 0.44F * em, extent.y + 0.04F * em}, rankOf(label)});
+    }
+    const Rect& view = context.layout.view;
+    const std::vector<LabelMark> marks = sight.marks();
+    const Clutter clutter = sight.clutter();
+    LabelRoom room{view, taken, marks, &clutter, view.min + 0.5F * view.size, em};
+    const Picture& picture = context.session().picture();
+    if (context.session().ready() && picture.pivot != kNone) {
+        room.middle =
+            sight.at(context.session().shown().place[picture.pivot]).value_or(room.middle);
+    }
+    const std::vector<PlacedLabel> placed = placeLabels(room, wishes);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    for (const PlacedLabel& each : placed) {
+        if (!each.leader) continue;
+        const glm::vec2 from = wishes[each.wish].at;
+        list->AddLine(toVec2(from), toVec2(nearestIn(each.plate, from)),
+                      toU32(seen[each.wish]->color.withAlpha(0.7F)), std::max(1.0F, 0.06F * em));
+    }
+    for (const PlacedLabel& each : placed) drawPlate(context, *seen[each.wish], each.plate);
+}
+
+}  // namespace se::view

@@ -1,0 +1,101 @@
+#include <cstdio>
+#include <string>
+#include <variant>
+
+#include "panels/panel.h"
+#include "panels/widgets/widgets.h"
+
+namespace se::view {
+
+namespace {
+
+void count(const PanelContext& context, const char* name, std::size_t value) {
+    valueRow(context, name, grouped(value),
+             value == 0 ? context.palette.textDim : context.palette.text);
+}
+
+void warn(const PanelContext& context, const char* name, std::size_t value) {
+    valueRow(context, name, grouped(value),
+             value == 0 ? context.palette.textDim : context.palette.rejected);
+}
+
+/// What was derived stands out from what the input brought.
+void origin(const PanelContext& context, const char* name, bool derived, const std::string& note) {
+    valueRow(context, name, derived ? "derived" + note : "from the input",
+             derived ? context.palette.test : context.palette.text);
+}
+
+std::string neighborNote(const PanelContext& context) {
+    const NeighborOptions& options = context.session().spec().neighbors;
+    char text[64];
+    if (const auto* nearest = std::get_if<KNearest>(&options.reach)) {
+        std::snprintf(text, sizeof text, ": %zu nearest", nearest->k);
+    } else if (const auto* reach = std::get_if<WithinSpacings>(&options.reach)) {
+        std::snprintf(text, sizeof text, ": within %.4g spacings", reach->spacings);
+    } else {
+        std::snprintf(text, sizeof text, ": within %.4g",
+                      std::get<WithinRadius>(options.reach).radius);
+    }
+    return text + std::string(options.symmetric ? ", symmetric" : "");
+}
+
+std::string normalNote(const DerivedPieces& derived) {
+    return derived.normals ? std::string{} : ": " + grouped(derived.turnedNormals) + " turned";
+}
+
+void drawInput(const PanelContext& context) {
+    const PrepareReport& report = context.session().model().report;
+    ImGui::Spacing();
+    heading(context, "Input");
+    if (!beginValues("##input", context)) return;
+    count(context, "points", context.session().model().points.size());
+    const DerivedPieces& derived = report.derived;
+    origin(context, "neighbors", report.neighborsComputed, neighborNote(context));
+    origin(context, "normals", derived.normals || derived.orientation, normalNote(derived));
+    if (derived.types) origin(context, "wall types", derived.types, {});
+    if (derived.rim) origin(context, "rims", derived.rim, {});
+    if (derived.planelessPoints > 0) warn(context, "no plane", derived.planelessPoints);
+    if (report.nonFinitePoints > 0) warn(context, "not finite", report.nonFinitePoints);
+    if (report.zeroNormals > 0) warn(context, "zero normals", report.zeroNormals);
+    if (report.duplicatePoints > 0) warn(context, "duplicates", report.duplicatePoints);
+    if (report.noisyPoints > 0) warn(context, "noise", report.noisyPoints);
+    if (report.droppedListEntries > 0) count(context, "list cleaned", report.droppedListEntries);
+    endValues();
+}
+
+}  // namespace
+
+void drawCounters(const PanelContext& context) {
+    const Session& session = context.session();
+    if (!session.ready()) return;
+    const bool complete = session.picture().complete;
+    const RunState& state = complete ? session.record().after : session.record().before;
+    const Counters& c = state.counters;
+    heading(context, "Run", complete ? "after this pivot" : "before this pivot");
+    if (beginValues("##run", context)) {
+        count(context, "triangles",
+              session.picture().finishedTriangles + session.picture().newTriangles.size());
+        count(context, "UNUSED", context.counts.unused);
+        count(context, "USED", context.counts.used);
+        count(context, "DONE", context.counts.done);
+        count(context, "pivots", c.pivots);
+        count(context, "passed over", c.skipped);
+        count(context, "seeds", c.seeds);
+        count(context, "splits", c.splits);
+        count(context, "joins", c.joins);
+        count(context, "closed rings", c.closedRings);
+        count(context, "freed rings", c.freedRings);
+        count(context, "inserted (7)", c.inserted);
+        count(context, "discarded", c.discarded);
+        count(context, "longest ring", c.maxRingLength);
+        count(context, "deepest stack", c.maxStackDepth);
+        warn(context, "isolated", c.isolated);
+        warn(context, "stranded", c.stranded);
+        warn(context, "holes", c.holes);
+        warn(context, "lost seeds", c.lostSeeds);
+        endValues();
+    }
+    drawInput(context);
+}
+
+}  // namespace se::view

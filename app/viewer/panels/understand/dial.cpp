@@ -1,0 +1,128 @@
+#include "rows/dial.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "dial_drawer.h"
+#include "panels/widgets/widgets.h"
+
+namespace se::view {
+
+namespace {
+
+/// What the second disc has of the room, in em.
+constexpr float kSecondWide = 6.6F;
+constexpr float kSecondHigh = 6.2F;
+constexpr float kBetween = 0.5F;
+/// What the first keeps at least: with less beside it, the second stands below.
+constexpr float kFirstWide = 10.5F;
+/// In a low panel one scrolls.
+constexpr float kLeastHigh = 9.0F;
+
+struct DialRooms {
+    Rect main;
+    std::optional<Rect> second;
+    float height = 0.0F;  ///< Of both.
+};
+
+/// At one of the decisions of this pivot.
+bool hasSecondDisc(const PanelContext& context) {
+    const std::vector<Event>& events = context.session().record().events;
+    return std::any_of(events.begin(), events.end(), [](const Event& each) {
+        return std::holds_alternative<ReciprocalEvidence>(each.evidence);
+    });
+}
+
+/// A pivot that has a second disc at one of its decisions keeps room for it at all of them: the
+/// first one stays where it is.
+DialRooms roomsIn(const Rect& room, const PanelContext& context) {
+    const float em = context.em;
+    const float least = std::min(kLeastHigh * em, room.size.x);
+    const auto high = [&](float rest) { return std::max(std::min(rest, room.size.x), least); };
+    DialRooms rooms{{room.min, {room.size.x, high(room.size.y)}}, std::nullopt, high(room.size.y)};
+    if (!hasSecondDisc(context)) return rooms;
+    const glm::vec2 below(kSecondWide * em, kSecondHigh * em);
+    const glm::vec2 beside(kSecondWide * em, std::min(kSecondHigh * em, rooms.height));
+    const float rest = room.size.x - beside.x - kBetween * em;
+    if (rest >= kFirstWide * em) {
+        rooms.main.size.x = rest;
+        rooms.second = Rect{room.min + glm::vec2(room.size.x, rooms.height) - beside, beside};
+        return rooms;
+    }
+    rooms.main.size.y = high(room.size.y - below.y);
+    rooms.height = rooms.main.size.y + below.y;
+    rooms.second = Rect{room.min + glm::vec2(room.size.x, rooms.height) - below, below};
+    return rooms;
+}
+
+/// Room is left for the names of all points that matter, tested or not: the disc stays where it is
+/// while the decisions of a pivot go by.
+DialDisc discIn(const Rect& room, const PanelContext& context, const Dial& dial) {
+    std::vector<RimText> texts;
+    for (const DialTick& tick : dial.ticks) {
+        if (tick.role == DialRole::Done) continue;
+        const std::string letter = tick.letter.empty() ? "" : tick.letter + " ";
+        texts.push_back({tick.degrees, letter + std::to_string(tick.point), {}});
+    }
+    for (const DialMark& mark : dial.marks) texts.push_back({mark.degrees, mark.text, {}});
+    return discWithTexts(context, room, texts);
+}
+
+void explain(const PanelContext& context, const DialTick& tick) {
+    char line[96];
+    std::snprintf(line, sizeof line, "point %u: %.1f\xC2\xB0", tick.point, tick.degrees);
+    ImGui::BeginTooltip();
+    ImGui::TextUnformatted(line);
+    const PointSet& points = context.session().shown().points;
+    const Index p = context.session().picture().pivot;
+    const double height =
+        glm::dot(points.position[tick.point] - points.position[p], points.normal[p]);
+    ImGui::TextDisabled("height %+.4g", height);
+    if (!tick.note.empty()) ImGui::TextDisabled("%s", tick.note.c_str());
+    ImGui::EndTooltip();
+}
+
+}  // namespace
+
+void drawDial(const PanelContext& context) {
+    Session& session = context.session();
+    if (!session.ready()) return;
+    const Picture& picture = session.picture();
+    const Dial dial = makeDial(session.shown(), picture, picture.event ? &*picture.event : nullptr);
+    heading(context, "Dial",
+            dial.empty() ? "" : "tangent plane at p " + std::to_string(dial.pivot));
+    if (dial.empty()) {
+        dimText(session.atEnd() ? "No pivot here: the run is finished."
+                                : "No pivot here. Step on: F11 or \xE2\x86\x92.");
+        return;
+    }
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const std::vector<std::string> caption = wrapped(dial.caption, room.x);
+    const float captionHeight = ImGui::GetTextLineHeightWithSpacing() *
+                                static_cast<float>(std::max<std::size_t>(1, caption.size()));
+    const DialRooms rooms =
+        roomsIn({{corner.x, corner.y}, {room.x, room.y - captionHeight}}, context);
+    const float height = rooms.height;
+    const Rect whole{{corner.x, corner.y}, {room.x, height}};
+    const DialDisc disc = discIn(rooms.main, context, dial);
+    if (disc.radius < 2.0F * context.em) return;
+    ImGui::InvisibleButton("##dial", {room.x, height});
+    DialDrawer drawer(context, dial, disc);
+    const bool second = dial.reciprocal && rooms.second;
+    drawer.draw(whole, second ? std::span<const Rect>(&*rooms.second, 1) : std::span<const Rect>{});
+    if (second) drawReciprocalDial(context, *dial.reciprocal, *rooms.second);
+    if (ImGui::IsItemHovered()) {
+        const DialTick* tick = drawer.underPointer();
+        if (tick != nullptr) context.ui().pointedAt = tick->point;
+        if (tick != nullptr) explain(context, *tick);
+        if (tick != nullptr && ImGui::IsItemClicked()) session.select(tick->point);
+    }
+    for (const std::string& line : caption) {
+        const float width = ImGui::CalcTextSize(line.c_str()).x;
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, 0.5F * (room.x - width)));
+        ImGui::TextUnformatted(line.c_str());
+    }
+}
+
+}  // namespace se::view

@@ -1,0 +1,165 @@
+#include "panels/panel.h"
+#include "panels/widgets/widgets.h"
+#include "rows/evidence_rows.h"
+#include "run/number_format.h"
+
+namespace se::view {
+
+namespace {
+
+std::string typeText(std::uint8_t type) {
+    if (!isBoundary(type)) return "interior";
+    if (isRimPoint(type)) return "boundary, on a rim";
+    return (isCorner(type) ? "corner " : "boundary ") + wallsText(type);
+}
+
+std::string statusText(PointStatus status) {
+    if (status == kUnused) return "UNUSED";
+    if (status == kDone) return "DONE";
+    return "USED, " + std::to_string(status) + (status == 1 ? " ring entry" : " ring entries");
+}
+
+/// With a star at what was derived.
+std::string marked(const char* name, bool derived) {
+    return derived ? std::string(name) + " *" : std::string(name);
+}
+
+void drawPoint(const PanelContext& context, const char* title, Index point) {
+    const Session& session = context.session();
+    const PointSet& points = session.shown().points;
+    ImGui::Spacing();
+    ImGui::Separator();
+    ImGui::Spacing();
+    heading(context, title, "point " + std::to_string(point));
+    ImGui::PushID(title);
+    if (beginValues("##point", context)) {
+        valueRow(context, "status", statusText(session.picture().status[point]));
+        const PrepareReport& report = session.model().report;
+        valueRow(context, marked("type", report.derived.types || report.derived.rim).c_str(),
+                 typeText(points.type[point]));
+        valueRow(context, "position", numbersText(points.position[point]));
+        valueRow(context,
+                 marked("normal", report.derived.normals || report.derived.orientation).c_str(),
+                 numbersText(points.normal[point]));
+        std::string list;
+        for (const Index q : points.neighbors[point]) {
+            list += (list.empty() ? "" : ", ") + std::to_string(q);
+        }
+        valueRow(context, marked("neighbors", report.neighborsComputed).c_str(),
+                 list.empty() ? "none" : list);
+        const bool any = report.neighborsComputed || report.derived.types || report.derived.rim ||
+                         report.derived.normals || report.derived.orientation;
+        if (any) valueRow(context, "*", "derived, not from the input", context.palette.textDim);
+        endValues();
+    }
+    ImGui::PopID();
+}
+
+/// Leads to the pivot that made the thing, or says that nobody knows of it yet.
+void drawBirth(const PanelContext& context, const SelectionFacts& facts, const char* thing) {
+    const Session& session = context.session();
+    const auto pivot = facts.number ? pivotOfTriangle(session.overview(), *facts.number)
+                                    : std::optional<std::uint32_t>{};
+    const std::string name(thing);
+    if (!facts.present && pivot) {
+        wrappedText("This " + name + " is not there yet: made at pivot " + std::to_string(*pivot) +
+                    ".");
+    } else if (!facts.present) {
+        wrappedText("This " + name + " is not there at the cursor.");
+    }
+    if (!pivot) return;
+    const std::string birth = toString(*birthOfTriangle(session.overview(), *facts.number));
+    if (ImGui::Button(("Go to " + birth + ", which made it").c_str())) context.run("step.birth");
+    tooltip("Goes to the decision that made it; Alt+Left comes back");
+}
+
+void drawEdge(const PanelContext& context, const SelectionFacts& facts) {
+    if (beginValues("##edge", context)) {
+        const auto corners = context.session().selection().corners();
+        valueRow(context, "points", std::to_string(corners[0]) + ", " + std::to_string(corners[1]));
+        valueRow(context, "length", numberText(facts.length));
+        std::string list;
+        for (std::size_t i = 0; i < facts.triangles.size(); ++i) {
+            list += (i == 0 ? "" : ", ") + std::to_string(facts.triangles[i]);
+            if (i >= facts.trianglesPresent) list += " (later)";
+        }
+        valueRow(context, "triangles",
+                 std::to_string(facts.trianglesPresent) + (list.empty() ? "" : ": " + list));
+        valueRow(context, "ring", facts.ring.empty() ? "on none" : facts.ring);
+        endValues();
+    }
+    drawBirth(context, facts, "edge");
+}
+
+void drawTriangle(const PanelContext& context, const SelectionFacts& facts) {
+    if (beginValues("##triangle", context)) {
+        const auto corners = context.session().selection().corners();
+        std::string points;
+        std::string angles;
+        for (std::size_t i = 0; i < 3; ++i) {
+            points += (i == 0 ? "" : ", ") + std::to_string(corners[i]);
+            angles += (i == 0 ? "" : ", ") + degreesText(facts.degrees[i]);
+        }
+        valueRow(context, "number", facts.number ? std::to_string(*facts.number) : "mended");
+        valueRow(context, "corners", points);
+        valueRow(context, "angles", angles);
+        valueRow(context, "area", numberText(facts.area));
+        endValues();
+    }
+    drawBirth(context, facts, "triangle");
+}
+
+void drawSelection(const PanelContext& context) {
+    const Selection& selection = context.session().selection();
+    const SelectionFacts& facts = context.ui().facts.of(context.session());
+    switch (selection.kind) {
+        case SelectionKind::None:
+            ImGui::Spacing();
+            dimText("Click a point, an edge or a triangle to see its values here.");
+            return;
+        case SelectionKind::Point:
+            drawPoint(context, "Selected", selection.points[0]);
+            return;
+        case SelectionKind::Edge:
+        case SelectionKind::Triangle:
+            ImGui::Spacing();
+            ImGui::Separator();
+            ImGui::Spacing();
+            heading(context, "Selected", std::string(kindName(selection.kind)));
+            selection.kind == SelectionKind::Edge ? drawEdge(context, facts)
+                                                  : drawTriangle(context, facts);
+    }
+}
+
+void drawStep(const PanelContext& context, const Event& event) {
+    const std::string stage(stageName(event.address.stage));
+    const std::string section = sectionOf(event);
+    heading(context, stage.c_str(), section.empty() ? "not in the paper" : "paper " + section);
+    ImGui::PushFont(context.fonts.mono);
+    ImGui::TextDisabled("%s", toString(event.address).c_str());
+    ImGui::PopFont();
+    if (section.empty()) dimText("A rule of ours: docs/robust.md");
+    ImGui::Spacing();
+    drawEvidence(context, event);
+}
+
+}  // namespace
+
+void drawInspect(const PanelContext& context) {
+    const Session& session = context.session();
+    if (!session.ready()) return;
+    if (const Event* event = session.event()) {
+        drawStep(context, *event);
+    } else {
+        heading(context, "At the start");
+        dimText(session.model().watch.empty() ? "All points are UNUSED. No triangle has been made."
+                                              : session.model().watch);
+    }
+    // What somebody picked is what that person wants to read.
+    const bool picked = session.selection().kind != SelectionKind::None;
+    if (picked) drawSelection(context);
+    if (session.picture().pivot != kNone) drawPoint(context, "Pivot", session.picture().pivot);
+    if (!picked) drawSelection(context);
+}
+
+}  // namespace se::view

@@ -1,0 +1,102 @@
+#include <array>
+
+#include "panels/panel.h"
+#include "panels/widgets/widgets.h"
+
+namespace se::view {
+
+namespace {
+
+/// A pin: upright and filled where it holds, a ring where the stage decides.
+void drawPin(const PanelContext& context, ImVec2 center, LayerMode mode) {
+    const float em = context.em;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float width = std::max(1.0F, 0.1F * em);
+    if (mode == LayerMode::Automatic) {
+        list->AddCircle(center, 0.26F * em, toU32(context.palette.textDim.withAlpha(0.6F)), 0,
+                        width);
+        return;
+    }
+    const ImU32 color = toU32(context.palette.accent);
+    list->AddCircleFilled({center.x, center.y - 0.16F * em}, 0.28F * em, color);
+    list->AddLine({center.x, center.y}, {center.x, center.y + 0.5F * em}, color, width);
+}
+
+const char* pinText(LayerMode mode) {
+    switch (mode) {
+        case LayerMode::Automatic:
+            return "Automatic: the stage decides.\nClick to pin it as it is now.";
+        case LayerMode::PinnedOn:
+            return "Pinned: shown in every stage.\nClick to take the pin out.";
+        case LayerMode::PinnedOff:
+            return "Pinned: hidden in every stage.\nClick to take the pin out.";
+    }
+    return "";
+}
+
+/// What the layer shows does not come from the input.
+bool isDerived(const Session& session, LayerId layer) {
+    if (!session.ready()) return false;
+    const PrepareReport& report = session.model().report;
+    switch (layer) {
+        case LayerId::Normals:
+            return report.derived.normals || report.derived.orientation;
+        case LayerId::Links:
+            return report.neighborsComputed;
+        case LayerId::Walls:
+            return report.derived.types;
+        default:
+            return false;
+    }
+}
+
+void drawSwitch(const PanelContext& context, const Layer& layer, bool shown) {
+    const Session& session = context.session();
+    LayerModes& modes = context.ui().settings.layers;
+    LayerMode& mode = modeOf(modes, layer.id);
+    ImGui::PushID(static_cast<int>(layer.id));
+    const float side = ImGui::GetFrameHeight();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    if (ImGui::InvisibleButton("##pin", {side, side})) {
+        mode = mode != LayerMode::Automatic ? LayerMode::Automatic
+               : shown                      ? LayerMode::PinnedOn
+                                            : LayerMode::PinnedOff;
+    }
+    if (ImGui::IsItemHovered()) tooltip(pinText(mode));
+    drawPin(context, {corner.x + 0.5F * side, corner.y + 0.5F * side}, mode);
+    ImGui::SameLine(0.0F, 0.2F * context.em);
+    const bool rests = mode == LayerMode::Automatic && !shown;
+    if (rests) ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.textDim));
+    bool value = shown;
+    std::string title(layer.title);
+    if (isDerived(session, layer.id)) title += " (derived)";
+    if (ImGui::Checkbox(title.c_str(), &value)) toggleLayer(modes, layer.id, session.stage());
+    if (rests) ImGui::PopStyleColor();
+    if (const Command* command = findCommand("layer." + std::string(layer.name))) {
+        ImGui::SameLine(ImGui::GetContentRegionMax().x - context.em);
+        ImGui::TextDisabled("%s", context.key(*command).c_str());
+    }
+    ImGui::PopID();
+}
+
+}  // namespace
+
+void drawLayerSwitches(const PanelContext& context) {
+    LayerModes& modes = context.ui().settings.layers;
+    const LayerSwitches shown = shownLayers(modes, context.session().stage());
+    heading(context, "Layers", "a pin holds a layer");
+    for (const Layer& layer : layers()) {
+        drawSwitch(context, layer, shown.test(static_cast<std::size_t>(layer.id)));
+    }
+    ImGui::Spacing();
+    ImGui::BeginDisabled(modes == LayerModes{});
+    if (ImGui::Button("Take all pins out")) modes = {};
+    ImGui::EndDisabled();
+    ImGui::Checkbox("Legend", &context.ui().settings.legend);
+    bool light = context.ui().settings.theme == Theme::Light;
+    if (ImGui::Checkbox("Light theme", &light)) context.run("view.theme");
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - context.em);
+    ImGui::TextDisabled("T");
+}
+
+}  // namespace se::view

@@ -1,0 +1,102 @@
+#include "rows/paper_text.h"
+
+#include "commands/alert_actions.h"
+#include "panels/panel.h"
+#include "panels/widgets/widgets.h"
+#include "rows/evidence_rows.h"
+#include "run/gallery.h"
+#include "scene/outcome.h"
+
+namespace se::view {
+
+namespace {
+
+/// A line of pseudo-code; the present one lit, with its numbers below.
+void drawLine(const PanelContext& context, const std::string& line, bool present,
+              const std::string& numbers, const Color& color) {
+    const std::size_t level = line.find_first_not_of(' ');
+    const float indent = 0.5F * context.em * static_cast<float>(level) + 0.6F * context.em;
+    const float left = ImGui::GetCursorPosX();
+    const float width = ImGui::GetContentRegionAvail().x - indent;
+    const std::vector<std::string> lines = wrapped(line.substr(level), width);
+    const float more = 0.5F * context.em;  // Numbers stand in from the line that they belong to.
+    const std::vector<std::string> values =
+        numbers.empty() ? std::vector<std::string>{} : wrapped(numbers, width - more);
+    const float height = ImGui::GetTextLineHeightWithSpacing();
+    if (present) {
+        const auto rows = static_cast<float>(lines.size() + values.size());
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        ImDrawList* list = ImGui::GetWindowDrawList();
+        const float right = at.x + ImGui::GetContentRegionAvail().x;
+        list->AddRectFilled(at, {right, at.y + rows * height},
+                            toU32(context.palette.accent.withAlpha(0.25F)), 0.2F * context.em);
+        list->AddRectFilled(at, {at.x + 0.2F * context.em, at.y + rows * height}, toU32(color));
+    }
+    for (const std::string& part : lines) {
+        ImGui::SetCursorPosX(left + indent);
+        present ? ImGui::TextUnformatted(part.c_str()) : ImGui::TextDisabled("%s", part.c_str());
+    }
+    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
+    for (const std::string& part : values) {
+        ImGui::SetCursorPosX(left + indent + more);
+        ImGui::TextUnformatted(part.c_str());
+    }
+    ImGui::PopStyleColor();
+}
+
+/// Of a scene that fails: what, where, what the paper says of it, and what helps.
+void drawGallery(const PanelContext& context) {
+    Session& session = context.session();
+    const FailureScene* each = galleryScene(session.spec().source);
+    if (each == nullptr) return;
+    heading(context, std::string(each->scene.title).c_str(), "scene that fails");
+    wrappedText(std::string(each->scene.watch));
+    ImGui::Spacing();
+    if (beginValues("##gallery", context)) {
+        valueRow(context, "failure", titleOf(*findFailureClass(each->failure)),
+                 context.palette.rejected);
+        valueRow(context, "decision", std::string(each->address));
+        valueRow(context, "paper", std::string(each->section) + ": " + std::string(each->sentence));
+        valueRow(context, "what helps", std::string(each->helps));
+        endValues();
+    }
+    if (ImGui::SmallButton(("Go to " + std::string(each->address)).c_str())) {
+        context.playback().pause();
+        if (const auto address = addressFromString(each->address)) session.goTo(*address);
+    }
+    context.ui().where["gallery decision"] = lastItem();
+    ImGui::Spacing();
+    ImGui::Separator();
+    ImGui::Spacing();
+}
+
+}  // namespace
+
+void drawPaper(const PanelContext& context) {
+    const Session& session = context.session();
+    if (!session.ready()) return;
+    drawGallery(context);
+    const Event* event = session.event();
+    if (event == nullptr) {
+        heading(context, "Paper");
+        dimText("Step on (F11 or \xE2\x86\x92): the rule at work is explained here.");
+        return;
+    }
+    const PaperRule& rule = paperRule(event->address.stage);
+    const std::string section = sectionOf(*event);
+    heading(context, rule.title, section.empty() ? "docs/robust.md" : "section " + section);
+    wrappedText(rule.words);
+    ImGui::Spacing();
+    const std::size_t present = presentLine(*event);
+    const Color color = outcomeColor(context.palette, *event).value_or(context.palette.accent);
+    const bool moved = context.ui().navigation.paperWatch.moved(
+        session.generation(), session.record().pivot, session.cursor());
+    for (std::size_t i = 0; i < rule.code.size(); ++i) {
+        const bool isPresent = i == present;
+        drawLine(context, rule.code[i], isPresent, isPresent ? liveNumbers(*event) : "", color);
+        // The numbers below the line are what one looks for.
+        if (isPresent && moved && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(1.0F);
+    }
+}
+
+}  // namespace se::view

@@ -1,0 +1,300 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "panels/panel.h"
+#include "panels/widgets/widgets.h"
+#include "rows/ring_slice.h"
+
+namespace se::view {
+
+namespace {
+
+/// Of the strip under the list, in em.
+constexpr float kStripHeight = 4.4F;
+/// From one point of the strip to the next, beyond the width of a number.
+constexpr float kPointGap = 0.9F;
+
+std::string ringName(const RingPath& ring) {
+    return ring.active ? "active" : "#" + std::to_string(ring.depth + 1);
+}
+
+/// Puts a ring into the middle of the view; the direction stays.
+void frameRing(const PanelContext& context, const RingPath& ring) {
+    const Model& model = context.session().model();
+    if (ring.points.empty()) return;
+    glm::vec3 low(1e9F);
+    glm::vec3 high(-1e9F);
+    for (const Index point : ring.points) {
+        low = glm::min(low, model.place[point]);
+        high = glm::max(high, model.place[point]);
+    }
+    const float radius = std::max(0.5F * glm::distance(low, high), 2.0F * model.spacing);
+    context.camera().frame(0.5F * (low + high), 1.1F * radius);
+}
+
+/// As the ring is drawn in the view: the active one solid and thick, the others dashed.
+void drawMark(const PanelContext& context, ImVec2 at, const RingPath& ring, bool lit) {
+    const float em = context.em;
+    const float y = at.y + 0.5F * ImGui::GetTextLineHeight();
+    const ImU32 color = toU32(lit ? context.palette.pivot : context.palette.used);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    if (ring.active) {
+        list->AddLine({at.x, y}, {at.x + 1.6F * em, y}, color, 0.2F * em);
+        return;
+    }
+    for (int i = 0; i < 3; ++i) {
+        const float x = at.x + static_cast<float>(i) * 0.6F * em;
+        list->AddLine({x, y}, {x + 0.4F * em, y}, color, 0.12F * em);
+    }
+}
+
+void drawRow(const PanelContext& context, const RingPath& ring) {
+    Session& session = context.session();
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushID(ring.active ? -1 : static_cast<int>(ring.depth));
+    const bool kept = ring.id != kNone && session.highlightedRing() == ring.id;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (ImGui::Selectable(
+            "##ring", kept,
+            ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick)) {
+        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+            frameRing(context, ring);
+        } else {
+            session.highlightRing(ring.id);
+        }
+    }
+    if (ImGui::IsItemHovered()) {
+        context.ui().navigation.pointedRing = ring.id;
+        tooltip("Click: keep it lit. Double click: show all of it. Right click: why is it there?");
+        if (ImGui::IsMouseReleased(ImGuiMouseButton_Right) && session.event() != nullptr) {
+            context.ui().subjectMenu.open(
+                RingPlace{session.address(), ring.active ? 0 : ring.depth + 1});
+        }
+    }
+    const bool first = &ring == &session.picture().rings.front();
+    if (first && context.ui().walk.offer(KeyStop::Rings)) takeKeyboard();
+    drawMark(context, at, ring, ring.id != kNone && session.litRing() == ring.id);
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(ringName(ring).c_str());
+    ImGui::TableNextColumn();
+    const std::string count = grouped(ring.points.size()) + " points";
+    ImGui::TextUnformatted(count.c_str());
+    const auto open = std::count(ring.open.begin(), ring.open.end(), true);
+    if (open > 0) {
+        ImGui::SameLine();
+        ImGui::TextDisabled("%ld open", static_cast<long>(open));
+    }
+    ImGui::PopID();
+}
+
+// ---- the strip ------------------------------------------------------------------------------
+
+/// One ring along a line, from left to right in its direction.
+struct RingStrip {
+    const PanelContext& context;
+    const RingPath& ring;
+    RingSlice slice;
+    ImVec2 at;  ///< Left end of the line.
+    float pitch = 1.0F;
+
+    float xOf(std::size_t i) const { return at.x + (static_cast<float>(i) + 0.5F) * pitch; }
+};
+
+void drawStep(const RingStrip& strip, std::size_t i) {
+    const float em = strip.context.em;
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const ImU32 color = toU32(strip.context.palette.used);
+    const float from = strip.xOf(i) + 0.4F * em;
+    const float to = strip.xOf(i) + strip.pitch - 0.4F * em;
+    if (to <= from) return;
+    if (strip.ring.open[strip.slice.at(i)]) {
+        // No edge of the mesh: dotted, as in the view.
+        for (float x = from; x < to; x += 0.3F * em) {
+            list->AddCircleFilled({x + 0.06F * em, strip.at.y}, 0.07F * em, color);
+        }
+        return;
+    }
+    list->AddLine({from, strip.at.y}, {to, strip.at.y}, color, std::max(1.5F, 0.14F * em));
+    const float x = 0.5F * (from + to);
+    list->AddTriangleFilled({x - 0.14F * em, strip.at.y - 0.22F * em}, {x + 0.2F * em, strip.at.y},
+                            {x - 0.14F * em, strip.at.y + 0.22F * em}, color);
+}
+
+struct PointLook {
+    Shape shape = Shape::Disc;
+    float size = 0.5F;
+    Color color;
+};
+
+PointLook lookOf(const PanelContext& context, Index point) {
+    const Picture& picture = context.session().picture();
+    const Palette& palette = context.palette;
+    if (point == picture.pivot) return {Shape::RingedDisc, 1.0F, palette.pivot};
+    if (point == picture.nextPivot) return {Shape::RingedDisc, 0.85F, palette.text};
+    if (point == picture.start) return {Shape::Forward, 0.75F, palette.first};
+    if (point == picture.end) return {Shape::Back, 0.75F, palette.last};
+    if (point == picture.first) return {Shape::Forward, 0.55F, palette.first};
+    if (point == picture.last) return {Shape::Back, 0.55F, palette.last};
+    return {Shape::Disc, 0.45F, palette.used};
+}
+
+/// What a point is to the pivot, for the line above the strip.
+std::string roleOf(const Picture& picture, Index point) {
+    std::string text;
+    const auto add = [&](Index which, const char* name) {
+        if (which == kNone || which != point) return;
+        text += (text.empty() ? "" : ", ") + std::string(name);
+    };
+    add(picture.pivot, "pivot");
+    add(picture.first, "first");
+    add(picture.last, "last");
+    add(picture.start, "start");
+    add(picture.end, "end");
+    add(picture.nextPivot, "next pivot");
+    return text;
+}
+
+void drawPoint(const RingStrip& strip, std::size_t i) {
+    const PanelContext& context = strip.context;
+    Session& session = context.session();
+    const float em = context.em;
+    const Index point = strip.ring.points[strip.slice.at(i)];
+    const PointLook look = lookOf(context, point);
+    const float x = strip.xOf(i);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    drawShape(list, {x, strip.at.y}, look.size * em, look.shape, toU32(look.color));
+    if (point == session.selected() || point == session.hovered()) {
+        list->AddCircle({x, strip.at.y}, 0.62F * em, toU32(context.palette.text), 0,
+                        std::max(1.0F, 0.1F * em));
+    }
+    const std::string number = std::to_string(point);
+    const float size = 0.8F * em;
+    const float width = context.fonts.text->CalcTextSizeA(size, 1e9F, 0.0F, number.c_str()).x;
+    const bool plain = look.shape == Shape::Disc;
+    list->AddText(context.fonts.text, size, {x - 0.5F * width, strip.at.y + 0.65F * em},
+                  toU32(plain ? context.palette.textDim : context.palette.text), number.c_str());
+    ImGui::SetCursorScreenPos({x - 0.5F * strip.pitch, strip.at.y - 0.7F * em});
+    ImGui::PushID(static_cast<int>(i));
+    if (ImGui::InvisibleButton("##point", {strip.pitch, 2.3F * em})) session.select(point);
+    const bool middle = i == strip.slice.count / 2;
+    if (middle && context.ui().walk.offer(KeyStop::RingPoints)) takeKeyboard();
+    if (ImGui::IsItemFocused() && ImGui::GetIO().NavVisible) context.ui().pointedAt = point;
+    if (ImGui::IsItemHovered()) {
+        context.ui().pointedAt = point;
+        if (ImGui::IsMouseReleased(ImGuiMouseButton_Right))
+            context.ui().subjectMenu.open(Selection::ofPoint(point));
+        const std::string role = roleOf(session.picture(), point);
+        tooltip("point " + number + (role.empty() ? "" : ": " + role) +
+                "\nClick selects it; the wheel moves along the ring.");
+    }
+    ImGui::PopID();
+}
+
+/// The whole ring as a thin bar: what the strip shows, and where it is worked on.
+void drawWhole(const RingStrip& strip, float width, std::optional<std::size_t> work) {
+    const float em = strip.context.em;
+    const Palette& palette = strip.context.palette;
+    const ImVec2 low(strip.at.x, strip.at.y + 1.85F * em);
+    const ImVec2 high(low.x + width, low.y + 0.35F * em);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    list->AddRectFilled(low, high, toU32(palette.panelRaised), 0.1F * em);
+    const auto xOf = [&](std::size_t place) {
+        return low.x + width * static_cast<float>(place) / static_cast<float>(strip.slice.size);
+    };
+    const auto part = [&](std::size_t from, std::size_t to) {
+        list->AddRectFilled({xOf(from), low.y}, {std::max(xOf(to), xOf(from) + 2.0F), high.y},
+                            toU32(palette.used), 0.1F * em);
+    };
+    const std::size_t end = strip.slice.first + strip.slice.count;
+    part(strip.slice.first, std::min(end, strip.slice.size));
+    if (end > strip.slice.size) part(0, end - strip.slice.size);
+    if (work) {
+        const float x = xOf(*work);
+        list->AddRectFilled({x - 1.0F, low.y - 0.15F * em}, {x + 1.0F, high.y + 0.15F * em},
+                            toU32(palette.pivot));
+    }
+}
+
+void drawStrip(const PanelContext& context, const RingPath& ring) {
+    const Session& session = context.session();
+    Navigation& nav = context.ui().navigation;
+    const float em = context.em;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const std::string widest = std::to_string(session.model().points.size());
+    const float least = 0.8F * ImGui::CalcTextSize(widest.c_str()).x + kPointGap * em;
+    const auto work = workPlace(session.picture(), ring);
+    if (nav.ringWatch.moved(session.generation(), session.record().pivot, session.cursor())) {
+        nav.ringShift = 0;
+    }
+    const bool hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows) &&
+                         ImGui::IsMouseHoveringRect(at, {at.x + width, at.y + kStripHeight * em});
+    if (hovered) nav.ringShift -= static_cast<long>(ImGui::GetIO().MouseWheel);
+    const auto fits = static_cast<std::size_t>(std::max(1.0F, width / least));
+    RingStrip strip{context, ring, {}, {at.x, at.y + 1.9F * em}, least};
+    strip.slice = sliceAbout(ring.points.size(), work.value_or(0), nav.ringShift, fits);
+    strip.pitch = width / static_cast<float>(std::max<std::size_t>(1, strip.slice.count));
+    strip.pitch = std::min(strip.pitch, 1.6F * least);
+    const std::string title = ringName(ring) + " ring, in its direction";
+    ImGui::TextDisabled("%s", fitted(title, width).c_str());
+    for (std::size_t i = 0; i < strip.slice.count; ++i) {
+        if (i + 1 < strip.slice.count) drawStep(strip, i);
+        drawPoint(strip, i);
+    }
+    if (!strip.slice.whole()) drawWhole(strip, width, work);
+    context.ui().where["strip ring"] = {{at.x, at.y}, {width, kStripHeight * em}};
+}
+
+/// Rows stand whole at the upper end of the list, however it is scrolled.
+void snapToRows(float row) {
+    const float at = ImGui::GetScrollY();
+    const float whole = std::round(at / row) * row;
+    if (at < ImGui::GetScrollMaxY() && whole != at) ImGui::SetScrollY(whole);
+}
+
+void drawList(const PanelContext& context, float height, float row) {
+    const auto& rings = context.session().picture().rings;
+    if (!ImGui::BeginTable("##rings", 3, ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit,
+                           {0.0F, height})) {
+        return;
+    }
+    ImGui::TableSetupColumn("mark", ImGuiTableColumnFlags_WidthFixed, 2.0F * context.em);
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 3.2F * context.em);
+    ImGui::TableSetupColumn("length", ImGuiTableColumnFlags_WidthStretch);
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(rings.size()));
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            drawRow(context, rings[static_cast<std::size_t>(i)]);
+        }
+    }
+    snapToRows(row);
+    ImGui::EndTable();
+}
+
+}  // namespace
+
+void drawRings(const PanelContext& context) {
+    const Session& session = context.session();
+    const std::size_t count = session.ready() ? session.picture().rings.size() : 0;
+    const std::size_t stacked = session.ready() ? stackedCount(session.picture().rings) : 0;
+    heading(context, "Rings", stacked > 0 ? std::to_string(stacked) + " stacked" : std::string{});
+    if (count == 0) {
+        dimText(session.ready() && session.atEnd()
+                    ? "No ring: the run is finished."
+                    : "No ring: the next seed begins one. F10 goes there.");
+        return;
+    }
+    const float em = context.em;
+    const float row = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
+    const float room = ImGui::GetContentRegionAvail().y;
+    // Whole rows: half a row looks as if it were all.
+    const float rows = std::floor((room - kStripHeight * em - 0.4F * em) / row);
+    drawList(context, std::clamp(rows, 1.0F, static_cast<float>(count)) * row, row);
+    const RingPath* shown = ringToShow(session.picture(), session.highlightedRing());
+    if (shown != nullptr && !shown->points.empty()) drawStrip(context, *shown);
+}
+
+}  // namespace se::view

@@ -1,0 +1,312 @@
+#include "step_rows.h"
+
+#include <algorithm>
+
+#include "panels/widgets/widgets.h"
+#include "scene/outcome.h"
+#include "spiraling_edge/replay/reading.h"
+
+namespace se::view {
+
+namespace {
+
+/// In em: one level of the tree, and its arrow.
+constexpr float kIndent = 0.75F;
+constexpr float kArrow = 1.0F;
+/// In em: from the cross to the number of what was refused.
+constexpr float kCross = 0.75F;
+/// What lies ahead of the cursor.
+constexpr float kAhead = 0.55F;
+
+std::string trianglesText(std::size_t number) { return "+" + grouped(number); }
+
+/// Draws the parts of one row into the list, from left to right.
+class RowPen {
+  public:
+    RowPen(const PanelContext& context, ImVec2 at, const StepColumns& columns, float alpha)
+        : context_(context),
+          list_(ImGui::GetWindowDrawList()),
+          at_(at),
+          x_(at.x),
+          alpha_(alpha),
+          labelEnd_(columns.labels),
+          columns_(columns) {}
+
+    void indent(float em) { x_ += em * context_.em; }
+    void arrow(bool open) {
+        const ImVec2 c(x_ + 0.4F * context_.em, middle());
+        const float r = 0.27F * context_.em;
+        const ImU32 color = ink(context_.palette.textDim);
+        if (open) {
+            list_->AddTriangleFilled({c.x - r, c.y - 0.6F * r}, {c.x + r, c.y - 0.6F * r},
+                                     {c.x, c.y + 0.8F * r}, color);
+        } else {
+            list_->AddTriangleFilled({c.x - 0.6F * r, c.y - r}, {c.x + 0.8F * r, c.y},
+                                     {c.x - 0.6F * r, c.y + r}, color);
+        }
+    }
+    void text(const std::string& words, const Color& color, float end) {
+        const std::string cut = fitted(words, end - x_);
+        list_->AddText({x_, at_.y}, ink(color), cut.c_str());
+        x_ += ImGui::CalcTextSize(cut.c_str()).x + 0.5F * context_.em;
+    }
+    /// In a row with counts at its end.
+    void label(const std::string& words, const Color& color) { text(words, color, labelEnd_); }
+    /// Whole or not at all.
+    void labelIfItFits(const std::string& words, const Color& color) {
+        if (x_ + ImGui::CalcTextSize(words.c_str()).x <= labelEnd_) label(words, color);
+    }
+    /// Ends at `width` from here.
+    void rightAligned(const std::string& words, float width, const Color& color) {
+        const float extent = ImGui::CalcTextSize(words.c_str()).x;
+        list_->AddText({x_ + width - extent, at_.y}, ink(color), words.c_str());
+        x_ += width + 0.5F * context_.em;
+    }
+    void shape(Shape shape, float size, const Color& color) {
+        drawShape(list_, {x_ + 0.35F * context_.em, middle()}, size, shape, ink(color));
+        x_ += 0.95F * context_.em;
+    }
+    void counts(std::size_t tests, std::size_t refused) {
+        if (refused > 0) {
+            const std::string number = grouped(refused);
+            endingAt(columns_.refused, number, context_.palette.rejected);
+            const float left = columns_.refused - ImGui::CalcTextSize(number.c_str()).x;
+            drawShape(list_, {left - 0.42F * em(), middle()}, 0.48F * em(), Shape::Cross,
+                      ink(context_.palette.rejected));
+        }
+        if (tests > 0) endingAt(columns_.tests, grouped(tests), context_.palette.textDim);
+    }
+    void triangles(std::size_t number) {
+        if (columns_.triangles <= 0.0F || number == 0) return;
+        endingAt(columns_.triangles, trianglesText(number), context_.palette.textDim);
+    }
+    float end() const { return columns_.refused; }
+
+  private:
+    float em() const { return context_.em; }
+    float middle() const { return at_.y + 0.5F * ImGui::GetTextLineHeight(); }
+    ImU32 ink(const Color& color) const { return toU32(color.withAlpha(alpha_ * color.a)); }
+    void endingAt(float right, const std::string& words, const Color& color) {
+        const float width = ImGui::CalcTextSize(words.c_str()).x;
+        list_->AddText({right - width, at_.y}, ink(color), words.c_str());
+    }
+
+    const PanelContext& context_;
+    ImDrawList* list_;
+    ImVec2 at_;
+    float x_;
+    float alpha_;
+    float labelEnd_;
+    StepColumns columns_;
+};
+
+std::string outcomeText(const Event& event) {
+    if (const std::string_view ending = endingText(event); !ending.empty())
+        return std::string(ending);
+    if (const std::string_view word = wordOf(event); !word.empty()) return std::string(word);
+    if (const auto* emit = std::get_if<EmitEvidence>(&event.evidence)) {
+        return "triangle " + grouped(emit->triangle);
+    }
+    return {};
+}
+
+Shape markOf(const Event& event) {
+    if (rejects(event) || std::holds_alternative<AlertEvidence>(event.evidence)) {
+        return Shape::Cross;
+    }
+    if (const auto* ring = std::get_if<RingEvidence>(&event.evidence)) {
+        return ring->inserted ? Shape::Disc : Shape::Dot;
+    }
+    return verdictOf(event) ? Shape::Disc : Shape::Dot;
+}
+
+/// Made by the pivots first to last, as far as the run was gone through.
+std::size_t trianglesBetween(const RunOverview& run, std::uint32_t first, std::size_t last) {
+    last = std::min(last, run.triangles.size());
+    if (first == 0 || first > last) return 0;
+    return run.triangles[last - 1] - (first > 1 ? run.triangles[first - 2] : 0);
+}
+
+std::size_t trianglesOf(const RunOverview& run, std::uint32_t pivot) {
+    return trianglesBetween(run, pivot, pivot);
+}
+
+std::size_t trianglesOfComponent(const RunOverview& run, std::size_t component) {
+    const bool isLast = component + 1 >= run.components.size();
+    return trianglesBetween(
+        run, run.components[component].firstPivot,
+        isLast ? run.triangles.size() : run.components[component + 1].firstPivot - 1);
+}
+
+/// What a pivot did to the rings, in one word.
+std::string pivotNote(const PivotSummary& summary) {
+    const auto found = [&](Stage stage) { return (summary.found & findingOf(stage)) != 0; };
+    for (const Stage stage : {Stage::Split, Stage::Join, Stage::Done, Stage::Seed, Stage::Skip,
+                              Stage::Fill, Stage::Reinsert, Stage::Flip, Stage::Reseat}) {
+        if (found(stage)) return std::string(stageName(stage));
+    }
+    return {};
+}
+
+void drawComponent(const PanelContext& context, RowPen& pen, const StepRow& row) {
+    const StepTree& tree = context.ui().navigation.steps;
+    const ComponentSummary& component = context.session().overview().components[row.component];
+    pen.arrow(tree.isOpen(row));
+    pen.indent(kArrow);
+    pen.triangles(trianglesOfComponent(context.session().overview(), row.component));
+    pen.counts(component.tests, component.refused);
+    pen.label("component " + grouped(row.component + 1), context.palette.text);
+    pen.labelIfItFits(withS(tree.pivotsOf(row.component), "pivot"), context.palette.textDim);
+}
+
+void drawPivot(const PanelContext& context, RowPen& pen, const StepRow& row) {
+    const RunOverview& run = context.session().overview();
+    const StepTree& tree = context.ui().navigation.steps;
+    const PivotSummary& summary = run.pivots[row.pivot - 1];
+    pen.indent(kIndent);
+    pen.arrow(tree.isOpen(row));
+    pen.indent(kArrow);
+    pen.label(grouped(row.pivot), context.palette.text);
+    std::string note = pivotNote(summary);
+    if (row.pivot <= run.ringLength.size() && run.ringLength[row.pivot - 1] > 0) {
+        const std::string ring = "ring " + grouped(run.ringLength[row.pivot - 1]);
+        note = note.empty() ? ring : ring + ", " + note;
+    }
+    pen.label(note, context.palette.textDim);
+    pen.triangles(trianglesOf(run, row.pivot));
+    pen.counts(summary.tests, summary.refused);
+}
+
+void drawStage(const PanelContext& context, RowPen& pen, const StepRow& row) {
+    const StepTree& tree = context.ui().navigation.steps;
+    const StageRun& run = tree.runs()[row.run];
+    const Event& event = context.session().record().events[row.event];
+    pen.indent(2.0F * kIndent);
+    if (tree.canOpen(row)) pen.arrow(tree.isOpen(row));
+    pen.indent(kArrow);
+    pen.label(std::string(stageName(run.stage)), context.palette.text);
+    if (run.size() == 1) {
+        if (rejects(event)) pen.shape(Shape::Cross, 0.52F * context.em, context.palette.rejected);
+        const Index subject = subjectOf(event);
+        std::string note = subject == kNone ? std::string{} : std::to_string(subject) + " ";
+        // A single decision has no counts: the width is its own.
+        pen.text(note + outcomeText(event), context.palette.textDim, pen.end());
+        return;
+    } else if (run.tests == 0) {
+        pen.label(grouped(run.size()), context.palette.textDim);
+    }
+    pen.counts(run.tests, run.refused);
+}
+
+void drawTest(const PanelContext& context, RowPen& pen, const StepRow& row) {
+    const Session& session = context.session();
+    const Event& event = session.record().events[row.event];
+    const float em = context.em;
+    const bool filtered = context.ui().navigation.steps.filtered();
+    pen.indent(filtered ? kIndent + kArrow : 3.0F * kIndent + 0.6F);
+    if (filtered) {
+        pen.text(
+            std::string(stageName(event.address.stage)) + "." + std::to_string(event.address.n),
+            context.palette.textDim, pen.end());
+    } else {
+        pen.rightAligned(std::to_string(event.address.n), 1.5F * em, context.palette.textDim);
+    }
+    const Index subject = subjectOf(event);
+    const std::string widest = std::to_string(session.model().points.size());
+    const std::string digits(widest.size(), '0');
+    if (subject != kNone) {
+        pen.rightAligned(std::to_string(subject), ImGui::CalcTextSize(digits.c_str()).x,
+                         context.palette.text);
+    }
+    const Shape mark = markOf(event);
+    const Color color = outcomeColor(context.palette, event).value_or(context.palette.text);
+    pen.shape(mark, mark == Shape::Dot ? 0.28F * em : 0.52F * em, color);
+    pen.text(outcomeText(event), color, pen.end());
+}
+
+bool isAhead(const PanelContext& context, const StepRow& row) {
+    const Session& session = context.session();
+    const std::uint32_t here = session.record().pivot;
+    switch (row.kind) {
+        case StepRowKind::Component:
+            return session.overview().components[row.component].firstPivot > std::max(1U, here);
+        case StepRowKind::Pivot:
+            return row.pivot > here;
+        case StepRowKind::Stage:
+        case StepRowKind::Test:
+            return row.event > session.cursor();
+    }
+    return false;
+}
+
+}  // namespace
+
+StepColumns stepColumns(const PanelContext& context, float left, float room) {
+    const RunOverview& run = context.session().overview();
+    std::size_t triangles = 0;
+    std::size_t tests = 0;
+    std::size_t refused = 0;
+    // A component has at least as many of each as any of its pivots.
+    for (std::size_t i = 0; i < run.components.size(); ++i) {
+        triangles = std::max(triangles, trianglesOfComponent(run, i));
+        tests = std::max(tests, run.components[i].tests);
+        refused = std::max(refused, run.components[i].refused);
+    }
+    const auto width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
+    return placeStepColumns(left, room, context.em,
+                            {width(trianglesText(triangles)), width(grouped(tests)),
+                             width(grouped(refused)) + kCross * context.em});
+}
+
+std::string withS(std::size_t number, const char* word) {
+    return grouped(number) + " " + word + (number == 1 ? "" : "s");
+}
+
+std::string stepRowTooltip(const PanelContext& context, const StepRow& row) {
+    const Session& session = context.session();
+    const RunOverview& run = session.overview();
+    if (row.kind == StepRowKind::Component) {
+        const ComponentSummary& component = run.components[row.component];
+        return "component " + grouped(row.component + 1) + ", from pivot " +
+               grouped(component.firstPivot) + ", " +
+               withS(context.ui().navigation.steps.pivotsOf(row.component), "pivot") + "\n" +
+               withS(component.tests, "test") + ", " + grouped(component.refused) + " refused";
+    }
+    if (row.kind == StepRowKind::Pivot) {
+        const PivotSummary& summary = run.pivots[row.pivot - 1];
+        std::string text = "pivot " + grouped(row.pivot);
+        if (summary.point != kNone) text += " at point " + std::to_string(summary.point);
+        return text + "\n" + withS(trianglesOf(run, row.pivot), "triangle") + ", " +
+               withS(summary.tests, "test") + ", " + grouped(summary.refused) + " refused";
+    }
+    const Event& event = session.record().events[row.event];
+    return toString(event.address) + "\n" + describe(event);
+}
+
+float stepArrowEnd(const PanelContext& context, const StepRow& row) {
+    const float level = row.kind == StepRowKind::Component ? 0.0F
+                        : row.kind == StepRowKind::Pivot   ? kIndent
+                                                           : 2.0F * kIndent;
+    return (level + kArrow) * context.em;
+}
+
+void drawStepRow(const PanelContext& context, const StepRow& row, ImVec2 at,
+                 const StepColumns& columns) {
+    RowPen pen(context, at, columns, isAhead(context, row) ? kAhead : 1.0F);
+    switch (row.kind) {
+        case StepRowKind::Component:
+            drawComponent(context, pen, row);
+            break;
+        case StepRowKind::Pivot:
+            drawPivot(context, pen, row);
+            break;
+        case StepRowKind::Stage:
+            drawStage(context, pen, row);
+            break;
+        case StepRowKind::Test:
+            drawTest(context, pen, row);
+            break;
+    }
+}
+
+}  // namespace se::view

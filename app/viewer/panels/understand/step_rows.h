@@ -1,0 +1,26 @@
+/// How a row of the panel Steps looks.
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+
+#include "layout/step_columns.h"
+#include "panels/panel.h"
+#include "rows/step_tree.h"
+
+namespace se::view {
+
+/// The columns of all rows from `left`, `room` wide. O(components).
+StepColumns stepColumns(const PanelContext& context, float left, float room);
+
+/// Draws a row that begins at `at`.
+void drawStepRow(const PanelContext& context, const StepRow& row, ImVec2 at,
+                 const StepColumns& columns);
+std::string stepRowTooltip(const PanelContext& context, const StepRow& row);
+/// How far a click opens or folds the row, from its left.
+float stepArrowEnd(const PanelContext& context, const StepRow& row);
+/// "1 pivot", "12 pivots".
+std::string withS(std::size_t number, const char* word);
+
+}  // namespace se::view

@@ -1,0 +1,15 @@
+/// What can be derived from the points of an input, as fields: of File > Prepare, and of the other
+/// run in the layout Compare.
+#pragma once
+
+#include <string>
+
+#include "panel_state/prepare_form.h"
+#include "panels/panel.h"
+
+namespace se::view {
+
+/// True if Enter was pressed in one of them. Scripts find the items as `prefix` and their names.
+bool drawPrepareFields(const PanelContext& context, PrepareForm& form, const std::string& prefix);
+
+}  // namespace se::view

@@ -1,0 +1,308 @@
+#include "widgets.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "rows/evidence_rows.h"
+#include "text_cut.h"
+
+namespace se::view {
+
+namespace {
+
+constexpr const char* kEllipsis = "\xE2\x80\xA6";
+
+void chevron(ImDrawList* list, ImVec2 c, float r, float direction, ImU32 color) {
+    list->AddTriangleFilled({c.x - direction * 0.5F * r, c.y - r},
+                            {c.x + direction * 0.75F * r, c.y},
+                            {c.x - direction * 0.5F * r, c.y + r}, color);
+}
+
+void bar(ImDrawList* list, ImVec2 c, float r, ImU32 color) {
+    list->AddRectFilled({c.x - 0.16F * r, c.y - r}, {c.x + 0.16F * r, c.y + r}, color);
+}
+
+void drawIcon(ImDrawList* list, ImVec2 c, float r, Icon icon, ImU32 color) {
+    const auto at = [&](float x) { return ImVec2(c.x + x * r, c.y); };
+    switch (icon) {
+        case Icon::SkipStart:
+            bar(list, at(-0.8F), r, color), chevron(list, at(0.2F), r, -1, color);
+            break;
+        case Icon::SkipEnd:
+            bar(list, at(0.8F), r, color), chevron(list, at(-0.2F), r, 1, color);
+            break;
+        case Icon::Back:
+            chevron(list, at(-0.5F), 0.85F * r, -1, color);
+            chevron(list, at(0.5F), 0.85F * r, -1, color);
+            break;
+        case Icon::Forward:
+            chevron(list, at(-0.5F), 0.85F * r, 1, color);
+            chevron(list, at(0.5F), 0.85F * r, 1, color);
+            break;
+        case Icon::StepBack:
+            chevron(list, at(-0.1F), 0.85F * r, -1, color);
+            break;
+        case Icon::StepForward:
+            chevron(list, at(0.1F), 0.85F * r, 1, color);
+            break;
+        case Icon::Play:
+            chevron(list, at(-0.1F), 1.15F * r, 1, color);
+            break;
+        case Icon::Pause:
+            list->AddRectFilled({c.x - 0.7F * r, c.y - r}, {c.x - 0.2F * r, c.y + r}, color);
+            list->AddRectFilled({c.x + 0.2F * r, c.y - r}, {c.x + 0.7F * r, c.y + r}, color);
+            break;
+    }
+}
+
+void strokeQuad(ImDrawList* list, const std::array<ImVec2, 4>& q, float stroke, ImU32 color) {
+    list->AddPolyline(q.data(), 4, color, ImDrawFlags_Closed, stroke);
+}
+
+}  // namespace
+
+ImU32 toU32(const Color& color) { return ImGui::ColorConvertFloat4ToU32(toVec4(color)); }
+
+bool beginRegion(const char* name, const Rect& rect, int extraFlags) {
+    ImGui::SetNextWindowPos(toVec2(rect.min));
+    ImGui::SetNextWindowSize(toVec2(rect.size));
+    return ImGui::Begin(name, nullptr,
+                        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                            ImGuiWindowFlags_NoBringToFrontOnFocus | extraFlags);
+}
+
+void heading(const PanelContext& context, const char* title, const std::string& note) {
+    ImGui::PushFont(context.fonts.strong);
+    ImGui::TextUnformatted(title);
+    const float titleEnd = ImGui::GetCursorPosX() + ImGui::GetItemRectSize().x;
+    ImGui::PopFont();
+    if (!note.empty()) {
+        const float width = ImGui::CalcTextSize(note.c_str()).x;
+        const float left = ImGui::GetContentRegionMax().x - width;
+        // What does not fit beside the title goes below it.
+        if (left >= titleEnd + context.em) ImGui::SameLine(left);
+        ImGui::TextDisabled("%s", note.c_str());
+    }
+}
+
+bool iconButton(const char* id, Icon icon, const char* text, bool enabled, bool active,
+                const PanelContext& context) {
+    const ImVec2 size(active ? 2.6F * context.em : 1.9F * context.em, ImGui::GetFrameHeight());
+    ImGui::BeginDisabled(!enabled);
+    if (active) {
+        ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent));
+        ImGui::PushStyleColor(ImGuiCol_ButtonHovered,
+                              toVec4(mix(context.palette.accent, context.palette.text, 0.15F)));
+    }
+    const bool pressed = ImGui::Button(id, size);
+    if (active) ImGui::PopStyleColor(2);
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    const Color color = active ? context.palette.accentText : context.palette.text;
+    drawIcon(ImGui::GetWindowDrawList(), {0.5F * (low.x + high.x), 0.5F * (low.y + high.y)},
+             0.32F * context.em, icon, toU32(enabled ? color : color.withAlpha(0.35F)));
+    ImGui::EndDisabled();
+    tooltip(text);
+    return pressed;
+}
+
+void takeKeyboard() {
+    ImGuiContext& g = *ImGui::GetCurrentContext();
+    ImGui::FocusWindow(ImGui::GetCurrentWindow());
+    ImGui::SetFocusID(ImGui::GetItemID(), ImGui::GetCurrentWindow());
+    g.NavDisableHighlight = false;
+    g.NavDisableMouseHover = true;
+}
+
+void takeKeyboardHere() {
+    ImGuiContext& g = *ImGui::GetCurrentContext();
+    ImGui::FocusWindow(ImGui::GetCurrentWindow());
+    ImGui::NavInitWindow(ImGui::GetCurrentWindow(), true);
+    g.NavDisableHighlight = false;
+}
+
+void wrappedText(const std::string& text, float width) {
+    ImGui::BeginGroup();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.0F});
+    const float room = width > 0.0F ? width : ImGui::GetContentRegionAvail().x;
+    for (const std::string& line : wrapped(text, room)) ImGui::TextUnformatted(line.c_str());
+    ImGui::PopStyleVar();
+    ImGui::EndGroup();
+}
+
+void wrappedText(const std::string& text, const Color& color) {
+    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
+    wrappedText(text);
+    ImGui::PopStyleColor();
+}
+
+void dimText(const std::string& text, float width) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    wrappedText(text, width);
+    ImGui::PopStyleColor();
+}
+
+void tooltip(const std::string& text) {
+    // Who walks by keyboard must see the next rows.
+    if (ImGui::GetCurrentContext()->NavDisableMouseHover) return;
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) showTooltip(text);
+}
+
+void showTooltip(const std::string& text) {
+    ImGui::BeginTooltip();
+    wrappedText(text, 22.0F * ImGui::GetFontSize());
+    ImGui::EndTooltip();
+}
+
+void drawShape(ImDrawList* list, ImVec2 c, float size, Shape shape, ImU32 color) {
+    const float r = 0.5F * size;
+    const float stroke = std::max(1.0F, 0.3F * r);
+    const float s = 0.8F * r;
+    const std::array<ImVec2, 4> square = {
+        {{c.x - s, c.y - s}, {c.x + s, c.y - s}, {c.x + s, c.y + s}, {c.x - s, c.y + s}}};
+    const std::array<ImVec2, 4> diamond = {
+        {{c.x - r, c.y}, {c.x, c.y - r}, {c.x + r, c.y}, {c.x, c.y + r}}};
+    switch (shape) {
+        case Shape::Hidden:
+            break;
+        case Shape::Dot:
+        case Shape::Disc:
+            list->AddCircleFilled(c, r, color);
+            break;
+        case Shape::Circle:
+            list->AddCircle(c, r - 0.5F * stroke, color, 0, stroke);
+            break;
+        case Shape::Square:
+            list->AddConvexPolyFilled(square.data(), 4, color);
+            break;
+        case Shape::OpenSquare:
+            strokeQuad(list, square, stroke, color);
+            break;
+        case Shape::Diamond:
+            list->AddConvexPolyFilled(diamond.data(), 4, color);
+            break;
+        case Shape::OpenDiamond:
+            strokeQuad(list, diamond, stroke, color);
+            break;
+        case Shape::RingedDisc:
+            list->AddCircle(c, 0.9F * r, color, 0, 0.2F * r);
+            list->AddCircleFilled(c, 0.55F * r, color);
+            break;
+        case Shape::Forward:
+            list->AddTriangleFilled({c.x - 0.5F * r, c.y - 0.87F * r}, {c.x + r, c.y},
+                                    {c.x - 0.5F * r, c.y + 0.87F * r}, color);
+            break;
+        case Shape::Back:
+            list->AddTriangleFilled({c.x + 0.5F * r, c.y - 0.87F * r}, {c.x - r, c.y},
+                                    {c.x + 0.5F * r, c.y + 0.87F * r}, color);
+            break;
+        case Shape::Cross:
+            list->AddLine({c.x - s, c.y - s}, {c.x + s, c.y + s}, color, 1.3F * stroke);
+            list->AddLine({c.x - s, c.y + s}, {c.x + s, c.y - s}, color, 1.3F * stroke);
+            break;
+    }
+}
+
+bool beginValues(const char* id, const PanelContext& context) {
+    if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingStretchProp)) return false;
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, 7.2F * context.em);
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
+    return true;
+}
+
+void endValues() { ImGui::EndTable(); }
+
+void valueRow(const PanelContext& context, const char* name, const std::string& value) {
+    valueRow(context, name, value, context.palette.text);
+}
+
+void valueRow(const PanelContext& context, const char* name, const std::string& value,
+              const Color& color) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.textDim));
+    ImGui::TextUnformatted(name);
+    ImGui::PopStyleColor();
+    ImGui::TableNextColumn();
+    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.05F * context.em});
+    for (const std::string& line : wrapped(value, ImGui::GetContentRegionAvail().x)) {
+        ImGui::TextUnformatted(line.c_str());
+    }
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+}
+
+void gauge(const PanelContext& context, double value, double threshold, double largest,
+           const Color& color) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float height = 0.5F * context.em;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const auto x = [&](double v) {
+        return at.x + width * static_cast<float>(std::clamp(v / largest, 0.0, 1.0));
+    };
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float rounding = 0.12F * context.em;
+    list->AddRectFilled(at, {at.x + width, at.y + height}, toU32(context.palette.panelRaised),
+                        rounding);
+    list->AddRectFilled(at, {x(value), at.y + height}, toU32(color), rounding);
+    const float mark = std::round(x(threshold));
+    list->AddLine({mark, at.y - 0.2F * context.em}, {mark, at.y + height + 0.2F * context.em},
+                  toU32(context.palette.text), std::max(1.0F, 0.12F * context.em));
+    ImGui::Dummy({width, height + 0.2F * context.em});
+}
+
+std::string fitted(const std::string& text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    std::string cut = text;
+    while (!cut.empty() && ImGui::CalcTextSize((cut + kEllipsis).c_str()).x > width) {
+        cut = withoutLastSign(std::move(cut));
+    }
+    return cut + kEllipsis;
+}
+
+std::string fittedWords(const std::string& text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    for (std::size_t end = text.rfind(' '); end != std::string::npos && end > 0;
+         end = text.rfind(' ', end - 1)) {
+        const std::string cut = text.substr(0, end) + " " + kEllipsis;
+        if (ImGui::CalcTextSize(cut.c_str()).x <= width) return cut;
+    }
+    return fitted(text, width);
+}
+
+std::vector<std::string> wrapped(const std::string& text, float width) {
+    return linesAtBlanks(
+        text, width, [](const std::string& line) { return ImGui::CalcTextSize(line.c_str()).x; });
+}
+
+std::string_view wordOf(const Event& event) {
+    if (const auto* ring = std::get_if<RingEvidence>(&event.evidence)) {
+        return ring->inserted ? "in" : "out";
+    }
+    if (std::holds_alternative<StrandEvidence>(event.evidence)) return "stranded";
+    if (std::holds_alternative<FreeEvidence>(event.evidence)) return "ring freed";
+    if (std::holds_alternative<ComponentEvidence>(event.evidence)) return "complete";
+    if (const auto* alert = std::get_if<AlertEvidence>(&event.evidence)) {
+        return alertName(alert->kind);
+    }
+    return {};
+}
+
+std::string addressText(const Session& session) {
+    return session.ready() && session.event() != nullptr ? toString(session.address()) : "start";
+}
+
+std::string addressAndSection(const Session& session) {
+    const std::string address = addressText(session);
+    if (!session.ready() || session.event() == nullptr) return address;
+    const std::string section = sectionOf(*session.event());
+    return address + " \xC2\xB7 " + (section.empty() ? "not in the paper" : section);
+}
+
+}  // namespace se::view

@@ -1,0 +1,75 @@
+/// Small things that several panels draw.
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+#include <vector>
+
+#include "panels/panel.h"
+#include "run/strings.h"
+#include "scene/draw_list.h"
+
+namespace se::view {
+
+enum class Icon { SkipStart, Back, StepBack, Play, Pause, StepForward, Forward, SkipEnd };
+
+ImU32 toU32(const Color& color);
+inline ImVec4 toVec4(const Color& color) { return {color.r, color.g, color.b, color.a}; }
+inline ImVec2 toVec2(glm::vec2 v) { return {v.x, v.y}; }
+
+/// Where the item drawn last is.
+inline Rect lastItem() {
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    return {{low.x, low.y}, {high.x - low.x, high.y - low.y}};
+}
+
+/// Begins a window without frame that fills `rect`. Call ImGui::End() in any case.
+bool beginRegion(const char* name, const Rect& rect, int extraFlags = 0);
+/// A line with the title of a panel, and something dim at its right end.
+void heading(const PanelContext& context, const char* title, const std::string& note = {});
+/// A square button with a drawn icon. `large` ones are wider.
+bool iconButton(const char* id, Icon icon, const char* tooltip, bool enabled, bool active,
+                const PanelContext& context);
+/// Gives the keyboard to the item drawn last.
+void takeKeyboard();
+/// Gives it to the first item of the window that is being drawn; without one, arrows scroll it.
+void takeKeyboardHere();
+/// A text in lines that are broken at blanks only, never inside of a number: `width` pixels wide,
+/// or as wide as there is room (0). One item, so that a tooltip is that of all lines. All running
+/// text of panels goes through here, since Dear ImGui itself breaks lines after a decimal point.
+void wrappedText(const std::string& text, float width = 0.0F);
+void wrappedText(const std::string& text, const Color& color);
+/// A note in the color of what matters less.
+void dimText(const std::string& text, float width = 0.0F);
+/// If the item drawn last is pointed at.
+void tooltip(const std::string& text);
+void showTooltip(const std::string& text);
+/// Draws the shape of a point, as the view does.
+void drawShape(ImDrawList* list, ImVec2 center, float size, Shape shape, ImU32 color);
+/// Two columns: a dim name and a value.
+void valueRow(const PanelContext& context, const char* name, const std::string& value);
+void valueRow(const PanelContext& context, const char* name, const std::string& value,
+              const Color& color);
+/// A bar with a value and the threshold it is compared with.
+void gauge(const PanelContext& context, double value, double threshold, double largest,
+           const Color& color);
+/// Begins and ends the table that valueRow() fills.
+bool beginValues(const char* id, const PanelContext& context);
+void endValues();
+/// A text that is cut with dots if it does not fit `width`.
+std::string fitted(const std::string& text, float width);
+/// The same, cut between two words.
+std::string fittedWords(const std::string& text, float width);
+/// linesAtBlanks() in the present print.
+std::vector<std::string> wrapped(const std::string& text, float width);
+/// What became of the thing that an event is about, if it has no verdict: "in", "stranded", the
+/// kind of an alert. Empty if there is no such word.
+std::string_view wordOf(const Event& event);
+/// "137.sphere.3", or "start".
+std::string addressText(const Session& session);
+/// "137.sphere.3 · 6.3", with the section of the paper.
+std::string addressAndSection(const Session& session);
+
+}  // namespace se::view

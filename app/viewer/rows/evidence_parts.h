@@ -1,0 +1,65 @@
+/// The rows of Inspect, one function for each kind of evidence. See evidence_rows.h.
+#pragma once
+
+#include "evidence_rows.h"
+#include "run/number_format.h"
+#include "scene/selection_measures.h"
+
+namespace se::view {
+
+/// Takes the rows of one event, one after the other.
+class EvidenceRows {
+  public:
+    void row(std::string name, std::string value) {
+        rows_.push_back({std::move(name), std::move(value), std::nullopt});
+    }
+    void row(std::string name, std::string value, const EvidenceGauge& gauge) {
+        rows_.push_back({std::move(name), std::move(value), gauge});
+    }
+    /// An angle that must stay under a limit (or over it), and by how much it does.
+    void angle(const std::string& name, double degrees, double limit, double largest = 360.0);
+    /// A value whose sign decides; `scale` is one that counts as large.
+    void sign(const std::string& name, const std::string& value, double number, double scale);
+    std::vector<EvidenceRow> take() { return std::move(rows_); }
+
+  private:
+    std::vector<EvidenceRow> rows_;
+};
+
+/// "12, 34"; "none" for no point.
+std::string pointsText(const std::vector<Index>& list);
+/// "1 point", "2 points".
+std::string countText(std::size_t count, const std::string& word);
+
+// Where a ring begins, and at the walls.
+void addRows(const SeedEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+void addRows(const StrandEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+void addRows(const PivotEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+void addRows(const SkipEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+void addRows(const InsertEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+// The tests of 6.1 to 6.4.
+void addRows(const SortEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+void addRows(const LimitEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+void addRows(const DropEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+void addRows(const ReciprocalEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+void addRows(const HoleEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+void addRows(const SphereEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+void addRows(const TwoPointEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+// What a pivot did.
+void addRows(const EmitEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+void addRows(const RingEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+void addRows(const SplitEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+void addRows(const JoinEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+void addRows(const CloseEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+void addRows(const AdvanceEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+void addRows(const FreeEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+void addRows(const ComponentEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+void addRows(const AlertEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+// Rules beyond the paper.
+void addRows(const GuardEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+void addRows(const FillEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+void addRows(const ReinsertEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+void addRows(const ReseatEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+void addRows(const FlipEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+
+}  // namespace se::view

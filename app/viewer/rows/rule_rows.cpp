@@ -1,0 +1,90 @@
+#include "rule_rows.h"
+
+#include <algorithm>
+#include <array>
+
+#include "run/strings.h"
+
+namespace se::view {
+
+namespace {
+
+struct SectionTitle {
+    std::string_view section, title;
+};
+constexpr std::array kTitles{
+    SectionTitle{"3", "Overview"},
+    SectionTitle{"6.1", "Creating the neighbor ring"},
+    SectionTitle{"6.2", "Filling holes"},
+    SectionTitle{"6.3", "Removing neighbors"},
+    SectionTitle{"6.4", "Triangulating the ring"},
+    SectionTitle{"6.5", "Updating the edge ring"},
+    SectionTitle{"7", "Boundary points"},
+    SectionTitle{"7.1", "Ring of two boundary points"},
+    SectionTitle{"7.2", "Corners"},
+};
+constexpr std::string_view kBeyond = "Beyond the paper";
+
+std::string titleOfGroup(const RuleSetting& setting) {
+    if (setting.beyondPaper) return std::string(kBeyond);
+    const auto row = std::find_if(kTitles.begin(), kTitles.end(), [&](const SectionTitle& each) {
+        return each.section == setting.section;
+    });
+    std::string title(setting.section);
+    if (row != kTitles.end()) title += " " + std::string(row->title);
+    return title;
+}
+
+bool matches(const RuleRow& row, const std::vector<std::string_view>& words) {
+    const RuleSetting& s = *row.setting;
+    std::string text = lowerCase(std::string(s.name) + " " + std::string(s.section) + " " +
+                                 std::string(s.summary) + " " + std::string(s.paper) + " " +
+                                 valueText(s, row.value) + " " + titleOfGroup(s));
+    if (row.differs()) text += " differs";
+    return std::all_of(words.begin(), words.end(),
+                       [&](std::string_view word) { return text.find(word) != std::string::npos; });
+}
+
+}  // namespace
+
+std::vector<RuleGroup> ruleGroups(const RuleSet& rules, std::string_view filter) {
+    const std::string wanted = lowerCase(filter);
+    const std::vector<std::string_view> words = wordsOf(wanted);
+    std::vector<RuleGroup> groups;
+    for (const RuleSetting& setting : ruleSettings()) {
+        const RuleRow row{&setting, valueOf(rules, setting), usualValueOf(rules, setting)};
+        if (!matches(row, words)) continue;
+        const std::string title = titleOfGroup(setting);
+        if (groups.empty() || groups.back().title != title) groups.push_back({title, {}});
+        groups.back().rows.push_back(row);
+    }
+    return groups;
+}
+
+std::size_t differingCount(const RuleSet& rules) {
+    const auto rows = ruleSettings();
+    return static_cast<std::size_t>(
+        std::count_if(rows.begin(), rows.end(), [&](const RuleSetting& each) {
+            return valueOf(rules, each) != usualValueOf(rules, each);
+        }));
+}
+
+std::string ruleHelp(const RuleRow& row) {
+    const RuleSetting& s = *row.setting;
+    std::string text(s.summary);
+    if (!text.empty())
+        text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    text += s.kind == SettingKind::Switch ? "." : ": " + valuesText(s) + ".";
+    if (!s.paper.empty()) {
+        text += "\nSection " + std::string(s.section) + ": \xE2\x80\x9C" + std::string(s.paper) +
+                "\xE2\x80\x9D";
+    } else {
+        text += s.beyondPaper ? "\nNot in the paper: docs/robust.md."
+                              : "\nThe paper says nothing of it: docs/choices.md.";
+    }
+    text += "\nThe set of rules has " + valueText(s, row.usual) + ". --rule " +
+            std::string(s.name) + "=" + valueText(s, row.value);
+    return text;
+}
+
+}  // namespace se::view

@@ -1,0 +1,130 @@
+#include "doctor_fixes.h"
+#include "strings.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace se::view {
+
+namespace {
+
+/// Of the nearest points, as the advice says.
+constexpr std::size_t kAdvisedNeighbors = 12;
+
+bool has(const Cures& cures, Cure kind) {
+    return std::any_of(cures.begin(), cures.end(), [kind](const std::string& name) {
+        const DoctorCheck* check = findDoctorCheck(name);
+        return check != nullptr && check->cure == kind;
+    });
+}
+
+/// The points that a check finds, ascending.
+Result<std::vector<Index>> pointsOf(const PointFile& file, const DoctorCheck& check,
+                                    const Progress& progress) {
+    const Result<Diagnosis> found = examine(file, progress);
+    if (!found) return found.error();
+    for (const Finding& finding : found.value()) {
+        if (finding.check == &check) return finding.points;
+    }
+    return std::vector<Index>{};
+}
+
+/// As it would be read from the file that the doctor's command writes, with all numbers rounded to
+/// the types that they have there: the run is that of the command.
+PointFile asWritten(PointFile file) {
+    Result<PointFile> read = readPoints(meshPlyBytes(file, file.faces), "mended.ply");
+    return read ? std::move(read.value()) : std::move(file);
+}
+
+}  // namespace
+
+bool canCure(const DoctorCheck& check) { return check.cure != Cure::None; }
+
+std::string_view cureText(Cure cure) {
+    switch (cure) {
+        case Cure::None:
+            return "";
+        case Cure::Mend:
+            return "Mends all that needs no guessing, and runs what comes of it.";
+        case Cure::Drop:
+            return "Leaves these points out, and mends all that needs no guessing.";
+        case Cure::Orient:
+            return "Turns the normals so that they agree, those of closed parts outwards.";
+        case Cure::NewLists:
+            return "Takes the 12 nearest points in place of the lists of the file.";
+        case Cure::Symmetric:
+            return "Whoever lists a point is listed by it as well.";
+        case Cure::Walls:
+            return "Takes the walls of the box around all points for those of the file.";
+        case Cure::Rim:
+            return "Takes the points where the surface ends without a wall for boundary points.";
+    }
+    return "";
+}
+
+Cures plainCures(std::span<const Finding> findings) {
+    Cures cures;
+    for (const Cure kind : {Cure::Mend, Cure::Orient}) {
+        const auto found = std::find_if(findings.begin(), findings.end(),
+                                        [kind](const Finding& f) { return f.check->cure == kind; });
+        if (found != findings.end()) cures.emplace_back(found->check->name);
+    }
+    return cures;
+}
+
+Result<std::vector<std::string>> cure(PointFile& file, const Cures& cures, PrepareOptions& options,
+                                      const Progress& progress) {
+    std::vector<std::string> done;
+    const auto mend = [&](std::span<const Index> drop) {
+        Treatment treatment = treat(file, drop);
+        file = asWritten(std::move(treatment.file));
+        for (const Repair& repair : treatment.repairs) done.push_back(repair.text);
+    };
+    for (const std::string& name : cures) {
+        const DoctorCheck* check = findDoctorCheck(name);
+        if (check == nullptr || !canCure(*check))
+            return Error{"The doctor has no cure called \"" + name + "\"."};
+        if (check->cure == Cure::Mend) mend({});
+        if (check->cure != Cure::Drop) continue;
+        const Result<std::vector<Index>> points = pointsOf(file, *check, progress);
+        if (!points) return points.error();
+        mend(points.value());
+    }
+    if (has(cures, Cure::Orient)) options.normals = NormalSource::Oriented;
+    if (has(cures, Cure::NewLists)) {
+        options.neighbors.reach = KNearest{kAdvisedNeighbors};
+        options.neighbors.recompute = true;
+    }
+    if (has(cures, Cure::Symmetric)) options.neighbors.symmetric = true;
+    if (has(cures, Cure::Walls)) options.walls = boxAround(file.position);
+    if (has(cures, Cure::Rim)) options.rim = true;
+    return done;
+}
+
+std::vector<std::string> takeOverCured(const Prepared& prepared, const PrepareOptions& options,
+                                       const Cures& cures, PointFile& file) {
+    std::vector<std::string> done;
+    const PointSet& points = prepared.points;
+    if (has(cures, Cure::Orient) && options.normals == NormalSource::Oriented) {
+        file.normal = points.normal;
+        done.push_back(
+            counted(prepared.report.derived.turnedNormals, "normal turned", "normals turned"));
+    }
+    if (has(cures, Cure::Walls)) {
+        file.type = points.type;
+        done.emplace_back("types taken from the box around all points");
+    }
+    if (has(cures, Cure::Rim)) {
+        file.type = points.type;
+        done.push_back(counted(prepared.report.derived.rimChains, "rim", "rims") +
+                       " taken for boundaries");
+    }
+    const bool newLists = has(cures, Cure::NewLists);
+    if (!newLists && !has(cures, Cure::Symmetric)) return done;
+    file.neighbors = points.neighbors;
+    done.emplace_back(newLists ? "lists of the 12 nearest points" : "lists made symmetric");
+    return done;
+}
+
+}  // namespace se::view

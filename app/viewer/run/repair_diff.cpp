@@ -1,0 +1,101 @@
+#include "repair_diff.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace se::view {
+
+namespace {
+
+MeshEdge edgeOf(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
+
+std::set<MeshEdge> edgesOf(std::span<const Triangle> triangles) {
+    std::set<MeshEdge> edges;
+    for (const Triangle& t : triangles) {
+        edges.insert({edgeOf(t.a, t.b), edgeOf(t.b, t.c), edgeOf(t.c, t.a)});
+    }
+    return edges;
+}
+
+}  // namespace
+
+std::vector<Triangle> freshTriangles(const std::vector<Triangle>& before,
+                                     const std::vector<Triangle>& after) {
+    const auto corners = [](const Triangle& t) {
+        std::array<Index, 3> c = {t.a, t.b, t.c};
+        std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+        return c;
+    };
+    // The steps change a few places of a long list, so only those are compared with each other.
+    const std::size_t common = std::min(before.size(), after.size());
+    std::set<std::array<Index, 3>> old;
+    std::vector<Triangle> fresh;
+    for (std::size_t i = 0; i < common; ++i) {
+        if (before[i] == after[i]) continue;
+        old.insert(corners(before[i]));
+        fresh.push_back(after[i]);
+    }
+    for (std::size_t i = common; i < before.size(); ++i) old.insert(corners(before[i]));
+    for (std::size_t i = common; i < after.size(); ++i) fresh.push_back(after[i]);
+    std::erase_if(fresh, [&](const Triangle& t) { return old.contains(corners(t)); });
+    return fresh;
+}
+
+MeshEdges edgesOf(std::span<const Triangle> gone, std::span<const Triangle> made, Index seated) {
+    const std::set<MeshEdge> before = edgesOf(gone);
+    const std::set<MeshEdge> after = edgesOf(made);
+    MeshEdges edges;
+    for (const MeshEdge& edge : after) {
+        const bool wasThere = before.contains(edge) || (gone.empty() && seated != kNone &&
+                                                        edge[0] != seated && edge[1] != seated);
+        (wasThere ? edges.kept : edges.made).push_back(edge);
+    }
+    for (const MeshEdge& edge : before) {
+        if (!after.contains(edge)) edges.gone.push_back(edge);
+    }
+    return edges;
+}
+
+std::vector<ComponentStretch> componentsOf(std::span<const Triangle> mended,
+                                           std::span<const Triangle> emitted,
+                                           std::span<const std::size_t> starts,
+                                           std::size_t points) {
+    constexpr std::size_t kUnknown = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> of(points, kUnknown);
+    std::size_t component = 0;
+    for (std::size_t i = 0; i < emitted.size(); ++i) {
+        while (component + 1 < starts.size() && starts[component + 1] <= i) ++component;
+        for (const Index p : {emitted[i].a, emitted[i].b, emitted[i].c}) {
+            if (of[p] == kUnknown) of[p] = component;
+        }
+    }
+    std::vector<ComponentStretch> stretches;
+    for (std::size_t i = 0; i < mended.size(); ++i) {
+        // The latest of its corners: a corner that two components share is of the earlier one. A
+        // point that was put in has none yet, and takes that of its triangle.
+        std::size_t mine = 0;
+        const std::array corners = {mended[i].a, mended[i].b, mended[i].c};
+        for (const Index p : corners) mine = of[p] == kUnknown ? mine : std::max(mine, of[p]);
+        for (const Index p : corners) of[p] = of[p] == kUnknown ? mine : of[p];
+        if (stretches.empty() || stretches.back().component != mine) {
+            stretches.push_back({i, mine});
+        }
+    }
+    return stretches;
+}
+
+const std::vector<ComponentStretch>& MendedComponents::of(
+    const std::shared_ptr<const std::vector<Triangle>>& mended, std::span<const Triangle> emitted,
+    std::span<const std::size_t> starts, std::size_t points) {
+    if (mended_ != mended ||
+        !std::equal(starts.begin(), starts.end(), starts_.begin(), starts_.end())) {
+        mended_ = mended;
+        starts_.assign(starts.begin(), starts.end());
+        stretches_ = mended ? componentsOf(*mended, emitted, starts, points)
+                            : std::vector<ComponentStretch>{};
+    }
+    return stretches_;
+}
+
+}  // namespace se::view

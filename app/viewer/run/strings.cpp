@@ -1,0 +1,61 @@
+#include "strings.h"
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+namespace se::view {
+
+std::string lowerCase(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return lower;
+}
+
+std::string lowerExtension(const std::filesystem::path& path) {
+    return lowerCase(path.extension().string());
+}
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+std::string trimmed(std::string_view text) {
+    const std::size_t from = text.find_first_not_of(" \t");
+    if (from == std::string_view::npos) return {};
+    return std::string(text.substr(from, text.find_last_not_of(" \t") - from + 1));
+}
+
+std::vector<std::string_view> wordsOf(std::string_view text) {
+    std::vector<std::string_view> words;
+    while (!text.empty()) {
+        const std::size_t blank = text.find(' ');
+        if (blank != 0) words.push_back(text.substr(0, blank));
+        text = blank == std::string_view::npos ? std::string_view{} : text.substr(blank + 1);
+    }
+    return words;
+}
+
+std::string formatted(const char* format, double a, double b, double c) {
+    char out[120];
+    std::snprintf(out, sizeof out, format, a, b, c);
+    return out;
+}
+
+std::string grouped(std::size_t number) {
+    std::string text = std::to_string(number);
+    for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, "\xE2\x80\x89");
+    return text;
+}
+
+std::optional<std::string> readText(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    if (file) text << file.rdbuf();
+    if (!file || file.bad()) return std::nullopt;
+    return text.str();
+}
+
+}  // namespace se::view

@@ -1,0 +1,85 @@
+#include "view_position.h"
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "spiraling_edge/stepper/event.h"
+
+namespace se::view {
+
+namespace {
+
+using nlohmann::json;
+
+/// Throws json::exception if it is no number that a float can hold.
+float floatFrom(const json& value) {
+    const double number = value.get<double>();
+    if (!(std::abs(number) <= std::numeric_limits<float>::max()))
+        throw json::out_of_range::create(406, "more than a float can hold", &value);
+    return static_cast<float>(number);
+}
+
+std::optional<CameraPose> poseFrom(const json& object) {
+    CameraPose pose;
+    try {
+        const json& target = object.at("target");
+        for (int i = 0; i < 3; ++i)
+            pose.target[i] = floatFrom(target.at(static_cast<std::size_t>(i)));
+        pose.distance = floatFrom(object.at("distance"));
+        pose.yawDegrees = floatFrom(object.at("yaw"));
+        pose.pitchDegrees = floatFrom(object.at("pitch"));
+        pose.orthographic = object.value("orthographic", false);
+        // Places of before there was a choice have none: they had z up.
+        const auto up = upAxisFromName(object.value("up", "z"));
+        if (!up) return std::nullopt;
+        pose.up = *up;
+    } catch (const json::exception&) {
+        return std::nullopt;
+    }
+    const float sum = pose.target.x + pose.target.y + pose.target.z + pose.distance +
+                      pose.yawDegrees + pose.pitchDegrees;
+    if (!std::isfinite(sum) || pose.distance <= 0.0F) return std::nullopt;
+    return pose;
+}
+
+}  // namespace
+
+std::string toText(const Place& place) {
+    json object{{"address", place.address}};
+    if (place.camera) {
+        const CameraPose& c = *place.camera;
+        object["camera"] = {{"target", {c.target.x, c.target.y, c.target.z}},
+                            {"distance", c.distance},
+                            {"yaw", c.yawDegrees},
+                            {"pitch", c.pitchDegrees},
+                            {"orthographic", c.orthographic},
+                            {"up", upAxisName(c.up)}};
+    }
+    return object.dump();
+}
+
+Result<Place> placeFromText(std::string_view text) {
+    const Error unknown{
+        "This is no place. Expected an address such as 137.sphere.3, or what Ctrl+C copies."};
+    const json object = json::parse(text, nullptr, false);
+    if (!object.is_object()) {
+        const auto first = text.find_first_not_of(" \t\r\n");
+        const auto last = text.find_last_not_of(" \t\r\n");
+        if (first == std::string_view::npos) return unknown;
+        text = text.substr(first, last - first + 1);
+        if (!addressFromString(text)) return unknown;
+        return Place{std::string(text), std::nullopt};
+    }
+    const auto address = object.find("address");
+    if (address == object.end() || !address->is_string()) return unknown;
+    Place place{address->get<std::string>(), std::nullopt};
+    if (!place.address.empty() && !addressFromString(place.address)) return unknown;
+    if (const auto camera = object.find("camera"); camera != object.end()) {
+        place.camera = poseFrom(*camera);
+        if (!place.camera) return Error{"The camera of this place cannot be read."};
+    }
+    return place;
+}
+
+}  // namespace se::view

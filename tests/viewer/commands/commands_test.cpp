@@ -1,0 +1,240 @@
+#include "commands/commands.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "commands/palette_entries.h"
+#include "open_session.h"
+
+using namespace se;
+using namespace se::view;
+
+namespace {
+
+std::vector<std::string> keysOf(const Command& command) {
+    std::istringstream words{std::string(command.keys)};
+    std::vector<std::string> keys;
+    for (std::string word; words >> word;) keys.push_back(word);
+    return keys;
+}
+
+struct CommandDesk {
+    test::OpenSession open;
+    Playback playback;
+    Camera camera;
+    UiState ui;
+    CommandContext context{open.session, playback, camera, ui};
+
+    void press(const char* key) {
+        const Command* command = commandForKey(*keyFromString(key));
+        REQUIRE(command != nullptr);
+        command->run(context);
+    }
+};
+
+constexpr std::array<std::string_view, 4> kPanels{"Steps", "Dial", "Rules", "Doctor"};
+
+std::vector<PaletteEntry> found(std::string_view filter) {
+    return matchingEntries(paletteEntries(kPanels), filter);
+}
+
+bool finds(std::string_view filter, std::string_view id) {
+    const auto all = found(filter);
+    return std::any_of(all.begin(), all.end(),
+                       [&](const PaletteEntry& each) { return each.id == id; });
+}
+
+}  // namespace
+
+TEST_CASE("No key stands for two commands, and every key can be read and written") {
+    std::map<std::string, std::string_view> owner;
+    for (const Command& command : commands()) {
+        for (const std::string& key : keysOf(command)) {
+            CAPTURE(key);
+            const auto chord = keyFromString(key);
+            REQUIRE(chord.has_value());
+            CHECK(toString(*chord) == key);
+            CHECK(owner.emplace(key, command.id).second);
+            CHECK(commandForKey(*chord) == &command);
+        }
+    }
+}
+
+TEST_CASE("Every command has a name of its own, a title and a sentence of help") {
+    std::set<std::string_view> ids;
+    for (const Command& command : commands()) {
+        CAPTURE(std::string(command.id));
+        CHECK(ids.insert(command.id).second);
+        CHECK_FALSE(command.title.empty());
+        CHECK(command.help.ends_with('.'));
+        CHECK((command.run != nullptr));
+        CHECK(findCommand(command.id) == &command);
+    }
+}
+
+TEST_CASE("Texts that are no keys are refused") {
+    for (const char* text : {"", "Ctrl+", "F0", "F25", "Homer", "ab", "Hyper+F"}) {
+        CAPTURE(text);
+        CHECK(keyFromString(text) == std::nullopt);
+    }
+}
+
+TEST_CASE("The keys of the conventions do what they say") {
+    CommandDesk desk;
+    desk.press("F10");
+    desk.press(".");
+    CHECK(desk.open.place() == "2.advance.1");
+    desk.press("Shift+F10");
+    CHECK(desk.open.place() == "1.advance.1");
+    desk.press("Right");
+    CHECK(desk.open.place() == "2.pivot.1");
+    desk.press("Shift+F11");
+    CHECK(desk.open.place() == "2.advance.1");
+    desk.press("Home");
+    CHECK(desk.open.place() == "start");
+    desk.press("F5");
+    desk.open.session.settle();
+    CHECK(desk.open.session.atEnd());
+}
+
+TEST_CASE("Stepping by hand pauses playing") {
+    CommandDesk desk;
+    desk.press("Space");
+    CHECK(desk.playback.playing());
+    desk.press("F11");
+    CHECK_FALSE(desk.playback.playing());
+}
+
+TEST_CASE("Esc closes, then clears, then leaves Present, and never quits") {
+    CommandDesk desk;
+    desk.press("F1");
+    CHECK(desk.ui.cheatSheet);
+    desk.open.session.select(3);
+    desk.press("Esc");
+    CHECK_FALSE(desk.ui.cheatSheet);
+    CHECK(desk.open.session.selected() == 3);
+    desk.ui.arrangement = Arrangement::Present;
+    desk.press("Esc");
+    CHECK(desk.open.session.selected() == kNone);
+    CHECK(desk.ui.arrangement == Arrangement::Present);
+    desk.press("Esc");
+    CHECK(desk.ui.arrangement == Arrangement::Debug);
+    desk.press("Esc");
+    CHECK_FALSE(desk.ui.requests.quit);
+    desk.press("Ctrl+Q");
+    CHECK(desk.ui.requests.quit);
+}
+
+TEST_CASE("Layer keys switch their layer") {
+    CommandDesk desk;
+    const auto shown = [&] { return shownLayers(desk.ui.settings.layers, std::nullopt); };
+    const LayerSwitches before = shown();
+    for (const char* key : {"N", "L", "E", "S", "G", "K"}) desk.press(key);
+    CHECK((before ^ shown()).count() == 6);
+    for (const char* key : {"N", "L", "E", "S", "G", "K"}) desk.press(key);
+    CHECK(desk.ui.settings.layers == LayerModes{});
+}
+
+TEST_CASE("Framing moves the camera to the selection or the pivot; stepping leaves it alone") {
+    CommandDesk desk;
+    const Camera before = desk.camera;
+    desk.press("F10");
+    CHECK(desk.camera == before);
+    desk.open.session.select(9);
+    desk.press("F");
+    CHECK(desk.camera.target() == desk.open.session.model().place[9]);
+    desk.press("Shift+F");
+    CHECK(desk.camera.target() == glm::vec3(0.0F));
+}
+
+TEST_CASE("The list of actions names each one once") {
+    const std::string list = listActions();
+    for (const Command& command : commands()) {
+        CAPTURE(std::string(command.id));
+        CHECK((list.find("\n" + std::string(command.id) + " ") != std::string::npos ||
+               list.starts_with(std::string(command.id) + " ")));
+    }
+}
+
+TEST_CASE("The palette finds actions by words, those in the title first") {
+    CHECK(found("").size() == paletteEntries(kPanels).size());
+    CHECK(found("no such action").empty());
+    const auto pivots = found("PIVOT next");
+    REQUIRE_FALSE(pivots.empty());
+    CHECK(pivots.front().id == "step.pivot.next");
+    // Whoever types the name of a panel gets the panel, not something about it.
+    CHECK(found("rules").front().id == "view.rules");
+    CHECK(found("Watch").front().id == "view.watch");
+    for (const PaletteEntry& each : found("normals")) {
+        if (each.kind != PaletteEntry::Kind::Action) continue;
+        CAPTURE(std::string(each.id));
+        CHECK(each.id == "layer.normals");
+    }
+}
+
+TEST_CASE("The palette finds by the beginnings of words, not by their middle") {
+    CHECK(finds("scr", "file.screenshot"));
+    CHECK_FALSE(finds("creenshot", "file.screenshot"));
+    // "up" is in "support" and "duplicate", but begins other words.
+    CHECK(found("up").front().title.starts_with("Up"));
+    for (const PaletteEntry& each : found("up")) CHECK(each.id != "duplicates");
+}
+
+TEST_CASE("The palette finds by other words for the same") {
+    struct Other {
+        const char* word;
+        const char* id;
+    };
+    for (const Other& each : {Other{"hole", "view.alerts"},
+                              {"wireframe", "view.mesh.wire"},
+                              {"export", "file.savepoints"},
+                              {"record", "file.screenshot"},
+                              {"save", "file.save"},
+                              {"up", "view.up.y"},
+                              {"upright", "view.up.auto"},
+                              {"exit", "file.quit"},
+                              {"shortcuts", "help.keys"},
+                              {"zoom", "view.frame"}}) {
+        CAPTURE(each.word);
+        CHECK(finds(each.word, each.id));
+    }
+}
+
+TEST_CASE("The palette shows panels, and opens scenes and figures") {
+    CommandDesk desk;
+    const auto choosing = [&](const char* words, PaletteEntry::Kind kind) {
+        const auto all = found(words);
+        REQUIRE_FALSE(all.empty());
+        CHECK(all.front().kind == kind);
+        choose(all.front(), desk.context);
+    };
+    choosing("dial", PaletteEntry::Kind::Panel);
+    CHECK(desk.ui.wantedTab == "Dial");
+    desk.ui.arrangement = Arrangement::Learn;
+    choosing("steps", PaletteEntry::Kind::Panel);
+    CHECK(desk.ui.arrangement == Arrangement::Debug);
+    choosing("figure 12", PaletteEntry::Kind::Scene);
+    CHECK(desk.ui.requests.open == "scene:figure-12");
+    choosing("hole of four", PaletteEntry::Kind::Scene);
+    CHECK(desk.ui.requests.open == "scene:four-edge-hole");
+    // What an action opens stands there once.
+    const auto rules = found("rules");
+    CHECK(std::count_if(rules.begin(), rules.end(),
+                        [](const PaletteEntry& each) { return each.title == "Rules"; }) == 1);
+    // The others are chosen as before.
+    choosing("dark or light", PaletteEntry::Kind::Action);
+    CHECK(desk.ui.settings.theme == Theme::Light);
+}
+
+TEST_CASE("Ctrl+P opens the palette, and Esc closes it") {
+    CommandDesk desk;
+    desk.press("Ctrl+P");
+    CHECK(desk.ui.palette.open);
+    desk.press("Esc");
+    CHECK_FALSE(desk.ui.palette.open);
+}

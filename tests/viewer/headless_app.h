@@ -1,0 +1,34 @@
+/// A program without a window, for tests of what is opened, saved and left.
+#pragma once
+
+#include "controllers/document.h"
+#include "open_session.h"
+
+namespace se::view::test {
+
+/// With a folder of its own that is gone after the test.
+struct Desk {
+    Session session;
+    Playback playback;
+    Camera camera;
+    UiState ui;
+    CommandContext context{session, playback, camera, ui};
+    Filing filing{context};
+    std::filesystem::path folder;
+
+    explicit Desk(const std::string& name) : folder(ownPlace(name)) {
+        std::filesystem::remove_all(folder);
+        std::filesystem::create_directories(folder);
+    }
+    ~Desk() { std::filesystem::remove_all(folder); }
+    Desk(const Desk&) = delete;
+    Desk& operator=(const Desk&) = delete;
+
+    void settle() {
+        session.settle();
+        filing.poll();
+        session.settle();
+    }
+};
+
+}  // namespace se::view::test

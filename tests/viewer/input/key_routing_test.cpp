@@ -1,0 +1,138 @@
+#include "input/key_routing.h"
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+#include "chord.h"
+
+using namespace se::view;
+using namespace se::view::test;
+
+namespace {
+
+KeyPress down(const char* text) {
+    KeyPress press;
+    press.chord = chord(text);
+    press.rawKey = press.chord.key;
+    return press;
+}
+
+KeyPress up(const char* text) {
+    KeyPress press = down(text);
+    press.released = true;
+    return press;
+}
+
+/// Left Ctrl by itself, 341 to the window.
+KeyPress ctrl(bool released) {
+    KeyPress press;
+    press.chord = {341, released ? kNoMods : kCtrl};
+    press.rawKey = 341;
+    press.released = released;
+    return press;
+}
+
+/// Frame by frame, how many presses each gets.
+std::vector<std::size_t> frames(std::vector<KeyPress> waiting) {
+    std::vector<std::size_t> sizes;
+    while (!waiting.empty()) {
+        sizes.push_back(pressesOfNextFrame(waiting));
+        REQUIRE(sizes.back() > 0);
+        waiting.erase(waiting.begin(), waiting.begin() + static_cast<long>(sizes.back()));
+    }
+    return sizes;
+}
+
+KeyPress sign(unsigned code) {
+    KeyPress press;
+    press.sign = code;
+    return press;
+}
+
+}  // namespace
+
+TEST_CASE("A text field keeps what edits it; other chords and function keys go on") {
+    const Keyboard typing{true, false, false};
+    for (const char* mine : {"A", "Shift+A", "Space", "Enter", "Ctrl+C", "Ctrl+V", "Ctrl+X",
+                             "Ctrl+A", "Ctrl+Z", "Ctrl+Shift+Z", "Ctrl+Y", "Left", "Ctrl+Left",
+                             "Alt+Right", "Ctrl+Home", "Ctrl+Backspace", "Ctrl+Alt+Q"}) {
+        CAPTURE(mine);
+        CHECK_FALSE(reachesActions(chord(mine), typing));
+    }
+    for (const char* free :
+         {"Ctrl+S", "Ctrl+Q", "Ctrl+P", "Ctrl+1", "F1", "F10", "Shift+F5", "Ctrl+O", "Esc"}) {
+        CAPTURE(free);
+        CHECK(reachesActions(chord(free), typing));
+    }
+}
+
+TEST_CASE("Behind a dialog, and while somebody walks through a panel, plain keys do nothing") {
+    for (const Keyboard& keyboard : {Keyboard{false, true, false}, Keyboard{false, false, true}}) {
+        CHECK_FALSE(reachesActions(chord("N"), keyboard));
+        CHECK_FALSE(reachesActions(chord("Space"), keyboard));
+        CHECK_FALSE(reachesActions(chord("Right"), keyboard));
+        CHECK(reachesActions(chord("Esc"), keyboard));
+        CHECK(reachesActions(chord("Ctrl+Q"), keyboard));
+        CHECK(reachesActions(chord("F1"), keyboard));
+    }
+    CHECK(reachesActions(chord("N"), {}));
+}
+
+TEST_CASE("A key that comes down and goes up within one frame is seen in two") {
+    const std::vector<KeyPress> enter = {down("Enter"), up("Enter")};
+    CHECK(pressesOfNextFrame(enter) == 1);
+    const std::vector<KeyPress> rest = {up("Enter")};
+    CHECK(pressesOfNextFrame(rest) == 1);
+    const std::vector<KeyPress> twice = {up("Down"), down("Down"), up("Down")};
+    CHECK(pressesOfNextFrame(twice) == 1);
+    const std::vector<KeyPress> chorded = {down("Ctrl+A"), up("A"), sign('x')};
+    CHECK(pressesOfNextFrame(chorded) == 1);
+}
+
+TEST_CASE("What is typed goes on in one frame, up to the key that ends it") {
+    const std::vector<KeyPress> typed = {down("A"), sign('a'), up("A"),       down("A"),
+                                         sign('a'), up("A"),   down("Enter"), up("Enter")};
+    CHECK(pressesOfNextFrame(typed) == 7);
+    CHECK(pressesOfNextFrame({}) == 0);
+    KeyPress again = down("Right");
+    again.repeated = true;
+    const std::vector<KeyPress> held = {down("Right"), again, again};
+    CHECK(pressesOfNextFrame(held) == 3);
+}
+
+TEST_CASE("A chord is seen whole, in whatever order its keys go up") {
+    using Sizes = std::vector<std::size_t>;
+    // Ctrl is down in the frame in which V comes down, and until its end.
+    CHECK(frames({ctrl(false), down("Ctrl+V"), ctrl(true), up("V")}) == Sizes{2, 2});
+    CHECK(frames({ctrl(false), down("Ctrl+V"), up("V"), ctrl(true)}) == Sizes{2, 2});
+    // Two of them, with one Ctrl, and with one each.
+    CHECK(frames({ctrl(false), down("Ctrl+A"), up("A"), down("Ctrl+C"), up("C"), ctrl(true)}) ==
+          Sizes{2, 2, 2});
+    CHECK(frames({ctrl(false), down("Ctrl+A"), ctrl(true), up("A"), ctrl(false), down("Ctrl+V"),
+                  ctrl(true), up("V")}) == Sizes{2, 4, 2});
+    // A key that is down before Ctrl is no chord.
+    CHECK(frames({down("Left"), ctrl(false), up("Left"), ctrl(true)}) == Sizes{1, 3});
+}
+
+TEST_CASE("What is typed before and after a chord or an arrow keeps its place") {
+    using Sizes = std::vector<std::size_t>;
+    // While Ctrl is down nothing is typed, so what came before must be in.
+    CHECK(frames({down("X"), sign('x'), up("X"), ctrl(false), down("Ctrl+A"), ctrl(true), up("A"),
+                  down("Y"), sign('y')}) == Sizes{3, 2, 4});
+    // Within one frame the sign would come first.
+    CHECK(frames({down("Left"), down("X"), sign('x'), up("Left"), up("X")}) == Sizes{2, 3});
+    // Of two keys in one frame only one would count.
+    CHECK(frames({down("Left"), down("Backspace"), up("Left"), up("Backspace")}) == Sizes{1, 2, 1});
+}
+
+TEST_CASE("The sign of a key belongs to its press; what is typed after it does not") {
+    const std::vector<KeyPress> typed = {down("W"), sign('w'), up("W"), down("8"), sign('8')};
+    CHECK(isSignOfKeyBefore(typed, 1));
+    CHECK(isSignOfKeyBefore(typed, 4));
+    for (const std::size_t other : {std::size_t{0}, std::size_t{2}, std::size_t{3}})
+        CHECK_FALSE(isSignOfKeyBefore(typed, other));
+    const std::vector<KeyPress> pasted = {sign('a'), sign('b')};
+    CHECK_FALSE(isSignOfKeyBefore(pasted, 0));
+    CHECK_FALSE(isSignOfKeyBefore(pasted, 1));
+}

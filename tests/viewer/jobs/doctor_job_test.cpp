@@ -1,0 +1,149 @@
+#include "jobs/doctor_job.h"
+#include "layers/layer.h"
+#include "open_session.h"
+#include "scene/draw_list.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "spiraling_edge/scenes/scenes.h"
+
+using namespace se;
+using namespace se::view;
+using namespace se::view::test;
+
+namespace {
+
+std::shared_ptr<const PointFile> sphere() {
+    return std::make_shared<const PointFile>(findScene("sphere")->build());
+}
+
+/// The sphere scene with two zero normals, as a file that is gone with it.
+struct FlawedFile {
+    std::filesystem::path path = ownPlace("flawed.xyz");
+
+    FlawedFile() {
+        const auto file = sphere();
+        std::ofstream out(path);
+        for (std::size_t p = 0; p < file->position.size(); ++p) {
+            const Vec3& x = file->position[p];
+            const Vec3 n = p == 7 || p == 9 ? Vec3(0.0) : file->normal[p];
+            out << x.x << ' ' << x.y << ' ' << x.z << ' ' << n.x << ' ' << n.y << ' ' << n.z
+                << '\n';
+        }
+    }
+    FlawedFile(const FlawedFile&) = delete;
+    FlawedFile& operator=(const FlawedFile&) = delete;
+    ~FlawedFile() {
+        std::error_code ignored;
+        std::filesystem::remove(path, ignored);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("The doctor looks only when told to, and its findings come once") {
+    Checkup checkup;
+    checkup.begin();
+    CHECK_FALSE(checkup.busy());
+    checkup.wait(sphere());
+    CHECK_FALSE(checkup.busy());
+    checkup.begin();
+    CHECK(checkup.busy());
+    checkup.finish();
+    CHECK(checkup.poll());
+    CHECK_FALSE(checkup.poll());
+    CHECK(checkup.done());
+    CHECK(checkup.findings().empty());
+    checkup.begin();
+    CHECK_FALSE(checkup.busy());
+}
+
+TEST_CASE("Another input sends the doctor away from the last one") {
+    Checkup checkup;
+    for (int i = 0; i < 5; ++i) {
+        checkup.wait(sphere());
+        checkup.begin();
+    }
+    checkup.wait(nullptr);
+    CHECK_FALSE(checkup.busy());
+    CHECK_FALSE(checkup.done());
+    checkup.wait(std::make_shared<const PointFile>(findScene("grid")->build()));
+    checkup.begin();
+    checkup.finish();
+    REQUIRE(checkup.poll());
+    REQUIRE(checkup.findings().size() == 1);
+    CHECK(checkup.findings()[0].check->name == "ties");
+}
+
+TEST_CASE("What is opened is examined once the run was gone through, and accused once") {
+    const FlawedFile file;
+    OpenSession open(file.path.c_str());
+    REQUIRE(open.session.ready());
+    CHECK(open.session.overview().complete);
+    REQUIRE(open.session.checkup().done());
+    REQUIRE(open.session.checkup().findings().size() == 1);
+    const Finding& finding = open.session.checkup().findings()[0];
+    CHECK(finding.check->name == "zero_normals");
+    CHECK(finding.points == std::vector<Index>{7, 9});
+    CHECK(open.session.takeAccusation());
+    CHECK_FALSE(open.session.takeAccusation());
+    open.session.mark(finding.points);
+    open.session.open({"scene:figure-4", {}, "paper"});
+    open.session.settle();
+    CHECK(open.session.marked().empty());
+    REQUIRE(open.session.checkup().findings().size() == 1);  // A note accuses nobody.
+    CHECK_FALSE(open.session.takeAccusation());
+}
+
+TEST_CASE("Of a large finding evenly chosen points are marked, and none without a place") {
+    const auto model = sphereModel();
+    REQUIRE(model);
+    Finding finding;
+    for (Index p = 0; p < model->points.size(); ++p) finding.points.push_back(p);
+    CHECK(pointsToMark(*model, finding) == finding.points);
+    const std::vector<Index> some = pointsToMark(*model, finding, 60);
+    REQUIRE(some.size() == 60);
+    CHECK(std::adjacent_find(some.begin(), some.end(),
+                             [](Index a, Index b) { return b != a + 10; }) == some.end());
+    Model holed = *model;
+    holed.drawable[3] = false;
+    const std::vector<Index> drawn = pointsToMark(holed, finding);
+    CHECK(drawn.size() + 1 == finding.points.size());
+    CHECK(std::find(drawn.begin(), drawn.end(), 3U) == drawn.end());
+}
+
+TEST_CASE("The camera's place holds all marked points, and looks at those of one side from there") {
+    const auto model = sphereModel();
+    REQUIRE(model);
+    std::vector<Index> all;
+    std::vector<Index> cap;
+    for (Index p = 0; p < model->points.size(); ++p) {
+        all.push_back(p);
+        if (model->normal[p].z > 0.8F) cap.push_back(p);
+    }
+    for (const auto& points : {all, cap, std::vector<Index>{5}}) {
+        const MarkedPlace place = placeOf(*model, points);
+        for (const Index p : points)
+            CHECK(glm::distance(place.center, model->place[p]) <= place.radius);
+    }
+    CHECK(placeOf(*model, all).normal == glm::vec3(0.0F));
+    CHECK(placeOf(*model, cap).normal.z > 0.9F);
+    CHECK(placeOf(*model, std::vector<Index>{5}).radius > model->spacing);
+}
+
+TEST_CASE("Marked points get a diamond each, over everything else") {
+    OpenSession open;
+    open.session.mark({4, 8, 15});
+    const LayerInput input{.model = open.session.model(),
+                           .picture = open.session.picture(),
+                           .palette = paletteOf(Theme::Dark),
+                           .marked = open.session.marked()};
+    DrawList out;
+    addMarked(input, out);
+    REQUIRE(out.sprites.size() == 3);
+    for (const Sprite& sprite : out.sprites) CHECK(sprite.style.shape == Shape::OpenDiamond);
+    CHECK(out.sprites[1].position == open.session.model().place[8]);
+}

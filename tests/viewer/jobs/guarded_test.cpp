@@ -1,0 +1,156 @@
+#include "jobs/guarded.h"
+
+#include <doctest/doctest.h>
+
+#include <new>
+#include <stdexcept>
+
+#include "../support/scarce_memory.h"
+#include "jobs/background_query.h"
+#include "jobs/doctor_job.h"
+#include "jobs/growth.h"
+#include "jobs/hit_search.h"
+#include "jobs/loader.h"
+#include "jobs/runner.h"
+#include "jobs/watch_scan.h"
+#include "open_session.h"
+#include "run/overview.h"
+#include "session/comparison.h"
+
+using namespace se;
+using namespace se::view;
+
+namespace {
+
+bool saysOutOfMemory(const std::string& sentence) { return sentence.starts_with("Out of memory."); }
+
+}  // namespace
+
+TEST_CASE("An exception becomes a sentence") {
+    CHECK(guarded([] {}).ok());
+    const auto of = [](const std::function<void()>& work) { return guarded(work).error().message; };
+    CHECK(saysOutOfMemory(of([] { throw std::bad_alloc(); })));
+    CHECK(saysOutOfMemory(of([] { throw std::length_error("vector::reserve"); })));
+    CHECK(of([] { throw std::runtime_error("it broke"); }) == "Internal error: it broke.");
+    CHECK(of([] { throw 7; }).starts_with("Internal error"));
+}
+
+TEST_CASE("Without memory an input is not opened, and the program goes on") {
+    Session session;
+    {
+        const ScarceMemory scarce(4096);
+        session.open({"scene:torus", {}, "paper"});
+        session.settle();
+        CHECK(session.phase() == SessionPhase::Failed);
+        CHECK(saysOutOfMemory(session.error()));
+    }
+    session.open({"scene:torus", {}, "paper"});
+    session.settle();
+    CHECK(session.ready());
+}
+
+TEST_CASE("Without memory a move ends where it began, and says why") {
+    test::OpenSession open("scene:torus");
+    REQUIRE(open.session.ready());
+    {
+        const ScarceMemory scarce(512);
+        open.session.toEnd();
+        while (open.session.busy()) open.session.poll();
+    }
+    CHECK(saysOutOfMemory(open.session.message()));
+    CHECK(open.session.record().pivot == 0);
+    open.session.toEnd();
+    open.session.settle();
+    CHECK(saysOutOfMemory(open.session.message()));
+    open.session.open({"scene:sphere", {}, "paper"});
+    open.session.settle();
+    open.session.toEnd();
+    open.session.settle();
+    CHECK(open.session.atEnd());
+}
+
+TEST_CASE("Without memory the overview ends, and says why") {
+    const auto model = test::sphereModel();
+    const ScarceMemory scarce;
+    OverviewThread thread(model);
+    thread.finish();
+    CHECK(thread.done());
+    CHECK(saysOutOfMemory(thread.takeComplaint()));
+    CHECK(thread.takeComplaint().empty());
+}
+
+TEST_CASE("Without memory the doctor says why it found nothing") {
+    LoadProgress progress;
+    const auto loaded = loadInput({"scene:torus", {}, "paper"}, progress);
+    REQUIRE(loaded.ok());
+    Checkup checkup;
+    checkup.wait(loaded.value().file);
+    {
+        const ScarceMemory scarce;
+        checkup.begin();
+        checkup.finish();
+    }
+    CHECK(checkup.poll());
+    CHECK_FALSE(checkup.done());
+    CHECK_FALSE(checkup.busy());
+    CHECK(saysOutOfMemory(checkup.complaint()));
+}
+
+TEST_CASE("Without memory a comparison says why there is none") {
+    test::OpenSession open("scene:torus");
+    Comparison comparison;
+    {
+        const ScarceMemory scarce(512);
+        comparison.begin(open.session, CompareWith::otherMesh("/dev/null"));
+        comparison.settle(open.session);
+    }
+    CHECK_FALSE(comparison.working());
+    CHECK(saysOutOfMemory(comparison.complaint()));
+}
+
+TEST_CASE("An exception in the answer to a question is its complaint") {
+    Inquiry<int> inquiry;
+    inquiry.ask([](const Progress&) -> Result<int> { throw std::runtime_error("it broke"); });
+    inquiry.finish();
+    CHECK(inquiry.poll());
+    CHECK(inquiry.answer() == nullptr);
+    CHECK(inquiry.complaint() == "Internal error: it broke.");
+    inquiry.ask([](const Progress&) -> Result<int> { return 5; });
+    inquiry.finish();
+    CHECK(inquiry.poll());
+    REQUIRE(inquiry.answer() != nullptr);
+    CHECK(inquiry.complaint().empty());
+}
+
+TEST_CASE("Without memory breakpoints and watches are given up, and say why") {
+    const auto model = test::sphereModel();
+    HitSearch hits;
+    WatchScan watches;
+    {
+        const ScarceMemory scarce;
+        hits.open(model);
+        hits.want(std::vector<Breakpoint>{{"", "stage=sphere", 0, 1, true, false}});
+        hits.finish();
+        watches.open(model);
+        watches.want(std::vector<std::string>{"ring"});
+        watches.finish();
+    }
+    CHECK(hits.cancelled());
+    CHECK(saysOutOfMemory(hits.takeComplaint()));
+    CHECK(watches.cancelled());
+    CHECK(saysOutOfMemory(watches.takeComplaint()));
+    watches.resume();
+    watches.finish();
+    CHECK(watches.of("ring")->complete);
+}
+
+TEST_CASE("Without memory new points fail, and say why") {
+    Growth growth;
+    {
+        const ScarceMemory scarce;
+        growth.begin(sampleFromSource("sample:torus,n=400").value());
+        growth.settle();
+    }
+    CHECK(growth.phase() == GrowthPhase::Failed);
+    CHECK(saysOutOfMemory(growth.error()));
+}

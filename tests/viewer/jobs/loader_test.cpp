@@ -1,0 +1,111 @@
+#include "jobs/loader.h"
+#include "open_session.h"
+#include "run/input_hash.h"
+#include "spiraling_edge/scenes/scenes.h"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+
+using namespace se;
+using namespace se::view;
+namespace fs = std::filesystem;
+
+namespace {
+
+InputSpec scene(const char* source) { return {source, {}, "paper"}; }
+
+}  // namespace
+
+TEST_CASE("What was opened comes once, with the start of its run") {
+    Loader loader;
+    CHECK_FALSE(loader.busy());
+    loader.begin(scene("scene:sphere"));
+    CHECK(loader.busy());
+    loader.finish();
+    auto opened = loader.take();
+    REQUIRE(opened.has_value());
+    REQUIRE(opened->ok());
+    CHECK(opened->value().model->name == "scene:sphere");
+    const auto answer = opened->value().runner->take();
+    REQUIRE(answer.has_value());
+    CHECK(answer->final);
+    CHECK(answer->record->pivot == 0);
+    CHECK_FALSE(loader.busy());
+    CHECK_FALSE(loader.take().has_value());
+}
+
+TEST_CASE("The last of several inputs is the one that is opened") {
+    Loader loader;
+    for (const char* source : {"scene:sphere", "scene:torus", "scene:grid"}) {
+        loader.begin(scene(source));
+    }
+    loader.finish();
+    const auto opened = loader.take();
+    REQUIRE(opened.has_value());
+    REQUIRE(opened->ok());
+    CHECK(opened->value().model->name == "scene:grid");
+}
+
+TEST_CASE("Nobody waits for what was cancelled") {
+    Loader loader;
+    loader.begin(scene("scene:torus"));
+    loader.cancel();
+    CHECK_FALSE(loader.busy());
+    loader.finish();
+    CHECK_FALSE(loader.take().has_value());
+}
+
+TEST_CASE("A session whose opening is cancelled goes on with what was open, at once") {
+    test::OpenSession open;
+    const std::uint32_t before = open.session.generation();
+    open.session.open(scene("scene:torus"));
+    CHECK(open.session.phase() == SessionPhase::Loading);
+    CHECK(open.session.spec().source == "scene:sphere");
+    CHECK(open.session.opening().source == "scene:torus");
+    open.session.cancelOpening();
+    CHECK(open.session.phase() == SessionPhase::Ready);
+    open.session.settle();
+    CHECK(open.session.generation() == before);
+    CHECK(open.session.spec().source == "scene:sphere");
+
+    Session empty;
+    empty.open(scene("scene:torus"));
+    empty.cancelOpening();
+    CHECK(empty.startPage());
+}
+
+TEST_CASE("A file is hashed as it is read; what cannot be read is told by its name") {
+    const fs::path path = test::ownPlace("loader-test.xyz");
+    std::ofstream(path) << "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n1 1 0 0 0 1\n";
+    LoadProgress progress;
+    const auto model = loadModel({path.string(), {}, "paper"}, progress);
+    REQUIRE(model.ok());
+    CHECK(progress.share == doctest::Approx(1.0));
+    InputHash hash;
+    hash.add("0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n1 1 0 0 0 1\n");
+    CHECK(model.value()->hash == hash.text());
+    fs::remove(path);
+    const auto missing = loadModel({path.string(), {}, "paper"}, progress);
+    REQUIRE_FALSE(missing.ok());
+    CHECK(missing.error().message.find("no such file") != std::string::npos);
+    progress.cancelled = true;
+    CHECK_FALSE(loadModel({"scene:sphere", {}, "paper"}, progress).ok());
+}
+
+TEST_CASE("Points from standard input are opened as often as one likes") {
+    InputSpec spec = scene("-");
+    LoadProgress progress;
+    const auto missing = loadInput(spec, progress);
+    REQUIRE_FALSE(missing.ok());
+    CHECK(missing.error().message.find("Standard input") != std::string::npos);
+    spec.points = std::make_shared<const PointFile>(findScene("torus")->build());
+    for (int i = 0; i < 2; ++i) {
+        const auto loaded = loadInput(spec, progress);
+        REQUIRE(loaded.ok());
+        CHECK(loaded.value().model->name == "standard input");
+        CHECK(loaded.value().model->points.size() == spec.points->position.size());
+        CHECK(loaded.value().model->hash == hashOfPoints(*spec.points));
+    }
+}

@@ -1,0 +1,338 @@
+#include "jobs/questions.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "commands/ask_actions.h"
+#include "commands/growth_commands.h"
+#include "layers/layer.h"
+#include "open_session.h"
+#include "rows/line_text.h"
+#include "rows/query_words.h"
+#include "scene/point_tint.h"
+#include "session/line_position.h"
+
+using namespace se;
+using namespace se::view;
+using namespace se::view::test;
+
+namespace {
+
+struct AskDesk {
+    OpenSession open;
+    Playback playback;
+    Camera camera;
+    UiState ui;
+    CommandContext context{open.session, playback, camera, ui};
+
+    explicit AskDesk(const char* scene = "scene:stranded-point") : open(scene) {}
+    Session& session() { return open.session; }
+    const WhyAnswer* ledger() {
+        open.session.settle();
+        return open.session.questions().ledger().answer();
+    }
+    void run(const char* command) { runCommand(*findCommand(command), context); }
+};
+
+}  // namespace
+
+TEST_CASE("A point, an edge or a triangle can be typed, there or not, and mistakes are named") {
+    CHECK(selectionFromText("7", 10).value() == Selection::ofPoint(7));
+    CHECK(selectionFromText(" 7,3 ", 10).value() == Selection::ofEdge(3, 7));
+    CHECK(selectionFromText("edge 7-3", 10).value() == Selection::ofEdge(3, 7));
+    CHECK(selectionFromText("(1, 2, 3)", 10).value() == Selection::ofTriangle({1, 2, 3}));
+    for (const auto& [text, said] : std::initializer_list<std::pair<const char*, const char*>>{
+             {"", "812,640"},
+             {"1 2 3 4", "812,640"},
+             {"12", "the points are 0 to 9"},
+             {"99999999999999", "the points are 0 to 9"},
+             {"3,three", "\"three\""},
+             {"3 3", "twice"}}) {
+        CAPTURE(std::string(text));
+        const auto read = selectionFromText(text, 10);
+        REQUIRE_FALSE(read.ok());
+        CHECK(read.error().message.find(said) != std::string::npos);
+    }
+}
+
+TEST_CASE("W asks about the selection, and the answer is that of the library") {
+    AskDesk desk;
+    CHECK(desk.ledger() == nullptr);
+    desk.session().select(32);
+    desk.run("ask.why");
+    CHECK(desk.ui.wantedTab == kLedgerTab);
+    CHECK(desk.session().questions().busy());
+    const WhyAnswer* ledger = desk.ledger();
+    REQUIRE(ledger != nullptr);
+    const Model& model = desk.session().model();
+    const Ledger expected = why(model.points, model.params, Subject::point(32)).value();
+    CHECK(ledger->answer == expected.answer);
+    CHECK(ledger->lines.size() == expected.lines.size());
+    CHECK(ledger->cause == expected.cause);
+    CHECK_FALSE(ledger->present);
+}
+
+TEST_CASE("Without a selection W waits for something to be typed") {
+    AskDesk desk;
+    desk.run("ask.why");
+    CHECK(desk.ui.wantedTab == kLedgerTab);
+    CHECK(desk.ui.ledger.wantsKeyboard);
+    CHECK_FALSE(desk.session().questions().busy());
+}
+
+TEST_CASE("An edge that is not there can be asked for") {
+    AskDesk desk("scene:sphere");
+    const Index far = static_cast<Index>(desk.session().model().points.size() - 1);
+    askWhy(desk.context, Selection::ofEdge(0, far));
+    REQUIRE(desk.ledger() != nullptr);
+    CHECK_FALSE(desk.ledger()->present);
+    CHECK(desk.session().selection() == Selection::ofEdge(0, far));
+}
+
+TEST_CASE("The lines are walked in both directions of time, from wherever the cursor stands") {
+    AskDesk desk;
+    askWhy(desk.context, Selection::ofPoint(32));
+    const WhyAnswer ledger = *desk.ledger();
+    std::vector<std::string> forward;
+    for (std::size_t i = 0; i < ledger.lines.size(); ++i) {
+        desk.run("ask.line.next");
+        forward.push_back(desk.open.place());
+        CHECK(forward.back() == toString(ledger.lines[i].event.address));
+        CHECK(placeAmong(ledger.lines, desk.session()).here == i);
+    }
+    desk.run("ask.line.next");
+    CHECK(desk.open.place() == forward.back());
+    CHECK(desk.session().message() == "Nothing more happens to point 32.");
+    desk.session().stepEvent(1);
+    for (std::size_t i = ledger.lines.size(); i-- > 0;) {
+        if (desk.open.place() != forward.back() || i + 1 < ledger.lines.size())
+            desk.run("ask.line.previous");
+        CHECK(desk.open.place() == forward[i]);
+    }
+    desk.run("ask.line.previous");
+    CHECK(desk.session().message() == "Nothing happened to point 32 before.");
+    desk.run("ask.cause");
+    CHECK(desk.open.place() == toString(ledger.lines[ledger.cause].event.address));
+}
+
+TEST_CASE("Between two lines the cursor lies before the next one") {
+    AskDesk desk;
+    askWhy(desk.context, Selection::ofPoint(32));
+    const WhyAnswer ledger = *desk.ledger();
+    desk.session().toStart();
+    desk.session().settle();
+    CHECK(placeAmong(ledger.lines, desk.session()).before == 0);
+    CHECK_FALSE(placeAmong(ledger.lines, desk.session()).here);
+    desk.session().goToPivot(ledger.lines.back().event.address.pivot - 1);
+    desk.session().settle();
+    const LinePlace place = placeAmong(ledger.lines, desk.session());
+    CHECK_FALSE(place.here);
+    CHECK(place.before > 0);
+    CHECK(place.before < ledger.lines.size());
+    CHECK(ledger.lines[place.before - 1].event.address.pivot <
+          ledger.lines.back().event.address.pivot);
+}
+
+TEST_CASE("Another subject gives the last question up, another run all answers") {
+    AskDesk desk;
+    for (Index p = 0; p < 20; ++p) askWhy(desk.context, Selection::ofPoint(p));
+    REQUIRE(desk.ledger() != nullptr);
+    CHECK(desk.ledger()->name == "point 19");
+    askWhy(desk.context, Selection::ofPoint(3));
+    desk.session().open({"scene:sphere", {}, "paper"});
+    desk.session().settle();
+    CHECK(desk.ledger() == nullptr);
+    CHECK(desk.session().questions().subject().kind == SelectionKind::None);
+}
+
+TEST_CASE("A question can be stopped, and asked again") {
+    AskDesk desk;
+    askWhy(desk.context, Selection::ofPoint(32));
+    desk.session().questions().ledger().stop();
+    CHECK(desk.ledger() == nullptr);
+    CHECK(desk.session().questions().ledger().complaint() == "Stopped.");
+    askWhy(desk.context, Selection::ofPoint(32));
+    CHECK(desk.ledger() != nullptr);
+}
+
+TEST_CASE("The copied text has the answer, every address and a mark at the cause") {
+    AskDesk desk;
+    askWhy(desk.context, Selection::ofPoint(32));
+    const WhyAnswer& ledger = *desk.ledger();
+    const std::string text = ledgerText(ledger.answer, ledger.lines, ledger.cause);
+    CHECK(text.starts_with(ledger.answer));
+    for (const LedgerLine& line : ledger.lines)
+        CHECK(text.find(toString(line.event.address) + "  ") != std::string::npos);
+    CHECK(text.find("> " + toString(ledger.lines[ledger.cause].event.address)) !=
+          std::string::npos);
+}
+
+TEST_CASE("A query line finds what the library finds, and its decisions are walked by keys") {
+    AskDesk desk;
+    desk.ui.query.typed = "stage=sphere refused";
+    findTyped(desk.context);
+    desk.session().settle();
+    const FoundDecisions* found = desk.session().questions().found().answer();
+    REQUIRE(found != nullptr);
+    const Model& model = desk.session().model();
+    const DecisionQuery query = DecisionQuery::parse("stage=sphere refused").value();
+    CHECK(found->total == findDecisions(model.points, model.params, query, 1).value().total);
+    REQUIRE(found->total > 2);
+    desk.run("ask.hit.next");
+    CHECK(desk.open.place() == toString(found->lines[0].event.address));
+    desk.run("ask.hit.next");
+    CHECK(desk.open.place() == toString(found->lines[1].event.address));
+    desk.run("ask.hit.previous");
+    desk.run("ask.hit.previous");
+    CHECK(desk.open.place() == toString(found->lines[0].event.address));
+    CHECK(desk.session().message() == "Nothing before is like that.");
+}
+
+TEST_CASE(
+    "Where the list of hits ends before the run does, F3 says so, and which line has the rest") {
+    AskDesk desk("scene:torus");
+    REQUIRE(desk.session().questions().find("at=1..99999").ok());
+    desk.session().settle();
+    const FoundDecisions* found = desk.session().questions().found().answer();
+    REQUIRE(found != nullptr);
+    REQUIRE(found->lines.size() == Questions::kMostFound);
+    REQUIRE(found->total > found->lines.size());
+    const Address last = found->lines.back().event.address;
+    desk.session().goTo(last);
+    desk.session().settle();
+    desk.run("ask.hit.next");
+    desk.session().settle();
+    CHECK(toString(desk.session().address()) == toString(last));
+    const std::string rest = "at=" + std::to_string(last.pivot) + ".." +
+                             std::to_string(desk.session().overview().lastPivot);
+    CHECK(desk.session().message().find(rest) != std::string::npos);
+    CHECK(DecisionQuery::parse(rest).ok());
+    // Coming back from behind the list is no step to the one before, and that is said.
+    desk.session().toEnd();
+    desk.session().settle();
+    desk.run("ask.hit.previous");
+    desk.session().settle();
+    CHECK(toString(desk.session().address()) == toString(last));
+    CHECK(desk.session().message().find(rest) != std::string::npos);
+    // Within the list nothing is said.
+    desk.session().say("");
+    desk.run("ask.hit.previous");
+    desk.session().settle();
+    CHECK(desk.session().message().empty());
+}
+
+TEST_CASE("A line with a mistake asks nothing, and what was found stays") {
+    AskDesk desk;
+    CHECK(desk.session().questions().find("stage=split").ok());
+    CHECK_FALSE(desk.session().questions().find("stage=dragon").ok());
+    CHECK(desk.session().questions().line() == "stage=split");
+    desk.session().settle();
+    CHECK(desk.session().questions().found().answer() != nullptr);
+}
+
+TEST_CASE("The last word of a line may become those terms that begin so, and is completed") {
+    CHECK(termsFor("").size() == queryTerms().size());
+    CHECK(termsFor("kept ").size() == queryTerms().size());
+    REQUIRE(termsFor("kept mar").size() == 1);
+    CHECK(termsFor("kept mar")[0]->form == "margin<X");
+    CHECK(termsFor("kept margin<1e-4").size() == 1);
+    CHECK(termsFor("xyz").size() == queryTerms().size());
+    CHECK(completed("kept mar", *termsFor("mar")[0]) == "kept margin<");
+    CHECK(completed("k", *termsFor("k")[0]) == "kept ");
+    CHECK(completed("stage=sphere", *termsFor("mar")[0]) == "stage=sphere margin<");
+}
+
+TEST_CASE("Closest calls and charts are asked for once in a run, and are void in the next") {
+    AskDesk desk;
+    Questions& questions = desk.session().questions();
+    CHECK(questions.leastMargin().empty());
+    questions.wantClosest();
+    questions.wantCharts();
+    desk.session().settle();
+    REQUIRE(questions.closest().answer() != nullptr);
+    REQUIRE(questions.charts().answer() != nullptr);
+    const auto& lines = questions.closest().answer()->lines;
+    REQUIRE(lines.size() > 10);
+    for (std::size_t i = 1; i < lines.size(); ++i)
+        CHECK(std::abs(lines[i - 1].reading->margin) <= std::abs(lines[i].reading->margin));
+    CHECK(questions.leastMargin().size() == desk.session().model().points.size());
+    questions.wantClosest();
+    CHECK_FALSE(questions.busy());
+    desk.session().open({"scene:sphere", {}, "paper"});
+    desk.session().settle();
+    CHECK(questions.closest().answer() == nullptr);
+    CHECK(questions.charts().answer() == nullptr);
+}
+
+TEST_CASE("A ring is asked for by its place, or as the one at the cursor") {
+    const Address here{25, Stage::Ring, 2};
+    CHECK_FALSE(ringFromText("812", here).has_value());
+    CHECK(ringFromText("ring", here)->value() == RingPlace{here, 0});
+    CHECK(ringFromText(" ring #2", here)->value() == RingPlace{here, 2});
+    CHECK(ringFromText("ring 30#1", here)->value() == RingPlace{{30, Stage::Pivot, 0}, 1});
+    CHECK_FALSE(ringFromText("ring dragon", here)->ok());
+    AskDesk desk;
+    desk.session().goToPivot(25);
+    desk.session().settle();
+    desk.ui.ledger.typed = "ring";
+    askTyped(desk.context);
+    REQUIRE(desk.ledger() != nullptr);
+    CHECK(desk.ledger()->name == "active ring at " + toString(desk.session().address()));
+    CHECK(toString(desk.ledger()->lines.front().event.address) == "1.seed.1");
+    CHECK(desk.session().questions().subject().kind == SelectionKind::None);
+}
+
+TEST_CASE("Margins have steps by decades; the nearest stands out most from the background") {
+    CHECK(marginStep(0.0) == 0U);
+    CHECK(marginStep(-9e-7) == 0U);
+    CHECK(marginStep(1e-6) == 1U);
+    CHECK(marginStep(-0.05) == 5U);
+    CHECK(marginStep(3.0) == kMarginSteps - 1);
+    CHECK_FALSE(marginStep(std::numeric_limits<double>::infinity()).has_value());
+    CHECK(marginStepText(1) == "1e-6");
+    CHECK(marginStepText(5) == "1e-2");
+    CHECK(marginStepText(6) == "0.1");
+    for (const Theme theme : {Theme::Dark, Theme::Light}) {
+        const Color& background = paletteOf(theme).background;
+        for (std::size_t step = 1; step < kMarginSteps; ++step)
+            CHECK(contrast(marginColor(step - 1, theme), background) >
+                  contrast(marginColor(step, theme), background));
+    }
+}
+
+TEST_CASE("A point keeps its shape when tinted, and gets its plain color back") {
+    OpenSession open("scene:stranded-point");
+    open.session.goToPivot(40);
+    open.session.settle();
+    open.session.questions().wantClosest();
+    open.session.settle();
+    const std::span<const double> margins = open.session.questions().leastMargin();
+    LayerInput in{open.session.model(), open.session.picture(), paletteOf(Theme::Dark)};
+    DrawList list;
+    addPoints(in, list);
+    const DrawList plain = list;
+    in.leastMargin = margins;
+    in.tint = 1;
+    addPoints(in, list);
+    CHECK(list.marginTint);
+    std::size_t tinted = 0;
+    for (std::size_t p = 0; p < margins.size(); ++p) {
+        const PointStyle& before = plain.cloudStyles.styles[plain.cloudStyleOf[p]];
+        const PointStyle& after = list.cloudStyles.styles[list.cloudStyleOf[p]];
+        CHECK(after.shape == before.shape);
+        const auto step = marginStep(margins[p]);
+        if (!step) continue;
+        ++tinted;
+        const Color wanted = marginColor(*step, Theme::Dark);
+        CHECK(after.color.withAlpha(1.0F) == wanted.withAlpha(1.0F));
+    }
+    CHECK(tinted > 100);
+    list.clear();
+    in.leastMargin = {};
+    in.tint = 0;
+    addPoints(in, list);
+    CHECK(list.cloudStyleOf == plain.cloudStyleOf);
+    CHECK_FALSE(list.marginTint);
+}

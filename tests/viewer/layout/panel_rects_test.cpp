@@ -1,0 +1,194 @@
+#include "layout/panel_rects.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+using namespace se::view;
+
+namespace {
+
+struct Screen {
+    glm::vec2 size;
+    float em;
+};
+
+constexpr Screen kScreens[] = {{{1280, 800}, 16}, {{1600, 900}, 16},  {{1024, 640}, 16},
+                               {{1280, 800}, 32}, {{3840, 2160}, 32}, {{640, 400}, 16}};
+
+struct Case {
+    Screen screen;
+    Arrangement arrangement;
+};
+
+std::vector<Case> allCases() {
+    std::vector<Case> all;
+    for (const Screen& screen : kScreens) {
+        for (const ArrangementRow& row : arrangements()) all.push_back({screen, row.id});
+    }
+    return all;
+}
+
+bool overlapping(const Rect& a, const Rect& b) {
+    return a.min.x < b.max().x && b.min.x < a.max().x && a.min.y < b.max().y && b.min.y < a.max().y;
+}
+
+}  // namespace
+
+TEST_CASE("Panels fill the window without overlap, at every size") {
+    for (const Case& each : allCases()) {
+        const Screen& screen = each.screen;
+        CAPTURE(screen.size.x);
+        CAPTURE(screen.em);
+        CAPTURE(rowOf(each.arrangement).name);
+        const Layout l = computeLayout(screen.size, screen.em, each.arrangement);
+        const Rect all[] = {l.menu,      l.transport,  l.left,          l.dial,   l.right,
+                            l.view,      l.narration,  l.drawer,        l.status, l.title,
+                            l.otherView, l.otherTitle, l.otherNarration};
+        float area = 0.0F;
+        for (const Rect& a : all) {
+            area += a.size.x * a.size.y;
+            CHECK(a.min.x >= 0.0F);
+            CHECK(a.max().x <= screen.size.x);
+            CHECK(a.max().y <= screen.size.y);
+            for (const Rect& b : all) CHECK((&a == &b || !overlapping(a, b)));
+        }
+        CHECK(area == doctest::Approx(screen.size.x * screen.size.y));
+    }
+}
+
+TEST_CASE("The view never has less than 40 percent of the width") {
+    for (const auto& [screen, arrangement] : allCases()) {
+        CAPTURE(screen.size.x);
+        CAPTURE(rowOf(arrangement).name);
+        const Layout l = computeLayout(screen.size, screen.em, arrangement);
+        // Where there are two, both together.
+        const bool beside = l.otherView.min.y == l.view.min.y;
+        CHECK(l.view.size.x + (beside ? l.otherView.size.x : 0.0F) >= 0.4F * screen.size.x);
+        CHECK(l.view.size.y >= 0.2F * screen.size.y);
+    }
+}
+
+TEST_CASE("Small windows have one column, low ones one strip") {
+    CHECK_FALSE(computeLayout({1280, 800}, 16).narrow);
+    CHECK(computeLayout({1280, 800}, 32).narrow);
+    CHECK_FALSE(computeLayout({1280, 800}, 16).drawerFolded);
+    CHECK_FALSE(computeLayout({1280, 700}, 16).drawerFolded);
+    CHECK(computeLayout({1280, 699}, 16).drawerFolded);
+    CHECK(computeLayout({1280, 800}, 32).drawerFolded);
+}
+
+TEST_CASE("The drawer can be folded to three em by hand, and opened in a low window") {
+    const Layout folded = computeLayout({1280, 800}, 16, Arrangement::Debug, DrawerWish::Folded);
+    CHECK(folded.drawerFolded);
+    CHECK(folded.drawer.size.y == doctest::Approx(3.0F * 16.0F));
+    CHECK(folded.stageStrip.size.y == 0.0F);
+    const Layout open = computeLayout({1024, 640}, 16, Arrangement::Debug, DrawerWish::Open);
+    CHECK_FALSE(open.drawerFolded);
+    CHECK(open.view.size.y >= 0.3F * 640.0F);
+    // There is a limit: something of the view must be left.
+    CHECK(computeLayout({640, 400}, 16, Arrangement::Debug, DrawerWish::Open).drawerFolded);
+}
+
+TEST_CASE("The strips fill the drawer without overlap") {
+    for (const Screen& screen : kScreens) {
+        CAPTURE(screen.size.x);
+        const Layout l = computeLayout(screen.size, screen.em);
+        CHECK(l.runStrip.min.y == l.drawer.min.y);
+        CHECK(l.runStrip.size.y + l.pivotStrip.size.y + l.stageStrip.size.y ==
+              doctest::Approx(l.drawer.size.y));
+        if (l.drawerFolded) continue;
+        CHECK(l.pivotStrip.min.y == doctest::Approx(l.runStrip.max().y));
+        CHECK(l.stageStrip.min.y == doctest::Approx(l.pivotStrip.max().y));
+        CHECK(l.stageStrip.max().y == doctest::Approx(l.drawer.max().y));
+    }
+}
+
+TEST_CASE("Learn has one column, Present none, and both a larger caption") {
+    const Layout debug = computeLayout({1280, 800}, 16);
+    const Layout learn = computeLayout({1280, 800}, 16, Arrangement::Learn);
+    const Layout present = computeLayout({1280, 800}, 16, Arrangement::Present);
+    CHECK(learn.left.size.x > 0.0F);
+    CHECK(learn.right.size.x == 0.0F);
+    CHECK(learn.view.size.x > debug.view.size.x);
+    CHECK(present.view.size.x == 1280.0F);
+    CHECK(present.menu.size.y == 0.0F);
+    CHECK(present.drawer.size.y > 0.0F);
+    CHECK(learn.narration.size.y == doctest::Approx(1.5F * debug.narration.size.y).epsilon(0.02));
+    CHECK(present.narration.size.y - present.addressLine == learn.narration.size.y);
+}
+
+TEST_CASE("Arrangements are found by name, and following each other all are seen") {
+    for (const ArrangementRow& row : arrangements()) {
+        CHECK(arrangementFromName(row.name) == row.id);
+        CHECK(&rowOf(row.id) == &row);
+    }
+    CHECK(arrangementFromName("wide") == std::nullopt);
+    // Compare has a key of its own.
+    Arrangement at = Arrangement::Debug;
+    std::size_t seen = 0;
+    do {
+        CHECK(at != Arrangement::Compare);
+        at = following(at);
+        ++seen;
+    } while (at != Arrangement::Debug);
+    CHECK(seen == arrangements().size() - 1);
+    CHECK(following(Arrangement::Compare) == Arrangement::Debug);
+}
+
+TEST_CASE("Compare has two views of the same size, with the column beside them") {
+    for (const Screen& screen : kScreens) {
+        CAPTURE(screen.size.x);
+        CAPTURE(screen.em);
+        const Layout l = computeLayout(screen.size, screen.em, Arrangement::Compare);
+        CHECK(std::abs(l.view.size.x - l.otherView.size.x) <= 1.0F);
+        CHECK(std::abs(l.view.size.y - l.otherView.size.y) <= 1.0F);
+        CHECK(l.title.size.y == l.otherTitle.size.y);
+        CHECK(l.left.size.x > 0.0F);
+        CHECK(l.right.size.x == 0.0F);
+        // They stand so that each has as much room as can be.
+        const bool beside = l.otherView.min.y == l.view.min.y;
+        const glm::vec2 both(l.status.size.x - l.left.size.x, l.narration.min.y - l.title.min.y);
+        CHECK(beside == (std::min(0.5F * both.x, both.y) >= std::min(both.x, 0.5F * both.y)));
+    }
+    const Layout debug = computeLayout({1280, 800}, 16);
+    CHECK(debug.otherView.size == glm::vec2(0.0F));
+    CHECK(debug.title.size == glm::vec2(0.0F));
+}
+
+TEST_CASE("Where no status bar has the address, a line above the caption has it") {
+    for (const auto& [screen, arrangement] : allCases()) {
+        CAPTURE(screen.size.x);
+        CAPTURE(rowOf(arrangement).name);
+        const Layout l = computeLayout(screen.size, screen.em, arrangement);
+        CHECK((l.addressLine > 0.0F) == (l.status.size.y == 0.0F));
+        // The caption keeps two lines.
+        CHECK(l.narration.size.y - l.addressLine >= 2.0F * l.caption * screen.em);
+    }
+}
+
+TEST_CASE("In a low window a large caption leaves the view half of the height") {
+    for (const Arrangement arrangement : {Arrangement::Learn, Arrangement::Present}) {
+        const Layout l = computeLayout({1024, 640}, 32, arrangement);
+        CHECK(l.view.size.y >= 0.49F * (l.view.size.y + l.narration.size.y));
+    }
+}
+
+TEST_CASE("A page has its form, its view and its controls beside each other, none outside") {
+    for (const glm::vec2 size :
+         {glm::vec2(1280, 800), glm::vec2(640, 400), glm::vec2(2560, 1440)}) {
+        for (const float em : {12.0F, 16.0F, 32.0F}) {
+            const Layout l = computePageLayout(size, em);
+            CHECK(l.left.min.y == l.menu.max().y);
+            CHECK(l.view.min.x == l.left.max().x);
+            CHECK(l.view.max().x == size.x);
+            CHECK(l.narration.min.y == l.view.max().y);
+            CHECK(l.narration.max().y == size.y);
+            CHECK(l.left.max().y == size.y);
+            CHECK(l.view.size.x >= 0.5F * size.x);
+            // What lies over it finds the size of the window.
+            CHECK(l.status.max() == size);
+        }
+    }
+}

@@ -1,0 +1,233 @@
+#include "panel_state/growth_form.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "commands/growth_commands.h"
+#include "headless_app.h"
+#include "panel_state/prepare_form.h"
+
+using namespace se;
+using namespace se::view;
+
+TEST_CASE("The form says what is sampled, and takes it up again") {
+    GrowthForm form;
+    CHECK(form.spec().value() == sampleFromSource("sample:torus,n=2000").value());
+    form.choose("gyroid");
+    form.count = " 1500 ";
+    form.seed = "4";
+    form.cutByOwnBox();
+    CHECK(form.box[0] == "-4");
+    form.box[0] = "-2.5";
+    form.isovalue = "0.25";
+    const Result<SampleSpec> spec = form.spec();
+    REQUIRE(spec.ok());
+    CHECK(spec.value().box->low.x == -2.5);
+    GrowthForm other;
+    other.take(spec.value());
+    CHECK(other.spec().value() == spec.value());
+    // What was said of one surface does not hold for another.
+    other.choose("sphere");
+    CHECK_FALSE(other.spec().value().box.has_value());
+    CHECK_FALSE(other.spec().value().isovalue.has_value());
+}
+
+TEST_CASE("A field that is wrong is named") {
+    const auto complaint = [](auto change) {
+        GrowthForm form;
+        change(form);
+        const Result<SampleSpec> spec = form.spec();
+        return spec ? std::string("none") : spec.error().message;
+    };
+    CHECK(complaint([](GrowthForm& f) { f.count = "many"; }).starts_with("Points:"));
+    CHECK(complaint([](GrowthForm& f) { f.count = "0"; }).starts_with("Points:"));
+    CHECK(complaint([](GrowthForm& f) {
+              f.bySpacing = true, f.spacing = "-1";
+          }).starts_with("Spacing:"));
+    CHECK(complaint([](GrowthForm& f) { f.seed = "1.5"; }).starts_with("Seed:"));
+    CHECK(complaint([](GrowthForm& f) { f.isovalue = "high"; }).starts_with("Isovalue:"));
+    CHECK(complaint([](GrowthForm& f) { f.curvature = "101"; }).starts_with("Curvature:"));
+    CHECK(complaint([](GrowthForm& f) { f.cut = true; }).starts_with("Box:"));
+    CHECK(complaint([](GrowthForm& f) {
+              f.from = GrowthSource::Volume;
+          }).starts_with("Choose a volume"));
+    CHECK(complaint([](GrowthForm& f) { f.chooseVolume("scan.ply"); }).find("no volume") !=
+          std::string::npos);
+}
+
+TEST_CASE("On the page with new points keys mean these; those of the run do nothing") {
+    test::Desk desk("growth-keys");
+    UiState& ui = desk.ui;
+    openGrowthPage(desk.context, GrowthSource::Shape);
+    CHECK(ui.growth.open);
+    CHECK(ui.growth.asked == GrowthAsk::Begin);
+    const auto asks = [&](const char* id) {
+        ui.growth.asked = GrowthAsk::None;
+        runCommand(*findCommand(id), desk.context);
+        return ui.growth.asked;
+    };
+    CHECK(asks("run.play") == GrowthAsk::PlayOrPause);
+    CHECK_FALSE(desk.playback.playing());
+    CHECK(asks("step.event.next") == GrowthAsk::Step);
+    CHECK(asks("run.end") == GrowthAsk::Finish);
+    CHECK(asks("view.home") == GrowthAsk::Home);
+    CHECK(asks("help.leave") == GrowthAsk::Leave);
+    const LayerModes before = ui.settings.layers;
+    CHECK(asks("layer.normals") == GrowthAsk::None);
+    CHECK(ui.settings.layers == before);
+    CHECK(asks("view.theme") == GrowthAsk::None);
+    CHECK(ui.settings.theme == Theme::Light);
+    ui.growth.open = false;
+    runCommand(*findCommand("layer.normals"), desk.context);
+    CHECK(ui.settings.layers != before);
+}
+
+TEST_CASE("A volume is asked for by a browser; what is chosen begins at once") {
+    test::Desk desk("growth-volume");
+    openGrowthPage(desk.context, GrowthSource::Volume);
+    CHECK(desk.ui.fileBrowser);
+    CHECK(desk.ui.browser == BrowserTask::Volume);
+    CHECK(desk.ui.growth.asked == GrowthAsk::None);
+    CHECK(isListed("a.nhdr", BrowserTask::Volume));
+    CHECK_FALSE(isListed("a.ply", BrowserTask::Volume));
+    CHECK(isListed("a.ply", BrowserTask::SavePoints));
+    // Opened like any file it leads there as well, and nothing that is open is left.
+    desk.ui.growth = {};
+    desk.ui.fileBrowser = false;
+    desk.ui.notes = "not saved";
+    desk.filing.drop({"/data/scan.nhdr"});
+    CHECK_FALSE(desk.ui.leaving.asked);
+    CHECK(desk.ui.growth.open);
+    CHECK(desk.ui.growth.form.volume == "/data/scan.nhdr");
+    CHECK(desk.ui.growth.asked == GrowthAsk::Begin);
+    CHECK(desk.session.phase() == SessionPhase::Empty);
+}
+
+TEST_CASE("What is prepared in another way is opened in another way, and undone by the form") {
+    LoadProgress progress;
+    const auto model = test::sphereModel();
+    REQUIRE(model != nullptr);
+    PrepareForm form;
+    form.take({"scene:sphere", {}, "robust"}, *model);
+    CHECK(form.open);
+    CHECK(form.reach == PrepareForm::Reach::File);
+    CHECK(form.count == "12");
+    form.reach = PrepareForm::Reach::Nearest;
+    form.count = "9";
+    form.symmetric = true;
+    form.normals = NormalSource::Derived;
+    form.walls = WallChoice::From::Around;
+    form.keepNoise = form.keepOpposing = true;
+    const Result<InputSpec> spec = form.spec({"scene:sphere", {}, "robust"});
+    REQUIRE(spec.ok());
+    CHECK(spec.value().rules == "robust");
+    const Result<Loaded> loaded = loadInput(spec.value(), progress);
+    REQUIRE(loaded.ok());
+    const PrepareReport& report = loaded.value().model->report;
+    CHECK(report.neighborsComputed);
+    CHECK(report.derived.normals);
+    CHECK_FALSE(loaded.value().model->params.dropOpposingNormals);
+    CHECK_FALSE(loaded.value().model->params.setNoiseAside);
+    CHECK(loaded.value().model->points.neighbors[0].size() >= 9);
+    PrepareForm again;
+    again.take(spec.value(), *model);
+    CHECK(again.reach == PrepareForm::Reach::Nearest);
+    CHECK(again.count == "9");
+    CHECK(again.normals == NormalSource::Derived);
+    CHECK(again.walls == WallChoice::From::Around);
+    again.reach = PrepareForm::Reach::Radius;
+    again.radius = "0";
+    CHECK(again.spec(spec.value()).error().message.starts_with("Radius:"));
+    again.reach = PrepareForm::Reach::File;
+    again.walls = WallChoice::From::Box;
+    again.box = {};
+    CHECK(again.spec(spec.value()).error().message.starts_with("Box:"));
+}
+
+TEST_CASE("The form shows what cures chose; what is chosen there in another way goes before them") {
+    const auto model = test::sphereModel();
+    REQUIRE(model != nullptr);
+    InputSpec cured{"scene:sphere", {}, "paper"};
+    cured.cures = {"zero_normals",  "flipped_normals",   "short_lists",
+                   "types_off_box", "unsymmetric_lists", "open_border"};
+    PrepareForm form;
+    form.take(cured, *model);
+    CHECK(form.normals == NormalSource::Oriented);
+    CHECK(form.reach == PrepareForm::Reach::Nearest);
+    CHECK(form.count == "12");
+    CHECK(form.walls == WallChoice::From::Around);
+    CHECK(form.symmetric);
+    CHECK(form.rim);
+    // Left as it is, all of them stay.
+    CHECK(form.spec(cured).value().cures == cured.cures);
+    form.reach = PrepareForm::Reach::Spacings;
+    form.spacings = "1.5";
+    form.normals = NormalSource::AsGiven;
+    const InputSpec chosen = form.spec(cured).value();
+    CHECK(std::get<WithinSpacings>(chosen.neighbors.reach).spacings == 1.5);
+    CHECK(chosen.cures ==
+          Cures{"zero_normals", "types_off_box", "unsymmetric_lists", "open_border"});
+    form.walls = WallChoice::From::File;
+    form.symmetric = form.rim = false;
+    CHECK(form.spec(cured).value().cures == Cures{"zero_normals"});
+    form.spacings = "-1";
+    CHECK(form.spec(cured).error().message.starts_with("Spacings:"));
+}
+
+TEST_CASE("The box that is proposed is as short as a wall's tolerance allows") {
+    auto model = std::make_shared<Model>(*test::sphereModel());
+    model->points.position.assign({Vec3(0.1F, 0.25, 1.0), Vec3(1.0, 2.0F / 3.0F, 2.0)});
+    PrepareForm form;
+    form.take({"scene:sphere", {}, "paper"}, *model);
+    CHECK(form.box == BoxFields{"0.1", "0.25", "1", "1", "0.6666667", "2"});
+    form.walls = WallChoice::From::Box;
+    const WallBox box = form.spec({"scene:sphere", {}, "paper"}).value().walls.box;
+    const WallBox around = boxAround(model->points.position);
+    CHECK(glm::length(box.low - around.low) < around.tolerance);
+    CHECK(glm::length(box.high - around.high) < around.tolerance);
+}
+
+TEST_CASE("7 the walls of a box that is given make boundary points of a sphere cut in half") {
+    LoadProgress progress;
+    InputSpec spec{"sample:sphere,n=400,box=0:-2:-2:2:2:2", {}, "paper"};
+    const Result<Loaded> cut = loadInput(spec, progress);
+    REQUIRE(cut.ok());
+    const auto walls = [](const Model& model) {
+        return std::count_if(model.points.type.begin(), model.points.type.end(), isBoundary);
+    };
+    const auto own = walls(*cut.value().model);
+    CHECK(own > 10);
+    CHECK_FALSE(cut.value().model->report.derived.types);
+    spec.walls = {WallChoice::From::Box, {{0, -2, -2}, {2, 2, 2}}};
+    const Result<Loaded> derived = loadInput(spec, progress);
+    REQUIRE(derived.ok());
+    CHECK(walls(*derived.value().model) == own);
+    CHECK(derived.value().model->report.derived.types);
+}
+
+TEST_CASE("Points that were made are opened at the place of the camera; others forget the box") {
+    test::Desk desk("growth-open");
+    const Result<PointFile> points =
+        samplePoints(sampleFromSource("sample:torus,n=300").value(), {});
+    REQUIRE(points.ok());
+    desk.ui.growth.open = true;
+    CameraPose pose;
+    pose.distance = 2.5F;
+    desk.camera.setPose(pose);
+    InputSpec spec;
+    spec.source = "sample:torus,n=300";
+    spec.points = std::make_shared<const PointFile>(points.value());
+    spec.walls = {WallChoice::From::Around, {}};
+    desk.ui.requests.openSpec = spec;
+    desk.filing.carryOut(desk.ui.requests);
+    desk.settle();
+    REQUIRE(desk.session.ready());
+    CHECK(desk.session.model().name == "torus, 300 points");
+    CHECK(desk.filing.takeCamera()->distance == 2.5F);
+    desk.filing.open("scene:sphere");
+    desk.settle();
+    CHECK(desk.session.model().name == "scene:sphere");
+    CHECK(desk.session.spec().points == nullptr);
+    CHECK(desk.session.spec().walls == WallChoice{});
+}

@@ -1,0 +1,96 @@
+#include "panel_state/settings.h"
+#include "open_session.h"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+using namespace se::view;
+
+TEST_CASE("Settings are read as they were written") {
+    ViewSettings settings;
+    settings.theme = Theme::Light;
+    settings.uiScale = 1.5;
+    settings.width = 1600;
+    settings.height = 900;
+    settings.playRate = 15.0;
+    settings.legend = false;
+    modeOf(settings.layers, LayerId::Normals) = LayerMode::PinnedOn;
+    modeOf(settings.layers, LayerId::Spheres) = LayerMode::PinnedOff;
+    const auto read = settingsFromJson(settingsToJson(settings));
+    REQUIRE(read.ok());
+    CHECK(read.value().theme == settings.theme);
+    CHECK(read.value().uiScale == settings.uiScale);
+    CHECK(read.value().width == settings.width);
+    CHECK(read.value().height == settings.height);
+    CHECK(read.value().playRate == settings.playRate);
+    CHECK(read.value().legend == settings.legend);
+    CHECK(read.value().layers == settings.layers);
+}
+
+TEST_CASE("Values out of range or of another kind become defaults") {
+    const auto read = settingsFromJson(
+        R"({"theme": 7, "uiScale": 99, "width": -3, "height": "tall", "layers": {"points": 1}, "x": 1})");
+    REQUIRE(read.ok());
+    const ViewSettings defaults;
+    CHECK(read.value().theme == defaults.theme);
+    CHECK(read.value().uiScale == defaults.uiScale);
+    CHECK(read.value().width == defaults.width);
+    CHECK(read.value().height == defaults.height);
+    CHECK(read.value().layers == defaults.layers);
+}
+
+TEST_CASE("Layers that an earlier version kept as true and false become pins where they differ") {
+    const auto read = settingsFromJson(
+        R"({"layers": {"normals": true, "links": false, "spheres": false, "labels": true}})");
+    REQUIRE(read.ok());
+    LayerModes expected{};
+    modeOf(expected, LayerId::Normals) = LayerMode::PinnedOn;
+    modeOf(expected, LayerId::Spheres) = LayerMode::PinnedOff;
+    CHECK(read.value().layers == expected);
+}
+
+TEST_CASE("Layers of the settings are read as those of a session: the unknown is named") {
+    const auto read =
+        settingsFromJson(R"({"layers": {"points": "dim", "x": "on", "links": "off"}})");
+    REQUIRE(read.ok());
+    LayerModes expected{};
+    modeOf(expected, LayerId::Links) = LayerMode::PinnedOff;
+    CHECK(read.value().layers == expected);
+    REQUIRE(read.value().complaints.size() == 1);
+    CHECK(read.value().complaints.front() ==
+          "settings.json: Left out, since it is not known here: mode \"dim\" of layer \"points\", "
+          "layer \"x\".");
+}
+
+TEST_CASE("What is no JSON object is an error, not a crash") {
+    for (const char* text : {"", "[]", "{", "null", "\xFF\xFE"}) {
+        CAPTURE(text);
+        CHECK_FALSE(settingsFromJson(text).ok());
+    }
+}
+
+TEST_CASE("Files go where XDG says; without a file there are defaults") {
+    const std::filesystem::path folder = test::ownPlace("settings-test");
+    std::filesystem::remove_all(folder);
+    setenv("XDG_CONFIG_HOME", folder.c_str(), 1);
+    CHECK(settingsPath() == folder / "spiraling-edge" / "settings.json");
+    CHECK(readSettings(settingsPath()).ok());
+    ViewSettings settings;
+    settings.width = 999;
+    REQUIRE(writeSettings(settingsPath(), settings).ok());
+    CHECK(readSettings(settingsPath()).value().width == 999);
+    std::filesystem::remove_all(folder);
+    setenv("XDG_CONFIG_HOME", "relative", 1);
+    CHECK(settingsPath() != std::filesystem::path("relative") / "spiraling-edge" / "settings.json");
+    unsetenv("XDG_CONFIG_HOME");
+}
+
+TEST_CASE("The axis that was chosen to be up is kept; without one it is left to the guess") {
+    ViewSettings settings;
+    CHECK_FALSE(settingsFromJson(settingsToJson(settings)).value().up.has_value());
+    settings.up = UpAxis::X;
+    CHECK(settingsFromJson(settingsToJson(settings)).value().up == UpAxis::X);
+    CHECK_FALSE(settingsFromJson(R"({"up": "w"})").value().up.has_value());
+}

@@ -1,0 +1,36 @@
+#include "panel_state/start_page.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace se;
+using namespace se::view;
+
+TEST_CASE("The start page has a tile with a picture for every scene") {
+    StartPage page;
+    page.prepare();
+    REQUIRE(page.tiles.size() == scenes().size() + failureScenes().size());
+    for (const SceneTile& tile : page.tiles) {
+        CAPTURE(std::string(tile.id));
+        CHECK_FALSE(tile.title.empty());
+        CHECK(tile.dots.size() >= 10);
+        float reach = 0.0F;
+        for (const ThumbnailDot& dot : tile.dots) {
+            reach = std::max({reach, std::abs(dot.at.x), std::abs(dot.at.y)});
+        }
+        CHECK(reach == doctest::Approx(1.0F));
+    }
+}
+
+TEST_CASE("A picture leaves out points that are nowhere, and holds no more than asked for") {
+    PointFile points;
+    for (int i = 0; i < 1000; ++i) points.position.emplace_back(i, 0.5 * i, 0.0);
+    points.position[0] = Vec3(std::nan(""));
+    const auto dots = thumbnail(points, 100);
+    CHECK(dots.size() <= 100);
+    CHECK(dots.size() >= 90);
+    for (const ThumbnailDot& dot : dots) CHECK(std::isfinite(dot.at.x + dot.at.y));
+    CHECK(thumbnail({}, 100).empty());
+}

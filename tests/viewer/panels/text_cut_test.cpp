@@ -1,0 +1,40 @@
+#include "panels/widgets/text_cut.h"
+
+#include <doctest/doctest.h>
+
+using se::view::linesAtBlanks;
+using se::view::withoutLastSign;
+
+TEST_CASE("Cutting a text: a sign goes with all of its bytes") {
+    CHECK(withoutLastSign("12") == "1");
+    CHECK(withoutLastSign("1\xE2\x80\x89") == "1");      // thin space
+    CHECK(withoutLastSign("1\xC2\xB0") == "1");          // degree sign
+    CHECK(withoutLastSign("1\xF0\x9F\x94\xB5") == "1");  // four bytes
+    CHECK(withoutLastSign("\xE2\x88\x92"
+                          "x") == "\xE2\x88\x92");
+    CHECK(withoutLastSign("").empty());
+}
+
+namespace {
+
+using Lines = std::vector<std::string>;
+
+/// Every sign is one wide.
+float signs(const std::string& text) { return static_cast<float>(text.size()); }
+
+}  // namespace
+
+TEST_CASE("Lines are broken at blanks, never at a decimal point or within a number") {
+    CHECK(linesAtBlanks("turn 0.0038 of 12", 8.0F, signs) == Lines{"turn", "0.0038", "of 12"});
+    CHECK(linesAtBlanks("at (0.25, -1.5) r", 11.0F, signs) == Lines{"at (0.25,", "-1.5) r"});
+    CHECK(linesAtBlanks("short", 80.0F, signs) == Lines{"short"});
+    CHECK(linesAtBlanks("", 80.0F, signs) == Lines{""});
+}
+
+TEST_CASE("Line ends of a text stay, and a word wider than a line is cut") {
+    CHECK(linesAtBlanks("one two\nthree", 80.0F, signs) == Lines{"one two", "three"});
+    CHECK(linesAtBlanks("one\n\ntwo", 80.0F, signs) == Lines{"one", "", "two"});
+    CHECK(linesAtBlanks("in /home/points.ply: no", 8.0F, signs) ==
+          Lines{"in", "/home/po", "ints.ply", ": no"});
+    CHECK(linesAtBlanks("abc", 0.5F, signs) == Lines{"a", "b", "c"});
+}

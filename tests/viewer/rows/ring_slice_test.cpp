@@ -1,0 +1,96 @@
+#include "rows/ring_slice.h"
+
+#include <doctest/doctest.h>
+
+#include "open_session.h"
+
+using namespace se;
+using namespace se::view;
+using test::OpenSession;
+
+namespace {
+
+RingPath ringOf(std::vector<Index> points) {
+    RingPath ring;
+    ring.open.assign(points.size(), false);
+    ring.points = std::move(points);
+    return ring;
+}
+
+}  // namespace
+
+TEST_CASE("A ring that fits is shown once, whatever is in the middle") {
+    const RingSlice slice = sliceAbout(5, 4, 0, 9);
+    CHECK(slice.whole());
+    std::vector<bool> seen(5, false);
+    for (std::size_t i = 0; i < slice.count; ++i) seen[slice.at(i)] = true;
+    for (const bool one : seen) CHECK(one);
+    CHECK(slice.at(2) == 4);
+}
+
+TEST_CASE("Of a long ring the points about the middle are shown, across its end") {
+    const RingSlice slice = sliceAbout(100, 1, 0, 7);
+    CHECK_FALSE(slice.whole());
+    CHECK(slice.count == 7);
+    CHECK(slice.at(0) == 98);
+    CHECK(slice.at(3) == 1);
+    CHECK(slice.at(6) == 4);
+    CHECK(sliceAbout(100, 1, 10, 7).at(3) == 11);
+    CHECK(sliceAbout(100, 1, -302, 7).at(3) == 99);
+    CHECK(sliceAbout(0, 0, 0, 7).count == 0);
+}
+
+TEST_CASE("A pivot that is on a ring more than once is found between first and last") {
+    const RingPath ring = ringOf({7, 1, 2, 7, 3, 4});
+    Picture picture;
+    picture.pivot = 7;
+    picture.first = 2;
+    picture.last = 3;
+    CHECK(workPlace(picture, ring) == 3);
+    picture.first = 4;
+    picture.last = 1;
+    CHECK(workPlace(picture, ring) == 0);
+}
+
+TEST_CASE("When the pivot has left the ring, the place is where it goes on") {
+    const RingPath ring = ringOf({1, 2, 3, 4});
+    Picture picture;
+    picture.pivot = 9;
+    picture.end = 3;
+    CHECK(workPlace(picture, ring) == 2);
+    picture.nextPivot = 4;
+    CHECK(workPlace(picture, ring) == 3);
+    CHECK_FALSE(workPlace(Picture{}, ring));
+}
+
+TEST_CASE("The strip shows the chosen ring, else the active one") {
+    Picture picture;
+    picture.rings = {ringOf({1, 2, 3}), ringOf({4, 5, 6})};
+    picture.rings[0].active = true;
+    picture.rings[0].id = 0;
+    picture.rings[1].id = 8;
+    CHECK(ringToShow(picture, kNone) == &picture.rings[0]);
+    CHECK(ringToShow(picture, 8) == &picture.rings[1]);
+    CHECK(ringToShow(picture, 77) == &picture.rings[0]);
+    CHECK(ringToShow(Picture{}, 8) == nullptr);
+}
+
+TEST_CASE("A ring is lit while the pointer is on it, and stays lit when chosen") {
+    OpenSession open;
+    open.session.goToPivot(30);
+    open.session.settle();
+    Session& session = open.session;
+    const std::uint32_t before = session.revision();
+    session.hoverRing(3);
+    CHECK(session.litRing() == 3);
+    CHECK(session.revision() > before);
+    session.hoverRing(kNone);
+    CHECK(session.litRing() == kNone);
+    session.highlightRing(5);
+    CHECK(session.litRing() == 5);
+    session.hoverRing(3);
+    CHECK(session.litRing() == 3);
+    session.hoverRing(kNone);
+    session.highlightRing(5);
+    CHECK(session.litRing() == kNone);
+}

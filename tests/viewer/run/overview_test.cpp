@@ -1,0 +1,65 @@
+#include "run/overview.h"
+
+#include <doctest/doctest.h>
+
+#include "scene/mesh_style.h"
+
+#include "open_session.h"
+#include "spiraling_edge/stepper/stepper.h"
+
+using namespace se;
+using namespace se::view;
+
+TEST_CASE("The overview counts what a plain run counts") {
+    const auto model = test::sphereModel();
+    REQUIRE(model != nullptr);
+    OverviewThread thread(model);
+    thread.finish();
+    RunOverview run;
+    CHECK(thread.update(run));
+    CHECK_FALSE(thread.update(run));
+    Stepper stepper(model->points, model->params);
+    stepper.run();
+    const State& end = stepper.state();
+    CHECK(run.complete);
+    CHECK(run.ringLength.size() == end.counters.pivots);
+    CHECK(run.lastPivot >= end.counters.pivots);
+    CHECK(run.triangles.back() == end.triangles.size());
+    CHECK(run.longestRing > 10);
+    CHECK(run.longestRing <= end.counters.maxRingLength);
+}
+
+TEST_CASE("Mesh styles have names that are read again, and follow each other in a circle") {
+    MeshStyle style = MeshStyle::Flat;
+    for (const MeshStyleRow& row : meshStyles()) {
+        CHECK(row.id == style);
+        CHECK(meshStyleFromName(row.name) == style);
+        style = following(style);
+    }
+    CHECK(style == MeshStyle::Flat);
+    CHECK_FALSE(meshStyleFromName("glossy").has_value());
+}
+
+TEST_CASE(
+    "Components begin where a seed made triangles; the scale of births goes to the last one") {
+    RunOverview run;
+    run.triangles = {2, 4, 4, 7, 9};
+    run.marks = {{1, MarkKind::Seed}, {3, MarkKind::Seed}, {4, MarkKind::Seed}};
+    const MeshColoring parts = meshColoring(MeshStyle::Component, run, 9);
+    CHECK(parts.starts == std::vector<std::size_t>{0, 4});
+    CHECK(meshColoring(MeshStyle::BirthOrder, run, 0).birthEnd == 9);
+    CHECK(meshColoring(MeshStyle::BirthOrder, {}, 12).birthEnd == 12);
+    CHECK(meshColoring(MeshStyle::Flat, run, 9) == meshColoring(MeshStyle::Flat, {}, 0));
+    CHECK_FALSE(componentColor(0) == componentColor(1));
+}
+
+TEST_CASE("The scale of numbers gets lighter all the way") {
+    double before = -1.0;
+    for (int i = 0; i <= 20; ++i) {
+        const Color c = viridis(static_cast<float>(i) / 20.0F);
+        const double light = 0.2126 * static_cast<double>(c.r) + 0.7152 * static_cast<double>(c.g) +
+                             0.0722 * static_cast<double>(c.b);
+        CHECK(light > before);
+        before = light;
+    }
+}

@@ -1,0 +1,254 @@
+/// Rules that are changed while one looks at a run: where the cursor goes, what comes back.
+#include "run/rule_set.h"
+
+#include <doctest/doctest.h>
+
+#include "headless_app.h"
+#include "open_session.h"
+#include "panel_state/what_if_offers.h"
+#include "rows/rule_rows.h"
+
+using namespace se;
+using namespace se::view;
+using test::Desk;
+using test::OpenSession;
+
+namespace {
+
+/// As a panel asks, up to the end.
+void ask(Desk& desk, const RuleSet& rules) {
+    desk.ui.requests.rules = rules;
+    desk.filing.carryOut(desk.ui.requests);
+    desk.settle();
+}
+
+std::uint64_t hashAtEnd(const Session& session) {
+    Stepper stepper(session.model().points, session.model().params);
+    stepper.run();
+    return stateHash(stepper.state());
+}
+
+WhatIf offeredAt(Session& session, const char* address) {
+    REQUIRE(session.goToText(address).ok());
+    session.settle();
+    REQUIRE(session.event() != nullptr);
+    const auto offers = offersAt(*session.event(), session.picture().pivot);
+    REQUIRE(offers.size() == 1);
+    return offers[0].what;
+}
+
+/// The first test of a run that ended so.
+std::string firstAddress(const Session& session, Verdict verdict) {
+    EventLog log;
+    Stepper stepper(session.model().points, session.model().params, &log);
+    while (stepper.stepPivot()) {
+        for (const Event& event : log.events()) {
+            const auto* sphere = std::get_if<SphereEvidence>(&event.evidence);
+            if (sphere != nullptr && sphere->verdict == verdict) return toString(event.address);
+        }
+        log.clear();
+    }
+    return "none";
+}
+
+}  // namespace
+
+TEST_CASE("A rule that is as its set has it is no choice") {
+    RuleSet rules;
+    rules = withRule(rules, "maxgap", 100.0);
+    rules = withRule(rules, "tie", 1.0);
+    CHECK(rules.choices == std::vector<RuleValue>{{"tie", 1.0}, {"maxgap", 100.0}});
+    CHECK(valueOf(rules, *findRuleSetting("maxgap")) == 100.0);
+    CHECK(usualValueOf(rules, *findRuleSetting("maxgap")) == 120.0);
+    CHECK(differingCount(rules) == 2);
+    rules = withRule(rules, "tie", 0.0);
+    CHECK(rules.choices == std::vector<RuleValue>{{"maxgap", 100.0}});
+    CHECK(describeChange({}, rules) == "rule maxgap");
+    CHECK(withRule({"robust", {}, {}}, "fill", 1.0).choices.empty());
+    CHECK(withRule({"robust", {}, {}}, "fill", 0.0).choices.size() == 1);
+}
+
+TEST_CASE("The rows have all rules by section; words of name, section and sentence find them") {
+    std::size_t count = 0;
+    for (const RuleGroup& group : ruleGroups({}, "")) count += group.rows.size();
+    CHECK(count == ruleSettings().size());
+    const auto found = [](const RuleSet& rules, const char* filter) {
+        std::string names;
+        for (const RuleGroup& group : ruleGroups(rules, filter)) {
+            for (const RuleRow& row : group.rows) names += std::string(row.setting->name) + " ";
+        }
+        return names;
+    };
+    CHECK(found({}, "120 DEGREES s and t").find("maxgap") != std::string::npos);
+    CHECK(found({}, "7.2") == "corners bothwalls ");
+    CHECK(found({}, "no such word") == "");
+    CHECK(found({}, "differs") == "");
+    CHECK(found(withRule({}, "walls", 0.0), "differs") == "walls ");
+    for (const RuleGroup& group : ruleGroups({}, "")) {
+        for (const RuleRow& row : group.rows) {
+            CHECK(ruleHelp(row).find("--rule " + std::string(row.setting->name)) !=
+                  std::string::npos);
+        }
+    }
+}
+
+TEST_CASE("A rule without effect before the cursor leaves it at the same test") {
+    OpenSession open;
+    REQUIRE(open.session.goToText("30.sphere.1").ok());
+    REQUIRE(open.place() == "30.sphere.1");
+    open.session.select(5);
+    // No two-point ring of over 180 degrees comes so early on a sphere.
+    open.session.runAnew(withRule(open.session.rules(), "cap", 9.0));
+    CHECK(open.session.runsAnew());
+    CHECK(open.place() == "30.sphere.1");
+    CHECK_FALSE(open.session.runsAnew());
+    CHECK(open.session.model().params.maxTrianglesPerPoint == 9);
+    CHECK(open.session.message() == "Same place: nothing before it differs.");
+    CHECK(open.session.selected() == 5);
+}
+
+TEST_CASE("Where the runs part the cursor stays at the same pivot of the same component") {
+    OpenSession open("scene:torus");
+    for (const std::uint32_t pivot : {40U, 90U, 200U}) {
+        open.session.runAnew({});
+        open.session.settle();
+        open.session.goToPivot(pivot);
+        open.session.settle();
+        const Index point = open.session.picture().pivot;
+        open.session.runAnew(withRule({}, "maxgap", 100.0));
+        open.session.settle();
+        CHECK_FALSE(open.session.message().empty());
+        const bool same = open.session.message().starts_with("Same");
+        if (same) CHECK(open.session.picture().pivot == point);
+        if (!same)
+            CHECK(open.session.message().find("last state that both share") != std::string::npos);
+    }
+}
+
+TEST_CASE("At the start and at the end of a run the cursor stays there") {
+    OpenSession open;
+    open.session.runAnew(withRule({}, "maxgap", 90.0));
+    CHECK(open.place() == "start");
+    open.session.toEnd();
+    open.session.settle();
+    REQUIRE(open.session.atEnd());
+    open.session.runAnew({});
+    open.session.settle();
+    CHECK(open.session.atEnd());
+    CHECK(open.session.message() == "At the end of the new run.");
+}
+
+TEST_CASE("Rules are undone and made again, and kept in the session file") {
+    Desk desk("rules");
+    desk.filing.open("scene:sphere");
+    desk.settle();
+    UndoStack undo;
+    undo.begin(captureEdits(desk.context));
+    ask(desk, withRule(desk.session.rules(), "tie", 1.0));
+    CHECK(desk.session.model().params.paper.tie == TieRule::Farthest);
+    undo.observe(captureEdits(desk.context), 10.0, false);
+    const auto step = undo.undo(captureEdits(desk.context));
+    REQUIRE(step.has_value());
+    CHECK(step->change == "rule tie");
+    applyEdits(step->edits, desk.context);
+    desk.filing.carryOut(desk.ui.requests);
+    desk.settle();
+    CHECK(desk.session.model().params == Params{});
+    ask(desk, withRule(withRule({}, "maxgap", 100.0), "walls", 0.0));
+    const std::string path = (desk.folder / "a.sesession").string();
+    desk.ui.requests.saveSessionAs = path;
+    desk.filing.carryOut(desk.ui.requests);
+    ask(desk, {});
+    desk.filing.open(path);
+    desk.settle();
+    CHECK(rulesOf(desk.session.spec()) == withRule(withRule({}, "maxgap", 100.0), "walls", 0.0));
+}
+
+TEST_CASE("A fork at a test, and the way back to the same run") {
+    Desk desk("forks");
+    desk.filing.open("scene:sphere");
+    desk.settle();
+    Session& session = desk.session;
+    const std::uint64_t before = hashAtEnd(session);
+    const std::string address = firstAddress(session, Verdict::Removed);
+    const WhatIf what = offeredAt(session, address.c_str());
+    CHECK(what.kind == WhatIfKind::Keep);
+    ask(desk, withWhatIf(session.rules(), what));
+    CHECK(session.spec().whatIf == std::vector<WhatIf>{what});
+    CHECK(session.whatIfProblem(0).empty());
+    CHECK(toString(session.address()) == address);
+    const auto* sphere = std::get_if<SphereEvidence>(&session.event()->evidence);
+    REQUIRE(sphere != nullptr);
+    CHECK(sphere->verdict == Verdict::WhatIfKept);
+    CHECK(hashAtEnd(session) != before);
+    const std::string path = (desk.folder / "fork.sesession").string();
+    desk.ui.requests.saveSessionAs = path;
+    desk.filing.carryOut(desk.ui.requests);
+    ask(desk, withoutWhatIf(session.rules(), 0));
+    CHECK(session.spec().whatIf.empty());
+    CHECK(hashAtEnd(session) == before);
+    CHECK(toString(session.address()) == address);
+    desk.filing.open(path);
+    desk.settle();
+    CHECK(session.spec().whatIf == std::vector<WhatIf>{what});
+    CHECK(toString(session.address()) == address);
+}
+
+TEST_CASE("A fork that would break an invariant is refused, and all stays as it is") {
+    OpenSession open;
+    open.session.goToPivot(20);
+    open.session.settle();
+    const std::string place = open.place();
+    const std::uint32_t generation = open.session.generation();
+    open.session.runAnew(withWhatIf({}, whatIfFromText("5 list 7 7").value()));
+    open.session.settle();
+    CHECK(open.session.phase() == SessionPhase::Ready);
+    CHECK(open.session.generation() == generation);
+    CHECK(open.place() == place);
+    CHECK(open.session.message().find("refused") != std::string::npos);
+    CHECK(open.session.spec().whatIf.empty());
+}
+
+TEST_CASE("A moved point is drawn where it is from its pivot on, and not before") {
+    OpenSession open;
+    WhatIfForm form;
+    form.take(open.session, 20);
+    const Vec3 old = open.session.model().points.position[20];
+    form.to[0] = "0.25";
+    const auto what = form.move(10);
+    REQUIRE(what.ok());
+    CHECK(what.value().to == Vec3(0.25, old.y, old.z));
+    open.session.runAnew(withWhatIf({}, what.value()));
+    open.session.settle();
+    const glm::vec3 before = open.session.shown().place[20];
+    CHECK(before == open.session.model().place[20]);
+    open.session.goToPivot(10);
+    open.session.settle();
+    CHECK(open.session.shown().place[20] != before);
+    CHECK(open.session.shown().points.position[20].x == 0.25);
+    open.session.goToPivot(9);
+    open.session.settle();
+    CHECK(open.session.shown().place[20] == before);
+    // The run begins with the points of the input.
+    CHECK(open.session.model().points.position[20] == old);
+    form.to[1] = "far away";
+    CHECK_FALSE(form.move(10).ok());
+}
+
+TEST_CASE("What can be said at a test is what the run then does") {
+    OpenSession open("scene:torus");
+    std::size_t offered = 0;
+    for (std::uint32_t pivot = 3; pivot < 40; pivot += 4) {
+        open.session.goToPivot(pivot);
+        open.session.settle();
+        const std::vector<Event> events = open.session.record().events;
+        for (const Event& event : events) {
+            for (const WhatIfOffer& each : offersAt(event, open.session.picture().pivot)) {
+                CHECK(whatIfFromText(lineOf(each.what)).value() == each.what);
+                CHECK_FALSE(each.label.empty());
+                ++offered;
+            }
+        }
+    }
+    CHECK(offered > 50);
+}

@@ -1,0 +1,80 @@
+#include "run/status_list.h"
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+#include "layers/layer.h"
+#include "open_session.h"
+
+using namespace se;
+using namespace se::view;
+
+namespace {
+
+constexpr std::size_t kSize = 3 * BlockList<PointStatus>::kBlock + 17;
+
+StatusList fresh() {
+    StatusList list;
+    list.assign(std::vector<PointStatus>(kSize, kUnused));
+    return list;
+}
+
+}  // namespace
+
+TEST_CASE("A copy of the statuses keeps its values when the original changes") {
+    StatusList list = fresh();
+    const StatusList before = list;
+    list.set(5, 2);
+    list.set(kSize - 1, kDone);
+    CHECK(before[5] == kUnused);
+    CHECK(list[5] == 2);
+    CHECK(list[kSize - 1] == kDone);
+    CHECK_FALSE(list == before);
+    list.set(5, kUnused);
+    list.set(kSize - 1, kUnused);
+    CHECK(list == before);
+}
+
+TEST_CASE("Only blocks that changed are no longer shared") {
+    StatusList list = fresh();
+    const StatusList before = list;
+    std::vector<PointStatus> all(kSize, kUnused);
+    all[BlockList<PointStatus>::kBlock] = 1;
+    list.assign(all);
+    REQUIRE(list.blocks().blockCount() == 4);
+    CHECK(list.blocks().shares(0, before.blocks()));
+    CHECK_FALSE(list.blocks().shares(1, before.blocks()));
+    CHECK(list.blocks().shares(2, before.blocks()));
+    CHECK(list.blocks().shares(3, before.blocks()));
+}
+
+TEST_CASE("Statuses are counted as they change") {
+    StatusList list = fresh();
+    CHECK(list.counts() == StatusCounts{kSize, 0, 0});
+    list.set(1, 1);
+    list.set(2, 3);
+    list.set(3, kDone);
+    list.set(1, 2);
+    CHECK(list.counts() == StatusCounts{kSize - 3, 2, 1});
+    std::vector<PointStatus> all(kSize, kDone);
+    all.back() = kUnused;
+    list.assign(all);
+    CHECK(list.counts() == StatusCounts{1, 0, kSize - 1});
+}
+
+TEST_CASE("Styles made anew for changed blocks equal those made for all") {
+    test::OpenSession open("scene:torus");
+    DrawList kept;
+    LayerSwitches on;
+    on.set(static_cast<std::size_t>(LayerId::Points));
+    for (const std::uint32_t pivot : {10U, 11U, 300U, 12U, 0U}) {
+        open.session.goToPivot(pivot);
+        open.session.settle();
+        const LayerInput in{open.session.model(), open.session.picture(), paletteOf(Theme::Dark)};
+        DrawList anew;
+        fillDrawList(in, on, kept);
+        fillDrawList(in, on, anew);
+        CHECK(kept.cloudStyleOf == anew.cloudStyleOf);
+    }
+}

@@ -1,0 +1,255 @@
+#include "session/comparison.h"
+
+#include <doctest/doctest.h>
+
+#include "open_session.h"
+#include "panel_state/compare_form.h"
+#include "scene/difference.h"
+#include "spiraling_edge/io/read_points.h"
+
+using namespace se;
+using namespace se::view;
+
+namespace {
+
+/// A run of the torus, and another beside it.
+struct Pair {
+    test::OpenSession open{"scene:torus"};
+    Session& run = open.session;
+    Comparison comparison;
+
+    void beside(const std::string& rules, std::vector<RuleValue> choices = {}) {
+        InputSpec spec = run.spec();
+        spec.rules = rules;
+        spec.choices = std::move(choices);
+        comparison.begin(run, CompareWith::otherRun(spec));
+        settle();
+    }
+    void settle() {
+        run.settle();
+        comparison.settle(run);
+    }
+    std::string there() { return toString(comparison.other()->address()); }
+};
+
+}  // namespace
+
+TEST_CASE("Two timelines: in step up to the first difference, then by shares of the rest") {
+    const TwinTimes times{99, true, 500, 300};
+    CHECK(twinPivot(times, 0) == 0);
+    CHECK(twinPivot(times, 100) == 100);
+    CHECK(twinPivot(times, 500) == 300);
+    CHECK(twinPivot(times, 300) == 200);
+    CHECK(inStep(times, 100));
+    CHECK_FALSE(inStep(times, 101));
+    std::uint32_t last = 0;
+    for (std::uint32_t pivot = 0; pivot <= 500; ++pivot) {
+        CHECK(twinPivot(times, pivot) >= last);
+        last = twinPivot(times, pivot);
+    }
+    // Runs that do the same have the same pivots; one that ends where they part stays there.
+    CHECK(twinPivot({700, false, 700, 700}, 650) == 650);
+    CHECK(twinPivot({99, true, 500, 100}, 400) == 100);
+    CHECK(twinPivot({99, true, 100, 300}, 101) == 300);
+}
+
+TEST_CASE("The other run follows: decision by decision, then pivot by pivot, to its own end") {
+    Pair pair;
+    pair.beside("paper", {{"freesector", 0.0}});
+    const Compared* found = pair.comparison.result();
+    REQUIRE(found != nullptr);
+    REQUIRE(found->runs.first);
+    CHECK(found->runs.pivotsAlike == 199);
+    pair.run.goTo({50, Stage::Sort, 2});
+    pair.settle();
+    CHECK(pair.there() == "50.sort.2");
+    pair.run.stepEvent(1);
+    pair.settle();
+    CHECK(pair.there() == "50.sort.3");
+    pair.run.toEnd();
+    pair.settle();
+    CHECK(pair.comparison.other()->atEnd());
+    pair.run.toStart();
+    pair.settle();
+    CHECK(pair.comparison.other()->atStart());
+}
+
+TEST_CASE("The first difference brings both runs to their own decision") {
+    Pair pair;
+    pair.beside("paper", {{"stepback", 1.0}});
+    const RunDifference first = *pair.comparison.result()->runs.first;
+    pair.comparison.goTo(pair.run, {first.a.line->event.address, first.b.line->event.address});
+    pair.settle();
+    CHECK(toString(pair.run.address()) == toString(first.a.line->event.address));
+    CHECK(pair.there() == toString(first.b.line->event.address));
+    CHECK(pair.run.address().n != pair.comparison.other()->address().n);
+    // Moving on lets the other one follow again.
+    pair.run.goTo({3, Stage::Sort, 1});
+    pair.settle();
+    CHECK(pair.there() == "3.sort.1");
+    // Coming to the same decision by steps does the same as the jump.
+    pair.run.goTo(first.a.line->event.address);
+    pair.settle();
+    CHECK(pair.there() == toString(first.b.line->event.address));
+}
+
+TEST_CASE("A comparison is made anew with the run, and ends with its input") {
+    Pair pair;
+    pair.beside("robust");
+    const std::uint32_t revision = pair.comparison.revision();
+    CHECK_FALSE(pair.comparison.result()->meshes.same());
+    InputSpec spec = pair.run.spec();
+    spec.rules = "robust";
+    pair.run.open(spec);
+    pair.settle();
+    CHECK(pair.comparison.revision() != revision);
+    REQUIRE(pair.comparison.result() != nullptr);
+    CHECK(pair.comparison.result()->meshes.same());
+    pair.run.open({"scene:sphere", {}, "paper"});
+    pair.settle();
+    CHECK_FALSE(pair.comparison.chosen());
+    CHECK(pair.comparison.other() == nullptr);
+}
+
+TEST_CASE("A mesh of another program is found again on the points; one without triangles is not") {
+    Pair pair;
+    pair.run.toEnd();
+    pair.settle();
+    PointFile file;
+    const auto& position = pair.run.model().points.position;
+    file.position.assign(position.rbegin(), position.rend());
+    const auto last = static_cast<Index>(position.size() - 1);
+    for (const Triangle& t : pair.run.triangles())
+        file.faces.push_back({last - t.b, last - t.c, last - t.a});
+    file.faces.pop_back();
+    const std::filesystem::path path = test::ownPlace("other.ply");
+    REQUIRE(writeMeshPly(path, file, file.faces).ok());
+    pair.comparison.begin(pair.run, CompareWith::otherMesh(path.string()));
+    pair.settle();
+    REQUIRE(pair.comparison.result() != nullptr);
+    CHECK(pair.comparison.result()->meshes.onlyA == 1);
+    CHECK(pair.comparison.result()->meshes.onlyB == 0);
+    CHECK(pair.comparison.other() == nullptr);
+    REQUIRE(writeMeshPly(path, file, {}).ok());
+    pair.comparison.begin(pair.run, CompareWith::otherMesh(path.string()));
+    pair.settle();
+    CHECK(pair.comparison.result() == nullptr);
+    CHECK(pair.comparison.complaint().find("no triangles") != std::string::npos);
+    std::filesystem::remove(path);
+}
+
+TEST_CASE("Colors follow the time of the run: what the other mesh has not, as far as it is made") {
+    const std::vector<Triangle> order{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}};
+    const auto other =
+        std::make_shared<const TriangleSet>(std::vector<Triangle>{{1, 2, 0}, {0, 3, 2}, {0, 4, 5}});
+    const DifferenceShade shade(order, other);
+    const Color only{1.0F, 0.0F, 0.0F};
+    const Color turned{0.0F, 1.0F, 0.0F};
+    const auto atEnd = shade.at(4, nullptr, only, turned);
+    REQUIRE(atEnd[0].count == 1);
+    CHECK((*atEnd[0].triangles)[0] == order[2]);
+    CHECK(atEnd[0].color == only);
+    REQUIRE(atEnd[1].count == 1);
+    CHECK((*atEnd[1].triangles)[0] == order[1]);
+    CHECK(shade.at(2, nullptr, only, turned)[0].count == 0);
+    CHECK(shade.at(3, nullptr, only, turned)[0].count == 1);
+    CHECK(shade.at(1, nullptr, only, turned)[1].count == 0);
+    const auto mended = std::make_shared<const std::vector<Triangle>>(
+        std::vector<Triangle>{{0, 1, 2}, {7, 8, 9}, {6, 7, 8}});
+    CHECK(shade.at(1, mended, only, turned)[0].count == 2);
+    CHECK(shade.at(3, nullptr, only, turned)[0].count == 1);
+}
+
+TEST_CASE("The form of the other run begins with what says most, and takes every setting") {
+    LoadProgress progress;
+    const InputSpec base{"scene:torus", {}, "paper"};
+    const auto model = loadModel(base, progress);
+    REQUIRE(model.ok());
+    CompareForm form;
+    form.take(base, *model.value());
+    CHECK(form.rules.name == "robust");
+    CHECK(form.spec(base).value().choices.empty());
+    CHECK(differenceText(base, form.spec(base).value()) == "robust rules");
+    // Not only what is on or off.
+    for (const RuleSetting& setting : ruleSettings()) {
+        CompareForm other = form;
+        const double usual = usualValueOf(other.rules, setting);
+        const double value = usual == setting.low ? setting.high : setting.low;
+        other.rules = withRule(other.rules, setting.name, value);
+        const auto spec = other.spec(base);
+        REQUIRE(spec.ok());
+        CHECK_MESSAGE(valueOf(rulesOf(spec.value()), setting) == doctest::Approx(value),
+                      setting.name);
+    }
+    form.rules = withRule(form.rules, "flip", 0.0);
+    form.prepare.reach = PrepareForm::Reach::Nearest;
+    form.prepare.count = "16";
+    form.prepare.symmetric = true;
+    form.prepare.normals = NormalSource::Oriented;
+    form.prepare.walls = WallChoice::From::Around;
+    form.prepare.rim = true;
+    const auto spec = form.spec(base);
+    REQUIRE(spec.ok());
+    CHECK(differenceText(base, spec.value()) ==
+          "robust rules, flip off, 16 nearest, symmetric, normals turned, other walls, rims found");
+    form.prepare.count = "many";
+    CHECK_FALSE(form.spec(base).ok());
+}
+
+TEST_CASE("The form of the other run takes what-ifs, and offers the true run of a fork") {
+    LoadProgress progress;
+    InputSpec fork{"scene:torus", {}, "paper"};
+    fork.whatIf = {whatIfFromText("9.sphere keep 4").value()};
+    const auto model = loadModel(fork, progress);
+    REQUIRE(model.ok());
+    CompareForm form;
+    form.take(fork, *model.value());
+    CHECK(form.rules.whatIf == fork.whatIf);
+    CHECK(differenceText(fork, trueRunOf(fork)) == "the true run");
+    form.whatIf = "nonsense";
+    form.addWhatIf();
+    CHECK_FALSE(form.complaint.empty());
+    form.whatIf = "12.sphere drop 7";
+    form.addWhatIf();
+    CHECK(form.complaint.empty());
+    CHECK(form.rules.whatIf.size() == 2);
+    CHECK(form.spec(fork).value().whatIf.size() == 2);
+}
+
+TEST_CASE("What the run that is open changes itself counts for the form of the other one") {
+    LoadProgress progress;
+    const InputSpec before{"scene:torus", {}, "paper"};
+    const auto model = loadModel(before, progress);
+    REQUIRE(model.ok());
+    CompareForm form;
+    form.take(before, *model.value());
+    form.rules = withRule(form.rules, "maxgap", 100.0);
+    InputSpec now = before;
+    now.choices = {{"tie", 1.0}};
+    form.prepare.rim = true;
+    form.follow(before, now, *model.value());
+    CHECK(form.prepare.rim);  // other rules: nothing of the input
+    now.neighbors = {KNearest{16}, true, 0, true};
+    form.follow(before, now, *model.value());
+    CHECK_FALSE(form.prepare.rim);
+    CHECK(differenceText(now, form.spec(now).value()) == "robust rules, maxgap 100");
+}
+
+TEST_CASE("What is different in the other run is said in words") {
+    const InputSpec paper{"scene:torus", {}, "paper"};
+    InputSpec other = paper;
+    CHECK(differenceText(paper, other) == "the same");
+    other.rules = "robust";
+    CHECK(differenceText(paper, other) == "robust rules");
+    other.choices = {{"flip", 0.0}};
+    CHECK(differenceText(paper, other) == "robust rules, flip off");
+    other = paper;
+    other.choices = {{"freesector", 0.0}};
+    other.neighbors = {KNearest{16}, true, 0, true};
+    CHECK(differenceText(paper, other) == "freesector off, 16 nearest");
+    CHECK(runTitle(other) == "paper rules, freesector off, 16 nearest");
+    CHECK(usualOther(paper).rules == "robust");
+    InputSpec robust = paper;
+    robust.rules = "robust";
+    CHECK(usualOther(robust).rules == "paper");
+}

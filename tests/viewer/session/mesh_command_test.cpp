@@ -1,0 +1,273 @@
+#include "session/mesh_command.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+
+#include "controllers/mesh_saving.h"
+#include "headless_app.h"
+#include "run/strings.h"
+#include "session/mesh_export.h"
+#include "spiraling_edge/base/shell_word.h"
+#include "spiraling_edge/io/write_mesh.h"
+#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/scenes/scenes.h"
+#include "spiraling_edge/stepper/stepper.h"
+
+using namespace se;
+using namespace se::view;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kSphere = "scene:sphere";
+
+std::string textOf(const InputSpec& spec, const MeshTarget& target = {"m.ply", false}) {
+    return meshCommand(spec, target).text;
+}
+
+InputSpec specOf(std::string source) {
+    InputSpec spec;
+    spec.source = std::move(source);
+    return spec;
+}
+
+}  // namespace
+
+TEST_CASE("The command names the input and the mesh, each as one word of a shell") {
+    CHECK(textOf(specOf(kSphere)) == "spiraling-edge run scene:sphere -o m.ply");
+    CHECK(textOf(specOf(kSphere), {"/a b/it's.obj", true}) ==
+          "spiraling-edge run scene:sphere --used-points -o '/a b/it'\\''s.obj'");
+    const std::string here = textOf(specOf("odd $name.ply"));
+    CHECK(here ==
+          "spiraling-edge run '" + (fs::current_path() / "odd $name.ply").string() + "' -o m.ply");
+}
+
+TEST_CASE("The command has every option in which the input differs from the usual") {
+    InputSpec spec = specOf(kSphere);
+    spec.rules = "robust";
+    spec.choices = {ruleValueFromText("maxgap=100").value(), ruleValueFromText("flip=off").value()};
+    spec.whatIf = {whatIfFromText("137.sphere keep 812").value()};
+    spec.neighbors = {WithinRadius{0.25}, true, 0, true, true};
+    spec.keepOpposing = spec.keepNoise = spec.rim = true;
+    spec.normals = NormalSource::Derived;
+    spec.walls = {WallChoice::From::Box, {{-1, 0, 0}, {1, 2, 0.5}}};
+    CHECK(textOf(spec) ==
+          "spiraling-edge run scene:sphere --rules robust --rule maxgap=100 --rule flip=off "
+          "--what-if '137.sphere keep 812' --radius 0.25 --symmetric --keep-opposing --keep-noise "
+          "--derive-normals --box=-1,0,0,1,2,0.5 --derive-rim -o m.ply");
+    spec = specOf(kSphere);
+    spec.neighbors = {WithinSpacings{1.6}, true, 0, true, false};
+    spec.normals = NormalSource::Oriented;
+    spec.walls.from = WallChoice::From::Around;
+    CHECK(textOf(spec) ==
+          "spiraling-edge run scene:sphere --reach 1.6 --orient --box auto -o m.ply");
+}
+
+TEST_CASE("Points that were made here are written first, beside the mesh") {
+    const MeshCommand command =
+        meshCommand(specOf("sample:torus,n=400,seed=2"), {"/out/m.ply", false});
+    CHECK(command.text ==
+          "spiraling-edge sample torus -n 400 --seed 2 -o /out/torus-400.ply && "
+          "spiraling-edge run /out/torus-400.ply -o /out/m.ply");
+    CHECK(command.note.find("/out/torus-400.ply") != std::string::npos);
+    const MeshCommand stopped = meshCommand(specOf("sample:torus,n=400,steps=7"), {"m.ply", false});
+    CHECK(stopped.text.empty());
+    CHECK(stopped.note.find("Save new points") != std::string::npos);
+}
+
+TEST_CASE("What the doctor mends is a command before, what he chooses an option") {
+    InputSpec spec = specOf("/in/a.ply");
+    spec.cures = {"flipped_normals", "duplicates", "unscaled_normals", "near_duplicates",
+                  "short_lists"};
+    const MeshCommand command = meshCommand(spec, {"/out/m.ply", false});
+    CHECK(command.text ==
+          "{ spiraling-edge doctor /in/a.ply -q --fix /out/a-mended.ply; [ $? -le 1 ]; } && "
+          "{ spiraling-edge doctor /out/a-mended.ply -q --fix /out/a-mended-2.ply --drop "
+          "near_duplicates; [ $? -le 1 ]; } && "
+          "spiraling-edge run /out/a-mended-2.ply --neighbors 12 --orient -o /out/m.ply");
+    CHECK(command.note.find("a-mended-2.ply") != std::string::npos);
+}
+
+TEST_CASE("Points from standard input have no command: a sentence says what to do first") {
+    const MeshCommand command = meshCommand(specOf("-"), {"m.ply", false});
+    CHECK(command.text.empty());
+    CHECK(command.note.find("standard input") != std::string::npos);
+}
+
+TEST_CASE("A what-if without effect is refused by the command line: a sentence says so") {
+    test::Desk desk("refused-test");
+    InputSpec spec = specOf(kSphere);
+    spec.whatIf = {whatIfFromText("99999.sphere keep 1").value()};
+    desk.session.open(spec);
+    desk.session.settle();
+    REQUIRE(desk.session.ready());
+    const MeshCommand command = meshCommand(desk.session, {"m.ply", false});
+    CHECK(command.text.empty());
+    CHECK(command.note.find("99999.sphere keep 1") != std::string::npos);
+}
+
+TEST_CASE("The command is copied without the dialog, too: for a file named after the input") {
+    test::Desk desk("copied-test");
+    MeshSaving saving(desk.context);
+    desk.session.open(specOf(kSphere));
+    desk.session.settle();
+    desk.ui.mesh.ask = MeshAsk::CopyCommand;
+    saving.carryOut();
+    CHECK(desk.ui.requests.copyText == "spiraling-edge run scene:sphere -o sphere-mesh.ply");
+    CHECK(desk.session.message() == "Copied the command.");
+}
+
+#ifdef SPIRALING_EDGE_CLI
+
+namespace {
+
+/// Runs the copied command as a shell does, with the program of this build.
+int runInShell(const std::string& command) {
+    const std::string folder = fs::path(SPIRALING_EDGE_CLI).parent_path().string();
+    const std::string whole = "PATH=" + shellQuoted(folder) + ":$PATH; { " + command + "; } 2>&1";
+    return std::system(("sh -c " + shellQuoted(whole) + " >/dev/null").c_str());
+}
+
+/// The first test of a run that a what-if can turn.
+WhatIf turnedTest(const InputSpec& spec) {
+    LoadProgress progress;
+    const auto model = loadModel(spec, progress).value();
+    EventLog log;
+    Stepper stepper(model->points, model->params, &log);
+    stepper.run();
+    for (const Event& event : log.events()) {
+        if (event.address.stage != Stage::Sphere || verdictOf(event) != Verdict::Removed) continue;
+        return whatIfFromText(std::to_string(event.address.pivot) + ".sphere keep " +
+                              std::to_string(testedPoint(event)))
+            .value();
+    }
+    REQUIRE(false);
+    return {};
+}
+
+/// What the viewer saves and what the copied command writes; they must be the same bytes.
+void checkReproduced(const InputSpec& spec, const char* name = "m.ply", bool usedOnly = false) {
+    test::Desk desk("reproduced test");  // a blank in the path
+    MeshSaving saving(desk.context);
+    desk.session.open(spec);
+    desk.session.settle();
+    REQUIRE_MESSAGE(desk.session.ready(), desk.session.error());
+    const MeshTarget target{(desk.folder / name).string(), usedOnly};
+    const auto mesh = finishMesh(desk.session.model(), *desk.session.sharedFile());
+    REQUIRE(!mesh.value().triangles->empty());
+    REQUIRE(saveMesh(mesh.value(), target).ok());
+    const std::optional<std::string> saved = readText(target.path);
+    fs::remove(target.path);
+    const MeshCommand command = meshCommand(desk.session, target);
+    CAPTURE(command.text);
+    REQUIRE(!command.text.empty());
+    CHECK(runInShell(command.text) == 0);
+    CHECK(saved.has_value());
+    CHECK(readText(target.path) == saved);
+}
+
+/// A scene as a file with floats, colors, and whatever `change` does to it.
+template <typename Change>
+struct SceneFile {
+    fs::path path = test::ownPlace("the points.ply");
+    SceneFile(const char* scene, Change change) {
+        PointFile file = findScene(scene)->build();
+        file.neighbors = {};
+        file.positionType = file.normalType = ScalarType::Float;
+        Attribute red{"red", ScalarType::UInt8, {}};
+        for (std::size_t p = 0; p < file.position.size(); ++p)
+            red.values.push_back(static_cast<double>(p % 256));
+        file.attributes.push_back(red);
+        change(file);
+        REQUIRE(writeMeshPly(path, file, {}).ok());
+    }
+    ~SceneFile() { fs::remove(path); }
+    InputSpec spec() const { return specOf(path.string()); }
+};
+template <typename Change>
+SceneFile(const char*, Change) -> SceneFile<Change>;
+
+}  // namespace
+
+TEST_CASE("The copied command writes the same bytes: scenes, all formats, used points") {
+    for (const char* name : {"m.ply", "m.obj", "m.off", "m.stl", "m.glb"}) {
+        CAPTURE(name);
+        checkReproduced(specOf("scene:sheet"), name);
+        checkReproduced(specOf("scene:stranded-point"), name, true);
+    }
+}
+
+TEST_CASE("The copied command writes the same bytes: a file with rules, lists and what-ifs") {
+    const SceneFile file("sphere", [](PointFile&) {});
+    InputSpec spec = file.spec();
+    spec.rules = "corrected";
+    spec.choices = {ruleValueFromText("maxgap=100.5").value()};
+    spec.neighbors = {KNearest{9}, true, 0, true, true};
+    checkReproduced(spec);
+    spec.neighbors = {WithinSpacings{1.7}, true, 0, true, false};
+    checkReproduced(spec);
+    spec.neighbors = {WithinRadius{0.31}, true, 0, true, false};
+    spec.keepOpposing = spec.keepNoise = true;
+    checkReproduced(spec);
+    spec = file.spec();
+    spec.whatIf = {turnedTest(spec)};
+    checkReproduced(spec);
+    spec.whatIf = {whatIfFromText("2 move 30 0.01 -0.02 1.03").value()};
+    checkReproduced(spec);
+}
+
+TEST_CASE("The copied command writes the same bytes: normals, walls and rims that are derived") {
+    InputSpec spec = specOf("scene:sheet");
+    spec.walls.from = WallChoice::From::Around;
+    checkReproduced(spec);
+    spec.walls = {WallChoice::From::Box, {{-1.5, -1.0, -1.0}, {1.0, 1.0, 1.0}}};
+    spec.rim = true;
+    spec.normals = NormalSource::Derived;
+    checkReproduced(spec, "m.ply", true);
+    const SceneFile flipped("sphere", [](PointFile& file) {
+        for (std::size_t p = 0; p < file.normal.size(); p += 7) file.normal[p] = -file.normal[p];
+    });
+    spec = flipped.spec();
+    spec.normals = NormalSource::Oriented;
+    checkReproduced(spec);
+    const SceneFile bare("sphere", [](PointFile& file) { file.normal.clear(); });
+    checkReproduced(bare.spec());
+}
+
+TEST_CASE("The copied command writes the same bytes: points made here, and points mended here") {
+    checkReproduced(specOf("sample:torus,n=300,seed=2"));
+    const SceneFile flawed("sphere", [](PointFile& file) {
+        for (Vec3& normal : file.normal) normal *= normal.z > 0.8 ? -1.0 : 2.7;
+        file.position.push_back(file.position[3]);
+        file.normal.push_back(file.normal[3]);
+        file.attributes[0].values.push_back(0.0);
+        if (file.hasTypes()) file.type.push_back(0);
+    });
+    InputSpec spec = flawed.spec();
+    for (const Cures& cures :
+         {Cures{"duplicates"}, Cures{"unscaled_normals", "flipped_normals"},
+          Cures{"near_duplicates", "short_lists", "unsymmetric_lists"}, Cures{"open_border"},
+          Cures{"unscaled_normals", "in_line", "types_off_box"}}) {
+        spec.cures = cures;
+        checkReproduced(spec);
+        checkReproduced(spec, "all-digits.obj");
+    }
+}
+
+TEST_CASE("The copied command writes the same bytes: the box around the points that are left") {
+    const SceneFile stray("sheet", [](PointFile& file) {
+        file.position.emplace_back(40.0, 0.0, 0.0);
+        file.normal.emplace_back(0.0, 0.0, 1.0);
+        file.attributes[0].values.push_back(0.0);
+        if (file.hasTypes()) file.type.push_back(0);
+    });
+    InputSpec spec = stray.spec();
+    spec.walls.from = WallChoice::From::Around;
+    spec.cures = {"isolated_points"};
+    checkReproduced(spec);
+}
+
+#endif

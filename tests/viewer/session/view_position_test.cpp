@@ -1,0 +1,130 @@
+#include "session/view_position.h"
+
+#include <doctest/doctest.h>
+
+#include "open_session.h"
+#include "session/history.h"
+
+using namespace se;
+using namespace se::view;
+
+TEST_CASE("A place survives being written as text and read again") {
+    Camera camera;
+    camera.orbit({120.0F, -40.0F}, 600.0F);
+    camera.toggleOrthographic();
+    const Place place{"137.sphere.3", camera.pose()};
+    const Result<Place> read = placeFromText(toText(place));
+    REQUIRE(read.ok());
+    CHECK(read.value().address == place.address);
+    CHECK(read.value().camera == place.camera);
+    Camera other;
+    other.setPose(*read.value().camera);
+    CHECK(other.pose() == camera.pose());
+    CHECK(other.matrices(1.5F).viewProjection() == camera.matrices(1.5F).viewProjection());
+}
+
+TEST_CASE("A bare address is a place without a camera, and anything else is refused") {
+    const Result<Place> bare = placeFromText("  20.sort.4\n");
+    REQUIRE(bare.ok());
+    CHECK(bare.value().address == "20.sort.4");
+    CHECK_FALSE(bare.value().camera.has_value());
+    for (
+        const char* wrong :
+        {"", "   ", "hello", "{}", "[1, 2]", R"({"address": 3})", R"({"address": "hello"})",
+         R"({"address": "1", "camera": {}})",
+         R"({"address": "1", "camera": {"target": [0, 0], "distance": 1, "yaw": 0, "pitch": 0}})",
+         R"({"address": "1", "camera": {"target": [0, 0, 0], "distance": -1, "yaw": 0, "pitch": 0}})"}) {
+        CAPTURE(std::string(wrong));
+        CHECK_FALSE(placeFromText(wrong).ok());
+    }
+}
+
+TEST_CASE("History: back and forward lead through the places one jumped from") {
+    History history;
+    CHECK_FALSE(history.back("5").has_value());
+    history.leave("1");
+    history.leave("2");
+    CHECK(history.back("3") == "2");
+    CHECK(history.back("2") == "1");
+    CHECK_FALSE(history.back("1").has_value());
+    CHECK(history.forward("1") == "2");
+    CHECK(history.forward("2") == "3");
+    CHECK_FALSE(history.canGoForward());
+    history.back("3");
+    history.leave("9");
+    CHECK_FALSE(history.canGoForward());
+}
+
+TEST_CASE("A session goes back to where a jump began, and forward again") {
+    test::OpenSession open;
+    open.session.stepPivot(3);
+    const std::string first = open.place();
+    open.session.goTo({40, Stage::Sphere, 2});
+    const std::string second = open.place();
+    open.session.toEnd();
+    open.place();
+    open.session.goBack();
+    CHECK(open.place() == second);
+    open.session.goBack();
+    CHECK(open.place() == first);
+    open.session.goForward();
+    CHECK(open.place() == second);
+}
+
+TEST_CASE("A session goes from mark to mark, there and back the same ones") {
+    test::OpenSession open("scene:linked-tori");
+    open.place();
+    const auto goToMark = [&](int direction) {
+        const std::optional<Address> mark = open.session.nextMark(direction);
+        if (mark) open.session.goTo(*mark);
+        return mark.has_value();
+    };
+    std::vector<std::string> there;
+    while (goToMark(1)) {
+        there.push_back(open.place());
+        REQUIRE(there.size() < 1000);
+        const Stage stage = open.session.address().stage;
+        const bool isMark = stage == Stage::Seed || stage == Stage::Split || stage == Stage::Join ||
+                            stage == Stage::Done;
+        CHECK(isMark);
+    }
+    REQUIRE(there.size() > 3);
+    for (std::size_t i = there.size() - 1; i > 0; --i) {
+        REQUIRE(goToMark(-1));
+        CHECK(open.place() == there[i - 1]);
+    }
+    CHECK_FALSE(goToMark(-1));
+}
+
+TEST_CASE("A jump to an alert lands on the alert, and not on what happened in its stage before") {
+    for (const char* scene : {"scene:torus", "scene:figure-9"}) {
+        test::OpenSession open(scene);
+        open.session.open({scene, {}, "printed"});
+        open.session.settle();
+        std::size_t alerts = 0;
+        for (const RunMark& mark : open.session.overview().marks) {
+            if (mark.kind != MarkKind::Alert) continue;
+            ++alerts;
+            open.session.goTo({mark.pivot, stageOf(mark.kind), mark.n});
+            open.place();
+            REQUIRE(open.session.event() != nullptr);
+            CHECK(std::holds_alternative<AlertEvidence>(open.session.event()->evidence));
+        }
+        CHECK(alerts > 0);
+    }
+}
+
+TEST_CASE("The axis that is up is part of a place; a place without it has z up") {
+    Camera camera;
+    camera.setUp(UpAxis::Y);
+    const auto read = placeFromText(toText(Place{"1", camera.pose()}));
+    REQUIRE(read.ok());
+    CHECK(read.value().camera->up == UpAxis::Y);
+    const std::string old =
+        R"({"address": "1", "camera": {"target": [0, 0, 0], "distance": 1, "yaw": 0, "pitch": 0)";
+    const auto before = placeFromText(old + "}}");
+    REQUIRE(before.ok());
+    CHECK(before.value().camera->up == UpAxis::Z);
+    CHECK_FALSE(placeFromText(old + R"(, "up": "w"}})").ok());
+    CHECK_FALSE(placeFromText(old + R"(, "up": 1}})").ok());
+}
