@@ -88,6 +88,13 @@ for group in ${groups//|/ }; do
 done
 below panels/widgets "panels/($groups)/"
 
+# What the compiler of the browser build does not have (docs/architecture.md): each has one place.
+mapfile -t ours < <(printf '%s\n' "${core[@]}" ${viewer[@]+"${viewer[@]}"} |
+    grep -vE '/(number_text|text_scan|float_bits)\.h$')
+no 'std::(jthread|stop_token|stop_source|bit_cast|ranges::|views::|condition_variable_any)' \
+    "not in old compilers" "${ours[@]}"
+no '__cpp_lib_to_chars|std::chars_format' "numbers as text go through number_text.h" "${ours[@]}"
+
 # Files are written in one place, which leaves none half written.
 mapfile -t not_writers < <(printf '%s\n' "${core[@]}" "${cli[@]}" ${viewer[@]+"${viewer[@]}"} |
     grep -vE '/atomic_file\.(h|cpp)$')

@@ -7,12 +7,13 @@
 #include <iterator>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
 #include "guarded.h"
+#include "thread.h"
 
 namespace se::view {
 
@@ -22,17 +23,15 @@ class RunErrand {
         std::mutex mutex;
         std::vector<Found> handed;  ///< Not yet taken; guarded.
         std::atomic<double> share = 0.0;
-        std::atomic<bool> cancelled = false;
-        std::string complaint;  ///< Valid once it has ended.
-        std::atomic<bool> ended = false;
-        std::jthread thread;  // last: it uses all of the above
+        std::string complaint;         ///< Valid once it has ended.
+        std::optional<Thread> thread;  // last: it uses all of the above
     };
 
   public:
     /// What the work gives its finds to.
     class Basket {
       public:
-        explicit Basket(Job& job) : job_(job) {}
+        Basket(Job& job, const CancelFlag& cancelled) : job_(job), cancelled_(cancelled) {}
         void add(Found found) { fresh_.push_back(std::move(found)); }
         /// Hands over; to be called now and then. False if nobody wants more of it.
         bool report(double share) {
@@ -40,11 +39,12 @@ class RunErrand {
             const std::lock_guard lock(job_.mutex);
             std::move(fresh_.begin(), fresh_.end(), std::back_inserter(job_.handed));
             fresh_.clear();
-            return !job_.cancelled.load();
+            return !cancelled_.isSet();
         }
 
       private:
         Job& job_;
+        const CancelFlag& cancelled_;
         std::vector<Found> fresh_;
     };
 
@@ -62,20 +62,19 @@ class RunErrand {
     void begin(std::function<void(Basket&)> work) {
         drop();
         job_ = std::make_unique<Job>();
-        job_->thread = std::jthread([&job = *job_, work = std::move(work)] {
+        job_->thread.emplace([&job = *job_, work = std::move(work)](const CancelFlag& cancelled) {
             const Status good = guarded([&] {
-                Basket basket(job);
+                Basket basket(job, cancelled);
                 work(basket);
                 basket.report(1.0);
             });
             if (!good) job.complaint = good.error().message;
-            job.ended = true;
         });
     }
     void drop() {
-        std::erase_if(dropped_, [](const auto& job) { return job->ended.load(); });
+        std::erase_if(dropped_, [](const auto& job) { return job->thread->ended(); });
         if (!job_) return;
-        job_->cancelled = true;
+        job_->thread->cancel();
         dropped_.push_back(std::move(job_));
     }
 
@@ -88,13 +87,13 @@ class RunErrand {
         return std::exchange(job_->handed, {});
     }
     /// All is found; to be asked before take(), then close().
-    bool ended() const { return job_ && job_->ended; }
+    bool ended() const { return job_ && job_->thread->ended(); }
     /// Once ended(): the sentence of the exception that the work ended with; empty if with none.
     const std::string& complaint() const { return job_->complaint; }
     void close() { job_.reset(); }
     /// Blocks until all is found.
     void wait() {
-        if (job_ && job_->thread.joinable()) job_->thread.join();
+        if (job_) job_->thread->waitUntilDone();
     }
 
   private:

@@ -58,6 +58,8 @@ class Inquiry {
     bool busy() const { return errand_.busy(); }
     /// In [0, 1], while busy.
     double share() const { return errand_.share(); }
+    /// The answer, moved out; nothing before there is one.
+    std::optional<Answer> takeAnswer() { return std::exchange(answer_, std::nullopt); }
     /// Null before there is one.
     const Answer* answer() const { return answer_ ? &*answer_ : nullptr; }
     /// Why there is none, as a sentence; empty if nothing went wrong.

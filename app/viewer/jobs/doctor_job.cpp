@@ -5,59 +5,21 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "guarded.h"
-
 namespace se::view {
 
-Checkup::~Checkup() {
-    cancel();
-    // All know of it before the first is waited for.
-    cancelled_.clear();
-}
-
-void Checkup::cancel() {
-    std::erase_if(cancelled_, [](const auto& job) { return job->ended.load(); });
-    if (!job_) return;
-    job_->cancelled = true;
-    cancelled_.push_back(std::move(job_));
-}
-
 void Checkup::wait(std::shared_ptr<const PointFile> file) {
-    cancel();
+    query_.forget();
     file_ = std::move(file);
-    diagnosis_.reset();
-    complaint_.clear();
 }
 
 void Checkup::begin() {
     if (!file_ || busy()) return;
-    job_ = std::make_unique<Job>();
-    job_->file = std::move(file_);
-    job_->thread = std::jthread([&job = *job_] {
-        const Status good = guarded([&job] {
-            Result<Diagnosis> found = examine(*job.file, [&job](double share) {
-                job.share = share;
-                return !job.cancelled.load();
-            });
-            if (found) job.found = std::move(found.value());
-        });
-        if (!good) job.complaint = good.error().message;
-        job.ended = true;
+    query_.ask([file = std::move(file_)](const Progress& progress) -> Result<Diagnosis> {
+        Result<Diagnosis> found = examine(*file, progress);
+        // What cannot be examined could not be opened.
+        return found ? std::move(found) : Result<Diagnosis>(Diagnosis{});
     });
-}
-
-bool Checkup::poll() {
-    if (!busy() || !job_->ended) return false;
-    finish();
-    complaint_ = std::move(job_->complaint);
-    // What cannot be examined could not be opened.
-    if (complaint_.empty()) diagnosis_ = std::move(job_->found).value_or(Diagnosis{});
-    job_.reset();
-    return true;
-}
-
-void Checkup::finish() {
-    if (busy() && job_->thread.joinable()) job_->thread.join();
+    file_ = nullptr;
 }
 
 std::vector<Index> pointsToMark(const Model& model, const Finding& finding, std::size_t most) {

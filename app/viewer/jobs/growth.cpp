@@ -6,11 +6,11 @@
 #include <condition_variable>
 #include <limits>
 #include <mutex>
-#include <thread>
 #include <utility>
 
 #include "guarded.h"
 #include "spiraling_edge/sampling/sampler.h"
+#include "thread.h"
 
 namespace se::view {
 
@@ -28,17 +28,17 @@ constexpr double kMeasureShare = 0.2;
 struct Growth::Job {
     SampleSpec spec;
     std::mutex mutex;
-    std::condition_variable_any changed;
+    std::condition_variable changed;
     // Under the mutex:
     int due = 0;          ///< Steps to be made.
     bool slowly = false;  ///< At kRate.
     std::optional<GrowthPicture> fresh;
     std::optional<std::string> error;
     GrowthPhase phase = GrowthPhase::Finding;
+    bool over = false;  ///< Nothing follows.
 
     std::atomic<double> found = 0.0;
-    std::atomic<bool> ended = false;
-    std::jthread thread;  // last: it uses all of the above
+    std::optional<Thread> thread;  // last: it uses all of the above
 };
 
 namespace {
@@ -104,7 +104,7 @@ Growth::~Growth() {
 }
 
 void Growth::dropEnded() {
-    std::erase_if(cancelled_, [](const auto& job) { return job->ended.load(); });
+    std::erase_if(cancelled_, [](const auto& job) { return job->thread->ended(); });
 }
 
 void Growth::cancel() {
@@ -113,7 +113,11 @@ void Growth::cancel() {
     picture_.reset();
     error_.clear();
     if (!job_) return;
-    job_->thread.request_stop();
+    job_->thread->cancel();
+    {
+        const std::scoped_lock lock(job_->mutex);
+        job_->changed.notify_all();
+    }
     cancelled_.push_back(std::move(job_));
 }
 
@@ -162,7 +166,7 @@ void Growth::settle() {
         std::unique_lock lock(job_->mutex);
         job_->changed.wait(lock, [this] {
             const bool waits = job_->phase == GrowthPhase::Paused && job_->due == 0;
-            return waits || job_->ended;
+            return waits || job_->over;
         });
     }
     poll();
@@ -177,7 +181,7 @@ SampleSpec Growth::spec() const {
 /// What the thread does.
 class Growth::Worker {
   public:
-    Worker(Job& job, const std::stop_token& stop) : job_(job), stop_(stop) {}
+    Worker(Job& job, const CancelFlag& cancelled) : job_(job), cancelled_(cancelled) {}
 
     void work() {
         Result<Field> field = surfaceOf(job_.spec);
@@ -185,14 +189,14 @@ class Growth::Worker {
         field_ = std::move(field.value());
         Result<Sampler> begun = Sampler::begin(field_, job_.spec.sampler(), [this](double share) {
             job_.found = share;
-            return !stop_.stop_requested();
+            return !cancelled_.isSet();
         });
         if (!begun) return fail(begun.error().message);
         Sampler& sampler = begun.value();
         publish(sampler, GrowthPhase::Spreading);
         while (!sampler.done()) {
             const Turn turn = await();
-            if (stop_.stop_requested()) return;
+            if (cancelled_.isSet()) return;
             if (turn == Turn::Rest) {
                 publish(sampler, GrowthPhase::Paused);
                 rest();
@@ -232,7 +236,8 @@ class Growth::Worker {
             const std::chrono::duration<double> period(1.0 / kRate);
             next_ =
                 std::max(next_ + std::chrono::duration_cast<Clock::duration>(period), Clock::now());
-            job_.changed.wait_until(lock, stop_, next_, [this] { return !job_.slowly; });
+            job_.changed.wait_until(lock, next_,
+                                    [this] { return !job_.slowly || cancelled_.isSet(); });
         }
         if (job_.due == 0) return Turn::Rest;
         if (job_.due != kAll) --job_.due;
@@ -241,14 +246,14 @@ class Growth::Worker {
 
     void rest() {
         std::unique_lock lock(job_.mutex);
-        job_.changed.wait(lock, stop_, [this] { return job_.due > 0; });
+        job_.changed.wait(lock, [this] { return job_.due > 0 || cancelled_.isSet(); });
         job_.phase = GrowthPhase::Spreading;
         next_ = Clock::now();
     }
 
     Job& job_;
-    std::stop_token stop_;
-    const Progress goOn_ = [this](double) { return !stop_.stop_requested(); };
+    const CancelFlag& cancelled_;
+    const Progress goOn_ = [this](double) { return !cancelled_.isSet(); };
     Field field_;
     Measurer measurer_;
     Clock::time_point next_ = Clock::now();
@@ -262,12 +267,12 @@ void Growth::begin(const SampleSpec& spec) {
     job_->spec = spec;
     job_->due = spec.steps > 0 ? spec.steps : kAll;
     job_->slowly = spec.steps == 0;
-    job_->thread = std::jthread([&job = *job_](const std::stop_token& stop) {
-        Worker worker(job, stop);
+    job_->thread.emplace([&job = *job_](const CancelFlag& cancelled) {
+        Worker worker(job, cancelled);
         const Status good = guarded([&worker] { worker.work(); });
         if (!good) worker.fail(good.error().message);
         const std::scoped_lock lock(job.mutex);
-        job.ended = true;
+        job.over = true;
         job.changed.notify_all();
     });
 }

@@ -3,53 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "guarded.h"
 #include "spiraling_edge/explain/what_if_check.h"
 #include "spiraling_edge/stepper/edited_points.h"
 
 namespace se::view {
-
-Loader::~Loader() {
-    cancel();
-    // All know of it before the first is waited for.
-    cancelled_.clear();
-}
-
-void Loader::begin(const InputSpec& spec) { begin(spec, std::nullopt); }
-
-void Loader::begin(const InputSpec& spec, const RunAnew& anew) {
-    begin(spec, std::optional<RunAnew>(anew));
-}
-
-void Loader::begin(const InputSpec& spec, std::optional<RunAnew> anew) {
-    cancel();
-    job_ = std::make_unique<Job>();
-    job_->spec = spec;
-    job_->anew = std::move(anew);
-    job_->thread = std::jthread([&job = *job_] {
-        const Status good = guarded([&job] { job.result = work(job); });
-        if (!good) job.result = good.error();
-        job.done = true;
-    });
-}
-
-void Loader::cancel() {
-    if (!job_) return;
-    job_->progress.cancelled = true;
-    cancelled_.push_back(std::move(job_));
-}
-
-std::optional<Result<Opened>> Loader::take() {
-    std::erase_if(cancelled_, [](const auto& job) { return job->done.load(); });
-    if (!job_ || !job_->done) return std::nullopt;
-    const std::unique_ptr<Job> job = std::move(job_);
-    if (job->thread.joinable()) job->thread.join();
-    return std::move(job->result);
-}
-
-void Loader::finish() {
-    if (job_ && job_->thread.joinable()) job_->thread.join();
-}
 
 namespace {
 
@@ -106,32 +63,57 @@ std::vector<MovedModel> movedModels(const Model& model) {
     return made;
 }
 
-}  // namespace
-
-Result<Opened> Loader::work(Job& job) {
-    Result<Opened> made =
-        job.anew ? openAnew(job.spec, *job.anew, job.progress) : openInput(job.spec, job.progress);
+Result<Opened> openRun(const InputSpec& spec, const std::optional<RunAnew>& anew,
+                       LoadProgress& progress) {
+    Result<Opened> made = anew ? openAnew(spec, *anew, progress) : openInput(spec, progress);
     if (!made) return made;
     Opened& opened = made.value();
-    job.progress.part = LoadPart::Beginning;
+    progress.part = LoadPart::Beginning;
     // What a session file holds is open in any case, and says what has no effect.
-    const std::vector<WhatIf>& known = job.anew ? job.anew->spec.whatIf : job.spec.whatIf;
-    if (const Status good = checkForks(opened, known, job.progress); !good) return good.error();
+    const std::vector<WhatIf>& known = anew ? anew->spec.whatIf : spec.whatIf;
+    if (const Status good = checkForks(opened, known, progress); !good) return good.error();
     opened.moved = movedModels(*opened.model);
-    if (job.anew) {
-        const Model& before = *job.anew->model;
-        opened.place = findSamePlace({before.points, before.params}, job.anew->cursor,
+    if (anew) {
+        const Model& before = *anew->model;
+        opened.place = findSamePlace({before.points, before.params}, anew->cursor,
                                      {opened.model->points, opened.model->params},
-                                     [&job] { return !job.progress.cancelled.load(); });
+                                     [&progress] { return !progress.cancelled.load(); });
         if (!opened.place) return openingCancelled();
     }
     opened.runner = std::make_unique<Runner>(opened.model);
     opened.runner->request(opened.place ? opened.place->pivot : 0);
     while (!opened.runner->wait(std::chrono::milliseconds(50))) {
-        if (job.progress.cancelled) return openingCancelled();
+        if (progress.cancelled) return openingCancelled();
     }
     if (const std::string why = opened.runner->complaint(); !why.empty()) return Error{why};
     return made;
+}
+
+}  // namespace
+
+void Loader::begin(const InputSpec& spec) { begin(spec, std::nullopt); }
+
+void Loader::begin(const InputSpec& spec, const RunAnew& anew) {
+    begin(spec, std::optional<RunAnew>(anew));
+}
+
+void Loader::begin(const InputSpec& spec, std::optional<RunAnew> anew) {
+    cancel();
+    progress_ = std::make_shared<LoadProgress>();
+    query_.ask([spec, anew = std::move(anew), progress = progress_](const Progress&) {
+        return openRun(spec, anew, *progress);
+    });
+}
+
+void Loader::cancel() {
+    if (progress_) progress_->cancelled = true;
+    query_.forget();
+}
+
+std::optional<Result<Opened>> Loader::take() {
+    if (!query_.poll()) return std::nullopt;
+    if (std::optional<Opened> opened = query_.takeAnswer()) return std::move(*opened);
+    return Error{query_.complaint()};
 }
 
 }  // namespace se::view

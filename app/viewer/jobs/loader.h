@@ -2,12 +2,11 @@
 /// the window stays awake. What is cancelled is left to itself; nobody waits for it.
 #pragma once
 
-#include <atomic>
 #include <memory>
 #include <optional>
-#include <thread>
 #include <vector>
 
+#include "background_query.h"
 #include "run/model.h"
 #include "run/same_position.h"
 #include "runner.h"
@@ -43,12 +42,6 @@ struct RunAnew {
 
 class Loader {
   public:
-    Loader() = default;
-    /// Cancels, and waits until all threads have noticed.
-    ~Loader();
-    Loader(const Loader&) = delete;
-    Loader& operator=(const Loader&) = delete;
-
     /// Opens another input; what was being opened is cancelled.
     void begin(const InputSpec& spec);
     /// Opens the same input under other rules or with other what-ifs; points that stay as they are
@@ -56,28 +49,19 @@ class Loader {
     void begin(const InputSpec& spec, const RunAnew& anew);
     void cancel();
     /// Something is being opened, or waits to be taken.
-    bool busy() const { return job_ != nullptr; }
-    double share() const { return job_ ? job_->progress.share.load() : 0.0; }
-    LoadPart part() const { return job_ ? job_->progress.part.load() : LoadPart::Reading; }
+    bool busy() const { return query_.busy(); }
+    double share() const { return busy() ? progress_->share.load() : 0.0; }
+    LoadPart part() const { return busy() ? progress_->part.load() : LoadPart::Reading; }
     /// What was opened, or why not; once.
     std::optional<Result<Opened>> take();
     /// Blocks until there is something to take.
-    void finish();
+    void finish() { query_.finish(); }
 
   private:
-    struct Job {
-        InputSpec spec;
-        std::optional<RunAnew> anew;
-        LoadProgress progress;
-        std::atomic<bool> done = false;
-        std::optional<Result<Opened>> result;
-        std::jthread thread;  // last: it uses all of the above
-    };
     void begin(const InputSpec& spec, std::optional<RunAnew> anew);
-    static Result<Opened> work(Job& job);
 
-    std::unique_ptr<Job> job_;
-    std::vector<std::unique_ptr<Job>> cancelled_;  ///< Until they have noticed.
+    std::shared_ptr<LoadProgress> progress_;  ///< Shared with the thread.
+    Inquiry<Opened> query_;
 };
 
 }  // namespace se::view

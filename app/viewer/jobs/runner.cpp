@@ -18,9 +18,16 @@ constexpr std::chrono::milliseconds kSlice{120};
 Runner::Runner(std::shared_ptr<const Model> model)
     : model_(std::move(model)),
       timeline_(model_->points, model_->params),
-      thread_([this](const std::stop_token& stop) { work(stop); }) {}
+      thread_([this](const CancelFlag&) { work(); }) {}
 
-Runner::~Runner() { cancelled_ = true; }
+Runner::~Runner() {
+    {
+        const std::lock_guard lock(mutex_);
+        cancelled_ = true;
+        ending_ = true;
+    }
+    changed_.notify_all();
+}
 
 void Runner::request(std::uint32_t pivot) { ask({pivot, kNone}); }
 
@@ -45,17 +52,18 @@ std::optional<RunnerAnswer> Runner::take() {
     return std::exchange(answer_, std::nullopt);
 }
 
-void Runner::work(const std::stop_token& stop) {
-    while (!stop.stop_requested()) {
+void Runner::work() {
+    while (true) {
         Request request;
         {
             std::unique_lock lock(mutex_);
-            if (!changed_.wait(lock, stop, [&] { return wanted_.has_value(); })) return;
+            changed_.wait(lock, [&] { return wanted_.has_value() || ending_; });
+            if (ending_) return;
             request = *std::exchange(wanted_, std::nullopt);
         }
         const Status good = guarded([&] {
             if (!complaint_.empty()) return;
-            request.point == kNone ? serve(request.pivot, stop) : servePoint(request, stop);
+            request.point == kNone ? serve(request.pivot) : servePoint(request);
         });
         if (!good) complaint_ = good.error().message;
         if (!complaint_.empty()) publishComplaint();
@@ -63,9 +71,9 @@ void Runner::work(const std::stop_token& stop) {
 }
 
 /// Moves the timeline, with a look at it now and then. False if cancelled.
-bool Runner::goTo(std::uint32_t position, const std::stop_token& stop) {
+bool Runner::goTo(std::uint32_t position) {
     bool arrived = false;
-    while (!arrived && !cancelled_ && !stop.stop_requested()) {
+    while (!arrived && !cancelled_) {
         const auto deadline = std::chrono::steady_clock::now() + kSlice;
         arrived = true;
         timeline_.seek(position, [&] {
@@ -78,20 +86,20 @@ bool Runner::goTo(std::uint32_t position, const std::stop_token& stop) {
     return arrived;
 }
 
-void Runner::serve(std::uint32_t pivot, const std::stop_token& stop) {
-    const bool arrived = goTo(pivot == 0 ? 0 : pivot - 1, stop);
+void Runner::serve(std::uint32_t pivot) {
+    const bool arrived = goTo(pivot == 0 ? 0 : pivot - 1);
     publish(arrived ? pivot : timeline_.position(), true);
 }
 
-void Runner::servePoint(const Request& request, const std::stop_token& stop) {
-    if (!goTo(request.pivot, stop)) return publish(timeline_.position(), true);
+void Runner::servePoint(const Request& request) {
+    if (!goTo(request.pivot)) return publish(timeline_.position(), true);
     // With a stepper of its own: the timeline would make each pivot twice.
     EventLog log;
     Stepper stepper(model_->points, model_->params, &log);
     stepper.setState(timeline_.state());
     bool found = false;
     std::uint32_t pivot = request.pivot;
-    for (bool more = true; more && !found && !cancelled_ && !stop.stop_requested();) {
+    for (bool more = true; more && !found && !cancelled_;) {
         log.clear();
         more = stepper.stepPivot();
         found = std::any_of(log.events().begin(), log.events().end(), [&](const Event& event) {
@@ -101,9 +109,9 @@ void Runner::servePoint(const Request& request, const std::stop_token& stop) {
         });
         position_ = stepper.state().counters.pivots;
     }
-    if (found) return serve(pivot, stop);
+    if (found) return serve(pivot);
     found_ = false;
-    serve(request.pivot, stop);
+    serve(request.pivot);
     found_ = true;
 }
 

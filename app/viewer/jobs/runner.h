@@ -8,10 +8,10 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 
 #include "run/model.h"
 #include "run/pivot_record.h"
+#include "thread.h"
 
 namespace se::view {
 
@@ -50,15 +50,15 @@ class Runner {
     std::uint32_t position() const { return position_; }
 
   private:
-    void work(const std::stop_token& stop);
+    void work();
     struct Request {
         std::uint32_t pivot = 0;
         Index point = kNone;  ///< If not kNone: the first event about it behind `pivot`.
     };
     void ask(const Request& request);
-    void serve(std::uint32_t pivot, const std::stop_token& stop);
-    void servePoint(const Request& request, const std::stop_token& stop);
-    bool goTo(std::uint32_t position, const std::stop_token& stop);
+    void serve(std::uint32_t pivot);
+    void servePoint(const Request& request);
+    bool goTo(std::uint32_t position);
     void publish(std::uint32_t pivot, bool final);
     void publishComplaint();
 
@@ -71,12 +71,13 @@ class Runner {
     std::string complaint_;
 
     std::mutex mutex_;
-    std::condition_variable_any changed_;
+    std::condition_variable changed_;
     std::optional<Request> wanted_;
+    bool ending_ = false;  ///< Under the mutex, as `wanted_`.
     std::optional<RunnerAnswer> answer_;
     std::atomic<bool> cancelled_ = false;
     std::atomic<std::uint32_t> position_ = 0;
-    std::jthread thread_;  // last: it uses all of the above
+    Thread thread_;  // last: it uses all of the above
 };
 
 }  // namespace se::view

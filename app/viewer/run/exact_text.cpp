@@ -1,24 +1,25 @@
 #include "exact_text.h"
 
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <system_error>
 #include <vector>
 
+#include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/base/text_scan.h"
+
 namespace se::view {
 
 std::string exact(double value) {
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-    return {digits.data(), end.ptr};
+    std::string text;
+    appendNumber(text, value);
+    return text;
 }
 
 std::optional<double> numberFromText(std::string_view text) {
     double value = 0.0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool whole = read.ec == std::errc{} && read.ptr == text.data() + text.size();
-    return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+    return io::parseDouble(text, value) && std::isfinite(value) ? std::optional(value)
+                                                                : std::nullopt;
 }
 
 std::optional<std::uint64_t> wholeFromText(std::string_view text) {

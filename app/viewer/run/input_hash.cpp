@@ -1,16 +1,17 @@
 #include "input_hash.h"
 
 #include <array>
-#include <bit>
 #include <cstdio>
 #include <vector>
+
+#include "spiraling_edge/base/float_bits.h"
 
 namespace se::view {
 
 namespace {
 
 void addNumber(InputHash& hash, double number) {
-    const auto bits = std::bit_cast<std::uint64_t>(number);
+    const auto bits = bitsAs<std::uint64_t>(number);
     std::array<char, 8> bytes{};
     for (std::size_t i = 0; i < bytes.size(); ++i) {
         bytes[i] = static_cast<char>(static_cast<unsigned char>(bits >> (8 * i)));

@@ -1,12 +1,8 @@
-/// The whole run at a glance, for the tree of steps and the strip under the view: made by a thread
-/// of its own that runs once from start to end and listens to every decision, but keeps none.
+/// The whole run at a glance, for the tree of steps and the strip under the view.
 #pragma once
 
-#include <atomic>
-#include <mutex>
 #include <optional>
 #include <span>
-#include <thread>
 #include <vector>
 
 #include "component_shape.h"
@@ -93,35 +89,6 @@ std::span<const LiveFailure> failuresAt(const RunOverview& run, const Address& a
 
 /// How many were noticed before the end of the pivot of an address.
 std::size_t noticedUpTo(const RunOverview& run, const Address& address);
-
-class OverviewThread {
-  public:
-    explicit OverviewThread(std::shared_ptr<const Model> model);
-
-    /// Appends what is new to `overview`. True if anything was.
-    bool update(RunOverview& overview);
-    /// The run has come to its end, or was stopped.
-    bool done() const { return done_; }
-    /// Once done(): why the run was not gone through to its end, a sentence, once; empty if it was.
-    std::string takeComplaint() { return std::exchange(complaint_, {}); }
-    /// Blocks until the run is complete.
-    void finish() {
-        if (thread_.joinable()) thread_.join();
-    }
-
-  private:
-    void work(const std::stop_token& stop);
-    void watch(const std::stop_token& stop);
-    void hand(RunOverview& fresh);
-
-    std::shared_ptr<const Model> model_;
-    std::mutex mutex_;
-    RunOverview fresh_;  ///< What update() has not yet taken.
-    bool changed_ = false;
-    std::string complaint_;
-    std::atomic<bool> done_ = false;
-    std::jthread thread_;  // last: it uses all of the above
-};
 
 /// Puts the lists of `fresh` behind those of `overview` and takes over its figures.
 void append(RunOverview& overview, const RunOverview& fresh);

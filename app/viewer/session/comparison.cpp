@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "jobs/guarded.h"
-
 namespace se::view {
 
 namespace {
@@ -57,13 +55,24 @@ std::string compareMesh(Compared& found, const std::string& path, const Progress
     return {};
 }
 
-}  // namespace
-
-Comparison::~Comparison() {
-    cancelJob();
-    // All know of it before the first is waited for.
-    cancelled_.clear();
+/// Of a mesh from a file if `b` is null.
+Result<std::shared_ptr<const Compared>> compare(const std::shared_ptr<const Model>& a,
+                                                const std::shared_ptr<const Model>& b,
+                                                const std::string& mesh, const Progress& progress) {
+    auto found = std::make_shared<Compared>();
+    found->a = a;
+    found->b = b;
+    std::string complaint = b ? compareTwo(*found, progress) : compareMesh(*found, mesh, progress);
+    if (!complaint.empty()) return Error{std::move(complaint)};
+    const std::span<const Triangle> ofA = found->runs.a.triangles;
+    const std::span<const Triangle> ofB = found->runs.b.triangles;
+    found->meshes = compareMeshes(found->b->points.position, ofA, ofB);
+    found->setA = TriangleSet(ofA);
+    found->setB = TriangleSet(ofB);
+    return std::shared_ptr<const Compared>(std::move(found));
 }
+
+}  // namespace
 
 bool Comparison::fits(const Session& run) const {
     return with_.kind != CompareWith::Kind::Run || with_.run.source == run.spec().source;
@@ -80,7 +89,7 @@ void Comparison::begin(const Session& run, CompareWith with) {
 }
 
 void Comparison::stop() {
-    cancelJob();
+    query_.forget();
     with_ = {};
     other_.reset();
     result_.reset();
@@ -93,66 +102,33 @@ void Comparison::stop() {
     ++revision_;
 }
 
-void Comparison::cancelJob() {
-    std::erase_if(cancelled_, [](const auto& job) { return job->ended.load(); });
-    if (!job_) return;
-    job_->cancelled = true;
-    cancelled_.push_back(std::move(job_));
-}
-
 bool Comparison::working() const {
-    if (job_ != nullptr) return true;
+    if (query_.busy()) return true;
     return runs() && other_->phase() == SessionPhase::Loading;
 }
 
 double Comparison::share() const {
     constexpr double kOpening = 0.4;
-    if (job_) return runs() ? kOpening + (1.0 - kOpening) * job_->share : job_->share.load();
+    if (query_.busy())
+        return runs() ? kOpening + (1.0 - kOpening) * query_.share() : query_.share();
     return runs() ? kOpening * other_->loadShare() : 0.0;
 }
 
 void Comparison::startJob(const Session& run) {
-    cancelJob();
     result_.reset();
     complaint_.clear();
     ++revision_;
     comparedA_ = run.sharedModel();
     comparedB_ = runs() ? other_->sharedModel() : nullptr;
-    job_ = std::make_unique<Job>();
-    job_->a = comparedA_;
-    job_->b = comparedB_;
-    job_->mesh = with_.mesh;
-    job_->thread = std::jthread([&job = *job_] {
-        const Status good = guarded([&job] { work(job); });
-        if (!good) job.complaint = good.error().message;
-        job.ended = true;
+    query_.ask([a = comparedA_, b = comparedB_, mesh = with_.mesh](const Progress& progress) {
+        return compare(a, b, mesh, progress);
     });
 }
 
-void Comparison::work(Job& job) {
-    auto found = std::make_shared<Compared>();
-    found->a = job.a;
-    found->b = job.b;
-    const Progress progress = [&job](double share) {
-        job.share = share;
-        return !job.cancelled.load();
-    };
-    job.complaint = job.b ? compareTwo(*found, progress) : compareMesh(*found, job.mesh, progress);
-    if (!job.complaint.empty()) return;
-    const std::span<const Triangle> a = found->runs.a.triangles;
-    const std::span<const Triangle> b = found->runs.b.triangles;
-    found->meshes = compareMeshes(found->b->points.position, a, b);
-    found->setA = TriangleSet(a);
-    found->setB = TriangleSet(b);
-    job.found = std::move(found);
-}
-
-bool Comparison::takeJob() {
-    if (!job_ || !job_->ended) return false;
-    const std::unique_ptr<Job> job = std::move(job_);
-    if (job->thread.joinable()) job->thread.join();
-    result_ = job->found;
-    complaint_ = job->complaint;
+bool Comparison::takeResult() {
+    if (!query_.poll()) return false;
+    result_ = query_.takeAnswer().value_or(nullptr);
+    complaint_ = query_.complaint();
     followed_.reset();
     asked_ = kNowhere;
     ++revision_;
@@ -174,7 +150,7 @@ bool Comparison::poll(const Session& run) {
     const auto mine = run.sharedModel();
     const auto theirs = runs() && there ? other_->sharedModel() : nullptr;
     if (there && (mine != comparedA_ || theirs != comparedB_)) startJob(run);
-    changed = takeJob() || changed;
+    changed = takeResult() || changed;
     if (runs() && there) {
         const std::uint32_t before = other_->revision();
         follow(run);
@@ -188,7 +164,7 @@ void Comparison::settle(Session& run) {
     poll(run);
     if (runs()) other_->settle();
     poll(run);
-    if (job_ && job_->thread.joinable()) job_->thread.join();
+    query_.finish();
     // Twice: to the pivot, and to the event in it.
     for (int i = 0; i < 3; ++i) {
         poll(run);

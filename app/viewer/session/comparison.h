@@ -2,15 +2,14 @@
 /// in the background. Knows neither window nor OpenGL.
 #pragma once
 
-#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "compare_sync.h"
 #include "compare_with.h"
+#include "jobs/background_query.h"
 #include "session.h"
 #include "spiraling_edge/explain/run_compare.h"
 #include "spiraling_edge/mesh/mesh_compare.h"
@@ -39,11 +38,6 @@ struct ComparedPlace {
 
 class Comparison {
   public:
-    Comparison() = default;
-    ~Comparison();
-    Comparison(const Comparison&) = delete;
-    Comparison& operator=(const Comparison&) = delete;
-
     /// Compares `run` with something else from now on, and anew whenever it is opened anew.
     void begin(const Session& run, CompareWith with);
     /// No comparison any more.
@@ -74,18 +68,6 @@ class Comparison {
     void goTo(Session& run, const ComparedPlace& place);
 
   private:
-    /// Compares in a thread.
-    struct Job {
-        std::shared_ptr<const Model> a;
-        std::shared_ptr<const Model> b;  ///< Null: a mesh.
-        std::string mesh;
-        std::shared_ptr<const Compared> found;
-        std::string complaint;
-        std::atomic<double> share = 0.0;
-        std::atomic<bool> cancelled = false;
-        std::atomic<bool> ended = false;
-        std::jthread thread;  // last: it uses all of the above
-    };
     /// Where a run stands.
     struct Stand {
         std::uint32_t generation = 0;
@@ -97,17 +79,14 @@ class Comparison {
     bool runs() const { return with_.kind == CompareWith::Kind::Run && other_ != nullptr; }
     bool fits(const Session& run) const;
     void startJob(const Session& run);
-    static void work(Job& job);
-    void cancelJob();
-    bool takeJob();
+    bool takeResult();
     void follow(const Session& run);
     static Stand standOf(const Session& run);
     std::optional<Address> wantedPlace(const Session& run) const;
 
     CompareWith with_;
     std::unique_ptr<Session> other_;
-    std::unique_ptr<Job> job_;
-    std::vector<std::unique_ptr<Job>> cancelled_;  ///< Until they have noticed.
+    Inquiry<std::shared_ptr<const Compared>> query_;
     std::shared_ptr<const Compared> result_;
     std::shared_ptr<const Model> comparedA_;  ///< What the job, or the result, is about.
     std::shared_ptr<const Model> comparedB_;

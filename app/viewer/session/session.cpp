@@ -71,7 +71,7 @@ void Session::fail(std::string why) {
 }
 
 void Session::adopt(Opened opened) {
-    overviewThread_.reset();
+    overviewJob_.reset();
     runner_ = std::move(opened.runner);
     model_ = std::move(opened.model);
     spec_ = opening_;
@@ -106,7 +106,7 @@ void Session::adopt(Opened opened) {
     ++generation_;
     ++revision_;
     phase_ = SessionPhase::Ready;
-    overviewThread_ = std::make_unique<OverviewThread>(model_);
+    overviewJob_ = std::make_unique<OverviewJob>(model_);
     const std::string said = notice();
     say(model_->cured ? "Mended: " + mendedText(*model_) + "." : model_->watch);
     missed_ = false;
@@ -133,10 +133,10 @@ bool Session::poll() {
     }
     if (waiting_) changed = takeAnswer() || changed;
     processMoves();
-    if (overviewThread_) {
-        const bool gone = overviewThread_->done();
-        changed = overviewThread_->update(overview_) || changed;
-        if (gone) sayIfAny(overviewThread_->takeComplaint());
+    if (overviewJob_) {
+        const bool gone = overviewJob_->done();
+        changed = overviewJob_->update(overview_) || changed;
+        if (gone) sayIfAny(overviewJob_->takeComplaint());
         if (gone) goToAwaited();
     }
     changed = questions_->poll() || changed;
@@ -150,7 +150,7 @@ bool Session::poll() {
 
 /// Doctor and alerts come last: neither the first picture nor the run waits for them.
 bool Session::pollCheckup() {
-    if (!ready() || !overviewThread_ || !overviewThread_->done()) return false;
+    if (!ready() || !overviewJob_ || !overviewJob_->done()) return false;
     checkup_.begin();
     alerts_.begin();
     const bool alerted = alerts_.poll();
@@ -166,7 +166,7 @@ bool Session::pollCheckup() {
 void Session::settle() {
     loader_.finish();
     poll();
-    if (overviewThread_) overviewThread_->finish();
+    if (overviewJob_) overviewJob_->finish();
     hits_.finish();
     watches_.finish();
     poll();

@@ -19,6 +19,7 @@
 #include "jobs/doctor_job.h"
 #include "jobs/hit_search.h"
 #include "jobs/loader.h"
+#include "jobs/overview_job.h"
 #include "jobs/remedy_search.h"
 #include "jobs/runner.h"
 #include "jobs/watch_scan.h"
@@ -325,7 +326,7 @@ class Session {
     std::unique_ptr<Questions> questions_;
 
     std::unique_ptr<Runner> runner_;
-    std::unique_ptr<OverviewThread> overviewThread_;
+    std::unique_ptr<OverviewJob> overviewJob_;
     Loader loader_;
 };
 

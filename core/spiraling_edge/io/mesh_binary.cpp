@@ -1,13 +1,13 @@
 /// STL and GLB.
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 
 #include "spiraling_edge/base/finite.h"
+#include "spiraling_edge/base/float_bits.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/io/mesh_formats.h"
 
@@ -20,7 +20,7 @@ void append(std::string& bytes, std::uint32_t value) {
     for (unsigned i = 0; i < 4; ++i) four[i] = static_cast<char>((value >> (8 * i)) & 0xFFU);
     bytes.append(four.data(), four.size());
 }
-void append(std::string& bytes, float value) { append(bytes, std::bit_cast<std::uint32_t>(value)); }
+void append(std::string& bytes, float value) { append(bytes, bitsAs<std::uint32_t>(value)); }
 void append(std::string& bytes, const Vec3& v) {
     for (int i = 0; i < 3; ++i) append(bytes, static_cast<float>(v[i]));
 }

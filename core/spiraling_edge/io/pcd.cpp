@@ -1,9 +1,9 @@
 /// PCD, the format of the Point Cloud Library: a header in text, then rows in text or binary.
 #include <algorithm>
-#include <bit>
 #include <optional>
 #include <vector>
 
+#include "spiraling_edge/base/float_bits.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/io/ply.h"
 #include "spiraling_edge/io/ply_rows.h"
@@ -284,7 +284,7 @@ class PcdReader {
     /// In text a color of type F is the float that has its bits, one of type I their number with a
     /// sign.
     static double colorBits(const PcdField& field, double value) {
-        if (field.kind == 'F') return std::bit_cast<std::uint32_t>(static_cast<float>(value));
+        if (field.kind == 'F') return bitsAs<std::uint32_t>(static_cast<float>(value));
         if (field.kind == 'I') return static_cast<std::uint32_t>(static_cast<std::int32_t>(value));
         return value;
     }

@@ -62,7 +62,8 @@ class Pairing {
                 const auto other = [&](const Entry& e) { return e.corners != i->corners; };
                 const auto iEnd = std::find_if(i, left.end(), other);
                 const auto jEnd = std::find_if(j, right.end(), other);
-                pair({i, iEnd}, {j, jEnd});
+                pair({&*i, static_cast<std::size_t>(iEnd - i)},
+                     {&*j, static_cast<std::size_t>(jEnd - j)});
                 i = iEnd;
                 j = jEnd;
             }

@@ -6,6 +6,7 @@
 #include <compare>
 #include <cstdint>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "spiraling_edge/points/point_file.h"
@@ -76,7 +77,9 @@ class TriangleSet {
     struct Entry {
         std::array<Index, 3> corners;  ///< Ascending.
         bool odd;                      ///< Wound against them.
-        friend auto operator<=>(const Entry&, const Entry&) = default;
+        friend bool operator<(const Entry& x, const Entry& y) {
+            return std::tie(x.corners, x.odd) < std::tie(y.corners, y.odd);
+        }
     };
     static Entry entryOf(const Triangle& triangle);
 

@@ -12,6 +12,8 @@
 using namespace se;
 using namespace se::test;
 
+#include "spiraling_edge/base/float_bits.h"
+
 namespace {
 
 const std::string kHead =
@@ -74,7 +76,7 @@ TEST_CASE("PCD: a color in text is the number that has its bits") {
         "HEIGHT 1\nPOINTS 1\nDATA ascii\n";
     const auto result = readPoints(head + "0 0 0 4.2108e+06\n", "a.pcd");
     REQUIRE(result.ok());
-    const std::uint32_t bits = std::bit_cast<std::uint32_t>(4.2108e+06F);
+    const std::uint32_t bits = bitsAs<std::uint32_t>(4.2108e+06F);
     CHECK(result.value().attributes[0].values[0] == static_cast<double>((bits >> 16U) & 0xFFU));
 }
 

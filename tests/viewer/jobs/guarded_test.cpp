@@ -11,10 +11,10 @@
 #include "jobs/growth.h"
 #include "jobs/hit_search.h"
 #include "jobs/loader.h"
+#include "jobs/overview_job.h"
 #include "jobs/runner.h"
 #include "jobs/watch_scan.h"
 #include "open_session.h"
-#include "run/overview.h"
 #include "session/comparison.h"
 
 using namespace se;
@@ -72,7 +72,7 @@ TEST_CASE("Without memory a move ends where it began, and says why") {
 TEST_CASE("Without memory the overview ends, and says why") {
     const auto model = test::sphereModel();
     const ScarceMemory scarce;
-    OverviewThread thread(model);
+    OverviewJob thread(model);
     thread.finish();
     CHECK(thread.done());
     CHECK(saysOutOfMemory(thread.takeComplaint()));

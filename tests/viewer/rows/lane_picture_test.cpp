@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "jobs/overview_job.h"
 #include "open_session.h"
 #include "rows/lane_picture.h"
 #include "spiraling_edge/scenes/scenes.h"
@@ -84,7 +85,7 @@ TEST_CASE("At every pivot there are as many lanes as rings: the active one and t
 TEST_CASE("The overview tells the lanes at any pivot") {
     const auto model = modelOf("scene:torus", "paper");
     REQUIRE(model != nullptr);
-    OverviewThread thread(model);
+    OverviewJob thread(model);
     thread.finish();
     RunOverview run;
     REQUIRE(thread.update(run));

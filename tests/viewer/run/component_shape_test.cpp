@@ -1,6 +1,6 @@
 #include "run/component_shape.h"
+#include "jobs/overview_job.h"
 #include "open_session.h"
-#include "run/overview.h"
 
 #include <doctest/doctest.h>
 
@@ -13,7 +13,7 @@ RunOverview wholeRun(const char* scene) {
     LoadProgress progress;
     const auto model = loadModel({scene, {}, "paper"}, progress);
     REQUIRE(model.ok());
-    OverviewThread thread(model.value());
+    OverviewJob thread(model.value());
     thread.finish();
     RunOverview run;
     thread.update(run);

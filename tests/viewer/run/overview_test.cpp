@@ -1,4 +1,4 @@
-#include "run/overview.h"
+#include "jobs/overview_job.h"
 
 #include <doctest/doctest.h>
 
@@ -13,7 +13,7 @@ using namespace se::view;
 TEST_CASE("The overview counts what a plain run counts") {
     const auto model = test::sphereModel();
     REQUIRE(model != nullptr);
-    OverviewThread thread(model);
+    OverviewJob thread(model);
     thread.finish();
     RunOverview run;
     CHECK(thread.update(run));

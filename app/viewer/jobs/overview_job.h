@@ -1,0 +1,32 @@
+/// Runs a model once from start to end, in the background, and notes what there is to see from
+/// afar: every decision is looked at, none is kept.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "background_job.h"
+#include "run/model.h"
+#include "run/overview.h"
+
+namespace se::view {
+
+class OverviewJob {
+  public:
+    explicit OverviewJob(std::shared_ptr<const Model> model);
+
+    /// Appends what is new to `overview`. True if anything was.
+    bool update(RunOverview& overview);
+    /// The run has come to its end, or was stopped.
+    bool done() const { return job_.ended(); }
+    /// Once done(): why the run was not gone through to its end, a sentence, once; empty if it was.
+    std::string takeComplaint();
+    /// Blocks until the run is complete.
+    void finish() { job_.wait(); }
+
+  private:
+    bool hasComplaint_ = true;  ///< Not taken yet.
+    RunErrand<RunOverview> job_;
+};
+
+}  // namespace se::view
