@@ -151,7 +151,7 @@ TEST_CASE("figure scenes show what they say, at the pivot they name") {
     CHECK(happens<LimitEvidence>(four, 8, moved(Side::Start)));
     CHECK(happens<LimitEvidence>(four, 8, moved(Side::End)));
     CHECK(happens<DropEvidence>(four, 8,
-                                [](const auto& e) { return e.verdict == Verdict::Outside; }));
+                                [](const auto& e) { return e.verdict == Verdict::NowStart; }));
     CHECK(happens<DropEvidence>(watch("figure-5"), 6,
                                 [](const auto& e) { return e.verdict == Verdict::BehindConvex; }));
     CHECK(happens<ReciprocalEvidence>(
@@ -192,9 +192,7 @@ TEST_CASE("6.1 Figure 4: the new start and end are no longer candidates, but are
         const auto* drop = std::get_if<DropEvidence>(&event.evidence);
         if (drop == nullptr || event.address.pivot != 8) continue;
         const bool start = drop->side == Side::Start;
-        CHECK(drop->isLimit());
-        // Name and address of the verdict are as ever.
-        CHECK(drop->verdict == Verdict::Outside);
+        CHECK(drop->verdict == (start ? Verdict::NowStart : Verdict::NowEnd));
         CHECK(toString(event.address) == (start ? "8.limits.5" : "8.limits.6"));
         CHECK(drop->point == (start ? 17 : 15));
         CHECK(endingText(event) == (start ? "now start" : "now end"));
