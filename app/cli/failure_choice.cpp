@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "exit_code.h"
-#include "interrupt.h"
 #include "output/mesh_text.h"
+#include "progress.h"
 #include "spiraling_edge/stepper/stepper.h"
 
 namespace se::cli {

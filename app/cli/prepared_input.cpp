@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "input.h"
-#include "progress_work.h"
+#include "progress.h"
 #include "spiraling_edge/doctor/doctor.h"
 
 namespace se::cli {

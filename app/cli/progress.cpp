@@ -3,13 +3,37 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
+
+#include "spiraling_edge/base/atomic_file.h"
 
 namespace se::cli {
 
 namespace {
+
+volatile std::sig_atomic_t interruptSeen = 0;
+
+void noteInterrupt(int) {
+    interruptSeen = 1;
+    // The next one ends the program, which leaves no part of a file.
+    removeUnfinishedFilesAtSignals();
+}
+
 constexpr std::chrono::milliseconds kInterval{100};
+
 }  // namespace
+
+void catchInterrupts() {
+    struct sigaction action {};
+    action.sa_handler = noteInterrupt;
+    action.sa_flags = SA_RESTART;
+    sigaction(SIGINT, &action, nullptr);
+}
+
+void releaseInterrupts() { removeUnfinishedFilesAtSignals(); }
+
+bool interrupted() { return interruptSeen != 0; }
 
 ProgressLine::ProgressLine(bool wanted)
     : enabled_(wanted && ::isatty(STDERR_FILENO) == 1), last_(std::chrono::steady_clock::now()) {}

@@ -8,8 +8,7 @@
 
 #include "exit_code.h"
 #include "input.h"
-#include "interrupt.h"
-#include "progress_work.h"
+#include "progress.h"
 #include "spiraling_edge/sampling/volume.h"
 
 namespace se::cli {

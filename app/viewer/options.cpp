@@ -7,7 +7,7 @@
 
 #include "commands/commands.h"
 #include "jobs/guarded.h"
-#include "run/exact_text.h"
+#include "run/number_format.h"
 #include "run/strings.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/sampling/sampler.h"

@@ -4,10 +4,9 @@
 #include "compare_words.h"
 #include "failure_choice.h"
 #include "input.h"
-#include "interrupt.h"
 #include "output/compare_text.h"
 #include "output/output.h"
-#include "progress_work.h"
+#include "progress.h"
 #include "verbs.h"
 
 namespace se::cli {

@@ -7,12 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "input.h"
-#include "interrupt.h"
 #include "options.h"
 #include "output/mesh_text.h"
 #include "output/output.h"
 #include "progress.h"
-#include "progress_work.h"
 #include "verbs.h"
 
 namespace se::cli {

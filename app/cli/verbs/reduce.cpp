@@ -9,12 +9,11 @@
 #include <tuple>
 
 #include "failure_choice.h"
-#include "interrupt.h"
 #include "output/mesh_text.h"
 #include "output/output.h"
 #include "output/rule_json.h"
 #include "prepared_input.h"
-#include "progress_work.h"
+#include "progress.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "verbs.h"
 

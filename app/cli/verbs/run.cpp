@@ -7,14 +7,12 @@
 #include <span>
 
 #include "input.h"
-#include "interrupt.h"
 #include "options.h"
 #include "output/mesh_text.h"
 #include "output/output.h"
 #include "output/report.h"
 #include "output/trace.h"
 #include "progress.h"
-#include "progress_work.h"
 #include "spiraling_edge/base/stop_watch.h"
 #include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/points/used_points.h"

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "interrupt.h"
 #include "options.h"
 #include "output/mesh_text.h"
 #include "output/output.h"

@@ -9,7 +9,6 @@
 #include <optional>
 #include <utility>
 
-#include "interrupt.h"
 #include "options.h"
 #include "output/output.h"
 #include "progress.h"

@@ -6,12 +6,11 @@
 #include <charconv>
 
 #include "failure_choice.h"
-#include "interrupt.h"
 #include "output/ledger_text.h"
 #include "output/output.h"
 #include "output/proof_text.h"
 #include "prepared_input.h"
-#include "progress_work.h"
+#include "progress.h"
 #include "spiraling_edge/replay/decision_query.h"
 #include "spiraling_edge/replay/named_points.h"
 #include "verbs.h"

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
+#include <optional>
+
+#include "labels.h"
 
 namespace se::view {
 
@@ -22,6 +25,60 @@ Rect boundsOf(float radius, std::span<const DialName> names, float gap, float ma
     }
     return {low, high - low};
 }
+
+/// Along the rim, in degrees: how far a name may go, and by which steps.
+constexpr int kFarthest = 48;
+constexpr int kStep = 2;
+/// From this on a line leads back to the rim.
+constexpr int kLeaderFromRow = 5;
+/// How far the corner of a name may reach over the rim, as a share of the gap.
+constexpr float kTouch = 0.4F;
+
+class NamePlacer {
+  public:
+    NamePlacer(const DialPlace& disc, const NameRoom& room) : disc_(disc), room_(room) {
+        taken_.assign(room.taken.begin(), room.taken.end());
+    }
+
+    std::optional<PlacedName> place(const DialName& name) {
+        for (int row = 0; row < 2; ++row) {
+            for (int off = 0; off <= kFarthest; off += kStep) {
+                for (const int side : {1, -1}) {
+                    const std::optional<Rect> rect = freeAt(name, side * off, row);
+                    if (!rect) continue;
+                    taken_.push_back(*rect);
+                    return PlacedName{0, *rect, row > 0 || off >= kLeaderFromRow};
+                }
+            }
+        }
+        return std::nullopt;
+    }
+
+  private:
+    std::optional<Rect> freeAt(const DialName& name, int off, int row) const {
+        const double degrees = name.degrees + off;
+        const float a = glm::radians(static_cast<float>(degrees));
+        const glm::vec2 rim = disc_.center + disc_.radius * glm::vec2(std::cos(a), -std::sin(a));
+        const float gap = room_.gap + static_cast<float>(row) * room_.line;
+        const Rect rect{nameCorner(rim, {degrees, name.extent}, gap), name.extent};
+        // Half a pixel: the disc was made as large as the names allow.
+        const Rect& area = room_.area;
+        const bool inside = rect.min.x >= area.min.x - 0.5F && rect.min.y >= area.min.y - 0.5F &&
+                            rect.max().x <= area.max().x + 0.5F &&
+                            rect.max().y <= area.max().y + 0.5F;
+        // Moved along the rim a long name may reach into the disc; its corner touches it anyway.
+        const LabelMark filled{disc_.center, disc_.radius - kTouch * room_.gap};
+        if (!inside || overlap(rect, filled)) return std::nullopt;
+        for (const Rect& other : taken_) {
+            if (overlap(rect, other)) return std::nullopt;
+        }
+        return rect;
+    }
+
+    const DialPlace& disc_;
+    const NameRoom& room_;
+    std::vector<Rect> taken_;
+};
 
 }  // namespace
 
@@ -43,6 +100,19 @@ DialPlace fitDial(const Rect& room, std::span<const DialName> names, float gap, 
     }
     const Rect bounds = boundsOf(least, names, gap, margin);
     return {room.min + 0.5F * (room.size - bounds.size) - bounds.min, least};
+}
+
+std::vector<PlacedName> placeNames(const DialPlace& disc, const NameRoom& room,
+                                   std::span<const DialName> names) {
+    NamePlacer placer(disc, room);
+    std::vector<PlacedName> placed;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        std::optional<PlacedName> found = placer.place(names[i]);
+        if (!found) continue;
+        found->name = i;
+        placed.push_back(*found);
+    }
+    return placed;
 }
 
 }  // namespace se::view

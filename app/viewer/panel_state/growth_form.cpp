@@ -1,6 +1,6 @@
 #include "growth_form.h"
 
-#include "run/exact_text.h"
+#include "run/number_format.h"
 #include "run/strings.h"
 #include "spiraling_edge/sampling/field.h"
 #include "spiraling_edge/sampling/sampler.h"

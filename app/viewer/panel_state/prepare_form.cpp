@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "run/exact_text.h"
+#include "run/number_format.h"
 
 namespace se::view {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "run/exact_text.h"
 #include "run/model.h"
+#include "run/number_format.h"
 #include "run/sample_spec.h"
 #include "run/strings.h"
 #include "settings.h"

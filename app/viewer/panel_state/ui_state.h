@@ -29,7 +29,7 @@
 #include "scene/motion.h"
 #include "scene/palette.h"
 #include "scene/point_tint.h"
-#include "session/bookmarks.h"
+#include "session/annotations.h"
 #include "session/layout_preset.h"
 #include "session/playback.h"
 #include "session/selection_facts.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "run/exact_text.h"
+#include "run/number_format.h"
 #include "session/session.h"
 #include "spiraling_edge/explain/what_if_check.h"
 #include "spiraling_edge/replay/reading.h"

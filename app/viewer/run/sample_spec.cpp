@@ -5,7 +5,7 @@
 #include <glm/common.hpp>
 #include <memory>
 
-#include "exact_text.h"
+#include "number_format.h"
 #include "spiraling_edge/base/shell_word.h"
 #include "spiraling_edge/sampling/sampler.h"
 #include "spiraling_edge/sampling/volume.h"

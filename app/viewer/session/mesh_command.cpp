@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "run/exact_text.h"
+#include "run/number_format.h"
 #include "run/strings.h"
 #include "session.h"
 #include "spiraling_edge/base/shell_word.h"

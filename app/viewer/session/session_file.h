@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "bookmarks.h"
+#include "annotations.h"
 #include "compare_with.h"
 #include "layers/layer.h"
 #include "layout_preset.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bookmarks.h"
+#include "annotations.h"
 #include "layers/layer.h"
 #include "layout_preset.h"
 #include "run/doctor_fixes.h"

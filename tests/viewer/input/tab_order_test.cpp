@@ -1,5 +1,5 @@
 #include "input/tab_order.h"
-#include "layout/status_fit.h"
+#include "layout/bars.h"
 
 #include <doctest/doctest.h>
 

@@ -9,7 +9,7 @@
 #include "commands/commands.h"
 #include "controllers/pivot_camera.h"
 #include "layout/corner.h"
-#include "layout/dial_names.h"
+#include "layout/dial.h"
 #include "layout/edge_arrow.h"
 #include "open_session.h"
 #include "run/pivot_neighborhood.h"

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "layout/status_fit.h"
+#include "layout/bars.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 

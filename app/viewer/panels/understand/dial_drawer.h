@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "layout/dial_names.h"
+#include "layout/dial.h"
 #include "layout/labels.h"
 #include "panels/panel.h"
 #include "rows/dial.h"

@@ -1,4 +1,4 @@
-#include "session/bookmarks.h"
+#include "session/annotations.h"
 
 #include <doctest/doctest.h>
 
