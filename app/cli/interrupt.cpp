@@ -11,7 +11,7 @@ volatile std::sig_atomic_t interruptSeen = 0;
 
 void noteInterrupt(int) {
     interruptSeen = 1;
-    // The next one ends the program, which leaves no part of a file.
+    // A second signal ends the program; no partial file is left.
     removeUnfinishedFilesAtSignals();
 }
 

@@ -1,4 +1,4 @@
-/// The line on a terminal that says how far long work has come.
+/// Progress line of long work on a terminal.
 #pragma once
 
 #include <chrono>
@@ -6,8 +6,9 @@
 
 namespace se::cli {
 
-/// Writes to stderr if that is a terminal, at most ten times a second, and cleans up behind itself.
+/// Writes to stderr if that is a terminal, at most ten times a second, and erases the line at the
 class ProgressLine {
+    /// end.
   public:
     /// Never writes anything if not `wanted`.
     explicit ProgressLine(bool wanted);
@@ -15,7 +16,7 @@ class ProgressLine {
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
 
-    /// True if it is time to write again. Cheap enough to be asked often.
+    /// True if it is time to write again; cheap enough for inner loops.
     bool due();
     /// Writes "what 42 %"; `share` is in [0, 1]. Call when due().
     void write(const std::string& what, double share);

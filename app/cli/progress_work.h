@@ -1,4 +1,4 @@
-/// Long work of the core, done for a verb.
+/// Long work of core with a progress line.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace se::cli {
 
-/// Does `work`, which is given a Progress and returns a Result, with the line telling `what` is
-/// done. Throws Failure if it fails, or is interrupted; `input` begins the message.
+/// Runs `work`, which takes a Progress and returns a Result, while the progress line shows `what`
+/// and the share done. Throws Failure if it fails or is interrupted; `input` begins the message.
 template <typename Work>
 auto workedOut(const std::string& what, const std::string& input, ProgressLine& line, Work&& work) {
     auto result = work([&](double share) {

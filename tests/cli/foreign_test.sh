@@ -24,7 +24,7 @@ make() { "$program" run scene:sphere --rules robust -q -o "$1" || fail "cannot w
 points=600
 triangles=1196
 
-# field NAME: a number of what `assimp info` said.
+# field NAME: a number of `assimp info` printed.
 field() { sed -n "s/^$1: *\\([0-9]*\\).*/\\1/p" said | head -1; }
 
 assimp_reads_what_is_written() {
@@ -57,7 +57,7 @@ assimp_writes_what_is_read() {
             fail "triangles of $kind: $(cat out)"
         "$program" run "back.${kind/plyb/ply}" --rules robust -q -o again.obj ||
             fail "cannot run on $kind"
-        is "$(grep -c '^f ' again.obj)" $triangles "triangles made anew from $kind"
+        is "$(grep -c '^f ' again.obj)" $triangles "triangles made again from $kind"
     done
 }
 
