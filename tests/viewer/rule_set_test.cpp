@@ -103,7 +103,7 @@ TEST_CASE("A rule without effect before the cursor leaves it at the same test") 
     CHECK(open.place() == "30.sphere.1");
     CHECK_FALSE(open.session.runsAnew());
     CHECK(open.session.model().params.maxTrianglesPerPoint == 9);
-    CHECK(open.session.message() == "Same place: nothing before it differs.");
+    CHECK(open.session.message() == "Same place: no difference before it.");
     CHECK(open.session.selected() == 5);
 }
 
@@ -121,7 +121,7 @@ TEST_CASE("Where the runs part the cursor stays at the same pivot of the same co
         const bool same = open.session.message().starts_with("Same");
         if (same) CHECK(open.session.picture().pivot == point);
         if (!same)
-            CHECK(open.session.message().find("last state that both share") != std::string::npos);
+            CHECK(open.session.message().find("last shared state") != std::string::npos);
     }
 }
 

@@ -40,14 +40,14 @@ TEST_CASE("A line that says no points is refused, with the part that is wrong") 
         return read ? std::string("none") : read.error().message;
     };
     CHECK(complaint("torus").find("sample:SHAPE") != std::string::npos);
-    CHECK(complaint("sample:torus").find("how many") != std::string::npos);
+    CHECK(complaint("sample:torus").find("give the number of points") != std::string::npos);
     CHECK(complaint("sample:torus,n=10,spacing=1").find("how many") != std::string::npos);
     CHECK(complaint("sample:,n=10").find("neither") != std::string::npos);
     CHECK(complaint("sample:torus,n=0").find("\"n=0\"") != std::string::npos);
     CHECK(complaint("sample:torus,n=10,iso=x").find("\"iso=x\"") != std::string::npos);
     CHECK(complaint("sample:torus,n=10,box=1:2:3").find("box") != std::string::npos);
     CHECK(complaint("sample:torus,n=10,steps=100000").find("steps") != std::string::npos);
-    CHECK(complaint("sample:torus,n=10,colour=2").find("there are n, spacing") !=
+    CHECK(complaint("sample:torus,n=10,colour=2").find("expected n, spacing") !=
           std::string::npos);
 }
 

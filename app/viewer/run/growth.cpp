@@ -24,12 +24,12 @@ constexpr double kMeasureShare = 0.2;
 
 }  // namespace
 
-/// What the window and the thread tell each other.
+/// State shared by the window and the thread.
 struct Growth::Job {
     SampleSpec spec;
     std::mutex mutex;
     std::condition_variable_any changed;
-    // Under the mutex:
+    // Guarded by the mutex:
     int due = 0;          ///< Steps to be made.
     bool slowly = false;  ///< At kRate.
     std::optional<GrowthPicture> fresh;
@@ -38,12 +38,12 @@ struct Growth::Job {
 
     std::atomic<double> found = 0.0;
     std::atomic<bool> ended = false;
-    std::jthread thread;  // last: it uses all of the above
+    std::jthread thread;  // last: it uses all members above
 };
 
 namespace {
 
-/// Measures as often as it can without holding up the steps.
+/// Measures as often as possible without slowing the steps.
 class Measurer {
   public:
     SampleQuality of(const Field& field, const PointFile& points, bool atOnce,
@@ -99,7 +99,7 @@ Growth::Growth() = default;
 
 Growth::~Growth() {
     cancel();
-    // All know of it before the first is waited for.
+    // Cancel all threads before joining the first.
     cancelled_.clear();
 }
 
@@ -174,7 +174,7 @@ SampleSpec Growth::spec() const {
     return spec;
 }
 
-/// What the thread does.
+/// Main function of the thread.
 class Growth::Worker {
   public:
     Worker(Job& job, const std::stop_token& stop) : job_(job), stop_(stop) {}
@@ -214,18 +214,18 @@ class Growth::Worker {
   private:
     enum class Turn : std::uint8_t { Rest, Step, StepAndShow };
 
-    /// A picture that nobody took gives way to the next one; the last is always the newest.
+    /// Publishes a picture; one that was not taken is replaced, so the newest is always next.
     void publish(const Sampler& sampler, GrowthPhase phase) {
         const bool resting = phase != GrowthPhase::Spreading;
         GrowthPicture picture = pictureOf(field_, sampler, measurer_, resting, goOn_);
         const std::scoped_lock lock(job_.mutex);
         job_.fresh = std::move(picture);
-        // Whoever was told to go on meanwhile does not rest.
+        // No rest if the user resumed in the meantime.
         job_.phase = phase == GrowthPhase::Paused && job_.due > 0 ? GrowthPhase::Spreading : phase;
         job_.changed.notify_all();
     }
 
-    /// Waits for the time of the next step. Told to pause, or to hurry, it does not sleep on.
+    /// Waits for the time of the next step; a pause or finish() ends the wait early.
     Turn await() {
         std::unique_lock lock(job_.mutex);
         if (job_.due > 0 && job_.slowly) {

@@ -27,7 +27,7 @@ std::vector<Triangle> freshTriangles(const std::vector<Triangle>& before,
         std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
         return c;
     };
-    // The steps change a few places of a long list, so only those are compared with each other.
+    // The steps change a few entries of a long list, so only those are compared with each other.
     const std::size_t common = std::min(before.size(), after.size());
     std::set<std::array<Index, 3>> old;
     std::vector<Triangle> fresh;
@@ -72,8 +72,8 @@ std::vector<ComponentStretch> componentsOf(std::span<const Triangle> mended,
     }
     std::vector<ComponentStretch> stretches;
     for (std::size_t i = 0; i < mended.size(); ++i) {
-        // The latest of its corners: a corner that two components share is of the earlier one. A
-        // point that was put in has none yet, and takes that of its triangle.
+        // The latest of its corners: a corner shared by two components belongs to the earlier one.
+        // A point that was put in has none yet, and takes that of its triangle.
         std::size_t mine = 0;
         const std::array corners = {mended[i].a, mended[i].b, mended[i].c};
         for (const Index p : corners) mine = of[p] == kUnknown ? mine : std::max(mine, of[p]);

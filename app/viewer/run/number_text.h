@@ -1,5 +1,5 @@
-/// Numbers as text, the same in the view, on the dial and in Inspect. What rounds to zero has no
-/// sign: never "-0".
+/// Numbers as text, the same in the view, on the dial and in Inspect. A number that rounds to zero
+/// has no sign: never "-0".
 #pragma once
 
 #include <string>
@@ -12,15 +12,15 @@ namespace se::view {
 
 /// Four significant digits.
 std::string numberText(double value);
-/// The same with its sign, as for what is compared with zero.
+/// Four significant digits with a sign, for values compared with zero.
 std::string signedText(double value);
 /// "96.1 degrees", with the sign of degrees.
 std::string degreesText(double degrees);
-/// A sentence whose decimal fractions have at most four significant digits, and none after the
-/// decimal point where four stand before it. Whole numbers and addresses stay as they are.
+/// A sentence with at most four significant digits per decimal fraction, and none after the
+/// decimal point if four come before it. Whole numbers and addresses stay as they are.
 std::string withShortNumbers(std::string_view sentence);
-/// describe(), with short numbers: for panels, where one reads and compares. Traces, copies and
-/// tooltips have describe() itself.
+/// describe() with short numbers: for panels, which are read and compared. Traces, copies and
+/// tooltips use describe() itself.
 std::string shortSentence(const Event& event);
 /// "1.5, 0, -2"
 std::string numbersText(const Vec3& values);

@@ -14,7 +14,7 @@ namespace se::view {
 namespace {
 
 constexpr std::chrono::milliseconds kHandOver{60};
-/// Pivots between two looks at the clock.
+/// Pivots between two checks of the clock.
 constexpr std::uint32_t kLookEvery = 64;
 
 template <typename T>
@@ -30,7 +30,7 @@ double secondsSince(std::chrono::steady_clock::time_point began) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 }
 
-/// Runs a model from pivot to pivot and notes what there is to see from afar.
+/// Runs a model from pivot to pivot and records what is visible from afar.
 class Observer {
   public:
     explicit Observer(const Model& model)
@@ -40,13 +40,13 @@ class Observer {
 
     const State& state() const { return stepper_.state(); }
 
-    /// Goes on to the end of the next pivot. False if there was none.
+    /// Runs to the end of the next pivot. False if there was none.
     bool step(RunOverview& run) {
         const Counters before = state().counters;
         const std::size_t alerts = state().alerts.size();
         triangles_ = state().triangles.size();
         bool complete = true;
-        // The steps after the last pivot go on to their next kind without one that counts.
+        // Each of the steps after the last pivot proceeds to its next kind without a counted one.
         while (complete && state().counters.pivots == before.pivots)
             complete = stepper_.stepPivot();
         if (complete) noteFigures(run);
@@ -55,7 +55,7 @@ class Observer {
         noteShape(run);
         noteFailures(run);
         if (!complete) {
-            // What happens behind the last pivot has the next number, if anything does.
+            // Events after the last pivot have the next number, if there are any.
             const bool any = !(state().counters == before);
             run.lastPivot = before.pivots + (any ? 1U : 0U);
         }
@@ -118,7 +118,7 @@ class Observer {
         }
     }
 
-    /// If this pivot, or a seed, has begun a component or completed one.
+    /// Whether this pivot, or a seed, has begun or completed a component.
     void noteShape(RunOverview& run) {
         for (const Event& event : log_.events()) {
             if (event.address.stage == Stage::Seed) begin_ = triangles_;
@@ -135,16 +135,16 @@ class Observer {
 
     const Model& model_;
     std::size_t triangles_ = 0;  ///< Before this pivot.
-    std::size_t begin_ = 0;      ///< The first triangle of the present component.
+    std::size_t begin_ = 0;      ///< The first triangle of the current component.
     EventLog log_;
     Stepper stepper_;
     LaneKeeper lanes_;
-    std::optional<LiveCheck> live_;  ///< Not of very large inputs.
+    std::optional<LiveCheck> live_;  ///< Null for very large inputs.
     std::size_t noticed_ = 0;
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
-/// Counts the pivots that are new in `overview` for their components.
+/// Counts the new pivots of `overview` for their components.
 void countComponents(RunOverview& overview, const std::vector<PivotSummary>& fresh) {
     auto pivot = static_cast<std::uint32_t>(overview.pivots.size() - fresh.size());
     for (const PivotSummary& summary : fresh) {
@@ -203,7 +203,8 @@ void append(RunOverview& overview, const RunOverview& fresh) {
 }
 
 std::span<const LiveFailure> failuresAt(const RunOverview& run, const Address& address) {
-    // Within a pivot a strand may come before a seed: only the pivots are in order for sure.
+    // Within a pivot a strand may come before a seed: only the pivots are guaranteed to be in
+    // order.
     const auto begin = std::partition_point(
         run.failures.begin(), run.failures.end(),
         [&](const LiveFailure& each) { return each.address.pivot < address.pivot; });

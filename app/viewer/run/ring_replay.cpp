@@ -111,7 +111,7 @@ bool RingReplay::foundBefore(Index a, Index b) const {
 }
 
 void RingReplay::on(const ReciprocalEvidence& e) {
-    // There is one test for each entry of the candidate.
+    // One test for each entry of the candidate.
     const bool another = tested_ != kNone && rings_.point(tested_) == e.point;
     tested_ = another ? rings_[tested_].nextOfPoint : rings_.firstEntryOf(e.point);
     lost_ = tested_ == kNone;
@@ -131,7 +131,7 @@ void RingReplay::beginUpdate() {
 }
 
 void RingReplay::on(const RingEvidence& e) {
-    // A ring that is freed loses one after the other, from its head on.
+    // A freed ring loses its entries one after the other, from its head on.
     if (stage_ == Stage::Done && rings_.active() != kNone) {
         leaving_ = {rings_.head(rings_.active())};
     } else if (!updating_ && pivot_ != kNone) {
@@ -146,7 +146,7 @@ void RingReplay::on(const RingEvidence& e) {
     if (lost_) return;
     rings_.erase(leaving_.back());
     leaving_.pop_back();
-    // From start to end there now runs the rim of the new fan.
+    // From start to end the ring now follows the rim of the new fan.
     if (leaving_.empty() && rings_.alive(start_) && linked_ == 0) rings_.setOpen(start_, false);
 }
 

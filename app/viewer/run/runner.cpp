@@ -10,7 +10,7 @@ namespace se::view {
 
 namespace {
 
-/// How long to run between two pictures of a long way.
+/// Time between two pictures during a long run.
 constexpr std::chrono::milliseconds kSlice{120};
 
 }  // namespace
@@ -62,7 +62,7 @@ void Runner::work(const std::stop_token& stop) {
     }
 }
 
-/// Moves the timeline, with a look at it now and then. False if cancelled.
+/// Moves the timeline, with a progress picture now and then. False if cancelled.
 bool Runner::goTo(std::uint32_t position, const std::stop_token& stop) {
     bool arrived = false;
     while (!arrived && !cancelled_ && !stop.stop_requested()) {

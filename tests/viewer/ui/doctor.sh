@@ -79,7 +79,7 @@ size=1600x980 start --layout learn "$flawed"
 says doctor done
 says findings '.*"unscaled_normals".*"flipped_normals".*'
 click_on "doctor fix all"
-says phase ready; says mended '\[ "[0-9]+ normals scaled to unit length", "[0-9]+ normals turned" \]'
+says phase ready; says mended '\[ "[0-9]+ normals scaled to unit length", "[0-9]+ normals flipped" \]'
 says doctor done; says findings '\[\]'
 # A session keeps it.
 press Escape; press ctrl+s; says file_browser true; sleep 0.3
