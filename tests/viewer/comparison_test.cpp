@@ -191,7 +191,7 @@ TEST_CASE("The form of the other run begins with what says most, and takes every
     const auto spec = form.spec(base);
     REQUIRE(spec.ok());
     CHECK(differenceText(base, spec.value()) ==
-          "robust rules, flip off, 16 nearest, symmetric, normals turned, other walls, rims found");
+          "robust rules, flip off, 16 nearest, symmetric, normals flipped, other walls, rims found");
     form.prepare.count = "many";
     CHECK_FALSE(form.spec(base).ok());
 }
@@ -205,7 +205,7 @@ TEST_CASE("The form of the other run takes what-ifs, and offers the true run of 
     CompareForm form;
     form.take(fork, *model.value());
     CHECK(form.rules.whatIf == fork.whatIf);
-    CHECK(differenceText(fork, trueRunOf(fork)) == "the true run");
+    CHECK(differenceText(fork, trueRunOf(fork)) == "no what-ifs");
     form.whatIf = "nonsense";
     form.addWhatIf();
     CHECK_FALSE(form.complaint.empty());

@@ -167,7 +167,7 @@ TEST_CASE("Undo asks for the cures as they were, and selects no point of the oth
     desk.follow({"zero_normals"});
     const Edits after = captureEdits(desk.context);
     CHECK(after.selected.kind == SelectionKind::None);
-    CHECK(describeChange(before, after) == "the doctor's cure");
+    CHECK(describeChange(before, after) == "the doctor's fix");
     applyEdits(before, desk.context);
     CHECK(desk.session.selection().kind == SelectionKind::None);
     REQUIRE(desk.ui.requests.cures);

@@ -199,7 +199,7 @@ TEST_CASE("A bad session file is refused with its name and what was expected") {
         {minimal(R"(, "options": {"what_if": ["5.sphere hold 3"]})"), "is no what-if"},
         {minimal(R"(, "options": {"neighbors": 0})"), "1 to 1000"},
         {minimal(R"(, "options": {"neighbors": 2.5})"), "1 to 1000"},
-        {minimal(R"(, "options": {"radius": -1})"), "above 0"},
+        {minimal(R"(, "options": {"radius": -1})"), "a number > 0"},
         {minimal(R"(, "options": {"normals": "up"})"), "options.normals"},
         {minimal(R"(, "options": {"box": [0, 0, 0, 1, 1]})"), "options.box"},
         {minimal(R"(, "options": {"box": [0, 0, 0, 1, 1, 0]})"), "options.box"},

@@ -60,7 +60,7 @@ TEST_CASE("Layers of the settings are read as those of a session: the unknown is
     CHECK(read.value().layers == expected);
     REQUIRE(read.value().complaints.size() == 1);
     CHECK(read.value().complaints.front() ==
-          "settings.json: Left out, since it is not known here: mode \"dim\" of layer \"points\", "
+          "settings.json: Ignored, since unknown in this version: mode \"dim\" of layer \"points\", "
           "layer \"x\".");
 }
 

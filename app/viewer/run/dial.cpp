@@ -235,7 +235,7 @@ class Maker {
         dial_.caption = formatted("ear of a hole of %.0f: least angle %.1f\xC2\xB0", e.ringLength,
                                   e.leastDegrees);
     }
-    void show(const SkipEvidence&) { dial_.caption = "on a wall: skipped"; }
+    void show(const SkipEvidence&) { dial_.caption = "on a wall: passed over"; }
     void show(const RingEvidence&) {
         for (const RingEvidence& change : picture_.ringChanges) {
             name(change.point, change.inserted ? "+" : "\xE2\x88\x92");

@@ -11,7 +11,7 @@ namespace se::view {
 
 Checkup::~Checkup() {
     cancel();
-    // All know of it before the first is waited for.
+    // Cancel all threads before joining the first.
     cancelled_.clear();
 }
 
@@ -50,7 +50,7 @@ bool Checkup::poll() {
     if (!busy() || !job_->ended) return false;
     finish();
     complaint_ = std::move(job_->complaint);
-    // What cannot be examined could not be opened.
+    // An input that cannot be examined could not have been opened.
     if (complaint_.empty()) diagnosis_ = std::move(job_->found).value_or(Diagnosis{});
     job_.reset();
     return true;
@@ -81,7 +81,7 @@ MarkedPlace placeOf(const Model& model, std::span<const Index> points) {
         place.normal += model.normal[p];
     }
     place.center = 0.5F * (low + high);
-    // What lies all around has no side to look from.
+    // Points all around have no preferred side.
     const float agreement = glm::length(place.normal) / static_cast<float>(points.size());
     place.normal = agreement > 0.5F ? glm::normalize(place.normal) : glm::vec3(0.0F);
     place.radius = 0.0F;

@@ -1,4 +1,4 @@
-/// What a person noted about an input, all of which a session file holds. Plain values.
+/// The user's annotations of an input, which a session file stores. Plain values.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct Noted {
     bool operator==(const Noted&) const = default;
 };
 
-/// What is not the same in both, in words: "bookmarks and watches". Empty if all is.
+/// Differences in words: "bookmarks and watches". Empty if there are none.
 std::string differenceOf(const Noted& a, const Noted& b);
 
 }  // namespace se::view

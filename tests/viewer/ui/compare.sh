@@ -90,7 +90,7 @@ press ctrl+p; type_text "what if forks"; press Return; says open_tab "What if"
 sleep 0.4; click_on "what if here"; says what_if '\[ "60\.guard drop [0-9]+" \]'; says phase ready
 press ctrl+d; says layout compare; sleep 0.3
 click_on "compare true run"
-says compare_done true; says compare_other "the true run"
+says compare_done true; says compare_other "no what-ifs"
 stop
 # A mesh of another program; also in a small window in large print.
 "$viewer" scene:torus --with "$work/nothing.ply" --screenshot "$work/none.png" >/dev/null 2>&1 &&
