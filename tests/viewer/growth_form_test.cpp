@@ -52,7 +52,7 @@ TEST_CASE("A field that is wrong is named") {
     CHECK(complaint([](GrowthForm& f) {
               f.from = GrowthSource::Volume;
           }).starts_with("Choose a volume"));
-    CHECK(complaint([](GrowthForm& f) { f.chooseVolume("scan.ply"); }).find("no volume") !=
+    CHECK(complaint([](GrowthForm& f) { f.chooseVolume("scan.ply"); }).find("not a volume") !=
           std::string::npos);
 }
 

@@ -156,7 +156,7 @@ TEST_CASE(
     test::Desk empty("saving-empty-test");
     actions::saveMesh(empty.context);
     CHECK_FALSE(empty.ui.fileBrowser);
-    CHECK(empty.session.message().find("nothing open") != std::string::npos);
+    CHECK(empty.session.message().find("no run") != std::string::npos);
     actions::copyCommand(empty.context);
     CHECK(empty.ui.mesh.ask == MeshAsk::None);
 

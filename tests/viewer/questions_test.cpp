@@ -187,7 +187,7 @@ TEST_CASE("A query line finds what the library finds, and its decisions are walk
     desk.run("ask.hit.previous");
     desk.run("ask.hit.previous");
     CHECK(desk.open.place() == toString(found->lines[0].event.address));
-    CHECK(desk.session().message() == "Nothing before is like that.");
+    CHECK(desk.session().message() == "No earlier decision matches.");
 }
 
 TEST_CASE(
@@ -244,7 +244,7 @@ TEST_CASE("The last word of a line may become those terms that begin so, and is 
     CHECK(completed("stage=sphere", *termsFor("mar")[0]) == "stage=sphere margin<");
 }
 
-TEST_CASE("Closest calls and charts are asked for once in a run, and are void in the next") {
+TEST_CASE("Closest decisions and charts are queried once in a run, and are void in the next") {
     AskDesk desk;
     Questions& questions = desk.session().questions();
     CHECK(questions.leastMargin().empty());

@@ -18,7 +18,7 @@ struct DialPlace {
     float radius = 0.0F;
 };
 
-/// Where the near corner of a name goes, for a rim point: at `gap` from it, away from the center.
+/// Position of the near corner of a name, for a rim point: at `gap` from it, away from the center.
 glm::vec2 nameCorner(glm::vec2 rim, const DialName& name, float gap);
 /// `margin` is left free around the disc in any case.
 DialPlace fitDial(const Rect& room, std::span<const DialName> names, float gap, float margin);

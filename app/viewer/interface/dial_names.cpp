@@ -11,12 +11,12 @@ namespace se::view {
 
 namespace {
 
-/// Along the rim, in degrees: how far a name may go, and by which steps.
+/// Limit and step of moving a name along the rim, in degrees.
 constexpr int kFarthest = 48;
 constexpr int kStep = 2;
-/// From this on a line leads back to the rim.
+/// Distance from which a line leads back to the rim.
 constexpr int kLeaderFromRow = 5;
-/// How far the corner of a name may reach over the rim, as a share of the gap.
+/// Maximum reach of the corner of a name over the rim, as a share of the gap.
 constexpr float kTouch = 0.4F;
 
 class NamePlacer {

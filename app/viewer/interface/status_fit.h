@@ -1,4 +1,4 @@
-/// Which parts of the status bar there is room for. Plain arithmetic.
+/// The parts of the status bar that fit. Plain arithmetic.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 
 namespace se::view {
 
-/// How many of `widths`, the most important first, fit `room` beside each other: whole, or not at
-/// all. None is left out for the sake of a later one.
+/// Number of `widths`, the most important first, that fit into `room` beside each other: whole, or
+/// not at all. None is left out in favor of a later one.
 inline std::size_t fittingParts(float room, std::span<const float> widths, float gap) {
     std::size_t count = 0;
     for (const float width : widths) {

@@ -1,4 +1,4 @@
-/// Which parts of the transport bar there is room for.
+/// The parts of the transport bar that fit.
 #pragma once
 
 namespace se::view {
@@ -7,8 +7,8 @@ namespace se::view {
 struct TransportWidths {
     float buttons = 0.0F;
     float goTo = 0.0F;
-    float unit = 0.0F;   ///< One button that shows the unit of playing.
-    float units = 0.0F;  ///< All of them beside each other.
+    float unit = 0.0F;   ///< One button with the playback unit.
+    float units = 0.0F;  ///< All unit buttons beside each other.
     float speed = 0.0F;
     float loop = 0.0F;
     float gap = 0.0F;
@@ -16,7 +16,7 @@ struct TransportWidths {
 
 struct TransportParts {
     bool unit = false;
-    bool units = false;  ///< In place of the single button.
+    bool units = false;  ///< Instead of the single button.
     bool speed = false;
     bool loop = false;
 };

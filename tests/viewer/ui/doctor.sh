@@ -37,7 +37,7 @@ says marked 0
 click_on "tab Counts"
 says open_tab Counts
 press ctrl+p
-type_text "doctor says"
+type_text "doctor"
 press Return
 says open_tab Doctor
 

@@ -17,7 +17,7 @@ press Left; denies address "20\.advance\.1"; says pivot 20
 press F11; says address "20\.advance\.1"
 press shift+F11; says address "21\.advance\.1"
 # What is said besides goes away by itself.
-press ctrl+b; says notice "Bookmark at .*"; says notice ""; press ctrl+b
+press ctrl+b; says notice "Bookmark set: .*"; says notice ""; press ctrl+b
 press F5; says pivot "[1-9][0-9][0-9]+"
 whole=$(field pivot)
 [ "$whole" -gt 100 ] || fail "F5 does not run to the end: $whole"

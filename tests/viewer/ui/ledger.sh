@@ -79,7 +79,7 @@ press ctrl+p; type_text "charts"; sleep 0.3; press Return; says open_tab Charts
 sleep 0.4; click_on "bar refusals sort"; says query '.*"line": "stage=sort refused".*'
 
 # Closest calls, and the points in their colors.
-press ctrl+p; type_text "closest calls"; sleep 0.3; press Return; says open_tab Query; says closest '[0-9]+'
+press ctrl+p; type_text "closest decisions"; sleep 0.3; press Return; says open_tab Query; says closest '[0-9]+'
 press Home; says pivot 0; sleep 0.5; picture status
 click_on "tint margin"; says point_tint margin; sleep 0.5; picture margin
 [ "$(differing status margin)" -gt 500 ] || fail "the tint cannot be seen"
