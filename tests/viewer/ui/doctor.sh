@@ -53,7 +53,7 @@ press Escape; press ctrl+z
 says cures '\[\]'; says points "$points"; says findings '.*zero_normals.*'; says message "Undone: .*|"
 press ctrl+y
 says cures '\[ "zero_normals" \]'; says points "$((points - 3))"; says findings '\[ "open_border" \]'
-# "As the file is" does the same, and can be undone like the rest.
+# "Use the file as is" does the same, and can be undone like the rest.
 sleep 0.3; click_on "doctor as it is"
 says cures '\[\]'; says points "$points"
 press Escape; press ctrl+z

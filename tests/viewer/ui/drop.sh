@@ -35,7 +35,7 @@ says input scene:torus; says address "137\.sphere\.3"
 # Of two the first is opened, and the program says so.
 drop "$work/four points.xyz" "$work/torus.sesession"
 says input "four points.xyz"
-says message "2 files were dropped; only the first is open.*"
+says message "2 files were dropped; only the first was opened.*"
 
 # With a bookmark that no file holds the program asks first.
 press Home; says pivot 0 # it may have opened on its first alert
