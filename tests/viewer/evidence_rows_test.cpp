@@ -173,7 +173,7 @@ TEST_CASE("Inspect: the cross product is shown where it was taken, and only ther
                      if (insert == nullptr) return;
                      const bool taken = !insert->corner && insert->third != kNone;
                      CHECK((rowOf(rows, "N \xC3\x97 v") != nullptr) == taken);
-                     CHECK(says(rows, "cross product", "not taken") != taken);
+                     CHECK(says(rows, "cross product", "not computed") != taken);
                      insert->corner ? ++at72 : ++at71;
                      CHECK(sectionOf(event) == (insert->corner ? "7.2" : "7.1"));
                      if (!insert->corner) return;
@@ -199,11 +199,11 @@ TEST_CASE("Inspect: of the conditions of Figure 4 the first that fails is the la
                      };
                      if (limit->verdict == Verdict::Moved) {
                          CHECK(count("yes") == 5);
-                         CHECK(count("not asked") == 0);
+                         CHECK(count("not tested") == 0);
                          ++moved;
                      } else {
                          CHECK(count("no: it stays") == 1);
-                         CHECK(count("yes") + count("not asked") == 4);
+                         CHECK(count("yes") + count("not tested") == 4);
                          ++failed;
                      }
                  });
