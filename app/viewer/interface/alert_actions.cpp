@@ -134,9 +134,9 @@ void nextAlert(CommandContext& context, int direction) {
     } else {
         const auto here =
             session.event() != nullptr ? rankOf(session.address()) : rankOf({0, Stage{}, 0});
-        const auto behind = std::partition_point(order.begin(), order.end(),
-                                                 [&](std::size_t i) { return created(i) <= here; });
-        place = behind - order.begin() - (direction > 0 ? 0 : 1);
+        const auto after = std::partition_point(order.begin(), order.end(),
+                                                [&](std::size_t i) { return created(i) <= here; });
+        place = after - order.begin() - (direction > 0 ? 0 : 1);
         // At an alert: the cursor is past it already.
         if (direction < 0 && place >= 0 && created(order[static_cast<std::size_t>(place)]) == here)
             --place;

@@ -13,9 +13,9 @@ namespace {
 using QueryLine = std::optional<std::string>;
 
 QueryLine withPoint(const BreakSubject& subject, const std::string& before,
-                    const std::string& behind = {}) {
+                    const std::string& after = {}) {
     if (subject.point() == kNone) return std::nullopt;
-    return before + std::to_string(subject.point()) + behind;
+    return before + std::to_string(subject.point()) + after;
 }
 
 QueryLine withEdge(const BreakSubject& subject) {

@@ -124,14 +124,14 @@ bool drawRow(const PanelContext& context, Breakpoint& breakpoint, std::size_t nu
     queryField(context, "##line", "stage=sphere refused", breakpoint.line);
     context.ui().where[name] = lastItem();
     ImGui::SameLine();
-    const float behind = ImGui::GetCursorPosX() + count;
+    const float afterHits = ImGui::GetCursorPosX() + count;
     if (fit.count > 0.0F) {
         const std::string hits = countText(context.session(), breakpoint);
-        ImGui::SetCursorPosX(behind - gap - ImGui::CalcTextSize(hits.c_str()).x);
+        ImGui::SetCursorPosX(afterHits - gap - ImGui::CalcTextSize(hits.c_str()).x);
         ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted(hits.c_str());
         tooltip("Hits up to the cursor, and in all");
-        ImGui::SameLine(behind);
+        ImGui::SameLine(afterHits);
     }
     bool gone = drawOptions(context, breakpoint, name);
     if (fit.cross) {

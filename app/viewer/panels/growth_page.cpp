@@ -66,7 +66,7 @@ void drawSteppers(const PanelContext& context) {
     const bool over = page.phase == GrowthPhase::Done;
     const bool plays = page.moving();
     const std::array buttons = {
-        Button{"##anew", Icon::SkipStart, "run.start", "Restart"},
+        Button{"##restart", Icon::SkipStart, "run.start", "Restart"},
         Button{"##play", plays ? Icon::Pause : Icon::Play, "run.play",
                plays  ? "Pause"
                : over ? "Restart"

@@ -87,9 +87,9 @@ void RingReplay::on(const InsertEvidence& e) {
     const bool before = e.verdict == Verdict::Before;
     if (!before && e.verdict != Verdict::After) return;
     // Neither of its steps is an edge of the mesh.
-    const Index behind = before ? rings_.prev(pivot_) : pivot_;
-    const Index third = rings_.insertAfter(behind, e.third);
-    rings_.setOpen(behind, true);
+    const Index previous = before ? rings_.prev(pivot_) : pivot_;
+    const Index third = rings_.insertAfter(previous, e.third);
+    rings_.setOpen(previous, true);
     rings_.setOpen(third, true);
     start_ = rings_.prev(pivot_);
     end_ = rings_.next(pivot_);
@@ -138,8 +138,8 @@ void RingReplay::on(const RingEvidence& e) {
         beginUpdate();
     }
     if (e.inserted) {
-        const Index behind = inserted_.empty() ? start_ : inserted_.back();
-        inserted_.push_back(rings_.insertAfter(behind, e.point));
+        const Index previous = inserted_.empty() ? start_ : inserted_.back();
+        inserted_.push_back(rings_.insertAfter(previous, e.point));
         return;
     }
     lost_ = leaving_.empty() || rings_.point(leaving_.back()) != e.point;

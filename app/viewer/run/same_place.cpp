@@ -48,13 +48,13 @@ class Walk {
 
     /// Whether the last pivot had the same effect in both runs.
     bool didAs(const Walk& other) const {
-        const auto behind = [](const auto& list, std::size_t from) {
+        const auto tail = [](const auto& list, std::size_t from) {
             return std::span(list).subspan(std::min(from, list.size()));
         };
-        const auto made = behind(state().triangles, triangles_);
-        const auto otherMade = behind(other.state().triangles, other.triangles_);
-        const auto done = behind(state().done, done_);
-        const auto otherDone = behind(other.state().done, other.done_);
+        const auto made = tail(state().triangles, triangles_);
+        const auto otherMade = tail(other.state().triangles, other.triangles_);
+        const auto done = tail(state().done, done_);
+        const auto otherDone = tail(other.state().done, other.done_);
         return point_ == other.point_ && state().counters == other.state().counters &&
                std::equal(made.begin(), made.end(), otherMade.begin(), otherMade.end()) &&
                std::equal(done.begin(), done.end(), otherDone.begin(), otherDone.end());
