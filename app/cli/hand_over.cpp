@@ -1,4 +1,5 @@
-// spiraling-edge view and render: replace this process by the viewer, which lies beside it.
+// spiraling-edge view and render: replace this process by the viewer, which lies beside it. The
+// command line links no window library, so that it runs on machines without one.
 #include <fmt/format.h>
 #include <unistd.h>
 

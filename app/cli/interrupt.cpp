@@ -1,3 +1,6 @@
+// The handler only sets a flag that long work polls, and lets a second signal end the program
+// without unfinished files; nothing else is safe in a handler. SA_RESTART keeps reads and writes
+// from failing meanwhile.
 #include "interrupt.h"
 
 #include <csignal>

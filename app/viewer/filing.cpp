@@ -1,3 +1,6 @@
+// Opening takes several frames, and cursor, camera, selection and notices can be set only after
+// it. They wait in Arrival until arrive(); a failed or cancelled opening discards them.
+// Annotations are kept per input (Notebook), so that they return when the input is opened again.
 #include "filing.h"
 
 #include <algorithm>

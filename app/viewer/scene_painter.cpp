@@ -1,3 +1,6 @@
+// Two caches with keys: the draw list is filled again only if one of its inputs changed (Filled),
+// and the texture is drawn again only if the list, the camera or the size did (Drawn). The
+// renderer uploads only the positions and triangles that are new.
 #include "scene_painter.h"
 
 #include <utility>

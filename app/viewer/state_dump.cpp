@@ -1,3 +1,5 @@
+// The scenarios in tests/viewer/ui drive the real window and wait for states instead of times. So
+// every visible value is in this one JSON object, with the rectangles of the items to click on.
 #include <imgui.h>
 
 #include <cmath>

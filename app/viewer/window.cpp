@@ -1,3 +1,6 @@
+// The loop sleeps in glfwWaitEventsTimeout() unless something happened (wake_ counts the frames
+// that are still to draw) or the picture is animated. It polls the results of threads at that
+// interval, and draws only if there is something new.
 #include "window.h"
 
 #include <GLFW/glfw3.h>

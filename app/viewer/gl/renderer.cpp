@@ -1,3 +1,7 @@
+// Large data is uploaded once: positions and normals per input, triangles as they are made, and
+// one style byte per point, in blocks that changed. Points and lines are moved slightly toward the
+// eye, so that they are not half inside the triangles. Hidden lines are drawn a second time,
+// faintly.
 #include "renderer.h"
 
 #include <glad/gl.h>

@@ -1,3 +1,5 @@
+// The bounds of disc and names grow with the radius, so the largest radius that fits is found by
+// bisection; twelve halvings are finer than a pixel.
 #include "dial_fit.h"
 
 #include <algorithm>

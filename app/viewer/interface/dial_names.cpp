@@ -1,3 +1,5 @@
+// Names are placed in the order of their importance. Each tries its own angle, then angles to both
+// sides in growing steps, then the same in a second row outward; the first free position is taken.
 #include "dial_names.h"
 
 #include <algorithm>

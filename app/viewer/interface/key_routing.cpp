@@ -1,3 +1,6 @@
+// Dear ImGui 1.86 polls the state of keys once per frame and reads characters before it, so
+// presses that arrive within one frame can hide each other. The window therefore queues presses,
+// and a frame takes as many from the front of the queue as remain distinguishable in their order.
 #include "key_routing.h"
 
 #include <set>

@@ -1,3 +1,8 @@
+// Greedy placement: labels are placed by rank, each at the cheapest free position among eight
+// directions at growing distances from its point. The cost weighs distance, the amount of drawing
+// that the label covers (clutter.h), the habit of reading right above a point, and pointing toward
+// the pivot. The search of a label ends as soon as distance alone costs more than its best
+// position.
 #include "label_place.h"
 
 #include <algorithm>

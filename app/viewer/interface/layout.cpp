@@ -1,3 +1,6 @@
+// All sizes are multiples of the em, so that the layout follows the size of the text. Rows are cut
+// off from top and bottom and columns from the sides, with limits for narrow and low windows; the
+// view gets the rest.
 #include "layout.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Names of tabs are never cut. If all rows fit into a share of the column's height, all names are
+// shown; otherwise as many as fit into fewer rows, and the rest is listed behind a button.
 #include "tab_rows.h"
 
 #include <algorithm>

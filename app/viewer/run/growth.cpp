@@ -1,3 +1,7 @@
+// The sampler runs in a thread that is paced by the window: `due` counts the steps to make, and
+// the thread sleeps between them while it is played. Only the newest picture is kept, so a slow
+// window skips pictures instead of falling behind. Quality measures are costly and get a fixed
+// share of the time, except at rest, where the figures must belong to the picture.
 #include "growth.h"
 
 #include <algorithm>
@@ -174,7 +178,7 @@ SampleSpec Growth::spec() const {
     return spec;
 }
 
-/// Main function of the thread.
+/// Body of the thread.
 class Growth::Worker {
   public:
     Worker(Job& job, const std::stop_token& stop) : job_(job), stop_(stop) {}

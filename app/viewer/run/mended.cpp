@@ -1,3 +1,7 @@
+// The steps after the last pivot edit the mesh in place, so that creation order no longer
+// identifies a triangle. The difference of two steps is a difference of lists in which few entries
+// changed; the component of a triangle follows from its corners, since no edit joins two
+// components.
 #include "mended.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Positions stay doubles for the stepper. For drawing they are moved to the center of their box
+// and scaled to the unit sphere before they become floats, so that inputs far from the origin keep
+// their precision.
 #include "model.h"
 
 #include <algorithm>

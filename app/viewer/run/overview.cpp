@@ -1,3 +1,7 @@
+// One pass over the whole run with the log of one pivot at a time. Each pivot is reduced to 16
+// bytes (a bit per stage and verdict, and counts), by which the filter of the tree can test it
+// without running it again. The thread hands over what is new in batches; append() adds them to
+// the lists of the window.
 #include "overview.h"
 
 #include <algorithm>

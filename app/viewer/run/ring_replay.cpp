@@ -1,3 +1,8 @@
+// The rings within a pivot are rebuilt from its events on a copy of the rings before it, with the
+// same EdgeRings operations as in the stepper, so that every sub-step can be shown although a
+// record stores only the rings at the pivot's ends. Events name points, not entries: the pivot's
+// entry is found by its two ring neighbors, and further instances of a point in the order in which
+// the stepper tests them.
 #include "ring_replay.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// A single thread owns the Timeline; the window posts one request at a time and takes immutable
+// PivotRecords in return. A long move publishes a picture every kSlice. Triangles are sent only
+// once, since the run only ever appends them.
 #include "runner.h"
 
 #include <algorithm>

@@ -1,3 +1,8 @@
+// The two runs are stepped side by side and compared pivot by pivot (point, counters, new
+// triangles, finished points), until they diverge. From there on a pivot number means nothing in
+// the other run, so a pivot is identified by its component (the point that began it), its point,
+// and how often that point has been pivot of the component. Costs the time of both runs, hence the
+// thread of the loader.
 #include "same_place.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// File formats do not record which way is up. Three clues are tried in order of reliability: a
+// flat side on which the object rests (at one end of the box far more points with outward normals
+// than at any other end), the thin axis of a plate, and the convention of the format. O(points).
 #include "up_axis.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Animations are functions of the time since the last step, without state of their own, so that a
+// picture can be drawn for any moment and tests need no clock. Motion only detects the step; what
+// moves, and for how long, follows from the picture.
 #include "motion.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// No spatial index: a pick projects every point once, and reaches triangles through the points
+// near the ray (mesh_index.h), O(points). The nearest candidates are then tested for being hidden
+// by a ray to the eye. Which of point, edge and triangle wins depends on the size of the triangle
+// on the screen, so that each has an area to click on.
 #include "picking.h"
 
 #include <algorithm>

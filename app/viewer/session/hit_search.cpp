@@ -1,3 +1,6 @@
+// A run is searched for all wanted lines at once, because making the run costs far more than
+// testing its events against another line. When a new line is wanted, the search is restarted for
+// the missing lines only; lines that are known completely are kept until another run is open.
 #include "hit_search.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// Instead of a command object per action, the state of everything that can be undone is captured
+// once per frame and compared with the last entry. New actions are thus undoable without any code,
+// at the cost of a comparison per frame; the snapshots are small, since the run itself is not part
+// of them.
 #include "undo.h"
 
 #include <utility>

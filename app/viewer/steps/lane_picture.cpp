@@ -1,3 +1,6 @@
+// One pass over the lane changes of the run, O(changes), that emits shapes only as far as pixels
+// can show them: bars of a row that touch are merged, and marks closer than their size are
+// dropped. Rows that do not fit are summed into the last one, as a maximum per pixel column.
 #include "lane_picture.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// The rows are never listed. A component has as many rows as pivots when open, and only the pivot
+// at the cursor has rows below it; so the row number of anything follows from a short list of the
+// open components with their first rows (open_), by binary search. The filter keeps a list of
+// matching pivots, which grows with the overview.
 #include "step_tree.h"
 
 #include <algorithm>
