@@ -1,7 +1,5 @@
-// Large data is uploaded once: positions and normals per input, triangles as they are made, and
-// one style byte per point, in blocks that changed. Points and lines are moved slightly toward the
-// eye, so that they are not half inside the triangles. Hidden lines are drawn a second time,
-// faintly.
+// Data is uploaded once: positions per input, triangles as they are made, a style byte per point
+// where it changed. Points and lines are moved toward the eye, out of the triangles.
 #include "renderer.h"
 
 #include <glad/gl.h>
