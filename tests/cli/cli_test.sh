@@ -241,9 +241,9 @@ rules_can_be_set_and_runs_forked() {
     point=$(sed -E 's/.*q = ([0-9]+) lies.*/\1/' <<<"$line")
     expect 0 run scene:torus --what-if "$pivot.sphere keep $point" --report fork.json
     says fork.json "\"$pivot.sphere keep $point\""
-    [ "$(grep run_hash true.json)" = "$(grep run_hash fork.json)" ] && fail "the fork has the hash of the true run"
+    [ "$(grep run_hash true.json)" = "$(grep run_hash fork.json)" ] && fail "the fork has the hash of the plain run"
     expect 0 run scene:torus --report again.json
-    is "$(grep run_hash again.json)" "$(grep run_hash true.json)" "hash of the true run"
+    is "$(grep run_hash again.json)" "$(grep run_hash true.json)" "hash of the plain run"
     expect 2 run scene:torus --what-if "5 list 7 7"
     says err "A point is not in its own list"
     expect 2 run scene:torus --what-if "99999.sphere keep 1"
@@ -982,7 +982,7 @@ reduce_keeps_what_fails() {
     [ "$(header_count vertex small.ply)" -lt 30 ] || fail "not small: $(cat err)"
     expect 0 run small.ply -q -o mesh.ply
     expect 1 check mesh.ply --points small.ply --json
-    [ "$(number non_manifold_edges out)" -gt 0 ] || fail "it does not fail any more"
+    [ "$(number non_manifold_edges out)" -gt 0 ] || fail "it no longer fails"
     says small.sesession '"source": "small.ply"'
     "$program" why small.ply --failure non_manifold_edges >moments
     says small.sesession "\"address\": \"$(sed -nE 's/^ +created +([^ ]+) .*/\1/p' moments)\""
@@ -1066,7 +1066,7 @@ reduce_stops_after_its_effort() {
     [ "$(header_count vertex some.ply)" -le 400 ] || fail "more points than before"
     expect 0 reduce t.ply --neighbors 60 --failure holes --effort 40 -o again.ply
     cmp -s some.ply again.ply || fail "not the same bytes"
-    SPIRALING_EDGE=$program sh some.sh >out 2>err && fail "it does not fail any more"
+    SPIRALING_EDGE=$program sh some.sh >out 2>err && fail "it no longer fails"
     says out "still fails: holes"
     # With enough effort the result is as small as it gets, and nothing is reported.
     expect 0 reduce scene:four-edge-hole --failure non_manifold_edges -o small.ply
@@ -1208,7 +1208,7 @@ sample_checks_its_arguments() {
     absent out.ply
 }
 
-paper_table_is_made_anew() {
+paper_table_is_reproduced() {
     # Stand-ins are small enough here only because their number is that of the paper: one run.
     expect 0 table1 --rules robust --json --save .
     is "$(grep -c '"set"' out)" 5 sets

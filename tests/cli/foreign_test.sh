@@ -86,7 +86,7 @@ pcl_reads_points_and_writes_them() {
         grep -qE '^ +normals +yes' out || fail "normals of PCD $format: $(cat out)"
         "$program" run back.pcd --rules robust -q -o again.ply || fail "cannot run on PCD $format"
         "$program" info again.ply | grep -qF "$triangles triangles in 1 component, no boundary" ||
-            fail "the mesh made anew from PCD $format"
+            fail "the mesh made again from PCD $format"
     done
     # As text: binary PCL 1.13 writes normals as doubles where its header says float.
     pcl_pcd2ply -format 0 back.pcd pcl.ply >said 2>&1 || fail "PCL cannot write PLY: $(tail -3 said)"
