@@ -19,7 +19,7 @@ constexpr std::array kMouse = {
     MouseLine{"right, middle or Shift+left drag", "Pan"},
     MouseLine{"Ctrl+left drag", "Break on the enclosed points"},
     MouseLine{"wheel", "Zoom to the pointer"},
-    MouseLine{"click", "Select a point, edge or triangle; in empty space, nothing"},
+    MouseLine{"click", "Select a point, edge or triangle, or clear"},
     MouseLine{"double click", "Center the orbit on a point"},
     MouseLine{"drop a file", "Open points or a session"},
 };
