@@ -25,7 +25,7 @@ vec4 clipPosition(vec3 at) {
 void main() {
     vec4 a = clipPosition(aFrom);
     vec4 b = clipPosition(aTo);
-    // Cut off what is behind the eye, where no direction on the screen exists.
+    // Cut off the part behind the eye, where no direction on the screen exists.
     const float nearest = 1e-4;
     if (a.w < nearest && b.w < nearest) {
         gl_Position = vec4(2.0, 2.0, 2.0, 1.0);

@@ -1,4 +1,4 @@
-// Flat lit triangles with thin edges; back faces are darker, for orientation matters.
+// Flat lit triangles with thin edges; back faces are darker, to show the orientation.
 in vec3 vPosition;
 in vec3 vBarycentric;
 in vec3 vNormal;
@@ -36,7 +36,7 @@ void main() {
     if (vHatched > 0.5) {
         float stripe = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / uHatch) - 0.5) * uHatch;
         float between = clamp(stripe - 0.22 * uHatch + 0.5, 0.0, 1.0);
-        // What one can look through is clearer between the stripes, all else darker.
+        // Transparent triangles are clearer between the stripes, all others darker.
         if (uLit) color.rgb *= mix(1.0, 0.72, between);
         else color.a *= mix(1.0, 0.35, between);
     }

@@ -3,7 +3,7 @@ in vec4 vColor;
 flat in int vShape;
 flat in float vSize;
 
-uniform vec3 uHalo;  // color around marks, so that they stand out from what is behind
+uniform vec3 uHalo;  // color around marks, so that they stand out from the background
 
 out vec4 fragColor;
 

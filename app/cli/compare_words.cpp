@@ -8,7 +8,7 @@
 namespace se::cli {
 namespace {
 
-/// What an option in B puts out of force in A, besides itself.
+/// Pairs of an option in B and an option of A that it replaces, besides itself.
 struct Override {
     std::string_view option;
     std::string_view other;
@@ -25,7 +25,7 @@ constexpr std::array kOverrides{
     Override{"derive-normals", "orient"},
 };
 
-/// How many words from `i` on are of neither run, wherever they stand.
+/// Number of words from `i` on that belong to neither run, wherever they occur.
 std::size_t wordsOfBoth(const Arguments& words, std::size_t i) {
     const std::string& word = words[i];
     if (word == "--json" || word == "-q" || word == "--quiet" || word.starts_with("--most="))
@@ -41,7 +41,7 @@ Arguments splitAtBlanks(const std::string& text) {
 }
 
 bool overrides(const GivenOption& mine, const GivenOption& theirs) {
-    // --rule adds to those of A.
+    // --rule of B is added to those of A.
     if (mine.name == theirs.name) return mine.name != "rule";
     return std::any_of(kOverrides.begin(), kOverrides.end(), [&](const Override& row) {
         return row.option == mine.name && row.other == theirs.name;
@@ -65,7 +65,7 @@ ComparedWords partedAtWith(const Arguments& words) {
         }
         parted.with.push_back(words[i]);
     }
-    // A word among others is one value, blanks included, as that of --what-if.
+    // A word among others is one value, spaces included, such as the value of --what-if.
     if (parted.with.size() == 1) parted.with = splitAtBlanks(parted.with.front());
     return parted;
 }

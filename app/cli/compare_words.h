@@ -1,5 +1,5 @@
-/// The two runs of `compare`, out of one command line: IN, the options of A, and behind --with what
-/// is different in B.
+/// The two runs of `compare`, from one command line: IN, the options of A, and after --with the
+/// options in which B differs.
 #pragma once
 
 #include <string>
@@ -8,18 +8,18 @@
 
 namespace se::cli {
 
-/// The words behind the verb, parted.
+/// Words after the verb, split into the two runs.
 struct ComparedWords {
-    Arguments a;     ///< With the options that are of neither run, such as --json.
+    Arguments a;     ///< Includes the options that belong to neither run, such as --json.
     Arguments with;  ///< After --with; a single quoted word is split at its blanks.
     bool hasWith = false;
 };
 ComparedWords partedAtWith(const Arguments& words);
 
-/// The options of one run, read from words of their own.
+/// Options of one run, parsed from their own list of words.
 class ParsedInput {
   public:
-    /// Throws Failure on wrong usage, calling the words what they are on the command line.
+    /// Throws Failure on wrong usage; its message names the words as given on the command line.
     explicit ParsedInput(const Arguments& words);
     ParsedInput(const ParsedInput&) = delete;
     ParsedInput& operator=(const ParsedInput&) = delete;
@@ -30,8 +30,8 @@ class ParsedInput {
     InputArguments input_;
 };
 
-/// The words of B, which is A but for `with`: a set of rules there takes the place of A's rules, a
-/// number of neighbors that of A's radius.
+/// The words of B: those of A, changed by `with`. A rule set there replaces the rules of A, a
+/// number of neighbors the radius of A.
 Arguments wordsOfB(const InputArguments& a, const Arguments& with);
 
 /// "--rules robust"; "the paper's rules" if no option was given.

@@ -25,7 +25,7 @@ FailureChoice failureChoiceFrom(const std::string& text) {
     if (wanted.kind == nullptr) {
         throw Failure(
             ExitCode::Usage,
-            fmt::format("--failure {}: there is no such class; there are {}", text, classNames()));
+            fmt::format("--failure {}: no such class; the classes are {}", text, classNames()));
     }
     if (colon == std::string::npos) return wanted;
     const std::string digits = text.substr(colon + 1);
@@ -33,7 +33,7 @@ FailureChoice failureChoiceFrom(const std::string& text) {
                         digits.find_first_not_of("0123456789") == std::string::npos;
     if (!number || digits.find_first_not_of('0') == std::string::npos)
         throw Failure(ExitCode::Usage,
-                      fmt::format("--failure {}: expected a number from 1 behind the colon", text));
+                      fmt::format("--failure {}: expected a number >= 1 after the colon", text));
     wanted.number = std::stoul(digits);
     return wanted;
 }
@@ -53,7 +53,7 @@ namespace {
                                         : "only the " + amountText(total) + " failures listed";
     throw Failure(ExitCode::CheckFailed,
                   fmt::format("{}: the run has {} of class {}; spiraling-edge why {} --failures "
-                              "lists what it has",
+                              "lists those it has",
                               input, has, wanted.kind->name, input));
 }
 

@@ -10,7 +10,7 @@
 
 namespace se::cli {
 
-/// A class of failures, and which one of it.
+/// A class of failures and a number within it.
 struct FailureChoice {
     const FailureClass* kind;
     std::size_t number;  ///< From 1.
@@ -19,13 +19,13 @@ struct FailureChoice {
 /// Throws Failure if there is no such class, or N is no number.
 FailureChoice failureChoiceFrom(const std::string& text);
 
-/// The end of a run; how far it has come if the user interrupts.
+/// State at the end of a run, or at the point where the user interrupted it.
 State endOfRun(const PointSet& points, const Params& params);
 
-/// The failure that is asked for. Throws Failure if it is not in the list of the run on `input`.
+/// The chosen failure. Throws Failure if the list of the run on `input` lacks it.
 MeshFailure pickFailure(const MeshInspection& found, const FailureChoice& choice,
                         const std::string& input);
-/// The failure that is asked for, with its moments. Throws Failure if it is not in the list.
+/// The chosen failure with its moments. Throws Failure if the list lacks it.
 RunFailure pickFailure(const RunFailureSearch& found, const FailureChoice& choice,
                        const std::string& input);
 

@@ -10,29 +10,30 @@ PointFile buildScene(const std::string& id) {
     const Scene* scene = findScene(id);
     if (scene == nullptr) {
         throw Failure(ExitCode::Input, "scene:" + id +
-                                           ": there is no such scene; `spiraling-edge scenes` "
-                                           "lists those that there are");
+                                           ": no such scene; `spiraling-edge scenes` "
+                                           "lists the scenes");
     }
     return scene->build();
 }
 
-/// What else a person might take for points, and what to do with it.
+/// Message for inputs that are commonly mistaken for points, with what to do instead.
 void refuseOtherThings(const std::string& input) {
     if (isVolumePath(input)) {
         throw Failure(ExitCode::Input,
                       input + ": is a volume; `spiraling-edge sample " + input +
-                          " -n N -o POINTS.ply` spreads points over a surface in it");
+                          " -n N -o POINTS.ply` samples points on a surface in it");
     }
     if (input.starts_with("sample:")) {
-        throw Failure(ExitCode::Input,
-                      input +
-                          ": is for the viewer; here `spiraling-edge sample` writes such points to "
-                          "a file first");
+        throw Failure(
+            ExitCode::Input,
+            input +
+                ": works in the viewer only; `spiraling-edge sample` writes such points to "
+                "a file first");
     }
     if (input.ends_with(".stl") || input.ends_with(".glb")) {
         throw Failure(
             ExitCode::Input,
-            input + ": STL and GLB are written, not read; PLY, OBJ and OFF are read as well");
+            input + ": STL and GLB can be written, not read; PLY, OBJ and OFF can be read");
     }
 }
 

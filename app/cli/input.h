@@ -1,4 +1,4 @@
-/// An input as it stands on the command line: a file, `-` or scene:ID.
+/// An input as given on the command line: a file, `-` or scene:ID.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@ namespace se::cli {
 
 inline constexpr std::string_view kStandardInput = "-";
 
-/// As messages call it: "standard input" for -.
+/// Name of the input in messages: "standard input" for -.
 std::string nameOfInput(const std::string& input);
 
-/// By its name: .nrrd or .nhdr.
+/// Whether the extension is .nrrd or .nhdr.
 bool isVolumePath(std::string_view input);
 
 /// Reads it. Throws Failure(Input) if it is missing or malformed.

@@ -1,4 +1,4 @@
-// spiraling-edge: finds the verb, runs it, and turns whatever happens into an exit code.
+// spiraling-edge: finds the verb, runs it, and maps every outcome to an exit code.
 #include <fmt/format.h>
 
 #include <array>
@@ -21,16 +21,16 @@ struct Verb {
 
 constexpr std::array kVerbs{
     Verb{"run", "triangulate points; write the mesh, a report, a trace", runVerb},
-    Verb{"info", "say what a file holds", infoVerb},
-    Verb{"doctor", "say what in a file will upset the algorithm, and mend it", doctorVerb},
-    Verb{"why", "say why a point, an edge or a triangle is in the mesh, or why not", whyVerb},
-    Verb{"check", "say what is wrong with a mesh, whoever made it", checkVerb},
-    Verb{"compare", "say where two runs, or a run and a mesh, differ, and from which decision on",
+    Verb{"info", "print file information", infoVerb},
+    Verb{"doctor", "find problems in a file, and fix them", doctorVerb},
+    Verb{"why", "explain why a point, an edge or a triangle is in the mesh, or why not", whyVerb},
+    Verb{"check", "find the faults of a mesh from any program", checkVerb},
+    Verb{"compare", "compare two runs, or a run and a mesh, down to the first differing decision",
          compareVerb},
-    Verb{"reduce", "shrink an input to the fewest points that still fail", reduceVerb},
-    Verb{"sample", "spread points evenly over a shape or an isosurface of a volume", sampleVerb},
+    Verb{"reduce", "reduce an input to a minimal failing case", reduceVerb},
+    Verb{"sample", "sample points evenly on a shape or an isosurface of a volume", sampleVerb},
     Verb{"scenes", "list the built-in scenes", scenesVerb},
-    Verb{"table1", "make the paper's table of times anew", table1Verb},
+    Verb{"table1", "reproduce the paper's Table 1", table1Verb},
     Verb{"view", "open the viewer on a file", viewVerb},
     Verb{"render", "write a picture without opening a window", renderVerb},
 };
@@ -51,17 +51,17 @@ void printHelp(std::FILE* stream) {
     for (const Verb& verb : kVerbs) fmt::print(stream, "  {:<8} {}\n", verb.name, verb.summary);
     fmt::print(
         stream,
-        "\n`spiraling-edge VERB --help` tells the options of a verb.\n"
+        "\n`spiraling-edge VERB --help` lists the options of a verb.\n"
         "An input is a PLY, XYZ, OBJ, OFF or PCD file, `-` for standard input, or scene:ID.\n"
         "\n"
         "  -h, --help     print this and exit\n"
         "  --version      print the version and exit\n"
         "\n"
-        "Exit codes: 0 good, 1 ran but a check failed, 2 wrong usage, 3 input missing or\n"
+        "Exit codes: 0 success, 1 ran but a check failed, 2 wrong usage, 3 input missing or\n"
         "malformed, 4 no display, 5 internal error, 130 interrupted.\n");
 }
 
-/// A word that is no verb: an input for the viewer, or a mistake.
+/// Handles a first word that is no verb: an input for the viewer, or a mistake.
 ExitCode runWithoutVerb(const Arguments& arguments) {
     const std::string& word = arguments.front();
     std::error_code ignored;
@@ -69,12 +69,12 @@ ExitCode runWithoutVerb(const Arguments& arguments) {
         return viewVerb(arguments);
     if (word.starts_with("-")) {
         throw Failure(ExitCode::Usage,
-                      fmt::format("{}: there is no such option; see spiraling-edge --help", word));
+                      fmt::format("{}: no such option; see spiraling-edge --help", word));
     }
     if (word.find_first_of("./") != std::string::npos)
-        throw Failure(ExitCode::Input, word + ": there is no such file");
+        throw Failure(ExitCode::Input, word + ": no such file");
     throw Failure(ExitCode::Usage,
-                  fmt::format("{}: is neither a verb nor a file; see spiraling-edge --help", word));
+                  fmt::format("{}: neither a verb nor a file; see spiraling-edge --help", word));
 }
 
 ExitCode dispatch(const Arguments& arguments) {

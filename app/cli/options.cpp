@@ -17,7 +17,7 @@ void applyRule(const std::string& text, Params& params) {
     if (findRuleSetting(text.substr(0, text.find('='))) == nullptr) {
         std::vector<std::string_view> names;
         for (const RuleSetting& each : ruleSettings()) names.push_back(each.name);
-        throw Failure(ExitCode::Usage, fmt::format("--rule {}: there is no such rule; there are {}",
+        throw Failure(ExitCode::Usage, fmt::format("--rule {}: no such rule; the rules are {}",
                                                    text, fmt::join(names, ", ")));
     }
     const Result<RuleValue> value = ruleValueFromText(text);
@@ -30,7 +30,7 @@ void applyRule(const std::string& text, Params& params) {
 }  // namespace
 
 std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments) {
-    Arguments reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants them
+    Arguments reversed(arguments.rbegin(), arguments.rend());  // in the order that CLI11 expects
     try {
         app.parse(reversed);
     } catch (const CLI::CallForHelp&) {
@@ -57,12 +57,12 @@ void NeighborArguments::addTo(CLI::App& app) {
         ->type_name("X")
         ->excludes(count)
         ->excludes(radius);
-    app.add_flag("--symmetric", symmetric_, "Whoever lists a point is listed by it as well");
+    app.add_flag("--symmetric", symmetric_, "Make neighbor lists symmetric");
     app.add_flag("--keep-opposing", keepOpposing_,
-                 "Also take neighbors whose normal opposes that of the point");
+                 "Keep neighbors whose normal opposes that of the point");
     app.add_flag("--keep-noise", keepNoise_,
-                 "Keep all points where noise is as wide as their spacing (--rules robust sets "
-                 "those aside that lie over or under others)");
+                 "Keep all points where noise is as wide as the spacing (--rules robust sets "
+                 "aside those that lie above or below others)");
 }
 
 NeighborOptions NeighborArguments::options() const {
@@ -70,12 +70,12 @@ NeighborOptions NeighborArguments::options() const {
     if (count_) options.reach = KNearest{*count_};
     if (radius_) {
         if (!(*radius_ > 0.0) || !std::isfinite(*radius_))
-            throw Failure(ExitCode::Usage, "--radius: must be a number above 0");
+            throw Failure(ExitCode::Usage, "--radius: must be greater than 0");
         options.reach = WithinRadius{*radius_};
     }
     if (reach_) {
         if (!(*reach_ > 0.0) || !std::isfinite(*reach_))
-            throw Failure(ExitCode::Usage, "--reach: must be a number above 0");
+            throw Failure(ExitCode::Usage, "--reach: must be greater than 0");
         options.reach = WithinSpacings{*reach_};
     }
     options.dropOpposingNormals = !keepOpposing_;
@@ -86,7 +86,7 @@ NeighborOptions NeighborArguments::options() const {
 
 void DerivedArguments::addTo(CLI::App& app) {
     auto* orient = app.add_flag("--orient", orient_,
-                                "Turn the normals of the file so that they agree with each other");
+                                "Flip normals of the file so that they agree with each other");
     app.add_flag("--derive-normals", deriveNormals_,
                  "Derive normals from the positions even if the file has some")
         ->excludes(orient);
@@ -95,7 +95,7 @@ void DerivedArguments::addTo(CLI::App& app) {
                    "points), or X0,Y0,Z0,X1,Y1,Z1")
         ->type_name("BOX");
     app.add_flag("--derive-rim", rim_,
-                 "Find where the surface ends without a wall, and take the points there for "
+                 "Find where the surface ends without a wall, and treat the points there as "
                  "boundary points");
 }
 
@@ -108,10 +108,11 @@ WallBox boxFromText(const std::string& text) {
         char comma = ',';
         if (i > 0) stream >> comma;
         if (!(stream >> value) || comma != ',' || !std::isfinite(value)) {
-            throw Failure(ExitCode::Usage,
-                          fmt::format("--box {}: write auto, or six numbers with commas between: "
-                                      "X0,Y0,Z0,X1,Y1,Z1",
-                                      text));
+            throw Failure(
+                ExitCode::Usage,
+                fmt::format("--box {}: expected auto, or six numbers separated by commas: "
+                            "X0,Y0,Z0,X1,Y1,Z1",
+                            text));
         }
     }
     stream >> std::ws;
@@ -140,7 +141,7 @@ PrepareOptions DerivedArguments::options(const NeighborOptions& neighbors,
 
 void RuleArguments::addTo(CLI::App& app) {
     app.add_option("--rules", setName_,
-                   fmt::format("How the paper is read: {}", fmt::join(paramSetNames(), ", ")))
+                   fmt::format("Reading of the paper: {}", fmt::join(paramSetNames(), ", ")))
         ->type_name("SET")
         ->capture_default_str();
     app.add_option("--rule", switches_, "Set one rule, after --rules; may be repeated")
@@ -148,7 +149,7 @@ void RuleArguments::addTo(CLI::App& app) {
         ->allow_extra_args(false);
     app.add_option(
            "--what-if", whatIfs_,
-           "Let something else happen at one place: \"137.sphere keep 812\", \"137.sphere "
+           "Override one decision: \"137.sphere keep 812\", \"137.sphere "
            "drop 812\", \"137.advance pivot 640\", \"137 move 812 X Y Z\", \"137 list 812 5 "
            "7\"; may be repeated (docs/choices.md)")
         ->type_name("LINE")
@@ -165,7 +166,7 @@ void RuleArguments::addTo(CLI::App& app) {
 Params RuleArguments::params() const {
     std::optional<Params> params = paramsByName(setName_);
     if (!params) {
-        throw Failure(ExitCode::Usage, fmt::format("--rules {}: there is no such set; there are {}",
+        throw Failure(ExitCode::Usage, fmt::format("--rules {}: no such set; the sets are {}",
                                                    setName_, fmt::join(paramSetNames(), ", ")));
     }
     for (const std::string& text : switches_) applyRule(text, *params);

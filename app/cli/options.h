@@ -1,4 +1,4 @@
-/// Arguments to params: the options that several verbs share.
+/// Options that several verbs share, turned into params.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -14,17 +14,17 @@
 
 namespace se::cli {
 
-/// A list of more is a slip of the finger.
+/// Largest K; a larger number is taken for a typing error.
 inline constexpr long long kMostNeighbors = 1'000'000;
 
-/// Reads `arguments` into what `app` binds. Empty if the verb should go on; else the code to end
-/// with, after the help was printed. Throws Failure on wrong usage.
+/// Parses `arguments` into what `app` binds. Empty if the verb should continue; otherwise the code
+/// to exit with, after the help was printed. Throws Failure on wrong usage.
 std::optional<ExitCode> parseArguments(CLI::App& app, const Arguments& arguments);
 
-/// A box from six numbers with commas between, X0,Y0,Z0,X1,Y1,Z1. Throws Failure if it is none.
+/// A box from six numbers separated by commas, X0,Y0,Z0,X1,Y1,Z1. Throws Failure otherwise.
 WallBox boxFromText(const std::string& text);
 
-/// How missing neighbor lists are made: --neighbors, --radius, --reach, --symmetric,
+/// Options for missing neighbor lists: --neighbors, --radius, --reach, --symmetric,
 /// --keep-opposing, --keep-noise.
 class NeighborArguments {
   public:
@@ -43,12 +43,12 @@ class NeighborArguments {
     bool keepNoise_ = false;
 };
 
-/// What is derived from the points: --orient, --derive-normals, --box,
+/// Options for what is derived from the points: --orient, --derive-normals, --box,
 /// --derive-rim.
 class DerivedArguments {
   public:
     void addTo(CLI::App& app);
-    /// `neighbors` go along. Throws Failure if the box is none.
+    /// Combined with `neighbors`. Throws Failure if the box is malformed.
     PrepareOptions options(const NeighborOptions& neighbors, const PointFile& file) const;
 
   private:
@@ -58,12 +58,12 @@ class DerivedArguments {
     std::string box_;
 };
 
-/// Which reading of the paper: --rules, --rule NAME=VALUE, and what a person lets happen besides:
+/// Options for the reading of the paper and for overrides: --rules, --rule NAME=VALUE,
 /// --what-if LINE.
 class RuleArguments {
   public:
     void addTo(CLI::App& app);
-    /// Throws Failure if there is no such set or switch.
+    /// Throws Failure if there is no such set or rule.
     Params params() const;
     const std::string& setName() const { return setName_; }
 
@@ -76,7 +76,7 @@ class RuleArguments {
 /// Throws Failure with the reason if a what-if of `params` has no effect, or is refused.
 void requirePossible(const PointSet& points, const Params& params);
 
-/// What the options say together.
+/// Params from all options together.
 Params paramsFrom(const RuleArguments& rules, const NeighborArguments& neighbors);
 PrepareOptions prepareOptionsFrom(const Params& params, const NeighborArguments& neighbors,
                                   const DerivedArguments& derived, const PointFile& file);

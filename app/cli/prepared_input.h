@@ -1,5 +1,5 @@
-/// Points as the algorithm gets them: the options that choose rules and make what is missing, and
-/// the work itself, for verbs that ask about a run.
+/// Points as the algorithm gets them: the options that choose rules and derive missing data, and
+/// the preparation itself, for verbs that query a run.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@
 
 namespace se::cli {
 
-/// A run that has not begun.
+/// A run that has not started.
 struct PreparedInput {
-    PointFile file;  ///< As it was read, mended by treat(), with the normals and types of `points`.
+    PointFile file;  ///< As read, repaired by treat(), with the normals and types of `points`.
     PointSet points;
     Params params;
 };
@@ -29,9 +29,9 @@ class InputArguments {
     void addTo(CLI::App& app);
     const std::string& input() const { return input_; }
     const std::string& ruleSet() const { return rules_.setName(); }
-    /// The options that were given, without the input. Requires that the app still lives.
+    /// The options that were given, without the input. The app must outlive this object.
     std::vector<GivenOption> given() const;
-    /// Their words, an option with its value at a time.
+    /// Words of the given options, each option followed by its value.
     std::vector<std::string> options() const;
     PrepareOptions prepareOptions(const PointFile& file) const;
     /// Reads and prepares, with the line of progress. Throws Failure.

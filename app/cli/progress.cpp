@@ -1,3 +1,6 @@
+// The handler only sets a flag that long work polls, and lets a second signal end the program
+// without unfinished files; nothing else is safe in a handler. SA_RESTART keeps reads and writes
+// from failing meanwhile.
 #include "progress.h"
 
 #include <fmt/format.h>
@@ -16,7 +19,7 @@ volatile std::sig_atomic_t interruptSeen = 0;
 
 void noteInterrupt(int) {
     interruptSeen = 1;
-    // The next one ends the program, which leaves no part of a file.
+    // A second signal ends the program; no partial file is left.
     removeUnfinishedFilesAtSignals();
 }
 

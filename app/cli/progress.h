@@ -1,8 +1,8 @@
-/// The line on a terminal that says how far long work has come.
+/// Progress line of long work on a terminal.
 ///
-/// Ctrl+C as a question that long work asks now and then.
+/// Ctrl+C as a flag that long work polls.
 ///
-/// Long work of the core, done for a verb.
+/// Long work of core with a progress line.
 #pragma once
 
 #include <chrono>
@@ -14,14 +14,15 @@
 
 namespace se::cli {
 
-/// From now on the first Ctrl+C is only noted; the second ends the program as usual.
+/// From now on the first Ctrl+C only sets the flag; the second ends the program as usual.
 void catchInterrupts();
 bool interrupted();
 /// From now on Ctrl+C ends the program at once.
 void releaseInterrupts();
 
-/// Writes to stderr if that is a terminal, at most ten times a second, and cleans up behind itself.
+/// Writes to stderr if that is a terminal, at most ten times a second, and erases the line at the
 class ProgressLine {
+    /// end.
   public:
     /// Never writes anything if not `wanted`.
     explicit ProgressLine(bool wanted);
@@ -29,7 +30,7 @@ class ProgressLine {
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
 
-    /// True if it is time to write again. Cheap enough to be asked often.
+    /// True if it is time to write again; cheap enough for inner loops.
     bool due();
     /// Writes "what 42 %"; `share` is in [0, 1]. Call when due().
     void write(const std::string& what, double share);
@@ -41,8 +42,8 @@ class ProgressLine {
     std::chrono::steady_clock::time_point last_;
 };
 
-/// Does `work`, which is given a Progress and returns a Result, with the line telling `what` is
-/// done. Throws Failure if it fails, or is interrupted; `input` begins the message.
+/// Runs `work`, which takes a Progress and returns a Result, while the progress line shows `what`
+/// and the share done. Throws Failure if it fails or is interrupted; `input` begins the message.
 template <typename Work>
 auto workedOut(const std::string& what, const std::string& input, ProgressLine& line, Work&& work) {
     auto result = work([&](double share) {

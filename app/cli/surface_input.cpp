@@ -21,9 +21,9 @@ Field readVolumeField(const std::string& input, const std::optional<double>& iso
     const std::optional<double> iso = isovalue ? isovalue : volume->isovalue;
     if (!iso) {
         const auto [least, most] = std::minmax_element(volume->value.begin(), volume->value.end());
-        throw Failure(ExitCode::Usage,
-                      fmt::format("{}: names no isovalue; give --iso V, from {} to {}", input,
-                                  *least, *most));
+        throw Failure(
+            ExitCode::Usage,
+            fmt::format("{}: has no isovalue; give --iso V, from {} to {}", input, *least, *most));
     }
     return fieldOf(volume, *iso);
 }
@@ -38,7 +38,7 @@ Field readSurface(const std::string& input, const std::optional<double>& isovalu
     if (shape == nullptr) {
         throw Failure(ExitCode::Input,
                       input +
-                          " is neither a shape nor a volume (.nrrd, .nhdr); `spiraling-edge "
+                          " neither a shape nor a volume (.nrrd, .nhdr); `spiraling-edge "
                           "sample --list` lists the shapes");
     }
     Field field = fieldOf(*shape);

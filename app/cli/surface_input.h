@@ -1,4 +1,4 @@
-/// A surface as it stands on the command line: a shape by its name, or the file of a volume.
+/// A surface as given on the command line: a shape by its name, or the file of a volume.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,13 @@
 
 namespace se::cli {
 
-/// The field of it, at `isovalue` or at its own. Throws Failure if there is none, or no isovalue.
+/// Field of the surface, at `isovalue` or at its own. Throws Failure without field or isovalue.
 Field readSurface(const std::string& input, const std::optional<double>& isovalue);
 
-/// Makes `box` the domain. Throws Failure if a volume, whose name begins messages, ends before.
+/// Makes `box` the domain. Throws Failure if a volume, whose name begins messages, is smaller.
 void cutBy(const WallBox& box, const std::string& input, Field& field);
 
-/// Samples with the line of progress. Throws Failure if that fails or is interrupted.
+/// Samples with the progress line. Throws Failure if sampling fails or is interrupted.
 PointFile samplePoints(const Field& field, const SamplerOptions& options, const std::string& input,
                        ProgressLine& line);
 

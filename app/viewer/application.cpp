@@ -102,7 +102,7 @@ Status Application::settle() {
     comparing_.settle();
     if (const std::string& wrong = comparing_.comparison().complaint(); !wrong.empty())
         return Error{wrong};
-    // Once asked for, the way there, then the other run.
+    // First the jump, then the compared run.
     for (int i = 0; i < 2; ++i) {
         poll();
         comparing_.carryOut();
@@ -150,11 +150,11 @@ void Application::play(double seconds) {
     if (!heldByBreakpoint(commands_, due)) playSteps(commands_, due);
 }
 
-/// Where what has just been opened is looked at from.
+/// Places the camera for a newly opened input.
 void Application::placeCamera(const Layout& layout) {
     if (!session_.ready()) return;
     if (std::exchange(placedGeneration_, session_.generation()) != session_.generation()) {
-        // Another input, another home; reloading the same one leaves the camera alone.
+        // Another input resets the camera; reloading the same one keeps it.
         if (std::exchange(homeOf_, session_.model().name) != session_.model().name) {
             camera_.setUp(filing_.openedSession() ? UpAxis::Z : actions::usualUp(commands_));
             camera_.home(session_.model().beginning, session_.model().sample, ui_.viewAspect);
@@ -162,7 +162,7 @@ void Application::placeCamera(const Layout& layout) {
         if (const auto pose = filing_.takeCamera()) camera_.setPose(*pose);
     }
     if (std::exchange(ui_.requests.frameAlert, false)) frameAlert(commands_);
-    // Nobody has changed anything yet.
+    // The undo stack begins here: the user has not changed anything yet.
     if (alerting_.takeOpened()) undo_.begin(captureEdits(commands_));
     const bool atDifference = differenceAsked_ && ui_.compare.ask == CompareAsk::Nothing &&
                               session_.event() != nullptr && !session_.busy() &&
@@ -196,11 +196,11 @@ void Application::drawUserInterface(const Layout& layout) {
                                view ? &*view : nullptr,
                                false,
                                view ? other : nullptr};
-    // What is asked for in this frame is drawn in the next one, and has no window yet.
+    // Popups requested in this frame are drawn in the next one, and have no window yet.
     const bool page = ui_.growth.open;
     drawPanels(context);
     const char* home = session_.startPage() && !page ? kStartWindow : kViewWindow;
-    // After a click the keys go to the view again; Ctrl+Tab leads into the panels.
+    // After a click the view has the keyboard focus again; Ctrl+Tab leads into the panels.
     const bool released =
         ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !ImGui::IsAnyItemActive();
     const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
@@ -217,7 +217,7 @@ void Application::drawUserInterface(const Layout& layout) {
 void Application::frame(glm::ivec2 size, double seconds) {
     const auto began = std::chrono::steady_clock::now();
     ui_.clock += seconds;
-    // A line that is being typed is no line yet.
+    // Ignore breakpoints and watches while a text field is active.
     if (!ImGui::GetIO().WantTextInput) {
         session_.arm(ui_.breakpoints);
         session_.watch(ui_.watches);
@@ -269,7 +269,7 @@ void Application::frame(glm::ivec2 size, double seconds) {
     if (!copied.empty()) ImGui::SetClipboardText(copied.c_str());
     if (std::exchange(ui_.requests.copyPlace, false)) copyPlace();
     if (std::exchange(ui_.requests.pastePlace, false)) pastePlace();
-    // One that was asked for while this frame was drawn is taken from the next one.
+    // A picture requested while this frame was drawn is taken from the next one.
     if (ui_.requests.screenshot && (painter_.onPaper() || !session_.ready())) {
         ui_.requests.screenshot = false;
         saveWindowPicture(size);
@@ -301,7 +301,7 @@ void Application::noteTimes(std::chrono::steady_clock::time_point built) {
 }
 
 void Application::observeEdits() {
-    // What is being opened belongs to the change that asked for it.
+    // The result of an opening belongs to the change that requested it.
     if (session_.phase() == SessionPhase::Loading || ui_.growth.open) return;
     const Edits now = captureEdits(commands_);
     if (std::exchange(undoGeneration_, session_.generation()) != session_.generation()) {
@@ -321,7 +321,7 @@ void Application::undoOrRedo() {
     const bool redo = std::exchange(ui_.requests.redo, false);
     if (!undo && !redo) return;
     if (session_.phase() == SessionPhase::Loading) {
-        return session_.say("The input is being opened; then again.");
+        return session_.say("Wait until the input is open.");
     }
     const Edits now = captureEdits(commands_);
     const auto step = undo ? undo_.undo(now) : undo_.redo(now);
@@ -329,7 +329,7 @@ void Application::undoOrRedo() {
         return session_.say(undo ? "There is nothing to undo." : "There is nothing to redo.");
     applyEdits(step->edits, commands_);
     Edits made = captureEdits(commands_);
-    // What is opened anew has nothing selected.
+    // An input that was opened again has no selection.
     if (std::exchange(made.cures, step->edits.cures) != step->edits.cures) made.selected = {};
     made.rules = step->edits.rules;
     undo_.accept(made);
@@ -347,7 +347,7 @@ void Application::narrate() {
 }
 
 void Application::saveWindowPicture(glm::ivec2 size) {
-    // Beside other pictures of the person, not where the program happened to be started.
+    // In the user's folder for pictures, not in the working directory.
     std::error_code error;
     const char* home = std::getenv("HOME");
     std::filesystem::path folder = home != nullptr ? home : ".";

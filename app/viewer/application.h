@@ -1,4 +1,4 @@
-/// Ties everything together: the order of one frame. Knows neither GLFW nor EGL.
+/// The whole program: the order of one frame. Independent of GLFW and EGL.
 #pragma once
 
 #include <chrono>
@@ -26,46 +26,46 @@ class Application {
     Application(const Options& options, const ViewSettings& settings);
     ~Application();
 
-    /// Requires a current OpenGL context. `contentScale` is what the monitor says.
+    /// Requires a current OpenGL context. `contentScale` is the scale of the monitor.
     Status start(float contentScale);
 
     // From the window.
-    /// True if the key is used up: the user interface must not see it.
+    /// True if the key was handled: the user interface must not get it.
     bool key(const KeyChord& chord, bool repeated);
     void keyReleased(const KeyChord& chord);
-    /// A line to type into was opened and gets the keyboard in a few frames: until then keys have
-    /// to wait, or the first of what is typed would be lost.
+    /// An input line was opened and gets the keyboard focus in a few frames: until then keys have
+    /// to wait, so that the first characters are not lost.
     bool keysHaveToWait() const { return ui_.typing.waits(); }
     void character(unsigned sign);
-    /// A button of the mouse came down there, in pixels.
+    /// A mouse button was pressed there, in pixels.
     void buttonPressed(glm::vec2 pointer) { ui_.viewDrag.press(pointer); }
-    /// Files from the desktop: the first is opened, what becomes of the others is said.
+    /// Files from the desktop: the first is opened; a notice reports the others.
     void drop(const std::vector<std::string>& paths);
     /// The window is to be closed: at once, or after a question.
     void requestQuit() { ui_.requests.quit = true; }
-    /// Takes over what threads have finished. True if there is something new to draw.
+    /// Takes the results of the threads. True if there is something new to draw.
     bool poll();
     /// Draws one frame into the bound framebuffer. The platform side of ImGui must be up to date.
     void frame(glm::ivec2 size, double seconds);
-    /// What can be seen and asked of the program, as JSON: for tests.
+    /// The visible state of the program, as JSON: for tests.
     std::string stateDump() const;
-    /// Writes stateDump() to the file of --state-dump, if there is one and it says something new.
+    /// Writes stateDump() to the file of --state-dump, if there is one and the state has changed.
     Status writeState();
-    /// Of the last frame: seconds outside of OpenGL, and in it.
+    /// Times of the last frame: seconds outside of OpenGL, and in it.
     double uiSeconds() const { return uiSeconds_; }
     double glSeconds() const { return glSeconds_; }
     /// From the start of the program until the input was first drawn; 0 before.
     double firstFrameSeconds() const { return firstFrameSeconds_; }
     /// From the start of the program until the first frame at all, with or without an input.
     double firstWindowSeconds() const { return firstWindowSeconds_; }
-    /// The longest time between two frames while an input was being opened, the one that shows it
-    /// among them, apart from OpenGL.
+    /// The longest time between two frames while an input was opened, including the frame that
+    /// shows it, without OpenGL.
     double longestOpeningSeconds() const { return longestOpeningSeconds_; }
     Session& session() { return session_; }
-    /// Blocks until what was asked for on the command line can be seen.
+    /// Blocks until everything that the command line requests is visible.
     Status settle();
 
-    /// The next frame differs from this one even if nothing comes in.
+    /// The next frame differs from this one even without new input.
     bool animating() const;
     bool wantsToQuit() const { return ui_.quitting; }
     bool takeFullScreenRequest() { return std::exchange(ui_.requests.fullScreen, false); }
@@ -73,7 +73,7 @@ class Application {
         return session_.phase() == SessionPhase::Failed || ui_.growth.phase == GrowthPhase::Failed;
     }
     std::string title() const;
-    /// Takes recent files and layout from that file and keeps them there; to be called before
+    /// Reads recent files and layout from that file and keeps them there; to be called before
     /// start().
     void keepIn(const std::filesystem::path& path) { filing_.keepIn(path, options_.resetLayout); }
     const ViewSettings& settings() const { return ui_.settings; }
@@ -103,7 +103,7 @@ class Application {
     CommandContext commands_;
     std::unique_ptr<Ui> imgui_;
     ScenePainter painter_;
-    std::uint32_t placedGeneration_ = 0;  ///< The camera was placed for it.
+    std::uint32_t placedGeneration_ = 0;  ///< Generation that the camera was placed for.
     float contentScale_ = 1.0F;
     Filing filing_;
     Alerting alerting_;
@@ -111,23 +111,23 @@ class Application {
     Comparing comparing_;
     MeshSaving meshSaving_;
     UndoStack undo_;
-    std::uint32_t undoGeneration_ = 0xffffffffU;  ///< Of the input that the stack is about.
+    std::uint32_t undoGeneration_ = 0xffffffffU;  ///< Source of the entries in the undo stack.
     std::string undoSource_;
     Cures undoCures_;
     RuleSet undoRules_;
-    bool differenceAsked_ = false;   ///< --goto difference is under way, or done.
-    bool noticed_ = false;           ///< A notice is in sight.
-    const char* focused_ = nullptr;  ///< The window that has the keyboard where no panel has it.
-    std::string homeOf_;             ///< Name of the input that the camera went home for.
+    bool differenceAsked_ = false;   ///< --goto difference is in progress, or done.
+    bool noticed_ = false;           ///< A notice is visible.
+    const char* focused_ = nullptr;  ///< The window with the keyboard focus where no panel has it.
+    std::string homeOf_;             ///< Name of the input that the camera was reset for.
     std::string writtenState_;
-    std::string narrated_;  ///< The address of the last sentence on stdout.
+    std::string narrated_;  ///< Address of the last sentence on stdout.
     double uiSeconds_ = 0.0;
     double glSeconds_ = 0.0;
     double firstFrameSeconds_ = 0.0;
     double firstWindowSeconds_ = 0.0;
     double longestOpeningSeconds_ = 0.0;
     std::chrono::steady_clock::time_point lastFrame_;
-    bool opening_ = false;  ///< An input was being opened in the frame before.
+    bool opening_ = false;  ///< An input was being opened in the previous frame.
 };
 
 }  // namespace se::view

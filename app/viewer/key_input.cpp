@@ -1,4 +1,4 @@
-/// What becomes of a key: a question, the go-to box, a text field, a panel or an action.
+/// Dispatch of a key: to a question, the go-to box, a text field, a panel or an action.
 #include <imgui.h>
 #include <imgui_internal.h>
 
@@ -22,12 +22,12 @@ void Application::character(unsigned sign) {
     if (ui_.goTo.active()) {
         ui_.goTo.type(sign);
     } else if (sign == '?' && !ui_.keyEditor) {
-        // Where the question mark lies differs between keyboards.
+        // The position of the question mark differs between keyboards.
         key({'?', kNoMods}, false);
     }
 }
 
-/// The box where an address is typed comes before all actions.
+/// The go-to box comes before all actions.
 bool Application::goToBoxTakes(const KeyChord& chord) {
     GoToBox& box = ui_.goTo;
     if (chord == KeyChord{'V', kCtrl}) {
@@ -58,7 +58,7 @@ bool Application::key(const KeyChord& chord, bool repeated) {
     if (ui_.goTo.active() && goToBoxTakes(chord)) return false;
     const ImGuiIO& io = ImGui::GetIO();
     if (chord.key == key::kEscape && io.WantTextInput && !ui_.dialogOpen()) {
-        // Dear ImGui would take back what was typed.
+        // Dear ImGui would undo the edit of the text.
         ImGui::ClearActiveID();
         return true;
     }
@@ -66,7 +66,7 @@ bool Application::key(const KeyChord& chord, bool repeated) {
     const bool panel = ui_.walk.at() != KeyStop::View || (session_.startPage() && !ui_.growth.open);
     if (enter && chord.mods == kNoMods && panel && io.NavVisible && !io.WantTextInput &&
         !ui_.dialogOpen()) {
-        // Dear ImGui itself takes Space alone.
+        // Dear ImGui itself handles Space only.
         ImGui::ActivateItem(ImGui::GetFocusID());
         return true;
     }
@@ -80,14 +80,14 @@ bool Application::key(const KeyChord& chord, bool repeated) {
                             io.NavVisible && io.WantCaptureKeyboard};
     const bool reaches = reachesActions(chord, keyboard);
     if (reaches && !holdsLook(*command, chord.key)) runCommand(*command, commands_);
-    // At once: two keys may come within a frame.
+    // Handled at once, since two keys may come within a frame.
     growing_.carryOut();
     ui_.typing.see(ui_.typedFields());
-    // Dear ImGui has ways of its own to walk.
+    // Dear ImGui's own navigation is not used.
     return reaches && chord.key == key::kTab;
 }
 
-/// The two actions that last as long as their key is held.
+/// The two actions that last while their key is held.
 bool Application::holdsLook(const Command& command, int key) {
     if (ui_.growth.open) return false;
     const bool blinks = &command == findCommand("step.blink");

@@ -41,7 +41,7 @@ ViewSettings settingsFor(const Options& options) {
     return settings;
 }
 
-/// What was given on the command line holds for this once.
+/// Options of the command line apply to this run only, not to the settings.
 ViewSettings settingsToKeep(const Options& options, const Application& application) {
     ViewSettings keep = application.settings();
     const se::Result<ViewSettings> read = readSettings(settingsPath());
@@ -56,14 +56,14 @@ ViewSettings settingsToKeep(const Options& options, const Application& applicati
     return keep;
 }
 
-/// Waits until what was asked for can be drawn.
+/// Waits until the requested view can be drawn.
 int settle(Application& application) {
     const auto status = application.settle();
     if (status) return kExitGood;
     return fail(application.inputFailed() ? kExitInput : kExitUsage, status.error().message);
 }
 
-/// Brings what was asked for in view, without a window.
+/// Shows the requested view, without a window.
 int prepareOffscreen(Application& application) {
     if (const auto status = application.start(1.0F); !status) {
         return fail(kExitNoDisplay, status.error().message);
@@ -82,7 +82,7 @@ int runPicture(const Options& options) {
     if (!offscreen) return fail(kExitNoDisplay, offscreen.error().message);
     Application application(options, settings);
     if (const int code = prepareOffscreen(application); code != kExitGood) return code;
-    // The first frames only find out how large things are.
+    // The first frames only determine the layout.
     const int frames = options.frames > 0 ? options.frames : 4;
     for (int i = 0; i < frames; ++i) {
         offscreen.value()->beginFrame();
@@ -100,7 +100,7 @@ void printTimes(const char* what, std::vector<double> seconds) {
                 1e3 * seconds.back());
 }
 
-/// What one kind of move costs, frame by frame.
+/// Cost of one kind of move, frame by frame.
 void benchMoves(const Options& options, Offscreen& offscreen, Application& application,
                 const char* what, void (*move)(Session&)) {
     constexpr int kWarmUp = 10;
@@ -121,8 +121,8 @@ void benchMoves(const Options& options, Offscreen& offscreen, Application& appli
     printTimes("  OpenGL, until it is done", gl);
 }
 
-/// Steps through the run and says what a frame costs: the move, user interface and scene, and apart
-/// from that OpenGL.
+/// Steps through the run and prints the cost of a frame: the move, user interface and scene, and
+/// separately that of OpenGL.
 int runBench(const Options& options) {
     const ViewSettings settings = settingsFor(options);
     const glm::ivec2 size(settings.width, settings.height);
@@ -132,7 +132,7 @@ int runBench(const Options& options) {
     if (const auto status = application.start(1.0F); !status) {
         return fail(kExitNoDisplay, status.error().message);
     }
-    // As a window does it: fonts and the empty panels while the input is being read.
+    // As with a window: fonts and the empty panels while the input is being read.
     const auto draw = [&] {
         offscreen.value()->beginFrame();
         application.frame(size, 1.0 / 60.0);

@@ -18,7 +18,7 @@ EGLDisplay surfacelessDisplay() {
     if (display != EGL_NO_DISPLAY && eglInitialize(display, nullptr, nullptr) == EGL_TRUE) {
         return display;
     }
-    // Drivers that do not know the above: the first device.
+    // Drivers without the extension above: the first device.
     const auto queryDevices =
         reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
     EGLDeviceEXT device = nullptr;

@@ -1,4 +1,4 @@
-/// A picture without a window and without a display: EGL with no surface.
+/// A picture without a window and without a display, by EGL with no surface.
 #pragma once
 
 #include <filesystem>
@@ -18,9 +18,9 @@ class Offscreen {
     Offscreen& operator=(const Offscreen&) = delete;
 
     glm::ivec2 size() const { return size_; }
-    /// Makes the picture the place that drawing goes to.
+    /// Makes the picture the target of drawing.
     void beginFrame() { target_->begin(size_); }
-    /// Writes what was drawn since beginFrame() as PNG.
+    /// Writes the drawing since beginFrame() as PNG.
     Status save(const std::filesystem::path& path) const;
 
   private:

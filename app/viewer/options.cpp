@@ -57,7 +57,7 @@ std::string shapeList() {
     return text;
 }
 
-/// What needs a second look before it goes into Options.
+/// Options that need a check before they go into Options.
 struct RawOptions {
     std::string size;
     std::string theme;
@@ -80,56 +80,54 @@ struct RawOptions {
     double iso = 0.0;
 };
 
-/// What is derived from the points; names as in `spiraling-edge run`.
+/// Options for what is derived from the points; names as in `spiraling-edge run`.
 void addPreparing(CLI::App& app, Options& o, RawOptions& raw) {
-    auto* k = app.add_option("-k,--neighbors", raw.neighbors,
-                             "List the K nearest neighbors of each point")
+    auto* k = app.add_option("-k,--neighbors", raw.neighbors, "Neighbors of a point: the K nearest")
                   ->check(CLI::Range(std::size_t{1}, std::size_t{1000}));
-    auto* r =
-        app.add_option("-r,--radius", raw.radius, "List the neighbors within R, in scene units")
-            ->check(CLI::PositiveNumber);
+    auto* r = app.add_option("-r,--radius", raw.radius,
+                             "Neighbors of a point: all within R, in scene units")
+                  ->check(CLI::PositiveNumber);
     k->excludes(r);
     app.add_option("--reach", raw.reach,
-                   "List the neighbors within X times the mean distance to the nearest")
+                   "Neighbors of a point: all within X times the mean distance to the nearest")
         ->check(CLI::PositiveNumber)
         ->excludes(k)
         ->excludes(r);
-    app.add_flag("--symmetric", o.input.neighbors.symmetric,
-                 "Whoever lists a point is listed by it as well");
+    app.add_flag("--symmetric", o.input.neighbors.symmetric, "Make neighbor lists symmetric");
     app.add_flag("--keep-opposing", o.input.keepOpposing,
-                 "Also take neighbors whose normal opposes that of the point");
+                 "Keep neighbors whose normal opposes that of the point");
     app.add_flag("--keep-noise", o.input.keepNoise,
-                 "Keep all points where noise is as wide as their spacing");
+                 "Keep all points where noise is as wide as the spacing");
     auto* orient = app.add_flag("--orient", raw.orient,
-                                "Turn the normals of the file so that they agree with each other");
+                                "Flip normals of the file so that they agree with each other");
     app.add_flag("--derive-normals", raw.deriveNormals,
                  "Derive normals from the positions even if the file has some")
         ->excludes(orient);
     app.add_flag("--derive-rim", o.input.rim,
-                 "Find where the surface ends without a wall, and take the points there for "
+                 "Find where the surface ends without a wall, and treat the points there as "
                  "boundary points");
     app.add_option("--box", raw.box,
                    "Points on the walls of this box are boundary points: auto (the box around all "
-                   "points), or X0,Y0,Z0,X1,Y1,Z1. With --new: the box that cuts the surface")
+                   "points), or X0,Y0,Z0,X1,Y1,Z1. With --new: the box that clips the surface")
         ->type_name("BOX");
 }
 
-/// New points; names as in `spiraling-edge sample`.
+/// Options for new points; names as in `spiraling-edge sample`.
 void addGrowing(CLI::App& app, RawOptions& raw) {
     SampleSpec& grow = raw.grow;
     auto* made = app.add_option("--new", grow.surface,
-                                "Begin with new points that spread over a shape or over an "
+                                "Start with new points that spread over a shape or over an "
                                 "isosurface of a volume (.nrrd, .nhdr)")
                      ->type_name("SHAPE");
     auto* count = app.add_option("-n,--points", grow.count, "With --new: exactly N points (2000)");
     count->type_name("N")->check(CLI::Range(std::size_t{1}, kMostParticles))->needs(made);
-    app.add_option("--spacing", grow.spacing, "With --new: as many points as stand S apart")
+    app.add_option("--spacing", grow.spacing, "With --new: as many points as fit at distance S")
         ->type_name("S")
         ->check(CLI::PositiveNumber)
         ->excludes(count)
         ->needs(made);
     app.add_option("--iso", raw.iso, "With --new: the isovalue")->type_name("V")->needs(made);
-    app.add_option("--seed", grow.seed, "With --new: another seed gives other points")
+    app.add_option("--seed", grow.seed, "With --new: seed of the random start positions")
         ->type_name("S")
         ->needs(made);
     app.add_option("--curvature", grow.curvature, "With --new: denser where the surface bends")
@@ -149,7 +147,7 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
                    "a session file. "
                    "Without it, the start page");
     app.add_option("--rules", o.input.rules,
-                   "How the paper is read: " + ruleSets() + " (default paper)")
+                   "Reading of the paper: " + ruleSets() + " (default paper)")
         ->check(CLI::IsMember(ruleSetNames()));
     app.add_option("--rule", raw.choices, "Turn one rule on or off, after --rules; may be repeated")
         ->type_name("NAME=on|off")
@@ -157,7 +155,7 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     addPreparing(app, o, raw);
     addGrowing(app, raw);
     app.add_option("--goto", o.goTo,
-                   "Begin at PIVOT[.STAGE[.N]], for example 137.sphere.3, at 50%, or at p812: the "
+                   "Start at PIVOT[.STAGE[.N]], for example 137.sphere.3, at 50%, or at p812: the "
                    "first event about point 812; or, with --with, at difference");
     app.add_option(
            "--alert", o.alert,
@@ -165,48 +163,47 @@ void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
            "or first; with --goto at that place of the run")
         ->type_name("CLASS[:N]");
     app.add_option("--place", raw.place,
-                   "Begin at an address with a camera: the text that Ctrl+C copies")
+                   "Start at an address with a camera: the text copied by Ctrl+C")
         ->type_name("TEXT");
     app.add_option("--with", o.withText,
                    "Compare with another run: the options in which it differs, as one word "
                    "(\"--rules robust\"); or with a mesh, by its path")
         ->type_name("WHAT");
-    app.add_flag("--focus", o.focus, "Begin with the pivot and its neighbors framed");
+    app.add_flag("--focus", o.focus, "Start with the pivot and its neighbors framed");
     app.add_option("--size", raw.size,
                    "Size of the window or picture in pixels, for example 1280x800");
     app.add_option("--screenshot", raw.screenshot,
-                   "Write a picture of the window and leave; needs no display");
-    app.add_option("--frames", o.frames, "Leave after N frames")->check(CLI::Range(1, 1000000));
+                   "Write a picture of the window and quit; needs no display");
+    app.add_option("--frames", o.frames, "Quit after N frames")->check(CLI::Range(1, 1000000));
     app.add_option("--ui-scale", o.uiScale, "Size of text and panels, 0.75 to 3")
         ->check(CLI::Range(0.75, 3.0));
     app.add_option("--theme", raw.theme, "dark or light")->check(CLI::IsMember({"dark", "light"}));
-    app.add_option("--layout", raw.layout,
-                   "How the window is arranged: debug, learn, present or compare")
+    app.add_option("--layout", raw.layout, "Layout of the window: debug, learn, present or compare")
         ->check(CLI::IsMember({"debug", "learn", "present", "compare"}));
-    app.add_flag("--reset-layout", o.resetLayout, "Forget the layout that was chosen last");
+    app.add_flag("--reset-layout", o.resetLayout, "Start with the default layout");
     app.add_option("--mesh-style", raw.meshStyle,
-                   "How finished triangles look: flat, shaded, wire, birth or component")
+                   "Style of finished triangles: flat, shaded, wire, birth or component")
         ->check(CLI::IsMember({"flat", "shaded", "wire", "birth", "component"}));
     app.add_option("--point-tint", raw.pointTint,
-                   "The color of points: status, or margin (the least of any test of them)")
+                   "Color of points: status, or margin (the least of all tests of a point)")
         ->check(CLI::IsMember({"status", "margin"}));
     app.add_flag("--narrate", o.narrate, "Print one sentence per step to stdout");
     app.add_option("--state-dump", raw.stateDump,
-                   "Write what is shown as JSON, whenever it changes")
+                   "Write the visible state as JSON, whenever it changes")
         ->type_name("FILE");
     app.add_option("--bench-frames", o.benchFrames,
-                   "Draw N frames, one sub-step each, without a window; print what they cost")
+                   "Draw N frames, one sub-step each, without a window; print their cost")
         ->check(CLI::Range(1, 100000));
     app.add_flag("--no-config", o.noConfig,
-                 "Neither read nor write settings, layout and recent files");
+                 "Do not read or write settings, layout and recent files");
     app.add_option("--shaders", raw.shaders, "Read the shaders from this folder");
-    app.add_flag("--keys", o.cheatSheet, "Begin with the list of keys open");
-    app.add_flag("--list-actions", raw.actions, "Print all actions with their keys, and leave");
+    app.add_flag("--keys", o.cheatSheet, "Start with the list of keys open");
+    app.add_flag("--list-actions", raw.actions, "Print all actions with their keys, and quit");
     app.set_version_flag("--version", "spiraling-edge-viewer " SE_VERSION);
     app.footer([] { return sceneList() + "\n\n" + shapeList(); });
 }
 
-/// Which points to derive walls of, and which to grow. Throws as takeOver() does.
+/// Checks which walls to derive, and which points to grow. Throws as takeOver() does.
 void takeOverInput(const CLI::App& app, const RawOptions& raw, Options& o) {
     if (raw.orient) o.input.normals = NormalSource::Oriented;
     if (raw.deriveNormals) o.input.normals = NormalSource::Derived;
@@ -223,8 +220,8 @@ void takeOverInput(const CLI::App& app, const RawOptions& raw, Options& o) {
         if (!box) {
             throw CLI::ValidationError(
                 "--box " + raw.box,
-                std::string(grows ? "write" : "write auto, or") +
-                    " six numbers with commas between, the lower corner first: X0,Y0,Z0,X1,Y1,Z1");
+                std::string(grows ? "expected" : "expected auto, or") +
+                    " six numbers separated by commas, the lower corner first: X0,Y0,Z0,X1,Y1,Z1");
         }
     }
     if (!grows) {
@@ -233,14 +230,15 @@ void takeOverInput(const CLI::App& app, const RawOptions& raw, Options& o) {
         if (box) o.input.walls = {WallChoice::From::Box, *box};
         return;
     }
-    if (!o.input.source.empty()) throw CLI::ValidationError("--new", "goes without a FILE");
+    if (!o.input.source.empty())
+        throw CLI::ValidationError("--new", "cannot be combined with a FILE");
     o.grow = raw.grow;
     o.grow->box = box;
     if (app.count("--iso") > 0) o.grow->isovalue = raw.iso;
     if (o.grow->count == 0 && o.grow->spacing == 0.0) o.grow->count = kUsualPoints;
 }
 
-/// Throws what CLI11 reports as wrong usage.
+/// Throws the errors that CLI11 reports as wrong usage.
 void takeOver(const RawOptions& raw, Options& o) {
     o.size = sizeFromString(raw.size.empty() ? "1280x800" : raw.size);
     if (!o.size) {
@@ -260,7 +258,7 @@ void takeOver(const RawOptions& raw, Options& o) {
     }
     if (o.goTo == "difference") {
         if (o.withText.empty() && o.input.source.empty())
-            throw CLI::ValidationError("--goto difference", "needs something to compare --with");
+            throw CLI::ValidationError("--goto difference", "needs --with");
         o.atDifference = true;
         o.goTo.clear();
     }
@@ -269,8 +267,7 @@ void takeOver(const RawOptions& raw, Options& o) {
         if (!with) throw CLI::ValidationError("--with", with.error().message);
     }
     if (o.input.source.empty() && !(o.goTo.empty() && o.alert.empty())) {
-        throw CLI::ValidationError("--goto, --place, --alert",
-                                   "need a FILE or scene:ID to go to a place of");
+        throw CLI::ValidationError("--goto, --place, --alert", "need a FILE or scene:ID");
     }
 }
 
@@ -280,13 +277,13 @@ void requireWritable(const std::string& path, const char* option) {
         throw CLI::ValidationError(option, status.error().message);
 }
 
-/// Pictures are PNG, whatever their name: another extension would promise another format.
+/// Pictures are PNG; another extension would promise another format.
 void requirePngName(const std::string& path) {
     if (lowerExtension(path) == ".png") return;
     throw CLI::ValidationError("--screenshot " + path, "pictures are written as .png only");
 }
 
-/// Measuring needs something to step through.
+/// A benchmark needs an input to step through.
 void chooseBenchScene(Options& o) {
     if (o.benchFrames == 0 || !o.input.source.empty() || scenes().empty()) return;
     o.input.source = sceneSource(scenes().front().id);

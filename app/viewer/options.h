@@ -17,7 +17,7 @@
 
 namespace se::view {
 
-/// Exit codes, the same for all our programs.
+/// Exit codes, the same for all programs of the project.
 enum ExitCode : int {
     kExitGood = 0,
     kExitUsage = 2,
@@ -27,7 +27,7 @@ enum ExitCode : int {
 };
 
 struct Options {
-    /// When the program was started: what the time to the first frame is counted from.
+    /// Start of the program, from which the time to the first frame is counted.
     std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
     InputSpec input;  ///< An empty source: begin with the start page.
     bool rulesGiven = false;
@@ -35,54 +35,54 @@ struct Options {
     bool normalsGiven = false;           ///< --orient or --derive-normals.
     bool wallsGiven = false;             ///< --box, without --new.
     std::optional<SampleSpec> grow;      ///< --new: begin with these particles spreading.
-    std::optional<SessionFile> session;  ///< What FILE held, if it was one.
+    std::optional<SessionFile> session;  ///< The session in FILE, if it is one.
     std::string sessionPath;
     std::string goTo;
     std::string
         alert;  ///< Class and number of the alert to open on, or "first"; empty: none named.
     bool atDifference = false;  ///< --goto difference.
-    std::string withText;       ///< --with, as it was typed.
+    std::string withText;       ///< Text of --with.
     std::optional<CompareWith> with;
-    std::optional<CameraPose> camera;  ///< Of --place.
+    std::optional<CameraPose> camera;  ///< Camera of --place.
     bool resetLayout = false;
     std::optional<glm::ivec2> size;
     std::filesystem::path screenshot;  ///< Empty: open a window.
-    int frames = 0;                    ///< Leave after so many frames; 0: when told to.
+    int frames = 0;                    ///< Quit after that number of frames; 0: when closed.
     double uiScale = 0.0;              ///< 0: not given.
     std::optional<Theme> theme;
     std::optional<MeshStyle> meshStyle;
     std::optional<PointTint> pointTint;
     std::optional<Arrangement> layout;
-    std::filesystem::path shaders;  ///< Folder to read shaders from; empty: those embedded.
+    std::filesystem::path shaders;  ///< Folder to read shaders from; empty: the built-in ones.
     bool focus = false;             ///< Begin with the pivot framed.
     bool noConfig = false;
-    bool narrate = false;             ///< Every sentence goes to stdout as well.
+    bool narrate = false;             ///< Print every sentence to stdout as well.
     std::filesystem::path stateDump;  ///< Write the state there as JSON when it changes.
-    int benchFrames = 0;              ///< Step through so many frames and print their times.
+    int benchFrames = 0;              ///< Step through that number of frames and print their times.
     bool cheatSheet = false;          ///< Open with the list of keys.
 };
 
-/// What main() does after parsing: go on with options, or leave.
+/// Result of parsing: options to go on with, or an exit code.
 struct ParsedOptions {
     std::optional<Options> options;
     int exitCode = kExitGood;  ///< Without options.
 };
 
-/// Prints help, version, the list of actions or what is wrong by itself.
+/// Parses the command line; prints help, version, the list of actions or an error itself.
 ParsedOptions parseOptions(int argc, const char* const* argv);
 
-/// If FILE is a session file: reads it and takes from it what the command line does not say.
+/// Reads FILE if it is a session, and takes from it what the command line does not set.
 /// Fails with a sentence.
 Status adoptSession(Options& options);
 
-/// If FILE is `-`: reads standard input to its end, into memory, so that it can be opened again.
+/// Reads standard input to its end, into memory, if FILE is `-`, so that it can be opened again.
 /// Fails with a sentence.
 Status adoptStandardInput(Options& options);
 
-/// What `--with` says of a run of `base`: options as those of the run, "--rules robust -k 16", in
-/// which it differs from it; else the path of a mesh. Fails with a sentence.
+/// Parses the value of `--with` for a run of `base`: options as those of the run, "--rules robust
+/// -k 16", in which it differs; otherwise the path of a mesh. Fails with a sentence.
 Result<CompareWith> compareWithFromText(const std::string& text, const InputSpec& base);
-/// After adoptSession(): works out Options::with. Fails with a sentence.
+/// Sets Options::with; to be called after adoptSession(). Fails with a sentence.
 Status chooseComparison(Options& options);
 
 }  // namespace se::view

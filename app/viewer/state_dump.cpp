@@ -1,3 +1,5 @@
+// The scenarios in tests/viewer/ui drive the real window and wait for states instead of times. So
+// every visible value is in this one JSON object, with the rectangles of the items to click on.
 #include <imgui.h>
 
 #include <cmath>
@@ -37,7 +39,7 @@ const char* phaseName(SessionPhase phase) {
     return "";
 }
 
-/// Where one is in the run, as the tree of steps and the strips show it.
+/// Position in the run, as the tree of steps and the strips show it.
 void dumpNavigation(json& out, const Navigation& nav, const Session& session) {
     const StepTree& tree = nav.steps;
     out["tree"] = {{"rows", tree.rowCount()},
@@ -55,7 +57,7 @@ void dumpNavigation(json& out, const Navigation& nav, const Session& session) {
     out["drawer"] = nav.drawerFolded ? "folded" : "open";
 }
 
-/// Lines, and the hits as far as they are known in all; expressions, and their values here.
+/// Lines with the known number of hits; expressions with their values here.
 void dumpStops(json& out, const UiState& ui, const Session& session) {
     out["breakpoints"] = out["breakpoint_hits"] = json::array();
     out["watches"] = out["watch_values"] = json::array();
@@ -75,7 +77,7 @@ void dumpStops(json& out, const UiState& ui, const Session& session) {
     }
 }
 
-/// What was derived, as far as it stands in the panels.
+/// Derived data, as shown in the panels.
 void dumpDerived(json& out, const PrepareReport& report) {
     out["derived"] = json::array();
     if (report.neighborsComputed) out["derived"].push_back("neighbors");
@@ -87,7 +89,7 @@ void dumpDerived(json& out, const PrepareReport& report) {
     if (report.derived.rim) out["derived"].push_back("rim");
 }
 
-/// What is open and where the cursor stands. Requires session.ready().
+/// The open input and the position of the cursor. Requires session.ready().
 void dumpRun(json& out, const Session& session) {
     out["input"] = session.model().name;
     out["points"] = session.model().points.size();
@@ -132,7 +134,7 @@ void dumpRun(json& out, const Session& session) {
     dumpDerived(out, session.model().report);
 }
 
-/// What was asked about the run, and the answers.
+/// Queries about the run, and the answers.
 void dumpQuestions(json& out, const Session& session) {
     const Questions& questions = session.questions();
     out["asking"] = questions.busy();
@@ -154,7 +156,7 @@ void dumpQuestions(json& out, const Session& session) {
         out["closest"] = closest->lines.size();
 }
 
-/// What the run is compared with, and where both stand.
+/// The counterpart of the comparison, and the positions of both.
 void dumpComparison(json& out, const Session& run, const ComparePage& page) {
     const Comparison* now = page.now;
     out["compare_with"] = nullptr;

@@ -1,3 +1,6 @@
+// The loop sleeps in glfwWaitEventsTimeout() unless something happened (wake_ counts the frames
+// that are still to draw) or the picture is animated. It polls the results of threads at that
+// interval, and draws only if there is something new.
 #include "window.h"
 
 #include <GLFW/glfw3.h>
@@ -21,9 +24,9 @@ static_assert(kShift == GLFW_MOD_SHIFT && kCtrl == GLFW_MOD_CONTROL && kAlt == G
 
 namespace {
 
-/// How long to sleep when nothing happens; loading threads are asked this often.
+/// Sleep time when nothing happens; loading threads are polled this often.
 constexpr double kIdleSeconds = 0.25;
-/// A text field has the keyboard only in the fourth frame after it was asked for.
+/// A text field has the keyboard focus only in the fourth frame after the request.
 constexpr int kSettleFrames = 5;
 constexpr double kFrameSeconds = 1.0 / 60.0;
 
@@ -34,10 +37,10 @@ glm::vec2 cursorOf(GLFWwindow* window) {
     return {x, y};
 }
 
-/// Keys by what is printed on them, so that Ctrl+Q is where the keyboard layout has Q.
+/// Keys by their labels, so that Ctrl+Q is where the keyboard layout has Q.
 int layoutKey(int key, int scancode) {
     if (key < GLFW_KEY_SPACE || key > GLFW_KEY_GRAVE_ACCENT || key == GLFW_KEY_SPACE) return key;
-    // The key that is held to look back is meant by its place, left of 1.
+    // The key that is held to look back is bound to its position, left of 1.
     if (key == GLFW_KEY_GRAVE_ACCENT) return key;
     const char* name = glfwGetKeyName(key, scancode);
     if (name == nullptr || name[0] == '\0' || name[1] != '\0') return key;
@@ -50,7 +53,7 @@ int layoutKey(int key, int scancode) {
 Result<std::unique_ptr<Window>> Window::create(glm::ivec2 size) {
     if (glfwInit() != GLFW_TRUE) {
         return Error{
-            "There is no display to open a window on: start it where one is (X forwarding, "
+            "There is no display to open a window on. Use a display (X forwarding, "
             "or xvfb-run spiraling-edge-viewer ...), or write a picture without one by "
             "--screenshot out.png."};
     }
@@ -112,7 +115,7 @@ void Window::listen() {
         of(window).wake_ = kSettleFrames;
     });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int, int action, int) {
-        // From the events: the display server would tell where the pointer is by now.
+        // From the events: a query to the display server would return the current position.
         if (action == GLFW_PRESS)
             of(window).press_ = of(window).pointer_.value_or(cursorOf(window));
         of(window).wake_ = kSettleFrames;
@@ -142,7 +145,7 @@ void Window::deliver(Application& application) {
     std::size_t now = 0;
     for (; now < most; ++now) {
         const KeyPress& press = keys_[now];
-        // What one of them opens takes those after it.
+        // A key press may open something that takes the later keys.
         if (application.keysHaveToWait() && !isSignOfKeyBefore(keys_, now)) break;
         const int action = press.released   ? GLFW_RELEASE
                            : press.repeated ? GLFW_REPEAT
@@ -183,13 +186,13 @@ void Window::drawFrame(Application& application) {
 
 void Window::run(Application& application, int frames) {
     ImGui_ImplGlfw_InitForOpenGL(window_, true);
-    // In place of Dear ImGui's own: it gets its keys from deliver(), frame by frame.
+    // Instead of Dear ImGui's own callbacks: it gets its keys from deliver(), frame by frame.
     listenToKeys();
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     lastFrame_ = glfwGetTime();
     for (int drawn = 0; frames == 0 || drawn < frames;) {
         if (application.wantsToQuit()) break;
-        // So many are wanted, whether anything moves or not.
+        // The number of frames is given, whether anything moves or not.
         if (frames > 0) wake_ = std::max(wake_, 1);
         if (glfwWindowShouldClose(window_) == GLFW_TRUE) {
             glfwSetWindowShouldClose(window_, GLFW_FALSE);
@@ -197,7 +200,7 @@ void Window::run(Application& application, int frames) {
             wake_ = kSettleFrames;
         }
         if (wake_ > 0 || application.animating()) {
-            // Without a monitor to wait for, swapping returns at once: keep to a sane rate.
+            // Without a monitor to wait for, swapping returns at once: limit the rate.
             const double rest = kFrameSeconds - (glfwGetTime() - lastFrame_);
             rest > 0.001 ? glfwWaitEventsTimeout(rest) : glfwPollEvents();
         } else {
@@ -208,7 +211,7 @@ void Window::run(Application& application, int frames) {
         if (wake_ == 0 && !application.animating()) continue;
         if (wake_ > 0) --wake_;
         drawFrame(application);
-        // What cannot be written now is told on leaving.
+        // A write error is reported on exit.
         static_cast<void>(application.writeState());
         ++drawn;
         if (application.takeFullScreenRequest()) toggleFullScreen();

@@ -1,5 +1,5 @@
-/// The window: life time of GLFW and its OpenGL context, and what comes in from keyboard, mouse
-/// and desktop. Draws only if something happened, something moves or something was loaded.
+/// The window: lifetime of GLFW and its OpenGL context, and the input from keyboard, mouse
+/// and desktop. Draws only after input, during animations or when data was loaded.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -26,7 +26,7 @@ class Window {
 
     /// Until closed, or for `frames` frames if that is not 0. Requires a started application.
     void run(Application& application, int frames);
-    /// Pixels per unit of size, as the monitor says.
+    /// Pixels per unit of size, as reported by the monitor.
     float contentScale() const;
 
   private:
@@ -40,12 +40,12 @@ class Window {
     static void onKey(GLFWwindow* window, int key, int scancode, int action, int mods);
 
     GLFWwindow* window_ = nullptr;
-    std::vector<KeyPress> keys_;  ///< In the order they came.
+    std::vector<KeyPress> keys_;  ///< In order of arrival.
     std::vector<std::string> drops_;
-    std::optional<glm::vec2> pointer_;  ///< As of the last event; nothing before the first.
-    std::optional<glm::vec2> press_;    ///< Where a button came down since the last frame.
+    std::optional<glm::vec2> pointer_;  ///< At the last event; empty before the first.
+    std::optional<glm::vec2> press_;    ///< Position of a button press since the last frame.
     std::string title_;
-    int wake_ = 5;  ///< Frames still to draw: the user interface settles over a few of them.
+    int wake_ = 5;  ///< Frames still to draw: the layout settles over a few of them.
     double lastFrame_ = 0.0;
     glm::ivec2 windowedPlace_{0};
     glm::ivec2 windowedSize_{1280, 800};

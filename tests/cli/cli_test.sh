@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Drives the program as a person or a script would.
+# Drives the program as a user or a script would.
 #   cli_test.sh PROGRAM CASE    runs one case, in an empty folder of its own
 set -uo pipefail
 program=$(realpath "$1")
@@ -76,7 +76,7 @@ help_and_version() {
 
 unknown_verb_is_wrong_usage() {
     expect 2 triangulate
-    says err "triangulate: is neither a verb nor a file"
+    says err "triangulate: neither a verb nor a file"
     empty out
 }
 
@@ -95,7 +95,7 @@ wrong_values_are_wrong_usage() {
     expect 2 run scene:sphere --rule closetwo
     says err "closetwo=on"
     expect 2 run scene:sphere --rule unknown=on
-    says err "there is no such rule"
+    says err "no such rule"
     expect 2 run scene:sphere --rule maxgap=200
     says err "a number from 90 to 180"
     expect 2 run scene:sphere --rule tie=middle
@@ -138,11 +138,11 @@ malformed_file_is_malformed_input() {
 missing_pieces_are_derived() {
     printf '0 0 0\n1 0 0\n0 1 0\n1 1 0.1\n' >bare.xyz
     expect 0 run bare.xyz -o bare.ply --report bare.json
-    grep -q '"normals": true' bare.json || fail "the report does not say that normals were derived"
+    grep -q '"normals": true' bare.json || fail "the report does not list the derived normals"
     expect 0 run bare.xyz
     says err "derived    normals"
     expect 0 info bare.xyz
-    says out "none: they will be derived"
+    says out "none: a run derives them"
     # What was derived is written: the second run takes it as given.
     expect 0 run bare.ply --report again.json
     grep -q '"normals": false' again.json || fail "the derived normals were not written"
@@ -169,11 +169,11 @@ rims_are_found_on_request() {
     grep -q '"boundary_loops": 1' disc.json || fail "the disc has more than one border"
     # Rim points are written: the second run takes them as given.
     expect 0 info disc.ply
-    says out "where no wall is"
+    says out "away from walls"
     expect 0 run disc.ply --report again.json
     grep -q '"rim": false' again.json || fail "the rim was derived again"
     expect 0 run disc.xyz
-    grep -q "rim" err && fail "a rim without being asked"
+    grep -q "rim" err && fail "a rim that was not requested"
     return 0
 }
 
@@ -241,9 +241,9 @@ rules_can_be_set_and_runs_forked() {
     point=$(sed -E 's/.*q = ([0-9]+) lies.*/\1/' <<<"$line")
     expect 0 run scene:torus --what-if "$pivot.sphere keep $point" --report fork.json
     says fork.json "\"$pivot.sphere keep $point\""
-    [ "$(grep run_hash true.json)" = "$(grep run_hash fork.json)" ] && fail "the fork has the hash of the true run"
+    [ "$(grep run_hash true.json)" = "$(grep run_hash fork.json)" ] && fail "the fork has the hash of the plain run"
     expect 0 run scene:torus --report again.json
-    is "$(grep run_hash again.json)" "$(grep run_hash true.json)" "hash of the true run"
+    is "$(grep run_hash again.json)" "$(grep run_hash true.json)" "hash of the plain run"
     expect 2 run scene:torus --what-if "5 list 7 7"
     says err "A point is not in its own list"
     expect 2 run scene:torus --what-if "99999.sphere keep 1"
@@ -273,7 +273,7 @@ trace_has_one_line_per_event() {
     tab=$(printf '\t')
     bad=$(grep -cvE "^[0-9]+\.[a-z]+\.[0-9]+$tab[^$tab]+\$" out)
     is "$bad" 0 "lines that are not ADDRESS<tab>SENTENCE"
-    is "$(cut -f1 out | sort | uniq -d | wc -l)" 0 "addresses that stand twice"
+    is "$(cut -f1 out | sort | uniq -d | wc -l)" 0 "addresses that occur twice"
     is "$(head -1 out | cut -f1)" 1.seed.1 "first event"
     is "$(grep -c '\.emit\.' out)" 20 "emitted triangles"
     expect 0 run points.xyz --trace trace.txt -q
@@ -348,7 +348,7 @@ check_fails_where_there_is_no_mesh() {
     expect 1 run two.xyz --check
     says err "two.xyz: the run made no triangle of 2 points"
     expect 0 run two.xyz
-    # Twenty copies of the one corner: more is set aside than used.
+    # Twenty copies of one corner: more is set aside than used.
     { icosahedron; for _ in $(seq 20); do icosahedron | head -1; done; } >copies.xyz
     expect 1 run copies.xyz --check -q
     says err "copies.xyz: more points were set aside (20) than used (12)"
@@ -375,7 +375,7 @@ capped_run_ends_with_one() {
     expect 1 run scene:sphere -k 300 --rules printed --keep-opposing --check --report report.json
     says report.json '"stop_reason": "capped"'
     says report.json '"sound": false'
-    says err "no surface"
+    says err "is not a surface"
     absent mesh.ply
 }
 
@@ -393,14 +393,14 @@ output_folder_is_checked_first() {
 output_names_are_checked_first() {
     for option in -o --report --trace; do
         expect 2 run missing.ply $option ''
-        says err "the file name is empty; name a file"
+        says err "the file name is empty"
     done
     expect 2 sample torus -n 50 -o ''
     expect 2 doctor scene:sphere --fix ''
     expect 2 reduce scene:sphere --failure holes -o ''
     expect 2 render scene:sphere -o ''
     expect 2 run missing.ply -o a.ply --report ./a.ply
-    says err "-o and --report both name ./a.ply; name two files"
+    says err "-o and --report both name ./a.ply; give two names"
     expect 2 run missing.ply --report a.txt --trace "$PWD/a.txt"
     echo old >b.ply
     ln -s b.ply c.ply
@@ -419,7 +419,7 @@ outputs_do_not_replace_the_input() {
     for option in --report --trace; do
         for name in in.xyz ./in.xyz link.xyz; do
             expect 2 run in.xyz $option $name
-            says err "$option $name: is the input; name another file"
+            says err "$option $name: is the input; choose another name"
         done
     done
     expect 0 run in.xyz -q -o in.ply
@@ -448,7 +448,7 @@ coordinates_beyond_float_are_refused() {
     expect 0 run far.xyz -q -o far.ply
 }
 
-# What stands in the way of a file of this name: a link, a file of the user, a protected file.
+# Obstacles to a file of this name: a link, a file of the user, a protected file.
 trace_is_written_as_the_mesh_is() {
     echo mine >mine
     ln -s mine trace.txt.part
@@ -513,7 +513,7 @@ interrupt_leaves_no_file() {
 }
 
 used_points_alone_are_written() {
-    # A point that no list reaches stands in no triangle.
+    # A point that no list reaches is in no triangle.
     { icosahedron; echo "9 9 9 0 0 1"; } >far.xyz
     expect 0 run far.xyz --radius 1.2 -q -o all.ply
     is "$(header_count vertex all.ply)" 13 "points of all"
@@ -551,7 +551,7 @@ info_says_how_columns_were_read() {
     awk 'BEGIN { for (y = 0; y < 8; ++y) for (x = 0; x < 8; ++x) print x, y, 0.01 * x * y, 30 * x, 255 - y, 7 }' >colored.xyz
     expect 0 info colored.xyz
     says out "columns    x y z red green blue (columns 4 to 6 are whole numbers from 0 to 255: colors)"
-    says out "normals    none: they will be derived"
+    says out "normals    none: a run derives them"
     says out "also       red, green, blue"
     expect 0 info colored.xyz --json
     says out '"columns": "x y z red green blue"'
@@ -608,7 +608,7 @@ off_is_plain_unless_normals_are_asked_for() {
         cmp -s plain.$kind full.$kind || fail "--normals changes $kind"
     done
     expect 2 run scene:sphere -o mesh.stl --normals
-    says err "this format has no place for normals"
+    says err "this format cannot hold normals"
     absent mesh.stl
     expect 2 run scene:sphere --normals
     says err "name a file with -o"
@@ -663,17 +663,17 @@ doctor_mends_what_needs_no_guessing() {
          { print } NR == 50' good.xyz >odd.xyz
     expect 0 doctor odd.xyz --fix fixed.ply
     says out "fixed.ply: written, 598 points"
-    says out "mended   1 exact copy dropped"
+    says out "fixed    1 exact copy dropped"
     is "$(header_count vertex fixed.ply)" 598 points
     expect 0 doctor fixed.ply
     says out "nothing found"
     # To standard output the same bytes; words go to standard error.
     "$program" doctor odd.xyz --fix - >piped.ply 2>err || fail "--fix - ended with $?"
     cmp fixed.ply piped.ply || fail "--fix - writes other bytes"
-    says err "mended   1 exact copy dropped"
+    says err "fixed    1 exact copy dropped"
     expect 0 doctor odd.xyz --fix fixed.ply --json
     is "$(grep -A 100 '"fixed"' out | grep -c '"count"')" 4 repairs
-    # What would be guessing is left, and said.
+    # What would need guessing is left, and reported.
     { cat good.xyz; echo 40 0 0 1 0 0; } >stray.xyz
     expect 1 doctor stray.xyz --fix left.ply
     says out "left     isolated_points"
@@ -688,7 +688,7 @@ doctor_remedies_help() {
     awk '{ print $1, $2, $3 }' good.xyz >bare.xyz
     { cat good.xyz; awk 'NR == 40 { $1 += 1e-9; print }' good.xyz; } >twin.xyz
     local file command
-    # What ends without a wall is a note, and --derive-rim helps.
+    # A surface that ends without a wall is a note, and --derive-rim helps.
     awk '$3 < 0.6' good.xyz >open.xyz
     expect 0 doctor open.xyz
     says out "note     open_border: "
@@ -730,7 +730,7 @@ what_is_no_set_of_points_is_told() {
         expect 3 $verb ball.nhdr
         says err "is a volume; \`spiraling-edge sample ball.nhdr"
         expect 3 $verb sample:torus,n=50
-        says err "is for the viewer"
+        says err "works in the viewer only"
         expect 3 $verb scan.stl
         says err "written, not read"
     done
@@ -742,7 +742,7 @@ neighbors_within_spacings() {
     is "$(number triangles near.json)" 1196 "triangles within 1.6 spacings"
     grep -q '"neighbors": true' near.json || fail "lists are not marked as derived"
     cmp -s near.ply far.ply && fail "--reach changes nothing"
-    # As a radius of that many times the spacing that `info` says.
+    # As a radius of that many times the spacing that `info` prints.
     expect 0 info scene:sphere
     spacing=$(sed -n 's/.*nearest point at \([0-9.]*\) on.*/\1/p' out)
     expect 0 run scene:sphere -q --radius "$(awk -v s="$spacing" 'BEGIN { print 1.6 * s }')" -o radius.ply
@@ -769,7 +769,7 @@ why_names_the_decision() {
     expect 0 why scene:stranded-point --point 32
     says out "Point 32 is not in the mesh."
     grep -q '^> .* refused ' out || fail "no line is marked: $(cat out)"
-    grep -q '98.strand.1 ' out || fail "its end is not told"
+    grep -q '98.strand.1 ' out || fail "its end is not reported"
     expect 0 why scene:stranded-point --point 32 --json
     says out '"present": false'
     says out '"cause": "'
@@ -792,7 +792,7 @@ why_names_the_decision() {
 
 why_finds_decisions() {
     expect 0 why scene:torus --closest 3
-    is "$(grep -c 'turns it$' out)" 3 "closest calls"
+    is "$(grep -c 'flips it$' out)" 3 "closest calls"
     expect 0 why scene:torus --closest 2 --json
     says out '"nudge": {'
     expect 0 why scene:torus --find "stage=split" --most 1
@@ -918,7 +918,7 @@ compare_finds_the_first_difference() {
     while read -r address; do
         grep -qxF "$address" known || fail "$address is not in the trace"
     done <addresses
-    # B is A but for what is said: other rules, other neighbors; quoted as well as not.
+    # B is A except for what is given: other rules, other neighbors; quoted as well as not.
     expect 1 compare scene:torus --rules robust -k 10 --with "--rules corrected -r 0.3" --json
     says out '"title": "--rules robust --neighbors 10"'
     says out '"title": "--rules corrected --radius 0.3"'
@@ -949,7 +949,7 @@ compare_takes_a_mesh_of_another_program() {
     sed '$s/.*/3 5 6 7/' other.off | awk 'NR == 3 { $1 += 5 } { print }' >moved.off
     expect 1 compare torus.ply --mesh moved.off
     says out "1 vertex of B on no point of torus.ply, the first 0"
-    says out "says why the run has not this one of B."
+    says out "explains why the run lacks this triangle of B."
     expect 1 compare torus.ply --mesh moved.off --json
     says out '"unmatched_vertices": ['
     number only_a out >count
@@ -982,13 +982,13 @@ reduce_keeps_what_fails() {
     [ "$(header_count vertex small.ply)" -lt 30 ] || fail "not small: $(cat err)"
     expect 0 run small.ply -q -o mesh.ply
     expect 1 check mesh.ply --points small.ply --json
-    [ "$(number non_manifold_edges out)" -gt 0 ] || fail "it does not fail any more"
+    [ "$(number non_manifold_edges out)" -gt 0 ] || fail "it no longer fails"
     says small.sesession '"source": "small.ply"'
     "$program" why small.ply --failure non_manifold_edges >moments
     says small.sesession "\"address\": \"$(sed -nE 's/^ +created +([^ ]+) .*/\1/p' moments)\""
     SPIRALING_EDGE=$program sh small.sh >out 2>err && fail "the test passes"
     says out "still fails: non_manifold_edges"
-    # Without the program the test says what is missing, and does not pass.
+    # Without the program the test names what is missing, and does not pass.
     SPIRALING_EDGE=/nowhere/spiraling-edge sh small.sh >out 2>err && fail "it passes without the program"
     says err "SPIRALING_EDGE=PATH"
     # The session prepares the points as the run did, and opens on the failure.
@@ -1053,7 +1053,7 @@ tangled_runs_end_soon() {
     expect 1 check mesh.ply --json
     says out '"intersecting_triangles": 10000'
     grep -A1 '"at_least"' out | grep -q intersecting_triangles || fail "not at least: $(head -c 2000 out)"
-    # A usual run is followed to its end, and says nothing of the kind.
+    # A usual run is followed to its end, and reports no limit.
     expect 0 why scene:four-edge-hole --failures --json
     grep -qE '"complete"|"at_least"' out && fail "it is complete"
 }
@@ -1066,9 +1066,9 @@ reduce_stops_after_its_effort() {
     [ "$(header_count vertex some.ply)" -le 400 ] || fail "more points than before"
     expect 0 reduce t.ply --neighbors 60 --failure holes --effort 40 -o again.ply
     cmp -s some.ply again.ply || fail "not the same bytes"
-    SPIRALING_EDGE=$program sh some.sh >out 2>err && fail "it does not fail any more"
+    SPIRALING_EDGE=$program sh some.sh >out 2>err && fail "it no longer fails"
     says out "still fails: holes"
-    # With enough of it the result is as small as it gets, and nothing is said.
+    # With enough effort the result is as small as it gets, and nothing is reported.
     expect 0 reduce scene:four-edge-hole --failure non_manifold_edges -o small.ply
     grep -q "stopped early" err && fail "it did not stop early: $(cat err)"
     expect 2 reduce scene:four-edge-hole --failure non_manifold_edges -o small.ply --effort 0
@@ -1193,7 +1193,7 @@ sample_reads_volumes() {
 sample_checks_its_arguments() {
     expect 2 sample
     expect 2 sample sphere -o out.ply
-    says err "how many"
+    says err "give the number of points"
     expect 2 sample sphere -n 0 -o out.ply
     expect 2 sample sphere -n 10 --spacing 0.1 -o out.ply
     expect 2 sample sphere -n 10
@@ -1208,7 +1208,7 @@ sample_checks_its_arguments() {
     absent out.ply
 }
 
-paper_table_is_made_anew() {
+paper_table_is_reproduced() {
     # Stand-ins are small enough here only because their number is that of the paper: one run.
     expect 0 table1 --rules robust --json --save .
     is "$(grep -c '"set"' out)" 5 sets

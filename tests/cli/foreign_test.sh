@@ -24,7 +24,7 @@ make() { "$program" run scene:sphere --rules robust -q -o "$1" || fail "cannot w
 points=600
 triangles=1196
 
-# field NAME: a number of what `assimp info` said.
+# field NAME: a number of `assimp info` printed.
 field() { sed -n "s/^$1: *\\([0-9]*\\).*/\\1/p" said | head -1; }
 
 assimp_reads_what_is_written() {
@@ -57,7 +57,7 @@ assimp_writes_what_is_read() {
             fail "triangles of $kind: $(cat out)"
         "$program" run "back.${kind/plyb/ply}" --rules robust -q -o again.obj ||
             fail "cannot run on $kind"
-        is "$(grep -c '^f ' again.obj)" $triangles "triangles made anew from $kind"
+        is "$(grep -c '^f ' again.obj)" $triangles "triangles made again from $kind"
     done
 }
 
@@ -86,7 +86,7 @@ pcl_reads_points_and_writes_them() {
         grep -qE '^ +normals +yes' out || fail "normals of PCD $format: $(cat out)"
         "$program" run back.pcd --rules robust -q -o again.ply || fail "cannot run on PCD $format"
         "$program" info again.ply | grep -qF "$triangles triangles in 1 component, no boundary" ||
-            fail "the mesh made anew from PCD $format"
+            fail "the mesh made again from PCD $format"
     done
     # As text: binary PCL 1.13 writes normals as doubles where its header says float.
     pcl_pcd2ply -format 0 back.pcd pcl.ply >said 2>&1 || fail "PCL cannot write PLY: $(tail -3 said)"

@@ -5,7 +5,7 @@
 
 namespace se::view::test {
 
-/// `text` must be the name of one, as the key map writes it.
+/// `text` must be the name of a key, as in the key map.
 inline KeyChord chord(const char* text) { return keyFromString(text).value(); }
 
 }  // namespace se::view::test

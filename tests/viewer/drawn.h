@@ -1,4 +1,4 @@
-/// What layers draw, for tests of them.
+/// Draw lists of layers, for tests of them.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ inline DrawList drawn(OpenSession& open, const Address& address, std::initialize
     return list;
 }
 
-/// One layer of what the session shows, at a moment of its motion.
+/// One layer of the session's picture, at a moment of its motion.
 inline DrawList drawnAt(const OpenSession& open, const Moment& moment,
                         void (*add)(const LayerInput&, DrawList&)) {
     LayerInput in{open.session.model(), open.session.picture(), paletteOf(Theme::Dark)};
@@ -61,7 +61,7 @@ inline bool hasLine(const DrawList& list, const glm::vec3& from, const glm::vec3
     });
 }
 
-/// The address of the first event of a run of which `wanted` is true.
+/// The address of the first event of a run for which `wanted` is true.
 template <typename Kind>
 Address firstWhere(OpenSession& open, bool (*wanted)(const Kind&)) {
     Timeline timeline(open.session.model().points, open.session.model().params);

@@ -1,4 +1,4 @@
-/// A program without a window, for tests of what is opened, saved and left.
+/// A program without a window, for tests of opening, saving and leaving.
 #pragma once
 
 #include "controllers/document.h"
@@ -6,7 +6,7 @@
 
 namespace se::view::test {
 
-/// With a folder of its own that is gone after the test.
+/// Has a folder of its own that is removed after the test.
 struct Desk {
     Session session;
     Playback playback;

@@ -12,7 +12,7 @@
 
 namespace se::view::test {
 
-/// A place for the files of this process alone: tests run side by side. It does not exist yet.
+/// A path for the files of this process alone: tests run in parallel. It does not exist yet.
 inline std::filesystem::path ownPlace(const std::string& name) {
     return std::filesystem::temp_directory_path() /
            ("spiraling-edge-" + std::to_string(::getpid()) + "-" + name);
@@ -24,7 +24,7 @@ inline std::shared_ptr<const Model> sphereModel() {
     return loaded ? loaded.value() : nullptr;
 }
 
-/// A session that has opened a scene and stands at its start.
+/// A session that has opened a scene and is at its start.
 struct OpenSession {
     Session session;
 
@@ -32,7 +32,7 @@ struct OpenSession {
         session.open({source, {}, rules});
         session.settle();
     }
-    /// Where the cursor stands once all moves are done.
+    /// Position of the cursor once all moves are done.
     std::string place() {
         session.settle();
         return session.event() == nullptr ? "start" : toString(session.address());

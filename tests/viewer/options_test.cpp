@@ -16,7 +16,7 @@ ParsedOptions parse(std::vector<const char*> arguments) {
     return parseOptions(static_cast<int>(arguments.size()), arguments.data());
 }
 
-/// A session file about a scene, gone after the test.
+/// A session file about a scene, removed after the test.
 struct KeptSession {
     std::filesystem::path path = test::ownPlace("options-test.sesession");
     KeptSession() {
@@ -39,7 +39,7 @@ TEST_CASE("Without a file there is a start page, and nothing to go to") {
     CHECK_FALSE(parse({"--goto", "12"}).options.has_value());
 }
 
-TEST_CASE("Rules, layout and place are read; what they cannot be is wrong usage") {
+TEST_CASE("Rules, layout and place are read; invalid ones are wrong usage") {
     const ParsedOptions parsed =
         parse({"scene:torus", "--rules", "printed", "--rule", "fill=on", "--rule", "closetwo=off",
                "--layout", "present", "--place",
@@ -64,7 +64,7 @@ TEST_CASE("Rules, layout and place are read; what they cannot be is wrong usage"
     }
 }
 
-TEST_CASE("--with says in what another run differs, or names a mesh") {
+TEST_CASE("--with has the options of another run, or names a mesh") {
     const auto chosen = [](std::vector<const char*> words) {
         ParsedOptions parsed = parse(words);
         REQUIRE(parsed.options.has_value());
@@ -79,7 +79,7 @@ TEST_CASE("--with says in what another run differs, or names a mesh") {
     CHECK(run.with->kind == CompareWith::Kind::Run);
     CHECK(run.with->run.source == "scene:torus");
     CHECK(run.with->run.rules == "robust");
-    // A set of rules takes the place of single rules.
+    // A set of rules replaces single rules.
     CHECK(run.with->run.choices == std::vector<RuleValue>{{"rim", 0.0}});
     CHECK(std::get<WithinRadius>(run.with->run.neighbors.reach).radius == 0.3);
     const Options same = chosen({"scene:torus", "-k", "16", "--with", "--rule flip=on"});
@@ -92,14 +92,14 @@ TEST_CASE("--with says in what another run differs, or names a mesh") {
     CHECK(parse({"scene:torus", "--with", "--goto 3"}).exitCode == kExitUsage);
 }
 
-TEST_CASE("Neighbors asked for are computed, whatever lists the file has") {
+TEST_CASE("Requested neighbors are computed, regardless of lists in the file") {
     const ParsedOptions parsed = parse({"scene:torus", "--neighbors", "16"});
     REQUIRE(parsed.options.has_value());
     CHECK(parsed.options->input.neighbors.recompute);
     CHECK(parsed.options->input.neighbors.threads == 0);
 }
 
-TEST_CASE("What is derived is asked for by the names of the command line, and checked") {
+TEST_CASE("Derived data is requested by the names of the command line, and checked") {
     const ParsedOptions parsed = parse({"a.ply", "-k", "9", "--symmetric", "--derive-normals",
                                         "--box", "0,0,0,1,2,3", "--derive-rim", "--keep-noise"});
     REQUIRE(parsed.options.has_value());
@@ -122,19 +122,19 @@ TEST_CASE("What is derived is asked for by the names of the command line, and ch
     }
 }
 
-TEST_CASE("New points are asked for by the names of the command line, and checked") {
+TEST_CASE("New points are requested by the names of the command line, and checked") {
     const ParsedOptions parsed = parse({"--new", "torus", "-n", "4000", "--seed", "2", "--iso=-0.5",
                                         "--box=-1,-1,-1,1,1,1", "--steps", "7"});
     REQUIRE(parsed.options.has_value());
     REQUIRE(parsed.options->grow.has_value());
     CHECK(sampleSource(*parsed.options->grow) ==
           "sample:torus,n=4000,iso=-0.5,seed=2,box=-1:-1:-1:1:1:1,steps=7");
-    // That box cuts the surface; it does not make walls of what is on its faces.
+    // That box clips the surface; it does not make walls of points on its faces.
     CHECK(parsed.options->input.walls.from == WallChoice::From::File);
     CHECK(parse({"--new", "torus"}).options->grow->count == kUsualPoints);
     CHECK(parse({"--new", "torus", "--spacing", "0.1"}).options->grow->count == 0);
     CHECK_FALSE(parse({"scene:torus"}).options->grow.has_value());
-    // A volume is no set of points yet.
+    // A volume has no points yet.
     const ParsedOptions volume = parse({"scan.nhdr"});
     CHECK(volume.options->input.source.empty());
     CHECK(volume.options->grow->surface == "scan.nhdr");
@@ -166,7 +166,7 @@ TEST_CASE("The command line comes before the session, the session before the def
     CHECK(std::get<KNearest>(given.input.neighbors.reach).k == 9);
 }
 
-TEST_CASE("A session that cannot be read is an error; other files are left alone") {
+TEST_CASE("A session that cannot be read is an error; other files are left unchanged") {
     Options missing = *parse({"/nowhere/a.sesession"}).options;
     CHECK_FALSE(adoptSession(missing).ok());
     Options points = *parse({"/nowhere/a.ply"}).options;

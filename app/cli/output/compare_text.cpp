@@ -21,12 +21,12 @@ std::string countsText(const Comparison& c) {
     std::string text = counted(m.both, "triangle") + " in both";
     appendPart(text, fmt::format("{} only in A", m.onlyA));
     appendPart(text, fmt::format("{} only in B", m.onlyB));
-    if (m.turned > 0) appendPart(text, fmt::format("{} turned", m.turned));
+    if (m.turned > 0) appendPart(text, fmt::format("{} reversed", m.turned));
     return text + "\n";
 }
 
 std::string sideText(char name, const DifferenceSide& side) {
-    if (!side.line) return fmt::format("  {}  the run is over\n", name);
+    if (!side.line) return fmt::format("  {}  the run has ended\n", name);
     const LedgerLine& line = *side.line;
     std::string text =
         fmt::format("  {}  {:<18} {:<8} {:<4} {}\n", name, toString(line.event.address),
@@ -73,14 +73,15 @@ std::string regionsText(const Comparison& c, std::size_t most) {
     return text;
 }
 
-/// For a mesh of another program: what to ask next about a triangle of points that only it has.
+/// The next question about a mesh of another program: a triangle of points that only it has.
 std::string nextQuestion(const Comparison& c) {
     if (c.runs) return "";
     for (std::size_t i = 0; i < c.meshes.b.size(); ++i) {
         const Triangle& t = c.b.mesh.triangles[i];
         if (c.meshes.b[i] != Standing::Only || std::max({t.a, t.b, t.c}) >= c.points) continue;
         return fmt::format(
-            "\nspiraling-edge why {} --triangle {},{},{} says why the run has not this one of B.\n",
+            "\nspiraling-edge why {} --triangle {},{},{} explains why the run lacks this triangle "
+            "of B.\n",
             c.input, t.a, t.b, t.c);
     }
     return "";

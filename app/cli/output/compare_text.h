@@ -1,4 +1,4 @@
-/// What `compare` says, for people and for programs.
+/// Reports of `compare`, as text and as JSON.
 #pragma once
 
 #include <string>
@@ -8,24 +8,24 @@
 
 namespace se::cli {
 
-/// One of the two that were compared.
+/// One of the two meshes that were compared.
 struct ComparedSide {
     std::string title;  ///< "--rules paper", or the name of a file.
     MadeMesh mesh;      ///< Of a file: `made` is empty.
 };
 
-/// All that was found.
+/// Everything that the comparison found.
 struct Comparison {
     std::string input;
     std::size_t points = 0;
     ComparedSide a, b;
     MeshDifference meshes;
-    /// Two runs: how they go. Nothing for a mesh from a file.
+    /// Course of two runs; empty for a mesh from a file.
     std::optional<RunComparison> runs;
     std::vector<Index> strangers;  ///< Vertices of the file that lie on no point.
 };
 
-/// At most `most` regions.
+/// Text with at most `most` regions.
 std::string comparisonText(const Comparison& comparison, std::size_t most);
 std::string comparisonJson(const Comparison& comparison);
 

@@ -1,4 +1,4 @@
-/// How many failures there are of each class, where only the first are listed.
+/// Number of failures of each class, where only the first ones are listed.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@
 
 namespace se::cli {
 
-/// "12 failures", "at least 1204331 failures"; "nothing found" of none.
+/// "12 failures", "at least 1204331 failures"; "nothing found" for none.
 std::string totalText(std::span<const ClassTotal> totals);
 
 /// Adds `counts`, the number of each class. If not all failures are listed, also `complete`: false,

@@ -121,7 +121,7 @@ std::string callsText(const ClosestCalls& calls) {
     std::string text;
     for (const ClosestCall& call : calls.calls) {
         const Vec3& by = call.nudge.by;
-        text += fmt::format("{:<18} {}\n{:19}{}; moving {} by ({:.3g}, {:.3g}, {:.3g}) turns it\n",
+        text += fmt::format("{:<18} {}\n{:19}{}; moving {} by ({:.3g}, {:.3g}, {:.3g}) flips it\n",
                             toString(call.event.address), describe(call.event), "",
                             readingText(call.reading), call.nudge.point, by.x, by.y, by.z);
     }
@@ -207,14 +207,14 @@ std::string momentsJson(const std::string& input, const RunFailure& failure,
     return dumped(json);
 }
 
-/// "prevents", "stays", or "unknown" where too many failures are left to tell.
+/// "prevents", "stays", or "unknown" if too many failures are left to decide.
 std::string_view effectOf(const Remedy& remedy) {
     return remedy.prevents ? "prevents" : remedy.unknown ? "unknown" : "stays";
 }
 
 std::string remediesText(const Remedies& remedies) {
     std::string text =
-        fmt::format("\n  As the run is: {} of this class, {} in all. With one more rule:\n",
+        fmt::format("\n  As run: {} of this class, {} in all. With one more rule:\n",
                     remedies.ofClass, remedies.all);
     const bool any = std::any_of(remedies.tried.begin(), remedies.tried.end(),
                                  [](const Remedy& each) { return each.prevents; });

@@ -1,4 +1,4 @@
-/// What `why` says, for people and for programs.
+/// Answers of `why`, as text and as JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -16,7 +16,7 @@ namespace se::cli {
 
 /// "distance from the center 0.041 against 0.039, margin -0.02".
 std::string readingText(const Reading& reading);
-/// A line of a ledger with all that is known of it.
+/// A line of a ledger with all its data.
 nlohmann::ordered_json lineJson(const LedgerLine& line);
 
 std::string ledgerText(const Ledger& ledger);
@@ -30,7 +30,7 @@ std::string callsJson(const std::string& input, const ClosestCalls& calls);
 std::string foundText(const FoundDecisions& found);
 std::string foundJson(const std::string& input, const FoundDecisions& found);
 std::string momentsText(const RunFailure& failure);
-/// With what would have prevented it, if that was asked for.
+/// With the rules that would have prevented it, if they were requested.
 std::string momentsJson(const std::string& input, const RunFailure& failure,
                         const Remedies* remedies = nullptr);
 std::string remediesText(const Remedies& remedies);

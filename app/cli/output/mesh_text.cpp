@@ -44,9 +44,9 @@ std::string setAsideSentence(const PrepareReport& report) {
         if (count > 0) appendPart(text, fmt::format("{} {}", count, what));
     };
     add(report.nonFinitePoints, "not finite");
-    add(report.zeroNormals, "without a direction of the normal");
+    add(report.zeroNormals, "without a normal direction");
     add(report.duplicatePoints, "copies of another point");
-    add(report.noisyPoints, "over or under others, where noise is as wide as the spacing");
+    add(report.noisyPoints, "above or below others, where noise is as wide as the spacing");
     return text;
 }
 

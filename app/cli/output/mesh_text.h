@@ -18,7 +18,7 @@ std::string setAsideSentence(const PrepareReport& report);
 std::string columnsSentence(const ColumnReading& columns);
 /// "1 edge", "2 edges".
 std::string counted(std::size_t count, const std::string& noun, const std::string& plural = "");
-/// Appends `part` to `list` behind a comma.
+/// Appends `part` to `list` after a comma.
 void appendPart(std::string& list, const std::string& part);
 
 }  // namespace se::cli

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether two names lead to one file, also before it exists. A device such as /dev/null may be
+/// Whether two names denote one file, also before it exists. A device such as /dev/null may be
 /// named twice.
 bool sameFile(const std::string& a, const std::string& b) {
     if (a == "-" || b == "-") return a == b;
@@ -34,7 +34,7 @@ CLI::Option* addOutputOption(CLI::App& app, const std::string& names, std::strin
     return app.add_option(names, path, help)
         ->check(CLI::Validator(
             [](const std::string& given) {
-                return given.empty() ? std::string("the file name is empty; name a file") : "";
+                return given.empty() ? std::string("the file name is empty") : "";
             },
             ""));
 }
@@ -44,7 +44,7 @@ void requireWritable(std::initializer_list<OutputPath> outputs) {
         if (each->path.empty()) continue;
         for (const OutputPath* other = outputs.begin(); other != each; ++other) {
             if (other->path.empty() || !sameFile(other->path, each->path)) continue;
-            throw Failure(ExitCode::Usage, fmt::format("{} and {} both name {}; name two files",
+            throw Failure(ExitCode::Usage, fmt::format("{} and {} both name {}; give two names",
                                                        other->option, each->option, each->path));
         }
         if (each->path == "-") continue;
@@ -57,7 +57,7 @@ void requireWritable(std::initializer_list<OutputPath> outputs) {
 void requireOtherThan(const std::string& input, std::initializer_list<OutputPath> outputs) {
     for (const OutputPath& each : outputs) {
         if (each.path.empty() || each.path == "-" || !sameFile(input, each.path)) continue;
-        throw Failure(ExitCode::Usage, fmt::format("{} {}: is the input; name another file",
+        throw Failure(ExitCode::Usage, fmt::format("{} {}: is the input; choose another name",
                                                    each.option, each.path));
     }
 }

@@ -1,4 +1,4 @@
-/// Where results go: a file or `-`, standard output.
+/// Destinations of results: a file, or `-` for standard output.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,11 +8,11 @@
 
 namespace se::cli {
 
-/// An option that names a file to write, or `-`. An empty name is wrong usage.
+/// Adds an option that names a file to write, or `-`. An empty name is wrong usage.
 CLI::Option* addOutputOption(CLI::App& app, const std::string& names, std::string& path,
                              const std::string& help);
 
-/// A file to write and the option that names it.
+/// A file to write and the option that named it.
 struct OutputPath {
     std::string_view option;
     const std::string& path;  ///< Empty if the option was not given.
@@ -22,10 +22,10 @@ struct OutputPath {
 /// both standard output. Throws Failure(Usage).
 void requireWritable(std::initializer_list<OutputPath> outputs);
 
-/// Fails if one of them is the file `input`, which would be lost. Throws Failure(Usage).
+/// Fails if one of the files is `input`, which would be overwritten. Throws Failure(Usage).
 void requireOtherThan(const std::string& input, std::initializer_list<OutputPath> outputs);
 
-/// Writes all of it, to a file by way of a temporary one. Throws Failure(Internal).
+/// Writes all of `bytes`, to a file through a temporary one. Throws Failure(Internal).
 void writeOutput(const std::string& path, std::string_view bytes);
 
 }  // namespace se::cli

@@ -36,7 +36,7 @@ std::string lineFor(const ProvenFailure& each) {
 
 std::string proofsText(const std::vector<ProvenFailure>& proven) {
     if (proven.empty()) return "No failures found.\n";
-    std::string text = fmt::format("{:<24}{:>7}", "the decision turned", "tried");
+    std::string text = fmt::format("{:<24}{:>7}", "decision inverted", "tried");
     const auto column = [](Proof proof) { return proofName(proof).size() + 3; };
     for (const Proof proof : kProofs)
         text += fmt::format("{:>{}}", proofName(proof), column(proof));

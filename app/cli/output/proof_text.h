@@ -1,4 +1,4 @@
-/// What `why --failures --prove` says, for people and for programs.
+/// Results of `why --failures --prove`, as text and as JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,16 +9,16 @@
 
 namespace se::cli {
 
-/// A failure with its proof, and where it stands in its class, from 1.
+/// A failure with the result of its inverted decision, and its number within its class, from 1.
 struct ProvenFailure {
     const RunFailure* failure;
     std::size_t number;
     FailureProof proof;
 };
 
-/// How many of each class went which way, then each that did not go as the decision promises.
+/// Counts per class and result, then each failure that did not disappear as predicted.
 std::string proofsText(const std::vector<ProvenFailure>& proven);
-/// All of them.
+/// All results.
 std::string proofsJson(const std::string& input, const std::vector<ProvenFailure>& proven);
 
 }  // namespace se::cli

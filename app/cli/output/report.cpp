@@ -53,7 +53,7 @@ void addCounters(const Counters& counters, Json& json) {
     json["max_stack_depth"] = counters.maxStackDepth;
 }
 
-/// The steps after the last pivot.
+/// Counters of the steps after the last pivot.
 void addMending(const MendState& mend, Json& json) {
     json["mended"] = {{"reinserted_points", mend.reinserted},
                       {"points_taken_out", mend.takenOut},
@@ -142,7 +142,7 @@ void addAlerts(const std::vector<Alert>& alerts, Json& json) {
     json["alerts"] = list;
 }
 
-/// "3 isolated, 2 stranded"; empty if every point found its place.
+/// "3 isolated, 2 stranded"; empty if every point is used.
 std::string leftOverSentence(const RunOutcome& outcome) {
     std::string text;
     const auto add = [&](std::size_t count, const char* what) {
@@ -154,14 +154,14 @@ std::string leftOverSentence(const RunOutcome& outcome) {
     return text;
 }
 
-/// "normals (in 2 parts), wall types"; empty if the file had all. Lists are nothing to speak of.
+/// "normals (in 2 parts), wall types"; empty if the file had all. Neighbor lists are not listed.
 std::string derivedSentence(const DerivedPieces& derived) {
     std::string text;
     if (derived.normals) {
         appendPart(text, fmt::format("normals, oriented in {}",
                                      counted(derived.normalComponents, "part")));
     } else if (derived.orientation) {
-        appendPart(text, fmt::format("sides of the normals, {} turned", derived.turnedNormals));
+        appendPart(text, fmt::format("sides of the normals, {} flipped", derived.turnedNormals));
     }
     if (derived.types) appendPart(text, "wall types");
     if (derived.rim) {
@@ -169,7 +169,7 @@ std::string derivedSentence(const DerivedPieces& derived) {
                                      counted(derived.rimPoints, "point")));
     }
     if (derived.planelessPoints > 0) {
-        appendPart(text, fmt::format("{} without a plane left out",
+        appendPart(text, fmt::format("{} without a plane omitted",
                                      counted(derived.planelessPoints, "point")));
     }
     return text;
@@ -199,7 +199,8 @@ std::string endingSentence(const RunOutcome& outcome) {
                 "docs/limitations.md",
                 outcome.params.maxTrianglesPerPoint);
         case Ending::MaxPivots:
-            return fmt::format("stopped after {} pivots, as asked", outcome.state.counters.pivots);
+            return fmt::format("stopped after {} pivots, as requested",
+                               outcome.state.counters.pivots);
         case Ending::Interrupted:
             return "interrupted";
     }
@@ -244,7 +245,7 @@ std::string reportJson(const RunOutcome& outcome) {
                        {"prepare", outcome.seconds.prepare},
                        {"triangulate", outcome.seconds.triangulate},
                        {"write", outcome.seconds.write}};
-    // File names need not be UTF-8; what is not is replaced.
+    // File names need not be UTF-8; other bytes are replaced.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

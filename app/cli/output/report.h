@@ -1,4 +1,4 @@
-/// What a run amounts to: as JSON for programs, as a few lines for people.
+/// Results of a run: as JSON, and as a few lines of text.
 #pragma once
 
 #include <optional>
@@ -24,22 +24,22 @@ struct Seconds {
     double write = 0.0;
 };
 
-/// Everything that the report tells.
+/// Everything that the report contains.
 struct RunOutcome {
     std::string input;
     std::string output;  ///< Empty if no mesh was written.
     ColumnReading columns;
-    /// The place that positions in the output are relative to, if they are.
+    /// Offset that positions in the output are relative to, if any.
     std::optional<Vec3> shift;
     std::string ruleSet;
     Params params;
     PrepareReport prepared;
     MeshReport mesh;
-    /// Only if they were looked for.
+    /// Set only if faults were searched.
     std::optional<std::vector<Fault>> faults;
-    bool crossings = true;  ///< False: crossing triangles were not looked for.
+    bool crossings = true;  ///< False: crossing triangles were not searched.
     bool allFaults = true;  ///< False: there may be more intersections, see searchFaults().
-    /// Where each of them is: the middle of its triangle.
+    /// Position of each fault: the middle of its triangle.
     std::vector<Vec3> faultPlaces;
     State state;
     Seconds seconds;
@@ -48,12 +48,12 @@ struct RunOutcome {
 
 /// "3 faults: 2 intersecting, 1 folded; --rules robust may avoid them"; empty if there are none.
 std::string faultSentence(const RunOutcome& outcome);
-/// The JSON report, with an end of line behind it.
+/// The JSON report, ending in a newline.
 std::string reportJson(const RunOutcome& outcome);
-/// A line that says relative to which place the output is; empty if it is in the file's
+/// A line with the offset that the output is relative to; empty if it is in the file's
 /// coordinates.
 std::string shiftText(const RunOutcome& outcome);
-/// The summary for people, several lines.
+/// The summary, several lines.
 std::string summaryText(const RunOutcome& outcome);
 
 }  // namespace se::cli

@@ -1,3 +1,5 @@
+// Lines are collected and written in blocks of 64 KiB, to standard output or to a temporary file
+// that gets its name only on commit(), so that a run that ends early leaves no partial trace.
 #include "trace.h"
 
 #include "exit_code.h"

@@ -10,8 +10,8 @@
 
 namespace se::cli {
 
-/// A trace that is written while the run goes on, since it may be larger than memory. The file gets
-/// its name only by commit(): a run that ends early leaves none.
+/// A trace that is written during the run, since it may be larger than memory. The file gets its
+/// name only by commit(): a run that ends early leaves none.
 class TraceWriter {
   public:
     /// `path` empty: writes nothing; `-`: to standard output. Throws Failure(Internal) if the file
@@ -19,9 +19,9 @@ class TraceWriter {
     explicit TraceWriter(const std::string& path);
 
     bool active() const { return active_; }
-    /// Appends the lines of `events`. Requires active(). Throws Failure(Internal).
+    /// Appends a line per event. Requires active(). Throws Failure(Internal).
     void write(const std::vector<Event>& events);
-    /// Ends and names the file. Throws Failure(Internal) if something could not be written.
+    /// Ends and names the file. Throws Failure(Internal) if anything could not be written.
     void commit();
 
   private:

@@ -1,4 +1,4 @@
-// spiraling-edge check: what is wrong with a mesh, whoever made it.
+// spiraling-edge check: the faults of a mesh, of this program or of any other.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,8 +31,8 @@ struct CheckArguments {
         app.add_option("MESH", mesh, "File with triangles (PLY, OBJ or OFF), or - for stdin")
             ->required();
         app.add_option("--points", cloud,
-                       "The points that the mesh was made of: their normals tell what is flipped, "
-                       "their wall types what is no hole, and those in no triangle are named")
+                       "The points that the mesh was made of: their normals show what is flipped, "
+                       "their wall types show what is no hole, and unused points are listed")
             ->type_name("CLOUD");
         app.add_option("--allow", allowed, "A class that is no failure here; may be repeated")
             ->type_name("CLASS")
@@ -54,10 +54,9 @@ struct CheckArguments {
     void validate() const {
         for (const std::string& name : allowed) {
             if (findFailureClass(name) == nullptr) {
-                throw Failure(ExitCode::Usage,
-                              fmt::format("--allow {}: there is no such class; see "
-                                          "spiraling-edge check --help",
-                                          name));
+                throw Failure(ExitCode::Usage, fmt::format("--allow {}: no such class; see "
+                                                           "spiraling-edge check --help",
+                                                           name));
             }
         }
     }
@@ -74,7 +73,7 @@ PointSet pointsOf(const PointFile& file) {
     return points;
 }
 
-/// A place as both files have it, though one may have written floats.
+/// A position as both files have it, though one may have written floats.
 struct PlaceHash {
     std::size_t operator()(const std::array<float, 3>& place) const {
         std::size_t hash = 0;
@@ -88,8 +87,8 @@ std::array<float, 3> placeOf(const Vec3& x) {
             static_cast<float>(x.z) + 0.0F};
 }
 
-/// The triangles with the numbers of the cloud's points. Throws Failure if a corner is none of
-/// them.
+/// The triangles in the numbering of the cloud's points. Throws Failure if a corner is not one
+/// of them.
 std::vector<Triangle> trianglesOn(const PointFile& cloud, const PointFile& mesh,
                                   const CheckArguments& names) {
     std::unordered_map<std::array<float, 3>, Index, PlaceHash> at;
@@ -103,7 +102,7 @@ std::vector<Triangle> trianglesOn(const PointFile& cloud, const PointFile& mesh,
         if (found != at.end()) return found->second;
         throw Failure(ExitCode::Input,
                       fmt::format("{}: vertex {} at ({:.6g}, {:.6g}, {:.6g}) is no point of {}; "
-                                  "leave --points out, or give the points the mesh was made of",
+                                  "omit --points, or give the points that the mesh was made of",
                                   names.mesh, corner, x.x, x.y, x.z, names.cloud));
     };
     std::vector<Triangle> triangles;
@@ -112,7 +111,7 @@ std::vector<Triangle> trianglesOn(const PointFile& cloud, const PointFile& mesh,
     return triangles;
 }
 
-/// The classes that a mesh can have: those that only a run has come last.
+/// The classes that a mesh can have, without those at the end that only a run has.
 std::span<const FailureClass> meshClasses() {
     const std::span<const FailureClass> all = failureClasses();
     const auto end =
@@ -187,7 +186,8 @@ void requireFinite(const PointFile& file, const std::vector<Triangle>& triangles
 
 ExitCode checkVerb(const Arguments& words) {
     CheckArguments arguments;
-    CLI::App app("Says what is wrong with a mesh, whoever made it.", "spiraling-edge check");
+    CLI::App app("Finds the faults of a mesh, of this program or of any other.",
+                 "spiraling-edge check");
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     arguments.validate();
@@ -198,8 +198,8 @@ ExitCode checkVerb(const Arguments& words) {
     if (mesh.faces.empty() && arguments.cloud.empty())
         throw Failure(
             ExitCode::Input,
-            fmt::format("{0}: has no triangles; check looks at meshes: spiraling-edge run {0} -o "
-                        "mesh.ply makes one, spiraling-edge why {0} --failures says what "
+            fmt::format("{0}: has no triangles; check reads meshes: spiraling-edge run {0} -o "
+                        "mesh.ply makes one, spiraling-edge why {0} --failures explains what "
                         "goes wrong in the run",
                         arguments.mesh));
     const bool alone = arguments.cloud.empty();

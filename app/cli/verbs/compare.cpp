@@ -21,19 +21,19 @@ struct CompareArguments {
 
     void addTo(CLI::App& app) {
         input.addTo(app);
-        // Cut off before the words are read; here for the help.
+        // Removed before the words are parsed; declared here for the help.
         app.add_flag_callback(
             "--with", [] {},
-            "The other run: all options after this word are those in which B "
+            "The other run: the options after this word are those in which B "
             "differs from A");
         app.add_option("--mesh", mesh,
-                       "In place of another run: a mesh (PLY, OBJ or OFF) that was made on the "
-                       "same points; its vertices are found again by their places")
+                       "Instead of another run: a mesh (PLY, OBJ or OFF) made from the "
+                       "same points; its vertices are matched by position")
             ->type_name("FILE");
         app.add_option("--most", most, "List N regions of difference")
             ->type_name("N")
             ->capture_default_str();
-        app.add_flag("--json", json, "As JSON, with all triangles that only one of them has");
+        app.add_flag("--json", json, "As JSON, with all triangles that only one of the two has");
         app.add_flag("-q,--quiet", quiet, "Only the exit code: 1 if the meshes differ");
         app.footer(app.get_footer() +
                    "\n\nExample: spiraling-edge compare scene:torus --rules paper --with --rules "
@@ -46,7 +46,7 @@ struct CompareArguments {
 Comparison compareTwoRuns(const CompareArguments& arguments, const ParsedInput& other,
                           ProgressLine& line) {
     const std::string& input = arguments.input.input();
-    // Once: standard input is gone then.
+    // Read once: standard input cannot be read a second time.
     const PointFile file = readInput(input);
     const PreparedInput a = arguments.input.prepare(file, line);
     const PreparedInput b = other.input().prepare(file, line);
@@ -63,7 +63,7 @@ Comparison compareTwoRuns(const CompareArguments& arguments, const ParsedInput& 
             {}};
 }
 
-/// A as a run, B as a mesh that lies there finished.
+/// A as a run, B as the finished mesh of a file.
 Comparison compareWithMesh(const CompareArguments& arguments, ProgressLine& line) {
     const std::string& input = arguments.input.input();
     const PointFile file = readInput(arguments.mesh);
@@ -71,7 +71,7 @@ Comparison compareWithMesh(const CompareArguments& arguments, ProgressLine& line
         throw Failure(ExitCode::Input, arguments.mesh + ": has no triangles to compare with");
     const PreparedInput a = arguments.input.prepare(line);
     MatchedMesh matched = matchMesh(a.points.position, file);
-    // The run alone, to know where each triangle was made.
+    // The run without B, to know where each triangle was made.
     MadeMesh run = workedOut("running", input, line, [&](const Progress& progress) {
         return makeMesh({a.points, a.params}, progress);
     });
@@ -102,7 +102,7 @@ ExitCode compareVerb(const Arguments& words) {
         throw Failure(ExitCode::Usage, "give the other run after --with, or a mesh by --mesh");
     if (arguments.input.input() == kStandardInput && arguments.mesh == kStandardInput)
         throw Failure(ExitCode::Usage, "--mesh -: standard input is IN already; name a file");
-    // Mistakes in B come before long work.
+    // Mistakes in B are reported before the long work.
     const ParsedInput other(wordsOfB(arguments.input, parted.with));
     catchInterrupts();
     ProgressLine line(!arguments.quiet);

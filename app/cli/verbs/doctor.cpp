@@ -1,4 +1,4 @@
-// spiraling-edge doctor: what in a file will upset the algorithm, and what can be mended.
+// spiraling-edge doctor: what in a file causes the algorithm trouble, and what can be fixed.
 #include "spiraling_edge/doctor/doctor.h"
 
 #include <fmt/format.h>
@@ -30,16 +30,16 @@ struct DoctorArguments {
         auto* fix =
             addOutputOption(
                 app, "--fix", fixed,
-                "Mend what needs no guessing, and write it to this file; - : to standard output")
+                "Fix what needs no guessing and write it to this file; - : to standard output")
                 ->type_name("OUT.ply");
         app.add_option("--drop", drop,
-                       "With --fix: also drop the points that this check found; may be repeated")
+                       "With --fix: also drop the points that this check finds; may be repeated")
             ->type_name("CHECK")
             ->allow_extra_args(false)
             ->needs(fix);
         app.add_flag("--json", json, "As JSON, with all indices");
         app.add_flag("-q,--quiet", quiet, "Only the exit code: 1 if something was found");
-        std::string footer = "\nChecks (docs/doctor.md), * mended by --fix:\n";
+        std::string footer = "\nChecks (docs/doctor.md), * fixed by --fix:\n";
         for (const DoctorCheck& check : doctorChecks()) {
             footer += fmt::format("{} {:<18} {:<4} {}\n", check.mended() ? "*" : " ", check.name,
                                   check.section, check.upsets);
@@ -57,23 +57,22 @@ struct DoctorArguments {
         requireWritable({{"--fix", fixed}});
         for (const std::string& name : drop) {
             if (findDoctorCheck(name) == nullptr)
-                throw Failure(
-                    ExitCode::Usage,
-                    fmt::format("--drop {}: there is no such check; see spiraling-edge doctor "
-                                "--help",
-                                name));
+                throw Failure(ExitCode::Usage,
+                              fmt::format("--drop {}: no such check; see spiraling-edge doctor "
+                                          "--help",
+                                          name));
         }
     }
 };
 
-/// What was found, and what became of it.
+/// Result of the examination and of the fixes.
 struct Visit {
     std::string input;
     std::size_t points = 0;
     Diagnosis findings;
     std::string output;  ///< Empty if nothing was written.
     Treatment treatment;
-    Diagnosis left;  ///< What the written file still has.
+    Diagnosis left;  ///< Findings that the written file still has.
 };
 
 Diagnosis examineInput(const PointFile& file, const std::string& name, ProgressLine& line) {
@@ -81,7 +80,7 @@ Diagnosis examineInput(const PointFile& file, const std::string& name, ProgressL
                      [&](const Progress& progress) { return examine(file, progress); });
 }
 
-/// The points of the checks whose findings should go.
+/// Points found by the checks whose findings are to be dropped.
 std::vector<Index> pointsToDrop(const Diagnosis& findings, const std::vector<std::string>& names) {
     std::vector<Index> points;
     for (const Finding& finding : findings) {
@@ -93,7 +92,7 @@ std::vector<Index> pointsToDrop(const Diagnosis& findings, const std::vector<std
     return points;
 }
 
-// ---- for people ---------------------------------------------------------------------------------
+// ---- text ---------------------------------------------------------------------------------------
 
 std::string placesText(const std::vector<Index>& points) {
     constexpr std::size_t kShown = 10;
@@ -124,7 +123,7 @@ std::string visitText(const Visit& visit) {
     if (visit.output.empty()) return text;
     text += fmt::format("{}: written, {}\n", visit.output,
                         counted(visit.treatment.file.position.size(), "point"));
-    for (const Repair& repair : visit.treatment.repairs) text += "  mended   " + repair.text + "\n";
+    for (const Repair& repair : visit.treatment.repairs) text += "  fixed    " + repair.text + "\n";
     for (const Finding& finding : visit.left) {
         if (finding.accuses())
             text += fmt::format("  left     {}: {}\n", finding.check->name, finding.text);
@@ -132,7 +131,7 @@ std::string visitText(const Visit& visit) {
     return text;
 }
 
-// ---- for programs -------------------------------------------------------------------------------
+// ---- JSON ---------------------------------------------------------------------------------------
 
 Json findingJson(const Finding& finding, const std::string& input) {
     const std::string remedy = remedyFor(*finding.check, input);
@@ -186,8 +185,9 @@ void write(const std::string& path, const PointFile& fixed) {
 
 ExitCode doctorVerb(const Arguments& words) {
     DoctorArguments arguments;
-    CLI::App app("Says what in a file will upset the algorithm, and mends what needs no guessing.",
-                 "spiraling-edge doctor");
+    CLI::App app(
+        "Finds what in a file causes the algorithm trouble, and fixes what needs no guessing.",
+        "spiraling-edge doctor");
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     arguments.validate();
@@ -206,7 +206,7 @@ ExitCode doctorVerb(const Arguments& words) {
         visit.left = examineInput(fixed, arguments.fixed, line);
         write(arguments.fixed, fixed);
     }
-    // Where the points go to standard output, words go elsewhere.
+    // The text goes to standard error if the points go to standard output.
     if (arguments.fixed == "-" && !arguments.quiet) {
         fmt::print(stderr, "{}", visitText(visit));
     } else if (!arguments.quiet) {

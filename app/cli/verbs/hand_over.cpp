@@ -1,4 +1,5 @@
-// spiraling-edge view and render: the window program beside this one does the work.
+// spiraling-edge view and render: replace this process by the viewer, which lies beside it. The
+// command line links no window library, so that it runs on machines without one.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kViewerName = "spiraling-edge-viewer";
 
-/// Becomes the viewer. Throws if there is none.
+/// Replaces this process by the viewer. Throws if the viewer is missing.
 [[noreturn]] void becomeViewer(Arguments arguments) {
     std::error_code problem;
     const fs::path self = fs::read_symlink("/proc/self/exe", problem);
@@ -27,12 +28,12 @@ constexpr const char* kViewerName = "spiraling-edge-viewer";
     pointers.push_back(nullptr);
     ::execv(viewer.c_str(), pointers.data());
     throw Failure(ExitCode::NoDisplay,
-                  fmt::format("the viewer cannot be started: there is no program {}. Build it with "
+                  fmt::format("cannot start the viewer: {} does not exist. Build it with "
                               "-DSPIRALING_EDGE_BUILD_VIEWER=ON, or use spiraling-edge run",
                               viewer));
 }
 
-/// By its extension, or by its content as JSON: a session has a place of its own to show.
+/// Decided by the extension, or by JSON content. A session has a position of its own to show.
 bool isSession(const std::string& input) {
     if (input.ends_with(".sesession")) return true;
     std::error_code ignored;
@@ -48,7 +49,7 @@ ExitCode viewVerb(const Arguments& words) { becomeViewer(words); }
 
 ExitCode renderVerb(const Arguments& words) {
     CLI::App app(
-        "Writes a picture of a run without opening a window. Further options go "
+        "Writes a picture of a run without opening a window. All other options are passed "
         "to spiraling-edge-viewer.",
         "spiraling-edge render");
     std::string input;
@@ -58,9 +59,10 @@ ExitCode renderVerb(const Arguments& words) {
     addOutputOption(app, "-o,--output", picture, "Picture to write")
         ->type_name("OUT.png")
         ->required();
-    app.add_option("--goto", place,
-                   "Place in the run: PIVOT[.STAGE[.N]] or a share (default: that of the session, "
-                   "or else 100%)")
+    app.add_option(
+           "--goto", place,
+           "Position in the run: PIVOT[.STAGE[.N]] or a share (default: that of the session, "
+           "otherwise 100%)")
         ->type_name("WHERE");
     app.allow_extras();
     if (const auto code = parseArguments(app, words)) return *code;

@@ -1,4 +1,4 @@
-// spiraling-edge info: what a file holds, before anything is done with it.
+// spiraling-edge info: the content of a file, before any processing.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ struct Box {
     Vec3 high{0.0};
 };
 
-/// Everything that is told about a file.
+/// Everything that is reported about a file.
 struct Facts {
     PointFile file;
     Box box;
@@ -76,7 +76,7 @@ Spacing spacingOf(const PointSet& points, const NeighborLists& nearest) {
     return spacing;
 }
 
-/// A set that can be asked for spacing and mesh even if the file has no normals.
+/// Points from which spacing and mesh can be computed even if the file has no normals.
 PointSet withSomeNormals(const PointFile& file) {
     PointSet points;
     points.position = file.position;
@@ -152,7 +152,7 @@ std::string factsJson(const std::string& input, const Facts& facts) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-/// Significant digits with which the sides of the box can be told apart, far from the origin too.
+/// Significant digits that resolve the sides of the box, also far from the origin.
 int boxDigits(const Facts& facts) {
     constexpr double kUsual = 6.0;
     constexpr double kMax = 17.0;
@@ -182,7 +182,7 @@ std::string factsText(const std::string& input, const Facts& facts) {
                             facts.spacing.least, facts.spacing.most));
     }
     addLine("columns", columnsSentence(file.columns));
-    addLine("normals", file.hasNormals() ? "yes" : "none: they will be derived");
+    addLine("normals", file.hasNormals() ? "yes" : "none: a run derives them");
     if (facts.prepared.unscaledNormals > 0)
         addLine("", fmt::format("{} not of unit length", facts.prepared.unscaledNormals));
     addLine("set aside", setAsideSentence(facts.prepared));
@@ -191,9 +191,9 @@ std::string factsText(const std::string& input, const Facts& facts) {
                                      facts.cornerPoints));
     }
     if (facts.rimPoints > 0)
-        addLine("rims", fmt::format("{} where no wall is", counted(facts.rimPoints, "point")));
+        addLine("rims", fmt::format("{} away from walls", counted(facts.rimPoints, "point")));
     addLine("neighbors", file.hasNeighbors() ? fmt::format("{} in lists", file.neighbors.ids.size())
-                                             : "none in the file: computed when it is run");
+                                             : "none in the file: a run computes them");
     std::string names;
     for (const Attribute& attribute : file.attributes) appendPart(names, attribute.name);
     addLine("also", names);
@@ -207,7 +207,7 @@ std::string factsText(const std::string& input, const Facts& facts) {
 }  // namespace
 
 ExitCode infoVerb(const Arguments& words) {
-    CLI::App app("Says what a file holds.", "spiraling-edge info");
+    CLI::App app("Prints the content of a file.", "spiraling-edge info");
     std::string input;
     bool json = false;
     app.add_option("IN", input, "File with points, - or scene:ID")->required();

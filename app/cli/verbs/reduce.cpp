@@ -1,4 +1,7 @@
-// spiraling-edge reduce: the fewest points that still fail, with a session and a test of them.
+// spiraling-edge reduce: a minimal set of points that still fails, with a session and a test of
+// it. The search is core's reduceInput(); this file tells it whether a subset still fails, by
+// preparing, running and inspecting it. Its effort is counted in elementary tests instead of
+// seconds, so that the result does not depend on the machine.
 #include "spiraling_edge/explain/reduce.h"
 
 #include <fmt/format.h>
@@ -33,30 +36,30 @@ struct ReduceArguments {
 
     void addTo(CLI::App& app) {
         input.addTo(app);
-        app.add_option(
-               "--failure", failure,
-               "Class of the failure, see spiraling-edge check --help; CLASS:N for the N-th "
-               "of its class")
+        app.add_option("--failure", failure,
+                       "Class of the failure, see spiraling-edge check --help; CLASS:N for the Nth "
+                       "of its class")
             ->type_name("CLASS")
             ->required();
         addOutputOption(app, "-o,--output", output,
-                        "Write the points here; beside them a session (.sesession) that opens on "
-                        "them, and a test (.sh) that fails as long as they do")
+                        "Write the points here, together with a session (.sesession) that opens "
+                        "them, and a test (.sh) that fails while they do")
             ->type_name("SMALL.ply")
             ->required();
-        app.add_option("--effort", effort,
-                       "Stop after about N million tests of two points or two triangles, in all "
-                       "runs together, with the best so far; the usual N is a minute at most where "
-                       "runs get tangled")
+        app.add_option(
+               "--effort", effort,
+               "Stop after about N million tests of two points or two triangles, over all "
+               "runs, with the best result so far; the default takes a minute at most where "
+               "runs get tangled")
             ->type_name("N")
             ->capture_default_str()
             ->check(CLI::Range(std::uint64_t{1}, kMostEffort));
-        app.add_flag("-q,--quiet", quiet, "Only say what went wrong");
+        app.add_flag("-q,--quiet", quiet, "Print errors only");
     }
 };
 
-/// What a run and a look at its mesh took, in tests. Each point is read and prepared; in each pivot
-/// every listed point may be tested against every other.
+/// Work of a run and of the inspection of its mesh, in tests. Each point is read and prepared; in
+/// each pivot every listed point may be tested against every other.
 std::uint64_t workOf(const PointSet& points, const State& end, const MeshInspection& found) {
     constexpr std::uint64_t kPerPoint = 200;
     const std::uint64_t count = std::max<std::uint64_t>(points.size(), 1);
@@ -64,7 +67,7 @@ std::uint64_t workOf(const PointSet& points, const State& end, const MeshInspect
     return kPerPoint * count + end.counters.pivots * listed * listed + found.work;
 }
 
-/// The places of a failure's points, in order: what a hole is known again by.
+/// Positions of a failure's points, sorted: they identify a hole across runs.
 std::vector<Vec3> placesOf(const PointSet& points, const MeshFailure& failure) {
     std::vector<Vec3> places;
     places.reserve(failure.points.size());
@@ -75,7 +78,7 @@ std::vector<Vec3> placesOf(const PointSet& points, const MeshFailure& failure) {
     return places;
 }
 
-/// The way a user would have to type the options again, for a shell.
+/// The options as shell words, as the user would type them.
 std::string optionText(const InputArguments& input) {
     std::string text;
     for (const GivenOption& each : input.given()) {
@@ -91,7 +94,7 @@ nlohmann::ordered_json boxJson(const std::string& text) {
     return {box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z};
 }
 
-/// How the points are prepared, by the names that sessions have for it.
+/// Preparation options under their names in session files.
 void addPreparing(nlohmann::ordered_json& options, const InputArguments& input) {
     const auto reach = input.prepareOptions({}).neighbors.reach;
     for (const GivenOption& each : input.given()) {
@@ -109,7 +112,7 @@ void addPreparing(nlohmann::ordered_json& options, const InputArguments& input) 
     }
 }
 
-/// Where the failure comes about among the points that are left; the start if there is no saying.
+/// Address at which the failure is created among the remaining points; the start if unknown.
 std::string addressIn(const PointFile& file, const InputArguments& input, const Params& params,
                       const FailureChoice& wanted) {
     const auto prepared = prepare(file, input.prepareOptions(file));
@@ -129,7 +132,7 @@ std::string sessionText(const std::string& points, const PreparedInput& run,
     json["format"] = "spiraling-edge session";
     json["version"] = 1;
     const std::string name = std::filesystem::path(points).filename().string();
-    // Not to be taken for a built-in scene, as "scene:a.ply" would be.
+    // Avoids that "scene:a.ply" is taken for a built-in scene.
     json["input"]["source"] = name.find(':') == std::string::npos ? name : "./" + name;
     json["options"]["rules"] = input.ruleSet();
     const Params plain = paramsByName(input.ruleSet()).value_or(Params{});
@@ -143,7 +146,7 @@ std::string sessionText(const std::string& points, const PreparedInput& run,
     return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-/// Names of files and options are data there: each is one quoted word.
+/// Test script; file names and options are data in it: each is one quoted word.
 std::string testText(const std::string& points, const ReduceArguments& arguments,
                      const FailureChoice& wanted) {
     const auto nameOf = [](const std::filesystem::path& path) {
@@ -151,20 +154,20 @@ std::string testText(const std::string& points, const ReduceArguments& arguments
     };
     return fmt::format(
         "#!/bin/sh\n"
-        "# Fails as long as these points, reduced from {0}, end in: {1}\n"
+        "# Fails while these points, reduced from {0}, end in: {1}\n"
         "# Usage: [SPIRALING_EDGE=path/to/spiraling-edge] sh {2}\n"
         "here=${{0%/*}}\n"
         "[ \"$here\" != \"$0\" ] || here=.\n"
         "program=${{SPIRALING_EDGE:-spiraling-edge}}\n"
         "command -v \"$program\" >/dev/null || {{\n"
-        "    echo \"$0: there is no $program; say where it is by SPIRALING_EDGE=PATH\" >&2\n"
+        "    echo \"$0: $program not found; set SPIRALING_EDGE=PATH\" >&2\n"
         "    exit 2\n"
         "}}\n"
         "mesh=$(mktemp --suffix=.ply) || exit 5\n"
         "trap 'rm -f \"$mesh\"' EXIT\n"
         "code=0\n"
         "\"$program\" run \"$here\"/{3}{4} -q -o \"$mesh\" || code=$?\n"
-        "# 1: a run that had to be stopped; it has a mesh, too.\n"
+        "# 1: a run that had to be stopped; it has a mesh as well.\n"
         "[ \"$code\" -le 1 ] || exit \"$code\"\n"
         "if \"$program\" check \"$mesh\" --points \"$here\"/{3} --json | grep -q '\"{1}\": [1-9]'; "
         "then\n"
@@ -176,7 +179,7 @@ std::string testText(const std::string& points, const ReduceArguments& arguments
         optionText(arguments.input));
 }
 
-/// Points, session and test, and the line that names them.
+/// Writes points, session and test, and prints the line that names them.
 void writeReduced(const ReduceArguments& arguments, const FailureChoice& wanted,
                   const PreparedInput& run, const Reduced& reduced) {
     const std::string& output = arguments.output;
@@ -193,7 +196,7 @@ void writeReduced(const ReduceArguments& arguments, const FailureChoice& wanted,
                counted(reduced.kept.size(), "point"), run.file.position.size(), wanted.kind->name,
                beside(".sesession"), beside(".sh"));
     if (reduced.complete) return;
-    fmt::print(stderr, "stopped early, after {} million tests: fewer points may do",
+    fmt::print(stderr, "stopped early, after {} million tests: fewer points may be possible",
                arguments.effort);
     if (arguments.effort < kMostEffort)
         fmt::print(stderr, "; use --effort {} to continue",
@@ -205,14 +208,14 @@ void writeReduced(const ReduceArguments& arguments, const FailureChoice& wanted,
 
 ExitCode reduceVerb(const Arguments& words) {
     ReduceArguments arguments;
-    CLI::App app("Shrinks an input to the fewest points that still fail in the same class.",
+    CLI::App app("Reduces an input to a minimal set of points that still fails in the same class.",
                  "spiraling-edge reduce");
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
     const FailureChoice wanted = failureChoiceFrom(arguments.failure);
     if (wanted.kind->find == nullptr) {
         throw Failure(ExitCode::Usage,
-                      fmt::format("--failure {}: only what is in the mesh can be shrunk to; try "
+                      fmt::format("--failure {}: only failures of the mesh can be reduced; try "
                                   "holes",
                                   arguments.failure));
     }
@@ -225,13 +228,13 @@ ExitCode reduceVerb(const Arguments& words) {
     ProgressLine line(!arguments.quiet);
     const PreparedInput run = arguments.input.prepare(line);
     if (!run.params.whatIf.empty())
-        throw Failure(ExitCode::Usage, "--what-if names points by numbers that reduce changes");
+        throw Failure(ExitCode::Usage, "--what-if names points by numbers, which reduce changes");
     const MeshFailure failure =
         pickFailure(inspectWithTotals(run.points, endOfRun(run.points, run.params).mesh()), wanted,
                     arguments.input.input());
     const std::vector<Vec3> places = placesOf(run.points, failure);
     const bool isHole = wanted.kind == findFailureClass("holes");
-    // What is cut off leaves a border: a hole must be the very same one.
+    // Removed points leave a border: a hole counts only if it is the original one.
     const auto fails = [&](const PointFile& file) -> ReduceTry {
         const auto prepared = prepare(file, arguments.input.prepareOptions(file));
         if (!prepared) return {false, file.position.size()};

@@ -1,4 +1,4 @@
-// spiraling-edge run: points in, mesh, report and trace out.
+// spiraling-edge run: triangulates points, and writes mesh, report and trace.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -48,7 +48,7 @@ struct RunArguments {
                      "With -o FILE.off: write the normals too, as NOFF, which fewer programs read; "
                      "PLY, OBJ and GLB hold them anyway, STL cannot");
         app.add_flag("--used-points", usedPoints,
-                     "Write only the points that stand in a triangle (default: all, in their "
+                     "Write only the points that are in a triangle (default: all, in their "
                      "order)")
             ->needs(out);
         rules.addTo(app);
@@ -62,33 +62,34 @@ struct RunArguments {
             ->type_name("FILE");
         addOutputOption(app, "--trace", trace, "Write one line per decision to this file, or -")
             ->type_name("FILE");
-        app.add_flag("--check", check,
-                     "Look for faults, crossing triangles included; end with 1 if there are any");
-        app.add_flag("-q,--quiet", quiet, "Only say what went wrong");
+        app.add_flag(
+            "--check", check,
+            "Search for faults, crossing triangles included; exit with 1 if there are any");
+        app.add_flag("-q,--quiet", quiet, "Print errors only");
     }
 
-    /// All mistakes that can be told before the work begins.
+    /// Reports all mistakes that can be found before the work begins.
     void validate() const {
         if (output == "-" && ::isatty(STDOUT_FILENO) == 1)
-            throw Failure(ExitCode::Usage, "-o -: will not write a binary file to a terminal");
+            throw Failure(ExitCode::Usage, "-o -: refusing to write a binary file to a terminal");
         if (output != "-" && meshFormatOf(output) == nullptr)
             throw Failure(
                 ExitCode::Usage,
-                fmt::format("-o {}: .ply, .obj, .off, .stl and .glb can be written", output));
+                fmt::format("-o {}: only .ply, .obj, .off, .stl and .glb can be written", output));
         if (writing.normals) requireNormals();
-        // A mesh holds the points of the input: it may take its place.
+        // A mesh contains the points of the input, so it may replace it.
         requireOtherThan(input, {{"--report", report}, {"--trace", trace}});
         requireWritable({{"-o", output}, {"--report", report}, {"--trace", trace}});
     }
 
-    /// `--normals` is a mistake where no normals can be written.
+    /// Reports `--normals` where no normals can be written.
     void requireNormals() const {
         if (output.empty())
             throw Failure(ExitCode::Usage, "--normals: name a file with -o FILE.off");
         if (output != "-" && meshFormatOf(output)->bytesWithNormals == nullptr)
             throw Failure(ExitCode::Usage,
-                          fmt::format("--normals -o {}: this format has no place for normals of "
-                                      "points; .off, .ply, .obj and .glb have",
+                          fmt::format("--normals -o {}: this format cannot hold normals of "
+                                      "points; .off, .ply, .obj and .glb can",
                                       output));
     }
 };
@@ -101,7 +102,7 @@ double shareDone(const State& state) {
                : static_cast<double>(done) / static_cast<double>(state.status.size());
 }
 
-/// Called between pivots, now and then: shows how far the run is; true if it should end.
+/// Called between pivots: updates the progress line now and then; true if the run should end.
 bool lookUp(const State& state, ProgressLine& line) {
     constexpr std::uint32_t kAskEvery = 64;
     if (state.counters.pivots % kAskEvery != 0) return false;
@@ -109,14 +110,14 @@ bool lookUp(const State& state, ProgressLine& line) {
     return interrupted();
 }
 
-/// The whole run, where nobody wants to see the steps.
+/// The whole run without events, the fastest way.
 Ending triangulateAtOnce(const PointSet& points, const Params& params, ProgressLine& line,
                          State& state) {
     Reconstruction made =
         reconstruct(points, params, [&](const State& s) { return lookUp(s, line); });
     state = std::move(made.state);
     line.clear();
-    // Even a run that has just ended does not write anything after Ctrl+C.
+    // A run that ended just before Ctrl+C writes nothing either.
     if (interrupted()) return Ending::Interrupted;
     return made.reason == StopReason::Capped ? Ending::Capped : Ending::Finished;
 }
@@ -142,7 +143,7 @@ Ending triangulate(Stepper& stepper, std::optional<std::uint32_t> maxPivots, Tra
     });
     flush();
     line.clear();
-    // Even a run that has just ended does not write anything after Ctrl+C.
+    // A run that ended just before Ctrl+C writes nothing either.
     if (interrupted()) return Ending::Interrupted;
     return reason == StopReason::Capped ? Ending::Capped : ending;
 }
@@ -154,7 +155,7 @@ void writeMeshFile(const std::string& path, const PointFile& file, std::span<con
     if (!status) throw Failure(ExitCode::Internal, status.error().message);
 }
 
-/// Writes the mesh to where -o says, and notes where, and relative to which place.
+/// Writes the mesh to the destination of -o, and records the path and the offset.
 void writeResult(const RunArguments& arguments, const PointFile& file, RunOutcome& outcome) {
     outcome.output = arguments.output;
     if (arguments.output.empty()) return;
@@ -168,7 +169,7 @@ void writeResult(const RunArguments& arguments, const PointFile& file, RunOutcom
     write(used, used.faces);
 }
 
-/// Finds every fault of the mesh, and its place.
+/// Finds every fault of the mesh, and its position.
 void lookForFaults(const PointSet& points, RunOutcome& outcome) {
     const std::vector<Triangle>& mesh = outcome.state.mesh();
     FaultSearch search = searchFaults(points, mesh);
@@ -181,8 +182,8 @@ void lookForFaults(const PointSet& points, RunOutcome& outcome) {
     }
 }
 
-/// Why a finished run must not pass `--check` although its mesh, if there is one, has no fault;
-/// empty if it may.
+/// Reason why a finished run must not pass `--check` although its mesh, if any, has no fault;
+/// empty if it passes.
 std::string emptinessSentence(const RunOutcome& outcome) {
     const std::size_t points = outcome.mesh.points;
     if (outcome.mesh.triangles == 0)
@@ -195,7 +196,7 @@ std::string emptinessSentence(const RunOutcome& outcome) {
                        outcome.mesh.usedPoints);
 }
 
-/// Prints the summary and finds the exit code.
+/// Prints the summary and determines the exit code.
 ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
     if (!arguments.report.empty()) writeOutput(arguments.report, reportJson(outcome));
     if (outcome.ending == Ending::Interrupted)
@@ -206,7 +207,7 @@ ExitCode conclude(const RunArguments& arguments, const RunOutcome& outcome) {
     if (outcome.ending == Ending::Capped) {
         throw Failure(ExitCode::CheckFailed,
                       fmt::format("{}: stopped at {}, more than a surface can have; the mesh so "
-                                  "far is no surface. See docs/limitations.md",
+                                  "far is not a surface. See docs/limitations.md",
                                   outcome.input, counted(outcome.mesh.triangles, "triangle")));
     }
     const std::string faults = faultSentence(outcome);
@@ -260,7 +261,7 @@ ExitCode runVerb(const Arguments& words) {
     }
     outcome.seconds.triangulate = watch.lap();
     if (outcome.ending != Ending::Interrupted) {
-        // A file takes no long time to write: Ctrl+C ends the program, and leaves no part of it.
+        // Writing a file is short: from here Ctrl+C ends the program, and leaves no partial file.
         releaseInterrupts();
         writeResult(arguments, file, outcome);
         trace.commit();

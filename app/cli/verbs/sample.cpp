@@ -1,4 +1,4 @@
-// spiraling-edge sample: a shape or a volume in, even points on its isosurface out.
+// spiraling-edge sample: even points on the isosurface of a shape or a volume.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -39,17 +39,17 @@ struct SampleArguments {
         auto* count =
             app.add_option("-n,--points", sampler.count, "Exactly N points, 10 million at most");
         count->type_name("N")->check(CLI::Range(std::size_t{1}, kMostParticles));
-        app.add_option("--spacing", sampler.spacing, "As many points as stand S apart")
+        app.add_option("--spacing", sampler.spacing, "As many points as fit at distance S")
             ->type_name("S")
             ->excludes(count);
         app.add_option("--iso", isovalue,
                        "Isovalue (default: that of the shape, or the key `isovalue` of the volume)")
             ->type_name("V");
-        app.add_option("--seed", sampler.seed, "Another seed gives other points")
+        app.add_option("--seed", sampler.seed, "Seed of the random start positions")
             ->type_name("S")
             ->capture_default_str();
         app.add_option("--box", box,
-                       "Cut by the walls of this box, X0,Y0,Z0,X1,Y1,Z1 (default: that of the "
+                       "Clip to this box, X0,Y0,Z0,X1,Y1,Z1 (default: that of the "
                        "shape, or the whole volume)")
             ->type_name("BOX");
         app.add_option("--curvature", sampler.curvature,
@@ -62,7 +62,7 @@ struct SampleArguments {
             ->check(CLI::Range(1LL, kMostNeighbors));
         app.add_flag("--list", list, "List the shapes");
         app.add_flag("--json", json, "With --list: as JSON");
-        app.add_flag("-q,--quiet", quiet, "Only say what went wrong");
+        app.add_flag("-q,--quiet", quiet, "Print errors only");
     }
 
     void validate() const {
@@ -71,10 +71,11 @@ struct SampleArguments {
                           "name a shape or a volume; `spiraling-edge sample --list` lists the "
                           "shapes");
         if (sampler.count == 0 && !(sampler.spacing > 0.0))
-            throw Failure(ExitCode::Usage, "say how many: -n N, or --spacing S above 0");
+            throw Failure(ExitCode::Usage,
+                          "give the number of points: -n N, or --spacing S above 0");
         if (output.empty()) throw Failure(ExitCode::Usage, "name a file with -o OUT.ply");
         if (output == "-" && ::isatty(STDOUT_FILENO) == 1)
-            throw Failure(ExitCode::Usage, "-o -: will not write a binary file to a terminal");
+            throw Failure(ExitCode::Usage, "-o -: refusing to write a binary file to a terminal");
         const MeshFormat* format = output == "-" ? nullptr : meshFormatOf(output);
         const bool holdsPoints =
             output == "-" ||
@@ -83,7 +84,7 @@ struct SampleArguments {
         if (!holdsPoints)
             throw Failure(
                 ExitCode::Usage,
-                fmt::format("-o {}: points can be written as .ply, .obj and .off", output));
+                fmt::format("-o {}: points can be written as .ply, .obj or .off", output));
         requireWritable({{"-o", output}});
     }
 };
@@ -109,7 +110,7 @@ std::string shapesJson() {
     return list.dump(2) + "\n";
 }
 
-/// Lists of the k nearest, as `run` would compute them.
+/// Lists of the k nearest points, as `run` would compute them.
 void addNeighbors(std::size_t k, PointFile& file) {
     PrepareOptions options;
     options.neighbors.reach = KNearest{k};
@@ -121,7 +122,7 @@ void addNeighbors(std::size_t k, PointFile& file) {
 void writePoints(const std::string& path, const PointFile& file) {
     if (path == "-") return writeOutput(path, meshPlyBytes(file, {}));
     const Status status =
-        writeMesh(path, file, {}, {.normals = true});  // They are half the result.
+        writeMesh(path, file, {}, {.normals = true});  // The lists are half the result.
     if (!status) throw Failure(ExitCode::Internal, status.error().message);
 }
 
@@ -144,7 +145,7 @@ std::string summary(const std::string& input, const PointFile& file, const Sampl
 
 ExitCode sampleVerb(const Arguments& words) {
     SampleArguments arguments;
-    CLI::App app("Spreads particles evenly over an isosurface and writes them as points.",
+    CLI::App app("Distributes particles evenly over an isosurface and writes them as points.",
                  "spiraling-edge sample");
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;

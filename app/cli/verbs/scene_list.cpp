@@ -1,4 +1,4 @@
-// spiraling-edge scenes: the inputs that need no file.
+// spiraling-edge scenes: the built-in inputs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -52,12 +52,12 @@ std::string scenesText() {
 
 ExitCode scenesVerb(const Arguments& words) {
     CLI::App app(
-        "Lists the built-in scenes, the default first; behind them those that fail, with the class "
+        "Lists the built-in scenes, the default first, then those that fail, with the class "
         "of "
         "the failure and the address of the decision that causes it.",
         "spiraling-edge scenes");
     bool json = false;
-    app.add_flag("--json", json, "As JSON, with the number of points and what to watch");
+    app.add_flag("--json", json, "As JSON, with the number of points and what to look at");
     if (const auto code = parseArguments(app, words)) return *code;
     writeOutput("-", json ? scenesJson() : scenesText());
     return ExitCode::Good;

@@ -1,4 +1,6 @@
-// spiraling-edge table1: the paper's table beside what this program makes of the same sets.
+// spiraling-edge table1: the paper's Table 1 beside the results of this program on the same sets.
+// Volumes that are not at hand are replaced by shapes with the same number of points. A time is
+// the shortest of the runs within a second, since other work of the machine can only lengthen it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +29,7 @@ struct Row {
     std::size_t points;
     std::size_t triangles;
     double seconds;           ///< On an SGI Indigo2 of 1996.
-    std::string_view shape;   ///< The set itself, or what stands in without its volume.
+    std::string_view shape;   ///< The set itself, or the substitute if the volume is missing.
     std::string_view volume;  ///< File of the volume; empty: the shape is the set.
 };
 
@@ -51,10 +53,9 @@ struct TableArguments {
     RuleArguments rules;
 
     void addTo(CLI::App& app) {
-        app.add_option(
-               "--volumes", volumes,
-               "Folder with lobster.nhdr and electron_cloud.nhdr (docs/table1.md says where "
-               "they come from); without it shapes stand in")
+        app.add_option("--volumes", volumes,
+                       "Folder with lobster.nhdr and electron_cloud.nhdr (docs/table1.md names the "
+                       "sources); without it shapes are used instead")
             ->type_name("DIR");
         rules.addTo(app);
         auto* count = app.add_option("-k,--neighbors", neighbors,
@@ -63,12 +64,14 @@ struct TableArguments {
                           ->check(CLI::Range(1LL, 1000LL));
         app.add_option("--reach", reach,
                        "Neighbors of a point: all within X times the mean distance to the nearest, "
-                       "as particles that push each other")
+                       "like particles that repel each other")
             ->type_name("X")
             ->capture_default_str()
             ->check(CLI::Range(1.0, 10.0))
             ->excludes(count);
-        app.add_option("--seed", seed, "Of the particles")->type_name("S")->capture_default_str();
+        app.add_option("--seed", seed, "Seed of the particles")
+            ->type_name("S")
+            ->capture_default_str();
         app.add_option("--curvature", curvature, "As in `spiraling-edge sample`")
             ->type_name("X")
             ->check(CLI::Range(0.0, 100.0));
@@ -84,12 +87,12 @@ struct TableArguments {
             std::error_code ignored;
             if (!folder->empty() && !std::filesystem::is_directory(*folder, ignored))
                 throw Failure(ExitCode::Usage,
-                              fmt::format("{} {}: there is no such folder", option, *folder));
+                              fmt::format("{} {}: no such folder", option, *folder));
         }
     }
 };
 
-/// What was made of a row.
+/// Result for a row.
 struct Made {
     std::string source;
     bool standIn = false;
@@ -117,7 +120,7 @@ std::string slug(std::string_view set) {
     return name;
 }
 
-/// The least time of the runs of a second: the machine may have other things to do.
+/// The shortest of the runs within a second: the others were slowed by other work of the machine.
 Reconstruction timedRun(const PointSet& points, const Params& params, double& seconds) {
     constexpr int kLeastRuns = 3;
     constexpr double kEnough = 1.0;
@@ -133,7 +136,7 @@ Reconstruction timedRun(const PointSet& points, const Params& params, double& se
     return last;
 }
 
-/// With the lists that are asked for.
+/// With the requested neighbor lists.
 PointSet preparedFor(const PointFile& file, const TableArguments& arguments, const Params& params) {
     PrepareOptions options;
     if (arguments.neighbors) {
@@ -185,7 +188,7 @@ Made make(const Row& row, const TableArguments& arguments, const Params& params,
 std::string tableText(const std::vector<Made>& all, const TableArguments& arguments) {
     std::string text = fmt::format(
         "Table 1, rules {}, {}, seed {}, curvature {}; seconds: triangulation "
-        "alone, the best of the runs of a second\n\n",
+        "alone, the best of the runs within a second\n\n",
         arguments.rules.setName(), reachText(arguments), arguments.seed, arguments.curvature);
     text += fmt::format(
         "{:<16} {:>6}  {:>17}  {:>15}  {:>15} {:>6}  {:>6} {:>5} {:>6} {:>5} {:>8} "
@@ -211,10 +214,10 @@ std::string tableText(const std::vector<Made>& all, const TableArguments& argume
             made.joins, made.capped ? "  stopped" : "");
     }
     text +=
-        "\nshort: triangles that the mesh is short of 2 V - 2 chi - rim, that of a surface "
+        "\nshort: triangles missing to 2 V - 2 chi - rim, the number of a surface "
         "that uses every point; rim: edges of one triangle\n";
     if (std::any_of(all.begin(), all.end(), [](const Made& m) { return m.standIn; }))
-        text += "* a shape of this program stands in for the volume; give --volumes DIR\n";
+        text += "* a shape of this program instead of the volume; give --volumes DIR\n";
     return text;
 }
 

@@ -1,4 +1,4 @@
-// spiraling-edge why: why a point, an edge or a triangle is in the mesh, or why it is not.
+// spiraling-edge why: the decisions that put a point, an edge or a triangle into the mesh or not.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ std::array<Index, 3> pointsFrom(const std::string& option, const std::string& te
     }
     if (found == count && at == end) return points;
     throw Failure(ExitCode::Usage, fmt::format("{} {}: expected {}", option, text,
-                                               count == 1   ? "the number of a point, such as 812"
+                                               count == 1   ? "a point number, such as 812"
                                                : count == 2 ? "two points, such as 812,640"
                                                             : "three points, such as 812,640,77"));
 }
@@ -66,7 +66,7 @@ struct WhyArguments {
 
     void addTo(CLI::App& app) {
         input.addTo(app);
-        auto* subject = app.add_option_group("What is asked about");
+        auto* subject = app.add_option_group("Subjects");
         subject->add_option("--point", point, "A point, by its number from 0")->type_name("P");
         subject->add_option("--edge", edge, "The edge of two points")->type_name("P,Q");
         subject->add_option("--triangle", triangle, "The triangle of three points")
@@ -81,37 +81,39 @@ struct WhyArguments {
                           "pivots; each with the --find line that lists them");
         subject
             ->add_option("--closest", closest,
-                         "No subject: the N decisions that came nearest to going the other way")
+                         "No subject: the N decisions closest to going the other way")
             ->type_name("N")
             ->check(CLI::PositiveNumber);
         subject
             ->add_option("--find", query,
                          "No subject: the decisions that a line such as \"stage=sphere kept "
-                         "margin<1e-4\" asks for")
+                         "margin<1e-4\" matches")
             ->type_name("LINE");
         subject
             ->add_option("--failure", failure,
-                         "No subject: when the first failure of a class, or the N-th, came about; "
+                         "No subject: how the first failure of a class, or the Nth, came about; "
                          "classes: spiraling-edge check --help, and leftover_rings, triangle_cap")
             ->type_name("CLASS[:N]");
         subject->add_flag("--failures", failures,
                           "No subject: everything that went wrong, with its three moments");
         subject->require_option(1);
-        app.add_flag("--remedy", remedy,
-                     "With --failure: also which rules of --rules robust would have prevented it, "
-                     "by running again with each of them on");
-        app.add_flag("--prove", prove,
-                     "With --failures: turns the decision that made each of them unavoidable, and "
-                     "tells which failures are gone then");
+        app.add_flag(
+            "--remedy", remedy,
+            "With --failure: also the rules of --rules robust that would have prevented it, "
+            "by running again with each of them on");
+        app.add_flag(
+            "--prove", prove,
+            "With --failures: inverts the decision that made each of them unavoidable, and "
+            "shows which failures disappear");
         app.add_option("--most", most,
-                       "With --find and --failures: list N of them, of each class; with --prove "
+                       "With --find and --failures: list N, of each class; with --prove "
                        "try N of each, spread over all")
             ->type_name("N");
         app.add_flag("--json", json, "As JSON");
-        app.add_flag("-q,--quiet", quiet, "No line of progress");
-        app.footer("\nThe words of a LINE; all of them must hold:\n" + wordList() +
+        app.add_flag("-q,--quiet", quiet, "Show no progress");
+        app.footer("\nTerms of a LINE; all of them must hold:\n" + wordList() +
                    "\nEvery line begins with an address: spiraling-edge-viewer IN --goto ADDRESS "
-                   "shows it.\nThe line marked > settled the question.");
+                   "shows it.\nThe line marked > is the decisive one.");
     }
 
     Subject subject() const {
@@ -125,7 +127,7 @@ struct WhyArguments {
     }
 };
 
-/// The answer to one subject.
+/// Answer about one subject.
 std::string askWhy(const WhyArguments& arguments, const PreparedInput& run, ProgressLine& line) {
     const std::string& input = arguments.input.input();
     const Ledger ledger = workedOut("asking", input, line, [&](const Progress& progress) {
@@ -143,7 +145,7 @@ std::string askQuery(const WhyArguments& arguments, const DecisionQuery& query,
     return arguments.json ? foundJson(input, found) : foundText(found);
 }
 
-/// Everything that went wrong in the run.
+/// Answer about all failures of the run.
 RunFailureSearch failuresIn(const WhyArguments& arguments, const PreparedInput& run,
                             ProgressLine& line) {
     return workedOut("asking", arguments.input.input(), line, [&](const Progress& progress) {
@@ -151,7 +153,7 @@ RunFailureSearch failuresIn(const WhyArguments& arguments, const PreparedInput& 
     });
 }
 
-/// The three moments of a failure.
+/// Answer about the three moments of a failure.
 std::string askFailure(const WhyArguments& arguments, const FailureChoice& choice,
                        const PreparedInput& run, ProgressLine& line) {
     const std::string& input = arguments.input.input();
@@ -166,7 +168,7 @@ std::string askFailure(const WhyArguments& arguments, const FailureChoice& choic
                           : momentsText(failure) + remediesText(remedies);
 }
 
-/// Are the decisions the causes? Of large classes a sample is tried.
+/// Answer about whether the decisions are the causes. Of large classes a sample is tried.
 std::string askProofs(const WhyArguments& arguments, const PreparedInput& run,
                       const std::vector<RunFailure>& all, ProgressLine& line) {
     const std::string& input = arguments.input.input();
@@ -225,13 +227,13 @@ std::string askClosest(const WhyArguments& arguments, const PreparedInput& run,
 ExitCode whyVerb(const Arguments& words) {
     WhyArguments arguments;
     CLI::App app(
-        "Says why a point, an edge or a triangle is in the mesh, or why it is not, and what went "
-        "wrong. Exactly one option asks: --point, --edge, --triangle, --ring, --charts, --closest, "
-        "--find, --failure or --failures, listed at the end of the options.",
+        "Explains why a point, an edge or a triangle is in the mesh or is not, and what went "
+        "wrong. Give exactly one of --point, --edge, --triangle, --ring, --charts, --closest, "
+        "--find, --failure or --failures, described at the end of the options.",
         "spiraling-edge why");
     arguments.addTo(app);
     if (const auto code = parseArguments(app, words)) return *code;
-    // Mistakes in the question come before long work.
+    // Mistakes in the query are reported before the long work.
     const auto query = DecisionQuery::parse(arguments.query);
     if (arguments.remedy && arguments.failure.empty())
         throw Failure(ExitCode::Usage, "--remedy: needs --failure CLASS[:N]");

@@ -15,7 +15,7 @@ namespace {
 
 auto rankOf(const Address& at) { return std::tuple(at.pivot, at.stage, at.n); }
 
-/// The points to frame: with the triangles, of which an edge tells too little.
+/// The points to frame: those of the triangles as well, of which an edge shows too little.
 std::vector<Index> placesOf(const Model& model, const RunFailure& alert) {
     std::vector<Index> points = alert.failure.points;
     if (alert.failure.kind->name != "holes") {
@@ -94,10 +94,10 @@ std::string pointsText(const MeshFailure& failure, std::size_t most) {
 std::string watchNote(std::size_t points, std::size_t noticed) {
     if (points > kMostWatched)
         return "Runs on more than " + grouped(kMostWatched) +
-               " points are not watched while one steps: their failures are only listed here.";
+               " points are not checked during stepping: their failures are listed only here.";
     if (noticed >= kMostNoticed)
-        return "While one steps, only the first " + grouped(kMostNoticed) +
-               " failures are told: the others are only listed here.";
+        return "During stepping only the first " + grouped(kMostNoticed) +
+               " failures are reported: the others are listed only here.";
     return {};
 }
 
@@ -109,7 +109,7 @@ void showAlert(CommandContext& context, std::size_t alert, std::optional<AlertMo
     session.mark({});
     const Selection subject = subjectOf(chosen);
     session.select(subject);
-    // The ledger has the answer when one opens it; its first sentence stands with the alert.
+    // The answer is ready when the ledger is opened; its first sentence is shown with the alert.
     if (session.questions().subject() != subject) session.questions().askWhy(subject);
     if (moment) session.goTo(momentOf(chosen, *moment).event.address);
     context.ui.requests.frameAlert = true;
@@ -121,8 +121,8 @@ void nextAlert(CommandContext& context, int direction) {
     if (!session.ready()) return;
     const AlertSearch& alerts = session.alerts();
     if (!alerts.done())
-        return session.say(alerts.busy() ? "Still looking for what went wrong."
-                                         : "What went wrong has not been looked for yet.");
+        return session.say(alerts.busy() ? "The search for alerts is still running."
+                                         : "The search for alerts has not started yet.");
     const auto order = alerts.inOrder();
     if (order.empty()) return session.say("No failures found.");
     const auto created = [&](std::size_t i) {
@@ -134,10 +134,10 @@ void nextAlert(CommandContext& context, int direction) {
     } else {
         const auto here =
             session.event() != nullptr ? rankOf(session.address()) : rankOf({0, Stage{}, 0});
-        const auto behind = std::partition_point(order.begin(), order.end(),
-                                                 [&](std::size_t i) { return created(i) <= here; });
-        place = behind - order.begin() - (direction > 0 ? 0 : 1);
-        // At one: that is behind us.
+        const auto after = std::partition_point(order.begin(), order.end(),
+                                                [&](std::size_t i) { return created(i) <= here; });
+        place = after - order.begin() - (direction > 0 ? 0 : 1);
+        // At an alert: the cursor is past it already.
         if (direction < 0 && place >= 0 && created(order[static_cast<std::size_t>(place)]) == here)
             --place;
     }
@@ -167,12 +167,12 @@ bool openOnFirstAlert(CommandContext& context) {
         session.event() == nullptr && !session.busy() && !context.playback.playing() &&
         session.selection().kind == SelectionKind::None && session.marked().empty();
     if (order.empty() || !untouched || context.ui.arrangement != Arrangement::Debug) return false;
-    // What was said of the input stays.
+    // The notice about the input stays.
     const std::string said = session.notice();
     showAlert(context, order.front(), AlertMoment::Created);
     const std::size_t count = order.size();
     session.say(said + (said.empty() ? "" : " ") +
-                (count == 1 ? "One alert: this is where it came about. Home goes to the start."
+                (count == 1 ? "One alert: it was created here. Home goes to the start."
                             : "The first of " + std::to_string(count) +
                                   " alerts; F8 goes to the next, Home to the start."));
     return true;

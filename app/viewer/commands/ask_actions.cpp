@@ -9,7 +9,7 @@ namespace se::view {
 
 namespace {
 
-/// What to say where a list is at its end, but the run has more.
+/// Message at the end of a list if the run has more.
 std::string behindTheList(const FoundDecisions& found, const Session& session) {
     const std::string from = std::to_string(found.lines.back().event.address.pivot);
     const std::string to = std::to_string(session.overview().lastPivot);
@@ -25,7 +25,7 @@ void askWhy(CommandContext& c, const Selection& what) {
     if (!c.session.ready() || what.kind == SelectionKind::None) return;
     c.session.select(what);
     if (c.ui.arrangement == Arrangement::Compare) {
-        // Of both runs; the column beside the views has the answers.
+        // About both runs; the column beside the views has the answers.
         c.ui.compare.wantsWhy = what;
         return;
     }
@@ -69,7 +69,7 @@ void askTyped(CommandContext& c) {
 void findTyped(CommandContext& c) {
     if (!c.session.ready()) return;
     c.ui.query.shown = QueryList::Found;
-    // The panel itself says what is wrong.
+    // The panel itself reports the error.
     static_cast<void>(c.session.questions().find(c.ui.query.typed));
 }
 
@@ -134,12 +134,12 @@ void toHit(CommandContext& c, int direction) {
     const bool cut = found->total > found->lines.size();
     if (!hit) {
         return c.session.say(cut && direction > 0 ? behindTheList(*found, c.session)
-                             : direction > 0      ? "Nothing more of the run is like that."
-                                                  : "Nothing before is like that.");
+                             : direction > 0      ? "No later decision matches."
+                                                  : "No earlier decision matches.");
     }
     pause(c);
     c.session.goTo(found->lines[*hit].event.address);
-    // From behind the list one comes back over what is not in it.
+    // After the end of the list, a step back skips decisions that are not in it.
     if (cut && place.before == found->lines.size()) c.session.say(behindTheList(*found, c.session));
 }
 

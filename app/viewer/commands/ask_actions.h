@@ -1,4 +1,4 @@
-/// Actions that ask about the run, or walk through the answer.
+/// Actions that query the run, or step through the answer.
 #pragma once
 
 #include "commands.h"
@@ -7,26 +7,27 @@
 
 namespace se::view {
 
-/// Selects a thing and asks why it is in the mesh, or why not; the answer is in the panel Ledger.
+/// Selects a thing and queries why it is in the mesh, or why not; the panel Ledger shows the
+/// answer.
 void askWhy(CommandContext& context, const Selection& what);
-/// The same for a ring.
+/// Queries why a ring is there.
 void askWhy(CommandContext& context, const RingPlace& ring);
-/// What stands in the box of the Ledger; a mistake stays there with a sentence.
+/// Runs the query typed into the Ledger; a mistake stays there with a sentence.
 void askTyped(CommandContext& context);
-/// The decisions that the line of the panel Query asks for; a mistake in it is said there.
+/// Finds the decisions that match the line of the panel Query, which reports a mistake in it.
 void findTyped(CommandContext& context);
-/// The same for a line from elsewhere.
+/// Finds the decisions that match a line from elsewhere.
 void askQuery(CommandContext& context, const std::string& line);
 
 namespace actions {
 
-/// Of the selection; without one the panel waits for a thing to be typed.
+/// Query about the selection; without one the panel waits for input.
 void askWhySelected(CommandContext& c);
 /// To the next (+1) or previous (-1) line of the ledger.
 void toLedgerLine(CommandContext& c, int direction);
-/// To the line that settled it.
+/// To the decisive line.
 void toCause(CommandContext& c);
-/// The panel Query, its line with the keyboard.
+/// Opens the panel Query with the keyboard focus on its line.
 void openQuery(CommandContext& c);
 void openClosest(CommandContext& c);
 void openCharts(CommandContext& c);

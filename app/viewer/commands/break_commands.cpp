@@ -29,7 +29,7 @@ void addBreakpoint(CommandContext& context, Breakpoint breakpoint) {
 
 namespace {
 
-/// The last pivot that `count` steps may come to, and whether they may stop short of its end.
+/// The last pivot that `count` steps may reach, and whether they may stop before its end.
 bool passes(const CommandContext& context, const Stop& stop, int count) {
     const Session& session = context.session;
     const RunPlace here = session.place();
@@ -37,7 +37,7 @@ bool passes(const CommandContext& context, const Stop& stop, int count) {
     const auto steps = static_cast<std::uint32_t>(count);
     switch (context.playback.unit()) {
         case PlayUnit::SubStep:
-            // Single steps near a stop are the caller's business.
+            // Single steps near a stop are handled by the caller.
             return there.pivot == here.pivot ? there.event <= here.event + steps
                                              : there.pivot <= here.pivot + steps;
         case PlayUnit::Pivot:
@@ -61,7 +61,7 @@ bool heldByBreakpoint(CommandContext& context, int count) {
     const bool inLaterPivot = ahead.stop->hit.place.pivot > session.place().pivot;
     const bool firstOfNext = ahead.stop->hit.place == RunPlace{session.place().pivot + 1, 0};
     if (context.playback.unit() == PlayUnit::SubStep && inLaterPivot && !firstOfNext) {
-        // How many events lie between is known one pivot at a time.
+        // The number of events in between is known one pivot at a time.
         session.stepEvent(1);
         return true;
     }
@@ -83,11 +83,11 @@ void toggleBreakpointHere(CommandContext& c) {
     if (!c.session.ready()) return;
     const auto line = lineHere(breakSubject(c));
     if (!line)
-        return c.session.say("The start of the run is no decision: select something to break at.");
+        return c.session.say("No decision at the start of the run: select something to break on.");
     std::vector<Breakpoint>& all = c.ui.breakpoints;
     if (std::erase_if(all, [&](const Breakpoint& each) { return each.line == *line; }) > 0) {
         c.session.arm(all);
-        return c.session.say("No breakpoint any more: " + *line + ".");
+        return c.session.say("Breakpoint removed: " + *line + ".");
     }
     addBreakpoint(c, {"", *line});
 }

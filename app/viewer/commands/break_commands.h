@@ -1,4 +1,4 @@
-/// What the actions about breakpoints do.
+/// Actions for breakpoints.
 #pragma once
 
 #include "break_presets.h"
@@ -6,12 +6,12 @@
 
 namespace se::view {
 
-/// What a breakpoint set now would be about.
+/// Subject of a breakpoint set now.
 BreakSubject breakSubject(const CommandContext& context);
-/// Adds a breakpoint, and says so; one with the same line is not added twice, but put on.
+/// Adds a breakpoint and reports it; one with the same line is not added twice, but enabled.
 void addBreakpoint(CommandContext& context, Breakpoint breakpoint);
-/// Of `count` steps of the unit of playing: goes to the first stop among them and pauses, or waits
-/// until it is known whether there is one. False: nothing is in the way.
+/// Makes `count` steps of playback: goes to the first stop among them and pauses, or waits
+/// until it is known whether there is one. False: there is no stop among them.
 bool heldByBreakpoint(CommandContext& context, int count);
 
 namespace actions {

@@ -13,9 +13,9 @@ namespace {
 using QueryLine = std::optional<std::string>;
 
 QueryLine withPoint(const BreakSubject& subject, const std::string& before,
-                    const std::string& behind = {}) {
+                    const std::string& after = {}) {
     if (subject.point() == kNone) return std::nullopt;
-    return before + std::to_string(subject.point()) + behind;
+    return before + std::to_string(subject.point()) + after;
 }
 
 QueryLine withEdge(const BreakSubject& subject) {
@@ -24,7 +24,7 @@ QueryLine withEdge(const BreakSubject& subject) {
     return "edge=" + std::to_string(corners[0]) + "," + std::to_string(corners[1]);
 }
 
-/// The stage, and whether what was tested there was taken.
+/// The stage, and the outcome of its test.
 QueryLine thisKind(const BreakSubject& subject) {
     if (subject.event == nullptr) return std::nullopt;
     std::string line = "stage=" + std::string(stageName(subject.event->address.stage));
@@ -72,7 +72,7 @@ constexpr std::array kPresets = {
     BreakPreset{"Close decision", "", plain<kMargin>},
     BreakPreset{"Thin triangle", "", plain<kAngle>},
     BreakPreset{"A failure appears", "", plain<kFailure>},
-    BreakPreset{"The run gives something up", "", plain<kAlert>},
+    BreakPreset{"An alert is raised", "", plain<kAlert>},
 };
 
 }  // namespace

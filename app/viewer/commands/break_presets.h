@@ -1,5 +1,5 @@
-/// Lines for breakpoints that need not be typed: one row for each kind, with what is selected and
-/// what the cursor stands on filled in.
+/// Ready-made breakpoint lines: one row for each kind, filled in with the selection and the event
+/// at the cursor.
 #pragma once
 
 #include <optional>
@@ -12,25 +12,25 @@
 
 namespace se::view {
 
-/// What a line may be about.
+/// Subject of a breakpoint line.
 struct BreakSubject {
     Selection selected;
     const Event* event = nullptr;  ///< At the cursor.
-    Index pivot = kNone;           ///< The point that is the pivot there.
+    Index pivot = kNone;           ///< The pivot point at the cursor.
 
-    /// The selected point; else the pivot.
+    /// The selected point, otherwise the pivot.
     Index point() const;
 };
 
 struct BreakPreset {
     std::string_view title;  ///< "Point becomes USED"
-    std::string_view needs;  ///< What has to be selected; empty: nothing.
-    /// The line; nothing if what it needs is not there.
+    std::string_view needs;  ///< Selection that it needs; empty: none.
+    /// The line; empty if the selection that it needs is missing.
     std::optional<std::string> (*line)(const BreakSubject& subject);
 };
 std::span<const BreakPreset> breakPresets();
 
-/// The line for "break here": what is selected, else this kind of decision. Nothing at the start of
+/// The line for "break here": the selection, otherwise this kind of decision. Empty at the start of
 /// the run.
 std::optional<std::string> lineHere(const BreakSubject& subject);
 

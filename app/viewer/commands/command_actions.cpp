@@ -42,7 +42,7 @@ void escape(C& c) {
         ui.mesh.ask = MeshAsk::Keep;
         return;
     }
-    // One thing at a time, the one on top first.
+    // One thing at a time, the topmost first.
     const bool covered = ui.dialogOpen() || ui.popupOpen || ui.walk.at() != KeyStop::View;
     closeDialogs(ui);
     ui.requests.closePopups = true;
@@ -100,28 +100,28 @@ UpAxis usualUp(const C& c) {
 void chooseUp(C& c, UpAxis axis) {
     c.ui.settings.up = axis;
     c.camera.setUp(axis);
-    c.session.say("Up is " + std::string(upAxisName(axis)) + ", here and for other files.");
+    c.session.say("Up axis: " + std::string(upAxisName(axis)) + ", for this and all other files.");
 }
 
 void followUpAxis(C& c) {
     c.ui.settings.up.reset();
     c.camera.setUp(usualUp(c));
-    c.session.say("Up is " + std::string(upAxisName(c.camera.up())) + " (automatic).");
+    c.session.say("Up axis: " + std::string(upAxisName(c.camera.up())) + " (automatic).");
 }
 
 void toggleBookmarkHere(C& c) {
     if (!c.session.ready()) return;
     if (c.session.event() == nullptr)
-        return c.session.say("The start of the run needs no bookmark.");
+        return c.session.say("The start of the run cannot be bookmarked.");
     const Address here = c.session.address();
     const bool there = toggleBookmark(c.ui.bookmarks, here);
-    c.session.say((there ? "Bookmark at " : "No bookmark any more at ") + toString(here) + ".");
+    c.session.say((there ? "Bookmark set: " : "Bookmark removed: ") + toString(here) + ".");
 }
 
 void resetRules(C& c) {
     if (!c.session.ready()) return;
     RuleSet rules = c.session.rules();
-    if (rules.choices.empty()) return c.session.say("All rules are as their set has them.");
+    if (rules.choices.empty()) return c.session.say("All rules have the values of their set.");
     rules.choices.clear();
     c.ui.requests.rules = std::move(rules);
 }
@@ -129,7 +129,7 @@ void resetRules(C& c) {
 void clearWhatIfs(C& c) {
     if (!c.session.ready()) return;
     RuleSet rules = c.session.rules();
-    if (rules.whatIf.empty()) return c.session.say("This is the true run.");
+    if (rules.whatIf.empty()) return c.session.say("No what-ifs are active.");
     rules.whatIf.clear();
     c.ui.requests.rules = std::move(rules);
 }
@@ -146,7 +146,7 @@ void saveAs(C& c) {
 }
 
 void saveMesh(C& c) {
-    if (!c.session.ready()) return c.session.say("There is nothing open to save the mesh of.");
+    if (!c.session.ready()) return c.session.say("There is no run to save the mesh of.");
     pause(c);
     c.ui.mesh.open();
     c.ui.browser = BrowserTask::SaveMesh;
@@ -154,7 +154,7 @@ void saveMesh(C& c) {
 }
 
 void copyCommand(C& c) {
-    if (!c.session.ready()) return c.session.say("There is nothing open that a command would run.");
+    if (!c.session.ready()) return c.session.say("There is no run to copy the command of.");
     c.ui.mesh.path.clear();
     c.ui.mesh.ask = MeshAsk::CopyCommand;
 }
@@ -190,7 +190,7 @@ void toMark(C& c, int direction) {
     if (!c.session.ready()) return;
     const std::optional<Address> mark = c.session.nextMark(direction);
     const Bookmark* own = nextBookmark(c.ui.bookmarks, c.session.address(), direction);
-    // A mark of the run has no number within its stage: it stands at the first.
+    // A mark of the run has no number within its stage: it is at the first event.
     const bool ownIsNearer =
         own != nullptr &&
         (!mark || (direction > 0 ? isBefore(own->address, *mark) : isBefore(*mark, own->address)));
@@ -204,7 +204,7 @@ void toMark(C& c, int direction) {
 void toggleUnit(C& c) { c.playback.setUnit(following(c.playback.unit())); }
 
 void playOrPause(C& c) {
-    // A long way to the next event must not go on after the pause.
+    // A long move to the next event must not continue after the pause.
     if (c.playback.playing() && c.playback.unit() == PlayUnit::Event) c.session.cancelMove();
     c.playback.toggle();
 }
@@ -217,13 +217,13 @@ void stepByUnit(C& c, int direction) {
 void setLoopStart(C& c) {
     if (!c.session.ready()) return;
     c.playback.loop.setFrom(c.session.address());
-    c.session.say("Playing begins again at " + toString(c.session.address()) + ".");
+    c.session.say("Loop start: " + toString(c.session.address()) + ".");
 }
 
 void setLoopEnd(C& c) {
     if (!c.session.ready()) return;
     c.playback.loop.setTo(c.session.address());
-    c.session.say("Playing turns back at " + toString(c.session.address()) + ".");
+    c.session.say("Loop end: " + toString(c.session.address()) + ".");
 }
 
 void arrange(C& c, Arrangement arrangement) {
@@ -246,7 +246,7 @@ void goToBirth(C& c) {
     }
     const std::optional<std::uint32_t> number = factsOf(c.session, c.session.selection()).number;
     const auto birth = number ? birthOfTriangle(c.session.overview(), *number) : std::nullopt;
-    if (!birth) return c.session.say("The decision that made this is not known.");
+    if (!birth) return c.session.say("The decision that made this is not known yet.");
     pause(c);
     c.session.goTo(*birth);
 }
@@ -305,7 +305,7 @@ void playSteps(CommandContext& context, int count) {
 
 namespace {
 
-/// Of an edge or a triangle: what is around it, too.
+/// For an edge or a triangle: also its surroundings.
 void frameSelection(CommandContext& context) {
     const Model& model = context.session.shown();
     const std::span<const Index> corners = context.session.selection().corners();
@@ -330,7 +330,7 @@ void framePoint(CommandContext& context, Index point) {
     for (const Index q : model.points.neighbors[point]) {
         radius = std::max(radius, glm::distance(model.place[point], model.place[q]));
     }
-    // Else one would look at it from within, through the other side of the surface.
+    // Otherwise the camera would look from inside, through the other side of the surface.
     context.camera.face(model.normal[point]);
     context.camera.frame(model.place[point], 1.25F * radius);
 }

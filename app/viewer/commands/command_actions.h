@@ -1,4 +1,4 @@
-/// What the rows of the table of commands do.
+/// Functions of the rows in the table of commands.
 #pragma once
 
 #include <cstddef>
@@ -9,39 +9,39 @@
 namespace se::view::actions {
 
 void pause(CommandContext& c);
-/// Closes what lies over the panels and clears the selection.
+/// Closes the overlays above the panels and clears the selection.
 void escape(CommandContext& c);
 void nextMeshStyle(CommandContext& c);
 void toggleTheme(CommandContext& c);
 void home(CommandContext& c);
 void restart(CommandContext& c);
-/// Turns to look from the other side.
+/// Turns to look from the opposite side.
 void oppositeView(CommandContext& c);
-/// The axis that points up in what is open when it is opened: z for scenes and for points made
-/// here; of files the one that was chosen, else that of a guess.
+/// The up axis of an input when it is opened: z for scenes and sampled points; for files the
+/// chosen axis, otherwise a guess.
 UpAxis usualUp(const CommandContext& c);
-/// Lets an axis point up, in what is open and in the files opened from now on.
+/// Sets the up axis of the open input and of files opened from now on.
 void chooseUp(CommandContext& c, UpAxis axis);
-/// Forgets what was chosen: files have the axis of a guess.
+/// Resets the choice: files use the guessed axis.
 void followUpAxis(CommandContext& c);
-/// The next size of text and panels on the scale, up (+1) or down (-1).
+/// The next size of text and panels on the scale, larger (+1) or smaller (-1).
 void scaleBy(CommandContext& c, int direction);
 void toggleBookmarkHere(CommandContext& c);
-/// To the bookmark at a place of their list, from 0.
+/// To the bookmark at a position of their list, from 0.
 void toBookmark(CommandContext& c, std::size_t place);
 void openBrowser(CommandContext& c);
 void saveAs(CommandContext& c);
-/// Asks where to save the mesh that the run ends with.
+/// Opens the dialog for saving the mesh at the end of the run.
 void saveMesh(CommandContext& c);
-/// Puts the command line that makes that mesh on the clipboard.
+/// Copies the command line that makes that mesh to the clipboard.
 void copyCommand(CommandContext& c);
-/// Asks where to save points that were made here.
+/// Opens the dialog for saving sampled points.
 void savePoints(CommandContext& c);
-/// Asks what is to be derived from the points of the input.
+/// Opens the dialog for what is derived from the points of the input.
 void openPrepare(CommandContext& c);
-/// All rules as their set has them; what-ifs stay.
+/// Resets all rules to the values of their set; what-ifs stay.
 void resetRules(CommandContext& c);
-/// All what-ifs away; rules stay.
+/// Removes all what-ifs; rules stay.
 void clearWhatIfs(CommandContext& c);
 void toEnd(CommandContext& c);
 void toStart(CommandContext& c);
@@ -53,7 +53,7 @@ void stepByUnit(CommandContext& c, int direction);
 void setLoopStart(CommandContext& c);
 void setLoopEnd(CommandContext& c);
 void arrange(CommandContext& c, Arrangement arrangement);
-/// Opens a panel; where no panels are in sight, in the layout that has all of them.
+/// Opens a panel; if no panels are shown, in the layout that has all of them.
 void openTab(CommandContext& c, std::string_view tab);
 /// To the decision that made the selected edge or triangle.
 void goToBirth(CommandContext& c);

@@ -15,11 +15,11 @@ struct Command {
     std::string_view id;     ///< "step.pivot.next": menu path and stable name.
     std::string_view group;  ///< Menu and section of the cheat sheet.
     std::string_view title;
-    std::string_view keys;  ///< "F10 ." : one or more, apart by blanks; may be empty.
+    std::string_view keys;  ///< "F10 .": one or more, separated by spaces; may be empty.
     std::string_view help;  ///< One sentence.
     bool repeats;           ///< Also while the key is held down.
     void (*run)(CommandContext& context);
-    /// Other words for it, apart by blanks, that the palette finds it by.
+    /// Synonyms for the search of the palette, separated by spaces.
     std::string_view synonyms = {};
 };
 
@@ -34,12 +34,12 @@ std::string allKeys(const Command& command);
 /// One line per action: id, keys, help.
 std::string listActions();
 
-/// Goes on by `count` of the unit that is played by, at most to the end of the loop; back if it is
+/// Moves by `count` playback units, at most to the end of the loop; back if it is
 /// negative.
 void playSteps(CommandContext& context, int count);
-/// Puts the pivot and its neighbors, or the selection, into the middle of the view.
+/// Centers the pivot and its neighbors, or the selection, in the view.
 void frameFocus(CommandContext& context);
-/// The pivot, whatever is selected; without a pivot nothing happens.
+/// Centers the pivot regardless of the selection; no effect without a pivot.
 void framePivot(CommandContext& context);
 
 }  // namespace se::view

@@ -27,7 +27,7 @@ void compareMesh(CommandContext& c) {
 void askOfComparison(CommandContext& c, CompareAsk ask) {
     const Comparison* now = c.ui.compare.now;
     if (now == nullptr || !now->chosen())
-        return c.session.say("Nothing is compared: Ctrl+D, then choose the other run.");
+        return c.session.say("No comparison: press Ctrl+D, then choose the other run.");
     pause(c);
     c.ui.compare.ask = ask;
 }

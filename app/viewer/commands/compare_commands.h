@@ -1,17 +1,17 @@
-/// What the commands about comparing do.
+/// Actions for comparing.
 #pragma once
 
 #include "commands.h"
 
 namespace se::view::actions {
 
-/// To the layout Compare, or back to Debug.
+/// Opens the layout Compare, or returns to Debug.
 void toggleCompare(CommandContext& c);
-/// With the rules that say most beside those of the run.
+/// Compares with the most informative rule set beside those of the run.
 void compareUsual(CommandContext& c);
-/// Asks for a file.
+/// Opens the file dialog.
 void compareMesh(CommandContext& c);
-/// Says so if there is nothing that could be carried out.
+/// Requests a step of the comparison; reports if there is no comparison.
 void askOfComparison(CommandContext& c, CompareAsk ask);
 
 inline void askForDifference(CommandContext& c) { askOfComparison(c, CompareAsk::FirstDifference); }

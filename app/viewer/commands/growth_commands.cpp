@@ -30,7 +30,7 @@ constexpr auto kMeanings = std::to_array<Meaning>({
     {"view.frame", GrowthAsk::Home},
 });
 
-/// Groups about the run, which is not there.
+/// Groups about the run, which does not exist yet.
 constexpr std::array<std::string_view, 5> kAside = {"Run", "Step", "Layers", "Notes", "Edit"};
 
 bool isAside(const Command& command) {

@@ -1,4 +1,4 @@
-/// What actions mean while new points spread.
+/// Actions while new points spread.
 #pragma once
 
 #include "commands.h"
@@ -7,7 +7,7 @@ namespace se::view {
 
 /// Opens the page with the last form, of a shape or of a volume.
 void openGrowthPage(CommandContext& context, GrowthSource from);
-/// Carries out what `command` means on that page. False: what it means everywhere.
+/// Carries out the meaning of `command` on that page. False: it has its usual meaning.
 bool runOnGrowthPage(const Command& command, CommandContext& context);
 /// Runs a command, from a key, a menu or the list of actions.
 void runCommand(const Command& command, CommandContext& context);

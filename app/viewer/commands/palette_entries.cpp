@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view kPanelNote = "Panel";
 constexpr std::string_view kSceneNote = "Scene";
 
-/// Other words for panels that no action opens.
+/// Synonyms of panels that no action opens.
 struct PanelWords {
     std::string_view title;
     std::string_view synonyms;
@@ -30,8 +30,6 @@ constexpr auto kPanelWords = std::to_array<PanelWords>({
     {"Counts", "counters statistics numbers"},
     {"Layers", "show hide visible"},
     {"Notes", "bookmarks text"},
-    {"Alerts", "errors failures holes defects problems"},
-    {"Doctor", "check repair problems input"},
     {"Ledger", "why history explain"},
     {"Query", "find search filter"},
 });
@@ -46,8 +44,9 @@ PaletteEntry entryOf(const Scene& scene, std::string_view synonyms) {
     return {PaletteEntry::Kind::Scene, scene.title, kSceneNote, synonyms, scene.id, scene.watch};
 }
 
-/// Does a word of the text begin so? Words are letters and digits; all else lies between them.
+/// Whether a word of the text begins with `start`. Words are letters and digits, separated by all
 bool hasWordStart(std::string_view text, std::string_view start) {
+    /// else.
     const auto isInner = [](char sign) {
         return (sign >= 'a' && sign <= 'z') || (sign >= '0' && sign <= '9');
     };
@@ -63,7 +62,7 @@ bool hasAll(const std::string& text, std::span<const std::string_view> words) {
                        [&](std::string_view word) { return hasWordStart(text, word); });
 }
 
-/// How well an entry fits, the best first.
+/// Quality of a match, the best first.
 enum class Fit : std::uint8_t { Named, Title, Synonyms, Elsewhere, None };
 
 Fit fitOf(const PaletteEntry& entry, std::string_view filter,
@@ -79,7 +78,7 @@ Fit fitOf(const PaletteEntry& entry, std::string_view filter,
 }
 
 void showPanel(CommandContext& context, std::string_view title) {
-    // Learn has all but these two.
+    // Learn lacks these two.
     const bool debugOnly = title == "Steps" || title == "Rings";
     if (debugOnly && context.ui.arrangement == Arrangement::Learn)
         actions::arrange(context, Arrangement::Debug);

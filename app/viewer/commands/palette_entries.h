@@ -15,19 +15,19 @@ struct PaletteEntry {
     enum class Kind : std::uint8_t { Action, Panel, Scene };
     Kind kind = Kind::Action;
     std::string_view title;
-    std::string_view note;      ///< What it belongs to: the menu of an action, else the kind.
-    std::string_view synonyms;  ///< Other words for it, apart by blanks.
-    std::string_view id;        ///< Of the action or scene; of a panel its title.
+    std::string_view note;      ///< Group: the menu of an action, otherwise the kind.
+    std::string_view synonyms;  ///< Synonyms, separated by spaces.
+    std::string_view id;        ///< Of the action or scene; for a panel its title.
     std::string_view help;
 };
 
 /// All of them: actions as in their table, then `panels` by title, then scenes, those that fail
-/// last. A panel whose title is that of an action stands there once, as the action.
+/// last. A panel with the title of an action is listed once, as the action.
 std::vector<PaletteEntry> paletteEntries(std::span<const std::string_view> panels);
 
-/// The entries in which every word of `filter` begins a word, whatever the case: of the title, of
-/// its synonyms, or else of group, id and help. The one with that very title comes first, then
-/// those that have the words in the title, in title and synonyms, elsewhere. All without words.
+/// The entries in which every word of `filter` begins a word, in any case: of the title, of
+/// its synonyms, or otherwise of group, id and help. The one with exactly that title comes first,
+/// then those with the words in the title, in title and synonyms, elsewhere. All without a filter.
 std::vector<PaletteEntry> matchingEntries(std::span<const PaletteEntry> entries,
                                           std::string_view filter);
 

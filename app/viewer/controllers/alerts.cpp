@@ -10,11 +10,11 @@ namespace se::view {
 
 namespace {
 
-/// Why a run has no alert of the name CLASS:N.
+/// Reason why a run has no alert of the name CLASS:N.
 std::string whyNone(const AlertSearch& alerts, const std::string& name) {
     const FailureClass* kind = findFailureClass(name.substr(0, name.find(':')));
     if (kind == nullptr && name != "first")
-        return "there is no such class; spiraling-edge check --help lists them.";
+        return "no such class; spiraling-edge check --help lists them.";
     if (!alerts.complaint().empty()) return alerts.complaint();
     const std::span<const RunFailure> failures = alerts.failures();
     if (failures.empty()) return "the run has no such failure; it has none at all.";
@@ -22,7 +22,7 @@ std::string whyNone(const AlertSearch& alerts, const std::string& name) {
         return each.failure.kind == kind;
     });
     const char* has = alerts.complete() ? "the run has no such failure; it has "
-                                        : "no such failure is listed; there are ";
+                                        : "no such failure is listed; the run has ";
     return has + std::to_string(count) + " of this class and " + std::to_string(failures.size()) +
            " in all.";
 }
@@ -31,7 +31,7 @@ std::string whyNone(const AlertSearch& alerts, const std::string& name) {
 
 void Alerting::begin(const Options& options) {
     asked_ = options.alert;
-    person_ = options.screenshot.empty() && options.benchFrames == 0;
+    interactive_ = options.screenshot.empty() && options.benchFrames == 0;
 }
 
 void Alerting::poll() {
@@ -43,16 +43,16 @@ void Alerting::poll() {
     if (const std::string kept = filing_.takeAlert(); !kept.empty())
         session.chooseAlert(alertNamed(session.alerts(), kept));
     if (fresh) chooseOfGallery();
-    // Built-in scenes and points that were made here are looked at for how the run goes.
+    // Scenes and sampled points are opened to watch the run, so they open at the start.
     const bool file = !isScene(source) && !isSample(source);
-    if (!fresh || !file || !person_ || filing_.placed()) return;
+    if (!fresh || !file || !interactive_ || filing_.placed()) return;
     opened_ = openOnFirstAlert(c_);
-    // What is wrong with the input comes first: the doctor has the tab.
+    // Problems of the input come first: the doctor has the tab.
     if (opened_ && c_.ui.wantedTab.empty() && c_.ui.openTab != kDoctorTab)
         c_.ui.wantedTab = kAlertsTab;
 }
 
-/// Of a scene that fails the alert that it is there for; its story is beside the paper's rule.
+/// For a scene that fails, the alert that it demonstrates; its story is beside the paper's rule.
 void Alerting::chooseOfGallery() {
     Session& session = c_.session;
     const FailureScene* failing = galleryScene(session.spec().source);
@@ -77,7 +77,7 @@ void Alerting::showAsked() {
     const std::string name = std::exchange(asked_, {});
     const auto alert = alertNamed(session.alerts(), name);
     c_.ui.wantedTab = kAlertsTab;
-    // At the place that was named, if one was.
+    // At the position that was named, if one was.
     std::optional<AlertMoment> moment;
     if (!filing_.placed()) moment = AlertMoment::Created;
     if (alert) return showAlert(c_, *alert, moment);

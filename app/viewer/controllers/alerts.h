@@ -1,5 +1,5 @@
-/// When the alerts of a run are known: the one that was asked for, that a session looked at, or the
-/// first. Knows neither window nor OpenGL.
+/// Choice of the alert to show once the alerts of a run are known: that of the command line, that
+/// of the session, or the first. Independent of window and OpenGL.
 #pragma once
 
 #include <string>
@@ -13,13 +13,13 @@ class Alerting {
   public:
     Alerting(CommandContext& context, Filing& filing) : c_(context), filing_(filing) {}
 
-    /// What the command line asks for. A picture without a person opens where it was told to.
+    /// Takes the alert of the command line. Pictures without a user open where their options say.
     void begin(const Options& options);
-    /// Once the alerts are known: goes where one is to look.
+    /// Once the alerts are known: goes to the alert to show.
     void poll();
-    /// True once, if the input has just opened on its first alert.
+    /// True once, if a newly opened input opened on its first alert.
     bool takeOpened() { return std::exchange(opened_, false); }
-    /// Why the alert of the command line does not exist, if so.
+    /// Error if the alert of the command line does not exist.
     const Status& status() const { return status_; }
 
   private:
@@ -28,9 +28,9 @@ class Alerting {
 
     CommandContext& c_;
     Filing& filing_;
-    std::string asked_;   ///< By the command line, until it was shown.
-    std::string source_;  ///< The input whose alerts were seen last.
-    bool person_ = true;  ///< Somebody looks on.
+    std::string asked_;        ///< By the command line, until it was shown.
+    std::string source_;       ///< The input of the last known alerts.
+    bool interactive_ = true;  ///< A user is present.
     bool opened_ = false;
     Status status_ = success();
 };

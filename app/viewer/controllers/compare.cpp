@@ -10,7 +10,7 @@ namespace se::view {
 
 namespace {
 
-/// More outlines than these hide what they are about.
+/// Maximum number of outlines; more would hide the region itself.
 constexpr std::size_t kMostGhosts = 600;
 
 }  // namespace
@@ -22,7 +22,7 @@ bool Comparing::otherBusy() const {
     return other != nullptr && (other->busy() || other->questions().busy());
 }
 
-/// The same input opened anew with other options: what it was before can be compared with.
+/// The same input opened again with other options: its previous state can be compared with.
 void Comparing::rememberBefore() {
     const Session& run = c_.session;
     if (!run.ready() || std::exchange(generation_, run.generation()) == run.generation()) return;
@@ -55,7 +55,7 @@ void Comparing::settle() {
     poll();
 }
 
-/// What is selected or pointed at in one view is so in both: points have the same numbers.
+/// Copies selection and hover from one view to the other: points have the same numbers.
 void Comparing::shareSelection() {
     Session* other = comparison_.other();
     if (other == nullptr || !c_.session.ready()) return;
@@ -152,14 +152,14 @@ void Comparing::carryOut(CompareAsk ask) {
     if (ask == CompareAsk::Usual)
         return begin(CompareWith::otherRun(usualOther(c_.session.spec())));
     if (ask == CompareAsk::Swap) return swap();
-    if (shaded_ == nullptr) return c_.session.say("It is still being compared.");
+    if (shaded_ == nullptr) return c_.session.say("The comparison is still running.");
     const std::size_t count = shaded_->meshes.regions.size();
     const auto& at = c_.ui.compare.region;
     switch (ask) {
         case CompareAsk::FirstDifference:
-            return goTo(shaded_->runs.first, "These two runs do the same from start to end.");
+            return goTo(shaded_->runs.first, "These two runs are the same from start to end.");
         case CompareAsk::FirstHarmless:
-            return goTo(shaded_->runs.harmless, "No decision fell differently before that.");
+            return goTo(shaded_->runs.harmless, "No earlier decision differs.");
         case CompareAsk::NextRegion:
             if (count == 0) return c_.session.say("The meshes are the same.");
             return showRegion(at ? (*at + 1) % count : 0);
@@ -173,7 +173,7 @@ void Comparing::carryOut(CompareAsk ask) {
 
 void Comparing::goTo(const std::optional<RunDifference>& difference, const char* nothing) {
     if (comparison_.with().kind == CompareWith::Kind::Mesh) {
-        // A mesh has no decisions: the first triangle of the run that it has not.
+        // A mesh has no decisions: go to the first triangle of the run that it lacks.
         const MadeMesh& run = shaded_->runs.a;
         std::optional<Address> first;
         for (std::size_t i = 0; i < run.triangles.size(); ++i) {
@@ -201,12 +201,12 @@ std::vector<Triangle> Comparing::ghostsOf(const std::vector<Index>& region,
     return ghosts;
 }
 
-/// Both meshes as they are in the end, with the region in the middle.
+/// Shows both meshes at the end of their runs, with the region in the middle.
 void Comparing::showRegion(std::size_t number) {
     if (shaded_ == nullptr || number >= shaded_->meshes.regions.size()) return;
     const DifferenceRegion& region = shaded_->meshes.regions[number];
     c_.ui.compare.region = number;
-    // A vertex of the mesh that is no point of the run has no place in the view of the run.
+    // A vertex of the mesh that is no point of the run has no position in the view of the run.
     const std::size_t points = shaded_->a->place.size();
     ghosts_[0] = ghostsOf(region.inB, shaded_->runs.b.triangles);
     std::erase_if(ghosts_[0], [&](const Triangle& t) {

@@ -1,5 +1,5 @@
-/// The layout Compare: ties its page, the comparison and what is drawn of the other run. Knows
-/// neither window nor Dear ImGui.
+/// The layout Compare: connects its page, the comparison and the drawing of the other run.
+/// Independent of window and Dear ImGui.
 #pragma once
 
 #include <filesystem>
@@ -15,24 +15,24 @@ class Comparing {
   public:
     explicit Comparing(CommandContext& context);
 
-    /// Where the shaders of the second view come from; empty: those that are built in.
+    /// Sets the folder with the shaders of the second view; empty: the built-in ones.
     void setShaders(const std::filesystem::path& folder) { shaders_ = folder; }
-    /// Compares with this as soon as something is open.
+    /// Sets the counterpart, with which the next open input is compared.
     void beginWith(CompareWith with) { waiting_ = std::move(with); }
-    /// Takes over what threads have made. True if there is something new to draw.
+    /// Takes the results of the threads. True if there is something new to draw.
     bool poll();
-    /// Blocks until nothing is under way.
+    /// Blocks until no work is in progress.
     void settle();
     bool moving() const { return comparison_.working() || otherBusy(); }
-    /// Carries out what page and commands asked for.
+    /// Carries out the requests of page and commands.
     void carryOut();
 
-    /// How the difference looks in the view of the run that is open; null: not at all.
+    /// Colors of the difference in the view of the open run; null: none.
     const DifferenceLook* look();
     /// Makes the list of the second view. Requires a current OpenGL context.
     void fill(bool onPaper);
     void draw(glm::ivec2 size, float em);
-    /// The second view has something to show.
+    /// True if the second view has something to show.
     bool shows() const { return shown_; }
     const DrawList& list() const { return painter_->list(); }
     unsigned texture() const { return painter_->texture(); }
@@ -62,15 +62,15 @@ class Comparing {
     std::unique_ptr<ScenePainter> painter_;
     bool failed_ = false;  ///< The second view cannot be drawn.
     bool shown_ = false;
-    const Compared* shaded_ = nullptr;  ///< What the shades are of.
+    const Compared* shaded_ = nullptr;  ///< Comparison that the colors are of.
     std::array<DifferenceShade, 2> shades_;
-    std::array<std::vector<Triangle>, 2> ghosts_;  ///< For the view of A, of B.
+    std::array<std::vector<Triangle>, 2> ghosts_;  ///< For the views of A and B.
     std::array<DifferenceLook, 2> looks_;
     std::uint32_t lookRevision_ = 0;
     Theme theme_ = Theme::Dark;
     Selection selected_{};
     std::uint32_t generation_ = 0;
-    std::optional<InputSpec> spec_;  ///< Of the run that was open before.
+    std::optional<InputSpec> spec_;  ///< Options of the run that was open before.
 };
 
 }  // namespace se::view

@@ -1,3 +1,6 @@
+// Opening takes several frames, and cursor, camera, selection and notices can be set only after
+// it. They wait in Arrival until arrive(); a failed or cancelled opening discards them.
+// Annotations are kept per input (Notebook), so that they return when the input is opened again.
 #include "document.h"
 
 #include <algorithm>
@@ -60,7 +63,7 @@ void applyEdits(const Edits& edits, CommandContext& context) {
     ui.watches = edits.watches;
     if (edits.rules != rulesOf(context.session.spec())) ui.requests.rules = edits.rules;
     if (edits.cures != context.session.spec().cures) {
-        // The numbers of points may mean others there.
+        // The point numbers may refer to other points there.
         ui.requests.cures = edits.cures;
     } else {
         context.session.select(edits.selected);
@@ -86,7 +89,7 @@ void Filing::begin(const Options& options) {
     c_.session.open(options.input);
 }
 
-/// A scene opens at the decision that it is about, framed.
+/// A scene opens at the decision that it demonstrates, framed.
 void Filing::aimAtScene(const std::string& source) {
     const std::string_view address = openingAddress(source);
     if (address.empty()) return;
@@ -114,13 +117,13 @@ void Filing::changeNotebook(const std::string& source) {
     original_ = other.original;
 }
 
-/// The page with new points gives way to what is being opened.
+/// The page with new points is closed for the input that is opened.
 void Filing::openInput(InputSpec spec) {
     if (c_.ui.growth.open) c_.ui.growth.asked = GrowthAsk::Leave;
     c_.session.open(std::move(spec));
 }
 
-/// A volume is no set of points yet: they are spread first.
+/// A volume has no points yet: they are spread over it first.
 void Filing::spreadOver(const std::string& volume) {
     c_.ui.growth.form.chooseVolume(volume);
     openGrowthPage(c_, GrowthSource::Volume);
@@ -136,7 +139,7 @@ void Filing::open(const std::string& path) {
     InputSpec spec = session.ready() ? session.spec() : session.opening();
     spec.cures.clear();
     if (std::exchange(spec.source, path) != path) {
-        // Asked of another input.
+        // These options were chosen for another input.
         spec.normals = NormalSource::AsGiven;
         spec.walls = {};
         spec.rim = false;
@@ -199,7 +202,7 @@ void Filing::poll() {
     const SessionPhase phase = c_.session.phase();
     if (arrival_.pending && phase != SessionPhase::Loading) {
         const bool opened = c_.session.generation() != arrival_.generation;
-        // It failed, or was cancelled: what was open stays as it is.
+        // The opening failed, or was cancelled: the open input stays unchanged.
         if (!opened) arrival_ = {};
         if (opened && phase == SessionPhase::Ready) arrive();
     }
@@ -207,7 +210,7 @@ void Filing::poll() {
     if (!arrival_.pending && !c_.session.busy()) warn();
 }
 
-/// Changes over to the notes and looks that belong to what is open now.
+/// Switches to the annotations and looks of the input that is open now.
 void Filing::takeUp() {
     const std::optional<SessionFile> session = std::exchange(arrival_.session, std::nullopt);
     changeNotebook(c_.session.spec().source);
@@ -226,7 +229,7 @@ void Filing::arrive() {
     if (!arrival_.expectedHash.empty() && arrival_.expectedHash != hash) {
         warnLater(
             "The input has changed since this session was saved: addresses and bookmarks "
-            "may mean other decisions.");
+            "may refer to other decisions.");
     }
     const auto corners = arrival_.selected.corners();
     const std::size_t count = c_.session.model().points.size();
@@ -257,7 +260,7 @@ void Filing::carryOut(UiRequests& requests) {
     answer();
     if (std::exchange(requests.saveSession, false)) save();
     if (!requests.saveSessionAs.empty()) saveAs(std::exchange(requests.saveSessionAs, {}));
-    // Nobody named a file, or it could not be written: one stays.
+    // No file was named, or it could not be written: the session stays open.
     if (afterSaving_ && !c_.ui.fileBrowser) {
         const Leave to = *std::exchange(afterSaving_, std::nullopt);
         if (unsaved().empty()) go(to);
@@ -309,7 +312,7 @@ void Filing::reload() {
     if (!spec.source.empty()) c_.session.open(spec);
 }
 
-/// Opens what is open anew, mended or as it is; bookmarks and notes stay.
+/// Opens the input again, with or without fixes; bookmarks and notes stay.
 void Filing::takeCures(Cures cures) {
     if (!c_.session.ready() || c_.session.phase() == SessionPhase::Loading) return;
     c_.playback.pause();
@@ -318,7 +321,7 @@ void Filing::takeCures(Cures cures) {
     openInput(std::move(spec));
 }
 
-/// Runs what is open anew; nothing that a person noted is touched.
+/// Re-runs the input; all annotations stay.
 void Filing::takeRules(const RuleSet& rules, Resume resume) {
     if (!c_.session.ready() || rules == c_.session.rules()) return;
     c_.playback.pause();
@@ -343,7 +346,8 @@ void Filing::answer() {
 void Filing::drop(const std::vector<std::string>& paths) {
     Leave to{LeaveFor::Open, paths.front(), {}};
     if (paths.size() > 1) {
-        to.notice = std::to_string(paths.size()) + " files were dropped; only the first is open: " +
+        to.notice = std::to_string(paths.size()) +
+                    " files were dropped; only the first was opened: " +
                     std::filesystem::path(paths.front()).filename().string() + ".";
     }
     leave(std::move(to));
@@ -353,7 +357,7 @@ void Filing::save() {
     if (!c_.session.ready()) return c_.session.say("There is nothing open to save.");
     if (isStandardInput(c_.session.spec().source))
         return c_.session.say(
-            "A session names a file, but these points came from standard input. Save them to a "
+            "A session refers to a file, but these points came from standard input. Save them to a "
             "file "
             "first.");
     if (c_.ui.sessionPath.empty()) {
@@ -394,7 +398,7 @@ std::string Filing::unsaved() const { return differenceOf(noted(), saved_); }
 
 void Filing::note(const std::string& file) {
     if (kept_.empty() || file.empty() || isStandardInput(file)) return;
-    // Another window may have noted something since.
+    // Another window may have stored something since.
     KeptState state = readKeptState(kept_);
     remember(state, file);
     c_.ui.recent = state.recent;

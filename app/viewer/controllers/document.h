@@ -1,5 +1,5 @@
-/// Opening and saving: point files, scenes, session files, and what is remembered of them.
-/// Knows neither window nor OpenGL.
+/// Opening and saving: point files, scenes, session files, and their recent state.
+/// Independent of window and OpenGL.
 #pragma once
 
 #include <filesystem>
@@ -16,9 +16,9 @@
 
 namespace se::view {
 
-/// What a session file would hold of what is open. Requires context.session.ready().
+/// The session file of the open input. Requires context.session.ready().
 SessionFile captureSession(const CommandContext& context);
-/// What can be undone, as it is now, and the way back.
+/// Captures what can be undone, and restores it.
 Edits captureEdits(const CommandContext& context);
 void applyEdits(const Edits& edits, CommandContext& context);
 
@@ -26,48 +26,48 @@ class Filing {
   public:
     explicit Filing(CommandContext& context) : c_(context) {}
 
-    /// Opens what the command line names; without a file nothing, and the start page stays.
+    /// Opens the input of the command line; without one the start page stays.
     void begin(const Options& options);
-    /// Takes recent files and layout from that file and keeps them there from now on; with
-    /// `resetLayout` the layout begins anew.
+    /// Reads recent files and layout from that file and keeps them there from now on; with
+    /// `resetLayout` the layout is the default.
     void keepIn(const std::filesystem::path& path, bool resetLayout);
     /// Opens a point file, `scene:ID`, the line of a SampleSpec or a session file; for a volume the
     /// page with new points.
     void open(const std::string& path);
-    /// The same for files that were dropped on the window: the first of them.
+    /// Opens files that were dropped on the window: the first of them.
     void drop(const std::vector<std::string>& paths);
-    /// Carries out what panels and commands asked for.
+    /// Carries out the requests of panels and commands.
     void carryOut(UiRequests& requests);
-    /// Goes to the place that was asked for as soon as what was asked for is open.
+    /// Goes to the requested position as soon as the requested input is open.
     void poll();
 
-    /// The camera that belongs to what has just been opened, once.
+    /// The camera for the newly opened input, once.
     std::optional<CameraPose> takeCamera() { return std::exchange(arrival_.camera, std::nullopt); }
-    /// What is open was opened by a session file: one without a camera of its own has z up.
+    /// The input was opened by a session file: one without a camera of its own has z up.
     bool openedSession() const { return ofSession_; }
-    /// The alert that the session which has just been opened looked at, once; empty: none.
+    /// The alert of the newly opened session, once; empty: none.
     std::string takeAlert() { return std::exchange(alert_, {}); }
-    /// What is open was opened at a place that somebody named.
+    /// The input was opened at a named position.
     bool placed() const { return placed_; }
-    /// True once, after a place was reached that is to be framed.
+    /// True once, after a position was reached that is to be framed.
     bool takeFocus() { return std::exchange(focus_, false); }
-    /// What the session or the command line compares with, once.
+    /// The counterpart named by the session or the command line, once.
     std::optional<CompareWith> takeComparison() { return std::exchange(with_, std::nullopt); }
-    /// Why the place of the command line does not exist, if so.
+    /// Error if the position of the command line does not exist.
     const Status& placeStatus() const { return placeStatus_; }
-    /// What was noted and is in no session file yet, in words: "bookmarks and watches"; else empty.
+    /// Annotations in no session file yet, in words: "bookmarks and watches"; otherwise empty.
     std::string unsaved() const;
-    /// Says what is odd about the input: it is not the one that the session was saved with.
+    /// Warns if the input is not the one that the session was saved with.
     void warn();
 
   private:
-    /// What is to be done once what was asked for is open.
+    /// Actions to take once the requested input is open.
     struct Arrival {
         bool pending = false;
-        std::uint32_t generation = 0;        ///< Of the session, when it was asked for.
+        std::uint32_t generation = 0;        ///< Of the session, at the time of the request.
         std::string sessionPath;             ///< Empty: no session file.
-        std::optional<SessionFile> session;  ///< Taken up once its input is open.
-        std::string notice;                  ///< To be said when it is open.
+        std::optional<SessionFile> session;  ///< Applied once its input is open.
+        std::string notice;                  ///< Notice to show when the input is open.
         std::string goTo;
         std::optional<CameraPose> camera;
         Selection selected;
@@ -77,7 +77,7 @@ class Filing {
         bool focus = false;
         bool ofSession = false;
     };
-    /// What a person noted about an input, and the session file that it belongs to.
+    /// The user's annotations of an input, and the session file that they belong to.
     struct Notebook {
         Noted noted;
         Noted saved;
@@ -88,7 +88,7 @@ class Filing {
     Noted noted() const;
     void putBack(const Noted& noted);
 
-    /// Goes on at once, or asks first if something would be lost.
+    /// Leaves at once, or asks first if something would be lost.
     void leave(Leave to);
     void go(const Leave& to);
     void reload();
@@ -97,13 +97,13 @@ class Filing {
     void openInput(InputSpec spec);
     void aimAtScene(const std::string& source);
     void spreadOver(const std::string& volume);
-    /// Opens an input with its options: the present one prepared in another way, or points that
-    /// were made here and are looked at already.
+    /// Opens an input with its options: the current one prepared in another way, or points that
+    /// were sampled here and are shown already.
     void openSpec(InputSpec spec);
     void answer();
     void openSession(const std::string& path);
     void takeLooks(const SessionFile& file, const std::string& path);
-    /// Puts the notes about what is open aside, and takes those about `source` up again.
+    /// Stores the annotations of the open input, and restores those of `source`.
     void changeNotebook(const std::string& source);
     void takeUp();
     void arrive();
@@ -112,19 +112,19 @@ class Filing {
     void saveAs(const std::string& path);
     void note(const std::string& file);
     void keepLayout();
-    /// To be said when what is being opened is open.
+    /// Queues a notice for when the input is open.
     void sayLater(const std::string& sentence);
-    /// The same, and on standard error at once.
+    /// Queues a notice, and prints it on standard error at once.
     void warnLater(const std::string& warning);
 
     CommandContext& c_;
     Arrival arrival_;
     std::map<std::string, Notebook> notebooks_;
-    std::string notebookOf_;            ///< The source that the notes on the table are about.
-    std::string original_;              ///< The session file that is open, as it was read.
-    Noted saved_;                       ///< As the session file has it.
-    std::string said_;                  ///< Waits until one has arrived.
-    std::optional<Leave> afterSaving_;  ///< Where to go once the session is saved.
+    std::string notebookOf_;            ///< The source of the current annotations.
+    std::string original_;              ///< The open session file, as it was read.
+    Noted saved_;                       ///< Annotations in the session file.
+    std::string said_;                  ///< Waits until the input is open.
+    std::optional<Leave> afterSaving_;  ///< Destination after the session is saved.
     std::optional<CompareWith> with_;
     bool focus_ = false;
     bool placed_ = false;

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kNoTriangle = "This run makes no triangle: there is no mesh to save.";
+constexpr const char* kNoTriangle = "This run makes no triangles: there is no mesh to save.";
 
 }  // namespace
 
@@ -42,7 +42,7 @@ void MeshSaving::takeOutcome(const Result<SavedMesh>& outcome) {
     MeshForm& form = c_.ui.mesh;
     if (!outcome) {
         form.complaint = outcome.error().message;
-        // The dialog may be closed by now.
+        // The dialog may have been closed.
         return c_.session.say(form.complaint);
     }
     const SavedMesh& saved = outcome.value();
@@ -54,7 +54,7 @@ void MeshSaving::takeOutcome(const Result<SavedMesh>& outcome) {
 
 void MeshSaving::carryOut() {
     const MeshAsk ask = std::exchange(c_.ui.mesh.ask, MeshAsk::None);
-    // Another run may be open by now.
+    // Another run may have been opened.
     if (dialogOpen() && !export_.saving())
         export_.make(c_.session.sharedModel(), c_.session.sharedFile());
     if (ask != MeshAsk::None && c_.session.ready()) answer(ask);

@@ -1,5 +1,5 @@
-/// Saving the mesh and copying the command that makes it: ties the dialog, the threads and what is
-/// open. Knows neither window nor OpenGL.
+/// Saving the mesh and copying the command that makes it: connects the dialog, the threads and the
+/// open run. Independent of window and OpenGL.
 #pragma once
 
 #include <string>
@@ -14,13 +14,13 @@ class MeshSaving {
   public:
     explicit MeshSaving(CommandContext& context) : c_(context) {}
 
-    /// Takes over what the threads have done. True if there is something new to draw.
+    /// Takes the results of the threads. True if there is something new to draw.
     bool poll();
-    /// Carries out what dialog and commands asked for in a frame.
+    /// Carries out the requests of dialog and commands in a frame.
     void carryOut();
-    /// Blocks until nothing is under way: for tests.
+    /// Blocks until no work is in progress: for tests.
     void settle();
-    /// Something is under way whose progress is shown.
+    /// Work with a visible progress is going on.
     bool busy() const { return export_.busy(); }
 
   private:

@@ -11,10 +11,10 @@ namespace se::view {
 
 namespace {
 
-/// So large, in em, are the points where there is room: names have their places beside them, and
-/// one sees what is around.
+/// Target size of points, in em, if there is room: names fit beside them, and the surroundings
+/// are visible.
 constexpr glm::vec2 kPoints(18.0F, 11.0F);
-/// The share of the view that they have at least and at most.
+/// Limits of the share of the view that the points occupy.
 constexpr float kLeastShare = 0.45F;
 constexpr float kMostShare = 0.68F;
 
@@ -41,7 +41,7 @@ void closeUp(const Session& session, Camera& camera, glm::vec2 size) {
     for (const Index point : surroundingsOf(session.picture())) {
         places.push_back(model.place[point]);
     }
-    // Also where it is alone: the disc and the normal.
+    // Also if the point is alone: the disc and the normal.
     for (const glm::vec3& way : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)}) {
         places.push_back(model.place[pivot] + (0.6F * model.spacing) * way);
         places.push_back(model.place[pivot] - (0.6F * model.spacing) * way);

@@ -6,8 +6,8 @@
 
 namespace se::view {
 
-/// Looks from obliquely above the disc of the pivot at what its decisions are about, as near as
-/// leaves room for their names in a view of `size`, in em. Without a pivot nothing happens.
+/// Looks from obliquely above the disc of the pivot at the points of its decisions, as close as
+/// their names allow in a view of `size`, in em. No effect without a pivot.
 void closeUp(const Session& session, Camera& camera, glm::vec2 size);
 
 }  // namespace se::view

@@ -12,11 +12,11 @@ namespace se::view {
 
 namespace {
 
-/// Above this many, particles are plain dots, as points are in the view of a run.
+/// Above this number, particles are plain dots, like points in the view of a run.
 constexpr std::size_t kGrownShapesUpTo = 100'000;
 
-/// Where particles of a picture are drawn. With `like`, in the same place and size as before, so
-/// that nothing jumps while they move.
+/// Positions for drawing particles. With `like`, at the same position and scale as before, so
+/// that the view does not jump while they move.
 std::unique_ptr<Model> modelOf(const GrowthPicture& picture, const Model* like) {
     auto model = std::make_unique<Model>();
     model->points.position = picture.points->position;
@@ -122,7 +122,7 @@ void Growing::takePicture() {
     const GrowthPicture* picture = growth_.picture();
     if (picture == nullptr) {
         page.numbers = {};
-        // Until the next ones are there, those before stay in sight.
+        // Until the new particles are there, the old ones stay visible.
         if (page.phase != GrowthPhase::Finding) model_.reset();
         ++revision_;
         return;
@@ -187,7 +187,7 @@ void Growing::use() {
     InputSpec spec = c_.session.ready() ? c_.session.spec() : usual_;
     spec.source = sampleSource(growth_.spec());
     spec.points = picture->points;
-    // Asked of another input: these have normals and walls of their own.
+    // These options were chosen for another input: sampled points have normals and walls.
     spec.normals = NormalSource::AsGiven;
     spec.walls = {};
     spec.rim = false;

@@ -1,5 +1,5 @@
-/// New points: ties the page, the thread that spreads them, and what is drawn of them. Knows
-/// neither window nor OpenGL.
+/// New points: connects the page, the thread that spreads them, and their drawing. Independent of
+/// window and OpenGL.
 #pragma once
 
 #include <memory>
@@ -16,20 +16,20 @@ class Growing {
   public:
     explicit Growing(CommandContext& context) : c_(context) {}
 
-    /// Opens the page with these particles; `usual` is how its points will be opened.
+    /// Opens the page with these particles; `usual` has the options for opening the points later.
     void begin(const SampleSpec& spec);
     void setUsual(const InputSpec& usual) { usual_ = usual; }
-    /// Takes over what the thread has made. True if there is something new to draw.
+    /// Takes the results of the thread. True if there is something new to draw.
     bool poll();
-    /// Carries out what page and commands asked for.
+    /// Carries out the requests of page and commands.
     void carryOut();
-    /// Blocks until nothing moves: for pictures without a person.
+    /// Blocks until nothing moves: for pictures without a user.
     void settle();
     bool moving() const { return c_.ui.growth.open && c_.ui.growth.moving(); }
 
-    /// What is to be drawn in the view, in view space.
+    /// Drawing of the view, in view space.
     const DrawList& drawList(const Palette& palette);
-    /// Where the particles are, for the renderer; null while there are none.
+    /// Positions of the particles, for the renderer; null while there are none.
     const Model* model() const { return model_.get(); }
     /// Grows whenever model() changes.
     std::uint32_t revision() const { return revision_; }
@@ -49,8 +49,8 @@ class Growing {
     std::unique_ptr<Model> model_;
     DrawList list_;
     std::uint32_t revision_ = 0;
-    std::string homeOf_;                ///< The surface that the camera went home for.
-    std::optional<CameraPose> before_;  ///< Where the camera was when the page was opened.
+    std::string homeOf_;                ///< The surface that the camera was reset for.
+    std::optional<CameraPose> before_;  ///< Camera pose when the page was opened.
 };
 
 }  // namespace se::view

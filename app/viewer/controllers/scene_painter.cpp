@@ -1,3 +1,6 @@
+// Two caches with keys: the draw list is filled again only if one of its inputs changed (Filled),
+// and the texture is drawn again only if the list, the camera or the size did (Drawn). The
+// renderer uploads only the positions and triangles that are new.
 #include "scene_painter.h"
 
 #include <utility>
@@ -9,10 +12,10 @@ namespace se::view {
 
 namespace {
 
-/// Steps played faster than this, per second, do not leave the time to see them move.
+/// Playback rate, in steps per second, above which moves are not animated.
 constexpr double kFollowedRate = 1.5;
 
-/// How many triangles there were at the last seed before the cursor.
+/// Number of triangles at the last seed before the cursor.
 std::size_t componentBegin(const Session& session) {
     const RunOverview& run = session.overview();
     const std::uint32_t pivot = session.record().pivot;
@@ -25,7 +28,7 @@ std::size_t componentBegin(const Session& session) {
     return begin;
 }
 
-/// The point that the last ring before that at the cursor began with.
+/// First point of the last ring before the one at the cursor.
 Index seedBefore(const Session& session) {
     const RunOverview& run = session.overview();
     const std::uint32_t pivot = session.record().pivot;
@@ -37,13 +40,13 @@ Index seedBefore(const Session& session) {
     return seed;
 }
 
-/// Not 0 if the points are to be colored by their margins, and those are known.
+/// Not 0 if the points are colored by their margins, and the margins are known.
 std::uint32_t tintOf(const Session& session, PointTint tint) {
     const bool known = !session.questions().leastMargin().empty();
     return tint == PointTint::Margin && known ? session.generation() + 1 : 0;
 }
 
-/// Colors what the other mesh has not, and outlines what it has in the region that is shown.
+/// Colors triangles that the other mesh lacks, and outlines what it has in the shown region.
 void addDifference(const DifferenceLook& look, const Model& model, std::size_t finished,
                    const std::shared_ptr<const std::vector<Triangle>>& mended, DrawList& out) {
     if (look.shade != nullptr)
@@ -63,7 +66,7 @@ Status ScenePainter::start(const std::filesystem::path& shaders) {
     return success();
 }
 
-/// At which point of its short movements the scene is to be drawn.
+/// Phase of the short animations at which the scene is drawn.
 const Moment& ScenePainter::lookAtMoment(const CommandContext& context, bool onPaper) {
     static constexpr Moment kPaper{Moment::Kind::Paper, 0.0, false};
     if (onPaper) return kPaper;
@@ -102,7 +105,7 @@ void ScenePainter::fill(CommandContext& context, bool onPaper, const DifferenceL
     const Session& session = context.session;
     particles_ = false;
     if (!session.ready()) return;
-    // A mesh that lies still has been uploaded in between.
+    // A finished mesh has been uploaded in between.
     if (std::exchange(still_, nullptr)) uploadedGeneration_ = 0;
     model_ = session.sharedModel();
     upload(session);
@@ -183,7 +186,7 @@ void ScenePainter::fillParticles(Growing& growing, Theme theme) {
     const bool fresh = !std::exchange(particles_, true) || particleTheme_ != theme ||
                        filledParticles_ != growing.revision();
     if (!fresh) return;
-    // Whatever was drawn for the run is made anew when these are left.
+    // Everything drawn for the run is made again when the page is left.
     uploadedGeneration_ = 0;
     filled_.revision = 0;
     filledParticles_ = growing.revision();

@@ -1,4 +1,4 @@
-/// Draws what the session shows into the texture of the view; only what changed is made anew.
+/// Draws the session into the texture of the view; only changes are drawn again.
 #pragma once
 
 #include <filesystem>
@@ -15,40 +15,40 @@ namespace se::view {
 
 class ScenePainter {
   public:
-    /// Requires a current OpenGL context. An empty folder: the shaders that are built in.
+    /// Requires a current OpenGL context. An empty folder: the built-in shaders.
     Status start(const std::filesystem::path& shaders);
 
-    /// Uploads what is new and makes the list of what is to be drawn, if something changed since
-    /// the last time. On paper, what only passes by is there to be seen. `look`: what another mesh
-    /// has not is colored; null: nothing is.
+    /// Uploads new data and makes the draw list, if something changed since
+    /// the last time. In saved pictures, brief highlights are shown too. `look`: triangles that
+    /// another mesh lacks are colored; null: none.
     void fill(CommandContext& context, bool onPaper, const DifferenceLook* look = nullptr);
-    /// A mesh that lies there finished, as it is compared with a run.
+    /// Fills the list with a finished mesh that is compared with a run.
     void fillStill(const std::shared_ptr<const Model>& model,
                    const std::vector<Triangle>& triangles, const ViewSettings& settings,
                    const DifferenceLook* look);
-    /// The same for new points, until fill() is called again.
+    /// Fills the list with new points, until fill() is called again.
     void fillParticles(Growing& growing, Theme theme);
     /// Draws the list, if it, the camera or the size changed since the last time.
     void draw(const CommandContext& context, glm::ivec2 size, float em);
 
     const DrawList& list() const { return particles_ ? particleList_ : drawList_; }
     unsigned texture() const { return renderer_->texture(); }
-    /// Something in the picture moves by itself.
+    /// Something in the picture is animated.
     bool moving() const { return motion_.moving(); }
-    /// The list was made for a picture that is kept.
+    /// The list was made for a saved picture.
     bool onPaper() const { return filled_.moment.kind == Moment::Kind::Paper; }
 
   private:
-    /// What the list is made from, besides what the camera sees.
+    /// Inputs of the list, besides the camera.
     struct Filled {
         std::uint32_t revision = 0;
         LayerSwitches layers;
         Theme theme = Theme::Dark;
         MeshColoring mesh;
         Moment moment;
-        std::size_t shapes = 0;        ///< Components that were known.
+        std::size_t shapes = 0;        ///< Number of known components.
         std::uint32_t tint = 0;        ///< Of the points, see LayerInput.
-        std::size_t noticed = 0;       ///< Failures of this event that were known.
+        std::size_t noticed = 0;       ///< Number of known failures of this event.
         std::uint32_t difference = 0;  ///< Revision of the look; 0: none.
         friend bool operator==(const Filled&, const Filled&) = default;
     };
@@ -74,16 +74,16 @@ class ScenePainter {
     Motion motion_;
     Filled filled_;
     Drawn drawn_;
-    LayerSwitches shownLayers_;  ///< At the event that the picture shows.
-    unsigned fills_ = 0;         ///< How often the list was made.
-    bool particles_ = false;     ///< New points are in sight.
+    LayerSwitches shownLayers_;  ///< Changes at the event of the picture.
+    unsigned fills_ = 0;         ///< Number of times the list was made.
+    bool particles_ = false;     ///< New points are shown.
     DrawList particleList_;
-    std::uint32_t filledParticles_ = 0;  ///< Revision of those in the list.
+    std::uint32_t filledParticles_ = 0;  ///< Revision of the points in the list.
     Theme particleTheme_ = Theme::Dark;
-    const Model* uploaded_ = nullptr;  ///< Only compared.
+    const Model* uploaded_ = nullptr;  ///< Only compared, never dereferenced.
     std::uint32_t uploadedGeneration_ = 0;
-    std::shared_ptr<const Model> model_;  ///< What is in sight.
-    std::shared_ptr<const Model> still_;  ///< Of the mesh that was uploaded; null: a run was.
+    std::shared_ptr<const Model> model_;  ///< Content of the list.
+    std::shared_ptr<const Model> still_;  ///< The uploaded mesh; null: a run was uploaded.
     const void* uploadedStill_ = nullptr;
 };
 

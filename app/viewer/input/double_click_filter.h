@@ -1,5 +1,6 @@
-/// A click picks only once it is sure to be no half of a double click. Plain values.
+/// Delay of the selection by a click until it cannot be the first half of a double click. Plain
 #pragma once
+/// values.
 
 #include <optional>
 
@@ -9,12 +10,12 @@ namespace se::view {
 
 class ClickWait {
   public:
-    /// A click ended on `what`; it counts at `until`, in seconds, unless it is taken back.
+    /// A click ended on `what`; it counts at `until`, in seconds, unless it is cancelled.
     void begin(const Selection& what, double until) { waiting_ = Waiting{what, until}; }
-    /// It was the first half of a double click.
+    /// Cancels the click: it was the first half of a double click.
     void takeBack() { waiting_.reset(); }
     bool waiting() const { return waiting_.has_value(); }
-    /// What is to be selected now, once.
+    /// The thing to select now, once.
     std::optional<Selection> due(double now) {
         if (!waiting_ || now < waiting_->until) return std::nullopt;
         const Selection what = waiting_->what;

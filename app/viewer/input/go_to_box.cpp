@@ -83,7 +83,7 @@ bool GoToBox::press(const KeyChord& chord) {
             move(chord.key);
             break;
         default:
-            // All other plain keys come again as signs, or mean nothing here.
+            // All other plain keys arrive again as characters, or have no function here.
             break;
     }
     return true;

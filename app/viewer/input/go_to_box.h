@@ -14,23 +14,23 @@ class GoToBox {
   public:
     bool active() const { return active_; }
     const std::string& text() const { return text_; }
-    /// Where the next sign goes, in [0, text().size()].
+    /// Position of the next character, in [0, text().size()].
     std::size_t caret() const { return caret_; }
-    /// All of it is marked: what is typed next takes its place.
+    /// All of it is selected: the next input replaces it.
     bool marked() const { return marked_; }
-    /// Takes the keys from now on.
+    /// Opens the box, which takes the keys from now on.
     void open();
     void close() { active_ = false; }
-    /// Requires active(). Signs that no address has are left out.
+    /// Requires active(). Characters that no address has are ignored.
     void type(unsigned sign);
-    /// Requires active(). As if it were typed at once.
+    /// Requires active(). Inserts the text as if it were typed.
     void paste(std::string_view text);
-    /// Requires active(). True if the key was for the box, as those that edit text are; then
-    /// takeSubmitted() may have become true. Ctrl+V is left to who has the clipboard.
+    /// Requires active(). True if the key was for the box, like all that edit text; then
+    /// takeSubmitted() may have become true. Ctrl+V is left to the owner of the clipboard.
     bool press(const KeyChord& chord);
-    /// True once after Enter; the box is closed then and text() is what to go to.
+    /// True once after Enter; the box is closed then and text() is the target.
     bool takeSubmitted();
-    /// What Ctrl+C or Ctrl+X have put on the clipboard, once; empty: nothing.
+    /// Text that Ctrl+C or Ctrl+X put on the clipboard, once; empty: none.
     std::string takeCopied();
 
   private:

@@ -79,7 +79,7 @@ bool KeyMap::isChanged(const Command& command) const { return changes_.contains(
 std::vector<std::string> KeyMap::load(const Changes& wanted) {
     changes_.clear();
     std::vector<std::string> complaints;
-    std::set<std::string> taken;  // by the settings themselves
+    std::set<std::string> taken;  // keys assigned by the settings themselves
     for (const auto& [id, keys] : wanted) {
         const Command* command = findCommand(id);
         if (command == nullptr) {
@@ -94,9 +94,9 @@ std::vector<std::string> KeyMap::load(const Changes& wanted) {
         for (const std::string& word : keyWords(keys)) {
             const auto chord = keyFromString(word);
             if (!chord) {
-                refused(word, ") is no key.");
+                refused(word, ") is not a key.");
             } else if (!taken.insert(toString(*chord)).second) {
-                refused(word, ") has another action.");
+                refused(word, ") is assigned to another action.");
             } else {
                 takeAway(*chord);
                 good.push_back(toString(*chord));
@@ -110,7 +110,7 @@ std::vector<std::string> KeyMap::load(const Changes& wanted) {
 void KeyCapture::begin(std::string_view command) {
     *this = {};
     command_ = command;
-    note_ = "Press the new key. Esc: leave it; Backspace: no key.";
+    note_ = "Press the new key. Esc: cancel; Backspace: no key.";
 }
 
 void KeyCapture::press(const KeyChord& chord, KeyMap& map) {
@@ -127,7 +127,7 @@ void KeyCapture::press(const KeyChord& chord, KeyMap& map) {
     if (owner != nullptr && owner != command && chord != conflict_) {
         conflict_ = chord;
         note_ = name + " is the key of \"" + std::string(owner->title) +
-                "\". Press it again to take it from there, or another one.";
+                "\". Press it again to reassign it, or press another one.";
         return;
     }
     none ? map.unbind(*command) : map.bind(*command, chord);

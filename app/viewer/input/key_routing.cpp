@@ -1,3 +1,6 @@
+// Dear ImGui 1.86 polls the state of keys once per frame and reads characters before it, so
+// presses that arrive within one frame can hide each other. The window therefore queues presses,
+// and a frame takes as many from the front of the queue as remain distinguishable in their order.
 #include "key_routing.h"
 
 #include <set>
@@ -14,25 +17,25 @@ constexpr std::string_view kEditLetters = "ACVXYZ";
 
 bool isPlain(const KeyChord& chord) { return (chord.mods & (kCtrl | kAlt)) == 0; }
 
-/// Signs come by themselves; of other keys only the state is looked at.
+/// Characters arrive as events; for other keys only their state is polled.
 bool isLookedAt(const KeyPress& press) {
     const int key = press.rawKey;
     if (key >= kFirstNamedKey) return key < key::kFirstModifier;
     return (press.chord.mods & kCtrl) != 0;
 }
 
-/// What one frame has been given so far.
+/// Input that one frame has received so far.
 class FrameOfKeys {
   public:
-    /// False if the press would hide one that is there already, or be hidden by it.
+    /// False if the press would hide an earlier one, or be hidden by it.
     bool take(const KeyPress& press) {
         if (press.sign != 0) {
-            // Signs are read before the state of keys, and not at all while Ctrl is down.
+            // Characters are read before the state of keys, and not at all while Ctrl is down.
             typed_ = true;
             return !pressed_;
         }
         if (press.repeated) return true;
-        if (isShiftKey(press.rawKey)) return !pressed_;  // A sign has its Shift within it.
+        if (isShiftKey(press.rawKey)) return !pressed_;  // A character includes its Shift.
         if (isModifierKey(press.rawKey)) return !pressed_ && !typed_;
         if (press.released) {
             up_.insert(press.rawKey);
@@ -47,7 +50,7 @@ class FrameOfKeys {
 
   private:
     bool typed_ = false;
-    bool pressed_ = false;  ///< A key whose state is looked at has come down.
+    bool pressed_ = false;  ///< A polled key has been pressed.
     std::set<int> down_;
     std::set<int> up_;
 };
@@ -71,7 +74,7 @@ bool isSignOfKeyBefore(std::span<const KeyPress> presses, std::size_t i) {
 bool editsText(const KeyChord& chord) {
     if (chord.isFunctionKey()) return false;
     if (isPlain(chord) || chord.key >= kFirstNamedKey) return true;
-    // With both held some keyboards write a sign.
+    // With both held some keyboards produce a character.
     const bool both = (chord.mods & kCtrl) != 0 && (chord.mods & kAlt) != 0;
     const bool letter = chord.key > 0 && chord.key < 128 &&
                         kEditLetters.find(static_cast<char>(chord.key)) != std::string_view::npos;
@@ -80,7 +83,7 @@ bool editsText(const KeyChord& chord) {
 
 bool reachesActions(const KeyChord& chord, const Keyboard& keyboard) {
     if (chord.key == key::kEscape) return true;
-    // It walks on from panel to panel.
+    // It moves on from panel to panel.
     if (chord.key == key::kTab) return !keyboard.textField && !keyboard.dialog;
     if (keyboard.textField && editsText(chord)) return false;
     const bool plain = isPlain(chord) && !chord.isFunctionKey();

@@ -1,5 +1,5 @@
-/// What a key goes to: a text field, a dialog, a panel or an action; and how keys are handed to a
-/// user interface that looks only once per frame. Plain values.
+/// The receiver of a key: a text field, a dialog, a panel or an action; and the delivery of keys to
+/// a user interface that polls only once per frame. Plain values.
 #pragma once
 
 #include <span>
@@ -8,37 +8,37 @@
 
 namespace se::view {
 
-/// A key, or a sign typed, as the window hears of it.
+/// A key or a typed character, as reported by the window.
 struct KeyPress {
     KeyChord chord;
     bool repeated = false;
     unsigned sign = 0;  ///< 0: a key.
     bool released = false;
-    int rawKey = 0;  ///< By its place on the keyboard, not by what is printed on it.
+    int rawKey = 0;  ///< By its position on the keyboard, not by its label.
     int scancode = 0;
     int rawMods = 0;
 };
 
-/// How many of those that wait go into the next frame; the order stays. A user interface that looks
-/// at the state of keys once per frame sees of Ctrl down, V down, Ctrl up, V up nothing at all, and
-/// of two keys one. So a frame has at most one key whose state is looked at; its release, what
-/// modifiers do after it, and what is typed after it wait for the frame after.
+/// Number of waiting presses that go into the next frame; the order stays. A user interface that
+/// polls keys once per frame sees nothing of Ctrl down, V down, Ctrl up, V up, and only one
+/// of two keys. So a frame has at most one polled key; its release, later
+/// modifiers and later characters wait for the next frame.
 std::size_t pressesOfNextFrame(std::span<const KeyPress> waiting);
 
-/// True for the sign that comes with the press of a key just before it: it is of no use once that
+/// True for the character that comes with the key press just before it: it is discarded once that
 /// press has run an action. Requires i < presses.size().
 bool isSignOfKeyBefore(std::span<const KeyPress> presses, std::size_t i);
 
-/// Who has the keyboard.
+/// Owner of the keyboard.
 struct Keyboard {
-    bool textField = false;  ///< Somebody types.
-    bool dialog = false;     ///< A window lies over the view.
-    bool panel = false;      ///< Somebody walks through a panel by keyboard.
+    bool textField = false;  ///< A text field.
+    bool dialog = false;     ///< A window above the view.
+    bool panel = false;      ///< A panel with keyboard navigation.
 };
 
 /// True for either Shift key by itself.
 bool isShiftKey(int key);
-/// True for what changes a text or moves in it: plain keys, Ctrl+C and the like.
+/// True for keys that edit a text or move in it: plain keys, Ctrl+C and the like.
 bool editsText(const KeyChord& chord);
 /// True if a key may run an action. Esc always may.
 bool reachesActions(const KeyChord& chord, const Keyboard& keyboard);

@@ -77,7 +77,7 @@ std::string toString(const KeyChord& chord) {
         if (named.key == chord.key) return text + std::string(named.name);
     }
     if (chord.isFunctionKey()) return text + "F" + std::to_string(chord.key - key::kF1 + 1);
-    // A key without a sign and without a name here has no text either.
+    // A key without a character and without a name here has no text either.
     const bool sign = chord.key > ' ' && chord.key < 127;
     return sign ? text + static_cast<char>(chord.key) : std::string{};
 }

@@ -37,14 +37,14 @@ inline bool isModifierKey(int key) {
 }
 
 struct KeyChord {
-    int key = 0;  ///< Upper case letter, digit, sign or one of key::; 0: none.
+    int key = 0;  ///< Upper case letter, digit, other character or one of key::; 0: none.
     int mods = 0;
     friend bool operator==(const KeyChord&, const KeyChord&) = default;
 
     bool isFunctionKey() const { return key >= key::kF1 && key < key::kF1 + 24; }
 };
 
-/// "Ctrl+G", "F10", "Space", "."; nothing if the text names no key.
+/// "Ctrl+G", "F10", "Space", "."; empty if the text names no key.
 std::optional<KeyChord> keyFromString(std::string_view text);
 /// Empty for a key that has no name here.
 std::string toString(const KeyChord& chord);

@@ -18,7 +18,7 @@ std::string_view keyStopName(KeyStop stop) {
 
 void KeyWalk::begin() {
     offered_ = std::exchange(fresh_, Offers{true});
-    // Its panel is gone, as in another layout.
+    // Its panel is gone, for example in another layout.
     if (!offered_[placeOf(at_)]) leave();
 }
 

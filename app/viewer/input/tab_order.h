@@ -1,5 +1,6 @@
-/// Tab walks: which panel has the keyboard, and which gets it next. Plain values, no ImGui.
+/// Keyboard focus of the panels: the current owner, and the next one for Tab. Plain values, no
 #pragma once
+/// ImGui.
 
 #include <array>
 #include <cstdint>
@@ -7,8 +8,8 @@
 
 namespace se::view {
 
-/// In the order of walking. The view has the keyboard where no panel has; files and scenes are on
-/// the start page, which stands in its place.
+/// In the order of Tab. The view has the keyboard where no panel has; files and scenes are on
+/// the start page, which replaces it.
 enum class KeyStop : std::uint8_t { View, Steps, Rings, RingPoints, Tabs, Content, Files, Scenes };
 inline constexpr std::size_t kKeyStopCount = 8;
 
@@ -16,19 +17,19 @@ std::string_view keyStopName(KeyStop stop);
 
 class KeyWalk {
   public:
-    /// At the beginning of a frame, before panels offer themselves.
+    /// At the beginning of a frame, before panels are drawn.
     void begin();
-    /// A panel is drawn and has something to walk through. True if it gets the keyboard now.
+    /// A panel is drawn and has rows to choose from. True if it gets the keyboard now.
     bool offer(KeyStop stop);
-    /// To the next (+1) or previous (-1) of those offered lately, the view among them.
+    /// To the next (+1) or previous (-1) of the panels drawn lately, the view among them.
     void go(int direction);
-    /// Back to the view, without being asked to by go().
+    /// Back to the view, without a request by go().
     void leave() { at_ = wanted_ = KeyStop::View; }
     KeyStop at() const { return at_; }
 
   private:
     using Offers = std::array<bool, kKeyStopCount>;
-    Offers offered_{true};  ///< In the frame before this one.
+    Offers offered_{true};  ///< Panels of the previous frame.
     Offers fresh_{true};
     KeyStop at_ = KeyStop::View;
     KeyStop wanted_ = KeyStop::View;  ///< Gets the keyboard as soon as it is drawn.

@@ -1,5 +1,5 @@
-/// Keys wait while a text field that a command has opened does not have the keyboard yet: Dear
-/// ImGui gives it away some frames later. Plain values.
+/// Delay of keys until a text field opened by a command has the keyboard focus: Dear ImGui
+/// assigns it some frames later. Plain values.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ class TypingWait {
         if ((fields & ~seen_) != 0) begin();
         seen_ = fields;
     }
-    /// The field that was opened is drawn and takes what is typed.
+    /// The opened field is drawn and accepts input.
     void takesKeys() { takes_ = true; }
     /// At the end of a frame. `routed`: plain keys go to a text field and to no action.
     void endFrame(bool routed) {
@@ -33,8 +33,8 @@ class TypingWait {
     bool waits() const { return frames_ > 0; }
 
   private:
-    /// Dear ImGui needs about four, another layout one more. A field that never comes, as where
-    /// nothing is open, must not keep the keys.
+    /// Dear ImGui needs about four, another layout one more. A field that never appears, for
+    /// example because nothing is open, must not block the keys.
     static constexpr int kMostFrames = 10;
 
     void begin() {

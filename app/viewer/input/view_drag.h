@@ -1,4 +1,4 @@
-/// Drags and clicks in the view or on a strip, told apart by the motion since the press.
+/// Drags and clicks in the view or on a strip, distinguished by the motion since the press.
 /// Plain values.
 #pragma once
 
@@ -12,15 +12,15 @@ class ViewDrag {
     /// A button came down at `pointer`, in pixels of the window: as the window reports it, since by
     /// the next frame the pointer may be elsewhere.
     void press(glm::vec2 pointer) { press_ = pointer; }
-    /// The button that came down last holds what is under it. The way of the pointer before it does
+    /// The latest button keeps what is under it. Motion of the pointer before it does
     /// not count.
     void begin() {
         begun_ = last_ = press_;
         drags_ = false;
     }
-    /// The pointer's motion since the frame before, once it was `threshold` pixels away from where
-    /// the button came down; the whole of it in the frame in which the drag begins, so that what
-    /// was taken stays under the pointer.
+    /// The pointer's motion since the previous frame, once it was `threshold` pixels away from the
+    /// press; all of it in the frame in which the drag begins, so that the dragged
+    /// thing stays under the pointer.
     glm::vec2 move(glm::vec2 pointer, float threshold) {
         drags_ = drags_ || glm::distance(pointer, begun_) >= threshold;
         if (!drags_) return glm::vec2(0.0F);
@@ -28,7 +28,7 @@ class ViewDrag {
         last_ = pointer;
         return by;
     }
-    /// True from when the pointer has come to the threshold, until the next begin().
+    /// True from when the pointer has reached the threshold, until the next begin().
     bool drags() const { return drags_; }
 
   private:

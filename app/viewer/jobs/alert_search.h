@@ -1,5 +1,4 @@
-/// Looks for everything that went wrong in a run, in a thread of its own (core's
-/// failure_moments.h).
+/// Search for all failures of a run, in a thread of its own (core's failure_moments.h).
 #pragma once
 
 #include <memory>
@@ -14,37 +13,37 @@
 
 namespace se::view {
 
-/// The alerts of one class: they stand beside each other in the list.
+/// Alerts of one class, which are adjacent in the list.
 struct AlertGroup {
     const FailureClass* kind = nullptr;
     std::size_t first = 0;
     std::size_t count = 0;
-    ClassTotal total;  ///< Of the run; more than `count` where not all are listed.
+    ClassTotal total;  ///< Of the run; more than `count` if not all are listed.
 };
 
 class AlertSearch {
   public:
-    /// Another run, to be looked through when begin() says so; what was going on is cancelled.
+    /// Sets the run to search, which starts at begin(); a search in progress is cancelled.
     void wait(std::shared_ptr<const Model> model);
-    /// Begins, unless that was done or a person has stopped it.
+    /// Starts the search, unless it was done or the user has stopped it.
     void begin();
-    /// A person does not want to wait.
+    /// Stops the search at the user's request.
     void stop();
     /// Starts the search again, after stop() or a failure. Requires !busy().
     void resume();
-    /// Takes over what was found, or the complaint. True if that is news.
+    /// Takes the results, or the complaint. True if there was anything new.
     bool poll();
-    /// Blocks until there is something to take over, or nothing was begun.
+    /// Blocks until there is a result to take, or nothing was started.
     void finish() { inquiry_.finish(); }
 
     bool busy() const { return inquiry_.busy(); }
     bool done() const { return inquiry_.answer() != nullptr; }
     bool stopped() const { return stopped_; }
-    /// Why it failed, a sentence; then it is never done. Empty if it did not.
+    /// A sentence why the search failed; then it is never done. Empty if it did not.
     const std::string& complaint() const { return inquiry_.complaint(); }
     /// In [0, 1], while busy.
     double share() const { return inquiry_.share(); }
-    /// By class; empty before it is done.
+    /// Results by class; empty before the search is done.
     std::span<const RunFailure> failures() const {
         return done() ? std::span<const RunFailure>(inquiry_.answer()->failures)
                       : std::span<const RunFailure>{};
@@ -52,7 +51,7 @@ class AlertSearch {
     /// All failures of the run are listed, or it is not done.
     bool complete() const { return !done() || isComplete(inquiry_.answer()->totals); }
     std::span<const AlertGroup> groups() const { return groups_; }
-    /// Places in failures(), by the moment at which each was created.
+    /// Positions in failures(), by the moment at which each was created.
     std::span<const std::size_t> inOrder() const { return inOrder_; }
 
   private:
@@ -66,10 +65,10 @@ class AlertSearch {
     Inquiry<RunFailureSearch> inquiry_;
 };
 
-/// "intersecting_triangles:2": the class and the place in it from 1, as on the command line.
+/// "intersecting_triangles:2": the class and the number in it from 1, as on the command line.
 std::string alertName(const AlertSearch& alerts, std::size_t index);
 /// The alert of that name, without a number the first of its class; "first" is the one that was
-/// created first. Nothing if there is none.
+/// created first. Empty if there is none.
 std::optional<std::size_t> alertNamed(const AlertSearch& alerts, std::string_view name);
 
 }  // namespace se::view

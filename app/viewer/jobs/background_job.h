@@ -1,5 +1,5 @@
-/// A thread that goes through a run by itself and hands over what it finds, piece by piece. What is
-/// dropped is left to itself; nobody waits for it.
+/// A background job that goes through a run in a thread of its own and streams its results to the
+/// caller. A cancelled job finishes in the background.
 #pragma once
 
 #include <atomic>
@@ -23,17 +23,17 @@ class RunErrand {
         std::mutex mutex;
         std::vector<Found> handed;  ///< Not yet taken; guarded.
         std::atomic<double> share = 0.0;
-        std::string complaint;         ///< Valid once it has ended.
-        std::optional<Thread> thread;  // last: it uses all of the above
+        std::string complaint;         ///< Valid once the job has ended.
+        std::optional<Thread> thread;  // last: it uses all members above
     };
 
   public:
-    /// What the work gives its finds to.
+    /// Collector of the results of the work.
     class Basket {
       public:
         Basket(Job& job, const CancelFlag& cancelled) : job_(job), cancelled_(cancelled) {}
         void add(Found found) { fresh_.push_back(std::move(found)); }
-        /// Hands over; to be called now and then. False if nobody wants more of it.
+        /// Delivers the results; to be called now and then. False if the job was cancelled.
         bool report(double share) {
             job_.share = share;
             const std::lock_guard lock(job_.mutex);
@@ -49,16 +49,16 @@ class RunErrand {
     };
 
     RunErrand() = default;
-    /// Cancels, and waits until the threads have noticed.
+    /// Cancels, and waits until the threads have ended.
     ~RunErrand() {
         drop();
-        // All know of it before the first is waited for.
+        // Cancel all threads before joining the first.
         dropped_.clear();
     }
     RunErrand(const RunErrand&) = delete;
     RunErrand& operator=(const RunErrand&) = delete;
 
-    /// `work` may use nothing that does not outlive it. What was under way is dropped.
+    /// Starts `work`, which may use nothing that it may outlive. A job in progress is cancelled.
     void begin(std::function<void(Basket&)> work) {
         drop();
         job_ = std::make_unique<Job>();
@@ -81,24 +81,24 @@ class RunErrand {
     bool busy() const { return job_ != nullptr; }
     /// In [0, 1], while busy.
     double share() const { return job_ ? job_->share.load() : 0.0; }
-    /// What was found since the last call, in the order in which it was.
+    /// Results since the last call, in order.
     std::vector<Found> take() {
         const std::lock_guard lock(job_->mutex);
         return std::exchange(job_->handed, {});
     }
-    /// All is found; to be asked before take(), then close().
+    /// The job is complete; to be checked before take(), then close().
     bool ended() const { return job_ && job_->thread->ended(); }
-    /// Once ended(): the sentence of the exception that the work ended with; empty if with none.
+    /// Once ended(): the text of the exception that ended the work; empty if there was none.
     const std::string& complaint() const { return job_->complaint; }
     void close() { job_.reset(); }
-    /// Blocks until all is found.
+    /// Blocks until the job is complete.
     void wait() {
         if (job_) job_->thread->waitUntilDone();
     }
 
   private:
     std::unique_ptr<Job> job_;
-    std::vector<std::unique_ptr<Job>> dropped_;  ///< Until they have noticed.
+    std::vector<std::unique_ptr<Job>> dropped_;  ///< Until they have ended.
 };
 
 }  // namespace se::view

@@ -1,5 +1,5 @@
-/// One question about the run that takes a while: an errand with a single find, its answer. It is
-/// given up as soon as another is asked.
+/// A query about the run that takes a while: a background job with a single result, the answer. A
+/// new query cancels the previous one.
 #pragma once
 
 #include <functional>
@@ -16,29 +16,29 @@ namespace se::view {
 template <typename Answer>
 class Inquiry {
   public:
-    /// Returns an error once `progress` says no. It must hold all that it needs.
+    /// Returns an error once `progress` returns false. It must own all that it needs.
     using Work = std::function<Result<Answer>(const Progress& progress)>;
 
-    /// What was asked before is given up, its answer forgotten.
+    /// Starts a query; the previous one is cancelled and its answer discarded.
     void ask(Work work) {
         forget();
         errand_.begin([work = std::move(work)](Basket& basket) {
             basket.add(work([&basket](double share) { return basket.report(share); }));
         });
     }
-    /// No question, no answer.
+    /// Discards query and answer.
     void forget() {
         errand_.drop();
         answer_.reset();
         complaint_.clear();
     }
-    /// As a person wishes: complaint() says so.
+    /// Stops at the user's request and sets complaint().
     void stop() {
         if (!busy()) return;
         errand_.drop();
         complaint_ = "Stopped.";
     }
-    /// Takes over what was found. True if that is news.
+    /// Takes the result. True if there was anything new.
     bool poll() {
         if (!errand_.ended()) return false;
         for (Result<Answer>& found : errand_.take()) {
@@ -52,7 +52,7 @@ class Inquiry {
         errand_.close();
         return true;
     }
-    /// Blocks until there is something to take over, or nothing was asked.
+    /// Blocks until there is a result to take, or there is no query.
     void finish() { errand_.wait(); }
 
     bool busy() const { return errand_.busy(); }
@@ -60,9 +60,9 @@ class Inquiry {
     double share() const { return errand_.share(); }
     /// The answer, moved out; nothing before there is one.
     std::optional<Answer> takeAnswer() { return std::exchange(answer_, std::nullopt); }
-    /// Null before there is one.
+    /// Null before there is an answer.
     const Answer* answer() const { return answer_ ? &*answer_ : nullptr; }
-    /// Why there is none, as a sentence; empty if nothing went wrong.
+    /// A sentence why there is no answer; empty if nothing failed.
     const std::string& complaint() const { return complaint_; }
 
   private:

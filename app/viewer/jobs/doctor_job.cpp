@@ -16,7 +16,7 @@ void Checkup::begin() {
     if (!file_ || busy()) return;
     query_.ask([file = std::move(file_)](const Progress& progress) -> Result<Diagnosis> {
         Result<Diagnosis> found = examine(*file, progress);
-        // What cannot be examined could not be opened.
+        // An input that cannot be examined could not have been opened.
         return found ? std::move(found) : Result<Diagnosis>(Diagnosis{});
     });
     file_ = nullptr;
@@ -43,7 +43,7 @@ MarkedPlace placeOf(const Model& model, std::span<const Index> points) {
         place.normal += model.normal[p];
     }
     place.center = 0.5F * (low + high);
-    // What lies all around has no side to look from.
+    // Points all around have no preferred side.
     const float agreement = glm::length(place.normal) / static_cast<float>(points.size());
     place.normal = agreement > 0.5F ? glm::normalize(place.normal) : glm::vec3(0.0F);
     place.radius = 0.0F;

@@ -1,4 +1,4 @@
-/// The doctor's look at what is open, in a thread of its own (core's doctor.h).
+/// The doctor's examination of the open input, in a thread of its own (core's doctor.h).
 #pragma once
 
 #include <memory>
@@ -14,22 +14,22 @@ namespace se::view {
 
 class Checkup {
   public:
-    /// Another input, to be examined when begin() is called; what was going on is cancelled.
+    /// Sets the input to examine, which starts at begin(); an examination in progress is cancelled.
     void wait(std::shared_ptr<const PointFile> file);
-    /// Begins, unless that was done.
+    /// Starts the examination, unless it was done.
     void begin();
-    /// Takes over what was found. True if that is news.
+    /// Takes the result. True if there was anything new.
     bool poll() { return query_.poll(); }
-    /// Blocks until there is something to take over, or nothing was begun.
+    /// Blocks until there is a result to take, or nothing was started.
     void finish() { query_.finish(); }
 
     bool busy() const { return query_.busy(); }
     bool done() const { return query_.answer() != nullptr; }
     /// In [0, 1], while busy.
     double share() const { return query_.share(); }
-    /// Why it failed, a sentence; then it is never done. Empty if it did not.
+    /// A sentence why the examination failed; then it is never done. Empty if it did not.
     const std::string& complaint() const { return query_.complaint(); }
-    /// Empty before it is done.
+    /// Empty before the examination is done.
     std::span<const Finding> findings() const {
         return done() ? std::span<const Finding>(*query_.answer()) : std::span<const Finding>{};
     }
@@ -39,18 +39,18 @@ class Checkup {
     Inquiry<Diagnosis> query_;
 };
 
-/// The points of a finding that are lit up: all, or evenly chosen ones if there are more than
+/// Points of a finding that are highlighted: all, or evenly chosen ones if there are more than
 /// `most`; none that cannot be drawn.
 std::vector<Index> pointsToMark(const Model& model, const Finding& finding,
                                 std::size_t most = 2000);
 
-/// A sphere that the camera should frame, in view space.
+/// A sphere for the camera to frame, in view space.
 struct MarkedPlace {
     glm::vec3 center{0.0F};
     float radius = 1.0F;
     glm::vec3 normal{0.0F};  ///< The side to look from; zero if there is none.
 };
-/// Around all of the points, with some of what is around them. Requires that there are some.
+/// Around all of the points, with some of their surroundings. Requires at least one point.
 MarkedPlace placeOf(const Model& model, std::span<const Index> points);
 
 }  // namespace se::view

@@ -1,3 +1,7 @@
+// The sampler runs in a thread that is paced by the window: `due` counts the steps to make, and
+// the thread sleeps between them while it is played. Only the newest picture is kept, so a slow
+// window skips pictures instead of falling behind. Quality measures are costly and get a fixed
+// share of the time, except at rest, where the figures must belong to the picture.
 #include "growth.h"
 
 #include <algorithm>
@@ -24,12 +28,12 @@ constexpr double kMeasureShare = 0.2;
 
 }  // namespace
 
-/// What the window and the thread tell each other.
+/// State shared by the window and the thread.
 struct Growth::Job {
     SampleSpec spec;
     std::mutex mutex;
     std::condition_variable changed;
-    // Under the mutex:
+    // Guarded by the mutex:
     int due = 0;          ///< Steps to be made.
     bool slowly = false;  ///< At kRate.
     std::optional<GrowthPicture> fresh;
@@ -38,12 +42,12 @@ struct Growth::Job {
     bool over = false;  ///< Nothing follows.
 
     std::atomic<double> found = 0.0;
-    std::optional<Thread> thread;  // last: it uses all of the above
+    std::optional<Thread> thread;  // last: it uses all members above
 };
 
 namespace {
 
-/// Measures as often as it can without holding up the steps.
+/// Measures as often as possible without slowing the steps.
 class Measurer {
   public:
     SampleQuality of(const Field& field, const PointFile& points, bool atOnce,
@@ -99,7 +103,7 @@ Growth::Growth() = default;
 
 Growth::~Growth() {
     cancel();
-    // All know of it before the first is waited for.
+    // Cancel all threads before joining the first.
     cancelled_.clear();
 }
 
@@ -178,7 +182,7 @@ SampleSpec Growth::spec() const {
     return spec;
 }
 
-/// What the thread does.
+/// Body of the thread.
 class Growth::Worker {
   public:
     Worker(Job& job, const CancelFlag& cancelled) : job_(job), cancelled_(cancelled) {}
@@ -218,18 +222,18 @@ class Growth::Worker {
   private:
     enum class Turn : std::uint8_t { Rest, Step, StepAndShow };
 
-    /// A picture that nobody took gives way to the next one; the last is always the newest.
+    /// Publishes a picture; one that was not taken is replaced, so the newest is always next.
     void publish(const Sampler& sampler, GrowthPhase phase) {
         const bool resting = phase != GrowthPhase::Spreading;
         GrowthPicture picture = pictureOf(field_, sampler, measurer_, resting, goOn_);
         const std::scoped_lock lock(job_.mutex);
         job_.fresh = std::move(picture);
-        // Whoever was told to go on meanwhile does not rest.
+        // No rest if the user resumed in the meantime.
         job_.phase = phase == GrowthPhase::Paused && job_.due > 0 ? GrowthPhase::Spreading : phase;
         job_.changed.notify_all();
     }
 
-    /// Waits for the time of the next step. Told to pause, or to hurry, it does not sleep on.
+    /// Waits for the time of the next step; a pause or finish() ends the wait early.
     Turn await() {
         std::unique_lock lock(job_.mutex);
         if (job_.due > 0 && job_.slowly) {

@@ -1,5 +1,5 @@
-/// Particles that spread over a surface while the window stays awake: the sampler in a thread of
-/// its own, one step of relaxation at a time, to be played, paused and stepped.
+/// Particles that spread over a surface while the window stays responsive: the sampler in a thread
+/// of its own, one step of relaxation at a time, with play, pause and single steps.
 #pragma once
 
 #include <cstdint>
@@ -14,22 +14,22 @@
 namespace se::view {
 
 enum class GrowthPhase : std::uint8_t {
-    Idle,       ///< Nothing was begun.
-    Finding,    ///< The surface is being read and searched for.
+    Idle,       ///< Not started.
+    Finding,    ///< The surface is being read and searched.
     Spreading,  ///< Steps are being made.
-    Paused,     ///< Waits to be told to go on.
+    Paused,     ///< Waits for the user to continue.
     Done,
     Failed,
 };
 /// "idle", "finding", "spreading", "paused", "done", "failed".
 std::string_view growthPhaseName(GrowthPhase phase);
 
-/// The particles after a step.
+/// The particles after a number of steps.
 struct GrowthPicture {
     std::shared_ptr<const PointFile> points;  ///< With normals and types.
     int step = 0;
-    double wanted = 0.0;    ///< The spacing that they are heading for.
-    SampleQuality quality;  ///< Of these particles, or of those a few steps before while they run.
+    double wanted = 0.0;       ///< Target spacing.
+    SampleQuality quality;     ///< Of these particles; while running, of those a few steps earlier.
     Vec3 low{0.0}, high{0.0};  ///< The domain.
 };
 
@@ -39,34 +39,35 @@ class Growth {
     static constexpr double kRate = 30.0;
 
     Growth();
-    /// Cancels, and waits until all threads have noticed.
+    /// Cancels, and waits until all threads have ended.
     ~Growth();
     Growth(const Growth&) = delete;
     Growth& operator=(const Growth&) = delete;
 
-    /// Begins anew and plays; what was going on is cancelled. With spec.steps it makes those at
+    /// Restarts and plays; running work is cancelled. With spec.steps it makes those steps at
     /// full speed and pauses there.
     void begin(const SampleSpec& spec);
     void play();
     void pause();
     /// One step, then pauses.
     void step();
-    /// All steps that are left, at full speed.
+    /// All remaining steps, at full speed.
     void finish();
     void cancel();
 
-    /// Takes over what the thread has made. True if there is something new to draw.
+    /// Collects the results of the thread. True if there is something new to draw.
     bool poll();
-    /// Blocks until nothing moves any more: paused, done or failed.
+    /// Blocks until nothing moves: paused, done or failed.
     void settle();
 
     GrowthPhase phase() const { return phase_; }
-    /// Null before the surface is found, and after a failure or cancel().
+    /// Null until the surface is found, and after a failure or cancel().
     const GrowthPicture* picture() const { return picture_ ? &*picture_ : nullptr; }
-    /// While the surface is searched for and particles are scattered over it: the share done.
+    /// Share done while the surface is searched and particles are scattered over it.
     double found() const;
     const std::string& error() const { return error_; }
-    /// What was begun last, up to the step that the picture shows: which points these are.
+    /// Specification of the last start, up to the step of the current picture: it identifies the
+    /// points.
     SampleSpec spec() const;
 
   private:
@@ -80,7 +81,7 @@ class Growth {
     std::optional<GrowthPicture> picture_;
     std::string error_;
     std::unique_ptr<Job> job_;
-    std::vector<std::unique_ptr<Job>> cancelled_;  ///< Until they have noticed.
+    std::vector<std::unique_ptr<Job>> cancelled_;  ///< Until they have ended.
 };
 
 }  // namespace se::view

@@ -9,7 +9,7 @@ namespace se::view {
 namespace {
 
 Error outOfMemory() {
-    return Error{"Out of memory. Close other programs, or take fewer points or shorter lists."};
+    return Error{"Out of memory. Close other programs, or use fewer points or shorter lists."};
 }
 
 }  // namespace
@@ -20,12 +20,12 @@ Error errorOf(const std::exception_ptr& exception) {
     } catch (const std::bad_alloc&) {
         return outOfMemory();
     } catch (const std::length_error&) {
-        // More than any memory has: containers refuse it before they ask for it.
+        // More than any memory holds: containers refuse it before they allocate.
         return outOfMemory();
     } catch (const std::exception& problem) {
         return Error{std::string("Internal error: ") + problem.what() + "."};
     } catch (...) {
-        return Error{"Internal error: an exception without a text."};
+        return Error{"Internal error: unknown exception."};
     }
 }
 

@@ -1,4 +1,4 @@
-/// Work of a thread that no exception leaves: one that did would end the program.
+/// Work of a thread that no exception leaves: an uncaught one would end the program.
 #pragma once
 
 #include <exception>
@@ -11,8 +11,8 @@ namespace se::view {
 /// A sentence for the user: too little memory, or the text of the exception.
 Error errorOf(const std::exception_ptr& exception);
 
-/// Calls `work`; the error of what it throws. A template: a std::function might throw while it is
-/// made, outside of the guard.
+/// Calls `work` and returns the error of an exception it throws. A template, because constructing a
+/// std::function might throw outside of the guard.
 template <typename Work>
 Status guarded(Work&& work) {
     try {

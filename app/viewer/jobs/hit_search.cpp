@@ -1,3 +1,6 @@
+// A run is searched for all wanted lines at once, because making the run costs far more than
+// testing its events against another line. When a new line is wanted, the search is restarted for
+// the missing lines only; lines that are known completely are kept until another run is open.
 #include "hit_search.h"
 
 #include <algorithm>
@@ -9,7 +12,7 @@ namespace se::view {
 
 namespace {
 
-/// A line that says nothing yet would hold everywhere.
+/// An empty line, which would match everywhere.
 bool isSought(const Breakpoint& breakpoint) {
     return breakpoint.on && breakpoint.line.find_first_not_of(" \t") != std::string::npos;
 }
@@ -24,7 +27,7 @@ std::vector<std::uint32_t> stopPivots(const Breakpoint& breakpoint, const HitLis
     every.on = true;
     const ArmedBreakpoint armed{&every, &list};
     const double width = (window.second - window.first) / static_cast<double>(columns);
-    // The last place before the window.
+    // The last position before the window.
     double at = std::max(0.0, std::ceil(window.first) - 1.0);
     constexpr std::uint32_t kEndOfPivot = std::numeric_limits<std::uint32_t>::max();
     while (pivots.size() <= columns) {
@@ -83,7 +86,7 @@ std::vector<HitSearch::Line> HitSearch::missing() const {
     return lines;
 }
 
-/// Looks for all lines that are wanted and not known, in one run, unless that is under way.
+/// Searches all lines that are wanted and not known, in one run, unless that is in progress.
 void HitSearch::beginNext() {
     if (!model_ || givenUp_) return;
     std::vector<Line> lines = missing();
@@ -118,7 +121,7 @@ void HitSearch::work(const Model& model, const std::vector<Line>& lines,
              [&](double share) { return basket.report(share); });
 }
 
-/// Takes over what the thread has found so far.
+/// Takes the results of the thread so far.
 bool HitSearch::take() {
     std::vector<Found> found = errand_.take();
     for (Found& each : found) {
@@ -127,7 +130,7 @@ bool HitSearch::take() {
         if (!each.sentence.empty()) line.sentences.push_back(std::move(each.sentence));
     }
     if (found.empty()) return false;
-    // The run has come to that pivot, and may not be done with it.
+    // The run has reached that pivot, and may not have finished it.
     const std::uint32_t pivot = found.back().hit.place.pivot;
     for (const Line& line : sought_) known_[line.text].knownTo = pivot - 1;
     return true;

@@ -1,5 +1,5 @@
-/// The hits of the lines that a person breaks at, looked for in a thread of its own: one run for
-/// all lines that are new. What was found stays until another run is open.
+/// Hits of the breakpoint lines, searched in a thread of its own: one run for all new lines.
+/// Results are kept until another run is open.
 #pragma once
 
 #include <map>
@@ -16,15 +16,15 @@
 
 namespace se::view {
 
-/// Of a log-only line, so many hits are kept with their sentences.
+/// Maximum number of hits of a log-only line that keep their sentences.
 inline constexpr std::size_t kMostLogged = 10000;
 
-/// What is known of a line.
+/// Results for a line.
 struct LineHits {
     HitList list;
-    /// The sentences of the first hits; fewer than hits if the line is not one to be listed.
+    /// The sentences of the first hits; fewer than hits if the line is not a log-only one.
     std::vector<std::string> sentences;
-    /// Up to this pivot nothing is missing.
+    /// Nothing is missing up to this pivot.
     std::uint32_t knownTo = 0;
     bool complete = false;
 };
@@ -36,34 +36,33 @@ std::vector<std::uint32_t> stopPivots(const Breakpoint& breakpoint, const HitLis
 
 class HitSearch {
   public:
-    /// Another run: nothing is known of it.
+    /// Sets another run, of which nothing is known.
     void open(std::shared_ptr<const Model> model);
-    /// The breakpoints there are; the lines of those that are on are looked for. Cheap if nothing
-    /// is new.
+    /// Sets the breakpoints; the lines of enabled ones are searched. Cheap if nothing is new.
     void want(std::span<const Breakpoint> breakpoints);
-    /// Takes over what was found. True if that is news.
+    /// Takes the results. True if there was anything new.
     bool poll();
-    /// Blocks until everything that is wanted is known.
+    /// Blocks until all wanted lines are known.
     void finish();
-    /// Gives up looking, until something else is wanted or resume() is called.
+    /// Cancels the search, until something else is wanted or resume() is called.
     void cancel();
     void resume();
 
     bool busy() const { return errand_.busy(); }
-    /// Given up by cancel() before all was known, or because the search failed.
+    /// Cancelled before all was known, or ended by a failure.
     bool cancelled() const { return givenUp_; }
     /// Why a search failed: a sentence, once; empty if none has failed since.
     std::string takeComplaint() { return std::exchange(complaint_, {}); }
     /// In [0, 1], while busy.
     double share() const { return errand_.share(); }
-    /// Null if the line was never looked for, or is not understood.
+    /// Null if the line was never searched, or is not understood.
     const LineHits* of(const std::string& line) const;
 
-    /// Whether what stop() says holds.
+    /// Whether the result of stop() is final.
     enum class Known : std::uint8_t { Yes, NotYet, GivenUp };
     struct Answer {
         Known known = Known::Yes;
-        std::optional<Stop> stop;  ///< Its breakpoint is the place in the list that is wanted.
+        std::optional<Stop> stop;  ///< Its breakpoint is the position in the wanted list.
     };
     /// The next (1) or previous (-1) stop from `here`.
     Answer stop(RunPlace here, int direction) const;
@@ -73,7 +72,7 @@ class HitSearch {
     struct Line {
         std::string text;
         DecisionQuery query;
-        bool listed = false;  ///< With sentences.
+        bool listed = false;  ///< Lines with sentences.
     };
     struct Found {
         std::size_t line;
@@ -91,7 +90,7 @@ class HitSearch {
     std::map<std::string, LineHits> known_;
     bool givenUp_ = false;
     std::string complaint_;
-    std::vector<Line> sought_;  ///< What is under way.
+    std::vector<Line> sought_;  ///< Current search.
     RunErrand<Found> errand_;
 };
 

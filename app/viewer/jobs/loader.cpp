@@ -10,7 +10,7 @@ namespace se::view {
 
 namespace {
 
-/// The points would be prepared in the same way.
+/// True if the points would be prepared in the same way.
 bool sameInput(const Params& a, const Params& b) {
     return a.dropOpposingNormals == b.dropOpposingNormals && a.setNoiseAside == b.setNoiseAside;
 }
@@ -23,7 +23,7 @@ Result<Opened> openInput(const InputSpec& spec, LoadProgress& progress) {
     return opened;
 }
 
-/// The same points under other rules.
+/// The same points with the params of other rules.
 Result<Opened> openAnew(const InputSpec& spec, const RunAnew& anew, LoadProgress& progress) {
     const Result<Params> params = paramsOf(spec);
     if (!params) return params.error();
@@ -33,7 +33,7 @@ Result<Opened> openAnew(const InputSpec& spec, const RunAnew& anew, LoadProgress
     return Opened{std::move(model), nullptr, nullptr};
 }
 
-/// Fails if one is refused that the run did not have before.
+/// Fails if a what-if is refused that the run did not have before.
 Status checkForks(Opened& opened, const std::vector<WhatIf>& known, LoadProgress& progress) {
     const Model& model = *opened.model;
     const auto answers = checkWhatIfs(model.points, model.params,
@@ -69,7 +69,7 @@ Result<Opened> openRun(const InputSpec& spec, const std::optional<RunAnew>& anew
     if (!made) return made;
     Opened& opened = made.value();
     progress.part = LoadPart::Beginning;
-    // What a session file holds is open in any case, and says what has no effect.
+    // What-ifs of a session file are opened in any case; those without effect are reported.
     const std::vector<WhatIf>& known = anew ? anew->spec.whatIf : spec.whatIf;
     if (const Status good = checkForks(opened, known, progress); !good) return good.error();
     opened.moved = movedModels(*opened.model);

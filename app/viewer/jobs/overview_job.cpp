@@ -12,14 +12,14 @@ namespace se::view {
 namespace {
 
 constexpr std::chrono::milliseconds kHandOver{60};
-/// Pivots between two looks at the clock.
+/// Pivots between two checks of the clock.
 constexpr std::uint32_t kLookEvery = 64;
 
 double secondsSince(std::chrono::steady_clock::time_point began) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 }
 
-/// Runs a model from pivot to pivot and notes what there is to see from afar.
+/// Runs a model from pivot to pivot and records what is visible from afar.
 class Observer {
   public:
     explicit Observer(const Model& model)
@@ -29,13 +29,13 @@ class Observer {
 
     const State& state() const { return stepper_.state(); }
 
-    /// Goes on to the end of the next pivot. False if there was none.
+    /// Runs to the end of the next pivot. False if there was none.
     bool step(RunOverview& run) {
         const Counters before = state().counters;
         const std::size_t alerts = state().alerts.size();
         triangles_ = state().triangles.size();
         bool complete = true;
-        // The steps after the last pivot go on to their next kind without one that counts.
+        // Each of the steps after the last pivot proceeds to its next kind without a counted one.
         while (complete && state().counters.pivots == before.pivots)
             complete = stepper_.stepPivot();
         if (complete) noteFigures(run);
@@ -44,7 +44,7 @@ class Observer {
         noteShape(run);
         noteFailures(run);
         if (!complete) {
-            // What happens behind the last pivot has the next number, if anything does.
+            // Events after the last pivot have the next number, if there are any.
             const bool any = !(state().counters == before);
             run.lastPivot = before.pivots + (any ? 1U : 0U);
         }
@@ -108,7 +108,7 @@ class Observer {
         }
     }
 
-    /// If this pivot, or a seed, has begun a component or completed one.
+    /// Whether this pivot, or a seed, has begun or completed a component.
     void noteShape(RunOverview& run) {
         for (const Event& event : log_.events()) {
             if (event.address.stage == Stage::Seed) begin_ = triangles_;
@@ -125,11 +125,11 @@ class Observer {
 
     const Model& model_;
     std::size_t triangles_ = 0;  ///< Before this pivot.
-    std::size_t begin_ = 0;      ///< The first triangle of the present component.
+    std::size_t begin_ = 0;      ///< The first triangle of the current component.
     EventLog log_;
     Stepper stepper_;
     LaneKeeper lanes_;
-    std::optional<LiveCheck> live_;  ///< Not of very large inputs.
+    std::optional<LiveCheck> live_;  ///< Null for very large inputs.
     std::size_t noticed_ = 0;
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };

@@ -1,5 +1,5 @@
 /// Runs a model once from start to end, in the background, and notes what there is to see from
-/// afar: every decision is looked at, none is kept.
+/// afar: every decision is counted, none is kept.
 #pragma once
 
 #include <memory>
@@ -17,9 +17,9 @@ class OverviewJob {
 
     /// Appends what is new to `overview`. True if anything was.
     bool update(RunOverview& overview);
-    /// The run has come to its end, or was stopped.
+    /// The run has ended, or was stopped.
     bool done() const { return job_.ended(); }
-    /// Once done(): why the run was not gone through to its end, a sentence, once; empty if it was.
+    /// Once done(): a sentence why the run ended early, once; empty if it was complete.
     std::string takeComplaint();
     /// Blocks until the run is complete.
     void finish() { job_.wait(); }

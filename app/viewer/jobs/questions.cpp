@@ -160,7 +160,7 @@ Result<Selection> selectionFromText(std::string_view text, std::size_t count) {
             return Error{"There is no point " + word + ": the points are 0 to " +
                          std::to_string(count - 1) + "."};
         if (std::find(points.begin(), points.end(), point) != points.end())
-            return Error{"Point " + word + " stands there twice."};
+            return Error{"Point " + word + " is given twice."};
         points.push_back(point);
     }
     if (points.empty() || points.size() > 3) return Error{kExpected};

@@ -1,6 +1,6 @@
-/// What a person asks about the run: why something is in the mesh, or why not; which decisions are
-/// such and such. Each question makes the run again in a thread of its own (core's ledger.h and
-/// decision_query.h); another run makes all answers void.
+/// The user's queries about the run: why something is in the mesh or not, and which decisions match
+/// a line. Each query re-runs the input in a thread of its own (core's ledger.h and
+/// decision_query.h); another run discards all answers.
 #pragma once
 
 #include <memory>
@@ -20,59 +20,61 @@ namespace se::view {
 struct WhyAnswer {
     std::string name;                    ///< "point 812", "ring #2 at 137".
     bool present = false;                ///< In the mesh at the end of the run; of a ring: true.
-    std::vector<LedgerLine> lines = {};  ///< In the order of the run; never none.
-    std::size_t cause = 0;               ///< The line that settled it.
+    std::vector<LedgerLine> lines = {};  ///< In the order of the run; never empty.
+    std::size_t cause = 0;               ///< The decisive line.
     std::string answer = {};             ///< Ends with the address of the cause.
 };
 
 struct ClosestAnswer {
     ClosestCalls calls;
-    std::vector<LedgerLine> lines;  ///< The calls as lines, in the same order.
+    std::vector<LedgerLine> lines;  ///< The decisions as lines, in the same order.
 };
 
 class Questions {
   public:
-    /// So many decisions of a query are listed.
+    /// Maximum number of decisions of a query that are listed.
     static constexpr std::size_t kMostFound = 10'000;
     static constexpr std::size_t kClosest = 200;
 
-    /// Another run is open: no question, no answer.
+    /// Sets another run, without queries and answers.
     void begin(std::shared_ptr<const Model> model);
-    /// Takes over what was found. True if that is news.
+    /// Takes the results. True if there was anything new.
     bool poll();
-    /// Blocks until all that was asked is answered.
+    /// Blocks until all queries are answered.
     void finish();
     bool busy() const;
 
     // Everything below requires a run.
-    /// Why is it in the mesh, or why is it not? Requires a selection that is not empty.
+    /// Starts the query why the selection is in the mesh, or why not. Requires a selection that is
+    /// not
     void askWhy(const Selection& what);
+    /// empty.
     void askWhy(const RingPlace& ring);
-    /// What askWhy() was asked last, again.
+    /// Repeats the last query of askWhy().
     void askAgain();
-    /// What askWhy() was asked last; nothing if that was a ring.
+    /// Selection of the last query of askWhy(); empty if that was a ring.
     const Selection& subject() const { return subject_; }
-    /// The same in words; empty if nothing was asked.
+    /// The last query of askWhy() in words; empty if there was none.
     const std::string& subjectName() const { return subjectName_; }
     Inquiry<WhyAnswer>& ledger() { return ledger_; }
     const Inquiry<WhyAnswer>& ledger() const { return ledger_; }
 
-    /// The decisions that a line of words asks for. Fails with a sentence, and changes nothing
-    /// then.
+    /// Starts the query for the decisions that match a line. Fails with a sentence, and changes
+    /// nothing then.
     Status find(const std::string& line);
-    /// What find() was asked last.
+    /// The last line given to find().
     const std::string& line() const { return line_; }
     Inquiry<FoundDecisions>& found() { return found_; }
     const Inquiry<FoundDecisions>& found() const { return found_; }
 
-    /// Asks for the closest calls unless that was done in this run.
+    /// Starts the query for the closest decisions, unless it was started in this run.
     void wantClosest();
     Inquiry<ClosestAnswer>& closest() { return closest_; }
     const Inquiry<ClosestAnswer>& closest() const { return closest_; }
     /// Least margin per point; empty before it is known.
     std::span<const double> leastMargin() const;
 
-    /// Asks for the charts unless that was done in this run.
+    /// Starts the query for the charts, unless it was started in this run.
     void wantCharts();
     Inquiry<std::vector<RunChart>>& charts() { return charts_; }
     const Inquiry<std::vector<RunChart>>& charts() const { return charts_; }
@@ -89,12 +91,12 @@ class Questions {
     Inquiry<std::vector<RunChart>> charts_;
 };
 
-/// As core names it. Requires a selection that is not empty.
+/// The subject in core's terms. Requires a selection that is not empty.
 Subject toSubject(const Selection& what);
-/// Reads "812", "812,640" or "1 2 3": a point, an edge, a triangle of `points` points. Fails with a
-/// sentence.
+/// Parses "812", "812,640" or "1 2 3": a point, an edge, a triangle of `points` points. Fails with
+/// a sentence.
 Result<Selection> selectionFromText(std::string_view text, std::size_t points);
-/// Reads "ring", "ring #2", "ring 137#2": a ring, at `here` where no address stands. Nothing if the
+/// Parses "ring", "ring #2", "ring 137#2": a ring, at `here` if no address is given. Empty if the
 /// text is not about a ring; fails with a sentence.
 std::optional<Result<RingPlace>> ringFromText(std::string_view text, const Address& here);
 

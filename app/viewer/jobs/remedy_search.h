@@ -1,4 +1,4 @@
-/// Which rule would have prevented an alert (core's remedy.h), tried by a thread of its own.
+/// Search for a rule that would have prevented an alert (core's remedy.h), in a thread of its own.
 #pragma once
 
 #include <memory>
@@ -12,22 +12,23 @@ namespace se::view {
 
 class RemedySearch {
   public:
-    /// Nothing is asked about any more: another run.
+    /// Discards the search: another run.
     void forget();
-    /// Tries all rules for the alert at that place of the list; what is under way is cancelled.
+    /// Tries all rules for the alert at that position of the list; a search in progress is
+    /// cancelled.
     void begin(std::shared_ptr<const Model> model, std::size_t alert, const MeshFailure& failure);
     void stop() { inquiry_.stop(); }
-    /// Takes over what was found. True if that is news.
+    /// Takes the result. True if there was anything new.
     bool poll() { return inquiry_.poll(); }
     void finish() { inquiry_.finish(); }
 
     bool busy() const { return inquiry_.busy(); }
     double share() const { return inquiry_.share(); }
-    /// The alert that is or was asked about.
+    /// The alert of the current or last search.
     std::optional<std::size_t> about() const { return about_; }
-    /// Why nothing was found, a sentence; empty if nothing went wrong.
+    /// A sentence why nothing was found; empty if nothing failed.
     const std::string& complaint() const { return inquiry_.complaint(); }
-    /// What was found about it; null before.
+    /// The result; null before there is one.
     const Remedies* found() const { return inquiry_.answer(); }
 
   private:

@@ -1,3 +1,6 @@
+// A single thread owns the Timeline; the window posts one request at a time and takes immutable
+// PivotRecords in return. A long move publishes a picture every kSlice. Triangles are sent only
+// once, since the run only ever appends them.
 #include "runner.h"
 
 #include <algorithm>
@@ -10,7 +13,7 @@ namespace se::view {
 
 namespace {
 
-/// How long to run between two pictures of a long way.
+/// Time between two pictures during a long run.
 constexpr std::chrono::milliseconds kSlice{120};
 
 }  // namespace
@@ -70,7 +73,7 @@ void Runner::work() {
     }
 }
 
-/// Moves the timeline, with a look at it now and then. False if cancelled.
+/// Moves the timeline, with a progress picture now and then. False if cancelled.
 bool Runner::goTo(std::uint32_t position) {
     bool arrived = false;
     while (!arrived && !cancelled_) {

@@ -1,5 +1,4 @@
-/// The thread that owns the timeline: it goes to a pivot, however far, while the window stays
-/// awake.
+/// The thread that owns the timeline: it moves to any pivot while the window stays responsive.
 #pragma once
 
 #include <atomic>
@@ -15,13 +14,13 @@
 
 namespace se::view {
 
-/// What the thread found, so far.
+/// Result of the thread, so far.
 struct RunnerAnswer {
     std::shared_ptr<const PivotRecord> record;
-    std::vector<Triangle> newTriangles;  ///< Behind those of all earlier answers.
-    bool final = false;                  ///< False: a look at a place on the way.
+    std::vector<Triangle> newTriangles;  ///< After those of all earlier answers.
+    bool final = false;                  ///< False: a picture from along the way.
     bool found = true;                   ///< False: no event about the point; nothing moved.
-    /// Why the thread cannot go on, a sentence; then there may be no record. Empty if it can.
+    /// A sentence why the thread cannot continue; then there may be no record. Empty if it can.
     std::string complaint;
 };
 
@@ -32,28 +31,28 @@ class Runner {
     Runner(const Runner&) = delete;
     Runner& operator=(const Runner&) = delete;
 
-    /// Goes to `pivot`, or the end if the run is shorter. Requires that no request is open, that
-    /// is, that take() has returned the final answer to the one before.
+    /// Moves to `pivot`, or to the end if the run is shorter. Requires that no request is open,
+    /// that is, that take() has returned the final answer to the one before.
     void request(std::uint32_t pivot);
-    /// Goes to the first pivot behind `pivot` that has an event about `point` (subjectOf()); if
-    /// there is none the answer is not `found`. Requires what request() does.
+    /// Moves to the first pivot after `pivot` that has an event about `point` (subjectOf()); if
+    /// there is none the answer is not `found`. Requires that no request is open.
     void requestPoint(Index point, std::uint32_t pivot);
-    /// Makes the open request end where it is; its final answer still comes.
+    /// Ends the open request at its current pivot; its final answer still arrives.
     void cancel() { cancelled_ = true; }
-    /// Waits up to `patience` for the final answer. True if it is there.
+    /// Waits up to `patience` for the final answer. True if it has arrived.
     bool wait(std::chrono::milliseconds patience);
-    /// What was found since the last call.
+    /// Results since the last call.
     std::optional<RunnerAnswer> take();
-    /// That of the answer that take() has not taken yet, if there is one.
+    /// Complaint of the answer that take() has not taken yet, if there is one.
     std::string complaint();
-    /// Where the thread is; for a progress bar.
+    /// Pivot of the thread; for a progress bar.
     std::uint32_t position() const { return position_; }
 
   private:
     void work();
     struct Request {
         std::uint32_t pivot = 0;
-        Index point = kNone;  ///< If not kNone: the first event about it behind `pivot`.
+        Index point = kNone;  ///< If not kNone: the first event about it after `pivot`.
     };
     void ask(const Request& request);
     void serve(std::uint32_t pivot);
@@ -67,7 +66,8 @@ class Runner {
     StatusList status_;  ///< Of the last record.
     std::size_t publishedTriangles_ = 0;
     bool found_ = true;
-    /// Of the exception that a request ended with. The timeline may be anywhere since.
+    /// Text of the exception that a request ended with. The position of the timeline is unknown
+    /// then.
     std::string complaint_;
 
     std::mutex mutex_;
@@ -77,7 +77,7 @@ class Runner {
     std::optional<RunnerAnswer> answer_;
     std::atomic<bool> cancelled_ = false;
     std::atomic<std::uint32_t> position_ = 0;
-    Thread thread_;  // last: it uses all of the above
+    Thread thread_;  // last: it uses all members above
 };
 
 }  // namespace se::view

@@ -47,7 +47,7 @@ class Thread {
     std::mutex mutex_;
     std::condition_variable changed_;
     std::atomic<bool> ended_ = false;
-    std::thread thread_;  // last: it uses all of the above
+    std::thread thread_;  // last: it uses all members above
 };
 
 }  // namespace se::view

@@ -23,7 +23,7 @@ void WatchScan::want(std::span<const std::string> expressions) {
 void WatchScan::cancel() {
     if (!busy()) return;
     poll();
-    // It may just have ended.
+    // The scan may just have ended.
     if (!busy()) return;
     errand_.drop();
     givenUp_ = true;

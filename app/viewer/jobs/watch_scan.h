@@ -1,5 +1,5 @@
-/// The values of what a person watches, over the whole run: got by one run in a thread of its own
-/// for all expressions that are new.
+/// Values of the watched expressions over the whole run, computed by one run in a thread of its own
+/// for all new expressions.
 #pragma once
 
 #include <map>
@@ -17,25 +17,25 @@ namespace se::view {
 
 /// A watched number, pivot by pivot.
 struct WatchSeries {
-    std::vector<double> values;  ///< [pivot], from 0, the start; as far as is known.
+    std::vector<double> values;  ///< [pivot], from 0, the start; as far as computed.
     bool complete = false;
 };
 
 class WatchScan {
   public:
-    /// Another run: nothing is known of it.
+    /// Sets another run, of which nothing is known.
     void open(std::shared_ptr<const Model> model);
-    /// The expressions there are. Cheap if nothing is new.
+    /// Sets the expressions. Cheap if nothing is new.
     void want(std::span<const std::string> expressions);
-    /// Takes over what was found. True if that is news.
+    /// Takes the results. True if there was anything new.
     bool poll();
-    /// Blocks until everything that is wanted is known.
+    /// Blocks until all wanted values are known.
     void finish();
-    /// Gives up, until something else is wanted or resume() is called. What is known stays.
+    /// Cancels, until something else is wanted or resume() is called. Known values stay.
     void cancel();
     void resume();
 
-    /// Given up by cancel() before all was known, or because the scan failed.
+    /// Cancelled before all was known, or ended by a failure.
     bool cancelled() const { return givenUp_; }
     /// Why a scan failed: a sentence, once; empty if none has failed since.
     std::string takeComplaint() { return std::exchange(complaint_, {}); }
@@ -47,7 +47,7 @@ class WatchScan {
   private:
     struct Values {
         std::uint32_t pivot;
-        std::vector<double> values;  ///< One for each that is sought.
+        std::vector<double> values;  ///< One for each expression in progress.
     };
     void beginNext();
 
@@ -56,7 +56,7 @@ class WatchScan {
     std::map<std::string, WatchSeries> known_;
     bool givenUp_ = false;
     std::string complaint_;
-    std::vector<std::string> sought_;  ///< What is under way.
+    std::vector<std::string> sought_;  ///< Current scan.
     RunErrand<Values> errand_;
 };
 

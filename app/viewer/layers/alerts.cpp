@@ -1,4 +1,4 @@
-/// What went wrong: the alert that is looked at, and what goes wrong with this decision.
+/// Failures: the chosen alert, and the failures caused by this decision.
 #include <algorithm>
 
 #include "layer.h"
@@ -8,7 +8,7 @@ namespace se::view {
 namespace {
 
 constexpr float kTint = 0.5F;
-/// Of a large failure not all points get a mark.
+/// Limit of marks on the points of a large failure.
 constexpr std::size_t kMostMarks = 400;
 
 bool isThere(const LayerInput& in, Index number) {
@@ -16,7 +16,7 @@ bool isThere(const LayerInput& in, Index number) {
     return number < in.picture.finishedTriangles + in.picture.newTriangles.size();
 }
 
-/// Filled if it is made, else dashed: what is to come.
+/// Filled if it is made already, otherwise dashed.
 void addTriangle(const LayerInput& in, const Triangle& t, bool there, DrawList& out) {
     const Color& color = in.palette.rejected;
     if (there) out.sheet(in.at(t.a), in.at(t.b), in.at(t.c), color.withAlpha(kTint));
@@ -36,7 +36,7 @@ void addMarkedPoints(const LayerInput& in, std::span<const Index> points, DrawLi
     }
 }
 
-/// The triangles along a hole are sound, and so is the fan about a point.
+/// The triangles along a hole are correct, and so is the fan around a point.
 bool showsTriangles(const MeshFailure& failure) { return failure.kind->name != "holes"; }
 
 void addChosen(const LayerInput& in, const RunFailure& alert, DrawList& out) {
@@ -55,7 +55,7 @@ void addChosen(const LayerInput& in, const RunFailure& alert, DrawList& out) {
         addMarkedPoints(in, failure.points, out);
 }
 
-/// What goes wrong here, in the color of errors, with its name.
+/// Failures at this event, in the color of errors, with their names.
 void addNoticed(const LayerInput& in, const LiveFailure& failure, DrawList& out) {
     for (const Index number : {failure.triangle, failure.other}) {
         if (number != kNone && number < in.triangles.size())

@@ -6,7 +6,7 @@ namespace se::view {
 
 namespace {
 
-/// The angle that would be left without q, against its limit, usually 120 degrees; and the edge
+/// The angle that would remain without q, against its limit, usually 120 degrees; and the edge
 /// from t to s that would close the rim.
 void addGap(const LayerInput& in, const SphereEvidence& test, DrawList& out) {
     const std::optional<Disc> disc = pivotDisc(in);

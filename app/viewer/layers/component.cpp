@@ -7,17 +7,17 @@ namespace se::view {
 
 namespace {
 
-/// The ring that was freed, bold: an open border, or in the color of errors what should not be one.
+/// The freed ring, bold: an open border, or in the color of errors if it should not be open.
 void addFreedRing(const LayerInput& in, const FreedRing& ring, bool named, DrawList& out) {
     const std::vector<Index>& points = ring.path.points;
     if (points.empty()) return;
     const Color& color = ring.alert ? in.palette.rejected : in.palette.last;
-    // What is wrong must not hide behind what is right.
+    // Errors must not be hidden by correct parts.
     const Depth depth = ring.alert ? Depth::OnTop : Depth::XRay;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const glm::vec3& from = in.at(points[i]);
         const glm::vec3& to = in.at(points[(i + 1) % points.size()]);
-        // A step that is no mesh edge borders on nothing.
+        // A step that is no mesh edge bounds nothing.
         ring.path.open[i] ? out.dashed(from, to, color, 0.2F, 0.3F)
                           : out.line(from, to, color, 0.36F, depth);
     }
@@ -36,7 +36,7 @@ void addComponent(const LayerInput& in, DrawList& out) {
     if (in.picture.freed) addFreedRing(in, *in.picture.freed, e == nullptr, out);
     if (e == nullptr) return;
     const std::size_t end = e->triangles;
-    // Where colors tell components, or the order of birth, it has its color.
+    // Where colors show components, or the creation order, it has its color.
     if (in.mesh.style < MeshStyle::BirthOrder && in.picture.mended == nullptr) {
         const Color tint = mix(in.palette.mesh, in.palette.used, 0.55F);
         out.meshStretches.push_back({std::min(in.componentBegin, end), tint});

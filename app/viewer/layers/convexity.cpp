@@ -1,4 +1,4 @@
-/// §6.1, Fig. 5: the next point on the ring behind a convex start or end.
+/// §6.1, Fig. 5: the next point on the ring beyond a convex start or end.
 #include <cstdio>
 
 #include "corner.h"
@@ -7,7 +7,7 @@ namespace se::view {
 
 namespace {
 
-/// How far the point is off the plane of the disc: that is why the angle misleads.
+/// Height of the point above the plane of the disc: the reason why the angle misleads.
 void addStem(const LayerInput& in, const Disc& disc, Index point, DrawList& out) {
     const Color& color = in.palette.rejected;
     const glm::vec3 at = in.at(point);
@@ -32,7 +32,7 @@ void addConvexity(const LayerInput& in, DrawList& out) {
     const Index limit = start ? in.picture.start : in.picture.end;
     addCorner(in, {start ? e->point : p, limit, start ? p : e->point, false}, out);
     addStem(in, *disc, e->point, out);
-    // The way along the ring, against the straight spoke.
+    // The path along the ring, against the straight spoke.
     out.dashed(in.at(p), in.at(limit), in.palette.used, 0.22F, 0.16F);
     out.dashed(in.at(limit), in.at(e->point), in.palette.used, 0.22F, 0.16F);
     out.label(0.5F * (in.at(limit) + in.at(e->point)), "along the ring", in.palette.used, true);

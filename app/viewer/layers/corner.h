@@ -16,7 +16,7 @@ struct RingCorner {
 /// Filled where the ring is concave, hollow where it is convex (§6.1, Figs. 4 and 5).
 void addCorner(const LayerInput& in, const RingCorner& corner, DrawList& out);
 
-/// The angle of a place on a disc, in [0, 360).
+/// The angle of a position on a disc, in [0, 360).
 double degreesOn(const Disc& disc, const glm::vec3& place);
 
 }  // namespace se::view

@@ -1,4 +1,4 @@
-/// The disc of a tangent plane, in view space: what several layers draw angles on.
+/// The disc of a tangent plane, in view space, on which several layers draw angles.
 #pragma once
 
 #include <cmath>
@@ -22,17 +22,17 @@ struct Disc {
         const float angle = glm::radians(static_cast<float>(degrees));
         return origin + radius * (std::cos(angle) * zero + std::sin(angle) * quarter);
     }
-    /// The foot of a place on the plane.
+    /// The foot of a position on the plane.
     glm::vec3 foot(const glm::vec3& place) const {
         return place - normal * glm::dot(place - origin, normal);
     }
 };
 
-/// The disc at `point` with angle 0 toward `first`; nothing if that stands right above it.
+/// The disc at `point` with angle 0 toward `first`; empty if `first` is directly above it.
 std::optional<Disc> discAt(const LayerInput& in, Index point, Index first);
 /// The disc of the pivot.
 std::optional<Disc> pivotDisc(const LayerInput& in);
-/// How large discs are drawn.
+/// Radius of discs.
 inline float discRadius(const LayerInput& in) { return 0.62F * in.model.spacing; }
 
 /// An arc on a disc, `degrees` wide at most 360.

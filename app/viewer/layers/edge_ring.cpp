@@ -14,7 +14,7 @@ constexpr Index kNumbersUpTo = 6;
 
 void addRing(const LayerInput& in, const RingPath& ring, const Line& like, DrawList& out) {
     const std::size_t count = ring.points.size();
-    // Long rings: a head on every step would be noise.
+    // Long rings: an arrow head on every step would be clutter.
     const std::size_t arrowEvery = count > 240 ? 6 : count > 80 ? 3 : 1;
     for (std::size_t i = 0; i < count; ++i) {
         Line line = like;
@@ -31,7 +31,7 @@ void addRing(const LayerInput& in, const RingPath& ring, const Line& like, DrawL
     }
 }
 
-/// The letter of a ring stands at its first point.
+/// The letter of a ring is at its first point.
 void addNumber(const LayerInput& in, const RingPath& ring, DrawList& out) {
     if (ring.points.empty()) return;
     out.labels.push_back(

@@ -7,7 +7,7 @@ namespace se::view {
 
 namespace {
 
-/// A broad band along a loop: what it is drawn over stays visible.
+/// A broad band along a loop, under which everything stays visible.
 void addBand(const LayerInput& in, const RingPath& ring, const Color& color, float dash,
              DrawList& out) {
     for (std::size_t i = 0; i < ring.points.size(); ++i) {
@@ -42,7 +42,7 @@ void addSplit(const LayerInput& in, Index point, const RingExchange& loops, Draw
     addBand(in, loops.a, c.used, 0.0F, out);
     addName(in, loops.a, point,
             "a: " + entries(loops.a.points.size()) +
-                (loops.a.active ? ", goes on" : ", stays #" + std::to_string(loops.a.depth + 1)),
+                (loops.a.active ? ", continues" : ", stays #" + std::to_string(loops.a.depth + 1)),
             c.used, out);
     addBand(in, loops.b, c.last, 0.6F, out);
     addName(

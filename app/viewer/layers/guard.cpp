@@ -1,4 +1,4 @@
-/// Beyond the paper (docs/robust.md): what a rule has against the whole fan.
+/// Beyond the paper (docs/robust.md): the objection of a rule to the whole fan.
 #include <algorithm>
 
 #include "corner.h"
@@ -26,7 +26,7 @@ void addWidth(const LayerInput& in, const Disc& disc, const GuardEvidence& e, do
         c.rejected, true);
 }
 
-/// The normal of the triangle and those of its corners, which it is too far off.
+/// The normal of the triangle and those of its corners, from which it deviates too much.
 void addTilt(const LayerInput& in, const Triangle& t, double limit, DrawList& out) {
     const Palette& c = in.palette;
     const glm::vec3 across = glm::cross(in.at(t.b) - in.at(t.a), in.at(t.c) - in.at(t.a));

@@ -1,4 +1,4 @@
-/// §6.2, Fig. 7: the plane through start and end along the mean normal; what lies beyond is far.
+/// §6.2, Fig. 7: the plane through start and end along the mean normal; points beyond it are far.
 #include <array>
 #include <cstdio>
 

@@ -6,7 +6,7 @@ namespace se::view {
 
 namespace {
 
-/// Collects one label per point, the more telling one first; strong ones are essential.
+/// Collects one label per point, the more informative one first; strong ones are essential.
 class LabelMaker {
   public:
     LabelMaker(const LayerInput& in, DrawList& out) : in_(in), out_(out) {}
@@ -31,7 +31,7 @@ void addLabels(const LayerInput& in, DrawList& out) {
     LabelMaker labels(in, out);
     labels.add(p.pivot, "p", c.pivot, true);
     const bool stranded = p.event && p.event->address.stage == Stage::Strand;
-    // Seeds and the steps after the last pivot name their points themselves.
+    // Seeds and the steps after the last pivot label their points themselves.
     const bool named = p.mended || (p.event && p.event->address.stage == Stage::Seed);
     if (p.pivot == kNone && !named) {
         labels.add(p.underTest, "", stranded ? c.rejected : c.test, true);

@@ -1,5 +1,5 @@
 /// Layers turn (input, picture, selection) into plain things to draw. One file each; the table
-/// names them for the panel, the keys and the settings, and says which stages show them.
+/// has their names for the panel, the keys and the settings, and the stages that show them.
 #pragma once
 
 #include <array>
@@ -28,24 +28,25 @@ struct LayerInput {
     Index selected = kNone;
     Index highlightedRing = kNone;
     Index hovered = kNone;
-    /// Of the run so far; for what marks more than the pivot's surroundings.
+    /// Overview of the run so far; for layers beyond the pivot's surroundings.
     std::span<const Triangle> triangles = {};
-    std::size_t componentBegin = 0;             ///< The first triangle of the present component.
-    const ComponentShape* component = nullptr;  ///< The one complete here; null if not known yet.
-    Selection selection{};                      ///< An edge or triangle too.
+    std::size_t componentBegin = 0;  ///< The first triangle of the current component.
+    const ComponentShape* component =
+        nullptr;            ///< The component that is complete here; null if unknown.
+    Selection selection{};  ///< The selected edge or triangle as well.
     bool selectionPresent = true;
     MeshColoring mesh{};
-    std::span<const Index> marked{};  ///< Points that are lit up.
+    std::span<const Index> marked{};  ///< Points that are highlighted.
     Moment moment{};
-    const MeshIndex* meshIndex = nullptr;  ///< Of `triangles`.
-    Index seedBefore = kNone;              ///< The point that the ring before this one began with.
+    const MeshIndex* meshIndex = nullptr;  ///< Index of `triangles`.
+    Index seedBefore = kNone;              ///< The first point of the ring before this one.
     /// Least margin per point, to color the points by; empty: by status.
     std::span<const double> leastMargin = {};
-    std::uint32_t tint = 0;  ///< Another number for other margins; 0 for none.
+    std::uint32_t tint = 0;  ///< Revision of the margins; 0 for none.
     Theme theme = Theme::Dark;
 
-    const RunFailure* alert = nullptr;       ///< That is looked at.
-    std::span<const LiveFailure> noticed{};  ///< That go wrong with this event.
+    const RunFailure* alert = nullptr;       ///< The chosen alert.
+    std::span<const LiveFailure> noticed{};  ///< Failures at this event.
 
     const glm::vec3& at(Index point) const { return model.place[point]; }
 };
@@ -79,7 +80,7 @@ void addComponent(const LayerInput& in, DrawList& out);
 void addGuard(const LayerInput& in, DrawList& out);
 void addHoleFill(const LayerInput& in, DrawList& out);
 void addMending(const LayerInput& in, DrawList& out);
-// What a person chose.
+// Chosen by the user.
 void addSelection(const LayerInput& in, DrawList& out);
 void addMarked(const LayerInput& in, DrawList& out);
 void addAlerts(const LayerInput& in, DrawList& out);
@@ -130,8 +131,8 @@ constexpr StageMask during(Stages... stages) {
 struct Layer {
     LayerId id;
     std::string_view name;   ///< In settings and command names.
-    std::string_view title;  ///< For people.
-    StageMask stages;        ///< Where it is shown by itself.
+    std::string_view title;  ///< Name for the user.
+    StageMask stages;        ///< Stages that show it automatically.
     void (*add)(const LayerInput& in, DrawList& out);
 };
 
@@ -140,7 +141,7 @@ std::span<const Layer> layers();
 
 using LayerSwitches = std::bitset<kLayerCount>;
 
-/// What a person wants of a layer: a pin holds it whatever the stage.
+/// The user's choice for a layer: a pin holds it in every stage.
 enum class LayerMode : std::uint8_t { Automatic, PinnedOn, PinnedOff };
 using LayerModes = std::array<LayerMode, kLayerCount>;
 /// "auto", "on", "off".
@@ -148,10 +149,10 @@ std::string_view layerModeName(LayerMode mode);
 std::optional<LayerMode> layerModeFromName(std::string_view name);
 LayerMode& modeOf(LayerModes& modes, LayerId id);
 
-/// The layers to draw at an event of `stage` (nothing: at the beginning).
+/// The layers to draw at an event of `stage` (empty: at the beginning).
 LayerSwitches shownLayers(const LayerModes& modes, std::optional<Stage> stage);
-/// Shows a hidden layer and hides a shown one: by taking its pin out if that is enough, else by a
-/// pin.
+/// Shows a hidden layer and hides a shown one: by removing its pin if that is enough, otherwise by
+/// a pin.
 void toggleLayer(LayerModes& modes, LayerId id, std::optional<Stage> stage);
 
 /// Fills `out` with all layers that are on. The result depends on nothing else.

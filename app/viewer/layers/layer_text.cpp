@@ -20,7 +20,7 @@ const Layer* findLayer(const std::string& name) {
 std::optional<LayerMode> modeFrom(const json& value, const Layer& layer) {
     if (value.is_string()) return layerModeFromName(value.get<std::string>());
     if (!value.is_boolean()) return std::nullopt;
-    // There were no automatic layers once: what was as at first is so now.
+    // Earlier versions had no automatic layers: the default of that time is automatic now.
     const bool shown = layer.stages != kNoStage;
     if (value.get<bool>() == shown) return LayerMode::Automatic;
     return shown ? LayerMode::PinnedOff : LayerMode::PinnedOn;
@@ -31,7 +31,7 @@ std::optional<LayerMode> modeFrom(const json& value, const Layer& layer) {
 std::string ReadLayers::complaint() const {
     std::string text;
     for (const std::string& each : unknown) text += (text.empty() ? "" : ", ") + each;
-    return text.empty() ? text : "Left out, since it is not known here: " + text + ".";
+    return text.empty() ? text : "Ignored, since unknown in this version: " + text + ".";
 }
 
 ReadLayers layersFromJson(const json& object) {

@@ -1,5 +1,5 @@
-/// Modes of layers as settings and session files have them, read by one rule: what is not known is
-/// left out and named, the rest holds.
+/// Modes of layers in settings and session files, read by one rule: unknown names are skipped and
+/// reported, the rest is used.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -15,7 +15,7 @@ struct ReadLayers {
     std::vector<std::string>
         unknown;  ///< "layer \"hologram\"", "mode \"maybe\" of layer \"points\"".
 
-    /// A sentence about them; empty if there are none.
+    /// A sentence about the skipped names; empty if there are none.
     std::string complaint() const;
 };
 

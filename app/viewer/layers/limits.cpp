@@ -1,4 +1,4 @@
-/// §6.1, Fig. 4: start and end move on along the ring.
+/// §6.1, Fig. 4: start and end advance along the ring.
 #include "corner.h"
 
 namespace se::view {
@@ -17,7 +17,7 @@ void addMove(const LayerInput& in, const LimitEvidence& e, DrawList& out) {
     out.arrow(in.at(e.from), in.at(e.to), color, 0.24F, 0.8F);
     out.label(0.5F * (in.at(e.from) + in.at(e.to)), start ? "S moves here" : "E moves here", color,
               true);
-    // What the range loses is dotted, outside of what is left of it.
+    // The lost part of the range is dotted, outside of the remaining part.
     if (const std::optional<Disc> disc = pivotDisc(in)) {
         addDashedArc(*disc, {e.fromDegrees, e.toDegrees, 1.12F * discRadius(in)}, c.textDim, 0.12F,
                      out);
@@ -40,7 +40,7 @@ void addLimits(const LayerInput& in, DrawList& out) {
     if (e == nullptr || e->to == kNone) return;
     const bool start = e->side == Side::Start;
     const Index p = in.picture.pivot;
-    // The turn is known wherever the test went that far.
+    // The turn is known if the test went that far.
     const bool looked = e->verdict != Verdict::OtherLimit && e->verdict != Verdict::NotAnEdge;
     if (looked) {
         addCorner(in, {start ? e->to : p, e->from, start ? p : e->to, e->turn > 0.0}, out);

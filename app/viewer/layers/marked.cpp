@@ -2,7 +2,7 @@
 
 namespace se::view {
 
-/// Points that are lit up, as those of a finding: a ring about each, over everything else.
+/// Highlighted points, such as those of a finding: a ring around each, over everything else.
 void addMarked(const LayerInput& in, DrawList& out) {
     for (const Index p : in.marked) {
         if (!in.model.drawable[p]) continue;

@@ -1,4 +1,4 @@
-/// Beyond the paper (docs/robust.md): what the steps after the last pivot do to the mesh.
+/// Beyond the paper (docs/robust.md): the effect of the steps after the last pivot on the mesh.
 #include "layer.h"
 #include "run/number_format.h"
 #include "run/repair_diff.h"
@@ -12,7 +12,7 @@ glm::vec3 middleOf(const LayerInput& in, const MeshEdge& edge) {
     return 0.5F * (in.at(edge[0]) + in.at(edge[1]));
 }
 
-/// Old edges dashed, new ones bold, the rim that stays thin. New triangles are hatched besides.
+/// Old edges dashed, new ones bold, the rim thin. New triangles are hatched besides.
 void addEdges(const LayerInput& in, const MeshEdges& edges, DrawList& out) {
     const Palette& c = in.palette;
     for (const MeshEdge& e : edges.kept) {
@@ -51,7 +51,7 @@ void addFlip(const LayerInput& in, const FlipEvidence& e, DrawList& out) {
     letter("v", e.v, c.rejected);
     letter("x", e.x, c.used);
     letter("y", e.y, c.used);
-    // Beside the figure: within it the letters stand.
+    // Beside the figure: the letters are within it.
     out.label(middleOf(in, {e.v, e.x}), leastAngles(in), c.used, true);
 }
 
@@ -63,7 +63,7 @@ const char* wayOf(const Picture& picture, const MeshEdges& edges) {
 void addReinsert(const LayerInput& in, const ReinsertEvidence& e, DrawList& out) {
     const Picture& p = in.picture;
     const MeshEdges edges = edgesOf(p.goneTriangles, p.newTriangles, e.point);
-    // The triangles that it is put in, as they were.
+    // The triangles that it is put into, before the step.
     for (const Triangle& t : p.goneTriangles) {
         out.sheet(in.at(t.a), in.at(t.b), in.at(t.c), in.palette.text.withAlpha(0.16F));
     }

@@ -72,7 +72,7 @@ void addNeighborRing(const LayerInput& in, DrawList& out) {
     const Picture& p = in.picture;
     // Seeds, stranded points and the steps after the last pivot have layers of their own.
     if (p.pivot == kNone) return;
-    // Once the pivot is complete its tests are history: only the result stays.
+    // Once the pivot is complete only the result of its tests is shown.
     if (!p.complete) addCandidates(in, out);
     if (!p.complete) addEnds(in, out);
     if (!p.complete && p.underTest != p.pivot) {

@@ -4,7 +4,7 @@ namespace se::view {
 
 namespace {
 
-/// With so few points there is room for all their normals.
+/// Number of points up to which all their normals are drawn.
 constexpr std::size_t kAllUpTo = 3000;
 
 void addNormal(const LayerInput& in, Index point, DrawList& out) {

@@ -1,3 +1,6 @@
+// The possible triangle and the finished triangles around its corners are projected into the plane
+// of a disc and intersected there as convex polygons (scene/clip.h). Every piece is lifted back
+// onto the possible triangle for drawing.
 #include "overlap.h"
 
 #include <algorithm>
@@ -11,7 +14,7 @@ namespace se::view {
 
 namespace {
 
-/// Parts smaller than this share of the triangle come from the bend of the surface alone.
+/// Parts smaller than this share of the triangle are caused by the bend of the surface alone.
 constexpr float kSliverShare = 0.01F;
 
 using Corners = std::array<glm::vec2, 3>;
@@ -22,7 +25,7 @@ struct Flat {
     std::array<glm::vec3, 3> places{};
     float area = 0.0F;
 
-    /// The place in the triangle above or below one in the plane.
+    /// The point in the triangle above or below one in the plane.
     glm::vec3 lifted(const glm::vec2& at) const {
         std::array<float, 3> weight{};
         for (std::size_t i = 0; i < 3; ++i) {
@@ -50,7 +53,7 @@ Flat flatten(const LayerInput& in, const Disc& disc, const Triangle& t) {
     return flat;
 }
 
-/// The finished triangles about the corners of a triangle.
+/// The finished triangles around the corners of a triangle.
 std::set<std::uint32_t> finishedAbout(const LayerInput& in, const Triangle& t) {
     std::set<std::uint32_t> found;
     if (in.meshIndex == nullptr || in.picture.mended) return found;
@@ -67,7 +70,7 @@ std::set<std::uint32_t> finishedAbout(const LayerInput& in, const Triangle& t) {
     return found;
 }
 
-/// A triangle of the other side of a thin thing is not in the way.
+/// A triangle on the other side of a thin object is not in the way.
 bool facesDisc(const LayerInput& in, const Disc& disc, const Triangle& t) {
     const glm::vec3 across = glm::cross(in.at(t.b) - in.at(t.a), in.at(t.c) - in.at(t.a));
     return glm::dot(across, disc.normal) > 0.0F;

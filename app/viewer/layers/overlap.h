@@ -1,11 +1,11 @@
-/// Where a triangle that might be made would lie on finished ones, seen along the pivot's normal.
+/// The overlap of a possible triangle with finished ones, seen along the pivot's normal.
 #pragma once
 
 #include "disc.h"
 
 namespace se::view {
 
-/// A triangle that is not made, and what of it lies on finished triangles.
+/// A triangle that is not made, and its parts that lie on finished triangles.
 struct Overlap {
     std::vector<std::vector<glm::vec3>> parts;  ///< Convex, in the plane of the triangle.
     std::vector<Triangle> covered;              ///< Those finished triangles.

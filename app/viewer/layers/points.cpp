@@ -8,14 +8,14 @@ namespace se::view {
 
 namespace {
 
-/// Above this many, every point is a plain dot: shapes could not be told apart anyway.
+/// Above this number, every point is a plain dot: shapes could not be distinguished anyway.
 constexpr std::size_t kShapesUpTo = 100'000;
 constexpr std::uint8_t kHiddenStyle = 15;
-/// How strong points beyond the neighborhood are.
+/// Strength of points beyond the neighborhood.
 constexpr float kBeyondAlpha = 0.35F;
 constexpr float kBeyondTinted = 0.8F;
 
-/// Of one tint: status by type. Those of the steps of margins follow those by status.
+/// Number of styles of one tint: status by type. Styles of margin steps follow those by status.
 constexpr std::size_t kShapes = 9;
 constexpr std::size_t kTinted = 16;
 static_assert(kTinted + kMarginSteps * kShapes <= CloudStyles::kCount);
@@ -46,7 +46,7 @@ CloudStyles stylesFor(const LayerInput& in) {
             PointStyle& style = s.styles[kTinted + step * kShapes + i];
             style = s.styles[i];
             style.color = marginColor(step, in.theme);
-            // Color can only be seen on what is large enough.
+            // Color is visible only on points that are large enough.
             style.size = std::max(style.size, 0.4F);
         }
     }
@@ -60,7 +60,7 @@ std::uint8_t styleOf(const LayerInput& in, PointStatus status, std::size_t point
     return step ? static_cast<std::uint8_t>(kTinted + *step * kShapes + plain) : plain;
 }
 
-/// Makes the styles of the points in blocks that are not as they were.
+/// Computes the styles of the points in blocks that have changed.
 void fillStyles(const LayerInput& in, DrawList& out) {
     const BlockList<PointStatus>& status = in.picture.status.blocks();
     if (out.cloudTintMadeOf != in.tint) out.cloudMadeOf = {};
@@ -79,15 +79,15 @@ void fillStyles(const LayerInput& in, DrawList& out) {
     out.cloudMadeOf = status;
 }
 
-/// Within a pivot its neighborhood stands out, and all else steps back. On top of the cloud and not
-/// in its styles, which are made anew only where a status changed.
+/// Within a pivot its neighborhood is emphasized, and all else dimmed. On top of the cloud and not
+/// in its styles, which are computed again only where a status changed.
 void addNeighborhood(const LayerInput& in, DrawList& out) {
     for (const Index q : in.model.points.neighbors[in.picture.pivot]) {
         if (!in.model.drawable[q]) continue;
         const std::uint8_t style = styleOf(in, in.picture.status[q], q);
         out.sprites.push_back({in.at(q), out.cloudStyles.styles[style]});
     }
-    // Margins are looked at everywhere.
+    // Margins are shown everywhere.
     const float beyond = out.marginTint ? kBeyondTinted : kBeyondAlpha;
     for (PointStyle& style : out.cloudStyles.styles) style.color.a *= beyond;
 }

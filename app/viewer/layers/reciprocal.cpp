@@ -1,4 +1,4 @@
-/// §6.1, Fig. 6: the pivot as the candidate e sees it, on a second disc.
+/// §6.1, Fig. 6: the pivot as seen from the candidate e, on a second disc.
 #include <algorithm>
 #include <vector>
 
@@ -8,8 +8,8 @@ namespace se::view {
 
 namespace {
 
-/// The triangles that the candidate would have with its neighbors in the fan, hatched, and where
-/// they would lie on finished ones.
+/// The triangles that the candidate would form with its neighbors in the fan, hatched, and their
+/// overlap with finished ones.
 void addPreview(const LayerInput& in, const ReciprocalEvidence& e, DrawList& out) {
     const Picture& p = in.picture;
     const std::optional<Disc> disc = pivotDisc(in);

@@ -12,7 +12,7 @@ const RingPath* activeOf(const std::vector<RingPath>& rings) {
     return !rings.empty() && rings.front().active ? &rings.front() : nullptr;
 }
 
-/// So much of the old path stays to be seen.
+/// Strength of the old path of the ring.
 constexpr float kOldPathRest = 0.5F;
 
 /// Calls `use` with the steps of the ring that have an end among `points`.
@@ -25,7 +25,7 @@ void forStepsAt(const RingPath& ring, const std::set<Index>& points, Use&& use) 
     }
 }
 
-/// What leaves becomes a dot; what joins pops up, one after the other.
+/// Leaving points become dots; joining points pop up, one after the other.
 void addMarks(const LayerInput& in, DrawList& out) {
     const Palette& c = in.palette;
     const std::vector<RingEvidence>& changes = in.picture.ringChanges;
@@ -63,7 +63,7 @@ void addRingChange(const LayerInput& in, DrawList& out) {
             out.dashed(in.at(from), in.at(to), color, 0.2F, 0.35F);
         });
     }
-    // Where points leave without others coming in, the ring closes from start to end.
+    // Where points leave and none come in, the ring closes from start to end.
     if (come.empty() && p.start != kNone) come = {p.start};
     if (const RingPath* now = activeOf(p.rings)) {
         forStepsAt(*now, come, [&](Index from, Index to) {

@@ -7,24 +7,24 @@ namespace se::view {
 
 namespace {
 
-/// More would hide the scene.
+/// Limit of marks, since more would hide the scene.
 constexpr std::size_t kDotsUpTo = 20'000;
 
-/// The place of a point in the order in which the pointer to the start takes them.
+/// Position of a point in the order in which the search for a start visits them.
 std::size_t placeOf(const PointSet& points, Index point) {
     if (points.order.empty()) return point;
     const auto found = std::find(points.order.begin(), points.order.end(), point);
     return static_cast<std::size_t>(found - points.order.begin());
 }
 
-/// A DONE point that was passed over, lit up.
+/// A DONE point that the search skipped, highlighted.
 void addPassed(const LayerInput& in, Index point, float strength, DrawList& out) {
     if (!in.model.drawable[point]) return;
     const Color color = mix(in.palette.done, in.palette.text, strength);
     out.mark(in.at(point), Shape::Dot, color, 0.3F + 0.2F * strength);
 }
 
-/// The points that the pointer to the start has passed since the last ring began, all DONE; and the
+/// The points that the search for a start has skipped since the last ring began, all DONE; and the
 /// nearer neighbors of the start point, which are DONE as well.
 void addPassedPoints(const LayerInput& in, const SeedEvidence& e, DrawList& out) {
     const float strength = blinkStrength(in.moment);

@@ -4,12 +4,12 @@ namespace se::view {
 
 namespace {
 
-/// So much of a selected triangle is covered by its tint.
+/// Strength of the tint on a selected triangle.
 constexpr float kSelectionTint = 0.42F;
 
 }  // namespace
 
-/// The edge or triangle that is selected: outlined over everything else; dashed if it is not there
+/// The selected edge or triangle: outlined over everything else; dashed if it is not present
 /// at the cursor. Points have their circle with the labels.
 void addSelection(const LayerInput& in, DrawList& out) {
     const std::span<const Index> corners = in.selection.corners();

@@ -8,7 +8,7 @@ namespace se::view {
 
 namespace {
 
-/// The plane through p that parts the disc into halves: it contains z and the normal.
+/// The plane through p that divides the disc into halves: it contains z and the normal.
 void addSlicingPlane(const LayerInput& in, const Disc& disc, DrawList& out) {
     const float size = 1.5F * in.model.spacing;
     const glm::vec3 along = size * disc.zero;
@@ -57,7 +57,7 @@ void addTested(const LayerInput& in, const Disc& disc, const SortEvidence& e, Dr
     }
     if (e.verdict == Verdict::SameAngle && e.rival != kNone) {
         out.mark(in.at(e.rival), Shape::Circle, c.used, 1.1F);
-        out.label(in.at(e.rival), "nearer: stays", c.used);
+        out.label(in.at(e.rival), "nearer: kept", c.used);
         out.label(in.at(e.point), e.farther ? "same angle, farther" : "same angle, nearer",
                   c.rejected);
     }

@@ -41,7 +41,7 @@ constexpr std::array<Layer, kLayerCount> kLayers = {{
     {LayerId::Labels, "labels", "Labels", kEveryStage, addLabels},
     {LayerId::Selection, "selection", "Selected edge or triangle", kEveryStage, addSelection},
     {LayerId::Marked, "marked", "Points that the doctor found", kEveryStage, addMarked},
-    {LayerId::Alerts, "alerts", "What went wrong", kEveryStage, addAlerts},
+    {LayerId::Alerts, "alerts", "Alerts", kEveryStage, addAlerts},
 }};
 
 constexpr std::array<std::string_view, 3> kModeNames = {"auto", "on", "off"};

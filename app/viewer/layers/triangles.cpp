@@ -13,7 +13,7 @@ std::span<const Triangle> lastFan(std::span<const Triangle> finished) {
     return finished.subspan(begin);
 }
 
-/// As a new fan comes in, the one before it joins the finished triangles.
+/// When a new fan appears, the previous one joins the finished triangles.
 void addFadingFan(const LayerInput& in, DrawList& out) {
     const Picture& p = in.picture;
     const bool emits = p.event && p.event->address.stage == Stage::Emit;
@@ -29,10 +29,10 @@ void addFadingFan(const LayerInput& in, DrawList& out) {
     }
     if (in.moment.kind != Moment::Kind::Paper || fan.empty()) return;
     const Triangle& t = fan.back();
-    out.label((in.at(t.a) + in.at(t.b) + in.at(t.c)) / 3.0F, "the fan before", in.palette.textDim);
+    out.label((in.at(t.a) + in.at(t.b) + in.at(t.c)) / 3.0F, "previous fan", in.palette.textDim);
 }
 
-/// One stretch per component; in the mended mesh they come in turns.
+/// One stretch per component; in the repaired mesh they alternate.
 void addComponentColors(const LayerInput& in, DrawList& out) {
     if (in.picture.mended) {
         for (const ComponentStretch& stretch : in.mesh.mended) {
@@ -54,16 +54,16 @@ void addTriangles(const LayerInput& in, DrawList& out) {
     out.finishedTriangles = in.picture.finishedTriangles;
     out.meshColor = in.palette.mesh;
     out.meshEdgeColor = in.mesh.style == MeshStyle::Wire ? in.palette.done : in.palette.meshEdge;
-    // The mended mesh is in no order of birth, but its triangles have their components.
+    // The repaired mesh has no creation order, but its triangles have their components.
     const bool ordered = in.picture.mended == nullptr;
     const bool byBirth = in.mesh.style == MeshStyle::BirthOrder;
     out.meshStyle = ordered || !byBirth ? in.mesh.style : MeshStyle::Flat;
     out.birthEnd = in.mesh.birthEnd;
     addComponentColors(in, out);
-    // New ones are among them, too; those below cover them.
+    // New triangles are among them; those drawn below cover them.
     out.mended = in.picture.mended;
     if (ordered && in.mesh.style < MeshStyle::Wire) addFadingFan(in, out);
-    // What mending makes is shown with what it does: mending.cpp.
+    // Triangles of the repair steps are drawn in mending.cpp.
     if (!ordered) return;
     for (const Triangle& t : in.picture.newTriangles) {
         out.faces.push_back({{in.at(t.a), in.at(t.b), in.at(t.c)}, in.palette.test, true});

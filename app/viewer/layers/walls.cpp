@@ -53,7 +53,7 @@ void addGrid(const Wall& wall, const Color& color, DrawList& out) {
     }
 }
 
-/// A place on the edge of the wall that is nearest to `at`, a little toward the middle; where that
+/// A point on the edge of the wall that is closest to `at`, a little toward the middle; if that
 /// is far away, on the way there.
 glm::vec3 labelPlace(const LayerInput& in, const Wall& wall, const glm::vec3& at) {
     const float step = 2.2F * in.model.spacing;
@@ -63,7 +63,7 @@ glm::vec3 labelPlace(const LayerInput& in, const Wall& wall, const glm::vec3& at
         length[side] = glm::length(wall.half[side]);
         place[side] = glm::dot(at - wall.middle, wall.half[side]) / length[side];
     }
-    // An edge that the point is at may be that of another wall, too.
+    // An edge that the point is on may belong to another wall as well.
     const auto toEdge = [&](std::size_t side, float sign) {
         const float way = length[side] - sign * place[side];
         return way > 1.5F * in.model.spacing ? way : 1e6F;
@@ -84,7 +84,7 @@ glm::vec3 labelPlace(const LayerInput& in, const Wall& wall, const glm::vec3& at
     return wall.at(place[0] / length[0], place[1] / length[1]);
 }
 
-/// The wall through `at` as a whole, so that one sees which one it is; its name stands near p.
+/// The wall through `at` as a whole, for identification; its name is near p.
 void addWall(const LayerInput& in, const glm::vec3& at, int face, DrawList& out) {
     const Wall wall = wallAt(in, at, face);
     const Color& color = in.palette.accent;
@@ -107,8 +107,8 @@ void addWallsOf(const LayerInput& in, Index point, std::uint8_t drawn, DrawList&
     }
 }
 
-/// §7.1: the normal of p, the vector to the second point, their cross product and the component of
-/// it that the wall looks at.
+/// §7.1: the normal of p, the vector to the second point, their cross product and its
+/// component toward the wall.
 void addVectors(const LayerInput& in, const InsertEvidence& e, DrawList& out) {
     const float length = 1.5F * in.model.spacing;
     const glm::vec3 p = in.at(e.pivot);
@@ -160,7 +160,7 @@ void addChoice(const LayerInput& in, const InsertEvidence& e, DrawList& out) {
 void addWalls(const LayerInput& in, DrawList& out) {
     const Palette& c = in.palette;
     if (const auto* skip = in.picture.evidence<SkipEvidence>(Stage::Skip)) {
-        // Where a third point was looked for in vain, they are drawn below.
+        // Refused third points are drawn below.
         if (in.picture.evidence<InsertEvidence>(Stage::Insert) == nullptr) {
             addWallsOf(in, skip->pivot, 0, out);
         }

@@ -1,6 +1,6 @@
-/// Which parts of the transport bar there is room for.
+/// The parts of the transport bar that fit.
 ///
-/// Which parts of the status bar there is room for. Plain arithmetic.
+/// The parts of the status bar that fit. Plain arithmetic.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@ namespace se::view {
 struct TransportWidths {
     float buttons = 0.0F;
     float goTo = 0.0F;
-    float unit = 0.0F;   ///< One button that shows the unit of playing.
-    float units = 0.0F;  ///< All of them beside each other.
+    float unit = 0.0F;   ///< One button with the playback unit.
+    float units = 0.0F;  ///< All unit buttons beside each other.
     float speed = 0.0F;
     float loop = 0.0F;
     float gap = 0.0F;
@@ -21,7 +21,7 @@ struct TransportWidths {
 
 struct TransportParts {
     bool unit = false;
-    bool units = false;  ///< In place of the single button.
+    bool units = false;  ///< Instead of the single button.
     bool speed = false;
     bool loop = false;
 };
@@ -42,8 +42,8 @@ inline TransportParts fitTransport(float room, const TransportWidths& w) {
     return parts;
 }
 
-/// How many of `widths`, the most important first, fit `room` beside each other: whole, or not at
-/// all. None is left out for the sake of a later one.
+/// Number of `widths`, the most important first, that fit into `room` beside each other: whole, or
+/// not at all. None is left out in favor of a later one.
 inline std::size_t fittingParts(float room, std::span<const float> widths, float gap) {
     std::size_t count = 0;
     for (const float width : widths) {

@@ -1,3 +1,5 @@
+// Names are placed in the order of their importance. Each tries its own angle, then angles to both
+// sides in growing steps, then the same in a second row outward; the first free position is taken.
 #include "dial.h"
 
 #include <algorithm>
@@ -26,12 +28,12 @@ Rect boundsOf(float radius, std::span<const DialName> names, float gap, float ma
     return {low, high - low};
 }
 
-/// Along the rim, in degrees: how far a name may go, and by which steps.
+/// Limit and step of moving a name along the rim, in degrees.
 constexpr int kFarthest = 48;
 constexpr int kStep = 2;
-/// From this on a line leads back to the rim.
+/// Distance from which a line leads back to the rim.
 constexpr int kLeaderFromRow = 5;
-/// How far the corner of a name may reach over the rim, as a share of the gap.
+/// Maximum reach of the corner of a name over the rim, as a share of the gap.
 constexpr float kTouch = 0.4F;
 
 class NamePlacer {

@@ -1,6 +1,6 @@
 /// The largest disc that leaves room for the names around it.
 ///
-/// Names around the rim of the dial: side by side where two points stand at nearly the same angle.
+/// Names around the rim of the dial: side by side where two points are at nearly the same angle.
 /// Plain arithmetic, in pixels.
 #pragma once
 
@@ -22,26 +22,27 @@ struct DialPlace {
     float radius = 0.0F;
 };
 
-/// Where the near corner of a name goes, for a rim point: at `gap` from it, away from the center.
+/// Position of the near corner of a name, for a rim point: at `gap` from it, away from the center.
 glm::vec2 nameCorner(glm::vec2 rim, const DialName& name, float gap);
 /// `margin` is left free around the disc in any case.
 DialPlace fitDial(const Rect& room, std::span<const DialName> names, float gap, float margin);
 
 struct NameRoom {
     Rect area;                      ///< All names lie within it.
-    std::span<const Rect> taken{};  ///< By other things.
+    std::span<const Rect> taken{};  ///< Areas covered by other overlays.
     float gap = 5.0F;               ///< From the rim to a name.
     float line = 14.0F;             ///< From the first row of names outward to the second.
 };
 
 struct PlacedName {
-    std::size_t name = 0;  ///< Its place in the list of names.
+    std::size_t name = 0;  ///< Its position in the list of names.
     Rect rect;
-    /// From the rim to the name, where that does not stand right beside its point.
+    /// From the rim to the name, if the name is not right beside its point.
     bool leader = false;
 };
 
-/// The earlier in the list, the nearer to its place; a name without a place near by is left out.
+/// Earlier names in the list get closer positions; a name without a free position nearby is left
+/// out.
 std::vector<PlacedName> placeNames(const DialPlace& disc, const NameRoom& room,
                                    std::span<const DialName> names);
 

@@ -14,10 +14,10 @@ std::optional<EdgeArrow> edgeArrow(const CameraMatrices& camera, const glm::vec3
     const glm::vec4 clip = camera.viewProjection() * glm::vec4(place, 1.0F);
     const bool inside = clip.w > 0.0F && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
     if (inside) return std::nullopt;
-    // Not divided by w: what is behind the eye would stand on the wrong side.
+    // Not divided by w: a point behind the eye would appear on the wrong side.
     const glm::vec2 off(clip.x * size.x, -clip.y * size.y);
     const float length = glm::length(off);
-    // Right behind the eye every way is as good.
+    // Directly behind the eye every direction is equally good.
     const glm::vec2 way = length > 0.0F ? off / length : glm::vec2(0.0F, 1.0F);
     constexpr float kNever = std::numeric_limits<float>::max();
     const float reach = std::min(way.x != 0.0F ? half.x / std::abs(way.x) : kNever,

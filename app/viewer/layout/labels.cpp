@@ -1,3 +1,8 @@
+// Greedy placement: labels are placed by rank, each at the cheapest free position among eight
+// directions at growing distances from its point. The cost weighs distance, the amount of drawing
+// that the label covers (occupancy_grid.h), the habit of reading right above a point, and pointing toward
+// the pivot. The search of a label ends as soon as distance alone costs more than its best
+// position.
 #include "labels.h"
 
 #include <algorithm>
@@ -12,24 +17,24 @@ namespace se::view {
 
 namespace {
 
-/// How far off a plate may stand from its point, in em.
+/// Maximum distance of a plate from its point, in em.
 constexpr std::array kFar = {0.45F, 0.8F, 1.2F, 1.7F, 2.4F, 3.2F, 4.2F, 5.4F, 7.0F, 9.0F, 12.0F};
 constexpr std::size_t kMinorReach = 4;
 constexpr std::size_t kStrongReach = 8;
-/// From this on a line leads to it, in em.
+/// Distance from which a line leads to the point, in em.
 constexpr float kLeaderFrom = 0.95F;
-/// What one em of distance, covering a cell full of lines, and turning to the pivot cost.
+/// Costs of one em of distance, of covering a cell full of lines, and of pointing to the pivot.
 constexpr float kPerEm = 0.4F;
 constexpr float kPerInk = 0.16F;
 constexpr float kInward = 0.7F;
-/// Right above is where one looks first.
+/// Labels are expected right above their point.
 constexpr float kUnusual = 0.12F;
 /// Between two plates, in em.
 constexpr float kApart = 0.08F;
 
 struct Way {
     glm::vec2 to;
-    float unusual;  ///< 0 for the usual places.
+    float unusual;  ///< 0 for the usual positions.
 };
 
 constexpr float kDiagonal = 0.70710678F;
@@ -44,7 +49,7 @@ constexpr std::array kWays = {
     Way{{0.0F, 1.0F}, 2.0F},
 };
 
-/// The plate whose side or corner that looks back to `at` is `distance` away from it.
+/// The plate whose side or corner toward `at` is `distance` away from it.
 Rect plateAt(glm::vec2 at, glm::vec2 plate, glm::vec2 way, float distance) {
     const glm::vec2 near = at + way * distance;
     const auto part = [](float along) { return along > 0.5F ? 0.0F : along < -0.5F ? 1.0F : 0.5F; };
@@ -96,7 +101,7 @@ class Placer {
     float priceOf(const LabelWish& wish, const Way& way, float far, const Rect& plate) const {
         const glm::vec2 outward = wish.at - room_.middle;
         const float length = glm::length(outward);
-        // At the pivot itself every way leads out.
+        // At the pivot itself every direction leads outward.
         const float turn = length > 0.5F * room_.em ? glm::dot(outward / length, way.to) : 1.0F;
         const float ink = room_.clutter != nullptr ? room_.clutter->under(plate) : 0.0F;
         return kPerEm * far + kUnusual * way.unusual + kInward * (1.0F - turn) + kPerInk * ink;

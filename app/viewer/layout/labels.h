@@ -1,5 +1,5 @@
-/// Where the labels of a view go: none covers another, none covers what matters, and the fan of the
-/// pivot stays in sight. Plain arithmetic, in pixels.
+/// Positions of the labels in a view: none covers another, none covers important points, and the
+/// fan of the pivot stays visible. Plain arithmetic, in pixels.
 #pragma once
 
 #include <cstdint>
@@ -11,20 +11,20 @@
 
 namespace se::view {
 
-/// Who gets a place first, and goes how far for it.
+/// Rank of a label, which decides order and maximum distance.
 enum class LabelRank : std::uint8_t {
-    Essential,  ///< Names of the pivot, its ends, what is under test and what is selected.
-    Strong,     ///< What the stage at the cursor says.
-    Minor,      ///< The rest: left out where there is no room close by.
+    Essential,  ///< Names of the pivot, its ends, the point under test and the selection.
+    Strong,     ///< Values of the stage at the cursor.
+    Minor,      ///< The rest: left out if there is no room nearby.
 };
 
 struct LabelWish {
-    glm::vec2 at{0.0F};     ///< What it belongs to.
+    glm::vec2 at{0.0F};     ///< Position of the labelled thing.
     glm::vec2 plate{0.0F};  ///< Size of the text with its margin.
     LabelRank rank = LabelRank::Minor;
 };
 
-/// The mark of a point that must stay in sight.
+/// The mark of a point that must stay visible.
 struct LabelMark {
     glm::vec2 at{0.0F};
     float radius = 0.0F;
@@ -32,27 +32,27 @@ struct LabelMark {
 
 struct LabelRoom {
     Rect area;                      ///< All plates lie within it.
-    std::span<const Rect> taken{};  ///< By other things than labels.
+    std::span<const Rect> taken{};  ///< Areas covered by overlays other than labels.
     std::span<const LabelMark> marks{};
-    const Clutter* clutter = nullptr;  ///< What is drawn; null: not known.
-    glm::vec2 middle{0.0F};            ///< Labels rather go away from here: the pivot.
+    const Clutter* clutter = nullptr;  ///< Density of the drawing; null: unknown.
+    glm::vec2 middle{0.0F};            ///< Labels prefer to be away from here: the pivot.
     float em = 16.0F;
 };
 
 struct PlacedLabel {
-    std::size_t wish = 0;  ///< Its place in the list of wishes.
+    std::size_t wish = 0;  ///< Its position in the list of requests.
     Rect plate;
-    /// From `at` to the plate, where it stands too far off to be understood without.
+    /// From `at` to the plate, if the plate is far from it.
     bool leader = false;
 };
 
 /// By rank, and within a rank in the order given. A label whose point is outside of the area, or
-/// for which there is no place, is not in the result.
+/// for which there is no room, is not in the result.
 std::vector<PlacedLabel> placeLabels(const LabelRoom& room, std::span<const LabelWish> wishes);
 
 bool overlap(const Rect& a, const Rect& b);
 bool overlap(const Rect& rect, const LabelMark& mark);
-/// The place of `rect` that is nearest to `from`.
+/// The position of `rect` that is closest to `from`.
 glm::vec2 nearestIn(const Rect& rect, glm::vec2 from);
 
 }  // namespace se::view

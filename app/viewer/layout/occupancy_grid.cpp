@@ -1,3 +1,5 @@
+// A summed-area table (Crow 1984): shapes add their weight to the cells of a grid, finish() turns
+// the cells into prefix sums, and the weight under a rectangle is then four look-ups.
 #include "occupancy_grid.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-/// How much of the picture lies under a rectangle: for whoever looks for an empty place in a view.
-/// Plain arithmetic on a grid, so that a question costs the same however much is drawn.
+/// The amount of drawing under a rectangle, used to find empty places in a view. Summed on a grid,
+/// so that a query costs the same regardless of the amount of drawing.
 #pragma once
 
 #include <vector>
@@ -10,16 +10,16 @@ namespace se::view {
 
 class Clutter {
   public:
-    /// Nothing in it yet. `cell`: size of a cell of the grid, in pixels, above 0.
+    /// An empty grid. `cell`: size of a cell of the grid, in pixels, > 0.
     Clutter(const Rect& area, float cell);
 
-    /// A line of `weight` per length of a cell. What is outside of the area does not count.
+    /// Adds a line of `weight` per length of a cell. Parts outside of the area do not count.
     void addLine(glm::vec2 from, glm::vec2 to, float weight);
-    /// A disc of `weight` per area of a cell; at least one cell gets it.
+    /// Adds a disc of `weight` per area of a cell; at least one cell gets it.
     void addSpot(glm::vec2 at, float radius, float weight);
-    /// A filled triangle of `weight` per area of a cell.
+    /// Adds a filled triangle of `weight` per area of a cell.
     void addTriangle(glm::vec2 a, glm::vec2 b, glm::vec2 c, float weight);
-    /// To be called after the last of them, and before under().
+    /// To be called after the last shape, and before under().
     void finish();
 
     /// The sum over all cells that `rect` touches.

@@ -1,3 +1,6 @@
+// All sizes are multiples of the em, so that the layout follows the size of the text. Rows are cut
+// off from top and bottom and columns from the sides, with limits for narrow and low windows; the
+// view gets the rest.
 #include "panel_rects.h"
 
 #include <algorithm>
@@ -11,40 +14,41 @@ namespace {
 constexpr float kMenu = 1.56F;
 constexpr float kTransport = 2.7F;
 constexpr float kStatus = 1.7F;
-/// Of the narration: two lines of a wide view, three of one narrower than kWideView.
+/// Height of the narration: two lines of a wide view, three of one narrower than kWideView.
 constexpr float kNarration = 3.6F;
 constexpr float kNarrationNarrow = 4.7F;
-/// Below half of a view: sentences take three lines there.
+/// Narration below half of a view: sentences take three lines there.
 constexpr float kNarrationHalf = 5.6F;
 /// ... but no more than this share of the height: titles take some of it as well.
 constexpr float kMostHalf = 0.42F;
 constexpr float kWideView = 40.0F;
 /// In a low window the view comes first: a large caption gets this share of the height at most.
 constexpr float kMostNarration = 0.5F;
-/// Above it, where nothing else says where one is.
+/// Line above it, where nothing else shows the address.
 constexpr float kAddressLine = 1.4F;
-/// Of the strips: RUN in a folded drawer, in an open one, in an open one of a high window.
+/// Heights of the strips: RUN in a folded drawer, in an open one, in an open one of a high window.
 constexpr float kRunFolded = 3.0F;
 constexpr float kRunOpen = 4.9F;
 constexpr float kRunHigh = 6.4F;
 constexpr float kPivotStrip = 2.9F;
 constexpr float kStageStrip = 2.3F;
-/// Below these the window is narrow, or low.
+/// Limits below which the window is narrow, or low.
 constexpr float kNarrowBelow = 58.0F;
 constexpr float kLowBelow = 43.75F;
 constexpr float kHighFrom = 54.0F;
-/// No drawer is opened below this: nothing would be left of the view.
+/// No drawer is opened below this height: no room would be left for the view.
 constexpr float kDrawerFrom = 30.0F;
-/// From these on the dial stands by itself: below, the panels under it would be too short.
+/// Limits from which the dial has an area of its own: below, the panels under it would be too
+/// short.
 constexpr float kDialFrom = 75.0F;
 constexpr float kDialRoom = 30.0F;
-/// Who learns or looks on from afar reads the caption first.
+/// Learners and audiences read the caption first.
 constexpr float kLargeCaption = 1.5F;
 
-/// Of each of two views.
+/// Title above each of two views.
 constexpr float kTitle = 1.7F;
 
-/// Of a page with a form: its column, and the controls below the view, wide and narrow.
+/// A page with a form: its column, and the controls below the view, wide and narrow.
 constexpr float kPageColumn = 17.0F;
 constexpr float kPageColumnWide = 26.0F;
 constexpr float kPageBar = 5.4F;
@@ -69,7 +73,7 @@ bool isFolded(float emsHigh, DrawerWish wish) {
     return wish == DrawerWish::Auto && emsHigh < kLowBelow;
 }
 
-/// Cuts the drawer into its strips, which are `run` and `pivot` high; the rest is the stage's.
+/// Divides the drawer into its strips, which are `run` and `pivot` high; the rest is the stage's.
 void layOutStrips(Layout& l, float run, float pivot) {
     const Rect& d = l.drawer;
     const auto part = [&](float from, float to) {
@@ -81,7 +85,7 @@ void layOutStrips(Layout& l, float run, float pivot) {
     l.stageStrip = part(run + pivot, d.size.y);
 }
 
-/// Cuts view and narration in two, each view with its title.
+/// Divides view and narration into two, each view with its title.
 void splitInTwo(Layout& l, float title) {
     const Rect both = l.view;
     const glm::vec2 half = glm::floor(0.5F * both.size);

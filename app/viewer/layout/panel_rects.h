@@ -1,4 +1,4 @@
-/// Where the panels are, from the size of the window and of the text. Plain arithmetic.
+/// Areas of the panels, from the size of the window and of the text. Plain arithmetic.
 #pragma once
 
 #include <cstdint>
@@ -31,15 +31,16 @@ struct Layout {
     Rect narration;
     Rect drawer;
     Rect status;
-    bool dialApart = false;     ///< The dial has a place of its own.
+    bool dialApart = false;     ///< The dial has an area of its own.
     bool narrow = false;        ///< One side column only.
     bool drawerFolded = false;  ///< It holds the RUN strip alone.
     Arrangement arrangement = Arrangement::Debug;
     /// Height of the line with the address at the top of the narration; 0: the status bar has it.
     float addressLine = 0.0F;
-    float caption = 1.0F;  ///< Size of the text below the view, over that of the Debug arrangement.
+    float caption =
+        1.0F;  ///< Size of the text below the view, relative to that of the Debug layout.
 
-    // Compare: `view` and `narration` are those of the run that is open.
+    // Compare: `view` and `narration` are those of the open run.
     Rect title;  ///< Above the view.
     Rect otherView;
     Rect otherTitle;
@@ -52,12 +53,12 @@ struct Layout {
 };
 
 /// A page with a form and controls of its own: menu, left column, view, and below it the narration
-/// as the place of the controls. No other area has a size.
+/// as the area of the controls. No other area has a size.
 Layout computePageLayout(glm::vec2 size, float em);
 
 /// The view never gets less than 40 % of the width. Learn has all side panels in the left column;
 /// Present has no panel but view, caption and the strip of the run: the other areas are empty.
-/// Compare has two views, beside or above each other, whichever leaves them more.
+/// Compare has two views, beside or above each other, whichever gives them more room.
 Layout computeLayout(glm::vec2 size, float em, Arrangement arrangement = Arrangement::Debug,
                      DrawerWish drawer = DrawerWish::Auto);
 

@@ -1,4 +1,4 @@
-/// Where the counts of the panel Steps stand: in columns as wide as the largest of them. Plain
+/// Positions of the counts in the panel Steps: in columns as wide as the largest of them. Plain
 /// values, no ImGui.
 #pragma once
 
@@ -10,7 +10,7 @@ namespace se::view {
 struct StepNumberWidths {
     float triangles = 0.0F;
     float tests = 0.0F;
-    float refused = 0.0F;  ///< With the cross before it.
+    float refused = 0.0F;  ///< Including the cross before it.
 };
 
 /// The columns at the right end of a row; x of their right edges, 0 for one that is left out.
@@ -18,10 +18,10 @@ struct StepColumns {
     float triangles = 0.0F;
     float tests = 0.0F;
     float refused = 0.0F;
-    float labels = 0.0F;  ///< Where the labels end at the latest.
+    float labels = 0.0F;  ///< Maximum right end of the labels.
 };
 
-/// The columns of a row from `left`, `room` wide. Triangles are left out where the labels would
+/// The columns of a row from `left`, `room` wide. Triangles are left out if the labels would
 /// have too little room.
 inline StepColumns placeStepColumns(float left, float room, float em,
                                     const StepNumberWidths& widest) {

@@ -9,7 +9,7 @@ namespace se::view {
 
 namespace {
 
-/// `spec` with the rules of `other`: what is left to differ is how it is prepared.
+/// `spec` with the rules of `other`: only the preparation remains to differ.
 InputSpec ruledAs(const InputSpec& spec, const InputSpec& other) {
     return withRules(spec, rulesOf(other));
 }

@@ -1,4 +1,4 @@
-/// What a person wants the other run to be. Plain values.
+/// The user's choice of the other run. Plain values.
 #pragma once
 
 #include <array>
@@ -12,19 +12,19 @@ namespace se::view {
 struct CompareForm {
     RuleSet rules;        ///< Set, single rules and what-ifs.
     PrepareForm prepare;  ///< Lists, normals, walls, rims.
-    std::string whatIf;   ///< The line of one more what-if, while it is typed.
+    std::string whatIf;   ///< The line of another what-if, while it is typed.
     std::array<char, 64> ruleFilter{};
     std::string complaint;
 
-    /// Begins with the set that says most beside `spec`; all else as there.
+    /// Starts with the most informative rule set beside `spec`; all else as in `spec`.
     void take(const InputSpec& spec, const Model& model);
-    /// Begins with `other`, which is compared with already.
+    /// Starts with `other`, which is compared with already.
     void takeOther(const InputSpec& other, const Model& model);
-    /// The run that is open was opened anew as `now`: what it changed itself counts for both.
+    /// The open run was opened again as `now`: its own changes are applied to both.
     void follow(const InputSpec& before, const InputSpec& now, const Model& model);
-    /// Adds the line of a what-if to those of the other run; else says what is wrong with it.
+    /// Adds the line of a what-if to those of the other run; otherwise sets the complaint.
     void addWhatIf();
-    /// `base` with all that. Fails with a sentence.
+    /// `base` with these choices. Fails with a sentence.
     Result<InputSpec> spec(const InputSpec& base) const;
 };
 

@@ -1,5 +1,6 @@
-/// What the file browser knows: a folder, what can be opened in it, what was typed. No ImGui.
+/// State of the file browser: a folder, the files that can be opened in it, the typed text. No
 #pragma once
+/// ImGui.
 
 #include <cstdint>
 #include <filesystem>
@@ -9,7 +10,7 @@
 
 namespace se::view {
 
-/// What the file browser is for.
+/// Purpose of the file browser.
 enum class BrowserTask : std::uint8_t { Open, SaveSession, Volume, SavePoints, Mesh, SaveMesh };
 
 struct BrowserEntry {
@@ -18,7 +19,7 @@ struct BrowserEntry {
     friend bool operator==(const BrowserEntry&, const BrowserEntry&) = default;
 };
 
-/// What the browser shows, read once per folder.
+/// Content of the browser, read once per folder.
 struct FileBrowsing {
     BrowserTask task = BrowserTask::Open;
     std::filesystem::path folder;
@@ -26,25 +27,25 @@ struct FileBrowsing {
     std::string path;  ///< As typed.
     std::string error;
     bool shown = false;
-    int settling = 0;                 ///< Frames in which windows beside it may yet appear.
-    bool refocus = false;             ///< The line to type into gets the keyboard back.
-    std::filesystem::path overwrite;  ///< The file that was asked about: once more, and it goes.
+    int settling = 0;                 ///< Frames in which windows beside it may still appear.
+    bool refocus = false;             ///< The input line gets the keyboard focus back.
+    std::filesystem::path overwrite;  ///< The file to be replaced: a second request replaces it.
 
-    /// Lists another folder: folders first, then the files that `task` is about. One that cannot be
-    /// read is told in `error`, and what was shown stays.
+    /// Lists another folder: folders first, then the files for `task`. If it cannot be
+    /// read, `error` has the reason, and the old list stays.
     void readFolder(const std::filesystem::path& next);
 };
 
-/// By extension: what can be opened, or would be written over.
+/// By extension: files that can be opened, or would be overwritten.
 bool isListed(const std::filesystem::path& path, BrowserTask task);
 /// By extension: points in a format that can be read, a volume, or a session.
 bool canBeOpened(const std::filesystem::path& path);
-/// By extension: what can have triangles.
+/// By extension: files that can have triangles.
 bool canHoldMesh(const std::filesystem::path& path);
-/// What a person means by a text typed while `folder` is shown: `~` is the home, `scene:ID` and
+/// Meaning of a text typed while `folder` is shown: `~` is the home folder, `scene:ID` and
 /// `sample:...` are no paths.
 std::string typedSource(const std::filesystem::path& folder, const std::string& text);
-/// With `extension` (".ply") at its end, whatever other dots are in the name.
+/// File name with `extension` (".ply") at its end, regardless of other dots in it.
 std::filesystem::path withExtension(std::filesystem::path path, std::string_view extension);
 
 }  // namespace se::view

@@ -17,7 +17,7 @@ Result<SampleSpec> surfaceIn(const GrowthForm& form) {
     spec.surface = volume ? trimmed(form.volume) : form.shape;
     if (volume && spec.surface.empty()) return Error{"Choose a volume: a file .nrrd or .nhdr."};
     if (volume && !isVolumePath(spec.surface)) {
-        return Error{spec.surface + " is no volume: expected a file .nrrd or .nhdr."};
+        return Error{spec.surface + " is not a volume: expected a file .nrrd or .nhdr."};
     }
     if (!trimmed(form.isovalue).empty()) {
         spec.isovalue = numberIn(form.isovalue);
@@ -51,7 +51,7 @@ Result<SampleSpec> GrowthForm::spec() const {
     SampleSpec spec = surface.value();
     if (bySpacing) {
         spec.spacing = numberIn(spacing).value_or(0.0);
-        if (!(spec.spacing > 0.0)) return Error{"Spacing: expected a number above 0."};
+        if (!(spec.spacing > 0.0)) return Error{"Spacing: expected a number > 0."};
     } else {
         const auto number = wholeFromText(trimmed(count));
         if (!number || *number == 0 || *number > kMostParticles) {

@@ -1,4 +1,4 @@
-/// What a person says of points that are to be made: text fields and choices. Plain values.
+/// The user's input for new points: text fields and choices. Plain values.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ enum class GrowthSource : std::uint8_t { Shape, Volume };
 /// Six numbers as typed, the lower corner first.
 using BoxFields = std::array<std::string, 6>;
 BoxFields boxFields(const WallBox& box);
-/// Fails with a sentence if they are no box.
+/// Fails with a sentence if the fields are no box.
 Result<WallBox> boxFromFields(const BoxFields& fields);
 
 struct GrowthForm {
@@ -26,16 +26,16 @@ struct GrowthForm {
     std::string spacing = "0.1";
     std::string seed = "1";
     std::string curvature = "0";
-    bool cut = false;  ///< By the walls of `box` instead of those of the shape or volume.
+    bool cut = false;  ///< Clip to `box` instead of the walls of the shape or volume.
     BoxFields box{};
 
     /// Fails with a sentence about the first field that is wrong.
     Result<SampleSpec> spec() const;
     void take(const SampleSpec& spec);
-    /// Another shape: whatever was said of the surface before does not hold for it.
+    /// Another shape: isovalue and box of the previous surface are cleared.
     void choose(std::string_view id);
     void chooseVolume(const std::string& path);
-    /// Cut, from now on: begins with the box of the shape.
+    /// Enables clipping, starting with the box of the shape.
     void cutByOwnBox();
 };
 

@@ -1,4 +1,4 @@
-/// The page on which new points spread: what it shows and what it asks for. Plain values.
+/// The page on which new points spread: its content and its requests. Plain values.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ struct GrowthNumbers {
     std::size_t points = 0;
     std::size_t onWalls = 0;  ///< Corners among them.
     std::size_t corners = 0;
-    double wanted = 0.0;  ///< Spacing that they are heading for.
+    double wanted = 0.0;  ///< Target spacing.
     SampleQuality quality;
 };
 
@@ -25,13 +25,13 @@ struct GrowthPage {
     bool open = false;
     GrowthForm form;
     GrowthAsk asked = GrowthAsk::None;
-    std::string savePath;  ///< The points are to be saved there; empty: nothing.
+    std::string savePath;  ///< File to save the points to; empty: none.
 
     GrowthPhase phase = GrowthPhase::Idle;
-    double found = 0.0;     ///< While the surface is looked for: the share done.
-    std::string complaint;  ///< What is wrong with the form, the surface or the file.
-    std::string said;       ///< What went well lately.
-    SampleSpec made;        ///< Which points these are; of no use while there are none.
+    double found = 0.0;     ///< Share done of the search for the surface.
+    std::string complaint;  ///< Error of the form, the surface or the file.
+    std::string said;       ///< Last success message.
+    SampleSpec made;        ///< Specification of these points; unused while there are none.
     GrowthNumbers numbers;  ///< Zero while there are none.
 
     bool moving() const { return phase == GrowthPhase::Finding || phase == GrowthPhase::Spreading; }

@@ -10,14 +10,14 @@
 
 namespace se::view {
 
-/// Asked for in a frame, carried out at its end.
+/// Request of a frame, carried out at its end.
 enum class MeshAsk : std::uint8_t {
     None,
-    Save,         ///< Asks first where a file is to be replaced.
+    Save,         ///< Asks before a file is replaced.
     Replace,      ///< The answer yes.
     Keep,         ///< Do not replace the file.
-    Cancel,       ///< Stops waiting for the mesh.
-    CopyCommand,  ///< The command line goes to the clipboard.
+    Cancel,       ///< Stop waiting for the mesh.
+    CopyCommand,  ///< Copy the command line to the clipboard.
 };
 
 /// Size of the mesh that would be written.
@@ -29,7 +29,7 @@ struct MeshSize {
 };
 
 struct MeshForm {
-    std::size_t format = 0;  ///< A place in core's meshFormats().
+    std::size_t format = 0;  ///< A position in core's meshFormats().
     bool usedOnly = false;
     MeshAsk ask = MeshAsk::None;
     std::string path;  ///< The file that `ask` names.
@@ -40,21 +40,21 @@ struct MeshForm {
     bool saving = false;
     bool writing = false;  ///< Too late to cancel.
 
-    std::string complaint;    ///< Why nothing was saved or copied; empty: nothing to say.
-    std::string note;         ///< What there is to know about the command that was copied.
+    std::string complaint;    ///< Reason why nothing was saved or copied; empty: no problem.
+    std::string note;         ///< Note about the copied command.
     std::string question;     ///< The file that would be replaced; empty: none.
-    bool justAsked = false;   ///< The answer no gets the keyboard.
-    std::string savedPath;    ///< Where the mesh of `savedSource` was saved last.
+    bool justAsked = false;   ///< The button No gets the keyboard focus.
+    std::string savedPath;    ///< File of the last saved mesh of `savedSource`.
     std::string savedSource;  ///< A source, see InputSpec.
     std::string copied;       ///< The command that was copied last.
 
-    /// True while a question or the progress stands in place of the fields.
+    /// True while a question or the progress replaces the fields.
     bool waits() const { return saving || !question.empty(); }
-    /// Forgets what was said when the dialog was open before; choices stay.
+    /// Clears the messages of the previous use of the dialog; choices stay.
     void open();
-    /// Takes the format that the name says, if it says one.
+    /// Takes the format of the name's extension, if it has one.
     void followName(const std::string& name);
-    /// Chooses a format; a name that says another one gets its extension.
+    /// Chooses a format; a name with another extension gets its extension.
     void choose(std::size_t place, std::string& name);
     /// The typed name, with the extension of the format unless it has one of those.
     std::string withFormat(const std::string& typed) const;

@@ -11,17 +11,17 @@ namespace se::view {
 namespace {
 
 constexpr std::uint64_t kMostNeighbors = 1000;
-/// Where nobody says another one, a radius holds about as many as the 12 nearest.
+/// Default radius, which includes about as many points as the 12 nearest.
 constexpr double kRadiusInSpacings = 2.1;
 
-/// Four digits are enough for a proposal.
+/// Digits of a suggested value.
 double rounded(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.4g", value);
     return numberFromText(text).value_or(value);
 }
 
-/// The fewest digits that are nearer than a tenth of what a wall forgives.
+/// The fewest digits that are closer than a tenth of the tolerance of a wall.
 std::string proposed(double value, const WallBox& box) {
     const Vec3 sides = box.high - box.low;
     const double off = 0.1 * box.tolerance * std::max({sides.x, sides.y, sides.z});
@@ -118,12 +118,12 @@ Status PrepareForm::setReach(NeighborOptions& neighbors) const {
     }
     if (reach == Reach::Radius) {
         const auto number = numberFromText(radius);
-        if (!number || !(*number > 0.0)) return Error{"Radius: expected a number above 0."};
+        if (!number || !(*number > 0.0)) return Error{"Radius: expected a number > 0."};
         neighbors.reach = WithinRadius{*number};
     }
     if (reach == Reach::Spacings) {
         const auto number = numberFromText(spacings);
-        if (!number || !(*number > 0.0)) return Error{"Spacings: expected a number above 0."};
+        if (!number || !(*number > 0.0)) return Error{"Spacings: expected a number > 0."};
         neighbors.reach = WithinSpacings{*number};
     }
     return success();
@@ -141,7 +141,7 @@ Result<InputSpec> PrepareForm::spec(InputSpec base) const {
     base.keepOpposing = keepOpposing;
     base.keepNoise = keepNoise;
     base.rim = rim;
-    // What is chosen here is what a person wants; a cure chose it before.
+    // The choice made here replaces the one of a fix.
     std::erase_if(base.cures, [this](const std::string& name) {
         const DoctorCheck* check = findDoctorCheck(name);
         return check != nullptr && !agreesWith(check->cure);

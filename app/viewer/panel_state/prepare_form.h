@@ -1,4 +1,4 @@
-/// What a person wants derived from the points of the input. Plain values.
+/// The user's choice of what is derived from the points of the input. Plain values.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct PrepareForm {
     Reach reach = Reach::File;
     std::string count = "12";
     std::string radius;
-    std::string spacings = "1.6";  ///< That of Table 1.
+    std::string spacings = "1.6";  ///< Value of Table 1.
     bool symmetric = false;
     bool keepOpposing = false;
     NormalSource normals = NormalSource::AsGiven;
@@ -25,10 +25,10 @@ struct PrepareForm {
     bool keepNoise = false;
     std::string complaint;
 
-    /// Begins with what `spec` says, the doctor's cures included; the box with that around the
-    /// points of `model`.
+    /// Starts with the options of `spec`, including the doctor's fixes; the box with that around
+    /// the points of `model`.
     void take(const InputSpec& spec, const Model& model);
-    /// `base` with these options; of its cures those that they contradict go. Fails with a sentence
+    /// `base` with these options, without the fixes that they contradict. Fails with a sentence
     /// about the first field that is wrong.
     Result<InputSpec> spec(InputSpec base) const;
 

@@ -1,4 +1,4 @@
-/// What the panels that ask about the run remember. Plain values, no ImGui.
+/// State of the panels that query the run. Plain values, no ImGui.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace se::view {
 
-/// The tabs of those panels.
+/// Tabs of the query panels.
 inline constexpr const char* kLedgerTab = "Ledger";
 inline constexpr const char* kQueryTab = "Query";
 inline constexpr const char* kChartsTab = "Charts";
@@ -19,14 +19,14 @@ inline constexpr const char* kChartsTab = "Charts";
 /// A list of decisions that follows the cursor.
 struct LineList {
     CursorWatch watch;
-    const void* answer = nullptr;  ///< What was drawn last.
-    int settling = 0;              ///< Frames in which it is not scrolled to the cursor.
+    const void* answer = nullptr;  ///< Line that was drawn last.
+    int settling = 0;              ///< Frames without scrolling to the cursor.
 };
 
 struct LedgerPanel {
-    std::string typed;      ///< In the box.
-    std::string complaint;  ///< About what was typed.
-    Selection seen;         ///< The selection when the panel was drawn last.
+    std::string typed;      ///< Text in the box.
+    std::string complaint;  ///< Error of the typed text.
+    Selection seen;         ///< Selection when the panel was drawn last.
     bool wantsKeyboard = false;
     LineList list;
 };
@@ -36,24 +36,24 @@ enum class QueryList : std::uint8_t { Found, Closest };
 
 struct QueryPanel {
     std::string typed;
-    bool typing = false;  ///< The line has the keyboard.
+    bool typing = false;  ///< The line requests the keyboard focus.
     bool wantsKeyboard = false;
     QueryList shown = QueryList::Found;
     LineList found;
     LineList closest;
 };
 
-/// The menu of a thing in the view or in a list.
+/// Context menu of a thing in the view or in a list.
 struct SubjectMenu {
     Selection what;
     std::optional<RingPlace> ring;  ///< Instead of a selection.
     bool wanted = false;            ///< To be opened in this frame.
-    bool other = false;             ///< In the view of the run beside (layout Compare).
+    bool other = false;             ///< In the view of the other run (layout Compare).
 
     void open(const Selection& subject) {
         *this = {subject, std::nullopt, subject.kind != SelectionKind::None};
     }
-    /// In the view of the other run, or of a finished mesh, which has nothing to be asked.
+    /// In the view of the other run, or of a finished mesh, which cannot be queried.
     void openBeside(const Selection& subject) { *this = {subject, std::nullopt, true, true}; }
     void open(const RingPlace& place) { *this = {Selection{}, place, true}; }
 };

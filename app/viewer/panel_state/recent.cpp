@@ -23,7 +23,7 @@ std::string absolutePath(const std::string& path) {
     return fs::absolute(path, error).lexically_normal().string();
 }
 
-/// As it can be opened from any folder; empty if that cannot be said.
+/// Absolute path, valid in any folder; empty if there is none.
 std::string fromAnywhere(const std::string& source) {
     if (!isSample(source)) return absolutePath(source);
     Result<SampleSpec> spec = sampleFromSource(source);

@@ -1,5 +1,5 @@
-/// What the program remembers by itself from one time to the next: the layout of the window and the
-/// files that were open. Not settings, which a person writes.
+/// State that the program keeps by itself from one run to the next: the layout of the window and
+/// the recent files. Not settings, which the user writes.
 #pragma once
 
 #include <filesystem>
@@ -20,22 +20,22 @@ struct KeptState {
     friend bool operator==(const KeptState&, const KeptState&) = default;
 };
 
-/// Puts a file, or points that were made (sample:...), at the front, once, and forgets the oldest
-/// ones. Scenes are not remembered.
+/// Puts a file, or sampled points (sample:...), at the front, once, and drops the oldest
+/// ones. Scenes are not recorded.
 void remember(KeptState& state, const std::string& path);
-/// What a list of them shows: the name of a file without its folder, "torus, 4 000 points".
+/// Label in a list of recent files: the name of a file without its folder, "torus, 4 000 points".
 std::string recentName(const std::string& path);
 
 /// $XDG_STATE_HOME/spiraling-edge/state.json, or below ~/.local/state. Empty if there is no home.
 std::filesystem::path statePath();
 
-/// Whatever cannot be read is left out: nobody is told of a list of recent files.
+/// Anything that cannot be read is skipped silently: recent files are not worth a message.
 KeptState keptStateFromJson(std::string_view text);
 std::string keptStateToJson(const KeptState& state);
 
 /// The defaults if there is no such file.
 KeptState readKeptState(const std::filesystem::path& path);
-/// Makes the folder if need be; an empty path is nothing to do.
+/// Makes the folder if necessary; an empty path has no effect.
 Status writeKeptState(const std::filesystem::path& path, const KeptState& state);
 
 }  // namespace se::view

@@ -38,7 +38,7 @@ KeyMap keysIn(const json& object, std::vector<std::string>& complaints) {
 }  // namespace
 
 std::filesystem::path xdgFolder(const char* variable, const char* below) {
-    // The XDG standard: relative paths are to be ignored.
+    // The XDG standard: relative paths are ignored.
     if (const char* folder = std::getenv(variable); folder != nullptr && folder[0] == '/') {
         return folder;
     }

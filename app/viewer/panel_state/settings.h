@@ -1,4 +1,4 @@
-/// What survives a restart: a small JSON file in the folder that the system has for it.
+/// Settings that survive a restart: a small JSON file in the user's configuration folder.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace se::view {
 
-/// The folder that the variable names, or `below` the home folder. Empty if there is no home.
+/// The folder named by the variable, or `below` the home folder. Empty if there is no home.
 std::filesystem::path xdgFolder(const char* variable, const char* below);
 /// $XDG_CONFIG_HOME/spiraling-edge/settings.json, or below ~/.config. Empty if there is no home.
 std::filesystem::path settingsPath();
@@ -21,7 +21,7 @@ std::string settingsToJson(const ViewSettings& settings);
 
 /// The settings of a file; the defaults if there is none.
 Result<ViewSettings> readSettings(const std::filesystem::path& path);
-/// Makes the folder if need be.
+/// Makes the folder if necessary.
 Status writeSettings(const std::filesystem::path& path, const ViewSettings& settings);
 
 }  // namespace se::view

@@ -1,4 +1,4 @@
-/// What the start page shows of the built-in scenes: small pictures made of their points.
+/// Content of the start page for the built-in scenes: small pictures made of their points.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -12,10 +12,10 @@ namespace se::view {
 /// A point of a small picture.
 struct ThumbnailDot {
     glm::vec2 at{0.0F};   ///< In the square from -1 to 1, y up.
-    float facing = 0.0F;  ///< 1: looks at the viewer; 0 or less: its back side is seen.
+    float facing = 0.0F;  ///< 1: faces the viewer; 0 or less: its back side is visible.
 };
 
-/// A scene as it is offered.
+/// A scene as listed on the page.
 struct SceneTile {
     std::string_view id;
     std::string_view title;
@@ -27,7 +27,7 @@ struct SceneTile {
 /// The picture of some points, of at most `most` of them.
 std::vector<ThumbnailDot> thumbnail(const PointFile& points, std::size_t most);
 
-/// Made when it is first looked at.
+/// Made on first use.
 struct StartPage {
     std::vector<SceneTile> tiles;
 

@@ -1,4 +1,4 @@
-/// What the panels for finding one's way in the run remember. Plain values, no ImGui.
+/// State of the panels for moving in the run. Plain values, no ImGui.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace se::view {
 
-/// The lanes as last painted, and what they were painted from.
+/// The lanes as last painted, and the inputs of that painting.
 struct PaintedLanes {
     std::uint32_t generation = 0;
     std::size_t pivots = 0;
@@ -20,7 +20,7 @@ struct PaintedLanes {
     LanePicture picture;
 };
 
-/// Something that follows the cursor, but only when it moves: else nobody could look elsewhere.
+/// Something that follows the cursor, but only when it moves, so that the user can scroll away.
 class CursorWatch {
   public:
     /// True for two frames after a move: sizes are known one frame late.
@@ -43,11 +43,11 @@ struct Navigation {
     CursorWatch stepsWatch;
     std::array<char, 64> stepFilter{};
     CursorWatch paperWatch;
-    Index pointedRing = kNone;  ///< The ring under the pointer, found anew in every frame.
+    Index pointedRing = kNone;  ///< The ring under the pointer, determined again in every frame.
     CursorWatch ringWatch;
-    long ringShift = 0;  ///< Points that the strip of the ring is moved on by.
+    long ringShift = 0;  ///< Offset of the ring strip, in points.
 
-    /// Folds the drawer if it is open, else opens it, whatever the height of the window.
+    /// Folds the drawer if it is open, otherwise opens it, regardless of the height of the window.
     void toggleDrawer() { drawer = drawerFolded ? DrawerWish::Open : DrawerWish::Folded; }
 };
 

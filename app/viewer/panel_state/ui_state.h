@@ -1,4 +1,4 @@
-/// What the user interface remembers and what it asks for. Plain values, no ImGui.
+/// State and requests of the user interface. Plain values, no ImGui.
 #pragma once
 
 #include <array>
@@ -47,79 +47,79 @@ class Session;
 /// Kept in the settings.
 struct ViewSettings {
     Theme theme = Theme::Dark;
-    double uiScale = 0.0;  ///< 0: as the monitor says.
+    double uiScale = 0.0;  ///< 0: that of the monitor.
     LayerModes layers{};
     int width = 1280;
     int height = 800;
     double playRate = 4.0;
     bool legend = true;
     KeyMap keys;
-    std::vector<std::string> complaints;  ///< What the settings say wrongly, one sentence each.
+    std::vector<std::string> complaints;  ///< Errors in the settings, one sentence each.
     MeshStyle meshStyle = MeshStyle::Flat;
     PointTint pointTint = PointTint::Status;
-    std::optional<UpAxis> up;  ///< Of files; empty: guessed for each.
+    std::optional<UpAxis> up;  ///< For files; empty: guessed for each.
 };
 
-/// What the camera frames once the cursor is where it was sent.
+/// Target of the camera once the cursor has arrived.
 enum class FrameWish : std::uint8_t { None, Focus, Pivot };
 
-/// Asked for by a command or panel, carried out by the application in the same frame.
+/// Requests of a command or panel, carried out by the application in the same frame.
 struct UiRequests {
-    bool quit = false;    ///< May be asked about.
-    bool reload = false;  ///< Likewise.
+    bool quit = false;    ///< May open a question first.
+    bool reload = false;  ///< May open a question first.
     bool screenshot = false;
     bool fullScreen = false;
     bool closePopups = false;
-    int walk = 0;  ///< The keyboard goes to the next panel (+1), or to the one before (-1).
+    int walk = 0;  ///< Keyboard focus to the next panel (+1), or to the previous one (-1).
     bool copyPlace = false;
     bool pastePlace = false;
-    bool frameAlert = false;  ///< The camera goes to the alert that is looked at.
+    bool frameAlert = false;  ///< The camera goes to the chosen alert.
     bool saveSession = false;
     FrameWish frame = FrameWish::None;
     bool undo = false;
     bool redo = false;
-    std::optional<Cures> cures;    ///< To open the input anew with; none at all: as the file is.
-    std::optional<RuleSet> rules;  ///< To run anew by; see withRule().
+    std::optional<Cures> cures;  ///< Fixes to open the input with again; empty: the file as it is.
+    std::optional<RuleSet> rules;       ///< Rules to re-run with; see withRule().
     Resume resume = Resume::SamePlace;  ///< With `rules`.
     std::string open;                   ///< A path or `scene:ID`; empty: nothing.
     std::string saveSessionAs;          ///< A path; empty: nothing.
-    std::string copyText;               ///< For the clipboard; empty: nothing.
-    /// An input with its options: prepared in another way, or points that were made here.
+    std::string copyText;               ///< Text for the clipboard; empty: nothing.
+    /// An input with its options: prepared in another way, or sampled points.
     std::optional<InputSpec> openSpec;
 };
 
-/// The tab that opens by itself when the doctor has found something.
+/// The tab that opens by itself when the doctor has found a problem.
 inline constexpr const char* kDoctorTab = "Doctor";
 inline constexpr const char* kBreakpointsTab = "Breakpoints";
 inline constexpr const char* kWatchTab = "Watch";
 
-/// The tab with what went wrong.
+/// The tab with the alerts.
 inline constexpr const char* kAlertsTab = "Alerts";
 
 /// The tab with all rules as switches.
 inline constexpr const char* kRulesTab = "Rules";
 
-/// The tab with what may happen otherwise.
+/// The tab for overriding decisions.
 inline constexpr const char* kWhatIfTab = "What if";
 
-/// The list of actions that one types into.
+/// The command palette.
 struct CommandPalette {
     bool open = false;
-    bool justOpened = false;  ///< The line to type into gets the keyboard.
+    bool justOpened = false;  ///< The input line gets the keyboard focus.
     std::array<char, 64> filter{};
     int chosen = 0;
 
     void show() { *this = {true, true, {}, 0}; }
 };
 
-/// The line that is being drawn about points of the view, in pixels of the window.
+/// The lasso that is being drawn around points of the view, in pixels of the window.
 struct Lasso {
     bool drawing = false;
     std::vector<glm::vec2> path;
 };
 
 struct UiState {
-    /// Something lies over the view that the keys are meant for.
+    /// An overlay above the view takes the keys.
     bool dialogOpen() const {
         return fileBrowser || cheatSheet || keyEditor || palette.open || goTo.active() ||
                prepare.open || leaving.asked;
@@ -149,7 +149,7 @@ struct UiState {
     MeshForm mesh;
     ComparePage compare;
     LeaveQuestion leaving;
-    bool quitting = false;  ///< Nothing is in the way: the window closes.
+    bool quitting = false;  ///< No unsaved work: the window closes.
     Arrangement arrangement = Arrangement::Debug;
     Bookmarks bookmarks;
     std::vector<Breakpoint> breakpoints;
@@ -162,35 +162,35 @@ struct UiState {
     QueryPanel query;
     SubjectMenu subjectMenu;
     KeyWalk walk;
-    bool popupOpen = false;           ///< A menu, say, as last drawn.
-    std::string notes;                ///< Free text of the person, kept in the session file.
-    std::string sessionPath;          ///< What Ctrl+S writes to; empty: not known yet.
-    std::string unsaved;              ///< What is in no session file yet, see Filing::unsaved().
+    bool popupOpen = false;   ///< Overlays, such as a menu, as last drawn.
+    std::string notes;        ///< Free text by the user, stored in the session file.
+    std::string sessionPath;  ///< File written by Ctrl+S; empty: not known yet.
+    std::string unsaved;      ///< Annotations in no session file yet, see Filing::unsaved().
     std::vector<std::string> recent;  ///< Files opened lately, the latest first.
     StartPage startPage;
     float scale = 1.0F;       ///< Of text and panels, as drawn.
     float viewAspect = 1.3F;  ///< Of the view, as last drawn.
-    /// Where what was drawn in this frame is, in pixels of the window: "region view", "tab Dial",
-    /// "strip run"
-    /// ... For --state-dump, so that whoever drives the window finds it.
+    /// Rectangles of the items drawn in this frame, in pixels of the window: "region view", "tab
+    /// Dial", "strip run"
+    /// ... For --state-dump, so that test scripts find them.
     std::map<std::string, Rect> where;
     std::string openTab;
-    std::string addressLine;  ///< What stands above the caption; empty: nothing.
-    std::string shownCheck;   ///< Of the doctor: the finding whose points are marked.
-    /// Classes of alerts that are folded or unfolded by hand.
+    std::string addressLine;  ///< Line above the caption; empty: none.
+    std::string shownCheck;   ///< The doctor's finding whose points are highlighted.
+    /// Classes of alerts that were folded or unfolded by the user.
     std::map<std::string, bool> alertsOpen;
-    bool revealAlert = false;  ///< The list of alerts is to show the chosen one.
-    std::string wantedTab;     ///< To be opened in the next frame; empty: as it is.
-    LookBack look;             ///< At the state before the decision.
-    double clock = 0.0;        ///< Seconds, as the frames count them.
+    bool revealAlert = false;  ///< The list of alerts scrolls to the chosen one.
+    std::string wantedTab;     ///< Tab to open in the next frame; empty: unchanged.
+    LookBack look;             ///< Whether the state before the decision is shown.
+    double clock = 0.0;        ///< Seconds, summed over the frames.
     FactsCache facts;          ///< Of the selection.
     ClickWait click;           ///< In the view; it may be the first half of a double click.
-    Index pointedAt = kNone;   ///< The point under the pointer, found anew in every frame.
+    Index pointedAt = kNone;   ///< The point under the pointer, determined again in every frame.
     std::array<char, 64> ruleFilter{};
     WhatIfForm whatIf;
 };
 
-/// Everything a command may work on.
+/// Everything that a command may use.
 struct CommandContext {
     Session& session;
     Playback& playback;

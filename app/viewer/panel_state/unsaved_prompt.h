@@ -1,4 +1,4 @@
-/// What a person is asked before something noted that no file holds is left. Plain values.
+/// The question before unsaved annotations are left. Plain values.
 #pragma once
 
 #include <cstdint>
@@ -12,20 +12,20 @@ namespace se::view {
 enum class LeaveFor : std::uint8_t { Quit, Open, Reload };
 enum class LeaveAnswer : std::uint8_t { None, Save, Discard, Cancel };
 
-/// Where one is about to go.
+/// Destination after the question.
 struct Leave {
     LeaveFor what = LeaveFor::Quit;
     std::string path;                              ///< Of LeaveFor::Open: a path or `scene:ID`.
-    std::string notice;                            ///< To be said on arriving.
-    std::optional<InputSpec> spec = std::nullopt;  ///< What to open, with its options.
+    std::string notice;                            ///< Message on arrival.
+    std::optional<InputSpec> spec = std::nullopt;  ///< Input to open, with its options.
 };
 
-/// The question, as long as it stands there.
+/// The question, while it is open.
 struct LeaveQuestion {
     bool asked = false;
-    bool justAsked = false;  ///< The first button gets the keyboard.
+    bool justAsked = false;  ///< The first button gets the keyboard focus.
     Leave leave;
-    std::string atStake;                     ///< What no file holds: "bookmarks and watches".
+    std::string atStake;                     ///< Unsaved annotations: "bookmarks and watches".
     LeaveAnswer answer = LeaveAnswer::None;  ///< Carried out in the same frame.
 
     void ask(Leave to, std::string unsaved) {

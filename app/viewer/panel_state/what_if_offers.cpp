@@ -14,7 +14,7 @@ namespace {
 
 std::string pointText(Index p) { return "point " + std::to_string(p); }
 
-/// A test at a stage where keeping and dropping is all that can be said.
+/// Offers for a test at a stage that can only keep or drop.
 std::vector<WhatIfOffer> keepOrDrop(const Event& event, Verdict verdict) {
     WhatIf what{WhatIfKind::Keep,       event.address.pivot, event.address.stage,
                 se::testedPoint(event), Vec3(0.0),           {}};
@@ -24,7 +24,7 @@ std::vector<WhatIfOffer> keepOrDrop(const Event& event, Verdict verdict) {
     return {{what, (what.kind == WhatIfKind::Keep ? "Keep " : "Drop ") + pointText(what.point)}};
 }
 
-/// start or end is moved, or not.
+/// Offers for moving start or end.
 std::vector<WhatIfOffer> advanceOrNot(const Event& event, Verdict verdict) {
     WhatIf what{WhatIfKind::Drop,       event.address.pivot, Stage::Limits,
                 se::testedPoint(event), Vec3(0.0),           {}};
@@ -35,15 +35,15 @@ std::vector<WhatIfOffer> advanceOrNot(const Event& event, Verdict verdict) {
                        pointText(what.point)}};
 }
 
-/// The rules on fans are not heard on the point that goes, or on the whole fan.
+/// Offers to override the rules on fans for the dropped point, or for the whole fan.
 std::vector<WhatIfOffer> overrule(const Event& event, Verdict verdict, Index pivot) {
     if (!rowOf(verdict).inverse) return {};
     const Index dropped = se::testedPoint(event);
     const bool whole = dropped == kNone;
     const WhatIf what{WhatIfKind::Keep,        event.address.pivot, Stage::Guard,
                       whole ? pivot : dropped, Vec3(0.0),           {}};
-    return {{what, whole ? std::string("Make these triangles all the same")
-                         : "Keep " + pointText(dropped)}};
+    return {
+        {what, whole ? std::string("Make these triangles anyway") : "Keep " + pointText(dropped)}};
 }
 
 bool saysWhatIf(const Event& event) {
@@ -51,7 +51,7 @@ bool saysWhatIf(const Event& event) {
     return verdict == Verdict::WhatIfKept || verdict == Verdict::WhatIfDropped;
 }
 
-/// The triangle of this pivot is an ear that fill closes: no fan is looked at.
+/// True if the triangle of this pivot is an ear closed by fill: there is no fan to test.
 bool isEar(const Session& session) {
     const std::vector<Event>& events = session.record().events;
     return std::any_of(events.begin(), events.end(),
@@ -116,13 +116,13 @@ std::vector<WhatIfOffer> offersHere(const Session& session) {
 std::string noOfferText(const Event& event) {
     if (const std::optional<Verdict> verdict = verdictOf(event)) {
         const std::string reason = reasonAgainst(*verdict, se::testedPoint(event));
-        if (!reason.empty()) return "This cannot turn out otherwise. " + reason;
+        if (!reason.empty()) return "This cannot be overridden. " + reason;
     }
     switch (event.address.stage) {
         case Stage::Pivot:
         case Stage::Advance:
-            return "Select a point of a ring to go on at another one; what is tested at this "
-                   "pivot follows.";
+            return "Select a point of a ring to continue at another one; the tests of this "
+                   "pivot come next.";
         case Stage::Insert:
         case Stage::Skip:
             return "Boundary points follow the walls of section 7: turn walls, thirdpoint or "
@@ -140,10 +140,10 @@ std::string noOfferText(const Event& event) {
         case Stage::Split:
         case Stage::Join:
         case Stage::Done:
-            return "No choice was made here: it follows from the tests before it. Turn one of "
+            return "No choice was made here: it follows from the tests before it. Override one of "
                    "those.";
         default:
-            return "Nothing is tested here that could turn out otherwise.";
+            return "No test here can be overridden.";
     }
 }
 
@@ -164,7 +164,7 @@ std::vector<WhatIfOffer> offersAbout(const Session& session, Index point) {
     if (session.record().pivot > 0) {
         found.push_back(
             {{WhatIfKind::Pivot, session.record().pivot, Stage::Advance, point, Vec3(0.0), {}},
-             "Go on at it behind this pivot"});
+             "Continue there after this pivot"});
     }
     return found;
 }
@@ -194,7 +194,7 @@ Result<WhatIf> WhatIfForm::move(std::uint32_t pivot) const {
 Result<WhatIf> WhatIfForm::neighbors(std::uint32_t pivot) const {
     const auto what =
         whatIfFromText(std::to_string(pivot) + " list " + std::to_string(point) + " " + list);
-    if (!what) return Error{"Expected numbers of points with blanks between."};
+    if (!what) return Error{"Expected point numbers separated by spaces."};
     return what;
 }
 

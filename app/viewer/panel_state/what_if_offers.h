@@ -1,4 +1,4 @@
-/// What a person may let happen otherwise at the cursor. Plain values, no ImGui.
+/// What-ifs available at the cursor. Plain values, no ImGui.
 #pragma once
 
 #include <array>
@@ -14,40 +14,40 @@ class Session;
 
 struct WhatIfOffer {
     WhatIf what;
-    std::string label;  ///< Of its button: "Keep point 812".
+    std::string label;  ///< Label of its button: "Keep point 812".
 };
 
-/// What the test that the event is about could say instead; `pivot` is the point of the pivot.
+/// The possible overrides of an event's test; `pivot` is the point of the pivot.
 std::vector<WhatIfOffer> offersAt(const Event& event, Index pivot);
 
-/// What may happen otherwise at the cursor.
+/// The possible overrides at the cursor.
 std::vector<WhatIfOffer> offersHere(const Session& session);
-/// Why nothing may, or what decides it instead.
+/// Reason why there are none, or the place of the actual decision.
 std::string noOfferText(const Event& event);
 
-/// What the tests of a point in this pivot could say instead, each once; then that the run goes on
-/// at it behind the pivot. For the menu of a right click.
+/// The possible overrides of the tests of a point in this pivot, each once; then the continuation
+/// at it after the pivot. For the context menu.
 std::vector<WhatIfOffer> offersAbout(const Session& session, Index point);
 
-/// What a person types in for a point: its place and its list.
+/// The user's input for a point: its position and its neighbor list.
 struct WhatIfForm {
     Index point = kNone;
     std::uint32_t generation = 0;
     std::array<std::string, 3> to;
     std::string list;
 
-    /// Takes over what the point has, if it is another one or another run.
+    /// Loads the values of the point, if the point or the run is another one.
     void take(const Session& session, Index point);
-    /// What the fields say, from the pivot of the cursor on. Fails with a sentence.
+    /// Parses the fields, for a change from the pivot of the cursor on. Fails with a sentence.
     Result<WhatIf> move(std::uint32_t pivot) const;
     Result<WhatIf> neighbors(std::uint32_t pivot) const;
 };
 
-/// The pivot that a change of the points at the cursor begins with: its own, or the first.
+/// The pivot from which a change of the points at the cursor applies: its own, or the first.
 std::uint32_t forkPivot(const Session& session);
-/// `rules` with one more what-if; one about the same thing at the same place gives way.
+/// `rules` with one more what-if; it replaces one about the same thing at the same place.
 RuleSet withWhatIf(const RuleSet& rules, const WhatIf& what);
-/// ... without the one at place `i`.
+/// `rules` without the what-if at position `i`.
 RuleSet withoutWhatIf(const RuleSet& rules, std::size_t i);
 
 }  // namespace se::view

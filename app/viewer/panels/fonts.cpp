@@ -32,7 +32,7 @@ bool exists(const std::string& path) {
     return !path.empty() && std::filesystem::is_regular_file(path, error);
 }
 
-/// The configured path, or the same file name in a folder where other systems have it.
+/// The configured path, or the same file name in a folder of other systems.
 std::string findFont(const std::string& configured) {
     if (exists(configured)) return configured;
     const std::string name = std::filesystem::path(configured).filename().string();

@@ -1,4 +1,4 @@
-/// Panels show the session and issue commands and moves. One file each.
+/// Panels show the session and request commands and moves. One file each.
 #pragma once
 
 #include <span>
@@ -15,7 +15,7 @@ namespace se::view {
 
 /// The second view of the layout Compare.
 struct OtherView {
-    CommandContext* commands;  ///< Of the other run; null: a mesh that lies there finished.
+    CommandContext* commands;  ///< Of the other run; null: a finished mesh.
     const DrawList& list;
     const StatusCounts& counts;
     unsigned texture;
@@ -38,16 +38,16 @@ struct PanelContext {
     Playback& playback() const { return commands.playback; }
     Camera& camera() const { return commands.camera; }
     UiState& ui() const { return commands.ui; }
-    /// First key of a command, as this person has it.
+    /// First key of a command, with the user's changes.
     std::string key(const Command& command) const { return ui().settings.keys.first(command); }
     std::string key(std::string_view command) const { return key(*findCommand(command)); }
     void run(std::string_view command) const { runCommand(*findCommand(command), commands); }
 };
 
 void drawMenuBar(const PanelContext& context);
-/// Instead of everything else while nothing is open.
+/// Replaces all panels while no input is open.
 void drawStartPage(const PanelContext& context);
-/// Instead of everything else while new points spread; what was open waits.
+/// Replaces all panels while new points spread; the open input waits.
 void drawGrowthPage(const PanelContext& context);
 void drawTransport(const PanelContext& context);
 void drawView(const PanelContext& context);
@@ -63,11 +63,11 @@ void drawCheatSheet(const PanelContext& context);
 void drawCommandPalette(const PanelContext& context);
 void drawKeyEditor(const PanelContext& context);
 void drawFileBrowser(const PanelContext& context);
-/// What is derived from the points of the input.
+/// The dialog for what is derived from the points of the input.
 void drawPrepareDialog(const PanelContext& context);
-/// Whether to save what no session file holds, before it is left.
+/// The question whether to save annotations before the session is left.
 void drawLeaveQuestion(const PanelContext& context);
-/// Loading, failed, or a long move under way.
+/// Notices: loading, failed, or a long move in progress.
 void drawNotices(const PanelContext& context);
 
 // Contents of the side columns.
@@ -77,35 +77,35 @@ void drawInspect(const PanelContext& context);
 void drawCounters(const PanelContext& context);
 void drawDial(const PanelContext& context);
 void drawPaper(const PanelContext& context);
-/// Bookmarks, and the person's own text.
+/// Bookmarks, and the user's own text.
 void drawNotes(const PanelContext& context);
-/// Where the run is to stop, and the log of the places where it is not.
+/// Breakpoints, and the log of those that do not stop.
 void drawBreakpoints(const PanelContext& context);
-/// Numbers of the run, and how they change.
+/// Watched numbers of the run, and their plots.
 void drawWatch(const PanelContext& context);
-/// What the doctor says of the input.
+/// Findings of the doctor.
 void drawDoctor(const PanelContext& context);
-/// What went wrong in the run.
+/// Failures of the run.
 void drawAlerts(const PanelContext& context);
-/// What may happen otherwise at the cursor, and what does already.
+/// What-ifs that are possible at the cursor, and those that are active.
 void drawWhatIf(const PanelContext& context);
-/// Over the view, while the run is not the true one.
+/// Banner above the view while what-ifs are active.
 void drawWhatIfBanner(const PanelContext& context);
 /// All rules as switches.
 void drawRules(const PanelContext& context);
 void drawLayerSwitches(const PanelContext& context);
-/// Why something is in the mesh, or why it is not.
+/// Reasons why something is in the mesh, or why it is not.
 void drawLedger(const PanelContext& context);
-/// Decisions that a line of words finds, and the closest calls.
+/// Decisions found by a query line, and the closest decisions.
 void drawQuery(const PanelContext& context);
 /// The whole run as charts.
 void drawCharts(const PanelContext& context);
 
-// Parts of others.
-/// Brings the tree of steps up to the session: at the beginning of a frame, and wherever a click
-/// may have moved the cursor to another pivot since.
+// Parts used by several panels.
+/// Updates the tree of steps from the session: at the beginning of a frame, and after a click that
+/// may have moved the cursor to another pivot.
 void keepSteps(const PanelContext& context);
-/// The fields that say which points are to be made.
+/// The fields that specify the points to be made.
 void drawGrowthForm(const PanelContext& context);
 /// Six fields in two rows, the lower corner first. True if Enter was pressed in one.
 bool drawBoxFields(const PanelContext& context, BoxFields& fields);
@@ -115,7 +115,7 @@ void drawEvidence(const PanelContext& context, const Event& event);
 /// One panel of the side columns.
 struct SidePanel {
     const char* title;
-    bool left;    ///< In a wide window it stands in the left column.
+    bool left;    ///< In a wide window it is in the left column.
     float share;  ///< Left column: share of the height; 0: a tab.
     void (*draw)(const PanelContext& context);
 };

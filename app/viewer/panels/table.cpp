@@ -30,7 +30,7 @@ constexpr std::array<SidePanel, 17> kSidePanels = {{
     {kChartsTab, false, 0.0F, drawCharts},
 }};
 
-/// A panel that is no tab needs no opening.
+/// Marks a panel as shown; a panel that is no tab needs no opening.
 void markShown(const PanelContext& context, std::string_view title) {
     if (context.ui().wantedTab == title) context.ui().wantedTab.clear();
 }
@@ -60,7 +60,7 @@ bool isTab(const PanelContext& context, const SidePanel& panel) {
     return panel.draw != drawDial || !context.layout.dialApart;
 }
 
-/// Do the names of the tabs of the right column fit beside each other in the present print?
+/// Whether the names of the right column's tabs fit beside each other in the current type.
 bool tabNamesFit(const PanelContext& context) {
     const ImGuiStyle& style = ImGui::GetStyle();
     float width = 0.0F;
@@ -72,14 +72,14 @@ bool tabNamesFit(const PanelContext& context) {
     return width <= ImGui::GetContentRegionAvail().x;
 }
 
-/// Opens the tab that was asked for, once.
+/// Opens the requested tab, once.
 ImGuiTabItemFlags wantedFlag(const PanelContext& context, const SidePanel& panel) {
     if (context.ui().wantedTab != panel.title) return ImGuiTabItemFlags_None;
     context.ui().wantedTab.clear();
     return ImGuiTabItemFlags_SetSelected;
 }
 
-/// The tab that is open, and what it holds, can have the keyboard.
+/// The tab that is open, whose content can have the keyboard focus.
 void offerTab(const PanelContext& context) {
     if (context.ui().walk.offer(KeyStop::Tabs)) takeKeyboard();
 }
@@ -129,7 +129,7 @@ std::vector<const SidePanel*> learnTabs() {
 
 void drawRowsOfTabs(const PanelContext& context, ColumnTabs tabs) {
     const SidePanel* open = drawTabRows(context, tabs);
-    // Each is scrolled by itself.
+    // Each scrolls by itself.
     ImGui::PushID(open->title);
     drawContent(context, *open);
     ImGui::PopID();
@@ -161,7 +161,7 @@ void drawRightColumn(const PanelContext& context) {
     ImGui::End();
 }
 
-/// What stands around the view; Present has none of it.
+/// Panels around the view; Present has none of them.
 void drawColumns(const PanelContext& context) {
     if (context.layout.arrangement == Arrangement::Present) return;
     drawMenuBar(context);
@@ -174,7 +174,7 @@ void drawColumns(const PanelContext& context) {
     drawRightColumn(context);
 }
 
-/// A window before those of the regions and behind menus and tooltips, which nothing can touch.
+/// A window above those of the regions and below menus and tooltips, which takes no input.
 ImDrawList* beginOverRegions(const PanelContext& context) {
     ImGui::SetNextWindowPos({0.0F, 0.0F});
     ImGui::SetNextWindowSize({context.layout.menu.size.x, context.layout.status.max().y});

@@ -79,7 +79,7 @@ Ui::Ui() {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
-    // No layout file: the layout is fixed, and nothing may be left in the start folder.
+    // No layout file: the layout is fixed, and nothing may be left in the working directory.
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
     ImGui_ImplOpenGL3_Init("#version 330 core");

@@ -1,4 +1,4 @@
-/// Life time and looks of Dear ImGui.
+/// Lifetime and style of Dear ImGui.
 #pragma once
 
 #include "fonts.h"
@@ -8,7 +8,7 @@ namespace se::view {
 
 class Ui {
   public:
-    /// Requires a current OpenGL context. The platform side is up to the window.
+    /// Requires a current OpenGL context. The platform side is handled by the window.
     Ui();
     ~Ui();
     Ui(const Ui&) = delete;

@@ -11,7 +11,7 @@ struct VertexAttribute {
     unsigned location = 0;
     int components = 3;
     std::size_t offset = 0;
-    bool bytes = false;  ///< Unsigned bytes read as integers; else floats.
+    bool bytes = false;  ///< Unsigned bytes read as integers; otherwise floats.
     bool signs = false;  ///< Signed bytes read as numbers from -1 to 1.
 };
 

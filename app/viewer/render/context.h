@@ -1,4 +1,4 @@
-/// The few OpenGL calls that window and off-screen picture need themselves.
+/// The few OpenGL calls that the window and the off-screen picture need themselves.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -12,11 +12,11 @@ namespace se::view {
 using GlFunction = void (*)();
 using GlFunctionLoader = GlFunction (*)(const char* name);
 
-/// Finds the functions of the current context. Fails if it is older than 3.3.
+/// Loads the functions of the current context. Fails if it is older than 3.3.
 Status loadGl(GlFunctionLoader loader);
 /// Fills the bound framebuffer of `size` pixels with a color.
 void clearFrame(glm::ivec2 size, const Color& color);
-/// Waits until all that was asked of OpenGL is done.
+/// Waits until all OpenGL commands are complete.
 void finishGl();
 /// Version and renderer of the current context, for --version and error reports.
 std::string glDescription();

@@ -1,3 +1,5 @@
+// Data is uploaded once: positions per input, triangles as they are made, a style byte per point
+// where it changed. Points and lines are moved toward the eye, out of the triangles.
 #include "renderer.h"
 
 #include <glad/gl.h>
@@ -40,11 +42,11 @@ struct FaceVertex {
 
 /// Share of the point spacing by which points and lines are moved toward the eye.
 constexpr float kBiasShare = 0.12F;
-/// With more points than these all are dots, and must be seen.
+/// Number of points above which all are dots, with a minimum size.
 constexpr std::size_t kPlainDotsFrom = 100'000;
 /// Colors of a scale, as in shaders/mesh.vert.
 constexpr std::size_t kScaleSteps = 9;
-/// How much of a hidden line shines through.
+/// Strength of hidden lines.
 constexpr float kXRayAlpha = 0.28F;
 
 glm::vec4 vec(const Color& c) { return {c.r, c.g, c.b, c.a}; }
@@ -77,7 +79,7 @@ std::array<std::int8_t, 4> packed(const glm::vec3& normal) {
     return {byte(normal.x), byte(normal.y), byte(normal.z), 0};
 }
 
-/// Puts the corners of the triangles from `first` up to `last` where they belong in `batch`.
+/// Writes the corners of the triangles from `first` up to `last` to their positions in `batch`.
 void uploadCorners(Batch& batch, const Model& model, std::span<const Triangle> triangles,
                    std::size_t first, std::size_t last) {
     std::vector<MeshVertex> corners;
@@ -89,7 +91,7 @@ void uploadCorners(Batch& batch, const Model& model, std::span<const Triangle> t
     }
     batch.append(0, 3 * first * sizeof(MeshVertex), corners.data(),
                  corners.size() * sizeof(MeshVertex));
-    // The buffer may be another one now.
+    // The buffer may have been replaced.
     batch.describe(0, sizeof(MeshVertex),
                    {{0, 3, offsetof(MeshVertex, position)},
                     {3, 4, offsetof(MeshVertex, normal), false, true}});
@@ -281,7 +283,7 @@ void Renderer::drawStretches(const DrawList& list, std::size_t count) {
     meshShader_.set("uWire", list.meshStyle == MeshStyle::Wire);
     meshShader_.set("uByBirth", list.meshStyle == MeshStyle::BirthOrder);
     meshShader_.set("uBirthEnd", static_cast<float>(list.birthEnd));
-    // Colors that are data must be told apart in the shade as well.
+    // Colors that are data must stay distinguishable in the shade.
     meshShader_.set("uSoft", data ? 0.6F : 0.0F);
     if (list.meshStyle == MeshStyle::Wire) {
         meshShader_.set("uEdgeColor", vec(list.meshEdgeColor));
@@ -308,7 +310,7 @@ void Renderer::drawStretches(const DrawList& list, std::size_t count) {
     }
 }
 
-/// Over the finished triangles, at the very same depth.
+/// Drawn over the finished triangles, at exactly the same depth.
 void Renderer::drawTinted(const DrawList& list) {
     meshShader_.set("uByBirth", false);
     for (std::size_t i = 0; i < tinted_.size(); ++i) {
@@ -337,7 +339,7 @@ void Renderer::uploadStyles(const BlockList<std::uint8_t>& styles) {
     constexpr std::size_t kBlock = BlockList<std::uint8_t>::kBlock;
     std::vector<std::uint8_t> bytes;
     for (std::size_t b = 0; b < styles.blockCount(); ++b) {
-        // Blocks in a row go together.
+        // Adjacent blocks are uploaded together.
         const std::size_t first = b;
         for (; b < styles.blockCount() && !styles.shares(b, uploadedStyles_); ++b) {
             const auto block = styles.block(b);
@@ -346,7 +348,7 @@ void Renderer::uploadStyles(const BlockList<std::uint8_t>& styles) {
         if (b > first) cloud_.append(1, first * kBlock, bytes.data(), bytes.size());
         bytes.clear();
     }
-    // The buffer may be another one now.
+    // The buffer may have been replaced.
     if (uploadedStyles_.empty()) cloud_.describe(1, 1, {{2, 1, 0, true}});
     uploadedStyles_ = styles;
 }
@@ -418,7 +420,7 @@ void Renderer::drawSpheres(const DrawList& list, const CameraMatrices& camera) {
     shell_.bind();
     glEnable(GL_CULL_FACE);
     glCullFace(GL_BACK);
-    // All of it is seen, also where the surface would hide it: it stands for a test, not a thing.
+    // Drawn completely, also where the surface would hide it: it represents a test, not an object.
     glDisable(GL_DEPTH_TEST);
     for (const Sphere& sphere : list.spheres) {
         shellShader_.set("uCenter", sphere.center);

@@ -20,21 +20,21 @@ class Renderer {
     /// Compiles the shaders; from `shaderFolder` unless it is empty. Requires a current context.
     static Result<std::unique_ptr<Renderer>> create(const std::filesystem::path& shaderFolder);
 
-    /// Uploads positions and normals. Forgets all triangles.
+    /// Uploads positions and normals. Discards all triangles.
     void setModel(const Model& model);
-    /// Uploads those triangles that are behind the ones known already.
+    /// Uploads the triangles after those that are uploaded already.
     void setTriangles(const Model& model, std::span<const Triangle> triangles);
-    /// Uploads those triangles that differ from the mended mesh known already; null is allowed.
+    /// Uploads the triangles that differ from the uploaded repaired mesh; null is allowed.
     void setMended(const Model& model, std::shared_ptr<const std::vector<Triangle>> triangles);
 
-    /// Uploads those of the list that are not known already.
+    /// Uploads the parts of the list that are not uploaded already.
     void setTinted(const Model& model, const DrawList& list);
 
     /// Draws. Sizes follow the distance of the points on the screen within limits.
     /// `em` is the size of an em in pixels. The result is texture().
     void draw(const DrawList& list, const CameraMatrices& camera, glm::ivec2 size, float em,
               const Color& background);
-    /// The last picture drawn, for ImGui::Image (upside down, as OpenGL has it).
+    /// The last picture drawn, for ImGui::Image (upside down, as in OpenGL).
     unsigned texture() const { return target_.texture(); }
 
   private:
@@ -77,7 +77,7 @@ class Renderer {
     std::size_t shellVertices_ = 0;
     float spacing_ = 0.05F;
     float em_ = 16.0F;
-    float cloudZoom_ = 1.0F;  ///< Points shrink when they stand close on the screen.
+    float cloudZoom_ = 1.0F;  ///< Points shrink when they are dense on the screen.
     float markZoom_ = 1.0F;
     float dotAlpha_ = 1.0F;  ///< Dots fade where they would cover everything.
     glm::vec2 size_{1.0F};

@@ -1,4 +1,4 @@
-/// Saving what the current framebuffer shows.
+/// Saves the content of the current framebuffer.
 #pragma once
 
 #include <filesystem>

@@ -22,7 +22,7 @@ class Shader {
     Shader& operator=(Shader&& other) noexcept;
 
     /// Compiles `vertexName` and `fragmentName`. They are read from `folder` unless it is empty,
-    /// else from those embedded. `defines` is put behind the version line.
+    /// otherwise from the embedded ones. `defines` is inserted after the version line.
     static Result<Shader> load(const std::string& vertexName, const std::string& fragmentName,
                                const std::filesystem::path& folder = {},
                                const std::string& defines = {});

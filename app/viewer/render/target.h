@@ -7,15 +7,15 @@ namespace se::view {
 
 class Target {
   public:
-    /// As many samples a pixel as there are, up to `samples`.
+    /// As many samples per pixel as available, up to `samples`.
     explicit Target(int samples = 4) : samples_(samples) {}
     ~Target();
     Target(const Target&) = delete;
     Target& operator=(const Target&) = delete;
 
-    /// Makes it `size` pixels large and the place that drawing goes to.
+    /// Resizes it to `size` pixels and makes it the target of drawing.
     void begin(glm::ivec2 size);
-    /// Turns what was drawn into texture().
+    /// Resolves the drawing into texture().
     void end();
     unsigned texture() const { return texture_; }
 

@@ -105,7 +105,7 @@ class Maker {
         dial_.arcs.push_back({DialArc::Kind::Range, picture_.startDegrees, end});
     }
 
-    /// Ranks by angle, and who has passed the test of §6.3 already.
+    /// Ranks by angle, and marks of the candidates that have passed the test of §6.3.
     void addRanks() {
         std::vector<DialTick*> kept;
         for (const CandidateMark& mark : picture_.candidates) {
@@ -120,7 +120,7 @@ class Maker {
         for (std::size_t i = 0; i < kept.size(); ++i) kept[i]->rank = static_cast<int>(i) + 1;
     }
 
-    /// What is refused says so in words, once.
+    /// Reason of a refusal in words, once per point.
     void addReason(const Event& event) {
         const std::optional<Verdict> verdict = verdictOf(event);
         if (!verdict || dial_.caption.empty() || !rejects(event)) return;
@@ -223,13 +223,13 @@ class Maker {
             if (to <= from) to += 360.0;
             dial_.arcs.push_back({DialArc::Kind::TooWide, from, to});
         }
-        dial_.caption = e.verdict == Verdict::WhatIfKept      ? std::string("made: what if")
-                        : e.verdict == Verdict::WhatIfDropped ? std::string("no triangle: what if")
+        dial_.caption = e.verdict == Verdict::WhatIfKept      ? std::string("made: what-if")
+                        : e.verdict == Verdict::WhatIfDropped ? std::string("no triangle: what-if")
                         : e.dropped == kNone
                             ? std::string("the fan is refused")
-                            : std::to_string(e.dropped) + " is dropped, 6.3 is done again";
+                            : std::to_string(e.dropped) + " is dropped, 6.3 is repeated";
     }
-    /// The ear of a hole; its pivot has no sector that was measured.
+    /// The ear of a hole; its pivot has no measured sector.
     void show(const FillEvidence& e) {
         addTriangle({e.pivot, e.first, e.last});
         dial_.caption = formatted("ear of a hole of %.0f: least angle %.1f\xC2\xB0", e.ringLength,

@@ -34,7 +34,7 @@ void addRows(const PivotEvidence& e, const EvidenceInput&, EvidenceRows& out) {
 
 namespace {
 
-/// Why a boundary point is no pivot.
+/// Reason why a boundary point is no pivot.
 std::string reasonToSkip(const EvidenceInput& in) {
     if (const auto* tried = in.picture.evidence<InsertEvidence>(Stage::Insert)) {
         return tried->verdict == Verdict::OtherSideOpen
@@ -45,7 +45,7 @@ std::string reasonToSkip(const EvidenceInput& in) {
     return "the ring does not pass from wall to wall here";
 }
 
-/// §7.1: the components of the cross product that the walls of p look at.
+/// §7.1: the components of the cross product toward the walls of p.
 void addCross(const InsertEvidence& e, EvidenceRows& out) {
     out.row("N \xC3\x97 v", numbersText(e.cross));
     const double size = glm::length(e.cross);
@@ -60,11 +60,11 @@ void addCross(const InsertEvidence& e, EvidenceRows& out) {
     }
     const bool outward = pointsOut(e.cross, e.faces);
     if (isRimPoint(e.faces) || outward == (e.verdict == Verdict::Before)) return;
-    out.row("but", std::string("the sector ") + (outward ? "before" : "behind") +
-                       " p would leave the box: the other place");
+    out.row("but", std::string("the sector ") + (outward ? "before" : "after") +
+                       " p would leave the box: the other side");
 }
 
-/// §7.2: no cross product, but which ring neighbor is across.
+/// §7.2: no cross product, but the ring neighbor on the other wall.
 void addTransition(const InsertEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
     const PointSet& points = in.model.points;
     const bool entering =
@@ -72,7 +72,7 @@ void addTransition(const InsertEvidence& e, const EvidenceInput& in, EvidenceRow
     out.row("across", std::to_string(e.other) + ", wall " + wallsText(points.type[e.other]));
     out.row("transition", entering ? "entering: the next ring point is across, so before p"
                                    : "leaving: the ring point before is across, so after p");
-    out.row("cross product", "not taken in 7.2");
+    out.row("cross product", "not computed in 7.2");
     if (e.third == kNone) return;
     const double sector = entering ? freeDegrees(points, e.third, e.pivot, e.other)
                                    : freeDegrees(points, e.other, e.pivot, e.third);
@@ -93,7 +93,8 @@ void addRows(const InsertEvidence& e, const EvidenceInput& in, EvidenceRows& out
     out.row("third point", pointsText({e.third}));
     if (e.corner) return addTransition(e, in, out);
     // Without a point to insert nothing is computed.
-    e.third == kNone ? out.row("cross product", "not taken: no point to insert") : addCross(e, out);
+    e.third == kNone ? out.row("cross product", "not computed: no point to insert")
+                     : addCross(e, out);
 }
 
 }  // namespace se::view

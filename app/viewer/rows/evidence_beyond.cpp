@@ -8,7 +8,7 @@ namespace se::view {
 
 namespace {
 
-/// What a guard measured, where it is a number.
+/// The measure of a guard, if it is a number.
 void addMeasured(const GuardEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
     const PointSet& points = in.model.points;
     const RobustLimits& limits = in.model.params.limits;
@@ -35,15 +35,15 @@ void addMeasured(const GuardEvidence& e, const EvidenceInput& in, EvidenceRows& 
 }  // namespace
 
 void addRows(const GuardEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
-    if (e.a == kNone) return out.row("fan", "not wanted: what if");
+    if (e.a == kNone) return out.row("fan", "refused: what-if");
     const bool spoke = e.b == kNone;
     out.row(spoke ? "spoke to" : "triangle",
             spoke ? pointsText({e.a}) : pointsText({in.picture.pivot, e.a, e.b}));
     out.row("against it", std::string(verdictText(e.verdict)));
     if (!spoke) addMeasured(e, in, out);
-    if (e.verdict == Verdict::WhatIfKept) return out.row("dropped", "nothing: what if");
+    if (e.verdict == Verdict::WhatIfKept) return out.row("dropped", "nothing: what-if");
     out.row("dropped", e.dropped == kNone ? "nothing: the fan is refused"
-                                          : std::to_string(e.dropped) + ", 6.3 is done again");
+                                          : std::to_string(e.dropped) + ", 6.3 is repeated");
 }
 
 void addRows(const FillEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
@@ -60,7 +60,7 @@ void addRows(const FillEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
 
 namespace {
 
-/// The least angle of the triangles that went and of those that came.
+/// The least angle of the removed triangles and of the new ones.
 void addLeastAngles(const EvidenceInput& in, EvidenceRows& out) {
     const PointSet& points = in.model.points;
     const double before = leastDegrees(points, in.picture.goneTriangles);
@@ -75,7 +75,7 @@ void addLeastAngles(const EvidenceInput& in, EvidenceRows& out) {
     out.row("margin", degreesText(std::abs(gain)) + (gain < 0.0 ? " smaller" : " larger"));
 }
 
-/// How many of some triangles are against their normals.
+/// Number of triangles that are against their normals.
 std::string flippedText(const PointSet& points, const std::vector<Triangle>& triangles) {
     return std::to_string(std::count_if(triangles.begin(), triangles.end(),
                                         [&](const Triangle& t) { return isFlipped(points, t); }));

@@ -7,7 +7,7 @@
 
 namespace se::view {
 
-/// Takes the rows of one event, one after the other.
+/// Collects the rows of one event, one after the other.
 class EvidenceRows {
   public:
     void row(std::string name, std::string value) {
@@ -16,9 +16,9 @@ class EvidenceRows {
     void row(std::string name, std::string value, const EvidenceGauge& gauge) {
         rows_.push_back({std::move(name), std::move(value), gauge});
     }
-    /// An angle that must stay under a limit (or over it), and by how much it does.
+    /// An angle that must stay below a limit (or above it), and the margin.
     void angle(const std::string& name, double degrees, double limit, double largest = 360.0);
-    /// A value whose sign decides; `scale` is one that counts as large.
+    /// A value whose sign decides; `scale` is a large value for comparison.
     void sign(const std::string& name, const std::string& value, double number, double scale);
     std::vector<EvidenceRow> take() { return std::move(rows_); }
 
@@ -45,7 +45,7 @@ void addRows(const ReciprocalEvidence& e, const EvidenceInput& in, EvidenceRows&
 void addRows(const HoleEvidence& e, const EvidenceInput& in, EvidenceRows& out);
 void addRows(const SphereEvidence& e, const EvidenceInput& in, EvidenceRows& out);
 void addRows(const TwoPointEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-// What a pivot did.
+// Effects of a pivot.
 void addRows(const EmitEvidence& e, const EvidenceInput& in, EvidenceRows& out);
 void addRows(const RingEvidence& e, const EvidenceInput& in, EvidenceRows& out);
 void addRows(const SplitEvidence& e, const EvidenceInput& in, EvidenceRows& out);

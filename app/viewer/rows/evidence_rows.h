@@ -1,5 +1,4 @@
-/// What Inspect says of a decision: what was compared with which threshold, and by how much it held
-/// or failed. Plain values, no ImGui.
+/// Rows of Inspect for a decision: values, thresholds and margins. Plain values, no ImGui.
 #pragma once
 
 #include <optional>
@@ -26,15 +25,15 @@ struct EvidenceRow {
 
 struct EvidenceInput {
     const Model& model;
-    const Picture& picture;  ///< At the event.
+    const Picture& picture;  ///< State at the event.
     const Event& event;
-    const RunOverview* run = nullptr;  ///< As far as it is known; for `done`.
+    const RunOverview* run = nullptr;  ///< Overview so far; for `done`.
 };
 
 /// The rows of the event's evidence, in order; the verdict is not among them.
 std::vector<EvidenceRow> evidenceRows(const EvidenceInput& in);
 
-/// The paper's section of a decision; that of its stage, but for those of which it has two. Empty
+/// The paper's section of a decision: that of its stage, except for stages with two sections. Empty
 /// for rules beyond the paper.
 std::string sectionOf(const Event& event);
 

@@ -10,7 +10,7 @@ namespace se::view {
 void addRows(const SortEvidence& e, const EvidenceInput&, EvidenceRows& out) {
     out.row("point", pointsText({e.point}));
     if (e.verdict == Verdict::AlreadyDone || e.verdict == Verdict::OnRingEnd) {
-        out.row("angle", "not taken: no candidate");
+        out.row("angle", "not computed: no candidate");
         return;
     }
     out.row("cosine z\xC2\xB7v", numberText(e.cosine));
@@ -22,7 +22,7 @@ void addRows(const SortEvidence& e, const EvidenceInput&, EvidenceRows& out) {
 
 namespace {
 
-/// The conditions of Fig. 4, in the order in which they are asked.
+/// The conditions of Fig. 4, in the order in which they are tested.
 struct Condition {
     const char* name;
     Verdict failure;
@@ -34,19 +34,19 @@ constexpr std::array kConditions = {
     Condition{"ring concave", Verdict::NotConcave},
 };
 
-/// Where a condition fails those behind it are not asked.
+/// After a failed condition the later ones are not tested.
 void addConditions(const LimitEvidence& e, bool unblocked, EvidenceRows& out) {
     bool asked = true;
     const auto add = [&](const Condition& condition) {
         const bool failed = asked && e.verdict == condition.failure;
-        out.row(condition.name, !asked ? "not asked" : failed ? "no: it stays" : "yes");
+        out.row(condition.name, !asked ? "not tested" : failed ? "no: it stays" : "yes");
         asked = asked && !failed;
     };
     for (const Condition& condition : kConditions) add(condition);
     if (unblocked) add({"way clear", Verdict::Blocked});
 }
 
-/// Was the test carried so far that the angle and the turn are known?
+/// Whether the test went so far that the angle and the turn are known.
 bool isMeasured(Verdict verdict) {
     return verdict != Verdict::OtherLimit && verdict != Verdict::NotAnEdge &&
            verdict != Verdict::NotListed;
@@ -92,7 +92,7 @@ void addRows(const DropEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
     }
     const Index p = picture.pivot;
     const Index limit = start ? picture.start : picture.end;
-    out.row("next on ring", "behind " + side + " " + pointsText({limit}));
+    out.row("next on ring", "after " + side + " " + pointsText({limit}));
     out.row("angle", degreesText(e.degrees) + ", inside " + degreesText(picture.startDegrees) +
                          " to " + degreesText(picture.endDegrees));
     out.angle("corner at " + side,
@@ -110,7 +110,7 @@ void addRows(const ReciprocalEvidence& e, const EvidenceInput&, EvidenceRows& ou
     out.row("sector of e", "0\xC2\xB0 to " + degreesText(e.limitDegrees));
     out.row("angle of p at e", degreesText(e.degrees), {e.degrees, e.limitDegrees, 360.0});
     const bool inside = e.degrees < e.limitDegrees;
-    // Outside, either way round to the sector.
+    // Outside: either way around to the sector.
     const double margin = inside ? std::min(e.degrees, e.limitDegrees - e.degrees)
                                  : std::min(360.0 - e.degrees, e.degrees - e.limitDegrees);
     out.row("margin", degreesText(margin) + (inside ? " inside" : " outside"));
@@ -140,7 +140,7 @@ const char* ruleOf(Verdict verdict) {
         return "d \xE2\x89\xA5 r, but the gap is over its limit: kept";
     if (verdict == Verdict::NoCircle) return "no circle: kept";
     if (verdict == Verdict::Removed) return "d \xE2\x89\xA5 r, and the gap is small enough";
-    return "a what-if, whatever the test says";
+    return "a what-if, regardless of the test";
 }
 
 }  // namespace

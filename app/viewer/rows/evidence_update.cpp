@@ -1,4 +1,4 @@
-/// Rows of Inspect for what a pivot did: its triangles (§6.4), the ring (§6.5), the end (§3, §7).
+/// Rows of Inspect for the effects of a pivot: triangles (§6.4), ring (§6.5), end (§3, §7).
 #include <algorithm>
 
 #include "evidence_parts.h"
@@ -13,7 +13,7 @@ void addRows(const EmitEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
     out.row("least angle", degreesText(leastDegrees(points, e.corners)),
             {leastDegrees(points, e.corners), 60.0, 60.0});
     out.row("area", numberText(triangleArea(points, e.corners)));
-    // The normals of its corners say which side is out.
+    // The normals of its corners define the outer side.
     const double tilt = tiltDegrees(points, e.corners);
     out.row("orientation", isFlipped(points, e.corners) ? "flipped: against the normals"
                            : tilt > 90.0                ? "against the normal of a corner"
@@ -53,7 +53,7 @@ void addRows(const RingEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
 void addRows(const SplitEvidence& e, const EvidenceInput&, EvidenceRows& out) {
     out.row("at point", pointsText({e.point}));
     out.row("met again", "in the same ring");
-    out.row("goes on", countText(e.activeLength, "point"));
+    out.row("continues", countText(e.activeLength, "point"));
     out.row("to the stack", countText(e.stackedLength, "point"));
     out.row("stack depth", std::to_string(e.stackDepth));
 }
@@ -95,7 +95,7 @@ void addRows(const FreeEvidence& e, const EvidenceInput&, EvidenceRows& out) {
 
 namespace {
 
-/// The pivot that the next ring begins with.
+/// The pivot that begins the next ring.
 std::string nextSeed(const EvidenceInput& in) {
     if (in.run == nullptr) return "not known yet";
     const std::uint32_t here = in.event.address.pivot;
@@ -104,7 +104,7 @@ std::string nextSeed(const EvidenceInput& in) {
             return "at pivot " + std::to_string(mark.pivot);
         }
     }
-    return in.run->complete ? "none: the run is over" : "not known yet";
+    return in.run->complete ? "none: the run has ended" : "not known yet";
 }
 
 }  // namespace
@@ -122,7 +122,7 @@ void addRows(const ComponentEvidence& e, const EvidenceInput& in, EvidenceRows& 
     out.row("points", std::to_string(shape->points));
     out.row("open loops", shape->loops == 0 ? "none: closed" : std::to_string(shape->loops));
     if (shape->loops > 0) out.row("open edges", std::to_string(shape->rim.size()));
-    out.row("time", durationText(shape->seconds) + " of the run, all decisions noted");
+    out.row("time", durationText(shape->seconds) + " of the run, with all decisions recorded");
     out.row("next seed", nextSeed(in));
 }
 

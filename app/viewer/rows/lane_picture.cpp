@@ -1,3 +1,6 @@
+// One pass over the lane changes of the run, O(changes), that emits shapes only as far as pixels
+// can show them: bars of a row that touch are merged, and marks closer than their size are
+// dropped. Rows that do not fit are summed into the last one, as a maximum per pixel column.
 #include "lane_picture.h"
 
 #include <algorithm>
@@ -7,7 +10,7 @@ namespace se::view {
 
 namespace {
 
-/// Two bars of a row that are this near are one.
+/// Bars of a row that are this close are merged.
 constexpr float kJoinWithin = 0.75F;
 
 class LanePainter {
@@ -52,7 +55,7 @@ class LanePainter {
 
     void take(const LaneChange& change) {
         if (change.lane >= open_.size()) return;
-        // A pivot fills the pixels from the end of the one before it to its own end.
+        // A pivot fills the pixels from the end of the previous one to its own end.
         const double at = change.pivot;
         Open& lane = open_[change.lane];
         if (change.kind == LaneChangeKind::Seed) {
@@ -68,10 +71,10 @@ class LanePainter {
         sign(change);
     }
 
-    /// It shares the last row with others.
+    /// Whether the lane shares the last row with others.
     bool isGathered(std::uint32_t lane) const { return out_.gathered > 0 && lane + 1 >= out_.rows; }
 
-    /// So many gathered lanes as there are now, up to x.
+    /// Draws the current number of shared lanes, up to x.
     void passColumns(float x) {
         if (out_.crowd.empty() || x < 0.0F || beyond_) return;
         beyond_ = x >= room_.width;
@@ -94,7 +97,7 @@ class LanePainter {
 
     void endPiece(std::uint32_t number, double at) {
         Open& lane = open_[number];
-        // Of those that share a row the active one can be told: there is one at a time.
+        // Among lanes in the shared row the active one can be drawn: there is one at a time.
         const bool told = lane.active || !isGathered(number);
         if (lane.live && told) bar(rowOf(number), lane.active, lane.since, at);
         lane.live = false;
@@ -138,12 +141,12 @@ class LanePainter {
     std::vector<std::size_t> lastBar_;  // two per row: stacked, active
     std::vector<float> lastSign_;
     std::vector<float> lastLine_;
-    std::uint32_t crowd_ = 0;  // gathered lanes now
-    std::size_t column_ = 0;   // as far as they are told
+    std::uint32_t crowd_ = 0;  // shared lanes now
+    std::size_t column_ = 0;   // known up to here
     bool beyond_ = false;      // all columns are
 };
 
-/// The longest ring over each pixel column.
+/// The longest ring at each pixel column.
 std::vector<float> ringLengths(const RunOverview& run, const StripWindow& window, float width) {
     const auto columns = static_cast<std::size_t>(std::max(1.0F, width));
     std::vector<float> lengths(columns, 0.0F);

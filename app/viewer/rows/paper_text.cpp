@@ -19,7 +19,7 @@ constexpr const char* kSeedCode[] = {
 };
 constexpr const char* kPivotCode[] = {
     "p = the pivot, an entry of the edge ring",
-    "first = the entry before p, last = the entry behind it",
+    "first = the entry before p, last = the entry after it",
     "z = direction from p to first, n = normal x z",
     "if p lies on a wall: see section 7",
 };
@@ -30,7 +30,7 @@ constexpr const char* kWallCode[] = {
 };
 constexpr const char* kSortCode[] = {
     "for each listed neighbor q of p:",
-    "  if q is DONE, or stands at first or last: leave it out",
+    "  if q is DONE, or is at first or last: leave it out",
     "  angle = arccos(z . v); beyond the plane of n: 360 - angle",
     "  if start < angle < end: q is a candidate",
     "sort the candidates by angle",
@@ -60,7 +60,7 @@ constexpr const char* kHoleCode[] = {
     "  drop candidates on the far side of it from p",
 };
 constexpr const char* kSphereCode[] = {
-    "for each candidate q, with t before and s behind it:",
+    "for each candidate q, with t before and s after it:",
     "  c, r = circle through p, s and t",
     "  if |q - c| < r: keep q",
     "  else if the gap from t to s exceeds 120 degrees: keep q",
@@ -69,7 +69,7 @@ constexpr const char* kSphereCode[] = {
 constexpr const char* kTwoPointCode[] = {
     "if only first and last are left:",
     "  if their angle at p exceeds 180 degrees:",
-    "    no triangle: go on to the next pivot",
+    "    no triangle: continue at the next pivot",
     "  else: it is a hole, one triangle fills it",
 };
 constexpr const char* kEmitCode[] = {
@@ -80,7 +80,7 @@ constexpr const char* kRingCode[] = {
     "take p, and the points that start and end passed, off the ring",
     "insert the candidates between start and end",
     "count entries: a point without any is DONE",
-    "if an inserted point stood on a ring already:",
+    "if an inserted point was on a ring already:",
     "  on the active ring: split it in two, push one",
     "  on a stacked ring: join the two",
 };
@@ -90,12 +90,12 @@ constexpr const char* kAdvanceCode[] = {
     "  free the ring, take the next from the stack",
     "no ring left: the component is complete",
 };
-// Rules of our own, docs/robust.md.
+// Rules beyond the paper, docs/robust.md.
 constexpr const char* kGuardCode[] = {
     "lay out the fan: first, candidates, last",
-    "ask each rule that is on whether it objects",
-    "  a rule that lets fans wait: refuse the fan",
-    "  else drop the candidate at fault, do 6.3 again",
+    "test the fan by each rule that is on",
+    "  a rule that delays fans objects: refuse the fan",
+    "  else drop the candidate at fault, repeat 6.3",
     "  no candidate is at fault: refuse the fan",
 };
 constexpr const char* kFillCode[] = {
@@ -120,17 +120,17 @@ constexpr const char* kFlipCode[] = {
 constexpr const char* kReseatCode[] = {
     "for each corner x of a flipped triangle:",
     "  close the hole that its triangles would leave",
-    "  if that goes without a fault: take x out",
+    "  if that works without a fault: take x out",
     "  reinsert may put it back",
 };
 
-constexpr PaperRule kSeed{Stage::Seed, "Finding where to begin",
+constexpr PaperRule kSeed{Stage::Seed, "Finding a start",
                           "A component starts as a ring of two: the first point that is not done, "
                           "and its nearest neighbor.",
                           kSeedCode};
 constexpr PaperRule kPivot{Stage::Pivot, "The pivot",
-                           "The ring is walked from point to point. Around each, what is still "
-                           "free lies between the ring point before it and the one behind it.",
+                           "The ring is walked from point to point. Around each, the sector still "
+                           "free lies between the ring point before it and the one after it.",
                            kPivotCode};
 constexpr PaperRule kWalls{Stage::Insert, "Boundary points",
                            "Where the surface meets a wall of the box it ends. A boundary point is "
@@ -146,7 +146,7 @@ constexpr PaperRule kLimits{Stage::Limits, "Start and end move",
                             "to the pivot directly: the limit moves there.",
                             kLimitsCode};
 constexpr PaperRule kConvex{Stage::Convex, "Convexity",
-                            "Behind a convex end the next ring point would be reached across the "
+                            "Beyond a convex end the next ring point would be reached across the "
                             "finished mesh.",
                             kConvexCode};
 constexpr PaperRule kReciprocal{Stage::Reciprocal, "Reciprocity",
@@ -155,7 +155,7 @@ constexpr PaperRule kReciprocal{Stage::Reciprocal, "Reciprocity",
                                 kReciprocalCode};
 constexpr PaperRule kHolesOfThree{
     Stage::Hole, "Holes of three",
-    "The last triangle of a hole must not reach for points behind it.", kHoleCode};
+    "The last triangle of a hole must not reach for points beyond it.", kHoleCode};
 constexpr PaperRule kSphere{
     Stage::Sphere, "The circumsphere",
     "A candidate stays if it lies inside the sphere through the pivot and "
@@ -176,16 +176,17 @@ constexpr PaperRule kRing{Stage::Ring, "The edge ring",
                           "The ring now runs outside of the new fan. Where it meets itself it "
                           "splits, where it meets another ring the two join.",
                           kRingCode};
-constexpr PaperRule kAdvance{Stage::Advance, "The next pivot",
-                             "The spiral goes on at the end of the fan, until no pivot of the ring "
-                             "brings a triangle.",
-                             kAdvanceCode};
+constexpr PaperRule kAdvance{
+    Stage::Advance, "The next pivot",
+    "The spiral continues at the end of the fan, until no pivot of the ring "
+    "makes a triangle.",
+    kAdvanceCode};
 constexpr PaperRule kGuard{Stage::Guard, "Beyond the paper: guard",
-                           "The whole fan is looked at before it is made. A rule may refuse a "
-                           "triangle that crosses, folds over or tangles what is there.",
+                           "The whole fan is tested before it is made. A rule may refuse a "
+                           "triangle that crosses, folds over or tangles the mesh.",
                            kGuardCode};
 constexpr PaperRule kFill{Stage::Fill, "Beyond the paper: fill",
-                          "A ring that nothing more grows from, with interior points on it, is a "
+                          "A ring that cannot grow any further, with interior points on it, is a "
                           "hole: it is closed by ears, one pivot each.",
                           kFillCode};
 constexpr PaperRule kReinsert{Stage::Reinsert, "Beyond the paper: reinsert",
@@ -193,12 +194,12 @@ constexpr PaperRule kReinsert{Stage::Reinsert, "Beyond the paper: reinsert",
                               "triangle or the edge it lies over, or beside the border.",
                               kReinsertCode};
 constexpr PaperRule kFlip{Stage::Flip, "Beyond the paper: flip",
-                          "After the last pivot an edge is turned round in the four-sided figure "
+                          "After the last pivot an edge is flipped in the quadrilateral "
                           "of its two triangles, where that is better.",
                           kFlipCode};
 constexpr PaperRule kReseat{Stage::Reseat, "Beyond the paper: reseat",
-                            "After the last pivot a point at a flipped triangle is taken out, so "
-                            "that it may find a better place.",
+                            "After the last pivot a point at a flipped triangle is removed, so "
+                            "that it can be put in at a better position.",
                             kReseatCode};
 
 /// One line per kind of evidence.

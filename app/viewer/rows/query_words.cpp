@@ -11,13 +11,13 @@ std::string_view lastWord(std::string_view line) {
     return blank == std::string_view::npos ? line : line.substr(blank + 1);
 }
 
-/// What of a form is typed as it stands: "stage=" of "stage=NAME", all of "kept".
+/// The literal part of a form: "stage=" of "stage=NAME", all of "kept".
 std::string_view fixedPart(const QueryTerm& term) {
     const std::size_t sign = term.form.find_first_of("=<");
     return sign == std::string_view::npos ? term.form : term.form.substr(0, sign + 1);
 }
 
-/// One is the beginning of the other: "mar" and "margin<", "margin<1e" and "margin<".
+/// True if one is a prefix of the other: "mar" and "margin<", "margin<1e" and "margin<".
 bool agree(std::string_view word, std::string_view fixed) {
     const std::size_t length = std::min(word.size(), fixed.size());
     return word.substr(0, length) == fixed.substr(0, length);
@@ -40,7 +40,7 @@ std::string completed(std::string_view line, const QueryTerm& term) {
     const std::string_view word = lastWord(line);
     const std::string_view fixed = fixedPart(term);
     std::string text(line.substr(0, line.size() - word.size()));
-    // A word that is whole stays; the new one goes behind it.
+    // A complete word stays; the new one is added after it.
     if (!word.empty() && !agree(word, fixed)) text += std::string(word) + " ";
     const bool whole = fixed.size() == term.form.size();
     return text + std::string(fixed) + (whole ? " " : "");

@@ -1,4 +1,4 @@
-/// Help while a query line is typed: which words there are, and what the last one may become.
+/// Completion of a query line: the terms of the language, and those that match the last word.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace se::view {
 
-/// The terms that the last word of a line may become; all of them behind a blank, or if it is none.
+/// The terms that complete the last word of a line; all of them after a space, or if it is none.
 std::vector<const QueryTerm*> termsFor(std::string_view line);
 /// The line with its last word replaced by the beginning of a term: "stage=sphere mar" and
 /// margin<X give "stage=sphere margin<".

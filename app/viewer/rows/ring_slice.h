@@ -1,4 +1,4 @@
-/// The part of an edge ring that the strip in the panel Rings has room for. Plain arithmetic.
+/// The part of an edge ring that fits into the strip of the panel Rings. Plain arithmetic.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace se::view {
 
-/// Places in RingPath::points, in the direction of the ring; each at most once.
+/// Positions in RingPath::points, in the direction of the ring; each at most once.
 struct RingSlice {
     std::size_t first = 0;
     std::size_t count = 0;
@@ -18,14 +18,14 @@ struct RingSlice {
     bool whole() const { return count == size; }
 };
 
-/// Where the ring is worked on: the pivot if it still stands there, between first and last if it
-/// stands there more than once; else where it goes on; nothing in a ring that the pivot is not on.
+/// The position of current work: the pivot if it is still on the ring, between first and last if it
+/// is there more than once; otherwise where the ring continues; empty in a ring without the pivot.
 std::optional<std::size_t> workPlace(const Picture& picture, const RingPath& ring);
 
-/// So many points as fit, with `middle` in the middle, moved on by `shift` points.
+/// As many points as fit, with `middle` in the middle, moved by `shift` points.
 RingSlice sliceAbout(std::size_t size, std::size_t middle, long shift, std::size_t fits);
 
-/// The ring with that id, else the active one; null if there is none.
+/// The ring with that id, otherwise the active one; null if there is none.
 const RingPath* ringToShow(const Picture& picture, Index id);
 
 }  // namespace se::view

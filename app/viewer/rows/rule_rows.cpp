@@ -80,9 +80,9 @@ std::string ruleHelp(const RuleRow& row) {
                 "\xE2\x80\x9D";
     } else {
         text += s.beyondPaper ? "\nNot in the paper: docs/robust.md."
-                              : "\nThe paper says nothing of it: docs/choices.md.";
+                              : "\nNot specified in the paper: docs/choices.md.";
     }
-    text += "\nThe set of rules has " + valueText(s, row.usual) + ". --rule " +
+    text += "\nValue in the rule set: " + valueText(s, row.usual) + ". --rule " +
             std::string(s.name) + "=" + valueText(s, row.value);
     return text;
 }

@@ -12,7 +12,7 @@ namespace se::view {
 struct RuleRow {
     const RuleSetting* setting;
     double value;
-    double usual;  ///< What the set of rules says.
+    double usual;  ///< Value in the rule set.
     bool differs() const { return value != usual; }
 };
 
@@ -23,11 +23,11 @@ struct RuleGroup {
 };
 
 /// The rules that have every word of `filter` in name, section, summary, value or the paper's
-/// sentence, whatever the case, or "differs" for those that are not as their set has them.
+/// sentence, in any case, or "differs" for those that differ from their set.
 std::vector<RuleGroup> ruleGroups(const RuleSet& rules, std::string_view filter);
-/// How many rules are not as their set has them.
+/// Number of rules that differ from their set.
 std::size_t differingCount(const RuleSet& rules);
-/// What stands in the tooltip: what it does, what can be chosen, and the paper's sentence.
+/// Text of the tooltip: effect, possible values, and the paper's sentence.
 std::string ruleHelp(const RuleRow& row);
 
 }  // namespace se::view

@@ -13,7 +13,7 @@ namespace se::view {
 
 namespace {
 
-/// Everything that the word could stand for.
+/// All possible meanings of a word.
 Findings findingsOf(std::string_view word) {
     Findings found = 0;
     for (std::size_t i = 0; i < kStageCount; ++i) {
@@ -26,7 +26,7 @@ Findings findingsOf(std::string_view word) {
     return found;
 }
 
-/// Is `number` in the text, and not as a part of a longer one?
+/// Whether `number` is in the text, and not as a part of a longer one.
 bool hasNumber(std::string_view text, std::string_view number) {
     const auto digit = [&](std::size_t i) {
         return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i])) != 0;

@@ -9,17 +9,17 @@
 
 namespace se::view {
 
-/// Words that must all be found: the beginning of a stage's name, a word of a verdict, the number
-/// of a point or pivot, or `x` for what was refused. Whatever the case.
+/// Words that must all match: the beginning of a stage's name, a word of a verdict, the number
+/// of a point or pivot, or `x` for refused tests. Case is ignored.
 class StepFilter {
   public:
     StepFilter() = default;
     explicit StepFilter(std::string_view text);
 
     bool empty() const { return words_.empty(); }
-    /// Could there be such a decision in the pivot?
+    /// Whether the pivot may have such a decision.
     bool matches(std::uint32_t pivot, const PivotSummary& summary) const;
-    /// Also words of the sentence that describes the event.
+    /// Matches also words of the sentence that describes the event.
     bool matches(const Event& event) const;
 
   private:

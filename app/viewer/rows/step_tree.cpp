@@ -1,3 +1,7 @@
+// The rows are never listed. A component has as many rows as pivots when open, and only the pivot
+// at the cursor has rows below it; so the row number of anything follows from a short list of the
+// open components with their first rows (open_), by binary search. The filter keeps a list of
+// matching pivots, which grows with the overview.
 #include "step_tree.h"
 
 #include <algorithm>
@@ -124,10 +128,10 @@ std::uint32_t StepTree::pivotsOf(std::size_t component) const {
 
 std::size_t StepTree::componentOf(std::uint32_t pivot) const {
     const auto& all = run_->components;
-    const auto behind = std::upper_bound(
+    const auto after = std::upper_bound(
         all.begin(), all.end(), pivot,
         [](std::uint32_t p, const ComponentSummary& c) { return p < c.firstPivot; });
-    return behind == all.begin() ? 0 : static_cast<std::size_t>(behind - all.begin()) - 1;
+    return after == all.begin() ? 0 : static_cast<std::size_t>(after - all.begin()) - 1;
 }
 
 // ---- rows -----------------------------------------------------------------------------------
@@ -147,11 +151,11 @@ std::size_t StepTree::rowCount() const {
 
 StepRow StepTree::row(std::size_t row) const {
     if (filtered()) return filteredRow(row);
-    const auto behind =
+    const auto after =
         std::upper_bound(open_.begin(), open_.end(), row,
                          [](std::size_t r, const OpenComponent& open) { return r < open.row; });
-    if (behind == open_.begin()) return {StepRowKind::Component, row, 0, 0, 0};
-    const OpenComponent& open = *std::prev(behind);
+    if (after == open_.begin()) return {StepRowKind::Component, row, 0, 0, 0};
+    const OpenComponent& open = *std::prev(after);
     if (row == open.row) return {StepRowKind::Component, open.component, 0, 0, 0};
     if (row <= open.row + open.rows) return rowOfPivot(open.component, row - open.row - 1);
     return {StepRowKind::Component, open.component + row - open.row - open.rows, 0, 0, 0};
@@ -168,8 +172,8 @@ StepRow StepTree::rowOfPivot(std::size_t component, std::size_t place) const {
 }
 
 StepRow StepTree::rowInPivot(std::size_t place) const {
-    const auto behind = std::upper_bound(runRow_.begin(), runRow_.end(), place);
-    const auto run = static_cast<std::size_t>(behind - runRow_.begin()) - 1;
+    const auto after = std::upper_bound(runRow_.begin(), runRow_.end(), place);
+    const auto run = static_cast<std::size_t>(after - runRow_.begin()) - 1;
     const std::size_t inside = place - runRow_[run];
     const StepRowKind kind = inside == 0 ? StepRowKind::Stage : StepRowKind::Test;
     const std::size_t event = runs_[run].begin + (inside == 0 ? 0 : inside - 1);

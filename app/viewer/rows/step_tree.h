@@ -1,5 +1,5 @@
-/// The rows of the panel Steps: component > pivot > stage > test. A model of what is open and which
-/// row is what, not a list of rows: a run may have millions.
+/// The rows of the panel Steps: component > pivot > stage > test. A model of the open rows and
+/// their meaning, not a list of rows: a run may have millions.
 #pragma once
 
 #include <optional>
@@ -37,14 +37,14 @@ struct StepRow {
     friend bool operator==(const StepRow&, const StepRow&) = default;
 };
 
-/// Which rows there are follows from what is open. Only the pivot at the cursor has its decisions
-/// at hand, so only it can be open.
+/// The rows follow from what is open. Only the pivot at the cursor has its decisions
+/// in memory, so only it can be open.
 class StepTree {
   public:
-    /// Takes over where the run and the cursor are. All of it must stay until the next call.
+    /// Sets run and cursor. All arguments must outlive the next call.
     void update(const RunOverview& run, std::uint32_t generation, const PivotRecord& record,
                 std::size_t cursor);
-    /// Shows only what the filter lets through, as a flat list of pivots and tests.
+    /// Shows only rows that match the filter, as a flat list of pivots and tests.
     void setFilter(const std::string& text);
     const std::string& filterText() const { return filterText_; }
     bool filtered() const { return !filter_.empty(); }
@@ -57,7 +57,7 @@ class StepTree {
 
     bool canOpen(const StepRow& row) const;
     bool isOpen(const StepRow& row) const;
-    /// Opens or folds a row. Not for a pivot that the cursor is not at: go there.
+    /// Opens or folds a row. Not for a pivot without the cursor: move there instead.
     void toggle(const StepRow& row);
     /// Shows the decisions of the pivot at the cursor.
     void openPivot() { pivotFolded_ = false, layOut(); }
@@ -101,14 +101,14 @@ class StepTree {
     std::vector<OpenComponent> open_;  ///< In order.
     std::set<std::size_t> opened_;     ///< Components opened by hand.
     std::uint64_t openedStages_ = 0;
-    bool componentFolded_ = false;  ///< That of the cursor, by hand.
+    bool componentFolded_ = false;  ///< State of the cursor's pivot, set by the user.
     bool pivotFolded_ = false;
     bool stageFolded_ = false;
 
     std::string filterText_;
     StepFilter filter_;
-    std::vector<std::uint32_t> matches_;  ///< Pivots, but that of the cursor.
-    std::size_t matchedPivots_ = 0;       ///< How many have been looked at.
+    std::vector<std::uint32_t> matches_;  ///< Matching pivots, except that of the cursor.
+    std::size_t matchedPivots_ = 0;       ///< Number of pivots that were tested.
     std::vector<std::size_t> eventMatches_;
 };
 

@@ -8,7 +8,7 @@ namespace se::view {
 /// Pivots from() to to(), of `last` in all; both may lie between two pivots.
 class StripWindow {
   public:
-    /// Never less is shown.
+    /// Minimum number of pivots that are shown.
     static constexpr double kLeast = 12.0;
 
     double from() const { return whole_ ? 0.0 : from_; }
@@ -16,17 +16,17 @@ class StripWindow {
     double last() const { return last_; }
     bool whole() const { return whole_; }
 
-    /// The run has become longer, or is another one. The whole stays the whole.
+    /// The run has become longer, or is another one. A window on the whole stays so.
     void setLast(std::uint32_t last);
     void showAll() { whole_ = true; }
-    /// Shows more (notches < 0) or less, so that what is at `share` of the width stays there.
+    /// Shows more (notches < 0) or less, so that the position at `share` of the width stays there.
     void zoomAt(double share, double notches);
     /// Moves by a share of the width.
     void pan(double shares);
-    /// Moves so far that `pivot` is within.
+    /// Moves until `pivot` is within.
     void reveal(std::uint32_t pivot);
 
-    /// Where a pivot is, as a share of the width; beyond [0, 1] if it is not within.
+    /// Position of a pivot, as a share of the width; outside of [0, 1] if it is not within.
     double shareOf(double pivot) const { return (pivot - from()) / (to() - from()); }
     double pivotAt(double share) const { return from() + share * (to() - from()); }
 

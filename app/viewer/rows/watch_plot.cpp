@@ -1,3 +1,6 @@
+// Each column of pixels shows the least and the largest value of its pivots instead of a sample,
+// so that a peak of a single pivot stays visible in a long run. O(pivots), computed again only
+// when more of the run is known or the width changes.
 #include "watch_plot.h"
 
 #include <algorithm>

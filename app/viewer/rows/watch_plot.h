@@ -8,19 +8,19 @@
 
 namespace se::view {
 
-/// What the number is within one column of pixels.
+/// The number within one column of pixels.
 struct PlotColumn {
     double low = 0.0;
     double high = 0.0;
 };
 
 /// The least and the largest value in each of `columns` stretches of [0, last], `values` being the
-/// known ones by pivot: no peak is lost, however many pivots share a column. Columns that nothing
-/// is known of yet are left out at the end.
+/// known ones by pivot: no peak is lost, however many pivots share a column. Columns without
+/// known values are left out at the end.
 std::vector<PlotColumn> plotColumns(std::span<const double> values, std::size_t last,
                                     std::size_t columns);
 
-/// The columns as last worked out, and what from.
+/// The columns as last computed, and their inputs.
 struct PaintedPlot {
     std::uint32_t generation = 0;
     std::size_t known = 0;
@@ -30,7 +30,7 @@ struct PaintedPlot {
     double high = 0.0;
 };
 
-/// Works the plot out anew if something has changed.
+/// Computes the plot again if something has changed.
 void keepPlot(PaintedPlot& plot, std::uint32_t generation, std::span<const double> values,
               std::size_t last, std::size_t columns);
 

@@ -1,6 +1,6 @@
-/// A long list as a value that costs little to copy: it is cut into blocks that copies share until
-/// one of them changes. So that two pictures of a million points differ by a few kilobytes, and
-/// what differs is found without looking at every point.
+/// A long list as a value that is cheap to copy: it is cut into blocks that copies share until one
+/// of them changes. Two pictures of a million points thus differ by a few kilobytes, and the
+/// differences are found without a look at every point.
 #pragma once
 
 #include <algorithm>
@@ -23,16 +23,16 @@ class BlockList {
     const T& operator[](std::size_t i) const { return (*blocks_[i / kBlock])[i % kBlock]; }
 
     std::size_t blockCount() const { return blocks_.size(); }
-    /// What block `b` holds; the last one may be shorter than kBlock.
+    /// Elements of block `b`; the last block may be shorter than kBlock.
     std::span<const T> block(std::size_t b) const {
         return {blocks_[b]->data(), std::min(kBlock, size_ - b * kBlock)};
     }
-    /// True if block `b` is the same memory in both, and so has the same contents.
+    /// True if block `b` is the same memory in both lists, and so has the same contents.
     bool shares(std::size_t b, const BlockList& other) const {
         return b < other.blocks_.size() && size_ == other.size_ && blocks_[b] == other.blocks_[b];
     }
 
-    /// Makes room for `size` elements of no particular value.
+    /// Makes room for `size` elements with unspecified values.
     void resize(std::size_t size) {
         if (size == size_) return;
         size_ = size;
@@ -45,7 +45,7 @@ class BlockList {
         (*changed)[i % kBlock] = value;
         blocks_[i / kBlock] = std::move(changed);
     }
-    /// Replaces block `b`, unless it holds just that already. True if it did not.
+    /// Replaces block `b`, unless its contents are equal already. True if it was replaced.
     bool setBlock(std::size_t b, std::span<const T> values) {
         const std::span<const T> now = block(b);
         if (std::equal(values.begin(), values.end(), now.begin(), now.end())) return false;
@@ -66,7 +66,7 @@ class BlockList {
     }
 
   private:
-    // Blocks never change, so that threads may share them.
+    // Blocks never change, so threads may share them.
     std::vector<std::shared_ptr<const Block>> blocks_;
     std::size_t size_ = 0;
 };

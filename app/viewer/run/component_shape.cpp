@@ -9,14 +9,14 @@ namespace {
 
 constexpr std::uint64_t edgeKey(Index from, Index to) { return std::uint64_t{from} << 32U | to; }
 
-/// How many different numbers there are.
+/// Number of distinct values.
 std::size_t countDifferent(std::vector<Index>& points) {
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
     return points.size();
 }
 
-/// Pieces of the rim: points that its edges join are of one piece.
+/// Pieces of the rim: points joined by its edges belong to one piece.
 std::size_t countLoops(std::span<const std::array<Index, 2>> rim) {
     std::vector<Index> points;
     for (const auto& edge : rim) points.insert(points.end(), {edge[0], edge[1]});

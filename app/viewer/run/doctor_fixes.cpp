@@ -9,7 +9,7 @@ namespace se::view {
 
 namespace {
 
-/// Of the nearest points, as the advice says.
+/// Number of nearest points in the doctor's advice.
 constexpr std::size_t kAdvisedNeighbors = 12;
 
 bool has(const Cures& cures, Cure kind) {
@@ -19,7 +19,7 @@ bool has(const Cures& cures, Cure kind) {
     });
 }
 
-/// The points that a check finds, ascending.
+/// Points found by a check, ascending.
 Result<std::vector<Index>> pointsOf(const PointFile& file, const DoctorCheck& check,
                                     const Progress& progress) {
     const Result<Diagnosis> found = examine(file, progress);
@@ -30,8 +30,8 @@ Result<std::vector<Index>> pointsOf(const PointFile& file, const DoctorCheck& ch
     return std::vector<Index>{};
 }
 
-/// As it would be read from the file that the doctor's command writes, with all numbers rounded to
-/// the types that they have there: the run is that of the command.
+/// The file as read back after the doctor's command wrote it, with all numbers rounded to the types
+/// they have there, so that the run equals that of the command.
 PointFile asWritten(PointFile file) {
     Result<PointFile> read = readPoints(meshPlyBytes(file, file.faces), "mended.ply");
     return read ? std::move(read.value()) : std::move(file);
@@ -46,19 +46,19 @@ std::string_view cureText(Cure cure) {
         case Cure::None:
             return "";
         case Cure::Mend:
-            return "Mends all that needs no guessing, and runs what comes of it.";
+            return "Repairs all that needs no guessing, and runs the result.";
         case Cure::Drop:
-            return "Leaves these points out, and mends all that needs no guessing.";
+            return "Drops these points, and repairs all that needs no guessing.";
         case Cure::Orient:
-            return "Turns the normals so that they agree, those of closed parts outwards.";
+            return "Flips normals so that they agree, outward on closed parts.";
         case Cure::NewLists:
-            return "Takes the 12 nearest points in place of the lists of the file.";
+            return "Replaces the neighbor lists of the file by the 12 nearest points.";
         case Cure::Symmetric:
-            return "Whoever lists a point is listed by it as well.";
+            return "Makes neighbor lists symmetric.";
         case Cure::Walls:
-            return "Takes the walls of the box around all points for those of the file.";
+            return "Replaces the walls of the file by the box around all points.";
         case Cure::Rim:
-            return "Takes the points where the surface ends without a wall for boundary points.";
+            return "Marks points where the surface ends without a wall as boundary points.";
     }
     return "";
 }
@@ -84,7 +84,7 @@ Result<std::vector<std::string>> cure(PointFile& file, const Cures& cures, Prepa
     for (const std::string& name : cures) {
         const DoctorCheck* check = findDoctorCheck(name);
         if (check == nullptr || !canCure(*check))
-            return Error{"The doctor has no cure called \"" + name + "\"."};
+            return Error{"The doctor has no fix called \"" + name + "\"."};
         if (check->cure == Cure::Mend) mend({});
         if (check->cure != Cure::Drop) continue;
         const Result<std::vector<Index>> points = pointsOf(file, *check, progress);
@@ -109,7 +109,7 @@ std::vector<std::string> takeOverCured(const Prepared& prepared, const PrepareOp
     if (has(cures, Cure::Orient) && options.normals == NormalSource::Oriented) {
         file.normal = points.normal;
         done.push_back(
-            counted(prepared.report.derived.turnedNormals, "normal turned", "normals turned"));
+            counted(prepared.report.derived.turnedNormals, "normal flipped", "normals flipped"));
     }
     if (has(cures, Cure::Walls)) {
         file.type = points.type;
@@ -118,7 +118,7 @@ std::vector<std::string> takeOverCured(const Prepared& prepared, const PrepareOp
     if (has(cures, Cure::Rim)) {
         file.type = points.type;
         done.push_back(counted(prepared.report.derived.rimChains, "rim", "rims") +
-                       " taken for boundaries");
+                       " taken as boundaries");
     }
     const bool newLists = has(cures, Cure::NewLists);
     if (!newLists && !has(cures, Cure::Symmetric)) return done;

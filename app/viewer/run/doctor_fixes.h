@@ -1,4 +1,4 @@
-/// What the doctor advises, done to an input between reading and preparing it.
+/// The doctor's advice, applied to an input between reading and preparing it.
 #pragma once
 
 #include <span>
@@ -10,24 +10,24 @@
 
 namespace se::view {
 
-/// Names of checks (doctor.h) whose advice is followed, one after the other.
+/// Names of checks (doctor.h) whose fixes are applied, one after the other.
 using Cures = std::vector<std::string>;
 
-/// The advice on a finding can be followed here.
+/// True if the viewer can apply the fix of a finding.
 bool canCure(const DoctorCheck& check);
-/// What following it does, as a sentence for a person.
+/// Effect of a fix, as a sentence for the user.
 std::string_view cureText(Cure cure);
-/// The cures of all findings that need no decision: what is mended without guessing, and normals
-/// that are to be turned. Each kind once.
+/// The fixes of all findings that need no decision: repairs without guessing, and normals to be
+/// flipped. Each kind once.
 Cures plainCures(std::span<const Finding> findings);
 
-/// Follows the advice: mends `file`, and sets in `options` what preparing is to do. Returns one
-/// sentence for each thing that was done to the file. Fails if there is no such check, if it has no
-/// cure, or if cancelled. Deterministic.
+/// Applies the fixes: repairs `file`, and sets in `options` what preparing is to do. Returns one
+/// sentence for each change of the file. Fails if there is no such check, if it has no
+/// fix, or if cancelled. Deterministic.
 Result<std::vector<std::string>> cure(PointFile& file, const Cures& cures, PrepareOptions& options,
                                       const Progress& progress = {});
-/// After preparing: what was made anew goes into the file, so that the doctor looks at what is run.
-/// Returns sentences likewise.
+/// Copies derived data back into the file after preparing, so that the doctor examines the input
+/// of the run. Returns one sentence for each change.
 std::vector<std::string> takeOverCured(const Prepared& prepared, const PrepareOptions& options,
                                        const Cures& cures, PointFile& file);
 

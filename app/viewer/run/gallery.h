@@ -10,8 +10,8 @@ namespace se::view {
 /// The scene of the failure gallery with that id, or of the source `scene:ID`; null if there is
 /// none.
 const FailureScene* galleryScene(std::string_view idOrSource);
-/// The address that the source `scene:ID` opens at: that of the decision it is about. Empty for a
-/// scene that opens at its start, and for every other source.
+/// The address that the source `scene:ID` opens at: that of the decision it demonstrates. Empty for
+/// a scene that opens at its start, and for every other source.
 std::string_view openingAddress(std::string_view source);
 
 }  // namespace se::view

@@ -1,5 +1,4 @@
-/// A short mark of what an input holds, so that a session file can tell whether it is still the
-/// same.
+/// A hash of an input's content, by which a session file recognizes a changed input.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +9,7 @@
 
 namespace se::view {
 
-/// 64-bit FNV-1a, taken piece by piece. Told apart are files that differ, not attackers.
+/// 64-bit FNV-1a, computed piecewise. It detects changes, not attacks.
 class InputHash {
   public:
     void add(std::string_view bytes);
@@ -21,7 +20,7 @@ class InputHash {
     std::uint64_t state_ = 0xcbf29ce484222325U;
 };
 
-/// Of positions, then normals, as little endian doubles: for what has no file.
+/// Hash of positions, then normals, as little endian doubles: for inputs without a file.
 std::string hashOfPoints(const PointFile& points);
 
 }  // namespace se::view

@@ -1,3 +1,6 @@
+// Positions stay doubles for the stepper. For drawing they are moved to the center of their box
+// and scaled to the unit sphere before they become floats, so that inputs far from the origin keep
+// their precision.
 #include "model.h"
 
 #include <algorithm>
@@ -17,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kSampleSize = 4000;
-/// How far the bar is when the bytes are there, when the points are, and when the lists are.
+/// Shares of the progress bar after the bytes, the points and the lists.
 constexpr double kReadShare = 0.1;
 constexpr double kParsedShare = 0.25;
 constexpr double kPreparedShare = 0.9;
@@ -26,7 +29,7 @@ bool isFinite(const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// The bytes of a file, hashed on the way. Nothing if it was cancelled, or cannot be read.
+/// The bytes of a file, hashed while reading. Empty if cancelled or unreadable.
 std::optional<std::string> readBytes(const fs::path& path, std::string& hash,
                                      LoadProgress& progress) {
     constexpr std::size_t kPiece = std::size_t{1} << 20U;
@@ -54,7 +57,7 @@ std::optional<std::string> readBytes(const fs::path& path, std::string& hash,
     return bytes;
 }
 
-/// Points that are grown, unless they are at hand.
+/// Sampled points, unless they are in memory.
 Result<PointFile> readSample(const InputSpec& spec, Model& model, LoadProgress& progress) {
     const Result<SampleSpec> sample = sampleFromSource(spec.source);
     if (!sample) return sample.error();
@@ -71,7 +74,7 @@ Result<PointFile> readSample(const InputSpec& spec, Model& model, LoadProgress& 
     return points;
 }
 
-/// It was read when the program started, and is at hand.
+/// Standard input, which was read when the program started.
 Result<PointFile> takeStandardInput(const InputSpec& spec, Model& model) {
     model.name = "standard input";
     if (!spec.points) return Error{"Standard input can be read only once, at the start."};
@@ -102,7 +105,7 @@ Result<PointFile> readSource(const InputSpec& spec, Model& model, LoadProgress& 
     model.name = fs::path(source).filename().string();
     const std::optional<std::string> bytes = readBytes(source, model.hash, progress);
     if (progress.cancelled) return openingCancelled();
-    // What cannot be read is told in the words of the library.
+    // Read errors are reported in the words of the library.
     return bytes ? readPoints(*bytes, source) : readPoints(fs::path(source));
 }
 
@@ -125,7 +128,7 @@ float medianSpacing(const Model& model) {
 Error openingCancelled() { return Error{"Opening was cancelled."}; }
 
 std::string mendedText(const Model& model) {
-    if (model.cured && model.mended.empty()) return "nothing had to be done";
+    if (model.cured && model.mended.empty()) return "nothing to repair";
     std::string text;
     for (const std::string& each : model.mended) text += (text.empty() ? "" : "; ") + each;
     return text;
@@ -197,7 +200,7 @@ Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress) {
              [&progress](double) { return !progress.cancelled.load(); });
     if (progress.cancelled) return openingCancelled();
     if (!mended) return mended.error();
-    // Around the points that are left, as for the file that the doctor writes.
+    // Around the points that are left, like the file that the doctor writes.
     if (spec.walls.from == WallChoice::From::Around)
         options.walls = boxAround(file.value().position);
     Result<Prepared> prepared = prepare(file.value(), options, [&](double share) {

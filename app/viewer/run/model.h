@@ -1,4 +1,4 @@
-/// The input as the viewer holds it: points ready for the stepper, and where to draw them.
+/// The input as the viewer holds it: points ready for the stepper, and their positions on screen.
 #pragma once
 
 #include <atomic>
@@ -18,7 +18,7 @@
 
 namespace se::view {
 
-/// What opening ends with once a person gave it up.
+/// Error of an opening that the user cancelled.
 Error openingCancelled();
 
 /// Sources that are no files: "scene:ID".
@@ -28,11 +28,11 @@ inline std::string sceneSource(std::string_view id) {
     return std::string(kScenePrefix) + std::string(id);
 }
 
-/// The source that stands for standard input; InputSpec::points has what it held.
+/// The source name of standard input, whose content is in InputSpec::points.
 inline constexpr std::string_view kStandardInput = "-";
 inline bool isStandardInput(std::string_view source) { return source == kStandardInput; }
 
-/// Whose walls the boundary points stand on.
+/// Source of the walls that boundary points lie on.
 struct WallChoice {
     enum class From : std::uint8_t {
         File,    ///< The types that the file has, if any.
@@ -47,24 +47,24 @@ struct WallChoice {
     }
 };
 
-/// What to open and how.
+/// Input and options to open.
 struct InputSpec {
     /// A path, `-`, `scene:ID`, or the line of text of a SampleSpec. Empty: the first scene.
     std::string source;
     NeighborOptions neighbors;
     std::string rules = "paper";          ///< A name that paramsByName() knows.
     std::vector<RuleValue> choices = {};  ///< Single rules that differ from that set.
-    Cures cures = {};  ///< What the doctor's findings advise, as far as a person followed it.
+    Cures cures = {};                     ///< Checks whose fixes the user has applied.
     NormalSource normals = NormalSource::AsGiven;
     WallChoice walls = {};
     bool rim = false;           ///< Find where the surface ends without a wall (rim.h).
-    bool keepOpposing = false;  ///< Whatever the rules say: also neighbors with opposing normals.
-    bool keepNoise = false;     ///< Likewise: no point is set aside for noise.
-    /// What `source` means, if it is at hand already: then nothing is read or sampled.
+    bool keepOpposing = false;  ///< Overrides the rules: also neighbors with opposing normals.
+    bool keepNoise = false;     ///< Overrides the rules: no point is set aside for noise.
+    /// Points of `source`, if in memory already: then nothing is read or sampled.
     std::shared_ptr<const PointFile> points = nullptr;
-    std::vector<WhatIf> whatIf = {};  ///< What a person lets happen instead of what the rules say.
+    std::vector<WhatIf> whatIf = {};  ///< Decisions that the user overrides.
 };
-/// What prepare() is to be told, for points of `file`.
+/// Options for prepare(), for points of `file`.
 PrepareOptions prepareOptions(const InputSpec& spec, const Params& params, const PointFile& file);
 
 /// Points in view space: centered on their bounding box, which then fits a sphere of radius 1.
@@ -75,8 +75,8 @@ struct Model {
     PointSet points;
     Params params;
     PrepareReport report;
-    bool cured = false;               ///< The input has cures.
-    std::vector<std::string> mended;  ///< What they did, each a piece of a sentence.
+    bool cured = false;               ///< The input has fixes.
+    std::vector<std::string> mended;  ///< Effects of the fixes, each a piece of a sentence.
     std::vector<glm::vec3> place;  ///< View space position of each point; zero if it is not finite.
     std::vector<glm::vec3> normal;
     std::vector<bool> drawable;  ///< False for positions that are not finite.
@@ -84,38 +84,38 @@ struct Model {
     double scale = 1.0;             ///< View units per scene unit.
     glm::vec3 boxHalf{0.0F};        ///< Half the sides of the box of the points, in view units.
     float spacing = 0.05F;          ///< Median distance to the nearest neighbor, in view units.
-    std::vector<glm::vec3> sample;  ///< Some of the places, to fit the camera to.
-    /// A direction from which the first steps are seen: the run begins at the first usable point.
+    std::vector<glm::vec3> sample;  ///< Some of the positions, to fit the camera to.
+    /// A direction that shows the first steps: the run begins at the first usable point.
     glm::vec3 beginning{0.0F};
 
     glm::vec3 toView(const Vec3& position) const { return glm::vec3((position - center) * scale); }
 };
 
-/// What opening an input is made of.
+/// Parts of opening an input.
 enum class LoadPart : std::uint8_t { Reading, Sampling, Preparing, Placing, Beginning };
 
-/// How far loading is, written by the loading thread and read by the window.
+/// Progress of loading, written by the loading thread and read by the window.
 struct LoadProgress {
     std::atomic<LoadPart> part = LoadPart::Reading;
     std::atomic<double> share = 0.0;  ///< Of all parts together.
     std::atomic<bool> cancelled = false;
 };
 
-/// An input, ready to be drawn and run, and what was read, with the cures in it.
+/// An input, ready to be drawn and run, and the file that was read, with the fixes applied.
 struct Loaded {
     std::shared_ptr<const Model> model;
     std::shared_ptr<const PointFile> file;
-    /// As prepare() took it: what a mesh is written with. `file` itself where there are no cures.
+    /// Input of prepare(), with which a mesh is written. `file` itself if there are no fixes.
     std::shared_ptr<const PointFile> given;
 };
-/// Reads or builds the points, prepares and validates them. Fails with a sentence for a person.
+/// Reads or builds the points, prepares and validates them. Fails with a sentence for the user.
 Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress);
-/// The same for whom the model is enough.
+/// As loadInput(), without the file.
 Result<std::shared_ptr<const Model>> loadModel(const InputSpec& spec, LoadProgress& progress);
 
-/// What the cures did, as one piece of a sentence; empty if there were none.
+/// Effects of the fixes, as one piece of a sentence; empty if there were none.
 std::string mendedText(const Model& model);
-/// Fills everything that is for drawing from `points`.
+/// Computes all drawing data from `points`.
 void placeModel(Model& model);
 
 }  // namespace se::view

@@ -21,7 +21,7 @@ std::string withoutMinusZero(const char* format, double value) {
     char text[48];
     std::snprintf(text, sizeof text, format, value);
     std::string result(text);
-    // A sign before nothing but zeros says something that is not so.
+    // A sign before zeros only would be misleading.
     const bool zero = result.find_first_of("123456789in") == std::string::npos;
     if (zero && (result[0] == '-' || result[0] == '+')) result.erase(0, 1);
     return result;
@@ -42,7 +42,7 @@ std::size_t digitsAt(std::string_view text, std::size_t at) {
     return static_cast<std::size_t>(end - text.begin()) - at;
 }
 
-/// The fraction that a text begins with; nothing if it begins with none, or with an address.
+/// The fraction that a text begins with; empty if it begins with none, or with an address.
 std::optional<Fraction> fractionAt(std::string_view text) {
     Fraction found;
     found.before = digitsAt(text, 0);

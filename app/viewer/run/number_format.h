@@ -1,7 +1,7 @@
-/// Numbers as text, the same in the view, on the dial and in Inspect. What rounds to zero has no
-/// sign: never "-0".
+/// Numbers as text, the same in the view, on the dial and in Inspect. A number that rounds to zero
+/// has no sign: never "-0".
 ///
-/// Numbers and boxes as text, whatever the locale.
+/// Numbers and boxes as text, independent of the locale.
 #pragma once
 
 #include <cstdint>
@@ -17,27 +17,27 @@ namespace se::view {
 
 /// The shortest text that reads back as the same number.
 std::string exact(double value);
-/// The whole text must be one finite number.
+/// Parses one finite number; the whole text must match.
 std::optional<double> numberFromText(std::string_view text);
-/// The whole text must be digits.
+/// Parses digits; the whole text must match.
 std::optional<std::uint64_t> wholeFromText(std::string_view text);
 
-/// "x0,y0,z0,x1,y1,z1", with the sign `between` in place of the commas.
+/// "x0,y0,z0,x1,y1,z1", with the character `between` instead of the commas.
 std::string boxText(const WallBox& box, char between);
 /// Six numbers, the lower corner first.
 std::optional<WallBox> boxFromText(std::string_view text, char between);
 
 /// Four significant digits.
 std::string numberText(double value);
-/// The same with its sign, as for what is compared with zero.
+/// Four significant digits with a sign, for values compared with zero.
 std::string signedText(double value);
 /// "96.1 degrees", with the sign of degrees.
 std::string degreesText(double degrees);
-/// A sentence whose decimal fractions have at most four significant digits, and none after the
-/// decimal point where four stand before it. Whole numbers and addresses stay as they are.
+/// A sentence with at most four significant digits per decimal fraction, and none after the
+/// decimal point if four come before it. Whole numbers and addresses stay as they are.
 std::string withShortNumbers(std::string_view sentence);
-/// describe(), with short numbers: for panels, where one reads and compares. Traces, copies and
-/// tooltips have describe() itself.
+/// describe() with short numbers: for panels, which are read and compared. Traces, copies and
+/// tooltips use describe() itself.
 std::string shortSentence(const Event& event);
 /// "1.5, 0, -2"
 std::string numbersText(const Vec3& values);

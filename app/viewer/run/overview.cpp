@@ -1,3 +1,7 @@
+// One pass over the whole run with the log of one pivot at a time. Each pivot is reduced to 16
+// bytes (a bit per stage and verdict, and counts), by which the filter of the tree can test it
+// without running it again. The thread hands over what is new in batches; append() adds them to
+// the lists of the window.
 #include "overview.h"
 
 #include <algorithm>
@@ -19,7 +23,7 @@ void countUp(std::uint16_t& number) {
     if (number < std::numeric_limits<std::uint16_t>::max()) ++number;
 }
 
-/// Counts the pivots that are new in `overview` for their components.
+/// Counts the new pivots of `overview` for their components.
 void countComponents(RunOverview& overview, const std::vector<PivotSummary>& fresh) {
     auto pivot = static_cast<std::uint32_t>(overview.pivots.size() - fresh.size());
     for (const PivotSummary& summary : fresh) {
@@ -78,7 +82,8 @@ void append(RunOverview& overview, const RunOverview& fresh) {
 }
 
 std::span<const LiveFailure> failuresAt(const RunOverview& run, const Address& address) {
-    // Within a pivot a strand may come before a seed: only the pivots are in order for sure.
+    // Within a pivot a strand may come before a seed: only the pivots are guaranteed to be in
+    // order.
     const auto begin = std::partition_point(
         run.failures.begin(), run.failures.end(),
         [&](const LiveFailure& each) { return each.address.pivot < address.pivot; });

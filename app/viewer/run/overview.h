@@ -17,10 +17,10 @@ struct State;
 
 namespace se::view {
 
-/// Something on the way that is worth a mark.
+/// An event of the run that deserves a mark.
 enum class MarkKind : std::uint8_t { Seed, Split, Join, Alert };
 
-/// The stage whose events tell of it.
+/// The stage whose events report a kind of mark.
 Stage stageOf(MarkKind kind);
 
 struct RunMark {
@@ -38,7 +38,7 @@ constexpr Findings findingOf(Verdict verdict) {
 }
 static_assert(kStageCount + kVerdictCount <= 64);
 
-/// What is known of each pivot without running it again: 16 bytes.
+/// Summary of a pivot, available without running it again: 16 bytes.
 struct PivotSummary {
     Findings found = 0;
     Index point = kNone;
@@ -57,40 +57,40 @@ struct ComponentSummary {
     std::size_t refused = 0;
 };
 
-/// So many failures are kept.
+/// Maximum number of failures that are kept.
 inline constexpr std::size_t kMostNoticed = 100000;
-/// Runs on more points than this are not watched for failures while they go on: the tables of all
+/// Runs on more points than this are not watched for failures while they proceed: the tables of all
 /// edges and cells would need as much memory as the run.
 inline constexpr std::size_t kMostWatched = 300000;
 
-/// Lists with one element per pivot begin with the first pivot.
+/// Lists of the whole run; those with one element per pivot begin with the first pivot.
 struct RunOverview {
     std::vector<std::uint32_t> ringLength;  ///< Of the active ring, per completed pivot.
     std::vector<std::uint32_t> stackDepth;
     std::vector<std::uint32_t> triangles;  ///< So far.
-    /// One more than completed pivots if something still happens after the last of them.
+    /// One more than completed pivots if there are events after the last of them.
     std::vector<PivotSummary> pivots;
     std::vector<ComponentSummary> components;  ///< In order; filled by append().
     std::vector<RunMark> marks;
-    std::vector<ComponentShape> shapes;  ///< Of the components that are complete.
+    std::vector<ComponentShape> shapes;  ///< Of the complete components.
     std::vector<LaneChange> laneChanges;
-    /// What went wrong, at the decision that brought it about, in the order of the run; of a very
+    /// Failures at the decisions that caused them, in the order of the run; of a very
     /// tangled run the first kMostNoticed.
     std::vector<LiveFailure> failures;
-    std::uint32_t lanes = 0;  ///< Most at a time.
+    std::uint32_t lanes = 0;  ///< Maximum at one time.
     std::uint32_t longestRing = 0;
     std::uint32_t deepestStack = 0;
     std::uint32_t lastPivot = 0;  ///< Of the whole run if complete, else the farthest so far.
     bool complete = false;
 };
 
-/// Those at an address, in order.
+/// Failures at an address, in order.
 std::span<const LiveFailure> failuresAt(const RunOverview& run, const Address& address);
 
-/// How many were noticed before the end of the pivot of an address.
+/// Number of failures before the end of the pivot of an address.
 std::size_t noticedUpTo(const RunOverview& run, const Address& address);
 
-/// Puts the lists of `fresh` behind those of `overview` and takes over its figures.
+/// Appends the lists of `fresh` to those of `overview` and copies its figures.
 void append(RunOverview& overview, const RunOverview& fresh);
 
 }  // namespace se::view

@@ -94,7 +94,7 @@ class Painter {
         if (point < picture_.status.size()) picture_.status.set(point, status);
     }
     void mark(Index point, std::optional<double> degrees, Verdict verdict) {
-        // Passed over before any test: never candidates.
+        // Skipped before any test: never candidates.
         if (verdict == Verdict::AlreadyDone || verdict == Verdict::OnRingEnd) return;
         auto& list = picture_.candidates;
         auto found = std::find_if(list.begin(), list.end(),
@@ -131,8 +131,8 @@ bool changesRings(const Event& event) {
     return updatesRings(event) || stage == Stage::Seed || stage == Stage::Insert;
 }
 
-/// A ring that is freed (§7) loses its points one by one, then it is told, and then an alert may
-/// follow: the ring is that before the first of these.
+/// A freed ring (§7) loses its points one by one, then an event reports it, and an alert may
+/// follow: the ring shown is the one before the first of these.
 void noteFreed(Picture& picture, const Event& event, const RingReplay& replay) {
     if (event.address.stage != Stage::Done) return;
     if (!picture.freed && std::holds_alternative<RingEvidence>(event.evidence)) {
@@ -151,7 +151,7 @@ void noteFreed(Picture& picture, const Event& event, const RingReplay& replay) {
 void addRings(Picture& picture, const PivotRecord& record, std::size_t cursor) {
     const std::vector<Event>& events = record.events;
     const auto end = events.begin() + static_cast<std::ptrdiff_t>(cursor) + 1;
-    // Most decisions leave the rings alone.
+    // Most decisions do not change the rings.
     if (std::any_of(events.begin(), end, changesRings)) {
         RingReplay replay(record.before.rings, record.before.status.size());
         for (auto event = events.begin(); event != end; ++event) {
@@ -170,8 +170,8 @@ void addRings(Picture& picture, const PivotRecord& record, std::size_t cursor) {
     }
 }
 
-/// The steps after the last pivot edit the mesh: each has one such event, and shows what it made.
-/// Before that event, at a point that was stranded, say, the mesh is as it was.
+/// Steps after the last pivot edit the mesh: each has one such event, which shows the new mesh.
+/// Before that event, for example at a point that was stranded, the mesh is the old one.
 void addMended(Picture& picture, const PivotRecord& record) {
     const bool mends =
         std::any_of(picture.latest.begin(), picture.latest.end(), [](const Event& e) {

@@ -1,4 +1,4 @@
-/// What there is to see at one event: the state before the pivot plus the events up to the cursor.
+/// The visible state at one event: the state before the pivot plus the events up to the cursor.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace se::view {
 
-/// How a neighbor of the pivot stands at the cursor.
+/// State of a neighbor of the pivot at the cursor.
 enum class CandidateState : std::uint8_t { Kept, Rejected };
 
 struct CandidateMark {
@@ -24,16 +24,16 @@ struct CandidateMark {
 /// A ring that was freed after a full circuit without a triangle (§7), as it was before.
 struct FreedRing {
     RingPath path;
-    std::optional<FreeEvidence> told;  ///< Nothing while its points leave one by one.
-    std::optional<AlertKind> alert;    ///< What is wrong about it, if anything is.
+    std::optional<FreeEvidence> told;  ///< Empty while its points leave one by one.
+    std::optional<AlertKind> alert;    ///< Problem of the ring, if any.
 };
 
 struct Picture {
-    std::optional<Event> event;  ///< What this is the state just after; nothing at the beginning.
-    /// The last event of every stage of this pivot so far, in order: a pinned layer goes on showing
+    std::optional<Event> event;  ///< The event just before this state; empty at the beginning.
+    /// The last event of every stage of this pivot so far, in order: a pinned layer keeps showing
     /// it.
     std::vector<Event> latest;
-    Index pivot = kNone;  ///< Point; kNone at the beginning and where no pivot is.
+    Index pivot = kNone;  ///< Point; kNone at the beginning and where there is no pivot.
     Index first = kNone;
     Index last = kNone;
     Index start = kNone;
@@ -43,13 +43,13 @@ struct Picture {
     double sectorDegrees = 0.0;  ///< Free sector from first to last.
     double startDegrees = 0.0;
     double endDegrees = 0.0;
-    bool complete = false;  ///< The cursor stands on the last event of the pivot.
+    bool complete = false;  ///< The cursor is on the last event of the pivot.
     std::vector<CandidateMark> candidates;
     std::optional<SphereEvidence> sphere;
     std::optional<HoleEvidence> hole;
     std::vector<Triangle> newTriangles;
-    std::vector<Triangle> goneTriangles;  ///< What a step after the last pivot took out.
-    std::size_t finishedTriangles = 0;    ///< Those of earlier pivots.
+    std::vector<Triangle> goneTriangles;  ///< Triangles removed by a step after the last pivot.
+    std::size_t finishedTriangles = 0;    ///< Number of triangles of earlier pivots.
     /// If not null: drawn instead of the finished triangles.
     std::shared_ptr<const std::vector<Triangle>> mended;
     std::vector<RingPath> rings;  ///< The active one first, then the stack from the top.
@@ -61,7 +61,7 @@ struct Picture {
     std::optional<FreedRing> freed;  ///< At `done`.
     StatusList status;
 
-    /// The evidence of the last event of a stage if it is of that kind, else null.
+    /// The evidence of the last event of a stage if it is of that kind, otherwise null.
     template <typename Kind>
     const Kind* evidence(Stage stage) const {
         for (const Event& each : latest) {
@@ -71,14 +71,14 @@ struct Picture {
     }
 };
 
-/// Makes the picture at events[cursor] of the record; with no events, that of the state itself.
+/// Makes the picture at events[cursor] of the record; without events, the picture of the state.
 Picture makePicture(const PivotRecord& record, std::size_t cursor);
 /// Makes the picture of the state before events[cursor].
 Picture makePictureBefore(const PivotRecord& record, std::size_t cursor);
 
-/// The point an event is about, kNone if it is about none.
+/// The subject point of an event, kNone if it has none.
 Index subjectOf(const Event& event);
-/// True if the event takes its point out of the neighbor ring.
+/// True if the event removes its point from the neighbor ring.
 bool rejects(const Event& event);
 
 }  // namespace se::view

@@ -16,7 +16,7 @@ class Collector {
     }
     std::vector<Index> take() { return std::move(points_); }
 
-    // What an event names beside its subject.
+    // Points that an event names beside its subject.
     void addOf(const ReciprocalEvidence& e) { add(e.pred), add(e.succ); }
     void addOf(const LimitEvidence& e) { add(e.from), add(e.to); }
     void addOf(const SphereEvidence& e) { add(e.s), add(e.t); }

@@ -1,4 +1,4 @@
-/// The points that the decisions of a pivot are about.
+/// The points that the decisions of a pivot involve.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace se::view {
 
-/// The pivot, its ends, the candidates that are left, and what else the event at the cursor names;
-/// in order, none twice. Where there is no pivot: the point under test, if there is one.
+/// The pivot, its ends, the candidates that are left, and other points named by the event at the
+/// cursor; in order, none twice. Without a pivot: the point under test, if there is one.
 std::vector<Index> surroundingsOf(const Picture& picture);
 
 }  // namespace se::view

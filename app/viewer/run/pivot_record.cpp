@@ -7,7 +7,7 @@ namespace se::view {
 
 namespace {
 
-/// What `state` is without its triangles; `last` are the statuses at an earlier look.
+/// `state` without its triangles; `last` are the statuses of an earlier record.
 RunState withoutTriangles(const State& state, StatusList& last) {
     last.assign(state.status);
     RunState copy{last,
@@ -60,7 +60,7 @@ std::shared_ptr<const PivotRecord> recordPivot(Timeline& timeline, std::uint32_t
     timeline.stepPivot();
     record->after = withoutTriangles(timeline.state(), last);
     if (record->after.mended && !record->before.mended) {
-        // The list of emitted triangles stays as it is while a copy of it is edited.
+        // The list of emitted triangles stays unchanged while a copy of it is edited.
         record->unmended =
             std::make_shared<const std::vector<Triangle>>(timeline.state().triangles);
     }

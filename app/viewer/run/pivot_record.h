@@ -1,5 +1,5 @@
-/// One pivot of a run, taken out of the timeline so that the window can look at it while the
-/// timeline works on something else.
+/// One pivot of a run, copied from the timeline so that the window can show it while the timeline
+/// works on another.
 #pragma once
 
 #include <memory>
@@ -27,19 +27,19 @@ struct PivotRecord {
     std::vector<Event> events;
     RunState before;
     RunState after;
-    /// Of the first step after the last pivot: the triangles of the run, which it is the first to
-    /// edit. Else null.
+    /// For the first step after the last pivot: the triangles of the run, which it is the first to
+    /// edit. Otherwise null.
     std::shared_ptr<const std::vector<Triangle>> unmended;
-    bool isLast = false;  ///< Nothing happens in the run after this.
+    bool isLast = false;  ///< No event of the run follows.
 
     /// Position of the event with that address, or of the first event of its stage if n is 0.
     std::optional<std::size_t> find(const Address& address) const;
 };
 
-/// Takes pivot number `pivot` out of the timeline, or the last one if the run is shorter.
+/// Takes pivot number `pivot` from the timeline, or the last one if the run is shorter.
 std::shared_ptr<const PivotRecord> recordPivot(Timeline& timeline, std::uint32_t pivot);
-/// The same; shares with `last`, the statuses of an earlier record, what has not changed since, and
-/// makes it those of this one.
+/// Takes a pivot and shares with `last`, the statuses of an earlier record, the unchanged blocks;
+/// `last` becomes the statuses of this one.
 std::shared_ptr<const PivotRecord> recordPivot(Timeline& timeline, std::uint32_t pivot,
                                                StatusList& last);
 

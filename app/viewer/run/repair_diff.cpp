@@ -1,3 +1,7 @@
+// The steps after the last pivot edit the mesh in place, so that creation order no longer
+// identifies a triangle. The difference of two steps is a difference of lists in which few entries
+// changed; the component of a triangle follows from its corners, since no edit joins two
+// components.
 #include "repair_diff.h"
 
 #include <algorithm>
@@ -27,7 +31,7 @@ std::vector<Triangle> freshTriangles(const std::vector<Triangle>& before,
         std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
         return c;
     };
-    // The steps change a few places of a long list, so only those are compared with each other.
+    // The steps change a few entries of a long list, so only those are compared with each other.
     const std::size_t common = std::min(before.size(), after.size());
     std::set<std::array<Index, 3>> old;
     std::vector<Triangle> fresh;
@@ -72,8 +76,8 @@ std::vector<ComponentStretch> componentsOf(std::span<const Triangle> mended,
     }
     std::vector<ComponentStretch> stretches;
     for (std::size_t i = 0; i < mended.size(); ++i) {
-        // The latest of its corners: a corner that two components share is of the earlier one. A
-        // point that was put in has none yet, and takes that of its triangle.
+        // The latest of its corners: a corner shared by two components belongs to the earlier one.
+        // A point that was put in has none yet, and takes that of its triangle.
         std::size_t mine = 0;
         const std::array corners = {mended[i].a, mended[i].b, mended[i].c};
         for (const Index p : corners) mine = of[p] == kUnknown ? mine : std::max(mine, of[p]);

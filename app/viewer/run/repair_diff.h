@@ -1,5 +1,5 @@
-/// The mesh that is edited after the last pivot (docs/robust.md): what one step changed, and which
-/// triangle belongs to which component.
+/// The mesh as edited after the last pivot (docs/robust.md): the changes of one step, and the
+/// component of each triangle.
 #pragma once
 
 #include <array>
@@ -11,37 +11,38 @@
 
 namespace se::view {
 
-/// Triangles of `after` that `before` has not got, whichever corner comes first.
+/// Triangles of `after` that `before` lacks, regardless of the first corner.
 std::vector<Triangle> freshTriangles(const std::vector<Triangle>& before,
                                      const std::vector<Triangle>& after);
 
 using MeshEdge = std::array<Index, 2>;  ///< The smaller point first.
 
-/// The edges of the triangles that a step took out and of those that it made.
+/// The edges of the triangles that a step removed and of those that it made.
 struct MeshEdges {
     std::vector<MeshEdge> gone;  ///< In none of the new triangles.
     std::vector<MeshEdge> made;  ///< In none of the old ones.
-    std::vector<MeshEdge> kept;  ///< The rim of both.
+    std::vector<MeshEdge> kept;  ///< Rim of both.
 };
-/// `seated`: a point that was in no triangle; without old triangles what it is joined to was there.
+/// `seated`: a point that was in no triangle. Without old triangles, edges without it were there.
 MeshEdges edgesOf(std::span<const Triangle> gone, std::span<const Triangle> made,
                   Index seated = kNone);
 
-/// Triangles from `first` up to the next stretch are of one component.
+/// Stretch of triangles of one component, from `first` up to the next stretch.
 struct ComponentStretch {
     std::size_t first = 0;
     std::size_t component = 0;  ///< Counted from 0.
     friend bool operator==(const ComponentStretch&, const ComponentStretch&) = default;
 };
 
-/// The components of a mended mesh. A flip, or a point that goes in, joins no two of them, so that
-/// a triangle is of the component that its corners were of when they were first used.
-/// `emitted`: the triangles of the run; `starts`: where in them each component begins.
+/// Components of a repaired mesh. A flip, or a point that is put in, joins no two of them, so
+/// a triangle belongs to the component that its corners had when they were first used.
+/// `emitted`: the triangles of the run; `starts`: the first triangle of each component in them.
 std::vector<ComponentStretch> componentsOf(std::span<const Triangle> mended,
                                            std::span<const Triangle> emitted,
                                            std::span<const std::size_t> starts, std::size_t points);
 
-/// The same, worked out anew only for another mesh or other components.
+/// Cache of the components of a repaired mesh, recomputed only for another mesh or other
+/// components.
 class MendedComponents {
   public:
     const std::vector<ComponentStretch>& of(

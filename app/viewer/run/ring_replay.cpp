@@ -1,3 +1,8 @@
+// The rings within a pivot are rebuilt from its events on a copy of the rings before it, with the
+// same EdgeRings operations as in the stepper, so that every sub-step can be shown although a
+// record stores only the rings at the pivot's ends. Events name points, not entries: the pivot's
+// entry is found by its two ring neighbors, and further instances of a point in the order in which
+// the stepper tests them.
 #include "ring_replay.h"
 
 #include <algorithm>
@@ -87,9 +92,9 @@ void RingReplay::on(const InsertEvidence& e) {
     const bool before = e.verdict == Verdict::Before;
     if (!before && e.verdict != Verdict::After) return;
     // Neither of its steps is an edge of the mesh.
-    const Index behind = before ? rings_.prev(pivot_) : pivot_;
-    const Index third = rings_.insertAfter(behind, e.third);
-    rings_.setOpen(behind, true);
+    const Index previous = before ? rings_.prev(pivot_) : pivot_;
+    const Index third = rings_.insertAfter(previous, e.third);
+    rings_.setOpen(previous, true);
     rings_.setOpen(third, true);
     start_ = rings_.prev(pivot_);
     end_ = rings_.next(pivot_);
@@ -111,7 +116,7 @@ bool RingReplay::foundBefore(Index a, Index b) const {
 }
 
 void RingReplay::on(const ReciprocalEvidence& e) {
-    // There is one test for each entry of the candidate.
+    // One test for each entry of the candidate.
     const bool another = tested_ != kNone && rings_.point(tested_) == e.point;
     tested_ = another ? rings_[tested_].nextOfPoint : rings_.firstEntryOf(e.point);
     lost_ = tested_ == kNone;
@@ -131,22 +136,22 @@ void RingReplay::beginUpdate() {
 }
 
 void RingReplay::on(const RingEvidence& e) {
-    // A ring that is freed loses one after the other, from its head on.
+    // A freed ring loses its entries one after the other, from its head on.
     if (stage_ == Stage::Done && rings_.active() != kNone) {
         leaving_ = {rings_.head(rings_.active())};
     } else if (!updating_ && pivot_ != kNone) {
         beginUpdate();
     }
     if (e.inserted) {
-        const Index behind = inserted_.empty() ? start_ : inserted_.back();
-        inserted_.push_back(rings_.insertAfter(behind, e.point));
+        const Index previous = inserted_.empty() ? start_ : inserted_.back();
+        inserted_.push_back(rings_.insertAfter(previous, e.point));
         return;
     }
     lost_ = leaving_.empty() || rings_.point(leaving_.back()) != e.point;
     if (lost_) return;
     rings_.erase(leaving_.back());
     leaving_.pop_back();
-    // From start to end there now runs the rim of the new fan.
+    // From start to end the ring now follows the rim of the new fan.
     if (leaving_.empty() && rings_.alive(start_) && linked_ == 0) rings_.setOpen(start_, false);
 }
 

@@ -1,5 +1,5 @@
-/// The edge rings within a pivot: what its events did to them, entry by entry (§6.5). A record
-/// holds the rings before and after a pivot only.
+/// The edge rings within a pivot: the effect of its events on them, entry by entry (§6.5). A record
+/// holds only the rings before and after a pivot.
 #pragma once
 
 #include <map>
@@ -23,12 +23,12 @@ struct RingPath {
 
 /// The rings: the active one first, then the stack from the top.
 std::vector<RingPath> ringPaths(const EdgeRings& rings);
-/// How many of them wait on the stack: all, where none is active.
+/// Number of rings on the stack: all of them if none is active.
 std::size_t stackedCount(std::span<const RingPath> rings);
 
-/// What a split parted, just after it, or a join united, just before it.
+/// The two loops of a split, just after it, or of a join, just before it.
 struct RingExchange {
-    RingPath a;  ///< The loop that goes on; of a join, that of the pivot.
+    RingPath a;  ///< The loop that continues; of a join, that of the pivot.
     RingPath b;  ///< The loop that waits on the stack; of a join, the one that was found.
 };
 
@@ -37,13 +37,13 @@ class RingReplay {
     /// `before`: the rings before the pivot, as EdgeRings::withoutPoints() gives them.
     RingReplay(const EdgeRings& before, std::size_t pointCount);
 
-    /// Takes the events of the pivot, in order.
+    /// Applies the events of the pivot, in order.
     void apply(const Event& event);
-    /// As they are just after the events taken so far.
+    /// The rings just after the events applied so far.
     const EdgeRings& rings() const { return rings_; }
-    /// Of the last split or join so far.
+    /// Loops of the last split or join so far.
     const std::optional<RingExchange>& exchange() const { return exchange_; }
-    /// An event named something that is not on the rings: from there on they stay as they were.
+    /// An event named something that is not on the rings: from there on they stay unchanged.
     bool lost() const { return lost_; }
 
   private:
@@ -77,12 +77,12 @@ class RingReplay {
     Index pivot_ = kNone;
     Index start_ = kNone;
     Index end_ = kNone;
-    Index tested_ = kNone;              ///< The one that the reciprocal test looks at.
-    std::map<Index, Index> instances_;  ///< Of a candidate that is on a ring already.
+    Index tested_ = kNone;              ///< The entry under the reciprocal test.
+    std::map<Index, Index> instances_;  ///< Entries of a candidate that is on a ring already.
     bool updating_ = false;             ///< §6.5 has begun.
     std::vector<Index> leaving_;        ///< The next one last.
     std::vector<Index> inserted_;
-    std::size_t linked_ = 0;  ///< How many of the inserted ones were looked at for other instances.
+    std::size_t linked_ = 0;  ///< Number of inserted entries that were checked for other instances.
     Index x_ = kNone;
     Index y_ = kNone;
 };

@@ -8,7 +8,7 @@ namespace se::view {
 
 namespace {
 
-/// Rules that are not known say nothing: they were refused where they came from.
+/// Unknown rules are ignored here: they were refused where they were entered.
 Params paramsOf(const RuleSet& rules) {
     Params params = paramsByName(rules.name).value_or(Params{});
     for (const RuleValue& each : rules.choices) applyRuleValues({&each, 1}, params);
@@ -20,7 +20,7 @@ Params paramsOf(const RuleSet& rules) {
 RuleSet rulesOf(const InputSpec& spec) { return {spec.rules, spec.choices, spec.whatIf}; }
 
 InputSpec withRules(InputSpec spec, const RuleSet& rules) {
-    // What the rules say themselves would be overruled.
+    // Otherwise the option would override the rule.
     const auto chosen = [&](std::string_view name) {
         return std::any_of(rules.choices.begin(), rules.choices.end(),
                            [&](const RuleValue& each) { return each.name == name; });

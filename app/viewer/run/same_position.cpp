@@ -1,3 +1,8 @@
+// The two runs are stepped side by side and compared pivot by pivot (point, counters, new
+// triangles, finished points), until they diverge. From there on a pivot number means nothing in
+// the other run, so a pivot is identified by its component (the point that began it), its point,
+// and how often that point has been pivot of the component. Costs the time of both runs, hence the
+// thread of the loader.
 #include "same_position.h"
 
 #include <algorithm>
@@ -14,7 +19,8 @@ namespace {
 
 constexpr std::uint32_t kAskEvery = 256;
 
-/// Runs pivot by pivot and knows each by its component, its point, and how often that was pivot.
+/// Runs pivot by pivot and identifies each by its component, its point, and how often that was
+/// pivot.
 class Walk {
   public:
     explicit Walk(const RunInput& run)
@@ -45,15 +51,15 @@ class Walk {
         return pivot() > before;
     }
 
-    /// The last pivot did the same in both.
+    /// Whether the last pivot had the same effect in both runs.
     bool didAs(const Walk& other) const {
-        const auto behind = [](const auto& list, std::size_t from) {
+        const auto tail = [](const auto& list, std::size_t from) {
             return std::span(list).subspan(std::min(from, list.size()));
         };
-        const auto made = behind(state().triangles, triangles_);
-        const auto otherMade = behind(other.state().triangles, other.triangles_);
-        const auto done = behind(state().done, done_);
-        const auto otherDone = behind(other.state().done, other.done_);
+        const auto made = tail(state().triangles, triangles_);
+        const auto otherMade = tail(other.state().triangles, other.triangles_);
+        const auto done = tail(state().done, done_);
+        const auto otherDone = tail(other.state().done, other.done_);
         return point_ == other.point_ && state().counters == other.state().counters &&
                std::equal(made.begin(), made.end(), otherMade.begin(), otherMade.end()) &&
                std::equal(done.begin(), done.end(), otherDone.begin(), otherDone.end());
@@ -67,7 +73,8 @@ class Walk {
     }
 
     Stepper stepper_;
-    std::vector<std::uint32_t> times_;  ///< That a point was pivot of this component.
+    std::vector<std::uint32_t>
+        times_;  ///< Number of times that a point was pivot of this component.
     std::vector<Index> touched_;
     Index component_ = kNone;
     Index point_ = kNone;
@@ -100,7 +107,7 @@ class Search {
   private:
     bool goOn() { return ++asked_ % kAskEvery != 0 || !keepGoing_ || keepGoing_(); }
 
-    /// Both runs, up to the pivot or to where they part.
+    /// Both runs, up to the pivot or to the point where they diverge.
     bool together(std::uint32_t wanted) {
         while (part_ == 0 && old_.pivot() < wanted) {
             if (!goOn()) return false;
@@ -123,7 +130,7 @@ class Search {
         }
         return true;
     }
-    /// The runs part in the very pivot that is looked for.
+    /// The runs diverge in the pivot that is searched for.
     bool isIt(std::uint32_t wanted) const {
         return old_.pivot() == wanted && new_.pivot() == wanted && isSame();
     }
@@ -131,7 +138,7 @@ class Search {
         return new_.point() == old_.point() && new_.component() == old_.component() &&
                new_.times() <= old_.times();
     }
-    /// The new run alone: the pivot with the same point, as often as it was one before.
+    /// The new run alone: the pivot with the same point, for the same number of times.
     bool find(SamePlace& place) {
         bool more = found_ == 0;
         while (more) {
@@ -149,7 +156,7 @@ class Search {
     Walk old_, new_;
     const std::function<bool()>& keepGoing_;
     std::uint32_t asked_ = 0;
-    std::uint32_t shared_ = 0;  ///< Pivots in which both did the same.
+    std::uint32_t shared_ = 0;  ///< Number of pivots that were equal in both.
     std::uint32_t part_ = 0;
     std::uint32_t found_ = 0;
 };
@@ -205,12 +212,12 @@ std::string describe(const SamePlace& place, const Address& landed) {
         case SamePlace::Kind::End:
             return "At the end of the new run.";
         case SamePlace::Kind::Same:
-            if (was == now && place.part == 0) return "Same place: nothing before it differs.";
+            if (was == now && place.part == 0) return "Same place: no difference before it.";
             if (was == now) {
-                return "Same place; the runs part at pivot " + std::to_string(place.part) + ".";
+                return "Same place; the runs diverge at pivot " + std::to_string(place.part) + ".";
             }
             return "Same pivot, point " + std::to_string(place.point) + ": " + was + " is now " +
-                   now + "; the runs part at pivot " + std::to_string(place.part) + ".";
+                   now + "; the runs diverge at pivot " + std::to_string(place.part) + ".";
         case SamePlace::Kind::Earlier:
             break;
     }
@@ -219,8 +226,8 @@ std::string describe(const SamePlace& place, const Address& landed) {
                                  ? "pivot " + std::to_string(place.from.address.pivot)
                                  : "pivot " + std::to_string(place.from.address.pivot) +
                                        " (point " + std::to_string(place.point) + ")";
-    return "The new run has no " + what +
-           ": shown is the last state that both share, before pivot " + part + ".";
+    return "The new run has no " + what + ": showing the last shared state, before pivot " + part +
+           ".";
 }
 
 }  // namespace se::view

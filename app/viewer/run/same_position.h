@@ -1,4 +1,5 @@
-/// Where a cursor belongs in another run over the same points: other rules, or a what-if.
+/// The matching cursor position in another run over the same points: with other rules, or a
+/// what-if.
 #pragma once
 
 #include <functional>
@@ -10,52 +11,53 @@
 
 namespace se::view {
 
-/// Where the cursor goes in a run by other rules.
+/// Target of the cursor in a run with other rules.
 enum class Resume : std::uint8_t {
-    SamePlace,  ///< Where it is by state, as findSamePlace() says.
+    SamePlace,  ///< The same position by state, see findSamePlace().
     End,        ///< To the end of the new run.
 };
 
-/// A run, by what decides it.
+/// A run, by its inputs.
 struct RunInput {
     const PointSet& points;
     const Params& params;
 };
 
-/// Where the cursor stands in the old run.
+/// Cursor position in the old run.
 struct CursorPlace {
     Address address;
-    Index subject = kNone;  ///< The point that the event is about.
-    bool atEnd = false;     ///< Nothing more happens in the run.
+    Index subject = kNone;  ///< Subject point of the event.
+    bool atEnd = false;     ///< No event of the run follows.
 };
 
-/// Where it belongs in the new one.
+/// Cursor position in the new run.
 struct SamePlace {
     enum class Kind : std::uint8_t {
-        Start,    ///< It stood at the start of the run.
-        End,      ///< It stood at the end of the run.
-        Same,     ///< The same pivot of the same component: so many times that point was pivot.
+        Start,    ///< It was at the start of the run.
+        End,      ///< It was at the end of the run.
+        Same,     ///< The same pivot of the same component: the same point, for the same number of
+                  ///< times.
         Earlier,  ///< There is no such pivot: the nearest earlier state that both runs share.
     };
     Kind kind = Kind::Start;
     CursorPlace from;
     std::uint32_t pivot = 0;
-    Index point = kNone;     ///< The pivot that was looked for.
-    std::uint32_t part = 0;  ///< The first pivot in which the runs differ; 0: not found to differ.
+    Index point = kNone;     ///< The pivot that was searched for.
+    std::uint32_t part = 0;  ///< The first pivot in which the runs differ; 0: no difference found.
 };
 
-/// Goes through both runs, as far as it takes; nothing if `keepGoing` says no. A component is known
+/// Runs both as far as needed; empty if `keepGoing` returns false. A component is identified
 /// by its first pivot, a pivot by its point and by how often that was pivot of the component
 /// before. Deterministic. O(both runs).
 std::optional<SamePlace> findSamePlace(const RunInput& before, const CursorPlace& from,
                                        const RunInput& after,
                                        const std::function<bool()>& keepGoing = {});
 
-/// The event of the pivot at which the sub-step of the old run belongs: the same test of the same
-/// point; else another test of that stage, or the end of the last stage before it.
+/// The matching event of a pivot in the new run: the same test of the same point; otherwise another
+/// test of that stage, or the end of the last stage before it.
 std::size_t sameStep(const PivotRecord& record, const SamePlace& place);
 
-/// Where the cursor landed and why: one sentence for the status bar.
+/// The new cursor position and the reason for it: one sentence for the status bar.
 std::string describe(const SamePlace& place, const Address& landed);
 
 }  // namespace se::view

@@ -15,7 +15,7 @@ namespace se::view {
 
 namespace {
 
-/// Takes one `key=value`. Nothing: there is no such key; false: the value is wrong.
+/// Parses one `key=value`. Empty: there is no such key; false: the value is wrong.
 std::optional<bool> takePart(std::string_view key, std::string_view value, SampleSpec& spec) {
     const auto number = numberFromText(value);
     const auto whole = wholeFromText(value);
@@ -56,8 +56,8 @@ Result<Field> volumeField(const SampleSpec& spec) {
     const std::optional<double> iso = spec.isovalue ? spec.isovalue : volume->isovalue;
     if (!iso) {
         const auto [least, most] = std::minmax_element(volume->value.begin(), volume->value.end());
-        return Error{spec.surface + ": names no isovalue; give one, from " + exact(*least) +
-                     " to " + exact(*most) + "."};
+        return Error{spec.surface + ": has no isovalue; give one, from " + exact(*least) + " to " +
+                     exact(*most) + "."};
     }
     return fieldOf(volume, *iso);
 }
@@ -125,7 +125,7 @@ Result<SampleSpec> sampleFromSource(std::string_view source) {
         if (!taken) {
             if (isVolumePath(part)) break;
             return Error{name + ": \"" + std::string(part) +
-                         "\": there are n, spacing, iso, seed, curvature, box and steps."};
+                         "\": expected n, spacing, iso, seed, curvature, box or steps."};
         }
         if (!*taken) {
             std::string text = name;
@@ -139,7 +139,7 @@ Result<SampleSpec> sampleFromSource(std::string_view source) {
     spec.surface = source;
     if (spec.surface.empty()) return Error{name + ": names neither a shape nor a volume."};
     if ((spec.count > 0) == (spec.spacing > 0.0)) {
-        return Error{name + ": say how many, either n=N or spacing=S."};
+        return Error{name + ": give the number of points, n=N or spacing=S."};
     }
     return spec;
 }
@@ -153,7 +153,7 @@ std::string sampleCommand(const SampleSpec& spec, std::string_view output) {
     std::string text = "spiraling-edge sample " + shellQuoted(spec.surface);
     text +=
         spec.count > 0 ? " -n " + std::to_string(spec.count) : " --spacing " + exact(spec.spacing);
-    // Joined by =, since what begins with a minus sign would pass for an option.
+    // Joined by =, since a value with a minus sign would be parsed as an option.
     if (spec.isovalue) text += " --iso=" + exact(*spec.isovalue);
     if (spec.seed != 1) text += " --seed " + std::to_string(spec.seed);
     if (spec.curvature > 0.0) text += " --curvature " + exact(spec.curvature);

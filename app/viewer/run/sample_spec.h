@@ -1,5 +1,5 @@
-/// Points that are grown by the particle sampler instead of being read: what `spiraling-edge
-/// sample` is told, as one line of text that can stand wherever the path of a file can.
+/// Points made by the particle sampler instead of being read: the options of `spiraling-edge
+/// sample`, as one line of text that can replace the path of a file anywhere.
 ///
 ///     sample:torus,n=4000            4,000 points on the torus
 ///     sample:lobster.nhdr,n=43000,iso=40,seed=2
@@ -23,10 +23,10 @@ namespace se::view {
 inline constexpr std::string_view kSamplePrefix = "sample:";
 inline bool isSample(std::string_view source) { return source.starts_with(kSamplePrefix); }
 
-/// How many, where nobody says.
+/// Default number of points.
 inline constexpr std::size_t kUsualPoints = 2000;
 
-/// A surface and how it is sampled. The sampler is deterministic, so this says which points.
+/// A surface and how it is sampled. The sampler is deterministic, so this identifies the points.
 struct SampleSpec {
     std::string surface;  ///< Id of a shape, or the path of a volume.
     std::optional<double> isovalue;
@@ -35,33 +35,33 @@ struct SampleSpec {
     double spacing = 0.0;
     std::uint64_t seed = 1;
     double curvature = 0.0;
-    int steps = 0;  ///< The particles after so many steps; 0: after all.
+    int steps = 0;  ///< The particles after that number of steps; 0: after all.
 
     SamplerOptions sampler() const;
     friend bool operator==(const SampleSpec& a, const SampleSpec& b);
 };
 
-/// By extension: .nrrd or .nhdr.
+/// Whether the extension is .nrrd or .nhdr.
 bool isVolumePath(std::string_view path);
 
-/// "sample:torus,n=4000": all that differs from what is usual, numbers with no digit lost.
+/// "sample:torus,n=4000": all values that differ from the defaults, without loss of digits.
 std::string sampleSource(const SampleSpec& spec);
-/// Reads it back. Errors name the part that is wrong; that there is such a surface is not checked.
+/// Parses the line. Errors name the wrong part; whether the surface exists is not checked.
 Result<SampleSpec> sampleFromSource(std::string_view source);
 /// The command line that writes the same points to `output`; empty if there is none, since the
 /// particles stopped before their last step.
 std::string sampleCommand(const SampleSpec& spec, std::string_view output);
-/// The same with a file named after the points.
+/// The command line with a file named after the points.
 std::string sampleCommand(const SampleSpec& spec);
 /// "torus, 4 000 points".
 std::string sampleTitle(const SampleSpec& spec, std::size_t count);
 /// A file name without extension: "torus-4000".
 std::string sampleStem(const SampleSpec& spec, std::size_t count);
 
-/// The field whose isosurface is meant. Fails in words for a person: no such shape or volume, no
-/// isovalue, a box that the volume does not fill.
+/// The field whose isosurface is sampled. Fails with a sentence for the user: no such shape or
+/// volume, no isovalue, a box outside the volume.
 Result<Field> surfaceOf(const SampleSpec& spec);
-/// The points. Fails too if cancelled.
+/// The sampled points. Fails also if cancelled.
 Result<PointFile> samplePoints(const SampleSpec& spec, const Progress& progress);
 
 }  // namespace se::view

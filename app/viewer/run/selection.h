@@ -1,4 +1,4 @@
-/// What a person has picked, by point indices: so it survives every move.
+/// The user's selection, by point indices: it survives every move.
 #pragma once
 
 #include <array>
@@ -17,12 +17,12 @@ struct Selection {
     std::array<Index, 3> points{kNone, kNone, kNone};
 
     static Selection ofPoint(Index point);
-    /// The direction does not matter.
+    /// Equality without regard to the direction.
     static Selection ofEdge(Index a, Index b);
-    /// Which corner comes first does not matter, the sense of turning does.
+    /// Equality without regard to the first corner, but with regard to the orientation.
     static Selection ofTriangle(const Triangle& triangle);
 
-    /// As many as the kind has.
+    /// Number of points of a kind.
     std::span<const Index> corners() const;
     Triangle triangle() const { return {points[0], points[1], points[2]}; }
     friend bool operator==(const Selection&, const Selection&) = default;

@@ -1,4 +1,4 @@
-/// The status of every point, with a count of each kind: a value that costs little to copy.
+/// The status of every point, with a count of each kind: a value that is cheap to copy.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace se::view {
 
-/// How many points are in which state.
+/// Number of points in each state.
 struct StatusCounts {
     std::size_t unused = 0;
     std::size_t used = 0;
@@ -24,7 +24,7 @@ class StatusList {
     const BlockList<PointStatus>& blocks() const { return list_; }
 
     void set(Index point, PointStatus status);
-    /// Becomes `all`. Blocks in which nothing changed stay shared.
+    /// Takes the values of `all`. Blocks without a change stay shared.
     void assign(std::span<const PointStatus> all);
 
     friend bool operator==(const StatusList& a, const StatusList& b) { return a.list_ == b.list_; }

@@ -1,4 +1,4 @@
-/// Small things about texts and files that several rooms need. ASCII, whatever the locale.
+/// Helpers for strings and files, shared by several rooms. ASCII, independent of the locale.
 #pragma once
 
 #include <cstddef>
@@ -10,21 +10,21 @@
 
 namespace se::view {
 
-/// With a to z for A to Z; all other bytes as they are.
+/// Lower case of A to Z; all other bytes unchanged.
 std::string lowerCase(std::string_view text);
 /// ".ply" of "A.PLY"; empty if there is none.
 std::string lowerExtension(const std::filesystem::path& path);
-/// Without blanks and tabs at both ends.
+/// Text without spaces and tabs at both ends.
 std::string trimmed(std::string_view text);
-/// What stands between blanks; none of them is empty.
+/// Words between spaces; none of them is empty.
 std::vector<std::string_view> wordsOf(std::string_view text);
-/// As printf does; at most 119 bytes.
+/// Text formatted as by printf; at most 119 bytes.
 std::string formatted(const char* format, double a, double b = 0.0, double c = 0.0);
 /// 12345 as "12 345", with a thin space.
 std::string grouped(std::size_t number);
 /// "1 rim", "3 rims"; without a space among the digits.
 std::string counted(std::size_t count, const char* one, const char* many);
-/// All bytes of a file; nothing if it cannot be read.
+/// All bytes of a file; empty if it cannot be read.
 std::optional<std::string> readText(const std::filesystem::path& path);
 
 }  // namespace se::view

@@ -15,14 +15,14 @@ constexpr float kNearest = 0.002F;
 constexpr float kFarthestAway = 60.0F;
 /// Degrees of turn for a drag over the whole height of the view.
 constexpr float kTurnPerHeight = 240.0F;
-/// Home looks down at least and at most as steeply as this.
+/// Limits of the steepness with which home looks down.
 constexpr float kLowestHomeDegrees = 27.0F;
 constexpr float kHighestHomeDegrees = 46.0F;
 /// A surface whose normal points this much to the eye is seen from outside.
 constexpr float kFacesFrom = 0.15F;
 /// Room around the points, as a factor.
 constexpr float kHomeMargin = 1.12F;
-/// Everything fits a sphere of this radius.
+/// Radius of a sphere that everything fits into.
 constexpr float kSceneRadius = 1.0F;
 
 float halfTangent() { return std::tan(glm::radians(kFieldOfViewDegrees) * 0.5F); }
@@ -45,7 +45,7 @@ glm::vec3 Camera::right() const {
 glm::vec3 Camera::upward() const { return glm::cross(direction(), right()); }
 
 glm::vec3 Camera::fromFrame(const glm::vec3& d) const {
-    // Rotations: what is right-handed stays so.
+    // Rotations: they keep handedness.
     switch (up_) {
         case UpAxis::X:
             return {d.z, d.x, d.y};

@@ -1,4 +1,4 @@
-/// An orbit camera with one of the axes up. Plain mathematics: knows no window and no OpenGL.
+/// An orbit camera with one of the axes up. Plain mathematics: independent of window and OpenGL.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -12,7 +12,7 @@ namespace se::view {
 
 enum class ViewPreset { Front, Back, Right, Left, Top, Bottom };
 
-/// What the renderer and picking need.
+/// Matrices for the renderer and picking.
 struct CameraMatrices {
     glm::mat4 view{1.0F};
     glm::mat4 projection{1.0F};
@@ -22,14 +22,14 @@ struct CameraMatrices {
     glm::mat4 viewProjection() const { return projection * view; }
 };
 
-/// Where a camera stands, as plain numbers: to be kept and given again.
+/// Pose of a camera, as plain numbers: to be stored and restored.
 struct CameraPose {
     glm::vec3 target{0.0F};  ///< View space.
     float distance = 3.4F;
     float yawDegrees = -60.0F;
     float pitchDegrees = 24.0F;
     bool orthographic = false;
-    UpAxis up = UpAxis::Z;  ///< What yaw and pitch are about.
+    UpAxis up = UpAxis::Z;  ///< Axis of yaw and pitch.
     friend bool operator==(const CameraPose&, const CameraPose&) = default;
 };
 
@@ -41,14 +41,17 @@ class Camera {
     /// Turns by a drag of `pixels` in a view of `height` pixels.
     void orbit(glm::vec2 pixels, float height);
     void pan(glm::vec2 pixels, float height);
-    /// Zooms by `notches` of the wheel, so that what is under `ndc` (in [-1, 1], y up) stays there.
+    /// Zooms by `notches` of the wheel, so that the point under `ndc` (in [-1, 1], y up) stays
+    /// there.
     void zoomAt(float notches, glm::vec2 ndc, float aspect);
-    /// Puts a sphere in the middle and makes it fill the view. The direction stays.
+    /// Centers a sphere and makes it fill the view. The direction stays.
     void frame(const glm::vec3& center, float radius);
-    /// Puts places into the middle, and comes as near as keeps them within a share of a view of
-    /// that aspect, across and upright, each in (0, 1]. The direction stays. None: nothing happens.
+    /// Centers positions, and comes as close as keeps them within a share of a view of
+    /// that aspect, horizontally and vertically, each in (0, 1]. The direction stays. No effect
+    /// without
     void enclose(std::span<const glm::vec3> places, float aspect, glm::vec2 share);
-    /// Turns to look at a surface with that normal from its outer side; leaves the direction alone
+    /// positions.
+    /// Turns to look at a surface with that normal from its outer side; keeps the direction
     /// if it does so already.
     void face(const glm::vec3& normal);
     /// Moves `target` to the middle of the view; later orbits turn about it.
@@ -57,7 +60,7 @@ class Camera {
     UpAxis up() const { return up_; }
     /// Turns so that this axis points up; yaw, pitch, target and distance stay.
     void setUp(UpAxis up);
-    /// A direction in the frame of the camera, whose z is up: what yaw and pitch are measured in.
+    /// A direction in the frame of the camera, whose z is up, in which yaw and pitch are measured.
     glm::vec3 inFrame(const glm::vec3& direction) const;
     void toggleOrthographic();
     bool orthographic() const { return orthographic_; }
@@ -69,7 +72,7 @@ class Camera {
     CameraPose pose() const {
         return {target_, distance_, yawDegrees_, pitchDegrees_, orthographic_, up_};
     }
-    /// Takes over a pose, brought within its limits.
+    /// Sets a pose, clamped to its limits.
     void setPose(const CameraPose& pose);
     const glm::vec3& target() const { return target_; }
     float distance() const { return distance_; }

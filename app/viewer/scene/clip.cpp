@@ -4,7 +4,7 @@ namespace se::view {
 
 namespace {
 
-/// Keeps what is to the left of the line through a and b.
+/// Keeps the part to the left of the line through a and b.
 std::vector<glm::vec2> leftOf(const std::vector<glm::vec2>& polygon, const glm::vec2& a,
                               const glm::vec2& b) {
     std::vector<glm::vec2> kept;
@@ -29,7 +29,7 @@ std::vector<glm::vec2> clipConvex(std::span<const glm::vec2> subject,
     for (std::size_t i = 0; i < window.size() && !rest.empty(); ++i) {
         rest = leftOf(rest, window[i], window[(i + 1) % window.size()]);
     }
-    // A corner or a side in common is no area.
+    // A common corner or side is no area.
     if (rest.size() < 3 || !(areaOf(rest) > 0.0F)) rest.clear();
     return rest;
 }
@@ -37,7 +37,7 @@ std::vector<glm::vec2> clipConvex(std::span<const glm::vec2> subject,
 float areaOf(std::span<const glm::vec2> polygon) {
     float twice = 0.0F;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-        // From the first corner: far from the origin nothing is lost.
+        // Relative to the first corner, so that no digits are lost far from the origin.
         twice += crossOf(polygon[i] - polygon[0], polygon[(i + 1) % polygon.size()] - polygon[0]);
     }
     return 0.5F * twice;

@@ -7,8 +7,8 @@
 
 namespace se::view {
 
-/// What `subject` and `window` have in common. Both are convex and counterclockwise, and so is the
-/// result; empty if they do not meet. (Sutherland and Hodgman: one cut along each side of the
+/// Intersection of `subject` and `window`. Both are convex and counterclockwise, and so is the
+/// result; empty if they are disjoint. (Sutherland and Hodgman: one cut along each side of the
 /// window.)
 std::vector<glm::vec2> clipConvex(std::span<const glm::vec2> subject,
                                   std::span<const glm::vec2> window);

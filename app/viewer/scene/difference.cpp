@@ -1,3 +1,6 @@
+// The triangles that the other mesh lacks are computed once for the whole run. Since a run only
+// appends triangles, those present at any time are a prefix, found by binary search. Only the mesh
+// that is edited after the last pivot has to be compared again.
 #include "difference.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-/// The triangles of a mesh that another one has not, to be drawn in colors of their own.
+/// The triangles of a mesh that another one lacks, to be drawn in colors of their own.
 #pragma once
 
 #include <memory>
@@ -10,20 +10,21 @@
 
 namespace se::view {
 
-/// Worked out once; at any time of the run the first so many of them are there.
+/// Computed once; a prefix of them is present at any time of the run.
 class DifferenceShade {
   public:
     DifferenceShade() = default;
-    /// `inOrder`: the triangles as the run makes them. `other`: what the other mesh has in the end.
+    /// `inOrder`: the triangles as the run makes them. `other`: the final triangles of the other
+    /// mesh.
     DifferenceShade(std::span<const Triangle> inOrder, std::shared_ptr<const TriangleSet> other);
 
-    /// Those among the first `finished` triangles; or those of the mended mesh, if there is one.
+    /// Those among the first `finished` triangles; or those of the repaired mesh, if there is one.
     std::array<TintedTriangles, 2> at(std::size_t finished,
                                       const std::shared_ptr<const std::vector<Triangle>>& mended,
                                       const Color& only, const Color& turned) const;
 
   private:
-    /// Of one kind, with their places in the order of the run.
+    /// Triangles of one kind, with their positions in the order of the run.
     struct Part {
         std::vector<std::size_t> places;
         std::shared_ptr<const std::vector<Triangle>> triangles;
@@ -33,19 +34,19 @@ class DifferenceShade {
 
     std::shared_ptr<const TriangleSet> other_;
     std::array<Part, 2> parts_{};
-    mutable std::shared_ptr<const std::vector<Triangle>> mended_;  ///< What mendedParts_ are of.
+    mutable std::shared_ptr<const std::vector<Triangle>> mended_;  ///< Mesh of mendedParts_.
     mutable std::array<Part, 2> mendedParts_{};
 };
 
-/// How a difference is shown in one view.
+/// Style of a difference in one view.
 struct DifferenceLook {
     const DifferenceShade* shade = nullptr;
     Color only;
     Color turned;
-    /// Those of the other mesh in the region that is shown: outlined.
+    /// Triangles of the other mesh in the shown region: outlined.
     std::span<const Triangle> ghosts{};
     Color ghost;
-    std::uint32_t revision = 0;  ///< Grows whenever something of it changes.
+    std::uint32_t revision = 0;  ///< Grows with every change.
 };
 
 }  // namespace se::view

@@ -26,7 +26,7 @@ void DrawList::circle(const glm::vec3& center, const glm::vec3& u, const glm::ve
 
 void DrawList::arrow(const glm::vec3& from, const glm::vec3& to, const Color& color, float width,
                      float head) {
-    // Heads stand at the middle of a line: the last quarter is a line of its own.
+    // Heads are at the middle of a line: the last quarter is a line of its own.
     const glm::vec3 neck = from + 0.72F * (to - from);
     line(from, neck, color, width, Depth::OnTop);
     lines.push_back({neck, to, color, width, 0.0F, head, Depth::OnTop});

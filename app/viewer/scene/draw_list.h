@@ -1,4 +1,4 @@
-/// What is to be drawn, as plain values: layers fill it, gl/ draws it, tests read it.
+/// Things to draw, as plain values: layers fill the list, gl/ draws it, tests read it.
 /// Positions are in view space (model.h); sizes are in em, the height of a line of text.
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace se::view {
 
-/// Shapes of points. The numbers are known to shaders/point.frag.
+/// Shapes of points. The same numbers are in shaders/point.frag.
 enum class Shape : std::uint8_t {
     Hidden = 0,
     Dot = 1,
@@ -44,11 +44,11 @@ struct Sprite {
     PointStyle style;
 };
 
-/// How a line stands to what is before it.
+/// Visibility of a line behind other things.
 enum class Depth : std::uint8_t {
     Tested,  ///< Hidden parts are not drawn.
     XRay,    ///< Hidden parts shine through faintly.
-    OnTop,   ///< Nothing hides it.
+    OnTop,   ///< Always visible.
 };
 
 struct Line {
@@ -67,7 +67,7 @@ struct Face {
     bool hatched = false;
 };
 
-/// A filled shape that one can look through, e.g. the free sector of a pivot.
+/// A transparent filled shape, e.g. the free sector of a pivot.
 using Sheet = Face;
 
 struct Sphere {
@@ -81,8 +81,8 @@ struct Label {
     glm::vec3 position{0.0F};
     std::string text;
     Color color;
-    bool strong = false;     ///< In bold print.
-    bool essential = false;  ///< Finds its place before all others.
+    bool strong = false;     ///< In bold type.
+    bool essential = false;  ///< Placed before all others.
 };
 
 /// Styles of the points of the input, chosen per point by one byte.
@@ -100,7 +100,7 @@ struct MeshStretch {
 /// Finished triangles in a color of their own, drawn over the others.
 struct TintedTriangles {
     std::shared_ptr<const std::vector<Triangle>> triangles;  ///< Null: none.
-    std::size_t count = 0;                                   ///< The first so many of them.
+    std::size_t count = 0;  ///< Number of them to draw, from the first.
     Color color;
 };
 
@@ -109,10 +109,10 @@ struct DrawList {
     bool cloudVisible = true;
     CloudStyles cloudStyles;
     BlockList<std::uint8_t> cloudStyleOf;
-    /// What cloudStyleOf was made of: stays when all else is cleared, so that only blocks of points
-    /// that changed are made anew.
+    /// Source of cloudStyleOf: kept when all else is cleared, so that only blocks of points
+    /// that changed are computed again.
     BlockList<std::int32_t> cloudMadeOf;
-    std::uint32_t cloudTintMadeOf = 0;  ///< Likewise; 0: by status.
+    std::uint32_t cloudTintMadeOf = 0;  ///< Revision of the margins in cloudStyleOf; 0: by status.
     bool marginTint = false;            ///< Points have the color of their least margin.
 
     // Finished triangles: uploaded once, drawn up to a count.
@@ -124,7 +124,7 @@ struct DrawList {
     /// Stretches of the finished triangles with a color of their own, in order; the rest has
     /// meshColor.
     std::vector<MeshStretch> meshStretches;
-    std::size_t components = 0;  ///< That have a color of their own.
+    std::size_t components = 0;  ///< Triangles that have a color of their own.
     bool meshVisible = true;
     bool meshEdges = true;
 

@@ -1,4 +1,4 @@
-/// Points within a line drawn around them. Plain mathematics.
+/// Points inside a line drawn around them. Plain mathematics.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace se::view {
 
-/// The points whose places in a view of `size` pixels lie within the closed line through `path`,
+/// The points whose positions in a view of `size` pixels are inside the closed line through `path`,
 /// and that face the eye; ascending. Where the line crosses itself, what is enclosed twice is
 /// outside. A line of fewer than three corners encloses nothing.
 std::vector<Index> pointsWithin(const Model& model, const CameraMatrices& camera, glm::vec2 size,

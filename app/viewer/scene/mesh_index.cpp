@@ -1,3 +1,6 @@
+// A linked list per point in two arrays: corner 3 t + k is corner k of triangle t, and points to
+// the previous corner of the same point. Adding a triangle costs amortized constant time, since
+// the run only ever appends them.
 #include "mesh_index.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-/// Which triangles a point has: made as triangles are made, so that nothing has to look at all of
-/// them when a person clicks.
+/// Triangles by point: maintained as triangles are made, so that a click needs no pass over all of
+/// them.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,12 @@ namespace se::view {
 
 class MeshIndex {
   public:
-    /// Takes up the triangles behind those it knows already.
+    /// Adds the triangles after those that are indexed already.
     void append(const Model& model, std::span<const Triangle> all);
     std::size_t triangleCount() const { return next_.size() / 3; }
     bool empty() const { return next_.empty(); }
 
-    /// Calls with the number of each triangle at a point, the latest first.
+    /// Calls a function with the number of each triangle at a point, the latest first.
     template <typename Function>
     void forEachAt(Index point, Function&& function) const {
         if (point >= head_.size()) return;
@@ -26,19 +26,19 @@ class MeshIndex {
             function(corner / 3);
         }
     }
-    /// How far, in view units, the triangles go that have `point` as their first corner.
+    /// Distance, in view units, that triangles with `point` as their first corner reach.
     float reach(Index point) const { return reach_[point]; }
 
     /// The triangles at an edge, the earliest first.
     std::vector<std::uint32_t> atEdge(std::span<const Triangle> all, Index a, Index b) const;
-    /// The first triangle with these corners in this sense of turning.
+    /// The first triangle with these corners in this orientation.
     std::optional<std::uint32_t> find(std::span<const Triangle> all,
                                       const Triangle& triangle) const;
 
   private:
     // Corner 3 t + k is corner k of triangle t.
     std::vector<std::uint32_t> head_;  ///< The latest corner of each point.
-    std::vector<std::uint32_t> next_;  ///< Per corner: the one of the same point before it.
+    std::vector<std::uint32_t> next_;  ///< Per corner: the previous corner of the same point.
     std::vector<float> reach_;
 };
 

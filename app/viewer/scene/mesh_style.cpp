@@ -11,7 +11,7 @@ constexpr std::array<MeshStyleRow, 5> kStyles = {{
     {MeshStyle::Flat, "flat", "Flat"},
     {MeshStyle::Shaded, "shaded", "Smooth"},
     {MeshStyle::Wire, "wire", "Edges only"},
-    {MeshStyle::BirthOrder, "birth", "By order of birth"},
+    {MeshStyle::BirthOrder, "birth", "By creation order"},
     {MeshStyle::Component, "component", "By component"},
 }};
 
@@ -35,7 +35,7 @@ MeshStyle following(MeshStyle style) {
 MeshColoring meshColoring(MeshStyle style, const RunOverview& run, std::size_t known) {
     MeshColoring mesh;
     mesh.style = style;
-    // A scale that is not used must not make the picture look changed.
+    // A scale that is not used must not mark the picture as changed.
     if (style == MeshStyle::BirthOrder) {
         const std::size_t all = run.triangles.empty() ? 0 : run.triangles.back();
         mesh.birthEnd = std::max({std::size_t{1}, all, known});
@@ -45,7 +45,7 @@ MeshColoring meshColoring(MeshStyle style, const RunOverview& run, std::size_t k
     for (const RunMark& mark : run.marks) {
         if (mark.kind != MarkKind::Seed || mark.pivot < 2) continue;
         const std::size_t before = mark.pivot - 2;
-        // A seed that got no triangle begins nothing.
+        // A seed without a triangle begins nothing.
         if (before < run.triangles.size() && run.triangles[before] > mesh.starts.back()) {
             mesh.starts.push_back(run.triangles[before]);
         }
@@ -54,7 +54,7 @@ MeshColoring meshColoring(MeshStyle style, const RunOverview& run, std::size_t k
 }
 
 Color componentColor(std::size_t component) {
-    // Halves of halves, so that numbers in a row lie far apart on the scale.
+    // Bit reversal, so that consecutive numbers are far apart on the scale.
     float share = 0.0F;
     float half = 0.5F;
     for (std::size_t rest = component + 1; rest > 0; rest /= 2, half /= 2.0F) {

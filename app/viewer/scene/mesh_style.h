@@ -1,4 +1,4 @@
-/// The ways finished triangles can look.
+/// Styles of finished triangles.
 #pragma once
 
 #include <cstdint>
@@ -25,20 +25,21 @@ enum class MeshStyle : std::uint8_t {
 struct MeshStyleRow {
     MeshStyle id;
     std::string_view name;   ///< In settings, actions and --mesh-style.
-    std::string_view title;  ///< For people.
+    std::string_view title;  ///< Name for the user.
 };
 std::span<const MeshStyleRow> meshStyles();
 const MeshStyleRow& rowOf(MeshStyle style);
 std::optional<MeshStyle> meshStyleFromName(std::string_view name);
-/// The one after it; after the last, the first.
+/// The next style; after the last, the first.
 MeshStyle following(MeshStyle style);
 
-/// What the colors of the mesh depend on.
+/// Inputs of the mesh colors.
 struct MeshColoring {
     MeshStyle style = MeshStyle::Flat;
-    std::size_t birthEnd = 1;         ///< Triangles of the whole run, as far as it is known.
+    std::size_t birthEnd = 1;         ///< Triangles of the whole run, as far as known.
     std::vector<std::size_t> starts;  ///< The first triangle of each component.
-    std::vector<ComponentStretch> mended = {};  ///< Those of the mended mesh, where it is shown.
+    std::vector<ComponentStretch> mended =
+        {};  ///< Components of the repaired mesh, where it is shown.
     friend bool operator==(const MeshColoring&, const MeshColoring&) = default;
 };
 /// `known`: triangles seen so far, in case the overview lags behind.

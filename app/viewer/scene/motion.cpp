@@ -1,3 +1,6 @@
+// Animations are functions of the time since the last step, without state of their own, so that a
+// picture can be drawn for any moment and tests need no clock. Motion only detects the step; what
+// moves, and for how long, follows from the picture.
 #include "motion.h"
 
 #include <algorithm>
@@ -8,16 +11,16 @@ namespace se::view {
 namespace {
 
 constexpr double kBlinkSeconds = 0.6;
-/// The share of its time that a blink is lit in full; in the rest it dies down.
+/// The share of its time that a blink is fully lit; then it fades.
 constexpr double kLitShare = 0.6;
 constexpr double kFadeSeconds = 0.5;
-/// How large a thing is when it pops up, and how long it takes to settle.
+/// Size of a thing when it pops up, and the time it takes to settle.
 constexpr double kPopSize = 1.8;
 constexpr double kPopSeconds = 0.2;
-/// What is left on paper of something that fades.
+/// Strength in a saved picture of something that fades.
 constexpr float kPaperShare = 0.5F;
 
-/// Slows down toward its end: 0 to 1.
+/// Eases out: 0 to 1.
 double eased(double share) {
     const double rest = 1.0 - std::clamp(share, 0.0, 1.0);
     return 1.0 - rest * rest;
@@ -42,7 +45,7 @@ float fadeStrength(const Moment& moment, float rest) {
 float popSize(const Moment& moment, std::size_t i, std::size_t count) {
     if (moment.kind != Moment::Kind::Moving) return 1.0F;
     if (moment.single && i + 1 < count) return 1.0F;
-    // The last one must have settled when everything is over.
+    // The last one must have settled when the motion ends.
     const double turn = moment.single || count < 2
                             ? 0.0
                             : (kFadeSeconds - kPopSeconds) * static_cast<double>(i) /

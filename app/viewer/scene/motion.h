@@ -1,5 +1,5 @@
-/// What moves for a moment after a step, and what blinks while a key is held. Time comes from
-/// outside, in seconds from any origin; nothing here looks at a clock.
+/// Short animations after a step, and the blinking while a key is held. Time is a parameter,
+/// in seconds from any origin; no function here reads a clock.
 #pragma once
 
 #include <cstddef>
@@ -9,32 +9,33 @@
 
 namespace se::view {
 
-/// At which point of its short movements a picture is drawn.
+/// Phase of the short animations at which a picture is drawn.
 struct Moment {
     enum class Kind : std::uint8_t {
-        Rest,    ///< Over, or too fast to be followed.
+        Rest,    ///< Over, or too fast to follow.
         Moving,  ///< A while after the step.
-        Paper,   ///< For a picture that is kept: what only passes by is there to be seen.
+        Paper,   ///< For a saved picture: brief highlights are shown.
     } kind = Kind::Rest;
     double seconds = 0.0;  ///< Moving: since the step.
-    bool single = false;   ///< Moving: by one decision on, so that only what is new in it moves.
+    bool single = false;   ///< Moving: forward by one decision, so that only its new parts move.
     friend bool operator==(const Moment&, const Moment&) = default;
 };
 
-/// How strongly that is lit which blinks once: 1 to 0.
+/// Brightness of something that blinks once: 1 to 0.
 float blinkStrength(const Moment& moment);
-/// How much is left of what fades to `rest`: from 1 on; half on paper, or `rest` if that is more.
+/// Strength of something that fades to `rest`: from 1 on; half in a saved picture, or `rest` if
 float fadeStrength(const Moment& moment, float rest);
+/// that is more.
 /// The size of number `i` of `count` things that pop up one after the other: 0 before its turn,
 /// then more than 1, at last 1.
 float popSize(const Moment& moment, std::size_t i, std::size_t count);
-/// How long what a picture shows is in motion; 0 if nothing is.
+/// Duration of the motion in a picture; 0 if nothing moves.
 double motionSeconds(const Picture& picture);
 
-/// Notices steps, and tells how long ago the last one was.
+/// Detects steps, and measures the time since the last one.
 class Motion {
   public:
-    /// Where the cursor stands.
+    /// Position of the cursor.
     struct Place {
         std::uint32_t generation = 0;
         std::uint32_t pivot = 0;
@@ -42,8 +43,8 @@ class Motion {
         friend bool operator==(const Place&, const Place&) = default;
     };
 
-    /// The moment to draw. `seconds`: what motionSeconds() says, 0 where a step is not to be
-    /// followed by the eye.
+    /// The moment to draw. `seconds`: result of motionSeconds(), 0 if the step is not to be
+    /// animated.
     const Moment& look(const Place& place, double seconds, double now);
     bool moving() const { return moment_.kind == Moment::Kind::Moving; }
 
@@ -54,19 +55,19 @@ class Motion {
     double seconds_ = 0.0;
 };
 
-/// A look at the state before the decision at the cursor, as long as a key is held: all the time,
-/// or in turn with the state after it.
+/// A look at the state before the decision at the cursor, while a key is held: permanently,
+/// or alternating with the state after it.
 class LookBack {
   public:
     enum class Mode : std::uint8_t { Off, Before, Blink };
-    /// How long each of the two is shown: twice a second there and back.
+    /// Time for which each of the two is shown: twice a second there and back.
     static constexpr double kHalfSeconds = 0.25;
 
-    /// Begins, until the key is released; 0: until the same is asked for again.
+    /// Begins, until the key is released; 0: until the same look is requested again.
     void begin(Mode mode, int key, double now);
-    /// What a menu does: on if it is off, off if it is on.
+    /// Action of a menu: on if it is off, off if it is on.
     void toggle(Mode mode, double now);
-    /// Shift came down or went up while the key is held.
+    /// Shift was pressed or released while the key is held.
     void shift(bool down, double now);
     void released(int key);
 

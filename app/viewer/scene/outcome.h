@@ -1,4 +1,4 @@
-/// The color of what became of the thing that an event is about.
+/// The color of the outcome of an event.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,8 @@
 
 namespace se::view {
 
-/// Kept, rejected, moved, or without effect; of an alert that of errors. Nothing for an event that
-/// has no outcome, such as a new triangle or the next pivot: whoever asks says what those look
-/// like.
+/// Kept, rejected, moved, or without effect; for an alert that of errors. Empty for an event that
+/// has no outcome, such as a new triangle or the next pivot: callers choose the color of those.
 std::optional<Color> outcomeColor(const Palette& palette, const Event& event);
 
 }  // namespace se::view

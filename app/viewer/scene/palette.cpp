@@ -79,7 +79,7 @@ double contrast(const Color& a, const Color& b) {
 }
 
 Color viridis(float share) {
-    // matplotlib's map at nine places.
+    // matplotlib's map at nine positions.
     constexpr std::array<Color, 9> kPlaces = {
         fromHex(0x440154), fromHex(0x472D7B), fromHex(0x3B528B),
         fromHex(0x2C728E), fromHex(0x21918C), fromHex(0x28AE80),

@@ -1,5 +1,5 @@
 /// One color per meaning, for the dark and the light theme. State is never shown by color alone:
-/// shapes (draw_list.h) and letters carry it too.
+/// shapes (draw_list.h) and letters show it as well.
 #pragma once
 
 #include <cstdint>
@@ -59,8 +59,8 @@ struct Palette {
 
 const Palette& paletteOf(Theme theme);
 
-/// The scale of numbers: from dark violet (0) over green to yellow (1), ever lighter, so that it
-/// can be read without colors.
+/// The scale of numbers: from dark violet (0) over green to yellow (1), with increasing lightness,
+/// so that it can be read without colors.
 Color viridis(float share);
 
 /// Contrast ratio by WCAG 2, from 1 to 21.

@@ -1,3 +1,7 @@
+// No spatial index: a pick projects every point once, and reaches triangles through the points
+// near the ray (mesh_index.h), O(points). The nearest candidates are then tested for being hidden
+// by a ray to the eye. Which of point, edge and triangle wins depends on the size of the triangle
+// on the screen, so that each has an area to click on.
 #include "picking.h"
 
 #include <algorithm>
@@ -11,12 +15,12 @@ namespace se::view {
 
 namespace {
 
-/// Points are drawn so much nearer to the eye, in spacings; see the renderer.
+/// Distance by which points are drawn closer to the eye, in spacings; see the renderer.
 constexpr float kPointBias = 0.12F;
-/// How many points are asked whether something hides them.
+/// Maximum number of points that are tested for being hidden.
 constexpr std::size_t kPointsAsked = 8;
 
-/// From places to pixels, with everything that does not change worked out once.
+/// Projection from positions to pixels, with all constant parts computed once.
 class Projector {
   public:
     Projector(const CameraMatrices& camera, glm::vec2 size)
@@ -30,7 +34,7 @@ class Projector {
         return {(0.5F * clip.x / clip.w + 0.5F) * size_.x,
                 (0.5F - 0.5F * clip.y / clip.w) * size_.y, depth};
     }
-    /// From the place toward the eye, of no particular length.
+    /// From the position toward the eye, of unspecified length.
     glm::vec3 toEye(const glm::vec3& place) const {
         if (!camera_.orthographic) return camera_.eye - place;
         return {camera_.view[0][2], camera_.view[1][2], camera_.view[2][2]};
@@ -42,7 +46,7 @@ class Projector {
     glm::mat4 toClip_;
 };
 
-/// Looks at one point after the other and keeps the best.
+/// Examines one point after the other and keeps the best.
 class Picker {
   public:
     Picker(const Model& model, const CameraMatrices& camera, glm::vec2 size, glm::vec2 pixel,
@@ -85,7 +89,7 @@ struct Hit {
     float distance = std::numeric_limits<float>::max();
 };
 
-/// Where the ray meets a triangle, from whichever side (Moeller and Trumbore).
+/// Intersection of the ray with a triangle, from either side (Moeller and Trumbore).
 std::optional<float> meet(const Ray& ray, const Model& model, const Triangle& t) {
     const glm::vec3& a = model.place[t.a];
     const glm::vec3 u = model.place[t.b] - a;
@@ -97,7 +101,7 @@ std::optional<float> meet(const Ray& ray, const Model& model, const Triangle& t)
     const float x = glm::dot(s, p) / det;
     const glm::vec3 q = glm::cross(s, u);
     const float y = glm::dot(ray.way, q) / det;
-    // A little beyond the sides, lest the ray slips through between two triangles.
+    // A little beyond the sides, so that the ray does not slip between two triangles.
     constexpr float kSlack = 1e-3F;
     if (x < -kSlack || y < -kSlack || x + y > 1.0F + 2.0F * kSlack) return std::nullopt;
     const float distance = glm::dot(v, q) / det;
@@ -167,7 +171,7 @@ class ScenePicker {
         return rayThrough(glm::vec2(at));
     }
 
-    /// Calls with each triangle that the ray may pass within `margin` of.
+    /// Calls a function with each triangle that the ray may pass within `margin` of.
     template <typename Function>
     void forEachNear(const Ray& ray, float margin, Function&& function) const {
         if (scene_.index == nullptr) {
@@ -190,7 +194,7 @@ class ScenePicker {
         }
     }
 
-    /// The first triangle on the way, leaving out those with the corner `without`.
+    /// The first triangle along the ray, except those with the corner `without`.
     Hit firstHit(const Ray& ray, Index without) const {
         Hit first;
         forEachNear(ray, 0.0F, [&](const Triangle& t) {
@@ -207,10 +211,10 @@ class ScenePicker {
         return firstHit(ray, point).distance < distance - kPointBias * model_.spacing;
     }
 
-    /// How large a triangle is on the screen, in pixels.
+    /// Size of a triangle on the screen, in pixels.
     struct Extent {
-        float side = 0.0F;    ///< The shortest one.
-        float height = 0.0F;  ///< The least one: small in slim triangles.
+        float side = 0.0F;    ///< The shortest side.
+        float height = 0.0F;  ///< The least height: small in slim triangles.
     };
     Extent extentOf(const Triangle& t) const {
         const glm::vec2 a(project_(model_.place[t.a]));
@@ -238,8 +242,8 @@ class ScenePicker {
         return found;
     }
 
-    /// Where triangles are large, one must come nearer to a point than where they are small: else
-    /// there would be no room for edges and triangles.
+    /// Where triangles are large, the pointer must be closer to a point than where they are small,
+    /// or there would be no room for edges and triangles.
     Index nearPoint(const Extent& front) const {
         if (!scene_.points) return kNone;
         const float radius = front.side < 1.5F * at_.radius
@@ -257,7 +261,7 @@ class ScenePicker {
         return kNone;
     }
 
-    /// Among points about as far away as `front`, the one nearest to the pointer.
+    /// Among points about as far away as `front`, the one closest to the pointer.
     Index nearestAsFarAs(const NearPoint& front, const std::vector<NearPoint>& found) const {
         const NearPoint* best = &front;
         for (const NearPoint& each : found) {
@@ -282,7 +286,7 @@ class ScenePicker {
         return near;
     }
 
-    /// The ring edge nearest to the pointer, if it is not farther away than `distance`.
+    /// The ring edge closest to the pointer, if it is not farther away than `distance`.
     NearEdge ringEdge(float radius, float distance) const {
         NearEdge best;
         for (const RingPath& ring : scene_.rings) {

@@ -13,7 +13,7 @@ constexpr std::array<PointTintRow, 2> kRows = {{
     {PointTint::Margin, "margin", "By least margin"},
 }};
 
-/// Of the first step but one.
+/// Size of the first step but one.
 constexpr int kFirstDecade = -6;
 
 }  // namespace
@@ -41,8 +41,8 @@ std::optional<std::size_t> marginStep(double margin) {
 
 Color marginColor(std::size_t step, Theme theme) {
     const float share = static_cast<float>(step) / static_cast<float>(kMarginSteps - 1);
-    // The end that is near to the background is left out: a point that is far from it all is still
-    // one to be seen.
+    // The end that is close to the background color is left out, so that points with large margins
+    // stay visible.
     return viridis(theme == Theme::Dark ? 1.0F - 0.68F * share : 0.72F * share);
 }
 

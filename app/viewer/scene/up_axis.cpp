@@ -1,3 +1,6 @@
+// File formats do not record which way is up. Three clues are tried in order of reliability: a
+// flat side on which the object rests (at one end of the box far more points with outward normals
+// than at any other end), the thin axis of a plate, and the convention of the format. O(points).
 #include "up_axis.h"
 
 #include <algorithm>
@@ -14,7 +17,7 @@ namespace {
 constexpr std::array<std::string_view, 3> kNames{"x", "y", "z"};
 constexpr std::array<std::string_view, 4> kFilesWithYUp{".ply", ".obj", ".stl", ".off"};
 
-/// Points this near to an end of the box, as a share of its side, may lie on a flat side there.
+/// Points this close to an end of the box, as a share of its side, may lie on a flat side there.
 constexpr double kEndShare = 0.02;
 /// Cosine between the normal of such a point and the axis.
 constexpr double kFacing = 0.9;
@@ -28,7 +31,7 @@ constexpr double kWide = 0.7;
 
 constexpr int kAxes = 3;
 
-/// How many points lie flat at the low and the high end of each axis.
+/// Number of points that lie flat at the low and the high end of each axis.
 std::array<std::size_t, 2 * kAxes> flatPoints(const PointSet& points, const WallBox& box) {
     std::array<std::size_t, 2 * kAxes> counts{};
     const Vec3 margin = kEndShare * (box.high - box.low);
@@ -44,7 +47,7 @@ std::array<std::size_t, 2 * kAxes> flatPoints(const PointSet& points, const Wall
     return counts;
 }
 
-/// The axis at an end of which far more points lie flat than at all other ends.
+/// The axis with an end that has far more flat points than all other ends.
 std::optional<UpAxis> axisOfFlatSide(const PointSet& points, const WallBox& box) {
     auto counts = flatPoints(points, box);
     const auto most = std::max_element(counts.begin(), counts.end());

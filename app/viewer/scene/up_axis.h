@@ -1,4 +1,4 @@
-/// Which axis of an input points up.
+/// The axis of an input that points up.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@ namespace se::view {
 
 enum class UpAxis : std::uint8_t { X, Y, Z };
 
-/// "x", "y", "z": as settings and session files name it.
+/// "x", "y", "z": the names in settings and session files.
 std::string_view upAxisName(UpAxis axis);
-/// Nothing if there is none of that name.
+/// Empty if there is no axis of that name.
 std::optional<UpAxis> upAxisFromName(std::string_view name);
 
-/// A guess at the up axis of what `source` holds. Scenes, points made here and points with wall
-/// types have z up. Other files lie on their flat side, where they have one; else the habit of
+/// A guess at the up axis of `source`. Scenes, sampled points and points with wall types have z
+/// up. Other files lie on their flat side if they have one; otherwise the convention of
 /// their format decides: y for PLY, OBJ, STL and OFF, z for all others. O(points).
 UpAxis guessUpAxis(const PointSet& points, std::string_view source);
 

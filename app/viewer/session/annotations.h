@@ -1,6 +1,6 @@
-/// What a person noted about an input, all of which a session file holds. Plain values.
+/// The user's annotations of an input, which a session file stores. Plain values.
 ///
-/// Places in a run that a person wants to find again. Plain values.
+/// Bookmarked positions in a run. Plain values.
 #pragma once
 
 #include <cstddef>
@@ -15,26 +15,26 @@ namespace se::view {
 
 struct Bookmark {
     Address address;
-    std::string note;  ///< One line of the person's own; may be empty.
+    std::string note;  ///< One line by the user; may be empty.
     friend bool operator==(const Bookmark&, const Bookmark&) = default;
 };
 
-/// Does `a` come first in the run?
+/// Whether `a` comes first in the run.
 bool isBefore(const Address& a, const Address& b);
 
-/// In the order of the run, one per address at most.
+/// Bookmarks in the order of the run, one per address at most.
 using Bookmarks = std::vector<Bookmark>;
 
-/// How many can be gone to by a key: Ctrl+1 to Ctrl+9, then Ctrl+0.
+/// Number of bookmarks with a key: Ctrl+1 to Ctrl+9, then Ctrl+0.
 inline constexpr std::size_t kBookmarkKeys = 10;
 
-/// Sets a bookmark, or takes it away if there is one. True if it is there now.
+/// Sets a bookmark, or removes an existing one. True if it is set now.
 bool toggleBookmark(Bookmarks& bookmarks, const Address& address);
 /// The position of the bookmark at an address, if there is one.
 std::optional<std::size_t> bookmarkAt(const Bookmarks& bookmarks, const Address& address);
-/// The nearest one behind an address (direction 1) or before it (-1); null if there is none.
+/// The nearest one after an address (direction 1) or before it (-1); null if there is none.
 const Bookmark* nextBookmark(const Bookmarks& bookmarks, const Address& address, int direction);
-/// Adds one in its place; an older one at the same address gives way.
+/// Inserts a bookmark in order; it replaces an older one at the same address.
 void insertBookmark(Bookmarks& bookmarks, Bookmark bookmark);
 
 struct Noted {
@@ -46,7 +46,7 @@ struct Noted {
     bool operator==(const Noted&) const = default;
 };
 
-/// What is not the same in both, in words: "bookmarks and watches". Empty if all is.
+/// Differences in words: "bookmarks and watches". Empty if there are none.
 std::string differenceOf(const Noted& a, const Noted& b);
 
 }  // namespace se::view

@@ -1,3 +1,6 @@
+// Two runs have no common clock. Pivots before the first difference are the same in both; after it
+// the rest of one run is mapped linearly to the rest of the other, so that both ends coincide and
+// the mapping never goes back.
 #include "compare_sync.h"
 
 #include <algorithm>

@@ -28,14 +28,14 @@ std::string normalsText(NormalSource normals) {
         case NormalSource::AsGiven:
             return "normals of the input";
         case NormalSource::Oriented:
-            return "normals turned";
+            return "normals flipped";
         case NormalSource::Derived:
             return "normals derived";
     }
     return {};
 }
 
-/// Rules of `b` that differ from those of `a`; many are only counted.
+/// Rules of `b` that differ from those of `a`; only counted if there are many.
 std::string rulesText(const RuleSet& a, const RuleSet& b) {
     constexpr int kNamed = 3;
     std::string text;
@@ -47,12 +47,12 @@ std::string rulesText(const RuleSet& a, const RuleSet& b) {
         if (count <= kNamed)
             append(text, std::string(setting.name) + " " + valueText(setting, value));
     }
-    if (count > kNamed) text = std::to_string(count) + " rules set otherwise";
-    if (a.whatIf != b.whatIf) append(text, b.whatIf.empty() ? "the true run" : "what-if");
+    if (count > kNamed) text = std::to_string(count) + " rules differ";
+    if (a.whatIf != b.whatIf) append(text, b.whatIf.empty() ? "no what-ifs" : "what-if");
     return text;
 }
 
-/// What it says beyond the name of its set.
+/// Differences of a rule set from its name alone.
 std::string beyondItsSet(const InputSpec& spec) {
     return rulesText({spec.rules, {}, {}}, rulesOf(spec));
 }
@@ -85,7 +85,7 @@ std::string differenceText(const InputSpec& a, const InputSpec& b) {
     added(a.rim, b.rim, "rims found", "no rims");
     added(a.keepOpposing, b.keepOpposing, "opposing normals kept", "opposing normals dropped");
     added(a.keepNoise, b.keepNoise, "noise kept", "noise set aside");
-    if (a.cures != b.cures) append(text, b.cures.empty() ? "not mended" : "mended");
+    if (a.cures != b.cures) append(text, b.cures.empty() ? "not repaired" : "repaired");
     return text.empty() ? "the same" : text;
 }
 

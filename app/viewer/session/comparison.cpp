@@ -1,3 +1,6 @@
+// The other run is a second Session of its own, which prepares and steps it like the first. A job
+// compares the two runs to their ends; poll() then moves the other session along with the first:
+// event by event up to the first difference, by shares of the rest after it (twin.h).
 #include "comparison.h"
 
 #include <algorithm>
@@ -7,10 +10,10 @@ namespace se::view {
 
 namespace {
 
-/// No pivot: the other run was sent to none.
+/// No pivot: the other run has no request.
 constexpr std::uint32_t kNowhere = 0xffffffffU;
 
-/// The run on one set of points, and the other on its own.
+/// The run, and the other one prepared from its own points.
 std::string compareTwo(Compared& found, const Progress& progress) {
     Result<RunComparison> runs = compareRuns({found.a->points, found.a->params},
                                              {found.b->points, found.b->params}, progress);
@@ -19,7 +22,7 @@ std::string compareTwo(Compared& found, const Progress& progress) {
     return {};
 }
 
-/// Where a mesh on the points of `run` is drawn; what it has besides them lies behind them.
+/// Positions for drawing a mesh on the points of `run`; its extra vertices come after them.
 std::shared_ptr<const Model> stillModel(const Model& run, const MatchedMesh& mesh,
                                         std::string name) {
     auto model = std::make_shared<Model>();
@@ -40,7 +43,7 @@ std::shared_ptr<const Model> stillModel(const Model& run, const MatchedMesh& mes
     return model;
 }
 
-/// The run, and a mesh that lies there finished.
+/// The run, and a mesh that is finished already.
 std::string compareMesh(Compared& found, const std::string& path, const Progress& progress) {
     const Result<PointFile> file = readPoints(std::filesystem::path(path));
     if (!file) return file.error().message;
@@ -165,7 +168,7 @@ void Comparison::settle(Session& run) {
     if (runs()) other_->settle();
     poll(run);
     query_.finish();
-    // Twice: to the pivot, and to the event in it.
+    // Two moves: to the pivot, and to the event in it.
     for (int i = 0; i < 3; ++i) {
         poll(run);
         if (runs()) other_->settle();
@@ -176,7 +179,7 @@ Comparison::Stand Comparison::standOf(const Session& run) {
     return {run.generation(), run.record().pivot, run.cursor()};
 }
 
-/// Where the other run is held; or where the counterpart of a decision at which they part is.
+/// Where the other run is held; or the counterpart of a decision at which the two diverge.
 std::optional<Address> Comparison::wantedPlace(const Session& run) const {
     if (held_) return held_;
     if (!result_ || !result_->runs.first || run.event() == nullptr) return {};
@@ -197,7 +200,7 @@ void Comparison::follow(const Session& run) {
     if (followed_ == here) return;
     const std::optional<Address> wanted = wantedPlace(run);
     if (!wanted && run.atEnd()) {
-        // Behind the last pivot there may be more: both ends belong together.
+        // There may be steps after the last pivot: both ends correspond.
         followed_ = here;
         asked_ = kNowhere;
         return other.atEnd() ? void() : other.toEnd();
@@ -207,7 +210,7 @@ void Comparison::follow(const Session& run) {
     if (other.record().pivot != pivot && asked_ != pivot) {
         asked_ = pivot;
         other.playTo({pivot, Stage::Pivot, 0});
-        // What is at hand is there at once, and drawn once.
+        // A result in memory is available at once, and drawn once.
         if (other.busy()) return;
     }
     followed_ = here;

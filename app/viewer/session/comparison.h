@@ -1,5 +1,5 @@
-/// Another run, or a finished mesh, beside the one that is open: opened, compared and moved along
-/// in the background. Knows neither window nor OpenGL.
+/// Another run, or a finished mesh, beside the open run: opened, compared and moved along in the
+/// background. Independent of window and OpenGL.
 #pragma once
 
 #include <memory>
@@ -16,11 +16,12 @@
 
 namespace se::view {
 
-/// What was found. The meshes of the runs are those after the last step.
+/// Result of a comparison. The meshes of the runs are those after the last step.
 struct Compared {
     std::shared_ptr<const Model> a;
-    std::shared_ptr<const Model> b;  ///< Of a mesh from a file: A's points, and those on none.
-    RunComparison runs;              ///< Of a mesh from a file: its meshes alone.
+    std::shared_ptr<const Model>
+        b;               ///< For a mesh from a file: A's points, and the vertices on none of them.
+    RunComparison runs;  ///< For a mesh from a file: only `meshes` is set.
     MeshDifference meshes;
     TriangleSet setA, setB;
     std::vector<Index> strangers;  ///< Vertices of the file that lie on no point.
@@ -30,22 +31,22 @@ struct Compared {
     }
 };
 
-/// Where the cursor of the run, and that of the other one, are to go.
+/// Targets for the cursor of the run and that of the other one.
 struct ComparedPlace {
-    std::optional<Address> a;  ///< Nothing: that run is over by then.
+    std::optional<Address> a;  ///< Empty: that run has ended by then.
     std::optional<Address> b;
 };
 
 class Comparison {
   public:
-    /// Compares `run` with something else from now on, and anew whenever it is opened anew.
+    /// Compares `run` with something else from now on, and again whenever it is opened again.
     void begin(const Session& run, CompareWith with);
-    /// No comparison any more.
+    /// Ends the comparison.
     void stop();
-    /// Takes over what threads have finished, and lets the other run follow. True if there is
+    /// Takes the results of the threads, and lets the other run follow. True if there is
     /// something new to draw.
     bool poll(const Session& run);
-    /// Blocks until nothing is under way.
+    /// Blocks until no work is in progress.
     void settle(Session& run);
 
     const CompareWith& with() const { return with_; }
@@ -54,7 +55,7 @@ class Comparison {
     bool working() const;
     /// In [0, 1], while working().
     double share() const;
-    /// Why there is nothing to see; empty if all is well.
+    /// Why there is nothing to show; empty if there is no problem.
     const std::string& complaint() const { return complaint_; }
     /// Null until it is known.
     const Compared* result() const { return result_.get(); }
@@ -64,11 +65,11 @@ class Comparison {
     Session* other() { return runs() && other_->ready() ? other_.get() : nullptr; }
     const Session* other() const { return runs() && other_->ready() ? other_.get() : nullptr; }
 
-    /// Moves both, and holds the other one there until `run` moves on.
+    /// Moves both, and holds the other one there until `run` moves.
     void goTo(Session& run, const ComparedPlace& place);
 
   private:
-    /// Where a run stands.
+    /// Cursor position of a run.
     struct Stand {
         std::uint32_t generation = 0;
         std::uint32_t pivot = 0;
@@ -88,15 +89,15 @@ class Comparison {
     std::unique_ptr<Session> other_;
     Inquiry<std::shared_ptr<const Compared>> query_;
     std::shared_ptr<const Compared> result_;
-    std::shared_ptr<const Model> comparedA_;  ///< What the job, or the result, is about.
+    std::shared_ptr<const Model> comparedA_;  ///< Key of the job, or of the result.
     std::shared_ptr<const Model> comparedB_;
     std::string complaint_;
     std::uint32_t revision_ = 0;
 
-    std::optional<Address> held_;  ///< Where the other run stays ...
-    std::optional<Stand> heldBy_;  ///< ... while this one stands there; nothing: on its way.
+    std::optional<Address> held_;  ///< Position that the other run is held at ...
+    std::optional<Stand> heldBy_;  ///< ... while this one is there; empty: on its way.
     std::optional<Stand> followed_;
-    std::uint32_t asked_ = 0xffffffffU;  ///< The pivot that the other run was sent to.
+    std::uint32_t asked_ = 0xffffffffU;  ///< The pivot requested from the other run.
 };
 
 }  // namespace se::view

@@ -13,7 +13,7 @@ void History::leave(std::string place) {
 
 namespace {
 
-/// Takes the nearest place off `from` and puts `here` onto `to`.
+/// Moves the nearest position of `from` out, and `here` onto `to`.
 std::optional<std::string> step(std::vector<std::string>& from, std::vector<std::string>& to,
                                 std::string here) {
     if (from.empty()) return std::nullopt;

@@ -1,4 +1,4 @@
-/// The places one jumped away from, as in a browser. Plain values.
+/// History of positions that were left by jumps, as in a browser. Plain values.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,9 @@ namespace se::view {
 
 class History {
   public:
-    /// A jump is about to leave `place`. What lay ahead is forgotten.
+    /// Records a jump from `place`. The forward history is cleared.
     void leave(std::string place);
-    /// Goes back from `here`; nothing if there is no place before it.
+    /// Goes back from `here`; empty if there is no position before it.
     std::optional<std::string> back(std::string here);
     std::optional<std::string> forward(std::string here);
     bool canGoBack() const { return !before_.empty(); }
@@ -20,7 +20,7 @@ class History {
 
   private:
     static constexpr std::size_t kMost = 200;
-    std::vector<std::string> before_;  // the last one is the nearest
+    std::vector<std::string> before_;  // the last element is the nearest
     std::vector<std::string> after_;
 };
 

@@ -10,9 +10,9 @@ namespace {
 constexpr std::array<ArrangementRow, 4> kArrangements = {{
     {Arrangement::Debug, "debug", "Debug", "All panels."},
     {Arrangement::Learn, "learn", "Learn",
-     "The rule beside a large view, the decision in large print. F2: next layout."},
+     "The rule beside a large view, the decision in large type. F2: next layout."},
     {Arrangement::Present, "present", "Present",
-     "View, caption and the run alone. F2 brings the panels back; all keys work."},
+     "Only view, caption and run. F2 brings the panels back; all keys work."},
     {Arrangement::Compare, "compare", "Compare",
      "Two views on one timeline. D: first difference. Ctrl+D, F2: back."},
 }};

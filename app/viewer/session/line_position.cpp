@@ -12,7 +12,7 @@ std::optional<std::size_t> LinePlace::step(int direction, std::size_t count) con
 
 LinePlace placeAmong(std::span<const LedgerLine> lines, const Session& session) {
     const PivotRecord& record = session.record();
-    // Within a pivot the stages do not always come in one order: its events tell.
+    // Within a pivot the stages do not always come in one order, so its events are searched.
     const auto isBefore = [&](const LedgerLine& line) {
         const Address& address = line.event.address;
         if (address.pivot != record.pivot) return address.pivot < record.pivot;

@@ -1,4 +1,4 @@
-/// Where the cursor stands among decisions in the order of the run.
+/// Position of the cursor among decisions in the order of the run.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@
 namespace se::view {
 
 struct LinePlace {
-    std::optional<std::size_t> here;  ///< The one that the cursor stands on.
-    std::size_t before = 0;  ///< So many lie before the cursor; it is on the next or above.
+    std::optional<std::size_t> here;  ///< The decision at the cursor.
+    std::size_t before = 0;  ///< Number of decisions before the cursor; it is on the next or above.
 
-    /// The next (+1) or previous (-1) of `count` as seen from the cursor; nothing if there is none.
+    /// The next (+1) or previous (-1) of `count` from the cursor; empty if there is none.
     std::optional<std::size_t> step(int direction, std::size_t count) const;
 };
 

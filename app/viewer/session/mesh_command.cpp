@@ -1,3 +1,7 @@
+// The viewer and the command line use the same library, so a mesh can be reproduced byte for byte
+// by `spiraling-edge run` with the options of the open input. Sampled points and the doctor's
+// repairs are not options of `run`: they become commands before it, joined by &&, with files
+// beside the mesh. tests/viewer/mesh_command_test.cpp compares the bytes.
 #include "mesh_command.h"
 
 #include <algorithm>
@@ -18,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kProgram = "spiraling-edge";
 
-/// An absolute path: the terminal may stand in another folder.
+/// An absolute path, since the terminal may be in another folder.
 std::string wholePath(const std::string& path) {
     std::error_code error;
     const fs::path whole = fs::absolute(path, error);
@@ -33,7 +37,7 @@ std::string stemOf(const std::string& source, std::size_t points) {
     return spec ? sampleStem(spec.value(), points) : "sample";
 }
 
-/// A file beside the mesh.
+/// A file in the folder of the mesh.
 std::string besideMesh(const MeshTarget& target, const std::string& name) {
     return (fs::path(target.path).parent_path() / name).string();
 }
@@ -51,7 +55,7 @@ Steps stepsToSource(const std::string& source, const MeshTarget& target) {
     if (isStandardInput(source)) {
         return {{},
                 {},
-                "These points came from standard input. Save them to a file, open that file, and "
+                "These points came from standard input. Save them to a file, open it, and "
                 "copy again."};
     }
     if (!isSample(source)) return {{}, wholePath(source), {}};
@@ -67,11 +71,11 @@ Steps stepsToSource(const std::string& source, const MeshTarget& target) {
                 "The sampler was stopped early, which the command line cannot do. Save the points "
                 "by File > Save new points..., open that file, and copy again."};
     }
-    return {command + " && ", points, "The points are written first, to " + points + "."};
+    return {command + " && ", points, "First the points are written to " + points + "."};
 }
 
-/// The doctor's commands for the cures that mend or drop points. Exit code 1 only means that
-/// findings are left; what follows must not run after any other failure.
+/// The doctor's commands for the fixes that repair or drop points. Exit code 1 only means that
+/// findings are left; the next command must not run after any other failure.
 void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
     const std::string stem = stemOf(spec.source.empty() ? steps.input : spec.source, 0);
     int files = 0;
@@ -79,7 +83,7 @@ void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
         const DoctorCheck* check = findDoctorCheck(name);
         if (check == nullptr) continue;
         const bool drops = check->cure == Cure::Drop;
-        // One command mends everything that any of these checks finds.
+        // One command repairs everything that any of these checks finds.
         if (!drops && (check->cure != Cure::Mend || files > 0)) continue;
         ++files;
         std::string file = stem;
@@ -96,12 +100,12 @@ void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
     }
     if (files == 0) return;
     if (!steps.note.empty()) steps.note += ' ';
-    steps.note += "The points are mended first, in ";
+    steps.note += "First the points are repaired in ";
     steps.note += steps.input;
     steps.note += '.';
 }
 
-/// `spec` with the options that the other cures choose.
+/// `spec` with the options that the other fixes choose.
 InputSpec withCuresChosen(InputSpec spec) {
     for (const std::string& name : spec.cures) {
         const DoctorCheck* check = findDoctorCheck(name);
@@ -128,7 +132,7 @@ std::string reachOption(const NeighborOptions& lists) {
 
 std::string wallOption(const WallChoice& walls) {
     if (walls.from == WallChoice::From::Around) return " --box auto";
-    // Joined by =, since what begins with a minus sign would pass for an option.
+    // Joined by =, since a value with a minus sign would be parsed as an option.
     if (walls.from == WallChoice::From::Box) return " --box=" + boxText(walls.box, ',');
     return {};
 }

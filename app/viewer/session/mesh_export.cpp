@@ -12,7 +12,7 @@ namespace se::view {
 Result<FinishedMesh> finishMesh(const Model& model, const PointFile& input,
                                 const Progress& progress) {
     constexpr std::uint32_t kPivotsPerReport = 64;
-    // A closed surface has two triangles to a point.
+    // A closed surface has two triangles per point.
     const double expected =
         2.0 * static_cast<double>(std::max<std::size_t>(1, model.points.size()));
     Reconstruction run = reconstruct(model.points, model.params, [&](const State& state) {
@@ -64,7 +64,7 @@ void MeshExport::save(const MeshTarget& target) {
     begin();
 }
 
-/// Begins to write what waits, if the mesh is there. Where there will be none, the outcome is why.
+/// Starts the pending write if the mesh is ready. If there will be no mesh, reports the reason.
 void MeshExport::begin() {
     if (!order_) return;
     if (!mesh_.complaint().empty()) {

@@ -1,4 +1,4 @@
-/// The mesh that the run ends with, and writing it: each in a thread of its own.
+/// The mesh at the end of the run, and its export: each in a thread of its own.
 #pragma once
 
 #include <memory>
@@ -31,34 +31,34 @@ struct SavedMesh {
     std::size_t triangles = 0;
     std::size_t points = 0;
     bool capped = false;
-    /// The place that the positions in the file are relative to, see shiftOf().
+    /// The offset that positions in the file are relative to, see shiftOf().
     std::optional<Vec3> shift = std::nullopt;
 };
 
 class MeshExport {
   public:
-    /// Runs `model` to its end, unless its mesh is there or on its way. `input` is what prepare()
-    /// took.
+    /// Runs `model` to its end, unless its mesh is ready or in progress. `input` is the file that
+    /// prepare() took.
     void make(std::shared_ptr<const Model> model, std::shared_ptr<const PointFile> input);
-    /// Forgets the mesh, and a file that is not being written yet. One that is will be whole.
+    /// Discards the mesh, and a pending write. A write in progress completes.
     void forget();
-    /// Writes a file as soon as the mesh is there. Nothing happens while another one is written.
+    /// Writes a file as soon as the mesh is ready. Ignored while another one is written.
     void save(const MeshTarget& target);
-    /// Takes save() back; too late once the file is being written.
+    /// Cancels save(); too late once the file is being written.
     void cancel() { order_.reset(); }
-    /// Takes over what the threads have done. True if that is news.
+    /// Takes the results of the threads. True if there was anything new.
     bool poll();
-    /// Blocks until nothing is under way.
+    /// Blocks until no work is in progress.
     void finish();
 
-    /// Null before it is made.
+    /// Null before the mesh is made.
     const FinishedMesh* mesh() const { return mesh_.answer(); }
     bool making() const { return mesh_.busy(); }
     /// A file waits for the mesh, or is being written.
     bool saving() const { return order_.has_value() || writing(); }
     bool writing() const { return file_.busy(); }
     bool busy() const { return making() || saving(); }
-    /// Of making, in [0, 1]; a guess from the number of triangles.
+    /// Share of the run, in [0, 1]; a guess from the number of triangles.
     double share() const { return mesh_.share(); }
     /// The outcome of save(), once.
     std::optional<Result<SavedMesh>> takeOutcome() { return std::exchange(outcome_, std::nullopt); }
@@ -66,7 +66,7 @@ class MeshExport {
   private:
     void begin();
 
-    std::shared_ptr<const Model> model_;  ///< That the mesh is of; null: none.
+    std::shared_ptr<const Model> model_;  ///< Model of the mesh; null: none.
     Inquiry<FinishedMesh> mesh_;
     Inquiry<SavedMesh> file_;
     std::optional<MeshTarget> order_;  ///< Waits for the mesh.

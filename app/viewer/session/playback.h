@@ -1,4 +1,4 @@
-/// Playing: how many steps are due. Plain arithmetic; whoever asks carries the steps out.
+/// Playing: the number of steps that are due. Plain arithmetic; the caller makes the steps.
 #pragma once
 
 #include <cstdint>
@@ -17,17 +17,17 @@ enum class PlayUnit : std::uint8_t {
 
 /// "sub-step", "pivot", "event".
 std::string_view unitName(PlayUnit unit);
-/// The unit after it; after the last, the first.
+/// The next unit; after the last, the first.
 PlayUnit following(PlayUnit unit);
 
-/// The stretch of the run that is played again and again, once both marks are set.
+/// The range of the run that is played in a loop, once both marks are set.
 struct PlayLoop {
     std::optional<Address> from;
     std::optional<Address> to;
 
     bool complete() const { return from && to; }
     bool empty() const { return !from && !to; }
-    /// Sets one mark. The other goes if it would be on the wrong side.
+    /// Sets one mark. The other is removed if it would be on the wrong side.
     void setFrom(const Address& address);
     void setTo(const Address& address);
 };

@@ -1,4 +1,4 @@
-/// What there is to say about the thing picked, as numbers: for Inspect and the picture.
+/// Measures of the selection: for Inspect and the picture.
 #pragma once
 
 #include <array>
@@ -15,11 +15,12 @@ namespace se::view {
 class Session;
 
 struct SelectionFacts {
-    bool present = false;  ///< There at the cursor.
+    bool present = false;  ///< Present at the cursor.
     // Of an edge.
     double length = 0.0;  ///< Scene units.
     std::string ring;     ///< "active ring", "stacked ring #2"; empty: on none at the cursor.
-    /// Numbers of the triangles at the edge, as far as the run is known; those at the cursor first.
+    /// Numbers of the triangles at the edge, among the triangles known so far; those at the cursor
+    /// first.
     std::vector<std::uint32_t> triangles;
     std::size_t trianglesPresent = 0;
     // Of a triangle.
@@ -32,8 +33,8 @@ struct SelectionFacts {
 /// Requires session.ready(). Costs a walk along the rings for an edge.
 SelectionFacts factsOf(const Session& session, const Selection& selection);
 
-/// The facts of a session's selection, worked out anew only when something changed; of two
-/// sessions in turn, as two that are compared ask.
+/// The facts of a session's selection, recomputed only when something changed; also for two
+/// sessions in turn, as in a comparison.
 class FactsCache {
   public:
     const SelectionFacts& of(const Session& session);
@@ -49,7 +50,7 @@ class FactsCache {
 
 /// The pivot that made triangle `number`, if the run is known so far.
 std::optional<std::uint32_t> pivotOfTriangle(const RunOverview& run, std::size_t number);
-/// The decision that made it: `137.emit.3`.
+/// The decision that made the triangle: `137.emit.3`.
 std::optional<Address> birthOfTriangle(const RunOverview& run, std::size_t number);
 
 }  // namespace se::view

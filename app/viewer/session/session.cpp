@@ -8,7 +8,7 @@ namespace se::view {
 
 namespace {
 
-/// A notice of at most kShortNotice bytes stays this long, each byte more adds kSignTime.
+/// A notice of at most kShortNotice bytes is shown this long; each further byte adds kSignTime.
 constexpr std::chrono::milliseconds kNoticeTime{3000};
 constexpr std::chrono::milliseconds kSignTime{40};
 constexpr std::size_t kShortNotice = 80;
@@ -57,7 +57,7 @@ const Model& Session::shown() const {
 void Session::cancelOpening() {
     loader_.cancel();
     dismissError();
-    say(anew_ ? "Cancelled: the run is as it was." : "Opening was cancelled.");
+    say(anew_ ? "Cancelled: the run is unchanged." : "Opening was cancelled.");
 }
 
 /// The old run stays if a new one is refused.
@@ -108,9 +108,9 @@ void Session::adopt(Opened opened) {
     phase_ = SessionPhase::Ready;
     overviewJob_ = std::make_unique<OverviewJob>(model_);
     const std::string said = notice();
-    say(model_->cured ? "Mended: " + mendedText(*model_) + "." : model_->watch);
+    say(model_->cured ? "Repaired: " + mendedText(*model_) + "." : model_->watch);
     missed_ = false;
-    // The loader has asked for the start of the run, and has waited for the answer.
+    // The loader has requested the start of the run, and has waited for the answer.
     landing_ = opened.place ? Landing::AtSamePlace : Landing::Last;
     if (opened.place) samePlace_ = *opened.place;
     target_ = {};
@@ -277,7 +277,7 @@ void Session::say(std::string message) {
 }
 
 std::string Session::notice(Clock::time_point now) const {
-    // A long one takes longer to read.
+    // A long message takes longer to read.
     const std::size_t more = message_.size() > kShortNotice ? message_.size() - kShortNotice : 0;
     return now - saidAt_ < kNoticeTime + more * kSignTime ? message_ : std::string{};
 }

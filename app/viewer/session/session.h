@@ -1,8 +1,8 @@
-/// What is open and where the cursor stands. Knows neither window nor OpenGL.
+/// The open document and its cursor. Independent of window and OpenGL.
 ///
-/// The cursor is an address: it stands on an event, and the picture shows the state just after it.
-/// Moves are carried out in order; a move that needs a pivot that is not at hand waits for the
-/// runner thread, and the picture stays until its answer comes.
+/// The cursor is an address: it is on an event, and the picture shows the state just after it.
+/// Moves are carried out in order; a move to a pivot that is not in memory waits for the
+/// runner thread, and the picture stays until its answer arrives.
 #pragma once
 
 #include <chrono>
@@ -32,7 +32,7 @@
 
 namespace se::view {
 
-/// A move that takes so many seconds is shown, and can be stopped.
+/// Seconds after which a move is shown with a button to stop it.
 inline constexpr double kLongMove = 0.15;
 
 class Questions;
@@ -48,86 +48,86 @@ class Session {
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
-    // Opening. What was open before stays until the new input is ready, or failed.
+    // Opening. The open input stays until the new one is ready, or failed.
     void open(InputSpec spec);
-    /// Runs what is open again, by other rules or with other what-ifs, in a thread. message() says
-    /// where the cursor landed and why; the selection stays. What is refused is told, and all stays
-    /// as it is. Requires ready().
+    /// Runs the open input again, with other rules or what-ifs, in a thread. message() reports the
+    /// new cursor position and the reason for it; the selection stays. If the change is refused,
+    /// the reason is reported and all stays as it is. Requires ready().
     void runAnew(const RuleSet& rules, Resume resume = Resume::SamePlace);
-    /// What is open is being run anew.
+    /// The open input is being re-run.
     bool runsAnew() const { return anew_ && phase_ == SessionPhase::Loading; }
-    /// For how long.
+    /// Seconds since the re-run began.
     double anewSeconds() const {
         return std::chrono::duration<double>(Clock::now() - anewSince_).count();
     }
-    /// The rules of what is open, or of what is about to be.
+    /// The rules of the open input, or of the one that is being opened.
     RuleSet rules() const { return rulesOf(runsAnew() ? opening_ : spec_); }
-    /// Why a what-if of spec() has no effect; empty: it has.
+    /// Reason why a what-if of spec() has no effect; empty if it has one.
     const std::string& whatIfProblem(std::size_t i) const;
-    /// Goes on at once with what was open before, or with nothing.
+    /// Returns at once to the input that was open before, or to none.
     void cancelOpening();
-    /// After a failure: goes on with what was open before, or with nothing.
+    /// After a failure: returns to the input that was open before, or to none.
     void dismissError() { phase_ = ready() ? SessionPhase::Ready : SessionPhase::Empty; }
-    /// Takes over what threads have finished. True if there is something new to draw.
+    /// Takes the results of the threads. True if there is something new to draw.
     bool poll();
-    /// Blocks until nothing is under way any more: for pictures without a person, and tests.
+    /// Blocks until no work is in progress: for pictures without a user, and tests.
     void settle();
 
     SessionPhase phase() const { return phase_; }
     double loadShare() const { return loader_.share(); }
     LoadPart loadPart() const { return loader_.part(); }
     const std::string& error() const { return error_; }
-    /// Of what is open.
+    /// Specification of the open input.
     const InputSpec& spec() const { return spec_; }
-    /// Of what is being opened, or was last: it may have failed.
+    /// Specification of the last opening, which may have failed.
     const InputSpec& opening() const { return opening_; }
 
-    // What is open. Everything below requires phase() == Ready, or an earlier input still shown.
+    // The open input. Everything below requires phase() == Ready, or an earlier input still shown.
     bool ready() const { return model_ != nullptr && record_ != nullptr; }
-    /// Nothing is open and nothing is on its way: the place to choose something.
+    /// No input is open and none is being opened: the start page is shown.
     bool startPage() const { return !ready() && phase_ != SessionPhase::Loading; }
     const Model& model() const { return *model_; }
-    /// The same with points where what-ifs have moved them, as far as the cursor is: for drawing.
+    /// The model with points where what-ifs have moved them up to the cursor: for drawing.
     const Model& shown() const;
-    /// For who goes on with it in another thread.
+    /// Shared ownership, for background jobs.
     std::shared_ptr<const Model> sharedModel() const { return model_; }
-    /// The input as prepare() took it: what a mesh is written with.
+    /// Input of prepare(), with which a mesh is written.
     std::shared_ptr<const PointFile> sharedFile() const { return file_; }
     const PivotRecord& record() const { return *record_; }
     const Picture& picture() const { return picture_; }
     const RunOverview& overview() const { return overview_; }
-    /// What the doctor says of the input; it looks once the run was gone through.
+    /// The doctor's examination of the input; it starts once the run is complete.
     const Checkup& checkup() const { return checkup_; }
-    /// What is asked about the run.
+    /// The user's queries about the run.
     Questions& questions() { return *questions_; }
     const Questions& questions() const { return *questions_; }
-    /// True once, when the doctor has found something to accuse.
+    /// True once, when the doctor has found a problem.
     bool takeAccusation() { return std::exchange(accused_, false); }
-    /// Everything that went wrong in the run; looked for once it was gone through.
+    /// Search for all failures of the run; it starts once the run is complete.
     const AlertSearch& alerts() const { return alerts_; }
     void stopAlerts() { alerts_.stop(); }
     void resumeAlerts() { alerts_.resume(); }
     /// True once, when all alerts are known.
     bool takeAlertNews() { return std::exchange(alertNews_, false); }
-    /// The alert that is looked at; null if none is.
+    /// The alert that is shown; null if none is.
     const RunFailure* alert() const { return alert_ ? &alerts_.failures()[*alert_] : nullptr; }
     std::optional<std::size_t> chosenAlert() const { return alert_; }
-    /// Requires a place in alerts().failures(), or nothing.
+    /// Sets a position in alerts().failures(), or none.
     void chooseAlert(std::optional<std::size_t> alert);
-    /// Which rules would have prevented the alert that is looked at; asked for by seekRemedies().
+    /// Rules that would have prevented the alert that is shown; started by seekRemedies().
     const RemedySearch& remedies() const { return remedies_; }
-    /// Requires that an alert is looked at.
+    /// Requires that an alert is shown.
     void seekRemedies();
     void stopRemedies() { remedies_.stop(); }
-    /// What goes wrong with the event at the cursor.
+    /// Failures caused by the event at the cursor.
     std::span<const LiveFailure> noticedHere() const;
-    /// The same in words, with a blank before them; empty if all is well.
+    /// The failures in words, after a space; empty if there are none.
     std::string noticedText() const;
     /// Triangles seen so far in this run; the first finishedTriangles of the picture are drawn.
     const std::vector<Triangle>& triangles() const { return triangles_; }
-    /// Those that are there at the cursor: the first of triangles(), or the mended mesh.
+    /// Triangles at the cursor: the first of triangles(), or the repaired mesh.
     std::span<const Triangle> shownTriangles() const;
-    /// Of triangles().
+    /// Index of triangles().
     const MeshIndex& meshIndex() const { return meshIndex_; }
     /// Grows when another input is opened or the run restarted: everything uploaded is void.
     std::uint32_t generation() const { return generation_; }
@@ -140,7 +140,7 @@ class Session {
     const Event* event() const;
     /// The stage of what the picture shows; nothing at the beginning.
     std::optional<Stage> stage() const;
-    /// The picture is that before the event at the cursor, as long as this is on.
+    /// Shows the picture before the event at the cursor, while this is on.
     void showBefore(bool on);
     bool showsBefore() const { return before_; }
     Address address() const;
@@ -158,24 +158,24 @@ class Session {
     void goToPivot(std::uint32_t pivot);
     /// To an event; without stage and n to the last event of the pivot.
     void goTo(const Address& address);
-    /// To a share of the whole run, in [0, 1]. How long that is is known once it was gone through:
-    /// until then it is waited for, and what is known is not taken for the whole.
+    /// To a share of the whole run, in [0, 1]. Waits until the overview of the run is complete,
+    /// since its length is not known before.
     void goToShare(double share);
-    /// The next (+1) or previous (-1) split, join, seed or alert; nothing if none is known.
+    /// The next (+1) or previous (-1) split, join, seed or alert; empty if none is known.
     std::optional<Address> nextMark(int direction) const;
-    /// Goes to an address and leaves no trace in the history: for playing.
+    /// Goes to an address without an entry in the history: for playing.
     void playTo(const Address& address) { jump(address); }
-    /// The cursor stands at an event or behind it. An address without stage means the whole pivot.
+    /// The cursor is at an event or after it. An address without stage means the whole pivot.
     bool reached(const Address& address) const;
-    /// Back and forward through the places that one jumped away from.
+    /// Back and forward through the positions that were left by jumps.
     void goBack();
     void goForward();
     const History& history() const { return history_; }
-    /// To the next event about a point, behind the cursor; says so if there is none.
+    /// To the next event about a point, after the cursor; reports if there is none.
     void goToPoint(Index point);
-    /// To an event of the present pivot.
+    /// To an event of the current pivot.
     void goToEvent(std::size_t index);
-    /// Reads `137`, `137.sphere.3`, `+10`, `-10`, `50%` or `p812` (selects the point and
+    /// Parses `137`, `137.sphere.3`, `+10`, `-10`, `50%` or `p812` (selects the point and
     /// goes to its next event). Fails with a sentence.
     Status goToText(const std::string& text);
 
@@ -185,27 +185,27 @@ class Session {
     WatchScan& watches() { return watches_; }
 
     // Breakpoints (session_stops.cpp).
-    /// Those that there are now; to be called whenever they may have changed.
+    /// Sets the breakpoints; to be called whenever they may have changed.
     void arm(std::span<const Breakpoint> breakpoints) { hits_.want(breakpoints); }
     const HitSearch& hits() const { return hits_; }
     HitSearch& hits() { return hits_; }
-    /// To the next (1) or previous (-1) stop, else to the end or the start of the run; waits for
-    /// the search where it has not come that far.
+    /// To the next (1) or previous (-1) stop, otherwise to the end or the start of the run; waits
+    /// for the search if it has not come that far.
     void continueRun(int direction);
-    /// A stop is waited for whose place is not known yet.
+    /// The next stop is awaited, and its position is not known yet.
     bool awaitsStop() const { return awaitedStop_ != 0; }
-    /// The first stop behind the cursor, as far as is known.
+    /// The first stop after the cursor that is known so far.
     HitSearch::Answer stopAhead() const { return hits_.stop(place(), 1); }
-    /// Goes to a stop, says which one it is, and leaves no trace in the history.
+    /// Goes to a stop and reports its name, without an entry in the history.
     void playToStop(const Stop& stop);
-    /// Where the cursor stands in the order of the run.
+    /// Position of the cursor in the order of the run.
     RunPlace place() const;
 
-    /// A move waits for the runner thread, or for the run to be gone through.
+    /// A move waits for the runner thread, or for the overview to be complete.
     bool busy() const { return waiting_ || !moves_.empty() || awaitsLength() || awaitsStop(); }
-    /// A share of the run was asked for whose length is not known yet.
+    /// A move to a share of the run waits for the length of the run.
     bool awaitsLength() const { return awaitedShare_.has_value(); }
-    /// How long it has been waited for; 0 if nothing is.
+    /// Seconds since the wait began; 0 without a wait.
     double busySeconds() const;
     std::uint32_t runnerPosition() const { return runner_ ? runner_->position() : 0; }
     std::uint32_t runnerTarget() const { return requested_; }
@@ -214,31 +214,31 @@ class Session {
     // Selection, by index: it survives every move.
     const Selection& selection() const { return selection_; }
     void select(const Selection& selection);
-    /// The point that is selected, kNone if none is or something else.
+    /// The selected point; kNone if none or something else is selected.
     Index selected() const {
         return selection_.kind == SelectionKind::Point ? selection_.points[0] : kNone;
     }
     void select(Index point) { select(Selection::ofPoint(point)); }
-    /// The point under the pointer, in the view or on the dial; lit up in both.
+    /// The point under the pointer, in the view or on the dial; highlighted in both.
     Index hovered() const { return hovered_; }
     void hover(Index point);
-    /// Points that are lit up, as those of a finding; none by default.
+    /// Points that are highlighted, such as those of a finding; none by default.
     std::span<const Index> marked() const { return marked_; }
     void mark(std::vector<Index> points);
     Index highlightedRing() const { return highlightedRing_; }
     void highlightRing(Index ring);
-    /// The ring under the pointer; it is lit up for so long.
+    /// Sets the ring under the pointer, which is highlighted.
     void hoverRing(Index ring);
-    /// The ring to light up: that under the pointer, else the highlighted one.
+    /// The ring to highlight: the one under the pointer, otherwise the chosen one.
     Index litRing() const { return hoveredRing_ != kNone ? hoveredRing_ : highlightedRing_; }
 
-    /// The last thing worth saying that is no event, e.g. that an address does not exist.
+    /// The last message that is not about an event, for example that an address does not exist.
     const std::string& message() const { return message_; }
     void say(std::string message);
-    /// The last move did not find what it looked for; message() says what. False again with the
+    /// The last move did not find its target; message() gives the reason. False again with the
     /// next move.
     bool missed() const { return missed_; }
-    /// The message as long as it is news, then nothing: it must not cover the decision.
+    /// The message while it is new, then empty: it must not cover the decision.
     std::string notice(Clock::time_point now = Clock::now()) const;
 
   private:
@@ -250,7 +250,7 @@ class Session {
         Index point = kNone;
     };
 
-    /// The pivot at the cursor is the last one, as far as is known.
+    /// The pivot at the cursor is the last one known so far.
     bool atLastPivot() const;
     void push(Move move);
     void processMoves();
@@ -294,7 +294,7 @@ class Session {
     std::uint32_t generation_ = 0;
     std::uint32_t revision_ = 0;
 
-    /// "137.sphere.3", "0" at the start: what goToText() takes.
+    /// "137.sphere.3", "0" at the start: text for goToText().
     std::string hereText() const;
     void jump(const Address& address);
 
@@ -312,7 +312,7 @@ class Session {
     HitSearch hits_;
     WatchScan watches_;
     Clock::time_point anewSince_;
-    bool anew_ = false;  ///< What was asked for last is run anew.
+    bool anew_ = false;  ///< The last opening is a re-run.
     std::vector<std::string> whatIfProblems_;
     std::vector<MovedModel> moved_;
     SamePlace samePlace_;

@@ -26,34 +26,35 @@ constexpr std::string_view kFormat = "spiraling-edge session";
 Complaint readHeader(const json& object) {
     const json* format = find(object, "format");
     if (format == nullptr || *format != kFormat) {
-        return expected("format", "\"" + std::string(kFormat) + "\"; this is another kind of file");
+        return expected("format",
+                        "\"" + std::string(kFormat) + "\"; this is a different kind of file");
     }
     const json* version = find(object, "version");
     if (version == nullptr || !version->is_number_integer()) {
         return expected("version", "a whole number");
     }
-    if (*version < 1) return expected("version", "a whole number from 1");
+    if (*version < 1) return expected("version", "a whole number >= 1");
     if (*version > kFileVersion) {
         return expected("version", "at most " + std::to_string(kFileVersion) +
-                                       "; a newer program has written it: use that one");
+                                       "; the file was written by a newer version");
     }
     return std::nullopt;
 }
 
-/// A source with its path, if it has one, changed by `move`.
+/// A source; its path, if it has one, is changed by `move`.
 template <typename Move>
 std::string movedSource(const std::string& source, const Move& move) {
     if (isScene(source)) return source;
     if (!isSample(source)) return move(source);
     Result<SampleSpec> sample = sampleFromSource(source);
-    // Errors in it are reported where it is opened.
+    // Errors in the path are reported when it is opened.
     if (!sample || !isVolumePath(sample.value().surface)) return source;
     sample.value().surface = move(sample.value().surface);
     return sampleSource(sample.value());
 }
 
-/// A device or a pipe has no end, or keeps the program waiting: a session that came from elsewhere
-/// must not open one. A file that is missing is reported where it is opened.
+/// A device or a pipe has no end, or blocks the program: a session from elsewhere must not open
+/// one. A missing file is reported when it is opened.
 bool isUnfit(const fs::path& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
@@ -79,7 +80,7 @@ Complaint readInput(const json& object, const fs::path& folder, SessionFile& out
     });
     if (file && isUnfit(*file)) return unfit("input.source", *file);
     if (const json* hash = find(*input, "hash"); hash != nullptr) {
-        if (!hash->is_string()) return expected("input.hash", "a text");
+        if (!hash->is_string()) return expected("input.hash", "text");
         out.inputHash = hash->get<std::string>();
     }
     return std::nullopt;
@@ -158,11 +159,11 @@ Complaint readComparison(const json& object, const fs::path& folder, SessionFile
 
 Complaint readNotes(const json& object, SessionFile& out) {
     if (const json* notes = find(object, "notes"); notes != nullptr) {
-        if (!notes->is_string()) return expected("notes", "a text");
+        if (!notes->is_string()) return expected("notes", "text");
         out.notes = notes->get<std::string>();
     }
     if (const json* query = find(object, "query"); query != nullptr) {
-        if (!query->is_string()) return expected("query", "a text");
+        if (!query->is_string()) return expected("query", "text");
         out.query = query->get<std::string>();
     }
     const json* list = find(object, "bookmarks");
@@ -175,7 +176,8 @@ Complaint readNotes(const json& object, SessionFile& out) {
                                  : std::nullopt;
         const json* note = each.is_object() ? find(each, "note") : nullptr;
         if (!address || (note != nullptr && !note->is_string())) {
-            return expected("bookmarks", "objects with \"address\" and, at will, \"note\": texts");
+            return expected("bookmarks",
+                            "objects with \"address\" and optionally \"note\", both text");
         }
         insertBookmark(out.bookmarks,
                        {*address, note != nullptr ? note->get<std::string>() : std::string{}});
@@ -184,7 +186,7 @@ Complaint readNotes(const json& object, SessionFile& out) {
 }
 
 Complaint readAll(const json& object, const fs::path& folder, SessionFile& out) {
-    if (!object.is_object()) return "expected a JSON object, as Ctrl+S writes it";
+    if (!object.is_object()) return "expected a JSON object as written by Ctrl+S";
     if (Complaint c = readHeader(object)) return c;
     if (Complaint c = readInput(object, folder, out)) return c;
     if (Complaint c = readOptions(object, out.input)) return c;
@@ -198,7 +200,7 @@ Complaint readAll(const json& object, const fs::path& folder, SessionFile& out) 
 /// Follows the parser through the keys of a file, to name the field at which it fails.
 class KeyTrail {
   public:
-    /// More levels than a session has: writing such a file again would overflow the stack.
+    /// Greater depth than a session has; writing such a file again would overflow the stack.
     static constexpr int kDeepest = 64;
 
     bool see(int depth, json::parse_event_t event, const json& parsed) {
@@ -235,13 +237,13 @@ Result<json> parseJson(std::string_view text, const std::string& name) {
                      " levels of lists and objects."};
     } catch (const json::parse_error& error) {
         return Error{name + ": byte " + std::to_string(error.byte) +
-                     ": expected JSON, as Ctrl+S writes it."};
+                     ": expected JSON as written by Ctrl+S."};
     } catch (const json::out_of_range&) {
-        return Error{name + ": " + *expected(trail.field(), "a number of less than 1e308") + "."};
+        return Error{name + ": " + *expected(trail.field(), "a number below 1e308") + "."};
     }
 }
 
-/// An object at `name`, with what was there before.
+/// An object at `name`, with its previous fields.
 json& objectAt(json& object, const char* name) {
     json& part = object[name];
     if (!part.is_object()) part = json::object();

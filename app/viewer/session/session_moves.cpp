@@ -11,9 +11,9 @@ namespace se::view {
 namespace {
 
 constexpr std::uint32_t kEnd = std::numeric_limits<std::uint32_t>::max();
-/// A move that takes less than this is done at once; longer ones leave the window awake.
+/// A move shorter than this is made at once; during longer ones the window stays responsive.
 constexpr std::chrono::milliseconds kPatience{2};
-/// Key repeat must not pile up moves without end.
+/// Limit of waiting moves, so that key repeat does not pile them up.
 constexpr std::size_t kMaxMoves = 64;
 
 }  // namespace
@@ -34,7 +34,7 @@ bool Session::takeAnswer() {
         if (landing_ == Landing::AtPoint && !answer->found) {
             landing_ = Landing::AtAddress;
             say("Nothing more happens to point " + std::to_string(pointWanted_) +
-                " behind this place.");
+                " after this position.");
         }
         land();
     } else {
@@ -93,7 +93,7 @@ void Session::goToShare(double share) {
     if (overview_.complete) goToAwaited();
 }
 
-/// The run was gone through: what a share of it is can be told.
+/// The overview is complete, so a share of the run can be located.
 void Session::goToAwaited() {
     if (!awaitedShare_) return;
     const double share = *std::exchange(awaitedShare_, std::nullopt);
@@ -261,7 +261,7 @@ void Session::request(std::uint32_t pivot, Landing landing, const Address& targe
     await(pivot);
 }
 
-/// Waits a little for what was asked of the runner.
+/// Waits briefly for the runner's answer.
 void Session::await(std::uint32_t pivot) {
     requested_ = pivot;
     waiting_ = true;

@@ -17,13 +17,13 @@ Complaint readReach(const json& options, NeighborOptions& out) {
     }
     if (const json* radius = find(options, "radius"); radius != nullptr) {
         if (!radius->is_number() || !(radius->get<double>() > 0.0)) {
-            return expected("options.radius", "a number above 0");
+            return expected("options.radius", "a number > 0");
         }
         out = {WithinRadius{radius->get<double>()}, true, 0, true};
     }
     if (const json* reach = find(options, "reach"); reach != nullptr) {
         if (!reach->is_number() || !(reach->get<double>() > 0.0)) {
-            return expected("options.reach", "a number above 0");
+            return expected("options.reach", "a number > 0");
         }
         out = {WithinSpacings{reach->get<double>()}, true, 0, true};
     }
@@ -33,8 +33,7 @@ Complaint readReach(const json& options, NeighborOptions& out) {
 Complaint readCures(const json& options, Cures& out) {
     const json* cures = find(options, "doctor");
     if (cures == nullptr) return std::nullopt;
-    const Complaint wrong =
-        expected("options.doctor", "a list of checks of the doctor that can be cured");
+    const Complaint wrong = expected("options.doctor", "a list of doctor checks that have a fix");
     if (!cures->is_array()) return wrong;
     for (const json& name : *cures) {
         const DoctorCheck* check =
@@ -73,7 +72,7 @@ Complaint readBox(const json& options, WallChoice& out) {
     return std::nullopt;
 }
 
-/// What is derived from the points.
+/// Options for what is derived from the points.
 Complaint readPreparing(const json& options, InputSpec& out) {
     if (const json* normals = find(options, "normals"); normals != nullptr) {
         if (*normals != "derived" && *normals != "oriented") {
@@ -101,7 +100,7 @@ Complaint readRule(const std::string& name, const json& value, InputSpec& out) {
     return std::nullopt;
 }
 
-/// One line each, as the command line takes them.
+/// One line per what-if, as on the command line.
 Complaint readWhatIfs(const json& options, std::vector<WhatIf>& out) {
     const json* list = find(options, "what_if");
     if (list == nullptr) return std::nullopt;
@@ -144,7 +143,7 @@ Complaint readOptions(const json& object, InputSpec& out) {
 
 namespace {
 
-/// What is derived from the points, as far as it is not as usual.
+/// Options for what is derived from the points, where they differ from the defaults.
 void preparingToJson(const InputSpec& input, json& options) {
     for (const char* name : {"normals", "box", "symmetric", "rim", "keep_opposing", "keep_noise"}) {
         options.erase(name);

@@ -1,4 +1,4 @@
-/// The part of a session file that says how its input is prepared and run.
+/// The part of a session file with the options for preparing and running its input.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@
 
 namespace se::view {
 
-/// What is wrong with a part of the file; nothing if all is well.
+/// Problem of a part of the file; empty if there is none.
 using Complaint = std::optional<std::string>;
 
 inline Complaint expected(const std::string& field, const std::string& what) {
@@ -23,7 +23,7 @@ inline const nlohmann::json* find(const nlohmann::json& object, const char* name
 
 /// Reads "options" of a session file.
 Complaint readOptions(const nlohmann::json& object, InputSpec& out);
-/// With what was there before and is not known here.
+/// Options as JSON, with the unknown fields of `options` kept.
 nlohmann::json optionsToJson(const InputSpec& input, nlohmann::json options);
 
 }  // namespace se::view

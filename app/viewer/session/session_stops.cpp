@@ -1,4 +1,4 @@
-/// Going to breakpoints, in either direction.
+/// Moves to breakpoints, in either direction.
 #include "session.h"
 
 namespace se::view {
@@ -20,7 +20,7 @@ std::string Session::nameOf(const Stop& stop) const {
 
 void Session::continueRun(int direction) {
     if (!ready()) return;
-    // From where the moves before it lead to, unless one waits too long for them.
+    // From the target of the moves before it, unless that takes too long.
     if (busySeconds() > kLongMove) cancelMove();
     awaitedShare_.reset();
     awaitedStop_ = direction;
@@ -29,7 +29,7 @@ void Session::continueRun(int direction) {
     goToAwaitedStop();
 }
 
-/// As soon as it is known where the stop is, or that there is none.
+/// Moves as soon as the position of the stop is known, or that there is none.
 void Session::goToAwaitedStop() {
     if (!awaitsStop() || waiting_ || !moves_.empty()) return;
     const int direction = awaitedStop_;

@@ -1,4 +1,4 @@
-/// Places as a person types them.
+/// Positions as the user types them.
 #include <charconv>
 #include <cmath>
 
@@ -21,7 +21,7 @@ std::optional<long> readNumber(std::string_view text) {
 Status Session::goToText(const std::string& given) {
     const std::string text = trimmed(given);
     const Error unknown{"\"" + text +
-                        "\" is no address. Examples: 137, 137.sphere.3, +10, 50%, p812."};
+                        "\" is not an address. Examples: 137, 137.sphere.3, +10, 50%, p812."};
     if (!ready() || text.empty()) return unknown;
     if (text.front() == '+' || text.front() == '-') {
         const auto number = readNumber(std::string_view(text).substr(text.front() == '+' ? 1 : 0));

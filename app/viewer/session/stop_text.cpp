@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A field of a breakpoint, if it is there and of the right kind. False: it is of another kind.
+/// Reads a field of a breakpoint, if present and of the right type. False: it has another type.
 bool readText(const json& object, const char* name, std::string& out) {
     const auto found = object.find(name);
     if (found == object.end()) return true;
@@ -50,7 +50,7 @@ std::optional<std::string> readStops(const json& object, std::vector<Breakpoint>
         for (std::size_t i = 0; good && i < list->size(); ++i)
             good = readBreakpoint((*list)[i], breakpoints.emplace_back());
         if (!good)
-            return "\"breakpoints\": expected a list of objects with \"line\" and, at will, "
+            return "\"breakpoints\": expected a list of objects with \"line\" and optionally "
                    "\"name\", \"skip\", \"every\" (from 1), \"on\" and \"log_only\"";
     }
     if (const auto list = object.find("watches"); list != object.end()) {

@@ -1,4 +1,4 @@
-/// Breakpoints and watches as a session file has them.
+/// Breakpoints and watches in a session file.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,8 +10,8 @@
 
 namespace se::view {
 
-/// Reads them from the object of a session. What is wrong, if something is. A line that is not
-/// understood is kept as it is: the panel says so.
+/// Reads them from the object of a session. Returns the problem, if any. A line that is not
+/// understood is kept unchanged; the panel reports it.
 std::optional<std::string> readStops(const nlohmann::json& object,
                                      std::vector<Breakpoint>& breakpoints,
                                      std::vector<std::string>& watches);

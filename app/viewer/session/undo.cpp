@@ -1,3 +1,7 @@
+// Instead of a command object per action, the state of everything that can be undone is captured
+// once per frame and compared with the last entry. New actions are thus undoable without any code,
+// at the cost of a comparison per frame; the snapshots are small, since the run itself is not part
+// of them.
 #include "undo.h"
 
 #include <utility>
@@ -19,7 +23,7 @@ std::string changedLayers(const LayerModes& from, const LayerModes& to) {
     return changed;
 }
 
-/// Camera moves that follow each other within this many seconds are one.
+/// Camera moves within this many seconds of each other are merged.
 constexpr double kOneMove = 0.5;
 
 bool onlyCamera(Edits from, const Edits& to) {
@@ -46,8 +50,8 @@ std::string describeChange(const Edits& from, const Edits& to) {
     if (from.notes != to.notes) add(text, "notes");
     if (from.breakpoints != to.breakpoints) add(text, "breakpoints");
     if (from.watches != to.watches) add(text, "watches");
-    // What follows from it needs no words.
-    if (from.cures != to.cures) return "the doctor's cure";
+    // The other changes are consequences of this one.
+    if (from.cures != to.cures) return "the doctor's fix";
     if (from.rules != to.rules) add(text, describeChange(from.rules, to.rules));
     return text;
 }

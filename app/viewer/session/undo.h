@@ -1,4 +1,4 @@
-/// Undo and redo of what a person changed. Snapshots are compared; no action knows of it.
+/// Undo and redo of the user's changes. Snapshots are compared; actions need no code for it.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@
 
 namespace se::view {
 
-/// Everything that can be undone. Moving through the run is not among it: Alt+Left goes back there.
+/// Everything that can be undone. Moves through the run are not: Alt+Left goes back there.
 struct Edits {
     Theme theme = Theme::Dark;
     double uiScale = 0.0;
@@ -30,26 +30,26 @@ struct Edits {
     std::string notes;
     std::vector<Breakpoint> breakpoints;
     std::vector<std::string> watches;
-    Cures cures;    ///< Of the input: to change them it is opened anew.
-    RuleSet rules;  ///< To change them it is run anew.
+    Cures cures;    ///< Fixes of the input: a change opens it again.
+    RuleSet rules;  ///< A change re-runs the input.
     friend bool operator==(const Edits&, const Edits&) = default;
 };
 
-/// What differs between two of them, in words: "camera", "layer normals, selection".
+/// Differences in words: "camera", "layer normals, selection".
 std::string describeChange(const Edits& from, const Edits& to);
 
 class UndoStack {
   public:
     static constexpr std::size_t kDepth = 200;
 
-    /// Forgets everything: `now` is where it begins.
+    /// Clears the history, which begins at `now`.
     void begin(const Edits& now);
-    /// Looks at the state of a frame at a time in seconds. While `changing` (a drag, a text being
-    /// typed) nothing is noted, so that all of it becomes one entry; so do moves of the camera that
-    /// follow each other at once, as those of a wheel.
+    /// Records the state of a frame at a time in seconds. While `changing` (a drag, a text being
+    /// typed) nothing is recorded, so that all of it becomes one entry; the same holds for camera
+    /// moves in quick succession, such as those of a wheel.
     void observe(const Edits& now, double seconds, bool changing);
 
-    /// What to go back to, and what that undoes. Notes a change under way first.
+    /// The state to return to, and a description of what is undone. Records a pending change first.
     struct Step {
         Edits edits;
         std::string change;
@@ -57,7 +57,7 @@ class UndoStack {
     std::optional<Step> undo(const Edits& now);
     std::optional<Step> redo(const Edits& now);
 
-    /// What the program made of a step, which need not be its edits to the last digit.
+    /// State that resulted from a step, which may differ from its edits in the last digits.
     void accept(const Edits& now) { present_ = now; }
 
     std::size_t undoDepth() const { return past_.size(); }
@@ -69,7 +69,7 @@ class UndoStack {
     Edits present_;
     std::vector<Edits> past_;
     std::vector<Edits> future_;
-    bool cameraMoved_ = false;  ///< The last entry is a move of the camera that may go on.
+    bool cameraMoved_ = false;  ///< The last entry is a camera move that may continue.
     double movedAt_ = 0.0;
 };
 

@@ -12,11 +12,11 @@ namespace {
 
 using nlohmann::json;
 
-/// Throws json::exception if it is no number that a float can hold.
+/// Throws json::exception if the value is no number that a float can hold.
 float floatFrom(const json& value) {
     const double number = value.get<double>();
     if (!(std::abs(number) <= std::numeric_limits<float>::max()))
-        throw json::out_of_range::create(406, "more than a float can hold", &value);
+        throw json::out_of_range::create(406, "exceeds the range of a float", &value);
     return static_cast<float>(number);
 }
 
@@ -30,7 +30,7 @@ std::optional<CameraPose> poseFrom(const json& object) {
         pose.yawDegrees = floatFrom(object.at("yaw"));
         pose.pitchDegrees = floatFrom(object.at("pitch"));
         pose.orthographic = object.value("orthographic", false);
-        // Places of before there was a choice have none: they had z up.
+        // Positions written before the choice existed have none: they had z up.
         const auto up = upAxisFromName(object.value("up", "z"));
         if (!up) return std::nullopt;
         pose.up = *up;
@@ -61,7 +61,8 @@ std::string toText(const Place& place) {
 
 Result<Place> placeFromText(std::string_view text) {
     const Error unknown{
-        "This is no place. Expected an address such as 137.sphere.3, or what Ctrl+C copies."};
+        "Not a position. Expected an address such as 137.sphere.3, or a position copied by "
+        "Ctrl+C."};
     const json object = json::parse(text, nullptr, false);
     if (!object.is_object()) {
         const auto first = text.find_first_not_of(" \t\r\n");
@@ -77,7 +78,7 @@ Result<Place> placeFromText(std::string_view text) {
     if (!place.address.empty() && !addressFromString(place.address)) return unknown;
     if (const auto camera = object.find("camera"); camera != object.end()) {
         place.camera = poseFrom(*camera);
-        if (!place.camera) return Error{"The camera of this place cannot be read."};
+        if (!place.camera) return Error{"The camera of this position cannot be read."};
     }
     return place;
 }

@@ -1,4 +1,4 @@
-/// Where one is in a run, with the camera, as text: to be copied, pasted and kept.
+/// A position in a run, with the camera, as text: to be copied, pasted and kept.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,13 @@
 namespace se::view {
 
 struct Place {
-    std::string address;  ///< As the go-to box takes it; empty at the start of the run.
+    std::string address;  ///< As accepted by the go-to box; empty at the start of the run.
     std::optional<CameraPose> camera;
 };
 
 /// One line of JSON.
 std::string toText(const Place& place);
-/// Reads what toText() wrote, or a bare address. Fails with a sentence.
+/// Parses the result of toText(), or a bare address. Fails with a sentence.
 Result<Place> placeFromText(std::string_view text);
 
 }  // namespace se::view

@@ -11,7 +11,7 @@ using namespace se::view;
 
 namespace {
 
-/// Opens a scene and waits for all that is under way.
+/// Opens a scene and waits for all work.
 struct Bench : test::Desk {
     explicit Bench(const char* source = "scene:figure-12") : Desk("breakpoints") {
         session.open({source, {}, "paper"});
@@ -26,7 +26,7 @@ struct Bench : test::Desk {
         ui.breakpoints.push_back({"", line});
         session.arm(ui.breakpoints);
     }
-    /// Where `key` stops again and again, until the end or the start.
+    /// All stops of `key`, until the end or the start.
     std::vector<std::string> stops(const char* key) {
         std::vector<std::string> places;
         for (;;) {
@@ -39,7 +39,7 @@ struct Bench : test::Desk {
     }
 };
 
-/// Plays until playing stops, and says where.
+/// Plays until playing stops; returns the position.
 std::string playOn(Bench& b, int count) {
     b.playback.play();
     for (int i = 0; i < 100000 && b.playback.playing() && !b.session.atEnd(); ++i) {
@@ -51,7 +51,7 @@ std::string playOn(Bench& b, int count) {
 
 }  // namespace
 
-TEST_CASE("F5 and Shift+F5 stop at the same places, for every preset") {
+TEST_CASE("F5 and Shift+F5 stop at the same positions, for every preset") {
     Bench b;
     b.session.goTo({30, Stage::Sphere, 1});
     b.session.settle();
@@ -86,7 +86,7 @@ TEST_CASE("Without a breakpoint F5 runs to the end, and Shift+F5 to the start") 
     CHECK(b.place() == "start");
 }
 
-TEST_CASE("F5 goes on from where the move before it leads to") {
+TEST_CASE("F5 continues from the target of the previous move") {
     Bench b;
     b.set("stage=split");
     b.press("F5");
@@ -99,7 +99,7 @@ TEST_CASE("F5 goes on from where the move before it leads to") {
     }
 }
 
-TEST_CASE("F9 breaks at what is selected, else at this kind of decision; again takes it away") {
+TEST_CASE("F9 breaks on the selection, otherwise on this kind of decision; again removes it") {
     Bench b;
     b.press("F9");
     CHECK(b.ui.breakpoints.empty());
@@ -123,7 +123,7 @@ TEST_CASE("F9 breaks at what is selected, else at this kind of decision; again t
     CHECK(b.ui.breakpoints.size() == 2);
 }
 
-TEST_CASE("Playing stops at the breakpoint that F5 goes to, whatever the unit") {
+TEST_CASE("Playing stops at the breakpoint that F5 goes to, in every unit") {
     Bench b;
     b.set("stage=sphere refused");
     b.press("F5");
@@ -142,7 +142,7 @@ TEST_CASE("Playing stops at the breakpoint that F5 goes to, whatever the unit") 
     }
 }
 
-TEST_CASE("Playing goes by what is off or log-only") {
+TEST_CASE("Playing ignores breakpoints that are off or log-only") {
     Bench b;
     b.ui.breakpoints = {{"", "stage=sphere", 0, 1, false, false},
                         {"", "stage=sort", 0, 1, true, true}};
@@ -157,7 +157,7 @@ TEST_CASE("Playing goes by what is off or log-only") {
     CHECK(b.session.hits().of("stage=sphere") == nullptr);
 }
 
-TEST_CASE("A line that says nothing stops nothing") {
+TEST_CASE("An empty line stops nothing") {
     Bench b;
     b.set("stage=dragon");
     b.set(" ");
@@ -166,7 +166,7 @@ TEST_CASE("A line that says nothing stops nothing") {
     CHECK(b.session.atEnd());
 }
 
-TEST_CASE("A search can be stopped, and goes on when it is needed") {
+TEST_CASE("A search can be stopped, and resumes when it is needed") {
     Bench b;
     b.ui.breakpoints = {{"", "stage=split"}};
     b.session.arm(b.ui.breakpoints);
@@ -177,7 +177,7 @@ TEST_CASE("A search can be stopped, and goes on when it is needed") {
     CHECK(b.session.hits().of("stage=split")->complete);
 }
 
-TEST_CASE("Another input is searched anew") {
+TEST_CASE("Another input is searched from the start") {
     Bench b;
     b.set("stage=split");
     b.session.settle();
@@ -188,7 +188,7 @@ TEST_CASE("Another input is searched anew") {
     CHECK(b.session.hits().of("stage=split")->list.total != before);
 }
 
-TEST_CASE("Marks of hits: each pivot once, and no more than there is room for") {
+TEST_CASE("Marks of hits: each pivot once, and at most as many as fit") {
     Bench b;
     b.set("stage=sort");
     b.session.settle();
@@ -229,14 +229,14 @@ TEST_CASE("A watched number is that of the state, at every pivot") {
     CHECK(status->values.back() == -1.0);
 }
 
-TEST_CASE("Going through the run for a watch can be stopped, and goes on when it is asked for") {
+TEST_CASE("The scan for a watch can be stopped, and resumes on request") {
     Bench b;
     b.ui.watches = {"ring"};
     b.session.watch(b.ui.watches);
     WatchScan& scan = b.session.watches();
     REQUIRE(scan.busy());
     scan.cancel();
-    // It may have come to its end before.
+    // It may have ended before.
     const bool complete = scan.of("ring") != nullptr && scan.of("ring")->complete;
     CHECK(scan.cancelled() == !complete);
     CHECK_FALSE(scan.busy());
@@ -246,7 +246,7 @@ TEST_CASE("Going through the run for a watch can be stopped, and goes on when it
     b.settle();
     CHECK_FALSE(scan.cancelled());
     CHECK(scan.of("ring")->complete);
-    // Another expression is looked for at once, and so is what was given up.
+    // Another expression is scanned at once, and so is the cancelled one.
     b.ui.watches = {"ring", "stack"};
     b.session.watch(b.ui.watches);
     scan.cancel();

@@ -51,7 +51,7 @@ bool finds(std::string_view filter, std::string_view id) {
 
 }  // namespace
 
-TEST_CASE("No key stands for two commands, and every key can be read and written") {
+TEST_CASE("No key belongs to two commands, and every key can be read and written") {
     std::map<std::string, std::string_view> owner;
     for (const Command& command : commands()) {
         for (const std::string& key : keysOf(command)) {
@@ -84,7 +84,7 @@ TEST_CASE("Texts that are no keys are refused") {
     }
 }
 
-TEST_CASE("The keys of the conventions do what they say") {
+TEST_CASE("The conventional keys have their usual effect") {
     CommandDesk desk;
     desk.press("F10");
     desk.press(".");
@@ -140,7 +140,7 @@ TEST_CASE("Layer keys switch their layer") {
     CHECK(desk.ui.settings.layers == LayerModes{});
 }
 
-TEST_CASE("Framing moves the camera to the selection or the pivot; stepping leaves it alone") {
+TEST_CASE("Framing moves the camera to the selection or the pivot; stepping does not") {
     CommandDesk desk;
     const Camera before = desk.camera;
     desk.press("F10");
@@ -167,7 +167,7 @@ TEST_CASE("The palette finds actions by words, those in the title first") {
     const auto pivots = found("PIVOT next");
     REQUIRE_FALSE(pivots.empty());
     CHECK(pivots.front().id == "step.pivot.next");
-    // Whoever types the name of a panel gets the panel, not something about it.
+    // The name of a panel finds the panel first, not actions about it.
     CHECK(found("rules").front().id == "view.rules");
     CHECK(found("Watch").front().id == "view.watch");
     for (const PaletteEntry& each : found("normals")) {
@@ -185,7 +185,7 @@ TEST_CASE("The palette finds by the beginnings of words, not by their middle") {
     for (const PaletteEntry& each : found("up")) CHECK(each.id != "duplicates");
 }
 
-TEST_CASE("The palette finds by other words for the same") {
+TEST_CASE("The palette finds by synonyms") {
     struct Other {
         const char* word;
         const char* id;
@@ -222,7 +222,7 @@ TEST_CASE("The palette shows panels, and opens scenes and figures") {
     CHECK(desk.ui.requests.open == "scene:figure-12");
     choosing("hole of four", PaletteEntry::Kind::Scene);
     CHECK(desk.ui.requests.open == "scene:four-edge-hole");
-    // What an action opens stands there once.
+    // A panel opened by an action is listed once.
     const auto rules = found("rules");
     CHECK(std::count_if(rules.begin(), rules.end(),
                         [](const PaletteEntry& each) { return each.title == "Rules"; }) == 1);

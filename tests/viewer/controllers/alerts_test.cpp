@@ -15,7 +15,7 @@ using namespace se::view::test;
 
 namespace {
 
-/// A program without a window that opens a source as the command line would.
+/// A program without a window that opens a source like the command line.
 struct AlertDesk : Desk {
     Alerting alerting{context, filing};
 
@@ -40,7 +40,7 @@ struct AlertDesk : Desk {
     }
 };
 
-/// A file with a hole: the sphere scene without a few points about a pole, read with short lists.
+/// A file with a hole: the sphere scene without a few points around a pole, read with short lists.
 std::string holedFile(const std::filesystem::path& path) {
     const PointFile sphere = findScene("four-edge-hole")->build();
     std::FILE* out = std::fopen(path.c_str(), "w");
@@ -66,7 +66,7 @@ struct FailingFile {
 
 }  // namespace
 
-TEST_CASE("Alerts are all failures of the run, by class, and known once it was gone through") {
+TEST_CASE("Alerts are all failures of the run, by class, and known once the run is complete") {
     OpenSession open("scene:noise");
     const AlertSearch& alerts = open.session.alerts();
     REQUIRE(alerts.done());
@@ -85,7 +85,7 @@ TEST_CASE("Alerts are all failures of the run, by class, and known once it was g
     CHECK_FALSE(open.session.takeAlertNews());
 }
 
-TEST_CASE("A search that was stopped has found nothing until it is taken up again") {
+TEST_CASE("A search that was stopped has no results until it is resumed") {
     AlertSearch alerts;
     alerts.begin();
     CHECK_FALSE(alerts.busy());
@@ -102,7 +102,7 @@ TEST_CASE("A search that was stopped has found nothing until it is taken up agai
     CHECK(alerts.done());
 }
 
-TEST_CASE("An alert is named by its class and its place in it") {
+TEST_CASE("An alert is named by its class and its number in it") {
     OpenSession open("scene:noise");
     const AlertSearch& alerts = open.session.alerts();
     REQUIRE(alerts.failures().size() > 2);
@@ -115,7 +115,7 @@ TEST_CASE("An alert is named by its class and its place in it") {
         CHECK_FALSE(alertNamed(alerts, name));
 }
 
-TEST_CASE("A click goes to the moment, selects what it is about, and each moment is in the run") {
+TEST_CASE("A click goes to the moment, selects its subject, and each moment is in the run") {
     AlertDesk desk("scene:four-edge-hole");
     const AlertSearch& alerts = desk.session.alerts();
     REQUIRE(alerts.done());
@@ -158,7 +158,7 @@ TEST_CASE("The next alert is the next in the order of the run, from the cursor o
     CHECK(open.session.message() == "No failures found.");
 }
 
-TEST_CASE("An input opens on its first alert, if nobody named a place, and only once") {
+TEST_CASE("An input opens on its first alert, if no position was named, and only once") {
     const FailingFile file;
     AlertDesk desk(file.path.string());
     const AlertSearch& alerts = desk.session.alerts();
@@ -168,7 +168,7 @@ TEST_CASE("An input opens on its first alert, if nobody named a place, and only 
     CHECK(desk.place() == toString(alerts.failures()[first].moments.created.event.address));
     CHECK(desk.ui.wantedTab == kAlertsTab);
     CHECK(desk.alerting.takeOpened());
-    // Run anew, with another rule or as it is: one stays at the start.
+    // Re-run, with another rule or unchanged: the cursor stays at the start.
     desk.ui.requests.reload = true;
     desk.filing.carryOut(desk.ui.requests);
     desk.arrive();
@@ -176,7 +176,7 @@ TEST_CASE("An input opens on its first alert, if nobody named a place, and only 
     CHECK_FALSE(desk.session.chosenAlert());
 }
 
-TEST_CASE("A place that was named, a sound input and a lesson are left alone") {
+TEST_CASE("A named position, a correct input and a lesson are left unchanged") {
     const FailingFile file;
     CHECK(AlertDesk(file.path.string(), {}, "0").place() == "start");
     CHECK(AlertDesk(file.path.string(), {}, "7").session.record().pivot == 7);
@@ -190,7 +190,7 @@ TEST_CASE("A place that was named, a sound input and a lesson are left alone") {
     CHECK(learn.place() == "start");
 }
 
-TEST_CASE("--alert opens on any alert, at a place if one is named too, and complains otherwise") {
+TEST_CASE("--alert opens on any alert, at a position if one is named too, and fails otherwise") {
     AlertDesk desk("scene:noise", "duplicate_triangles:2");
     REQUIRE(desk.session.chosenAlert());
     CHECK(alertName(desk.session.alerts(), *desk.session.chosenAlert()) == "duplicate_triangles:2");
@@ -222,7 +222,7 @@ TEST_CASE("A scene that fails opens on the decision that is the cause, with its 
     CHECK(galleryScene("scene:sphere") == nullptr);
 }
 
-TEST_CASE("A scene opens at the decision that it is about, in every layout") {
+TEST_CASE("A scene opens at the decision that it demonstrates, in every layout") {
     for (const Scene& each : scenes()) {
         CAPTURE(each.id);
         const std::string expected = each.address.empty() ? "start" : std::string(each.address);
@@ -239,14 +239,14 @@ TEST_CASE("A scene opens at the decision that it is about, in every layout") {
         desk.filing.open("scene:sphere");
         desk.arrive();
     }
-    // A place that somebody names wins.
+    // A named position takes precedence.
     AlertDesk named("scene:figure-4", {}, "3.sort.1");
     CHECK(named.place() == "3.sort.1");
     CHECK_FALSE(named.filing.takeFocus());
     CHECK(AlertDesk("scene:figure-4", {}, "0").place() == "start");
 }
 
-TEST_CASE("What goes wrong with a decision is noticed at it, and drawn") {
+TEST_CASE("Failures of a decision are noticed at it, and drawn") {
     AlertDesk desk("scene:four-edge-hole", {}, "81.emit.1");
     REQUIRE_FALSE(desk.session.noticedHere().empty());
     CHECK(desk.session.noticedText().find(" Alert: Triangle 315 ") == 0);
@@ -259,7 +259,7 @@ TEST_CASE("What goes wrong with a decision is noticed at it, and drawn") {
     CHECK(list.sheets.size() >= 2);
     REQUIRE_FALSE(list.labels.empty());
     CHECK(list.labels[0].text.starts_with("! "));
-    // Before the decision nothing is wrong yet.
+    // Before the decision there is no failure yet.
     desk.session.showBefore(true);
     CHECK(desk.session.noticedHere().empty());
     desk.session.showBefore(false);
@@ -291,7 +291,7 @@ TEST_CASE("A rule that would have prevented an alert is switched on by one click
     switchOn(desk.context, best);
     desk.filing.carryOut(desk.ui.requests);
     desk.arrive();
-    // Its result is in sight: the whole mesh, from where one looked.
+    // Its result is visible: the whole mesh, from the same camera.
     CHECK(desk.session.atEnd());
     CHECK(desk.camera.pose() == camera);
     CHECK_FALSE(desk.ui.requests.frameAlert);
@@ -304,7 +304,7 @@ TEST_CASE("A rule that would have prevented an alert is switched on by one click
     CHECK_FALSE(isStillThere(failure, now));
 }
 
-TEST_CASE("A session keeps the alert that is looked at") {
+TEST_CASE("A session keeps the chosen alert") {
     AlertDesk desk("scene:noise", "duplicate_triangles:2");
     desk.ui.requests.saveSessionAs = (desk.folder / "alert.sesession").string();
     desk.filing.carryOut(desk.ui.requests);
@@ -316,7 +316,7 @@ TEST_CASE("A session keeps the alert that is looked at") {
     CHECK(desk.place() == "285.emit.2");
 }
 
-TEST_CASE("alerts: it is said where a run is too large to be watched while one steps") {
+TEST_CASE("alerts: a note tells if a run is too large to be checked during stepping") {
     CHECK(watchNote(kMostWatched, 0).empty());
     CHECK(watchNote(kMostWatched + 1, 0).find(grouped(kMostWatched) + " points") !=
           std::string::npos);
@@ -325,7 +325,7 @@ TEST_CASE("alerts: it is said where a run is too large to be watched while one s
           std::string::npos);
 }
 
-TEST_CASE("Alerts of a tangled run are the first of each class, with how many there are") {
+TEST_CASE("Alerts of a tangled run are the first of each class, with the number of all") {
     InputSpec spec{"sample:torus,n=400", {WithinRadius{1e300}, true, 0, true}, "paper"};
     Session session;
     session.open(spec);

@@ -26,7 +26,7 @@ struct FilingDesk : test::Desk {
 
 }  // namespace
 
-TEST_CASE("What was saved comes back: place, camera, layers, layout, selection, notes") {
+TEST_CASE("A saved session is restored: position, camera, layers, layout, selection, notes") {
     FilingDesk desk;
     desk.open("scene:sphere");
     REQUIRE(desk.session.goToText("12.sort.2").ok());
@@ -72,7 +72,7 @@ TEST_CASE("An input that has changed since is a warning, not an error") {
     CHECK(desk.session.message().find("has changed") != std::string::npos);
 }
 
-TEST_CASE("A bad session leaves what is open alone and says why") {
+TEST_CASE("A bad session leaves the open input unchanged and gives the reason") {
     FilingDesk desk;
     desk.open("scene:sphere");
     std::ofstream(desk.folder / "bad.sesession") << "{";
@@ -127,7 +127,7 @@ TEST_CASE("Recent files and layout are kept in the state file, and only if there
     CHECK(readKeptState(state) == KeptState{Arrangement::Present, {path.string()}});
 }
 
-TEST_CASE("Edits are taken and given back as they were") {
+TEST_CASE("Edits are captured and restored unchanged") {
     FilingDesk desk;
     desk.open("scene:sphere");
     const Edits before = captureEdits(desk.context);
@@ -178,7 +178,7 @@ TEST_CASE("Bookmarks and notes are unsaved until a session file holds them") {
     CHECK(desk.filing.unsaved().empty());
 }
 
-TEST_CASE("A session of before there was an up axis opens with z up; a new one keeps its own") {
+TEST_CASE("A session older than the up axis opens with z up; a new one keeps its own") {
     FilingDesk desk;
     const auto openWith = [&](const std::string& camera) {
         const fs::path path = desk.folder / "up.sesession";
@@ -192,7 +192,7 @@ TEST_CASE("A session of before there was an up axis opens with z up; a new one k
     REQUIRE(old.has_value());
     CHECK(old->up == UpAxis::Z);
     CHECK_FALSE(openWith("").has_value());
-    // Where it has no camera there is nothing to say otherwise.
+    // A session without a camera has z up.
     CHECK(desk.filing.openedSession());
     desk.camera.setUp(UpAxis::X);
     const fs::path path = desk.folder / "new.sesession";

@@ -24,7 +24,7 @@ struct SavingDesk : test::Desk {
         settle();
         actions::saveMesh(context);
     }
-    /// One frame with that wish, and all that comes of it.
+    /// One frame with that request, and all its consequences.
     void ask(MeshAsk what, const fs::path& path = {}) {
         ui.mesh.ask = what;
         ui.mesh.path = path.string();
@@ -43,7 +43,7 @@ PointFile read(const fs::path& path) {
 
 }  // namespace
 
-TEST_CASE("A saved mesh reads back as the mesh that the run ends with, in each format read here") {
+TEST_CASE("A saved mesh reads back as the final mesh of the run, in each format read here") {
     SavingDesk desk("scene:sheet");
     desk.ask(MeshAsk::None);
     REQUIRE(desk.ui.mesh.size.has_value());
@@ -86,7 +86,7 @@ TEST_CASE("Used points only: the file has no other points, and the same triangle
     }
 }
 
-TEST_CASE("The mesh that is saved is that of the end of the run, wherever the cursor stands") {
+TEST_CASE("The mesh that is saved is that of the end of the run, wherever the cursor is") {
     SavingDesk desk;
     desk.session.goToPivot(3);
     desk.settle();
@@ -114,7 +114,7 @@ TEST_CASE("A file is replaced only after a question") {
     CHECK(read(path).faces == *desk.mesh().triangles);
 }
 
-TEST_CASE("What cannot be written is told in the dialog, which stays open") {
+TEST_CASE("A write error is reported in the dialog, which stays open") {
     SavingDesk desk;
     desk.ask(MeshAsk::Save, desk.folder / "none" / "a.ply");
     CHECK(desk.ui.fileBrowser);
@@ -156,7 +156,7 @@ TEST_CASE(
     test::Desk empty("saving-empty-test");
     actions::saveMesh(empty.context);
     CHECK_FALSE(empty.ui.fileBrowser);
-    CHECK(empty.session.message().find("nothing open") != std::string::npos);
+    CHECK(empty.session.message().find("no run") != std::string::npos);
     actions::copyCommand(empty.context);
     CHECK(empty.ui.mesh.ask == MeshAsk::None);
 
@@ -181,7 +181,7 @@ TEST_CASE("Another run, other rules: the mesh is made again") {
     CHECK(desk.ui.mesh.size->triangles != paper.triangles);
 }
 
-TEST_CASE("Of an STL far from the origin the notice says what its positions are relative to") {
+TEST_CASE("For an STL far from the origin the notice reports the offset of its positions") {
     const SavingDesk desk;
     FinishedMesh mesh = desk.mesh();
     PointFile far = *mesh.points;

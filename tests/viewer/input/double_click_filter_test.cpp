@@ -22,7 +22,7 @@ TEST_CASE("The first half of a double click never counts") {
     CHECK_FALSE(click.due(20.0).has_value());
 }
 
-TEST_CASE("A click elsewhere takes the place of one that waits") {
+TEST_CASE("A click elsewhere replaces one that waits") {
     ClickWait click;
     click.begin(Selection::ofPoint(7), 10.3);
     click.begin(Selection{}, 10.5);

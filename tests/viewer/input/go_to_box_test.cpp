@@ -10,7 +10,7 @@ namespace {
 
 void type(GoToBox& box, std::string_view text) {
     for (const char c : text) {
-        // A key comes first, then its sign, as from a window.
+        // A key comes first, then its character, as from a window.
         CHECK(box.press({c, kNoMods}));
         box.type(static_cast<unsigned char>(c));
     }
@@ -18,7 +18,7 @@ void type(GoToBox& box, std::string_view text) {
 
 }  // namespace
 
-TEST_CASE("What is typed into the go-to box is handed over by Enter, once") {
+TEST_CASE("Text typed into the go-to box is submitted by Enter, once") {
     GoToBox box;
     box.open();
     type(box, "137.sortx");
@@ -51,7 +51,7 @@ TEST_CASE("Function keys and Ctrl chords go past the open box, plain keys do not
     CHECK_FALSE(box.press(*keyFromString("F10")));
     CHECK_FALSE(box.press(*keyFromString("Ctrl+Q")));
     CHECK_FALSE(box.press(*keyFromString("Ctrl+1")));
-    // What edits text is the box's own, as in any text field.
+    // Editing keys belong to the box, as in any text field.
     CHECK(box.press(*keyFromString("Ctrl+Z")));
     CHECK(box.press(*keyFromString("Alt+Left")));
     CHECK(box.press(*keyFromString("Space")));
@@ -59,7 +59,7 @@ TEST_CASE("Function keys and Ctrl chords go past the open box, plain keys do not
     CHECK(box.active());
 }
 
-TEST_CASE("The box takes no more than an address can be long, and no signs that none has") {
+TEST_CASE("The box takes at most the length of an address, and only characters of addresses") {
     GoToBox box;
     box.open();
     for (int i = 0; i < 1000; ++i) box.type('7');
@@ -69,7 +69,7 @@ TEST_CASE("The box takes no more than an address can be long, and no signs that 
     CHECK(box.text().empty());
 }
 
-TEST_CASE("The text of the box is edited where the caret is") {
+TEST_CASE("The text of the box is edited at the caret") {
     GoToBox box;
     box.open();
     type(box, "17.sot");
@@ -91,13 +91,13 @@ TEST_CASE("The text of the box is edited where the caret is") {
     CHECK(box.caret() == 6);
 }
 
-TEST_CASE("Ctrl+A marks what is in the box; what comes then takes its place") {
+TEST_CASE("Ctrl+A selects the text of the box; the next input replaces it") {
     GoToBox box;
     box.open();
     type(box, "137");
     CHECK_FALSE(box.marked());
     box.press(*keyFromString("Ctrl+C"));
-    CHECK(box.takeCopied().empty());  // nothing is marked
+    CHECK(box.takeCopied().empty());  // nothing is selected
     box.press(*keyFromString("Ctrl+A"));
     CHECK(box.marked());
     box.press(*keyFromString("Ctrl+C"));

@@ -29,7 +29,7 @@ TEST_CASE("Without changes the keys are those of the table") {
     }
 }
 
-TEST_CASE("A key that is bound is taken from the action that had it; reset brings both back") {
+TEST_CASE("A bound key is removed from the action that had it; reset brings both back") {
     KeyMap map;
     const Command& next = command("step.pivot.next");
     const Command& play = command("run.play");
@@ -45,7 +45,7 @@ TEST_CASE("A key that is bound is taken from the action that had it; reset bring
     CHECK(map.changes().empty());
 }
 
-TEST_CASE("No key stands for two actions, whatever is bound") {
+TEST_CASE("No key belongs to two actions after any binding") {
     KeyMap map;
     for (const char* key : {"F10", "Space", "Ctrl+S", "N", "F10"}) {
         for (const char* id : {"view.home", "run.play", "layer.labels"}) {
@@ -70,7 +70,7 @@ TEST_CASE("Changes go through the settings and back") {
     CHECK(read.value().complaints.empty());
 }
 
-TEST_CASE("What settings say wrongly about keys is named, and all else holds") {
+TEST_CASE("Errors about keys in the settings are reported, and all else is used") {
     KeyMap map;
     const auto complaints = map.load({{"no.such.action", "F4"},
                                       {"step.pivot.next", "F8 Nonsense"},
@@ -84,7 +84,7 @@ TEST_CASE("What settings say wrongly about keys is named, and all else holds") {
     CHECK(map.commandFor(chord("F7")) == &command("view.home"));
 }
 
-TEST_CASE("A conflict is named, and the same key once more decides it") {
+TEST_CASE("A conflict is named, and the same key a second time resolves it") {
     KeyMap map;
     KeyCapture capture;
     capture.begin("step.pivot.next");
@@ -101,7 +101,7 @@ TEST_CASE("A conflict is named, and the same key once more decides it") {
     CHECK(map.all(command("file.save")).empty());
 }
 
-TEST_CASE("Esc leaves a key as it was, Backspace takes it away, nameless keys are refused") {
+TEST_CASE("Esc keeps a key, Backspace removes it, nameless keys are refused") {
     KeyMap map;
     KeyCapture capture;
     capture.begin("view.theme");

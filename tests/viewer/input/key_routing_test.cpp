@@ -33,7 +33,7 @@ KeyPress ctrl(bool released) {
     return press;
 }
 
-/// Frame by frame, how many presses each gets.
+/// Number of presses that each frame gets.
 std::vector<std::size_t> frames(std::vector<KeyPress> waiting) {
     std::vector<std::size_t> sizes;
     while (!waiting.empty()) {
@@ -52,7 +52,7 @@ KeyPress sign(unsigned code) {
 
 }  // namespace
 
-TEST_CASE("A text field keeps what edits it; other chords and function keys go on") {
+TEST_CASE("A text field keeps editing keys; other chords and function keys pass") {
     const Keyboard typing{true, false, false};
     for (const char* mine : {"A", "Shift+A", "Space", "Enter", "Ctrl+C", "Ctrl+V", "Ctrl+X",
                              "Ctrl+A", "Ctrl+Z", "Ctrl+Shift+Z", "Ctrl+Y", "Left", "Ctrl+Left",
@@ -67,7 +67,7 @@ TEST_CASE("A text field keeps what edits it; other chords and function keys go o
     }
 }
 
-TEST_CASE("Behind a dialog, and while somebody walks through a panel, plain keys do nothing") {
+TEST_CASE("Under a dialog, and during keyboard navigation of a panel, plain keys have no effect") {
     for (const Keyboard& keyboard : {Keyboard{false, true, false}, Keyboard{false, false, true}}) {
         CHECK_FALSE(reachesActions(chord("N"), keyboard));
         CHECK_FALSE(reachesActions(chord("Space"), keyboard));
@@ -79,7 +79,7 @@ TEST_CASE("Behind a dialog, and while somebody walks through a panel, plain keys
     CHECK(reachesActions(chord("N"), {}));
 }
 
-TEST_CASE("A key that comes down and goes up within one frame is seen in two") {
+TEST_CASE("A key that comes down and goes up within one frame is delivered in two") {
     const std::vector<KeyPress> enter = {down("Enter"), up("Enter")};
     CHECK(pressesOfNextFrame(enter) == 1);
     const std::vector<KeyPress> rest = {up("Enter")};
@@ -90,7 +90,7 @@ TEST_CASE("A key that comes down and goes up within one frame is seen in two") {
     CHECK(pressesOfNextFrame(chorded) == 1);
 }
 
-TEST_CASE("What is typed goes on in one frame, up to the key that ends it") {
+TEST_CASE("Typed text is delivered in one frame, up to the key that ends it") {
     const std::vector<KeyPress> typed = {down("A"), sign('a'), up("A"),       down("A"),
                                          sign('a'), up("A"),   down("Enter"), up("Enter")};
     CHECK(pressesOfNextFrame(typed) == 7);
@@ -101,7 +101,7 @@ TEST_CASE("What is typed goes on in one frame, up to the key that ends it") {
     CHECK(pressesOfNextFrame(held) == 3);
 }
 
-TEST_CASE("A chord is seen whole, in whatever order its keys go up") {
+TEST_CASE("A chord is delivered whole, in any order of its releases") {
     using Sizes = std::vector<std::size_t>;
     // Ctrl is down in the frame in which V comes down, and until its end.
     CHECK(frames({ctrl(false), down("Ctrl+V"), ctrl(true), up("V")}) == Sizes{2, 2});
@@ -115,18 +115,18 @@ TEST_CASE("A chord is seen whole, in whatever order its keys go up") {
     CHECK(frames({down("Left"), ctrl(false), up("Left"), ctrl(true)}) == Sizes{1, 3});
 }
 
-TEST_CASE("What is typed before and after a chord or an arrow keeps its place") {
+TEST_CASE("Text typed before and after a chord or an arrow keeps its order") {
     using Sizes = std::vector<std::size_t>;
-    // While Ctrl is down nothing is typed, so what came before must be in.
+    // While Ctrl is down nothing is typed, so earlier text must be in.
     CHECK(frames({down("X"), sign('x'), up("X"), ctrl(false), down("Ctrl+A"), ctrl(true), up("A"),
                   down("Y"), sign('y')}) == Sizes{3, 2, 4});
-    // Within one frame the sign would come first.
+    // Within one frame the character would come first.
     CHECK(frames({down("Left"), down("X"), sign('x'), up("Left"), up("X")}) == Sizes{2, 3});
     // Of two keys in one frame only one would count.
     CHECK(frames({down("Left"), down("Backspace"), up("Left"), up("Backspace")}) == Sizes{1, 2, 1});
 }
 
-TEST_CASE("The sign of a key belongs to its press; what is typed after it does not") {
+TEST_CASE("The character of a key belongs to its press; later text does not") {
     const std::vector<KeyPress> typed = {down("W"), sign('w'), up("W"), down("8"), sign('8')};
     CHECK(isSignOfKeyBefore(typed, 1));
     CHECK(isSignOfKeyBefore(typed, 4));

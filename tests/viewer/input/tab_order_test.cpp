@@ -10,7 +10,7 @@ using namespace se::view;
 
 namespace {
 
-/// Draws the panels of a frame; says which of them got the keyboard, View for none.
+/// Draws the panels of a frame; returns the one that got the keyboard, View for none.
 KeyStop frame(KeyWalk& walk, std::initializer_list<KeyStop> panels) {
     walk.begin();
     KeyStop got = KeyStop::View;
@@ -42,7 +42,7 @@ TEST_CASE("Tab leads from the view through all panels and back to the view") {
     CHECK(frame(walk, kDebug) == KeyStop::Content);
 }
 
-TEST_CASE("Panels that are not there are passed over") {
+TEST_CASE("Missing panels are skipped") {
     KeyWalk walk;
     frame(walk, {KeyStop::Tabs});
     frame(walk, {KeyStop::Tabs});
@@ -57,7 +57,7 @@ TEST_CASE("Panels that are not there are passed over") {
     CHECK(alone.at() == KeyStop::View);
 }
 
-TEST_CASE("The view has the keyboard again when the panel that had it is gone") {
+TEST_CASE("The view has the keyboard again when the panel with it is gone") {
     KeyWalk walk;
     frame(walk, kDebug);
     frame(walk, kDebug);
@@ -69,7 +69,7 @@ TEST_CASE("The view has the keyboard again when the panel that had it is gone") 
     CHECK(walk.at() == KeyStop::View);
 }
 
-TEST_CASE("Parts of the status bar are whole or not there, the most important first") {
+TEST_CASE("Parts of the status bar are whole or missing, the most important first") {
     const std::array<float, 4> widths = {60, 80, 200, 300};
     CHECK(fittingParts(1000, widths, 20) == 4);
     CHECK(fittingParts(700, widths, 20) == 4);

@@ -11,7 +11,7 @@ TEST_CASE("Keys wait from the command that opens a text field until the field ta
     CHECK_FALSE(wait.waits());
     wait.see(kQueryField);
     CHECK(wait.waits());
-    // The panel has asked for the keyboard, but does not have it.
+    // The panel has requested the keyboard, but does not have it.
     wait.endFrame(false);
     wait.see(kNoField);
     CHECK(wait.waits());
@@ -32,14 +32,14 @@ TEST_CASE("A text field that had the keyboard before does not end the wait for a
     REQUIRE_FALSE(wait.waits());
     wait.see(kPaletteField);
     CHECK_FALSE(wait.waits());
-    // The palette runs "Find decisions...": its own line is gone, the other one is on its way.
+    // The palette runs "Find decisions...": its own line is gone, the other one is about to appear.
     wait.see(kQueryField);
     CHECK(wait.waits());
     wait.endFrame(true);
     CHECK(wait.waits());
 }
 
-TEST_CASE("Keys do not wait forever for a text field that never comes") {
+TEST_CASE("Keys do not wait forever for a text field that never appears") {
     TypingWait wait;
     wait.see(kLedgerField);
     int frames = 0;

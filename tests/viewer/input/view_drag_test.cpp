@@ -29,26 +29,26 @@ TEST_CASE("A press right after a jump of the pointer moves nothing, and is a cli
     CHECK_FALSE(drag.drags());
 }
 
-TEST_CASE("A drag begins at the threshold, and then misses nothing of the way") {
+TEST_CASE("A drag begins at the threshold, and then has all of the motion") {
     ViewDrag drag;
     pressAt(drag, {100.0F, 100.0F});
     CHECK(drag.move({104.0F, 100.0F}, kThreshold) == glm::vec2(0.0F));
     CHECK(drag.move({107.0F, 101.0F}, kThreshold) == glm::vec2(0.0F));
     CHECK(drag.move({109.0F, 102.0F}, kThreshold) == glm::vec2(9.0F, 2.0F));
     CHECK(drag.move({109.0F, 102.0F}, kThreshold) == glm::vec2(0.0F));
-    // Back to the press it is still a drag.
+    // Back at the press it is still a drag.
     CHECK(drag.move({100.0F, 100.0F}, kThreshold) == glm::vec2(-9.0F, -2.0F));
 }
 
-TEST_CASE("A drag that is over within one frame counts as a whole") {
+TEST_CASE("A drag that ends within one frame counts as a whole") {
     ViewDrag drag;
-    // The frame sees the button down where the pointer is by then.
+    // The frame sees the button down at the current position of the pointer.
     pressAt(drag, {100.0F, 100.0F});
     CHECK(drag.move({160.0F, 120.0F}, kThreshold) == glm::vec2(60.0F, 20.0F));
     CHECK(drag.drags());
 }
 
-TEST_CASE("Another button that comes down meanwhile does not disturb a drag") {
+TEST_CASE("Another button pressed meanwhile does not disturb a drag") {
     ViewDrag drag;
     pressAt(drag, {100.0F, 100.0F});
     CHECK(drag.move({120.0F, 100.0F}, kThreshold) == glm::vec2(20.0F, 0.0F));

@@ -20,7 +20,7 @@ std::shared_ptr<const PointFile> sphere() {
     return std::make_shared<const PointFile>(findScene("sphere")->build());
 }
 
-/// The sphere scene with two zero normals, as a file that is gone with it.
+/// The sphere scene with two zero normals, as a file that is removed with this object.
 struct FlawedFile {
     std::filesystem::path path = ownPlace("flawed.xyz");
 
@@ -44,7 +44,7 @@ struct FlawedFile {
 
 }  // namespace
 
-TEST_CASE("The doctor looks only when told to, and its findings come once") {
+TEST_CASE("The doctor starts only on request, and its findings come once") {
     Checkup checkup;
     checkup.begin();
     CHECK_FALSE(checkup.busy());
@@ -61,7 +61,7 @@ TEST_CASE("The doctor looks only when told to, and its findings come once") {
     CHECK_FALSE(checkup.busy());
 }
 
-TEST_CASE("Another input sends the doctor away from the last one") {
+TEST_CASE("Another input cancels the examination of the last one") {
     Checkup checkup;
     for (int i = 0; i < 5; ++i) {
         checkup.wait(sphere());
@@ -78,7 +78,7 @@ TEST_CASE("Another input sends the doctor away from the last one") {
     CHECK(checkup.findings()[0].check->name == "ties");
 }
 
-TEST_CASE("What is opened is examined once the run was gone through, and accused once") {
+TEST_CASE("An input is examined once the run is complete, and problems are reported once") {
     const FlawedFile file;
     OpenSession open(file.path.c_str());
     REQUIRE(open.session.ready());
@@ -94,11 +94,11 @@ TEST_CASE("What is opened is examined once the run was gone through, and accused
     open.session.open({"scene:figure-4", {}, "paper"});
     open.session.settle();
     CHECK(open.session.marked().empty());
-    REQUIRE(open.session.checkup().findings().size() == 1);  // A note accuses nobody.
+    REQUIRE(open.session.checkup().findings().size() == 1);  // A note is no problem.
     CHECK_FALSE(open.session.takeAccusation());
 }
 
-TEST_CASE("Of a large finding evenly chosen points are marked, and none without a place") {
+TEST_CASE("Of a large finding evenly chosen points are marked, and none without a position") {
     const auto model = sphereModel();
     REQUIRE(model);
     Finding finding;
@@ -115,7 +115,8 @@ TEST_CASE("Of a large finding evenly chosen points are marked, and none without 
     CHECK(std::find(drawn.begin(), drawn.end(), 3U) == drawn.end());
 }
 
-TEST_CASE("The camera's place holds all marked points, and looks at those of one side from there") {
+TEST_CASE(
+    "The camera's target holds all marked points, and points of one side are seen from there") {
     const auto model = sphereModel();
     REQUIRE(model);
     std::vector<Index> all;

@@ -64,7 +64,7 @@ TEST_CASE("One step at a time: each moves the particles, and the line names the 
     CHECK(growth.picture()->step == Sampler::allSteps());
 }
 
-TEST_CASE("Played particles are seen on their way, and stop when told to") {
+TEST_CASE("Played particles are shown on their way, and stop on request") {
     Growth growth;
     growth.begin(torus(200));
     bool seen = false;
@@ -83,7 +83,7 @@ TEST_CASE("Played particles are seen on their way, and stop when told to") {
     CHECK_FALSE(growth.poll());
     CHECK(growth.picture()->step == step);
     CHECK(growth.spec().steps == step);
-    // What is cancelled leaves nothing; what is begun anew begins at the start.
+    // A cancelled run leaves nothing; a restarted one begins at the start.
     growth.cancel();
     CHECK(growth.picture() == nullptr);
     CHECK(growth.phase() == GrowthPhase::Idle);
@@ -93,7 +93,7 @@ TEST_CASE("Played particles are seen on their way, and stop when told to") {
     CHECK(growth.picture()->points->position.size() == 100);
 }
 
-TEST_CASE("A surface that is not there, and a volume that is none, are told in core's words") {
+TEST_CASE("A missing surface and an invalid volume are reported in core's words") {
     Growth growth;
     SampleSpec spec = torus(100);
     spec.isovalue = 1000.0;

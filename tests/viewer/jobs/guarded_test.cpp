@@ -35,7 +35,7 @@ TEST_CASE("An exception becomes a sentence") {
     CHECK(of([] { throw 7; }).starts_with("Internal error"));
 }
 
-TEST_CASE("Without memory an input is not opened, and the program goes on") {
+TEST_CASE("Without memory an input is not opened, and the program continues") {
     Session session;
     {
         const ScarceMemory scarce(4096);
@@ -49,7 +49,7 @@ TEST_CASE("Without memory an input is not opened, and the program goes on") {
     CHECK(session.ready());
 }
 
-TEST_CASE("Without memory a move ends where it began, and says why") {
+TEST_CASE("Without memory a move ends where it began, with a reason") {
     test::OpenSession open("scene:torus");
     REQUIRE(open.session.ready());
     {
@@ -69,7 +69,7 @@ TEST_CASE("Without memory a move ends where it began, and says why") {
     CHECK(open.session.atEnd());
 }
 
-TEST_CASE("Without memory the overview ends, and says why") {
+TEST_CASE("Without memory the overview ends, with a reason") {
     const auto model = test::sphereModel();
     const ScarceMemory scarce;
     OverviewJob thread(model);
@@ -79,7 +79,7 @@ TEST_CASE("Without memory the overview ends, and says why") {
     CHECK(thread.takeComplaint().empty());
 }
 
-TEST_CASE("Without memory the doctor says why it found nothing") {
+TEST_CASE("Without memory the doctor gives the reason for no result") {
     LoadProgress progress;
     const auto loaded = loadInput({"scene:torus", {}, "paper"}, progress);
     REQUIRE(loaded.ok());
@@ -96,7 +96,7 @@ TEST_CASE("Without memory the doctor says why it found nothing") {
     CHECK(saysOutOfMemory(checkup.complaint()));
 }
 
-TEST_CASE("Without memory a comparison says why there is none") {
+TEST_CASE("Without memory a comparison gives the reason for no result") {
     test::OpenSession open("scene:torus");
     Comparison comparison;
     {
@@ -108,7 +108,7 @@ TEST_CASE("Without memory a comparison says why there is none") {
     CHECK(saysOutOfMemory(comparison.complaint()));
 }
 
-TEST_CASE("An exception in the answer to a question is its complaint") {
+TEST_CASE("An exception in a query is its complaint") {
     Inquiry<int> inquiry;
     inquiry.ask([](const Progress&) -> Result<int> { throw std::runtime_error("it broke"); });
     inquiry.finish();
@@ -122,7 +122,7 @@ TEST_CASE("An exception in the answer to a question is its complaint") {
     CHECK(inquiry.complaint().empty());
 }
 
-TEST_CASE("Without memory breakpoints and watches are given up, and say why") {
+TEST_CASE("Without memory breakpoints and watches are cancelled, with a reason") {
     const auto model = test::sphereModel();
     HitSearch hits;
     WatchScan watches;
@@ -144,7 +144,7 @@ TEST_CASE("Without memory breakpoints and watches are given up, and say why") {
     CHECK(watches.of("ring")->complete);
 }
 
-TEST_CASE("Without memory new points fail, and say why") {
+TEST_CASE("Without memory new points fail, with a reason") {
     Growth growth;
     {
         const ScarceMemory scarce;

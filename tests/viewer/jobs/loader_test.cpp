@@ -18,7 +18,7 @@ InputSpec scene(const char* source) { return {source, {}, "paper"}; }
 
 }  // namespace
 
-TEST_CASE("What was opened comes once, with the start of its run") {
+TEST_CASE("An opened input comes once, with the start of its run") {
     Loader loader;
     CHECK_FALSE(loader.busy());
     loader.begin(scene("scene:sphere"));
@@ -48,7 +48,7 @@ TEST_CASE("The last of several inputs is the one that is opened") {
     CHECK(opened->value().model->name == "scene:grid");
 }
 
-TEST_CASE("Nobody waits for what was cancelled") {
+TEST_CASE("A cancelled opening is not waited for") {
     Loader loader;
     loader.begin(scene("scene:torus"));
     loader.cancel();
@@ -57,7 +57,7 @@ TEST_CASE("Nobody waits for what was cancelled") {
     CHECK_FALSE(loader.take().has_value());
 }
 
-TEST_CASE("A session whose opening is cancelled goes on with what was open, at once") {
+TEST_CASE("A session whose opening is cancelled continues with the open input, at once") {
     test::OpenSession open;
     const std::uint32_t before = open.session.generation();
     open.session.open(scene("scene:torus"));
@@ -76,7 +76,7 @@ TEST_CASE("A session whose opening is cancelled goes on with what was open, at o
     CHECK(empty.startPage());
 }
 
-TEST_CASE("A file is hashed as it is read; what cannot be read is told by its name") {
+TEST_CASE("A file is hashed as it is read; an unreadable one is reported by its name") {
     const fs::path path = test::ownPlace("loader-test.xyz");
     std::ofstream(path) << "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n1 1 0 0 0 1\n";
     LoadProgress progress;
@@ -94,7 +94,7 @@ TEST_CASE("A file is hashed as it is read; what cannot be read is told by its na
     CHECK_FALSE(loadModel({"scene:sphere", {}, "paper"}, progress).ok());
 }
 
-TEST_CASE("Points from standard input are opened as often as one likes") {
+TEST_CASE("Points from standard input can be opened repeatedly") {
     InputSpec spec = scene("-");
     LoadProgress progress;
     const auto missing = loadInput(spec, progress);

@@ -38,7 +38,8 @@ struct AskDesk {
 
 }  // namespace
 
-TEST_CASE("A point, an edge or a triangle can be typed, there or not, and mistakes are named") {
+TEST_CASE(
+    "A point, an edge or a triangle can be typed, present or not, and mistakes are reported") {
     CHECK(selectionFromText("7", 10).value() == Selection::ofPoint(7));
     CHECK(selectionFromText(" 7,3 ", 10).value() == Selection::ofEdge(3, 7));
     CHECK(selectionFromText("edge 7-3", 10).value() == Selection::ofEdge(3, 7));
@@ -57,7 +58,7 @@ TEST_CASE("A point, an edge or a triangle can be typed, there or not, and mistak
     }
 }
 
-TEST_CASE("W asks about the selection, and the answer is that of the library") {
+TEST_CASE("W queries the selection, and the answer is that of the library") {
     AskDesk desk;
     CHECK(desk.ledger() == nullptr);
     desk.session().select(32);
@@ -74,7 +75,7 @@ TEST_CASE("W asks about the selection, and the answer is that of the library") {
     CHECK_FALSE(ledger->present);
 }
 
-TEST_CASE("Without a selection W waits for something to be typed") {
+TEST_CASE("Without a selection W waits for input") {
     AskDesk desk;
     desk.run("ask.why");
     CHECK(desk.ui.wantedTab == kLedgerTab);
@@ -82,7 +83,7 @@ TEST_CASE("Without a selection W waits for something to be typed") {
     CHECK_FALSE(desk.session().questions().busy());
 }
 
-TEST_CASE("An edge that is not there can be asked for") {
+TEST_CASE("An edge that is not present can be queried") {
     AskDesk desk("scene:sphere");
     const Index far = static_cast<Index>(desk.session().model().points.size() - 1);
     askWhy(desk.context, Selection::ofEdge(0, far));
@@ -91,7 +92,7 @@ TEST_CASE("An edge that is not there can be asked for") {
     CHECK(desk.session().selection() == Selection::ofEdge(0, far));
 }
 
-TEST_CASE("The lines are walked in both directions of time, from wherever the cursor stands") {
+TEST_CASE("The lines are walked in both directions of time, from any cursor position") {
     AskDesk desk;
     askWhy(desk.context, Selection::ofPoint(32));
     const WhyAnswer ledger = *desk.ledger();
@@ -117,7 +118,7 @@ TEST_CASE("The lines are walked in both directions of time, from wherever the cu
     CHECK(desk.open.place() == toString(ledger.lines[ledger.cause].event.address));
 }
 
-TEST_CASE("Between two lines the cursor lies before the next one") {
+TEST_CASE("Between two lines the cursor is before the next one") {
     AskDesk desk;
     askWhy(desk.context, Selection::ofPoint(32));
     const WhyAnswer ledger = *desk.ledger();
@@ -135,7 +136,7 @@ TEST_CASE("Between two lines the cursor lies before the next one") {
           ledger.lines.back().event.address.pivot);
 }
 
-TEST_CASE("Another subject gives the last question up, another run all answers") {
+TEST_CASE("Another subject cancels the last query, another run discards all answers") {
     AskDesk desk;
     for (Index p = 0; p < 20; ++p) askWhy(desk.context, Selection::ofPoint(p));
     REQUIRE(desk.ledger() != nullptr);
@@ -147,7 +148,7 @@ TEST_CASE("Another subject gives the last question up, another run all answers")
     CHECK(desk.session().questions().subject().kind == SelectionKind::None);
 }
 
-TEST_CASE("A question can be stopped, and asked again") {
+TEST_CASE("A query can be stopped, and repeated") {
     AskDesk desk;
     askWhy(desk.context, Selection::ofPoint(32));
     desk.session().questions().ledger().stop();
@@ -169,7 +170,7 @@ TEST_CASE("The copied text has the answer, every address and a mark at the cause
           std::string::npos);
 }
 
-TEST_CASE("A query line finds what the library finds, and its decisions are walked by keys") {
+TEST_CASE("A query line finds what the library finds, and keys step through its decisions") {
     AskDesk desk;
     desk.ui.query.typed = "stage=sphere refused";
     findTyped(desk.context);
@@ -187,7 +188,7 @@ TEST_CASE("A query line finds what the library finds, and its decisions are walk
     desk.run("ask.hit.previous");
     desk.run("ask.hit.previous");
     CHECK(desk.open.place() == toString(found->lines[0].event.address));
-    CHECK(desk.session().message() == "Nothing before is like that.");
+    CHECK(desk.session().message() == "No earlier decision matches.");
 }
 
 TEST_CASE(
@@ -209,21 +210,22 @@ TEST_CASE(
                              std::to_string(desk.session().overview().lastPivot);
     CHECK(desk.session().message().find(rest) != std::string::npos);
     CHECK(DecisionQuery::parse(rest).ok());
-    // Coming back from behind the list is no step to the one before, and that is said.
+    // Coming back from after the end of the list is no step to the previous one, and a message says
+    // so.
     desk.session().toEnd();
     desk.session().settle();
     desk.run("ask.hit.previous");
     desk.session().settle();
     CHECK(toString(desk.session().address()) == toString(last));
     CHECK(desk.session().message().find(rest) != std::string::npos);
-    // Within the list nothing is said.
+    // Within the list there is no message.
     desk.session().say("");
     desk.run("ask.hit.previous");
     desk.session().settle();
     CHECK(desk.session().message().empty());
 }
 
-TEST_CASE("A line with a mistake asks nothing, and what was found stays") {
+TEST_CASE("A line with a mistake starts no query, and the old results stay") {
     AskDesk desk;
     CHECK(desk.session().questions().find("stage=split").ok());
     CHECK_FALSE(desk.session().questions().find("stage=dragon").ok());
@@ -232,7 +234,7 @@ TEST_CASE("A line with a mistake asks nothing, and what was found stays") {
     CHECK(desk.session().questions().found().answer() != nullptr);
 }
 
-TEST_CASE("The last word of a line may become those terms that begin so, and is completed") {
+TEST_CASE("The last word of a line is completed by the terms that begin with it") {
     CHECK(termsFor("").size() == queryTerms().size());
     CHECK(termsFor("kept ").size() == queryTerms().size());
     REQUIRE(termsFor("kept mar").size() == 1);
@@ -244,7 +246,7 @@ TEST_CASE("The last word of a line may become those terms that begin so, and is 
     CHECK(completed("stage=sphere", *termsFor("mar")[0]) == "stage=sphere margin<");
 }
 
-TEST_CASE("Closest calls and charts are asked for once in a run, and are void in the next") {
+TEST_CASE("Closest decisions and charts are queried once in a run, and are void in the next") {
     AskDesk desk;
     Questions& questions = desk.session().questions();
     CHECK(questions.leastMargin().empty());
@@ -266,7 +268,7 @@ TEST_CASE("Closest calls and charts are asked for once in a run, and are void in
     CHECK(questions.charts().answer() == nullptr);
 }
 
-TEST_CASE("A ring is asked for by its place, or as the one at the cursor") {
+TEST_CASE("A ring is queried by its address, or as the one at the cursor") {
     const Address here{25, Stage::Ring, 2};
     CHECK_FALSE(ringFromText("812", here).has_value());
     CHECK(ringFromText("ring", here)->value() == RingPlace{here, 0});
@@ -284,7 +286,7 @@ TEST_CASE("A ring is asked for by its place, or as the one at the cursor") {
     CHECK(desk.session().questions().subject().kind == SelectionKind::None);
 }
 
-TEST_CASE("Margins have steps by decades; the nearest stands out most from the background") {
+TEST_CASE("Margins have steps by decades; the least contrasts most with the background") {
     CHECK(marginStep(0.0) == 0U);
     CHECK(marginStep(-9e-7) == 0U);
     CHECK(marginStep(1e-6) == 1U);

@@ -1,4 +1,4 @@
-// What is drawn for the rules beyond the paper (docs/robust.md), and for what went wrong.
+// Drawings of the rules beyond the paper (docs/robust.md), and of alerts.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 InputSpec spec(const char* scene, const char* rules) { return {scene, {}, rules}; }
 
-/// Lists of so many neighbors, whatever lists the scene has.
+/// Lists of that many neighbors, instead of those of the scene.
 InputSpec spec(const char* scene, const char* rules, Index neighbors) {
     return {scene, {KNearest{neighbors}, true, 0, true}, rules};
 }
@@ -89,7 +89,7 @@ const Palette& kColors = paletteOf(Theme::Dark);
 }  // namespace
 
 TEST_CASE("Drawn for flip: the old edge dashed, the new one bold, two triangles, four letters") {
-    // The first step after the last pivot: what it edits are the triangles of the run themselves.
+    // The first step after the last pivot: it edits the triangles of the run themselves.
     const auto place = SetPlace::at<FlipEvidence>(spec("scene:figure-5", "robust"), Stage::Flip);
     REQUIRE(place != nullptr);
     const auto& e = place->evidence<FlipEvidence>();
@@ -116,7 +116,7 @@ TEST_CASE("Drawn for flip: the old edge dashed, the new one bold, two triangles,
     CHECK(place->drawn(addTriangles).faces.empty());
 }
 
-TEST_CASE("Drawn for reinsert: the point, its new edges and the triangles it is put in") {
+TEST_CASE("Drawn for reinsert: the point, its new edges and the triangles it is put into") {
     const auto place =
         SetPlace::at<ReinsertEvidence>(spec("scene:figure-7", "robust", 16), Stage::Reinsert);
     REQUIRE(place != nullptr);
@@ -125,7 +125,7 @@ TEST_CASE("Drawn for reinsert: the point, its new edges and the triangles it is 
     const DrawList list = place->drawn(addMending);
     CHECK(count(list, Shape::RingedDisc) == 1);
     CHECK(says(list, std::to_string(point)));
-    // What happens before it in the same step shows the mesh as it was.
+    // An event before it in the same step shows the old mesh.
     const PivotRecord& record = place->session.record();
     REQUIRE(record.events.size() == 2);
     CHECK(makePicture(record, 0).newTriangles.empty());
@@ -182,7 +182,7 @@ TEST_CASE("Drawn for fill: the rim of the hole bold, its best ear hatched") {
     CHECK(says(list, "hole of " + std::to_string(e.ringLength)));
 }
 
-TEST_CASE("Drawn for guard: the triangle that a rule objects to, and what it measured") {
+TEST_CASE("Drawn for guard: the triangle that a rule objects to, and its measure") {
     const auto place = SetPlace::at<GuardEvidence>(
         spec("scene:figure-5", "robust"), Stage::Guard,
         [](const GuardEvidence& e) { return e.verdict == Verdict::Steep; });
@@ -232,7 +232,7 @@ TEST_CASE("Drawn for a ring that is freed on a wall: bold in the color of the en
     for (const Line& line : list.lines) CHECK(line.color == kColors.last);
 }
 
-TEST_CASE("A mended mesh has a color for each component, too") {
+TEST_CASE("A repaired mesh has a color for each component as well") {
     Session session;
     session.open(spec("scene:linked-tori", "robust"));
     session.settle();

@@ -10,7 +10,7 @@ using namespace se;
 using namespace se::view;
 using namespace se::view::test;
 
-TEST_CASE("The table has every layer once, in the place of its id") {
+TEST_CASE("The table has every layer once, at the position of its id") {
     std::set<std::string_view> names;
     REQUIRE(layers().size() == kLayerCount);
     for (const Layer& layer : layers()) CHECK(names.insert(layer.name).second);
@@ -96,7 +96,7 @@ TEST_CASE("The sphere of a test passes through p, s and t, in view space") {
     CHECK(drawn(open, {30, Stage::Sort, 1}, {LayerId::Spheres}).spheres.empty());
 }
 
-TEST_CASE("A pivot has its marks while it is worked on, and only its own afterwards") {
+TEST_CASE("A pivot has its marks during its tests, and only its own afterwards") {
     OpenSession open;
     const DrawList during = drawn(open, {30, Stage::Emit, 1}, {LayerId::NeighborRing});
     CHECK(count(during, view::Shape::Forward) >= 1);
@@ -108,7 +108,7 @@ TEST_CASE("A pivot has its marks while it is worked on, and only its own afterwa
     CHECK(count(after, view::Shape::Cross) == 0);
 }
 
-TEST_CASE("Labels stand only at the pivot, its candidates and the selection, one each") {
+TEST_CASE("Labels are only at the pivot, its candidates and the selection, one each") {
     OpenSession open;
     const DrawList list = drawn(open, {30, Stage::Sphere, 1}, {LayerId::Labels}, 7);
     const Picture& picture = open.session.picture();
@@ -159,7 +159,7 @@ TEST_CASE("Entering a stage shows its layers, leaving it hides them again") {
     CHECK_FALSE(shown(LayerId::Normals, Stage::Sort));
 }
 
-TEST_CASE("A pinned layer stays whatever the stage, until its pin is taken out") {
+TEST_CASE("A pinned layer stays in every stage, until it is unpinned") {
     LayerModes modes{};
     const auto shown = [&](Stage stage) {
         return shownLayers(modes, stage).test(static_cast<std::size_t>(LayerId::Spheres));
@@ -177,14 +177,14 @@ TEST_CASE("A pinned layer stays whatever the stage, until its pin is taken out")
     CHECK(modeOf(modes, LayerId::Spheres) == LayerMode::PinnedOn);
 }
 
-TEST_CASE("A layer that is pinned on goes on showing the last test of its stage") {
+TEST_CASE("A layer that is pinned on keeps showing the last test of its stage") {
     OpenSession open;
     CHECK(drawn(open, {30, Stage::Sphere, 1}, {LayerId::Spheres}).spheres.size() == 1);
     CHECK(drawn(open, {30, Stage::Emit, 1}, {LayerId::Spheres}).spheres.size() == 1);
     CHECK_FALSE(drawn(open, {30, Stage::Emit, 1}, {LayerId::SortAngles}).lines.empty());
 }
 
-TEST_CASE("Names of the three states of a layer are read as they are written") {
+TEST_CASE("Names of the three states of a layer are read back as written") {
     for (const LayerMode mode : {LayerMode::Automatic, LayerMode::PinnedOn, LayerMode::PinnedOff}) {
         CHECK(layerModeFromName(layerModeName(mode)) == mode);
     }

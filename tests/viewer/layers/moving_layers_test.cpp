@@ -1,4 +1,4 @@
-/// What only passes by in a layer, and what is left of it on paper.
+/// Short highlights of layers, and their traces in saved pictures.
 #include "drawn.h"
 
 #include <doctest/doctest.h>
@@ -7,11 +7,11 @@ using namespace se;
 using namespace se::view;
 using namespace se::view::test;
 
-TEST_CASE("A seed lights up what was passed over, once; on paper for good") {
+TEST_CASE("A seed highlights the skipped points, once; permanently in saved pictures") {
     OpenSession open;
     const Model& model = open.session.model();
     const auto nearest = model.points.neighbors[50];
-    // As if the run had come to point 50, with two of its neighbors DONE.
+    // As if the run had reached point 50, with two of its neighbors DONE.
     Picture picture = open.session.picture();
     for (Index p = 0; p < 50; ++p) picture.status.set(p, kDone);
     for (std::size_t i = 0; i < 2; ++i) picture.status.set(nearest[i], kDone);
@@ -33,7 +33,7 @@ TEST_CASE("A seed lights up what was passed over, once; on paper for good") {
     CHECK(count(at({Moment::Kind::Moving, 0.7, false}), Shape::Dot) == 0);
 }
 
-TEST_CASE("The last fan fades as a new one comes in") {
+TEST_CASE("The last fan fades as a new one appears") {
     OpenSession open;
     open.session.goTo({30, Stage::Emit, 1});
     open.session.settle();
@@ -60,7 +60,7 @@ TEST_CASE("The last fan fades as a new one comes in") {
     CHECK(finished[count - early.size() - 1].a != finished[count - 1].a);
 }
 
-TEST_CASE("The old path of the ring fades, and what joins it pops up in order") {
+TEST_CASE("The old path of the ring fades, and joining points pop up in order") {
     OpenSession open;
     open.session.goTo({30, Stage::Ring, 3});
     open.session.settle();

@@ -1,4 +1,4 @@
-/// What the table of docs/viewer.md says of every stage.
+/// Tests of the table of stages in docs/viewer.md.
 #include "drawn.h"
 
 #include <doctest/doctest.h>
@@ -7,7 +7,8 @@ using namespace se;
 using namespace se::view;
 using namespace se::view::test;
 
-TEST_CASE("Drawn for insert: the walls that p touches, their vectors and the place on the ring") {
+TEST_CASE(
+    "Drawn for insert: the walls that p touches, their vectors and the position on the ring") {
     OpenSession open("scene:figure-14");
     const DrawList list = drawn(open, {1, Stage::Insert, 1}, {LayerId::Walls});
     const Index pivot = open.session.picture().pivot;
@@ -23,7 +24,7 @@ TEST_CASE("Drawn for insert: the walls that p touches, their vectors and the pla
     CHECK(count(list, view::Shape::Circle) >= 1);
 }
 
-TEST_CASE("A wall is a whole face of the box, in the plane of the points that lie on it") {
+TEST_CASE("A wall is a whole face of the box, in the plane of the points on it") {
     OpenSession open("scene:sheet");
     constexpr Address skipped{12, Stage::Skip, 1};
     const DrawList list = drawn(open, skipped, {LayerId::Walls});
@@ -84,7 +85,7 @@ TEST_CASE("Drawn for limits: the concave corner filled, the letter on its way") 
     CHECK(says(list, "moves here"));
 }
 
-TEST_CASE("Drawn for convex: a hollow corner and the way along the ring") {
+TEST_CASE("Drawn for convex: a hollow corner and the path along the ring") {
     OpenSession open("scene:figure-5");
     const Address behind = firstWhere<DropEvidence>(
         open, [](const DropEvidence& e) { return e.verdict == Verdict::BehindConvex; });
@@ -189,7 +190,7 @@ TEST_CASE(
     CHECK(open.session.picture().rings.size() == 3);
     const DrawList last = drawn(open, {35, Stage::Split, 3}, {LayerId::Exchange});
     CHECK(says(last, "a: 15 entries"));
-    // A pinned layer goes on showing the last one.
+    // A pinned layer keeps showing the last one.
     CHECK(says(drawn(open, {35, Stage::Advance, 1}, {LayerId::Exchange}), "a: 15 entries"));
 }
 
@@ -224,7 +225,7 @@ TEST_CASE("Drawn for seed, advance and done") {
     CHECK(says(done, "component 1"));
 }
 
-TEST_CASE("A point that nothing can be begun with is crossed and says why") {
+TEST_CASE("A point that cannot begin a ring is crossed, with the reason") {
     OpenSession open;
     open.session.goTo({425, Stage::Strand, 1});
     open.session.settle();
@@ -233,7 +234,7 @@ TEST_CASE("A point that nothing can be begun with is crossed and says why") {
     CHECK(says(list, "no neighbor left"));
 }
 
-TEST_CASE("What a refused triangle would cover is filled, and it alone") {
+TEST_CASE("The overlap of a refused triangle is filled, and it alone") {
     OpenSession open("scene:figure-9");
     const auto hatched = [&](void (*add)(const LayerInput&, DrawList&)) {
         const DrawList list = drawnAt(open, Moment{}, add);

@@ -4,7 +4,7 @@
 
 using namespace se::view;
 
-TEST_CASE("Transport: what does not fit is left out, the least important first") {
+TEST_CASE("Transport: parts that do not fit are left out, the least important first") {
     const TransportWidths widths{100, 60, 30, 90, 50, 30, 10};
     CHECK_FALSE(fitTransport(180, widths).unit);
     TransportParts parts = fitTransport(210, widths);

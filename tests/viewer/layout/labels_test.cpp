@@ -19,7 +19,7 @@ bool holds(const Rect& outer, const Rect& inner) {
            inner.max().x <= outer.max().x && inner.max().y <= outer.max().y;
 }
 
-/// Many labels in a small place: `count` of each rank, about the middle of the view.
+/// Many labels in a small area: `count` of each rank, around the middle of the view.
 std::vector<LabelWish> crowd(unsigned seed, int count) {
     std::mt19937 random(seed);
     const auto share = [&] { return static_cast<float>(random() % 1000) / 1000.0F; };
@@ -49,7 +49,7 @@ bool contains(const std::vector<PlacedLabel>& placed, std::size_t wish) {
 
 }  // namespace
 
-TEST_CASE("Labels cover neither each other nor marks nor what is taken, however many there are") {
+TEST_CASE("Labels cover neither each other nor marks nor used areas, in any number") {
     for (unsigned seed = 1; seed <= 40; ++seed) {
         CAPTURE(seed);
         const std::vector<LabelWish> wishes = crowd(seed, 12);
@@ -87,7 +87,7 @@ TEST_CASE("Minor labels are left out first, essential ones last") {
 }
 
 TEST_CASE("Where there is room for one label only, it is the essential one") {
-    // A view that one plate fills nearly: the place in the list says nothing.
+    // A view that one plate nearly fills: the order of the list does not matter.
     const Rect small{{0.0F, 0.0F}, {120.0F, 60.0F}};
     const std::vector<LabelWish> wishes = {{{30.0F, 30.0F}, {80.0F, 40.0F}, LabelRank::Minor},
                                            {{30.0F, 30.0F}, {80.0F, 40.0F}, LabelRank::Strong},
@@ -97,7 +97,7 @@ TEST_CASE("Where there is room for one label only, it is the essential one") {
     CHECK(placed[0].wish == 2);
 }
 
-TEST_CASE("A label stands close to its point and away from the pivot, else a line leads to it") {
+TEST_CASE("A label is close to its point and away from the pivot, otherwise a line leads to it") {
     const glm::vec2 pivot(400.0F, 250.0F);
     const std::vector<LabelMark> marks = {{pivot, 10.0F}};
     const LabelRoom room{kView, {}, marks, nullptr, pivot, kEm};
@@ -111,7 +111,7 @@ TEST_CASE("A label stands close to its point and away from the pivot, else a lin
         const glm::vec2 middle = placed[0].plate.min + 0.5F * placed[0].plate.size;
         CHECK(glm::dot(middle - one[0].at, off) > 0.0F);
     }
-    // All around is taken: far off, with a line.
+    // All around is used: far off, with a line.
     const std::vector<Rect> taken = {{pivot - glm::vec2(80.0F, 60.0F), {160.0F, 120.0F}}};
     const std::vector<LabelWish> one = {{pivot, {60.0F, 20.0F}, LabelRank::Essential}};
     const std::vector<PlacedLabel> placed =
@@ -120,12 +120,12 @@ TEST_CASE("A label stands close to its point and away from the pivot, else a lin
     CHECK(placed[0].leader);
 }
 
-TEST_CASE("A label whose point is out of sight is not shown") {
+TEST_CASE("A label whose point is not visible is not shown") {
     const std::vector<LabelWish> one = {{{90.0F, 60.0F}, {60.0F, 20.0F}, LabelRank::Essential}};
     CHECK(placeLabels({kView, {}, {}, nullptr, {}, kEm}, one).empty());
 }
 
-TEST_CASE("Of two places a label takes the one that covers less of the picture") {
+TEST_CASE("Of two positions a label takes the one that covers less of the picture") {
     const glm::vec2 at(400.0F, 250.0F);
     Clutter clutter(kView, 0.5F * kEm);
     // Spokes to the right above, where a label usually goes.
@@ -147,7 +147,7 @@ TEST_CASE("Clutter is the length of lines and the area of faces, in cells") {
     Clutter clutter(area, 10.0F);
     clutter.addLine({10.0F, 25.0F}, {60.0F, 25.0F}, 2.0F);
     clutter.addSpot({95.0F, 105.0F}, 1.0F, 3.0F);
-    // What is outside does not count.
+    // Parts outside do not count.
     clutter.addLine({-500.0F, -10.0F}, {500.0F, -10.0F}, 1.0F);
     clutter.addSpot({300.0F, 300.0F}, 5.0F, 1.0F);
     clutter.finish();

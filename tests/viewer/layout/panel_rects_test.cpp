@@ -87,7 +87,7 @@ TEST_CASE("The drawer can be folded to three em by hand, and opened in a low win
     const Layout open = computeLayout({1024, 640}, 16, Arrangement::Debug, DrawerWish::Open);
     CHECK_FALSE(open.drawerFolded);
     CHECK(open.view.size.y >= 0.3F * 640.0F);
-    // There is a limit: something of the view must be left.
+    // There is a limit: some of the view must be left.
     CHECK(computeLayout({640, 400}, 16, Arrangement::Debug, DrawerWish::Open).drawerFolded);
 }
 
@@ -119,7 +119,7 @@ TEST_CASE("Learn has one column, Present none, and both a larger caption") {
     CHECK(present.narration.size.y - present.addressLine == learn.narration.size.y);
 }
 
-TEST_CASE("Arrangements are found by name, and following each other all are seen") {
+TEST_CASE("Layouts are found by name, and the cycle reaches all of them") {
     for (const ArrangementRow& row : arrangements()) {
         CHECK(arrangementFromName(row.name) == row.id);
         CHECK(&rowOf(row.id) == &row);
@@ -147,7 +147,7 @@ TEST_CASE("Compare has two views of the same size, with the column beside them")
         CHECK(l.title.size.y == l.otherTitle.size.y);
         CHECK(l.left.size.x > 0.0F);
         CHECK(l.right.size.x == 0.0F);
-        // They stand so that each has as much room as can be.
+        // They are placed so that each has as much room as possible.
         const bool beside = l.otherView.min.y == l.view.min.y;
         const glm::vec2 both(l.status.size.x - l.left.size.x, l.narration.min.y - l.title.min.y);
         CHECK(beside == (std::min(0.5F * both.x, both.y) >= std::min(both.x, 0.5F * both.y)));
@@ -157,7 +157,7 @@ TEST_CASE("Compare has two views of the same size, with the column beside them")
     CHECK(debug.title.size == glm::vec2(0.0F));
 }
 
-TEST_CASE("Where no status bar has the address, a line above the caption has it") {
+TEST_CASE("If no status bar has the address, a line above the caption has it") {
     for (const auto& [screen, arrangement] : allCases()) {
         CAPTURE(screen.size.x);
         CAPTURE(rowOf(arrangement).name);
@@ -187,7 +187,7 @@ TEST_CASE("A page has its form, its view and its controls beside each other, non
             CHECK(l.narration.max().y == size.y);
             CHECK(l.left.max().y == size.y);
             CHECK(l.view.size.x >= 0.5F * size.x);
-            // What lies over it finds the size of the window.
+            // Overlays depend on the size of the window.
             CHECK(l.status.max() == size);
         }
     }

@@ -10,8 +10,8 @@ constexpr float kEm = 16.0F;
 
 }  // namespace
 
-TEST_CASE("Steps: the largest numbers stand in their own columns") {
-    // A run of 278 631 tests, at about half an em a digit.
+TEST_CASE("Steps: the largest numbers fit their columns") {
+    // A run of 278 631 tests, at about half an em per digit.
     const StepNumberWidths widest{52.0F, 58.0F, 64.0F};
     const StepColumns c = placeStepColumns(10.0F, 25.0F * kEm, kEm, widest);
     REQUIRE(c.triangles > 0.0F);
@@ -21,12 +21,12 @@ TEST_CASE("Steps: the largest numbers stand in their own columns") {
     CHECK(c.triangles - widest.triangles > c.labels);
 }
 
-TEST_CASE("Steps: where labels would have no room there are no triangles") {
+TEST_CASE("Steps: triangles are left out where labels would have no room") {
     const StepNumberWidths widest{52.0F, 58.0F, 64.0F};
     const StepColumns c = placeStepColumns(0.0F, 17.0F * kEm, kEm, widest);
     CHECK(c.triangles == 0.0F);
     CHECK(c.tests - widest.tests > c.labels);
     CHECK(c.labels > 6.0F * kEm);
-    // Small numbers leave room enough.
+    // Small numbers leave enough room.
     CHECK(placeStepColumns(0.0F, 17.5F * kEm, kEm, {20.0F, 20.0F, 24.0F}).triangles > 0.0F);
 }

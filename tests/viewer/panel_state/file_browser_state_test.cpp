@@ -9,7 +9,7 @@
 using namespace se::view;
 namespace fs = std::filesystem;
 
-TEST_CASE("A session gets its extension, whatever other dots are in the name") {
+TEST_CASE("A session gets its extension, regardless of other dots in the name") {
     CHECK(withExtension("one", kSessionExtension) == "one.sesession");
     CHECK(withExtension("section 6.3", kSessionExtension) == "section 6.3.sesession");
     CHECK(withExtension("a.ply", kSessionExtension) == "a.ply.sesession");
@@ -17,7 +17,7 @@ TEST_CASE("A session gets its extension, whatever other dots are in the name") {
     CHECK(withExtension("one.SESESSION", kSessionExtension) == "one.SESESSION");
 }
 
-TEST_CASE("A typed path is meant from the folder that is shown") {
+TEST_CASE("A typed path is relative to the shown folder") {
     CHECK(typedSource("/data/scans", "a.ply") == "/data/scans/a.ply");
     CHECK(typedSource("/data/scans", "../b.ply") == "/data/b.ply");
     CHECK(typedSource("/data/scans", "/tmp/c.ply") == "/tmp/c.ply");
@@ -34,7 +34,7 @@ TEST_CASE("Every format that can be read is offered") {
     CHECK_FALSE(canBeOpened("a"));
 }
 
-TEST_CASE("A folder is listed, folders first; one that cannot be read leaves what was there") {
+TEST_CASE("A folder is listed, folders first; one that cannot be read leaves the old list") {
     const fs::path folder = test::ownPlace("browsing-test");
     fs::create_directories(folder / "z");
     for (const char* name : {"b.pcd", "a.ply", "c.png", ".hidden.ply"})

@@ -11,7 +11,7 @@
 using namespace se;
 using namespace se::view;
 
-TEST_CASE("The form says what is sampled, and takes it up again") {
+TEST_CASE("The form specifies the samples, and restores them") {
     GrowthForm form;
     CHECK(form.spec().value() == sampleFromSource("sample:torus,n=2000").value());
     form.choose("gyroid");
@@ -27,7 +27,7 @@ TEST_CASE("The form says what is sampled, and takes it up again") {
     GrowthForm other;
     other.take(spec.value());
     CHECK(other.spec().value() == spec.value());
-    // What was said of one surface does not hold for another.
+    // Settings of one surface do not hold for another.
     other.choose("sphere");
     CHECK_FALSE(other.spec().value().box.has_value());
     CHECK_FALSE(other.spec().value().isovalue.has_value());
@@ -52,11 +52,11 @@ TEST_CASE("A field that is wrong is named") {
     CHECK(complaint([](GrowthForm& f) {
               f.from = GrowthSource::Volume;
           }).starts_with("Choose a volume"));
-    CHECK(complaint([](GrowthForm& f) { f.chooseVolume("scan.ply"); }).find("no volume") !=
+    CHECK(complaint([](GrowthForm& f) { f.chooseVolume("scan.ply"); }).find("not a volume") !=
           std::string::npos);
 }
 
-TEST_CASE("On the page with new points keys mean these; those of the run do nothing") {
+TEST_CASE("On the page with new points keys act on them; keys of the run have no effect") {
     test::Desk desk("growth-keys");
     UiState& ui = desk.ui;
     openGrowthPage(desk.context, GrowthSource::Shape);
@@ -83,7 +83,7 @@ TEST_CASE("On the page with new points keys mean these; those of the run do noth
     CHECK(ui.settings.layers != before);
 }
 
-TEST_CASE("A volume is asked for by a browser; what is chosen begins at once") {
+TEST_CASE("A volume is chosen in a browser, and starts at once") {
     test::Desk desk("growth-volume");
     openGrowthPage(desk.context, GrowthSource::Volume);
     CHECK(desk.ui.fileBrowser);
@@ -92,7 +92,7 @@ TEST_CASE("A volume is asked for by a browser; what is chosen begins at once") {
     CHECK(isListed("a.nhdr", BrowserTask::Volume));
     CHECK_FALSE(isListed("a.ply", BrowserTask::Volume));
     CHECK(isListed("a.ply", BrowserTask::SavePoints));
-    // Opened like any file it leads there as well, and nothing that is open is left.
+    // Opened like any file it leads there as well, and the open input stays.
     desk.ui.growth = {};
     desk.ui.fileBrowser = false;
     desk.ui.notes = "not saved";
@@ -104,7 +104,7 @@ TEST_CASE("A volume is asked for by a browser; what is chosen begins at once") {
     CHECK(desk.session.phase() == SessionPhase::Empty);
 }
 
-TEST_CASE("What is prepared in another way is opened in another way, and undone by the form") {
+TEST_CASE("Other preparation opens the input in another way, and the form undoes it") {
     LoadProgress progress;
     const auto model = test::sphereModel();
     REQUIRE(model != nullptr);
@@ -145,7 +145,7 @@ TEST_CASE("What is prepared in another way is opened in another way, and undone 
     CHECK(again.spec(spec.value()).error().message.starts_with("Box:"));
 }
 
-TEST_CASE("The form shows what cures chose; what is chosen there in another way goes before them") {
+TEST_CASE("The form shows the choices of fixes; other choices there take precedence") {
     const auto model = test::sphereModel();
     REQUIRE(model != nullptr);
     InputSpec cured{"scene:sphere", {}, "paper"};
@@ -159,7 +159,7 @@ TEST_CASE("The form shows what cures chose; what is chosen there in another way 
     CHECK(form.walls == WallChoice::From::Around);
     CHECK(form.symmetric);
     CHECK(form.rim);
-    // Left as it is, all of them stay.
+    // Unchanged, all of them stay.
     CHECK(form.spec(cured).value().cures == cured.cures);
     form.reach = PrepareForm::Reach::Spacings;
     form.spacings = "1.5";
@@ -175,7 +175,7 @@ TEST_CASE("The form shows what cures chose; what is chosen there in another way 
     CHECK(form.spec(cured).error().message.starts_with("Spacings:"));
 }
 
-TEST_CASE("The box that is proposed is as short as a wall's tolerance allows") {
+TEST_CASE("The proposed box has as few digits as a wall's tolerance allows") {
     auto model = std::make_shared<Model>(*test::sphereModel());
     model->points.position.assign({Vec3(0.1F, 0.25, 1.0), Vec3(1.0, 2.0F / 3.0F, 2.0)});
     PrepareForm form;
@@ -188,7 +188,7 @@ TEST_CASE("The box that is proposed is as short as a wall's tolerance allows") {
     CHECK(glm::length(box.high - around.high) < around.tolerance);
 }
 
-TEST_CASE("7 the walls of a box that is given make boundary points of a sphere cut in half") {
+TEST_CASE("7 the walls of a given box make boundary points of a sphere cut in half") {
     LoadProgress progress;
     InputSpec spec{"sample:sphere,n=400,box=0:-2:-2:2:2:2", {}, "paper"};
     const Result<Loaded> cut = loadInput(spec, progress);
@@ -206,7 +206,7 @@ TEST_CASE("7 the walls of a box that is given make boundary points of a sphere c
     CHECK(derived.value().model->report.derived.types);
 }
 
-TEST_CASE("Points that were made are opened at the place of the camera; others forget the box") {
+TEST_CASE("Sampled points are opened at the camera's position; others discard the box") {
     test::Desk desk("growth-open");
     const Result<PointFile> points =
         samplePoints(sampleFromSource("sample:torus,n=300").value(), {});

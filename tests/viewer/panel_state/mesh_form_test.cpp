@@ -20,7 +20,7 @@ TEST_CASE("The format of a saved mesh follows the name, and the name the format"
     CHECK(form.format == 1);
     form.choose(3, name);
     CHECK(name == "torus.stl");
-    // What is no format of ours stays part of the name.
+    // An extension of no known format stays part of the name.
     name = "torus.v2";
     form.followName(name);
     CHECK(form.format == 3);
@@ -39,7 +39,7 @@ TEST_CASE("A mesh is saved among the meshes of a folder: all formats that can be
     CHECK_FALSE(isListed("a", BrowserTask::SaveMesh));
 }
 
-TEST_CASE("The dialog says how large the mesh is, the notice what was written") {
+TEST_CASE("The dialog shows the size of the mesh, the notice the written file") {
     CHECK(sizeText({4, 6, 5, false}, false) == "4 triangles, 6 points");
     CHECK(sizeText({4, 6, 5, false}, true) == "4 triangles, 5 of 6 points");
     CHECK(sizeText({1, 3, 3, false}, true) == "1 triangle, 3 points");
@@ -49,7 +49,7 @@ TEST_CASE("The dialog says how large the mesh is, the notice what was written") 
     CHECK(savedText({{"b.ply", false}, 4, 6, true}).find("rule cap") != std::string::npos);
 }
 
-TEST_CASE("Before the input itself is replaced, the question says that it is the input") {
+TEST_CASE("Before the input itself is replaced, the question mentions that") {
     const fs::path path = test::ownPlace("replaced.ply");
     std::ofstream(path) << "x";
     CHECK(replaceText(path, path).find("is the input itself") != std::string::npos);

@@ -8,7 +8,7 @@
 
 using namespace se::view;
 
-TEST_CASE("The latest file stands first and once, and the oldest ones are forgotten") {
+TEST_CASE("The latest file is first and listed once, and the oldest ones are dropped") {
     KeptState state;
     for (int i = 0; i < 14; ++i) remember(state, "/data/" + std::to_string(i) + ".ply");
     remember(state, "/data/9.ply");
@@ -29,7 +29,7 @@ TEST_CASE("Scenes and nothing are no recent files; relative paths become absolut
     CHECK(std::filesystem::path(state.recent[0]).is_absolute());
 }
 
-TEST_CASE("Points that were made are remembered by how, and named for a person") {
+TEST_CASE("Sampled points are recorded by their specification, with a readable name") {
     KeptState state;
     remember(state, "sample:torus,n=4000");
     remember(state, "/data/a.ply");
@@ -47,7 +47,7 @@ TEST_CASE("Points that were made are remembered by how, and named for a person")
     CHECK(state.recent.size() == 3);
 }
 
-TEST_CASE("Layout and recent files are read as they were written") {
+TEST_CASE("Layout and recent files are read back as written") {
     KeptState state{Arrangement::Present, {"/a.ply", "/b \"c\".sesession"}};
     CHECK(keptStateFromJson(keptStateToJson(state)) == state);
     for (const char* bad : {"", "[]", "{", R"({"layout": 3, "recent": [1, {}]})"}) {
@@ -56,7 +56,7 @@ TEST_CASE("Layout and recent files are read as they were written") {
     }
 }
 
-TEST_CASE("The state lies where XDG says, and is made with its folder") {
+TEST_CASE("The state file is in the XDG folder, which is made with it") {
     const std::filesystem::path folder = test::ownPlace("state-test");
     std::filesystem::remove_all(folder);
     setenv("XDG_STATE_HOME", folder.c_str(), 1);

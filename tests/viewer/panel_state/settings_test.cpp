@@ -8,7 +8,7 @@
 
 using namespace se::view;
 
-TEST_CASE("Settings are read as they were written") {
+TEST_CASE("Settings are read back as written") {
     ViewSettings settings;
     settings.theme = Theme::Light;
     settings.uiScale = 1.5;
@@ -29,7 +29,7 @@ TEST_CASE("Settings are read as they were written") {
     CHECK(read.value().layers == settings.layers);
 }
 
-TEST_CASE("Values out of range or of another kind become defaults") {
+TEST_CASE("Values out of range or of another type become defaults") {
     const auto read = settingsFromJson(
         R"({"theme": 7, "uiScale": 99, "width": -3, "height": "tall", "layers": {"points": 1}, "x": 1})");
     REQUIRE(read.ok());
@@ -51,7 +51,7 @@ TEST_CASE("Layers that an earlier version kept as true and false become pins whe
     CHECK(read.value().layers == expected);
 }
 
-TEST_CASE("Layers of the settings are read as those of a session: the unknown is named") {
+TEST_CASE("Layers of the settings are read like those of a session: unknown ones are reported") {
     const auto read =
         settingsFromJson(R"({"layers": {"points": "dim", "x": "on", "links": "off"}})");
     REQUIRE(read.ok());
@@ -59,19 +59,20 @@ TEST_CASE("Layers of the settings are read as those of a session: the unknown is
     modeOf(expected, LayerId::Links) = LayerMode::PinnedOff;
     CHECK(read.value().layers == expected);
     REQUIRE(read.value().complaints.size() == 1);
-    CHECK(read.value().complaints.front() ==
-          "settings.json: Left out, since it is not known here: mode \"dim\" of layer \"points\", "
-          "layer \"x\".");
+    CHECK(
+        read.value().complaints.front() ==
+        "settings.json: Ignored, since unknown in this version: mode \"dim\" of layer \"points\", "
+        "layer \"x\".");
 }
 
-TEST_CASE("What is no JSON object is an error, not a crash") {
+TEST_CASE("Text that is no JSON object is an error, not a crash") {
     for (const char* text : {"", "[]", "{", "null", "\xFF\xFE"}) {
         CAPTURE(text);
         CHECK_FALSE(settingsFromJson(text).ok());
     }
 }
 
-TEST_CASE("Files go where XDG says; without a file there are defaults") {
+TEST_CASE("Files go to the XDG folders; without a file there are defaults") {
     const std::filesystem::path folder = test::ownPlace("settings-test");
     std::filesystem::remove_all(folder);
     setenv("XDG_CONFIG_HOME", folder.c_str(), 1);
@@ -87,7 +88,7 @@ TEST_CASE("Files go where XDG says; without a file there are defaults") {
     unsetenv("XDG_CONFIG_HOME");
 }
 
-TEST_CASE("The axis that was chosen to be up is kept; without one it is left to the guess") {
+TEST_CASE("The chosen up axis is kept; without one it is guessed") {
     ViewSettings settings;
     CHECK_FALSE(settingsFromJson(settingsToJson(settings)).value().up.has_value());
     settings.up = UpAxis::X;

@@ -24,7 +24,7 @@ TEST_CASE("The start page has a tile with a picture for every scene") {
     }
 }
 
-TEST_CASE("A picture leaves out points that are nowhere, and holds no more than asked for") {
+TEST_CASE("A picture omits points without a position, and has at most the requested number") {
     PointFile points;
     for (int i = 0; i < 1000; ++i) points.position.emplace_back(i, 0.5 * i, 0.0);
     points.position[0] = Vec3(std::nan(""));

@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// One in which a scene is open.
+/// A program with an open scene.
 struct LeavingDesk : test::Desk {
     LeavingDesk() : test::Desk("leaving-test") {
         filing.open("scene:sphere");
@@ -36,7 +36,7 @@ struct LeavingDesk : test::Desk {
 
 }  // namespace
 
-TEST_CASE("Nothing is asked where a person noted nothing, or took it back") {
+TEST_CASE("There is no question without annotations, or after they were undone") {
     LeavingDesk desk;
     desk.open("scene:grid");
     CHECK(desk.session.spec().source == "scene:grid");
@@ -51,7 +51,7 @@ TEST_CASE("Nothing is asked where a person noted nothing, or took it back") {
     CHECK(desk.ui.quitting);
 }
 
-TEST_CASE("Quitting with notes asks; cancelling stays, discarding goes") {
+TEST_CASE("Quitting with notes asks; cancelling stays, discarding quits") {
     LeavingDesk desk;
     desk.ui.notes = "odd";
     desk.quit();
@@ -66,7 +66,7 @@ TEST_CASE("Quitting with notes asks; cancelling stays, discarding goes") {
     CHECK(desk.ui.quitting);
 }
 
-TEST_CASE("Breakpoints and watches that no file holds are asked about as notes are, by name") {
+TEST_CASE("Unsaved breakpoints and watches raise the question like notes, by name") {
     LeavingDesk desk;
     desk.ui.breakpoints.push_back({"", "stage=split"});
     desk.ui.watches = {"ring"};
@@ -79,7 +79,7 @@ TEST_CASE("Breakpoints and watches that no file holds are asked about as notes a
     desk.frame();
     CHECK(desk.filing.unsaved().empty());
 
-    // Discarding goes back to what the file has.
+    // Discarding returns to the content of the file.
     desk.ui.breakpoints.front().logOnly = true;
     desk.ui.watches.clear();
     desk.ui.notes = "odd";
@@ -94,7 +94,7 @@ TEST_CASE("Breakpoints and watches that no file holds are asked about as notes a
     CHECK(desk.ui.notes.empty());
 }
 
-TEST_CASE("Opening and reloading ask likewise; what is discarded is as the file has it") {
+TEST_CASE("Opening and reloading ask as well; discarding restores the content of the file") {
     LeavingDesk desk;
     desk.ui.notes = "saved";
     desk.ui.requests.saveSessionAs = (desk.folder / "a.sesession").string();
@@ -120,14 +120,14 @@ TEST_CASE("Opening and reloading ask likewise; what is discarded is as the file 
     CHECK(desk.ui.notes == "saved");
 }
 
-TEST_CASE("Saving first goes on when the file is written, and stays if no name is given") {
+TEST_CASE("Saving first continues when the file is written, and stays if no name is given") {
     LeavingDesk desk;
     desk.ui.notes = "odd";
     desk.open("scene:grid");
     desk.answer(LeaveAnswer::Save);
     REQUIRE(desk.ui.fileBrowser);
     CHECK(desk.session.spec().source == "scene:sphere");
-    desk.ui.fileBrowser = false;  // nobody names a file
+    desk.ui.fileBrowser = false;  // no file is named
     desk.frame();
     desk.frame();
     CHECK(desk.session.spec().source == "scene:sphere");
@@ -151,7 +151,7 @@ TEST_CASE("Saving first goes on when the file is written, and stays if no name i
     CHECK(readSessionFile(path).value().notes == "odder");
 }
 
-TEST_CASE("What cannot be saved is not left") {
+TEST_CASE("A session that cannot be saved is not left") {
     LeavingDesk desk;
     desk.ui.notes = "odd";
     desk.quit();
@@ -163,7 +163,7 @@ TEST_CASE("What cannot be saved is not left") {
     CHECK(desk.ui.notes == "odd");
 }
 
-TEST_CASE("A file that cannot be opened leaves notes and input as they were") {
+TEST_CASE("A file that cannot be opened leaves notes and input unchanged") {
     LeavingDesk desk;
     desk.ui.notes = "odd";
     desk.filing.open("missing.ply");
@@ -174,7 +174,7 @@ TEST_CASE("A file that cannot be opened leaves notes and input as they were") {
     CHECK(desk.ui.notes == "odd");
 }
 
-TEST_CASE("Of several files that are dropped the first is opened, and a sentence says so") {
+TEST_CASE("Of several files that are dropped the first is opened, and a sentence reports it") {
     LeavingDesk desk;
     desk.filing.drop({"scene:grid", "scene:torus"});
     desk.frame();

@@ -5,7 +5,7 @@
 using se::view::linesAtBlanks;
 using se::view::withoutLastSign;
 
-TEST_CASE("Cutting a text: a sign goes with all of its bytes") {
+TEST_CASE("Cutting a text: a character is removed with all of its bytes") {
     CHECK(withoutLastSign("12") == "1");
     CHECK(withoutLastSign("1\xE2\x80\x89") == "1");      // thin space
     CHECK(withoutLastSign("1\xC2\xB0") == "1");          // degree sign
@@ -19,12 +19,12 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// Every sign is one wide.
+/// Every character has width one.
 float signs(const std::string& text) { return static_cast<float>(text.size()); }
 
 }  // namespace
 
-TEST_CASE("Lines are broken at blanks, never at a decimal point or within a number") {
+TEST_CASE("Lines are broken at spaces, never at a decimal point or within a number") {
     CHECK(linesAtBlanks("turn 0.0038 of 12", 8.0F, signs) == Lines{"turn", "0.0038", "of 12"});
     CHECK(linesAtBlanks("at (0.25, -1.5) r", 11.0F, signs) == Lines{"at (0.25,", "-1.5) r"});
     CHECK(linesAtBlanks("short", 80.0F, signs) == Lines{"short"});

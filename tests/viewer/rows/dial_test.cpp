@@ -45,7 +45,7 @@ void forEachDial(const char* scene, Look&& look) {
 
 }  // namespace
 
-TEST_CASE("Dial: ticks stand at the angles that the decisions were made with") {
+TEST_CASE("Dial: ticks are at the angles of the decisions") {
     for (const char* scene : {"scene:sphere", "scene:linked-tori", "scene:sheet"}) {
         CAPTURE(scene);
         int compared = 0;
@@ -62,7 +62,7 @@ TEST_CASE("Dial: ticks stand at the angles that the decisions were made with") {
     }
 }
 
-TEST_CASE("Dial: rejected neighbors say why, kept ones do not") {
+TEST_CASE("Dial: rejected neighbors have a reason, kept ones do not") {
     forEachDial("scene:torus", [](const Picture& picture, const Event&, const Dial& dial) {
         for (const CandidateMark& mark : picture.candidates) {
             const DialTick* tick = tickOf(dial, mark.point);
@@ -155,7 +155,7 @@ TEST_CASE("Dial: a third point has a slot before and after the pivot, one of the
     CHECK(slots > 0);
 }
 
-TEST_CASE("Dial: the second disc shows the pivot as the tested point sees it") {
+TEST_CASE("Dial: the second disc shows the pivot as seen from the tested point") {
     int discs = 0;
     forEachDial("scene:figure-6", [&](const Picture&, const Event& event, const Dial& dial) {
         const auto* test = std::get_if<ReciprocalEvidence>(&event.evidence);
@@ -171,7 +171,7 @@ TEST_CASE("Dial: the second disc shows the pivot as the tested point sees it") {
     CHECK(discs > 0);
 }
 
-TEST_CASE("Dial: the caption of a limit asks nothing, and says no reason twice") {
+TEST_CASE("Dial: the caption of a limit has no question, and no reason twice") {
     int moved = 0;
     forEachDial("scene:figure-4", [&](const Picture&, const Event& event, const Dial& dial) {
         const auto* limit = std::get_if<LimitEvidence>(&event.evidence);

@@ -58,7 +58,7 @@ bool hasMinusZero(const std::string& text) {
     return false;
 }
 
-/// What must be there of every event of a stage, by the table of the design.
+/// Rows required for every event of a stage, by the table of the design.
 const std::map<Stage, std::vector<std::string>>& wanted() {
     static const std::map<Stage, std::vector<std::string>> kWanted = {
         {Stage::Seed, {"start point", "its neighbor", "distance"}},
@@ -92,7 +92,7 @@ void checkWanted(const Event& event, const std::vector<EvidenceRow>& rows) {
 
 }  // namespace
 
-TEST_CASE("Inspect: every event says what the design wants of its stage, in names that fit") {
+TEST_CASE("Inspect: every event has the rows required for its stage, in names that fit") {
     std::set<Stage> seen;
     for (const auto& [scene, rules] : {std::pair{"scene:sphere", "paper"},
                                        {"scene:figure-5", "paper"},
@@ -163,7 +163,7 @@ TEST_CASE("Inspect: a convex corner is over 180 degrees, and the height is off p
     CHECK(tests > 0);
 }
 
-TEST_CASE("Inspect: the cross product is shown where it was taken, and only there") {
+TEST_CASE("Inspect: the cross product is shown where it was computed, and only there") {
     int at71 = 0;
     int at72 = 0;
     forEachEvent("scene:figure-14", "paper", 60,
@@ -173,7 +173,7 @@ TEST_CASE("Inspect: the cross product is shown where it was taken, and only ther
                      if (insert == nullptr) return;
                      const bool taken = !insert->corner && insert->third != kNone;
                      CHECK((rowOf(rows, "N \xC3\x97 v") != nullptr) == taken);
-                     CHECK(says(rows, "cross product", "not taken") != taken);
+                     CHECK(says(rows, "cross product", "not computed") != taken);
                      insert->corner ? ++at72 : ++at71;
                      CHECK(sectionOf(event) == (insert->corner ? "7.2" : "7.1"));
                      if (!insert->corner) return;
@@ -184,7 +184,8 @@ TEST_CASE("Inspect: the cross product is shown where it was taken, and only ther
     CHECK(at72 > 0);
 }
 
-TEST_CASE("Inspect: of the conditions of Figure 4 the first that fails is the last that is asked") {
+TEST_CASE(
+    "Inspect: of the conditions of Figure 4 the first that fails is the last that is tested") {
     int moved = 0;
     int failed = 0;
     forEachEvent("scene:figure-4", "paper", 60,
@@ -199,11 +200,11 @@ TEST_CASE("Inspect: of the conditions of Figure 4 the first that fails is the la
                      };
                      if (limit->verdict == Verdict::Moved) {
                          CHECK(count("yes") == 5);
-                         CHECK(count("not asked") == 0);
+                         CHECK(count("not tested") == 0);
                          ++moved;
                      } else {
                          CHECK(count("no: it stays") == 1);
-                         CHECK(count("yes") + count("not asked") == 4);
+                         CHECK(count("yes") + count("not tested") == 4);
                          ++failed;
                      }
                  });

@@ -82,7 +82,7 @@ TEST_CASE("At every pivot there are as many lanes as rings: the active one and t
     }
 }
 
-TEST_CASE("The overview tells the lanes at any pivot") {
+TEST_CASE("The overview has the lanes at any pivot") {
     const auto model = modelOf("scene:torus", "paper");
     REQUIRE(model != nullptr);
     OverviewJob thread(model);
@@ -98,7 +98,7 @@ TEST_CASE("The overview tells the lanes at any pivot") {
     CHECK(wrong == 0);
 }
 
-TEST_CASE("A lane that is free again is used again") {
+TEST_CASE("Free lanes are reused") {
     LaneKeeper keeper;
     keeper.take(eventOf(1, Stage::Seed, SeedEvidence{0, 1, 1.0}));
     keeper.take(eventOf(4, Stage::Done, FreeEvidence{4, 0}));
@@ -119,7 +119,7 @@ TEST_CASE("A freed ring with an alert ends at a hole") {
     CHECK(keeper.takeChanges().back().kind == LaneChangeKind::Hole);
 }
 
-TEST_CASE("The top of the stack goes on when the active ring has ended") {
+TEST_CASE("The top of the stack continues when the active ring has ended") {
     LaneKeeper keeper;
     keeper.take(eventOf(1, Stage::Seed, SeedEvidence{0, 1, 1.0}));
     keeper.take(eventOf(3, Stage::Pivot, PivotEvidence{0, 1, 2, 10, 90.0}));
@@ -175,13 +175,13 @@ TEST_CASE("Where there are more lanes than rows, the last row gathers the rest")
     CHECK(picture.crowd[80] == 0);
 }
 
-TEST_CASE("Lanes that share a row are counted at a time, not one after the other") {
+TEST_CASE("Lanes that share a row are counted by time, not in total") {
     RunOverview run;
     run.lanes = 12;
     run.lastPivot = 10'000;
     for (std::uint32_t lane = 0; lane < 12; ++lane)
         run.laneChanges.push_back({1, lane, 0, lane + 1, LaneChangeKind::Split});
-    // Lane 11 ends and begins again and again within a pixel.
+    // Lane 11 ends and begins repeatedly within a pixel.
     for (std::uint32_t pivot = 100; pivot < 9'000; pivot += 2) {
         run.laneChanges.push_back({pivot, 11, 0, 11, LaneChangeKind::Join});
         run.laneChanges.push_back({pivot + 1, 11, 0, 12, LaneChangeKind::Split});
@@ -197,7 +197,7 @@ TEST_CASE("Lanes that share a row are counted at a time, not one after the other
     for (const LaneSign& sign : picture.signs) CHECK(sign.row < 4);
 }
 
-TEST_CASE("What is drawn goes with the pixels, not with the length of the run") {
+TEST_CASE("The number of shapes depends on the pixels, not on the length of the run") {
     RunOverview run;
     run.lanes = 2;
     run.lastPivot = 1'000'000;
@@ -230,7 +230,7 @@ TEST_CASE("An alert near the pointer is named, with its point and pivot") {
     CHECK(text.find("pivot 4") != std::string::npos);
 }
 
-TEST_CASE("The strip's window zooms about a place and stays within the run") {
+TEST_CASE("The strip's window zooms about a position and stays within the run") {
     StripWindow window;
     window.setLast(1000);
     CHECK(window.whole());

@@ -18,7 +18,7 @@ TEST_CASE("Paper: every stage has a rule with words and code") {
     }
 }
 
-TEST_CASE("Paper: every event of a run stands on a line of its rule") {
+TEST_CASE("Paper: every event of a run has a line of its rule") {
     std::set<std::pair<const char*, std::size_t>> seen;
     for (const char* scene : {"scene:sphere", "scene:sheet", "scene:figure-7", "scene:figure-9"}) {
         for (const char* rules : {"paper", "robust"}) {

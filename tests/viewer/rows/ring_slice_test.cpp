@@ -19,7 +19,7 @@ RingPath ringOf(std::vector<Index> points) {
 
 }  // namespace
 
-TEST_CASE("A ring that fits is shown once, whatever is in the middle") {
+TEST_CASE("A ring that fits is shown once, with any point in the middle") {
     const RingSlice slice = sliceAbout(5, 4, 0, 9);
     CHECK(slice.whole());
     std::vector<bool> seen(5, false);
@@ -52,7 +52,7 @@ TEST_CASE("A pivot that is on a ring more than once is found between first and l
     CHECK(workPlace(picture, ring) == 0);
 }
 
-TEST_CASE("When the pivot has left the ring, the place is where it goes on") {
+TEST_CASE("When the pivot has left the ring, the position is where the ring continues") {
     const RingPath ring = ringOf({1, 2, 3, 4});
     Picture picture;
     picture.pivot = 9;
@@ -63,7 +63,7 @@ TEST_CASE("When the pivot has left the ring, the place is where it goes on") {
     CHECK_FALSE(workPlace(Picture{}, ring));
 }
 
-TEST_CASE("The strip shows the chosen ring, else the active one") {
+TEST_CASE("The strip shows the chosen ring, otherwise the active one") {
     Picture picture;
     picture.rings = {ringOf({1, 2, 3}), ringOf({4, 5, 6})};
     picture.rings[0].active = true;
@@ -75,7 +75,7 @@ TEST_CASE("The strip shows the chosen ring, else the active one") {
     CHECK(ringToShow(Picture{}, 8) == nullptr);
 }
 
-TEST_CASE("A ring is lit while the pointer is on it, and stays lit when chosen") {
+TEST_CASE("A ring is highlighted under the pointer, and stays so when chosen") {
     OpenSession open;
     open.session.goToPivot(30);
     open.session.settle();

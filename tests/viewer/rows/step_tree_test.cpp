@@ -31,7 +31,7 @@ RunOverview runOf(std::uint32_t pivots, const std::vector<std::uint32_t>& seeds)
     return run;
 }
 
-/// Pivot number `pivot` with one pivot event and three tests of which one is refused.
+/// Pivot number `pivot` with one pivot event and three tests, one of them refused.
 PivotRecord recordOf(std::uint32_t pivot) {
     PivotRecord record;
     record.pivot = pivot;
@@ -44,7 +44,7 @@ PivotRecord recordOf(std::uint32_t pivot) {
     return record;
 }
 
-/// Every row leads to something else, and the row of the cursor to the cursor.
+/// Every row leads to a different target, and the row of the cursor to the cursor.
 void checkRows(const StepTree& tree) {
     for (std::size_t i = 1; i < tree.rowCount(); ++i) CHECK_FALSE(tree.row(i) == tree.row(i - 1));
 }
@@ -73,7 +73,7 @@ TEST_CASE("The tree shows the component and the pivot of the cursor opened") {
     CHECK_FALSE(tree.canOpen({StepRowKind::Stage, 1, 50, 0, 0}));
 }
 
-TEST_CASE("Rows can be folded and opened; the cursor's row is then the one around it") {
+TEST_CASE("Rows can be folded and opened; the cursor's row is then the enclosing one") {
     const RunOverview run = runOf(100, {1, 41});
     const PivotRecord record = recordOf(50);
     StepTree tree;
@@ -112,7 +112,7 @@ TEST_CASE("The filter leaves pivots by their summary and tests by their text") {
     StepTree tree;
     tree.update(run, 1, record, 2);
     tree.setFilter("x");
-    // Ten pivots, and the refused test of the one at hand.
+    // Ten pivots, and the refused test of the current one.
     CHECK(tree.rowCount() == 11);
     CHECK(tree.row(4).pivot == 50);
     CHECK(tree.row(5) == StepRow{StepRowKind::Test, 0, 50, 1, 2});
@@ -124,7 +124,7 @@ TEST_CASE("The filter leaves pivots by their summary and tests by their text") {
     CHECK(tree.rowCount() == 1);
     CHECK(tree.row(0).pivot == 77);
     tree.setFilter("802");
-    // No pivot by its summary, but a test of the one at hand.
+    // No pivot by its summary, but a test of the current one.
     CHECK(tree.rowCount() == 2);
     CHECK(tree.row(0).pivot == 50);
     CHECK(tree.row(1).event == 2);
@@ -135,7 +135,7 @@ TEST_CASE("The filter leaves pivots by their summary and tests by their text") {
     CHECK(tree.rowCount() == 1 + 100 + 2 + 3);
 }
 
-TEST_CASE("What is found while the run goes on is filtered as well") {
+TEST_CASE("New pivots during the run are filtered as well") {
     RunOverview run = runOf(100, {1});
     const PivotRecord record = recordOf(5);
     StepTree tree;
@@ -148,7 +148,7 @@ TEST_CASE("What is found while the run goes on is filtered as well") {
     CHECK(run.components.size() == 1);
 }
 
-TEST_CASE("A million pivots are rows like any others") {
+TEST_CASE("A million pivots are ordinary rows") {
     const RunOverview run = runOf(1'000'000, {1, 500'000});
     const PivotRecord record = recordOf(700'000);
     StepTree tree;
@@ -173,7 +173,7 @@ TEST_CASE("In a session every event has a row") {
         REQUIRE(row);
         CHECK(tree.row(*row).event == cursor);
     }
-    // What the overview counted is what the pivot's own events say.
+    // The counts of the overview equal those of the pivot's own events.
     const PivotSummary& summary = open.session.overview().pivots[136];
     std::size_t tests = 0;
     for (const StageRun& run : tree.runs()) tests += run.tests;

@@ -37,12 +37,12 @@ TEST_CASE("A closed component has no rim, one triangle is all rim") {
     CHECK(whole.loops == 0);
     CHECK(one.points == 3);
     CHECK(one.loops == 1);
-    // Two that share no point have a loop each; two that share one hang together there.
+    // Two that share no point have a loop each; two that share one are connected there.
     CHECK(shapeOf(*model, std::vector<Triangle>{{0, 1, 2}, {3, 4, 5}}, 0).loops == 2);
     CHECK(shapeOf(*model, std::vector<Triangle>{{0, 1, 2}, {2, 4, 5}}, 0).loops == 1);
 }
 
-TEST_CASE("The overview knows the shape of each component, whatever its size") {
+TEST_CASE("The overview has the shape of each component of any size") {
     for (const char* scene : {"scene:sphere", "scene:grid"}) {
         CAPTURE(scene);
         const RunOverview run = wholeRun(scene);

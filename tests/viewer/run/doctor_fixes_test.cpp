@@ -18,7 +18,7 @@ namespace {
 
 PointFile sphere() { return findScene("sphere")->build(); }
 
-/// With a copy of point 3 behind the others, two zero normals, and a patch that looks inwards.
+/// With a copy of point 3 at the end, two zero normals, and a patch that points inwards.
 PointFile flawed() {
     PointFile file = sphere();
     file.neighbors = {};
@@ -76,7 +76,7 @@ struct CureDesk : test::Desk {
 
 }  // namespace
 
-TEST_CASE("Each check of the doctor that has a cure here has a command as well") {
+TEST_CASE("Each doctor check that has a fix here has a command as well") {
     for (const DoctorCheck& check : doctorChecks()) {
         CAPTURE(check.name);
         CHECK((!canCure(check) || !check.remedy.empty()));
@@ -84,7 +84,7 @@ TEST_CASE("Each check of the doctor that has a cure here has a command as well")
     }
 }
 
-TEST_CASE("What needs no guessing is cured at once: what can be mended, and normals to be turned") {
+TEST_CASE("Safe fixes are applied at once: repairs, and normals to be flipped") {
     const Result<Diagnosis> found = examine(flawed());
     REQUIRE(found);
     const Cures cures = plainCures(found.value());
@@ -94,7 +94,7 @@ TEST_CASE("What needs no guessing is cured at once: what can be mended, and norm
     CHECK(plainCures({}).empty());
 }
 
-TEST_CASE("A cure that does not exist, or is none, is refused") {
+TEST_CASE("A fix that does not exist, or a check without one, is refused") {
     for (const char* name : {"no_such_check", "ties"}) {
         PointFile file = sphere();
         PrepareOptions options;
@@ -102,7 +102,7 @@ TEST_CASE("A cure that does not exist, or is none, is refused") {
     }
 }
 
-TEST_CASE("The input is opened anew as its cures say, and as the file is without them") {
+TEST_CASE("The input is opened again with its fixes, and unchanged without them") {
     CureDesk desk("cure-test");
     const std::size_t all = desk.session.model().points.size();
     CHECK(desk.finds("duplicates"));
@@ -114,8 +114,8 @@ TEST_CASE("The input is opened anew as its cures say, and as the file is without
     CHECK(desk.session.spec().cures.size() == 2);
     CHECK(desk.findings().empty());
     CHECK(desk.session.model().points.size() == all - 3);
-    CHECK(desk.session.model().mended.size() == 3);  // copies, zero normals, turned ones
-    // The normals look outwards: the sphere is about the origin of its own box.
+    CHECK(desk.session.model().mended.size() == 3);  // copies, zero normals, flipped ones
+    // The normals point outwards: the sphere is about the origin of its own box.
     for (std::size_t p = 0; p < desk.session.model().points.size(); ++p)
         CHECK(glm::dot(desk.session.model().normal[p], desk.session.model().place[p]) > 0.0F);
 
@@ -125,7 +125,7 @@ TEST_CASE("The input is opened anew as its cures say, and as the file is without
     CHECK(desk.session.model().mended.empty());
 }
 
-TEST_CASE("Bookmarks and notes stay when the input is mended, and another input is not") {
+TEST_CASE("Bookmarks and notes stay when the input is repaired, and another input is not") {
     CureDesk desk("cure-notes-test");
     desk.ui.notes = "kept";
     desk.follow({"zero_normals"});
@@ -137,7 +137,7 @@ TEST_CASE("Bookmarks and notes stay when the input is mended, and another input 
     CHECK(desk.session.model().mended.empty());
 }
 
-TEST_CASE("A session keeps the cures of its input") {
+TEST_CASE("A session keeps the fixes of its input") {
     CureDesk desk("cure-session-test");
     desk.follow({"zero_normals", "flipped_normals"});
     desk.ui.requests.saveSessionAs = (desk.folder / "a.sesession").string();
@@ -160,14 +160,14 @@ TEST_CASE("A session keeps the cures of its input") {
     }
 }
 
-TEST_CASE("Undo asks for the cures as they were, and selects no point of the other input") {
+TEST_CASE("Undo restores the fixes, and selects no point of the other input") {
     CureDesk desk("cure-undo-test");
     desk.session.select(5);
     const Edits before = captureEdits(desk.context);
     desk.follow({"zero_normals"});
     const Edits after = captureEdits(desk.context);
     CHECK(after.selected.kind == SelectionKind::None);
-    CHECK(describeChange(before, after) == "the doctor's cure");
+    CHECK(describeChange(before, after) == "the doctor's fix");
     applyEdits(before, desk.context);
     CHECK(desk.session.selection().kind == SelectionKind::None);
     REQUIRE(desk.ui.requests.cures);
@@ -177,7 +177,7 @@ TEST_CASE("Undo asks for the cures as they were, and selects no point of the oth
     CHECK(desk.finds("zero_normals"));
 }
 
-TEST_CASE("A path is one word of a command line, whatever signs it has") {
+TEST_CASE("A path is one word of a command line, with any characters") {
     CHECK(shellQuoted("/a/b-c_1.ply") == "/a/b-c_1.ply");
     CHECK(shellQuoted("/a b/c.ply") == "'/a b/c.ply'");
     CHECK(shellQuoted("it's") == "'it'\\''s'");

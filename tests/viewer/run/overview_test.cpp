@@ -10,7 +10,7 @@
 using namespace se;
 using namespace se::view;
 
-TEST_CASE("The overview counts what a plain run counts") {
+TEST_CASE("The overview has the counts of a plain run") {
     const auto model = test::sphereModel();
     REQUIRE(model != nullptr);
     OverviewJob thread(model);
@@ -29,7 +29,7 @@ TEST_CASE("The overview counts what a plain run counts") {
     CHECK(run.longestRing <= end.counters.maxRingLength);
 }
 
-TEST_CASE("Mesh styles have names that are read again, and follow each other in a circle") {
+TEST_CASE("Mesh styles have names that are read back, and form a cycle") {
     MeshStyle style = MeshStyle::Flat;
     for (const MeshStyleRow& row : meshStyles()) {
         CHECK(row.id == style);

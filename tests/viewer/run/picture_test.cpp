@@ -79,7 +79,7 @@ TEST_CASE("Triangles appear one by one") {
     CHECK(makePicture(*record, emit + 1).newTriangles.size() == 2);
 }
 
-TEST_CASE("Candidates are known from their first test on, and stay crossed once rejected") {
+TEST_CASE("Candidates are marked from their first test on, and stay crossed once rejected") {
     const auto model = test::sphereModel();
     REQUIRE(model != nullptr);
     Timeline timeline(model->points, model->params);

@@ -5,7 +5,7 @@
 using namespace se;
 using namespace se::view;
 
-TEST_CASE("Mended: triangles that only turned their corners are not fresh") {
+TEST_CASE("Repair: triangles with only rotated corners are not new") {
     const std::vector<Triangle> before = {{0, 1, 2}, {2, 1, 3}};
     const std::vector<Triangle> after = {{1, 2, 0}, {2, 1, 4}};
     const std::vector<Triangle> fresh = freshTriangles(before, after);
@@ -13,7 +13,7 @@ TEST_CASE("Mended: triangles that only turned their corners are not fresh") {
     CHECK(fresh[0] == Triangle{2, 1, 4});
 }
 
-TEST_CASE("Mended: a flip takes one edge, makes one, and keeps four") {
+TEST_CASE("Repair: a flip removes one edge, makes one, and keeps four") {
     const std::vector<Triangle> gone = {{0, 1, 2}, {1, 0, 3}};
     const std::vector<Triangle> made = {{0, 3, 2}, {3, 1, 2}};
     const MeshEdges edges = edgesOf(gone, made);
@@ -22,7 +22,7 @@ TEST_CASE("Mended: a flip takes one edge, makes one, and keeps four") {
     CHECK(edges.kept.size() == 4);
 }
 
-TEST_CASE("Mended: a point in a triangle makes three edges, on an edge four, at a border two") {
+TEST_CASE("Repair: a point in a triangle makes three edges, on an edge four, at a border two") {
     const std::vector<Triangle> one = {{0, 1, 2}};
     const MeshEdges inside =
         edgesOf(one, std::vector<Triangle>{{0, 1, 9}, {1, 2, 9}, {2, 0, 9}}, 9);
@@ -38,7 +38,7 @@ TEST_CASE("Mended: a point in a triangle makes three edges, on an edge four, at 
     CHECK(beside.kept == std::vector<MeshEdge>{{0, 1}});
 }
 
-TEST_CASE("Mended: triangles keep their component after flips and points that were put in") {
+TEST_CASE("Repair: triangles keep their component after flips and points that were put in") {
     // Two components of two triangles each; the second shares point 3 with the first.
     const std::vector<Triangle> emitted = {{0, 1, 2}, {2, 1, 3}, {3, 4, 5}, {5, 4, 6}};
     const std::vector<std::size_t> starts = {0, 2};

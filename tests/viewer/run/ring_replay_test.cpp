@@ -17,7 +17,7 @@ bool same(const std::vector<RingPath>& a, const std::vector<RingPath>& b) {
     });
 }
 
-/// What the events of a run say of its rings, against what the rings were.
+/// Compares the replayed rings with the actual ones.
 struct Followed {
     int pivots = 0;
     int splits = 0;
@@ -60,8 +60,8 @@ Followed follow(const char* scene, const char* rules, std::uint32_t last) {
         CHECK_FALSE(replay.lost());
         ++seen.pivots;
         if (exchanges > 1) ++seen.several;
-        // What ends a pivot without triangles takes a third point of §7 back, and the next ring
-        // comes off the stack: that is told by no event.
+        // The end of a pivot without triangles takes a third point of §7 back, and the next ring
+        // comes off the stack: no event reports that.
         const EdgeRings& after = record->after.rings;
         const bool made = record->after.triangleCount > record->before.triangleCount;
         if (!made || after.active() == kNone || after.active() != replay.rings().active()) continue;
@@ -72,7 +72,7 @@ Followed follow(const char* scene, const char* rules, std::uint32_t last) {
 
 }  // namespace
 
-TEST_CASE("Followed through its events, every pivot ends with the rings of the run") {
+TEST_CASE("Replayed by its events, every pivot ends with the rings of the run") {
     Followed all;
     for (const char* rules : {"paper", "robust"}) {
         for (const char* scene : {"scene:sphere", "scene:torus", "scene:genus-2", "scene:sheet",

@@ -1,4 +1,4 @@
-/// Rules that are changed while one looks at a run: where the cursor goes, what comes back.
+/// Changes of rules during a look at a run: cursor position, undo, session file.
 #include "run/rule_set.h"
 
 #include <doctest/doctest.h>
@@ -15,7 +15,7 @@ using test::OpenSession;
 
 namespace {
 
-/// As a panel asks, up to the end.
+/// Re-runs as a panel does, up to the end.
 void ask(Desk& desk, const RuleSet& rules) {
     desk.ui.requests.rules = rules;
     desk.filing.carryOut(desk.ui.requests);
@@ -37,7 +37,7 @@ WhatIf offeredAt(Session& session, const char* address) {
     return offers[0].what;
 }
 
-/// The first test of a run that ended so.
+/// The first test of a run with that outcome.
 std::string firstAddress(const Session& session, Verdict verdict) {
     EventLog log;
     Stepper stepper(session.model().points, session.model().params, &log);
@@ -53,7 +53,7 @@ std::string firstAddress(const Session& session, Verdict verdict) {
 
 }  // namespace
 
-TEST_CASE("A rule that is as its set has it is no choice") {
+TEST_CASE("A rule with the value of its set is no choice") {
     RuleSet rules;
     rules = withRule(rules, "maxgap", 100.0);
     rules = withRule(rules, "tie", 1.0);
@@ -103,11 +103,11 @@ TEST_CASE("A rule without effect before the cursor leaves it at the same test") 
     CHECK(open.place() == "30.sphere.1");
     CHECK_FALSE(open.session.runsAnew());
     CHECK(open.session.model().params.maxTrianglesPerPoint == 9);
-    CHECK(open.session.message() == "Same place: nothing before it differs.");
+    CHECK(open.session.message() == "Same place: no difference before it.");
     CHECK(open.session.selected() == 5);
 }
 
-TEST_CASE("Where the runs part the cursor stays at the same pivot of the same component") {
+TEST_CASE("Where the runs diverge the cursor stays at the same pivot of the same component") {
     OpenSession open("scene:torus");
     for (const std::uint32_t pivot : {40U, 90U, 200U}) {
         open.session.runAnew({});
@@ -120,8 +120,7 @@ TEST_CASE("Where the runs part the cursor stays at the same pivot of the same co
         CHECK_FALSE(open.session.message().empty());
         const bool same = open.session.message().starts_with("Same");
         if (same) CHECK(open.session.picture().pivot == point);
-        if (!same)
-            CHECK(open.session.message().find("last state that both share") != std::string::npos);
+        if (!same) CHECK(open.session.message().find("last shared state") != std::string::npos);
     }
 }
 
@@ -138,7 +137,7 @@ TEST_CASE("At the start and at the end of a run the cursor stays there") {
     CHECK(open.session.message() == "At the end of the new run.");
 }
 
-TEST_CASE("Rules are undone and made again, and kept in the session file") {
+TEST_CASE("Rules are undone and redone, and kept in the session file") {
     Desk desk("rules");
     desk.filing.open("scene:sphere");
     desk.settle();
@@ -194,7 +193,7 @@ TEST_CASE("A fork at a test, and the way back to the same run") {
     CHECK(toString(session.address()) == address);
 }
 
-TEST_CASE("A fork that would break an invariant is refused, and all stays as it is") {
+TEST_CASE("A fork that would break an invariant is refused without any change") {
     OpenSession open;
     open.session.goToPivot(20);
     open.session.settle();
@@ -209,7 +208,7 @@ TEST_CASE("A fork that would break an invariant is refused, and all stays as it 
     CHECK(open.session.spec().whatIf.empty());
 }
 
-TEST_CASE("A moved point is drawn where it is from its pivot on, and not before") {
+TEST_CASE("A moved point is drawn at its new position from its pivot on, and not before") {
     OpenSession open;
     WhatIfForm form;
     form.take(open.session, 20);
@@ -235,7 +234,7 @@ TEST_CASE("A moved point is drawn where it is from its pivot on, and not before"
     CHECK_FALSE(form.move(10).ok());
 }
 
-TEST_CASE("What can be said at a test is what the run then does") {
+TEST_CASE("Every what-if offered at a test has its effect in the run") {
     OpenSession open("scene:torus");
     std::size_t offered = 0;
     for (std::uint32_t pivot = 3; pivot < 40; pivot += 4) {

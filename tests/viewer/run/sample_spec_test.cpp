@@ -10,7 +10,7 @@
 using namespace se;
 using namespace se::view;
 
-TEST_CASE("What is sampled is one line of text, and reads back") {
+TEST_CASE("A sample specification is one line of text, and reads back") {
     SampleSpec spec;
     spec.surface = "torus";
     spec.count = 4000;
@@ -34,24 +34,23 @@ TEST_CASE("What is sampled is one line of text, and reads back") {
     CHECK(back.value().box->low.y == -1.25);
 }
 
-TEST_CASE("A line that says no points is refused, with the part that is wrong") {
+TEST_CASE("A line that specifies no points is refused, with the wrong part") {
     const auto complaint = [](const char* source) {
         const Result<SampleSpec> read = sampleFromSource(source);
         return read ? std::string("none") : read.error().message;
     };
     CHECK(complaint("torus").find("sample:SHAPE") != std::string::npos);
-    CHECK(complaint("sample:torus").find("how many") != std::string::npos);
+    CHECK(complaint("sample:torus").find("give the number of points") != std::string::npos);
     CHECK(complaint("sample:torus,n=10,spacing=1").find("how many") != std::string::npos);
     CHECK(complaint("sample:,n=10").find("neither") != std::string::npos);
     CHECK(complaint("sample:torus,n=0").find("\"n=0\"") != std::string::npos);
     CHECK(complaint("sample:torus,n=10,iso=x").find("\"iso=x\"") != std::string::npos);
     CHECK(complaint("sample:torus,n=10,box=1:2:3").find("box") != std::string::npos);
     CHECK(complaint("sample:torus,n=10,steps=100000").find("steps") != std::string::npos);
-    CHECK(complaint("sample:torus,n=10,colour=2").find("there are n, spacing") !=
-          std::string::npos);
+    CHECK(complaint("sample:torus,n=10,colour=2").find("expected n, spacing") != std::string::npos);
 }
 
-TEST_CASE("Title, file name and command line say which points they are") {
+TEST_CASE("Title, file name and command line identify the points") {
     SampleSpec spec;
     spec.surface = "/data/lobster.nhdr";
     spec.count = 43000;
@@ -68,7 +67,7 @@ TEST_CASE("Title, file name and command line say which points they are") {
     CHECK(sampleCommand(spec).empty());
 }
 
-TEST_CASE("No such shape, no such file, a box that leaves nothing: the reason is told") {
+TEST_CASE("No such shape, no such file, a box that leaves nothing: the reason is reported") {
     SampleSpec spec;
     spec.surface = "cube";
     spec.count = 100;
@@ -77,7 +76,7 @@ TEST_CASE("No such shape, no such file, a box that leaves nothing: the reason is
     CHECK(surfaceOf(spec).error().message.find("none.nrrd") != std::string::npos);
 }
 
-TEST_CASE("Points that are grown open like a file, with the options of that line") {
+TEST_CASE("Sampled points open like a file, with the options of that line") {
     LoadProgress progress;
     const InputSpec spec{"sample:sphere,n=300,seed=2", {}, "paper"};
     const Result<Loaded> loaded = loadInput(spec, progress);
@@ -90,7 +89,7 @@ TEST_CASE("Points that are grown open like a file, with the options of that line
     const Result<PointFile> points = sample(fieldOf(*findShape("sphere")), options);
     REQUIRE(points.ok());
     CHECK(loaded.value().model->points.position == points.value().position);
-    // Those at hand are taken as they are.
+    // Points in memory are used unchanged.
     InputSpec known = spec;
     auto other = std::make_shared<PointFile>(points.value());
     other->position.pop_back();
@@ -111,7 +110,7 @@ TEST_CASE("A wrong line, a cancelled one: nothing is opened") {
     CHECK(stopped.error().message == "Opening was cancelled.");
 }
 
-TEST_CASE("More points than memory could hold are refused, with the most that there can be") {
+TEST_CASE("More points than memory could hold are refused, with the maximum number") {
     const auto complaint = [](const char* source) {
         const Result<SampleSpec> read = sampleFromSource(source);
         return read ? std::string() : read.error().message;

@@ -63,7 +63,7 @@ TEST_CASE("Statuses are counted as they change") {
     CHECK(list.counts() == StatusCounts{1, 0, kSize - 1});
 }
 
-TEST_CASE("Styles made anew for changed blocks equal those made for all") {
+TEST_CASE("Styles computed for changed blocks equal those computed for all") {
     test::OpenSession open("scene:torus");
     DrawList kept;
     LayerSwitches on;

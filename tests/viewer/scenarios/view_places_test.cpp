@@ -1,4 +1,4 @@
-/// Where the legend, the arrow to the pivot and the names of the dial go.
+/// Positions of the legend, the arrow to the pivot and the names of the dial.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -33,13 +33,13 @@ Camera frontCamera() {
 
 }  // namespace
 
-TEST_CASE("No arrow points to a pivot that is within the view") {
+TEST_CASE("No arrow points to a pivot within the view") {
     const CameraMatrices camera = frontCamera().matrices(kAspect);
     CHECK_FALSE(edgeArrow(camera, {0, 0, 0}, kSize, kInset));
     CHECK_FALSE(edgeArrow(camera, {0.5F, 0, 0.5F}, kSize, kInset));
 }
 
-TEST_CASE("The arrow stands at the edge on the side of the pivot, and points there") {
+TEST_CASE("The arrow is at the edge on the side of the pivot, and points there") {
     struct Case {
         glm::vec3 place;
         glm::vec2 way;
@@ -57,7 +57,7 @@ TEST_CASE("The arrow stands at the edge on the side of the pivot, and points the
     }
 }
 
-TEST_CASE("The arrow shows which way to turn to what is behind the eye") {
+TEST_CASE("The arrow shows the way to a pivot behind the eye") {
     for (const bool orthographic : {false, true}) {
         Camera camera = frontCamera();
         if (orthographic) camera.toggleOrthographic();
@@ -65,13 +65,13 @@ TEST_CASE("The arrow shows which way to turn to what is behind the eye") {
         REQUIRE(right);
         CHECK(right->way.x > 0.9F);
     }
-    // Right behind it: any way will do, but there is one.
+    // Directly behind it: any direction is right, but there is one.
     const auto behind = edgeArrow(frontCamera().matrices(kAspect), {0, -20, 0}, kSize, kInset);
     REQUIRE(behind);
     CHECK(glm::length(behind->way) == doctest::Approx(1.0F));
 }
 
-TEST_CASE("Every arrow lies on the rectangle at the inset, whatever the direction") {
+TEST_CASE("Every arrow lies on the rectangle at the inset, in any direction") {
     for (int degrees = 0; degrees < 360; degrees += 7) {
         const float a = static_cast<float>(degrees) * 0.0174533F;
         const auto arrow = edgeArrow(frontCamera().matrices(kAspect),
@@ -83,7 +83,7 @@ TEST_CASE("Every arrow lies on the rectangle at the inset, whatever the directio
     CHECK_FALSE(edgeArrow(frontCamera().matrices(kAspect), {9, 0, 0}, {50, 50}, kInset));
 }
 
-TEST_CASE("A click on the arrow brings the pivot into the view, whatever is selected") {
+TEST_CASE("A click on the arrow brings the pivot into the view, with any selection") {
     OpenSession open;
     open.session.goToText("40.sort.1");
     open.session.settle();
@@ -113,7 +113,7 @@ TEST_CASE("The legend leaves the corner where it would hide the pivot") {
     CHECK(at({}, {})->min == right.min);
     const std::array pivot = {LabelMark{{500, 60}, 20}};
     CHECK(at(pivot, {})->min == glm::vec2(10, 10));
-    // Beside it is near enough.
+    // Beside the arrow is near enough.
     const std::array beside = {LabelMark{{460, 60}, 20}};
     CHECK(at(beside, {})->min == glm::vec2(10, 10));
     const std::array axes = {Rect{{0, 0}, {100, 100}}};
@@ -121,11 +121,11 @@ TEST_CASE("The legend leaves the corner where it would hide the pivot") {
     const std::array all = {LabelMark{{500, 60}, 20}, LabelMark{{50, 60}, 20},
                             LabelMark{{500, 350}, 20}};
     CHECK_FALSE(at(all, {}));
-    // It never stands out of the view.
+    // It never leaves the view.
     CHECK_FALSE(freeCorner({{{0, 0}, {600, 160}}, 10, {}, {}}, size, kCorners));
 }
 
-TEST_CASE("Dial: names of points at nearly the same angle stand side by side") {
+TEST_CASE("Dial: names of points at nearly the same angle are side by side") {
     const Rect area{{0, 0}, {300, 240}};
     const DialPlace disc{{150, 120}, 70};
     const glm::vec2 extent(44, 14);
@@ -142,7 +142,7 @@ TEST_CASE("Dial: names of points at nearly the same angle stand side by side") {
             CHECK(a.rect.min.x >= -0.5F);
             CHECK(a.rect.max().x <= 300.5F);
             for (const PlacedName& b : placed) CHECK((&a == &b || !overlap(a.rect, b.rect)));
-            // Not at its place: then a tick leads there.
+            // Not at its usual position: then a tick leads there.
             const float angle = 0.0174533F * static_cast<float>(names[a.name].degrees);
             const glm::vec2 rim =
                 disc.center + disc.radius * glm::vec2(std::cos(angle), -std::sin(angle));
@@ -151,7 +151,7 @@ TEST_CASE("Dial: names of points at nearly the same angle stand side by side") {
     }
 }
 
-TEST_CASE("Dial: a name for which there is no place is left out, the last first") {
+TEST_CASE("Dial: a name without room is left out, the last first") {
     const Rect area{{0, 0}, {300, 240}};
     const DialPlace disc{{150, 120}, 70};
     std::vector<DialName> names(40, DialName{0.0, {60, 14}});
@@ -165,7 +165,7 @@ TEST_CASE("Dial: a name for which there is no place is left out, the last first"
     CHECK(placeNames(disc, {area, taken, 5, 15}, right).empty());
 }
 
-TEST_CASE("What a decision is about: pivot, ends, candidates, and what else it names, once each") {
+TEST_CASE("Points of a decision: pivot, ends, candidates, and others that it names, once each") {
     OpenSession open("scene:figure-9");
     open.session.goToText("42.reciprocal.1");
     open.session.settle();
@@ -187,7 +187,7 @@ TEST_CASE("What a decision is about: pivot, ends, candidates, and what else it n
     CHECK(surroundingsOf(Picture{}).empty());
 }
 
-TEST_CASE("A close-up has all that a decision is about in sight, with room for names") {
+TEST_CASE("A close-up shows all points of a decision, with room for names") {
     for (const glm::vec2 size : {glm::vec2(64, 28), glm::vec2(20, 11), glm::vec2(32, 9)}) {
         for (const char* address : {"42.reciprocal.1", "15.twopoint.1", "30.advance.1"}) {
             CAPTURE(size.x);

@@ -48,7 +48,7 @@ TEST_CASE("The presets look along the axes") {
     CHECK(seen(camera, {0, 0.5F, 0}).y < 300.0F);
 }
 
-TEST_CASE("Zooming keeps what is under the pointer there") {
+TEST_CASE("Zooming keeps the point under the pointer there") {
     Camera camera;
     camera.home();
     const glm::vec2 pixel(600.0F, 200.0F);
@@ -98,7 +98,7 @@ TEST_CASE("A framed sphere fits the view and fills it") {
     }
 }
 
-TEST_CASE("Home shows all points of a sample, as large as fits, whatever the aspect") {
+TEST_CASE("Home shows all points of a sample, as large as fits, in any aspect") {
     const std::vector<glm::vec3> sample = {
         {1, 0, 0}, {-0.2F, 0.1F, 0}, {0, 0, 0.3F}, {0.4F, -0.5F, -0.1F}};
     for (const float aspect : {0.6F, 1.0F, 2.2F}) {
@@ -116,7 +116,7 @@ TEST_CASE("Home shows all points of a sample, as large as fits, whatever the asp
     }
 }
 
-TEST_CASE("Facing a surface seen from within turns to its outer side, else it does nothing") {
+TEST_CASE("Facing a surface seen from within turns to its outer side, otherwise it has no effect") {
     Camera camera;
     for (const glm::vec3 normal : {glm::vec3(0, 1, 0), glm::vec3(-1, 0, 0), glm::vec3(0, 0, -1)}) {
         camera.set(ViewPreset::Front);
@@ -140,7 +140,7 @@ TEST_CASE("Everything in the unit sphere is between the planes of the camera") {
     }
 }
 
-TEST_CASE("Every change is counted, so that pictures are drawn anew") {
+TEST_CASE("Every change is counted, so that pictures are redrawn") {
     Camera camera;
     unsigned last = camera.revision();
     const auto changed = [&] {
@@ -175,7 +175,7 @@ TEST_CASE("The axis that is up points up in the picture, from every side") {
             CHECK(seen(camera, tip).x == doctest::Approx(400.0F).epsilon(0.001));
             CHECK(seen(camera, tip).y < 200.0F);
         }
-        // Nothing is mirrored: x, y and z turn the same way round as ever.
+        // Nothing is mirrored: x, y and z keep their handedness.
         const glm::mat3 turn(camera.matrices(kAspect).view);
         CHECK(glm::determinant(turn) == doctest::Approx(1.0F));
     }
@@ -189,7 +189,7 @@ TEST_CASE("With y up the front is seen along -z, with x to the right") {
     CHECK(seen(camera, {0, 0, 0.5F}).z < seen(camera, {0, 0, -0.5F}).z);
 }
 
-TEST_CASE("A surface is faced from its outer side, whatever is up") {
+TEST_CASE("A surface is faced from its outer side, for any up axis") {
     const glm::vec3 normal = glm::normalize(glm::vec3(-0.4F, -0.7F, 0.2F));
     for (const UpAxis axis : {UpAxis::X, UpAxis::Y, UpAxis::Z}) {
         Camera camera;

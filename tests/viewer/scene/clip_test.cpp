@@ -33,7 +33,7 @@ TEST_CASE("Two squares have a corner in common") {
     CHECK(areaOf(common) == doctest::Approx(0.125));
 }
 
-TEST_CASE("What lies inside stays whole, what lies outside goes") {
+TEST_CASE("Polygons inside stay whole, polygons outside are removed") {
     const Polygon small = {{0.25F, 0.25F}, {0.75F, 0.25F}, {0.5F, 0.75F}};
     CHECK(areaOf(clipConvex(small, kSquare)) == doctest::Approx(areaOf(small)));
     CHECK(areaOf(clipConvex(kSquare, small)) == doctest::Approx(areaOf(small)));

@@ -26,7 +26,7 @@ const std::vector<glm::vec2> kAll{{0, 0}, {640, 0}, {640, 480}, {0, 480}};
 
 }  // namespace
 
-TEST_CASE("A line around everything encloses just the points that face the eye") {
+TEST_CASE("A line around everything encloses only the points that face the eye") {
     const auto model = test::sphereModel();
     REQUIRE(model != nullptr);
     const CameraMatrices camera = front();
@@ -39,7 +39,7 @@ TEST_CASE("A line around everything encloses just the points that face the eye")
     CHECK(std::is_sorted(points.begin(), points.end()));
 }
 
-TEST_CASE("What is drawn left of a line is not enclosed by one around the right half") {
+TEST_CASE("Points left of a line are not enclosed by one around the right half") {
     const auto model = test::sphereModel();
     const CameraMatrices camera = front();
     const std::vector<glm::vec2> right{{320, 0}, {640, 0}, {640, 480}, {320, 480}};
@@ -49,7 +49,7 @@ TEST_CASE("What is drawn left of a line is not enclosed by one around the right 
     for (const Index p : points) CHECK(project(camera, model->place[p], kSize).x >= 320.0F);
 }
 
-TEST_CASE("A hollow line leaves out what is in its notch; two corners enclose nothing") {
+TEST_CASE("A concave line excludes the points in its notch; two corners enclose nothing") {
     const auto model = test::sphereModel();
     const CameraMatrices camera = front();
     // A U open at the top: the middle is outside.

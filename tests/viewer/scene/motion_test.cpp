@@ -19,7 +19,7 @@ Moment after(double seconds, bool single = false) {
 
 }  // namespace
 
-TEST_CASE("What blinks once is lit, dies down, and stays lit on paper") {
+TEST_CASE("A single blink lights up, fades, and stays lit in saved pictures") {
     CHECK(blinkStrength(after(0.0)) == 1.0F);
     CHECK(blinkStrength(after(0.3)) == 1.0F);
     const float dying = blinkStrength(after(0.5));
@@ -30,7 +30,7 @@ TEST_CASE("What blinks once is lit, dies down, and stays lit on paper") {
     CHECK(blinkStrength(kPaper) == 1.0F);
 }
 
-TEST_CASE("What fades is all there at first, and on paper half") {
+TEST_CASE("A fading thing is fully visible at first, and half in saved pictures") {
     CHECK(fadeStrength(after(0.0), 0.0F) == doctest::Approx(1.0));
     float last = 1.0F;
     for (double t = 0.05; t < 0.5; t += 0.05) {
@@ -53,7 +53,7 @@ TEST_CASE("Things pop up one after the other, and all have settled when the moti
         CHECK(popSize(Moment{}, i, 3) == 1.0F);
         CHECK(popSize(kPaper, i, 3) == 1.0F);
     }
-    // One step on only brings the last of them.
+    // One step forward only brings the last of them.
     CHECK(popSize(after(0.0, true), 0, 3) == 1.0F);
     CHECK(popSize(after(0.0, true), 2, 3) > 1.0F);
 }
@@ -72,17 +72,17 @@ TEST_CASE("A step starts the motion, and it ends by itself") {
     CHECK(motion.look({1, 11, 2}, 0.5, 8.2) == after(0.0));
 }
 
-TEST_CASE("Where a step is not to be followed nothing moves, then or later") {
+TEST_CASE("After a step without animation nothing moves, then or later") {
     Motion motion;
     CHECK(motion.look({1, 10, 3}, 0.0, 1.0) == Moment{});
     CHECK(motion.look({1, 10, 3}, 0.5, 1.1) == Moment{});
     motion.look({1, 10, 4}, 0.5, 2.0);
-    // Looking back in the middle of it ends it.
+    // A look back in the middle of it ends it.
     CHECK(motion.look({1, 10, 4}, 0.0, 2.1) == Moment{});
     CHECK(motion.look({1, 10, 4}, 0.5, 2.2) == Moment{});
 }
 
-TEST_CASE("Only what has something that moves keeps the window awake") {
+TEST_CASE("Only an animated picture keeps the window drawing") {
     test::OpenSession open;
     const auto seconds = [&](const Address& address) {
         open.session.goTo(address);
@@ -114,7 +114,7 @@ TEST_CASE("While blinking, before and after are shown twice a second, before fir
     CHECK(turns == 40);  // In ten seconds: two full turns each.
 }
 
-TEST_CASE("Looking back lasts as long as its key is held; Shift makes it blink") {
+TEST_CASE("Looking back lasts while its key is held; Shift makes it blink") {
     LookBack look;
     look.begin(LookBack::Mode::Before, '`', 1.0);
     CHECK(look.showsBefore(1.3));
@@ -133,7 +133,7 @@ TEST_CASE("Looking back lasts as long as its key is held; Shift makes it blink")
     CHECK_FALSE(look.on());
 }
 
-TEST_CASE("From a menu, where nothing is held, looking back is switched on and off") {
+TEST_CASE("From a menu, without a held key, looking back is switched on and off") {
     LookBack look;
     look.toggle(LookBack::Mode::Before, 1.0);
     CHECK(look.showsBefore(1.3));

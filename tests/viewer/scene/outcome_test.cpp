@@ -20,7 +20,7 @@ TEST_CASE("An event without an outcome has no color of one") {
     CHECK_FALSE(colorOf(Stage::Pivot, PivotEvidence{0, 1, 2, 3, 180.0}));
 }
 
-TEST_CASE("What is kept, refused, moved or alarming has its own color each") {
+TEST_CASE("Kept, refused, moved and alarming things have a color each") {
     const Palette& c = paletteOf(Theme::Dark);
     CHECK(colorOf(Stage::TwoPoint, TwoPointEvidence{90.0, Verdict::Hole}) == c.used);
     CHECK(colorOf(Stage::TwoPoint, TwoPointEvidence{190.0, Verdict::Discarded}) == c.rejected);

@@ -17,7 +17,7 @@ TEST_CASE("Every color with a meaning contrasts with the background") {
     }
 }
 
-TEST_CASE("Text can be read on what it stands on") {
+TEST_CASE("Text contrasts with its background") {
     for (const Theme theme : {Theme::Dark, Theme::Light}) {
         const Palette& c = paletteOf(theme);
         CAPTURE(std::string(themeName(theme)));

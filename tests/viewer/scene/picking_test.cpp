@@ -90,7 +90,7 @@ struct WholeSphere {
                               open.session.picture().rings};
         return pick(scene, {camera, kSize, glm::vec2(project(camera, place, kSize)), 4.0F});
     }
-    /// The surface is seen well enough there to tell things apart.
+    /// The surface is facing the eye enough there to distinguish things.
     bool faces(const glm::vec3& place) const {
         return glm::dot(glm::normalize(camera.eye - place), glm::normalize(place)) > 0.6F;
     }
@@ -117,7 +117,7 @@ TEST_CASE("A triangle is found at its middle, and one behind the front never") {
     CHECK(facing > 100);
 }
 
-TEST_CASE("An edge is found at its middle, a point at its place") {
+TEST_CASE("An edge is found at its middle, a point at its position") {
     const WholeSphere sphere;
     int facing = 0;
     for (const Triangle& t : sphere.open.session.triangles()) {
@@ -149,7 +149,7 @@ TEST_CASE("The far side of the surface is hidden by its front, without triangles
     CHECK(back.what.kind == SelectionKind::None);
 }
 
-TEST_CASE("The index of triangles finds what looking at all of them finds") {
+TEST_CASE("The index of triangles finds the same as a search of all of them") {
     const WholeSphere sphere;
     int compared = 0;
     for (std::size_t i = 0; i < sphere.open.session.triangles().size(); i += 11) {
@@ -163,7 +163,7 @@ TEST_CASE("The index of triangles finds what looking at all of them finds") {
     CHECK(compared > 40);
 }
 
-TEST_CASE("Only what is there at the cursor is picked; steps of rings are edges, too") {
+TEST_CASE("Only things present at the cursor are picked; steps of rings are edges as well") {
     test::OpenSession open;
     open.session.goToPivot(40);
     open.session.settle();
@@ -189,7 +189,7 @@ TEST_CASE("Only what is there at the cursor is picked; steps of rings are edges,
     CHECK(open.session.triangles().size() > shown);
 }
 
-TEST_CASE("The selection is a value: sides and corners in whatever order, it survives moves") {
+TEST_CASE("The selection is a value: sides and corners in any order, it survives moves") {
     CHECK(Selection::ofEdge(7, 3) == Selection::ofEdge(3, 7));
     CHECK(Selection::ofTriangle({5, 9, 2}) == Selection::ofTriangle({2, 5, 9}));
     CHECK_FALSE(Selection::ofTriangle({5, 9, 2}) == Selection::ofTriangle({5, 2, 9}));
@@ -206,7 +206,7 @@ TEST_CASE("The selection is a value: sides and corners in whatever order, it sur
     CHECK(open.session.selected() == 7);
 }
 
-TEST_CASE("What is said of a triangle: its number, its pivot, its angles, and if it is there yet") {
+TEST_CASE("Facts of a triangle: its number, its pivot, its angles, and its presence") {
     test::OpenSession open;
     open.session.toEnd();
     open.session.settle();
@@ -236,7 +236,7 @@ TEST_CASE("What is said of a triangle: its number, its pivot, its angles, and if
     CHECK_FALSE(pivotOfTriangle(run, run.triangles.back()).has_value());
 }
 
-TEST_CASE("An edge of the ring says so; one that nobody has is not there") {
+TEST_CASE("An edge of the ring is reported as such; an edge of nothing is not present") {
     test::OpenSession open;
     open.session.goToPivot(30);
     open.session.settle();
@@ -251,7 +251,7 @@ TEST_CASE("An edge of the ring says so; one that nobody has is not there") {
     CHECK_FALSE(none.number.has_value());
 }
 
-TEST_CASE("Birth: every triangle was made by its decision emit") {
+TEST_CASE("Creation: every triangle was made by its decision emit") {
     for (const char* scene : {"scene:sphere", "scene:torus", "scene:figure-7"}) {
         OpenSession open(scene);
         const RunOverview& run = open.session.overview();

@@ -21,7 +21,7 @@ PointSet square() {
 
 }  // namespace
 
-TEST_CASE("Numbers: what rounds to zero has no sign") {
+TEST_CASE("Numbers: values that round to zero have no sign") {
     for (const double zero : {0.0, -0.0}) {
         CHECK(numberText(zero) == "0");
         CHECK(signedText(zero) == "0");

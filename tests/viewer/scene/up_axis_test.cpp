@@ -12,7 +12,7 @@ using namespace se::view;
 
 namespace {
 
-/// Points of a ball, stretched; nothing of it is flat.
+/// Points of a stretched ball, without a flat part.
 PointSet ball(const Vec3& stretched) {
     PointSet points;
     for (int i = 0; i < 600; ++i) {
@@ -27,7 +27,7 @@ PointSet ball(const Vec3& stretched) {
     return points;
 }
 
-/// The same, cut off flat at the low end of an axis.
+/// Points of a stretched ball, cut off flat at the low end of an axis.
 PointSet resting(int axis) {
     PointSet points = ball(Vec3(1.0));
     for (std::size_t i = 0; i < points.position.size(); ++i) {
@@ -48,7 +48,7 @@ TEST_CASE("Up axis: the names are read and written") {
     CHECK_FALSE(upAxisFromName("up").has_value());
 }
 
-TEST_CASE("Up axis: what rests on a flat side stands on it, whatever the file") {
+TEST_CASE("Up axis: an object with a flat side rests on it, in any format") {
     for (const char* file : {"scan.ply", "scan.xyz"}) {
         CAPTURE(file);
         CHECK(guessUpAxis(resting(0), file) == UpAxis::X);
@@ -63,7 +63,7 @@ TEST_CASE("Up axis: a plate lies on its side, a bar does not") {
     CHECK(guessUpAxis(ball({0.2, 0.3, 1.0}), "bar.ply") == UpAxis::Y);
 }
 
-TEST_CASE("Up axis: without a flat side the habit of the file decides") {
+TEST_CASE("Up axis: without a flat side the convention of the format decides") {
     const PointSet points = ball(Vec3(1.0));
     for (const char* file : {"a.ply", "a.obj", "A.OBJ", "a.stl", "a.off"}) {
         CAPTURE(file);
@@ -74,7 +74,7 @@ TEST_CASE("Up axis: without a flat side the habit of the file decides") {
     CHECK(guessUpAxis({}, "empty.ply") == UpAxis::Y);
 }
 
-TEST_CASE("Up axis: z for points with walls, scenes and points made here") {
+TEST_CASE("Up axis: z for points with walls, scenes and sampled points") {
     PointSet points = resting(1);
     CHECK(guessUpAxis(points, "scene:sphere") == UpAxis::Z);
     CHECK(guessUpAxis(points, "sample:torus,n=400") == UpAxis::Z);
@@ -82,7 +82,7 @@ TEST_CASE("Up axis: z for points with walls, scenes and points made here") {
     CHECK(guessUpAxis(points, "walls.ply") == UpAxis::Z);
 }
 
-TEST_CASE("Up axis: chosen by a command, kept for other files, and left to the guess again") {
+TEST_CASE("Up axis: chosen by a command, kept for other files, and reset to the guess") {
     test::OpenSession open;
     Playback playback;
     Camera camera;
@@ -92,7 +92,7 @@ TEST_CASE("Up axis: chosen by a command, kept for other files, and left to the g
     run("view.up.y");
     CHECK(camera.up() == UpAxis::Y);
     CHECK(ui.settings.up == UpAxis::Y);
-    // Scenes have z up when they are opened, and when nobody chooses.
+    // Scenes have z up when they are opened without a choice.
     CHECK(actions::usualUp(context) == UpAxis::Z);
     run("view.up.x");
     CHECK(camera.up() == UpAxis::X);

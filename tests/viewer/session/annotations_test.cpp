@@ -11,7 +11,7 @@ Address at(const char* text) { return addressFromString(text).value(); }
 
 }  // namespace
 
-TEST_CASE("Bookmarks keep the order of the run, whatever the order they are set in") {
+TEST_CASE("Bookmarks keep the order of the run, in any order of setting them") {
     Bookmarks marks;
     for (const char* text : {"40.sphere.2", "7.sort.1", "40.sort.3", "40.sphere.1"}) {
         CHECK(toggleBookmark(marks, at(text)));
@@ -25,7 +25,7 @@ TEST_CASE("Bookmarks keep the order of the run, whatever the order they are set 
     CHECK(bookmarkAt(marks, at("40.sort.4")) == std::nullopt);
 }
 
-TEST_CASE("A second toggle takes a bookmark away; an inserted one replaces that of its address") {
+TEST_CASE("A second toggle removes a bookmark; an inserted one replaces that of its address") {
     Bookmarks marks;
     insertBookmark(marks, {at("5.sort.1"), "first"});
     insertBookmark(marks, {at("5.sort.1"), "second"});
@@ -35,7 +35,7 @@ TEST_CASE("A second toggle takes a bookmark away; an inserted one replaces that 
     CHECK(marks.empty());
 }
 
-TEST_CASE("The next bookmark is the nearest one strictly behind or before a place") {
+TEST_CASE("The next bookmark is the nearest one strictly after or before a position") {
     Bookmarks marks;
     CHECK(nextBookmark(marks, {5, Stage::Sphere, 1}, 1) == nullptr);
     CHECK(nextBookmark(marks, {5, Stage::Sphere, 1}, -1) == nullptr);

@@ -34,7 +34,7 @@ struct Pair {
 
 }  // namespace
 
-TEST_CASE("Two timelines: in step up to the first difference, then by shares of the rest") {
+TEST_CASE("Two timelines: equal up to the first difference, then by shares of the rest") {
     const TwinTimes times{99, true, 500, 300};
     CHECK(twinPivot(times, 0) == 0);
     CHECK(twinPivot(times, 100) == 100);
@@ -47,7 +47,7 @@ TEST_CASE("Two timelines: in step up to the first difference, then by shares of 
         CHECK(twinPivot(times, pivot) >= last);
         last = twinPivot(times, pivot);
     }
-    // Runs that do the same have the same pivots; one that ends where they part stays there.
+    // Equal runs have the same pivots; one that ends where they diverge stays there.
     CHECK(twinPivot({700, false, 700, 700}, 650) == 650);
     CHECK(twinPivot({99, true, 500, 100}, 400) == 100);
     CHECK(twinPivot({99, true, 100, 300}, 101) == 300);
@@ -83,17 +83,17 @@ TEST_CASE("The first difference brings both runs to their own decision") {
     CHECK(toString(pair.run.address()) == toString(first.a.line->event.address));
     CHECK(pair.there() == toString(first.b.line->event.address));
     CHECK(pair.run.address().n != pair.comparison.other()->address().n);
-    // Moving on lets the other one follow again.
+    // After a move the other one follows again.
     pair.run.goTo({3, Stage::Sort, 1});
     pair.settle();
     CHECK(pair.there() == "3.sort.1");
-    // Coming to the same decision by steps does the same as the jump.
+    // Reaching the same decision by steps has the same effect as the jump.
     pair.run.goTo(first.a.line->event.address);
     pair.settle();
     CHECK(pair.there() == toString(first.b.line->event.address));
 }
 
-TEST_CASE("A comparison is made anew with the run, and ends with its input") {
+TEST_CASE("A comparison is repeated with the run, and ends with its input") {
     Pair pair;
     pair.beside("robust");
     const std::uint32_t revision = pair.comparison.revision();
@@ -111,7 +111,7 @@ TEST_CASE("A comparison is made anew with the run, and ends with its input") {
     CHECK(pair.comparison.other() == nullptr);
 }
 
-TEST_CASE("A mesh of another program is found again on the points; one without triangles is not") {
+TEST_CASE("A mesh of another program is matched with the points; one without triangles is not") {
     Pair pair;
     pair.run.toEnd();
     pair.settle();
@@ -138,7 +138,9 @@ TEST_CASE("A mesh of another program is found again on the points; one without t
     std::filesystem::remove(path);
 }
 
-TEST_CASE("Colors follow the time of the run: what the other mesh has not, as far as it is made") {
+TEST_CASE(
+    "Colors follow the time of the run: triangles that the other mesh lacks, as far as they are "
+    "made") {
     const std::vector<Triangle> order{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}};
     const auto other =
         std::make_shared<const TriangleSet>(std::vector<Triangle>{{1, 2, 0}, {0, 3, 2}, {0, 4, 5}});
@@ -160,7 +162,8 @@ TEST_CASE("Colors follow the time of the run: what the other mesh has not, as fa
     CHECK(shade.at(3, nullptr, only, turned)[0].count == 1);
 }
 
-TEST_CASE("The form of the other run begins with what says most, and takes every setting") {
+TEST_CASE(
+    "The form of the other run begins with the most informative rules, and takes every setting") {
     LoadProgress progress;
     const InputSpec base{"scene:torus", {}, "paper"};
     const auto model = loadModel(base, progress);
@@ -170,7 +173,7 @@ TEST_CASE("The form of the other run begins with what says most, and takes every
     CHECK(form.rules.name == "robust");
     CHECK(form.spec(base).value().choices.empty());
     CHECK(differenceText(base, form.spec(base).value()) == "robust rules");
-    // Not only what is on or off.
+    // Not only switches.
     for (const RuleSetting& setting : ruleSettings()) {
         CompareForm other = form;
         const double usual = usualValueOf(other.rules, setting);
@@ -190,13 +193,14 @@ TEST_CASE("The form of the other run begins with what says most, and takes every
     form.prepare.rim = true;
     const auto spec = form.spec(base);
     REQUIRE(spec.ok());
-    CHECK(differenceText(base, spec.value()) ==
-          "robust rules, flip off, 16 nearest, symmetric, normals turned, other walls, rims found");
+    CHECK(
+        differenceText(base, spec.value()) ==
+        "robust rules, flip off, 16 nearest, symmetric, normals flipped, other walls, rims found");
     form.prepare.count = "many";
     CHECK_FALSE(form.spec(base).ok());
 }
 
-TEST_CASE("The form of the other run takes what-ifs, and offers the true run of a fork") {
+TEST_CASE("The form of the other run takes what-ifs, and offers the run without them") {
     LoadProgress progress;
     InputSpec fork{"scene:torus", {}, "paper"};
     fork.whatIf = {whatIfFromText("9.sphere keep 4").value()};
@@ -205,7 +209,7 @@ TEST_CASE("The form of the other run takes what-ifs, and offers the true run of 
     CompareForm form;
     form.take(fork, *model.value());
     CHECK(form.rules.whatIf == fork.whatIf);
-    CHECK(differenceText(fork, trueRunOf(fork)) == "the true run");
+    CHECK(differenceText(fork, trueRunOf(fork)) == "no what-ifs");
     form.whatIf = "nonsense";
     form.addWhatIf();
     CHECK_FALSE(form.complaint.empty());
@@ -216,7 +220,7 @@ TEST_CASE("The form of the other run takes what-ifs, and offers the true run of 
     CHECK(form.spec(fork).value().whatIf.size() == 2);
 }
 
-TEST_CASE("What the run that is open changes itself counts for the form of the other one") {
+TEST_CASE("Changes of the open run are applied to the form of the other one") {
     LoadProgress progress;
     const InputSpec before{"scene:torus", {}, "paper"};
     const auto model = loadModel(before, progress);
@@ -235,7 +239,7 @@ TEST_CASE("What the run that is open changes itself counts for the form of the o
     CHECK(differenceText(now, form.spec(now).value()) == "robust rules, maxgap 100");
 }
 
-TEST_CASE("What is different in the other run is said in words") {
+TEST_CASE("The differences of the other run are described in words") {
     const InputSpec paper{"scene:torus", {}, "paper"};
     InputSpec other = paper;
     CHECK(differenceText(paper, other) == "the same");

@@ -45,7 +45,7 @@ TEST_CASE("The command names the input and the mesh, each as one word of a shell
           "spiraling-edge run '" + (fs::current_path() / "odd $name.ply").string() + "' -o m.ply");
 }
 
-TEST_CASE("The command has every option in which the input differs from the usual") {
+TEST_CASE("The command has every option in which the input differs from the defaults") {
     InputSpec spec = specOf(kSphere);
     spec.rules = "robust";
     spec.choices = {ruleValueFromText("maxgap=100").value(), ruleValueFromText("flip=off").value()};
@@ -66,7 +66,7 @@ TEST_CASE("The command has every option in which the input differs from the usua
           "spiraling-edge run scene:sphere --reach 1.6 --orient --box auto -o m.ply");
 }
 
-TEST_CASE("Points that were made here are written first, beside the mesh") {
+TEST_CASE("Sampled points are written first, beside the mesh") {
     const MeshCommand command =
         meshCommand(specOf("sample:torus,n=400,seed=2"), {"/out/m.ply", false});
     CHECK(command.text ==
@@ -78,7 +78,7 @@ TEST_CASE("Points that were made here are written first, beside the mesh") {
     CHECK(stopped.note.find("Save new points") != std::string::npos);
 }
 
-TEST_CASE("What the doctor mends is a command before, what he chooses an option") {
+TEST_CASE("A repair by the doctor is a command before, an option chosen by it an option") {
     InputSpec spec = specOf("/in/a.ply");
     spec.cures = {"flipped_normals", "duplicates", "unscaled_normals", "near_duplicates",
                   "short_lists"};
@@ -91,13 +91,13 @@ TEST_CASE("What the doctor mends is a command before, what he chooses an option"
     CHECK(command.note.find("a-mended-2.ply") != std::string::npos);
 }
 
-TEST_CASE("Points from standard input have no command: a sentence says what to do first") {
+TEST_CASE("Points from standard input have no command: a sentence names the step needed first") {
     const MeshCommand command = meshCommand(specOf("-"), {"m.ply", false});
     CHECK(command.text.empty());
     CHECK(command.note.find("standard input") != std::string::npos);
 }
 
-TEST_CASE("A what-if without effect is refused by the command line: a sentence says so") {
+TEST_CASE("A what-if without effect is refused by the command line, with a sentence") {
     test::Desk desk("refused-test");
     InputSpec spec = specOf(kSphere);
     spec.whatIf = {whatIfFromText("99999.sphere keep 1").value()};
@@ -109,7 +109,7 @@ TEST_CASE("A what-if without effect is refused by the command line: a sentence s
     CHECK(command.note.find("99999.sphere keep 1") != std::string::npos);
 }
 
-TEST_CASE("The command is copied without the dialog, too: for a file named after the input") {
+TEST_CASE("The command is copied without the dialog as well: for a file named after the input") {
     test::Desk desk("copied-test");
     MeshSaving saving(desk.context);
     desk.session.open(specOf(kSphere));
@@ -131,7 +131,7 @@ int runInShell(const std::string& command) {
     return std::system(("sh -c " + shellQuoted(whole) + " >/dev/null").c_str());
 }
 
-/// The first test of a run that a what-if can turn.
+/// The first test of a run that a what-if can invert.
 WhatIf turnedTest(const InputSpec& spec) {
     LoadProgress progress;
     const auto model = loadModel(spec, progress).value();
@@ -148,9 +148,9 @@ WhatIf turnedTest(const InputSpec& spec) {
     return {};
 }
 
-/// What the viewer saves and what the copied command writes; they must be the same bytes.
+/// Compares the file saved by the viewer with that of the copied command; they must be equal.
 void checkReproduced(const InputSpec& spec, const char* name = "m.ply", bool usedOnly = false) {
-    test::Desk desk("reproduced test");  // a blank in the path
+    test::Desk desk("reproduced test");  // a space in the path
     MeshSaving saving(desk.context);
     desk.session.open(spec);
     desk.session.settle();
@@ -169,7 +169,7 @@ void checkReproduced(const InputSpec& spec, const char* name = "m.ply", bool use
     CHECK(readText(target.path) == saved);
 }
 
-/// A scene as a file with floats, colors, and whatever `change` does to it.
+/// A scene as a file with floats, colors, and the effect of `change`.
 template <typename Change>
 struct SceneFile {
     fs::path path = test::ownPlace("the points.ply");
@@ -237,7 +237,7 @@ TEST_CASE("The copied command writes the same bytes: normals, walls and rims tha
     checkReproduced(bare.spec());
 }
 
-TEST_CASE("The copied command writes the same bytes: points made here, and points mended here") {
+TEST_CASE("The copied command writes the same bytes: sampled points, and repaired points") {
     checkReproduced(specOf("sample:torus,n=300,seed=2"));
     const SceneFile flawed("sphere", [](PointFile& file) {
         for (Vec3& normal : file.normal) normal *= normal.z > 0.8 ? -1.0 : 2.7;
@@ -257,7 +257,7 @@ TEST_CASE("The copied command writes the same bytes: points made here, and point
     }
 }
 
-TEST_CASE("The copied command writes the same bytes: the box around the points that are left") {
+TEST_CASE("The copied command writes the same bytes: the box around the remaining points") {
     const SceneFile stray("sheet", [](PointFile& file) {
         file.position.emplace_back(40.0, 0.0, 0.0);
         file.normal.emplace_back(0.0, 0.0, 1.0);

@@ -12,7 +12,7 @@ TEST_CASE("Nothing is due while paused") {
     CHECK(playback.due(10.0) == 0);
 }
 
-TEST_CASE("Playing begins with a step at once, and goes on at the rate") {
+TEST_CASE("Playing begins with a step at once, and continues at the rate") {
     Playback playback;
     playback.setRate(4.0);
     playback.play();
@@ -30,7 +30,7 @@ TEST_CASE("A long pause between frames does not lead to a burst") {
     CHECK(playback.due(0.0) <= 1);
 }
 
-TEST_CASE("The rate stays between 0.5 and 60 a second") {
+TEST_CASE("The rate stays between 0.5 and 60 per second") {
     Playback playback;
     playback.setRate(1000.0);
     CHECK(playback.rate() == Playback::kFastest);
@@ -38,7 +38,7 @@ TEST_CASE("The rate stays between 0.5 and 60 a second") {
     CHECK(playback.rate() == Playback::kSlowest);
 }
 
-TEST_CASE("Faster and slower go over the same notches, and above all lies no limit") {
+TEST_CASE("Faster and slower use the same notches, with no limit above all") {
     Playback playback;
     playback.setRate(30.0);
     playback.faster();
@@ -55,7 +55,7 @@ TEST_CASE("Faster and slower go over the same notches, and above all lies no lim
     CHECK(playback.rate() == Playback::kSlowest);
 }
 
-TEST_CASE("The units follow each other in a circle and have names") {
+TEST_CASE("The units form a cycle and have names") {
     CHECK(following(PlayUnit::SubStep) == PlayUnit::Pivot);
     CHECK(following(PlayUnit::Pivot) == PlayUnit::Event);
     CHECK(following(PlayUnit::Event) == PlayUnit::SubStep);
@@ -107,12 +107,12 @@ TEST_CASE("A step is a sub-step, a pivot or an event, forward and back") {
     const auto mark = player.open.session.nextMark(1);
     REQUIRE(mark.has_value());
     CHECK(player.step(PlayUnit::Event).starts_with(toString(*mark)));
-    // Playing leaves no trace in the history.
+    // Playing leaves no entry in the history.
     player.open.session.goBack();
     CHECK(player.open.place() == "start");
 }
 
-TEST_CASE("Playing from event to event pauses behind the last one") {
+TEST_CASE("Playing from event to event pauses after the last one") {
     Player player;
     player.open.session.toEnd();
     player.open.session.settle();

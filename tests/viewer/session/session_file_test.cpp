@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder that is gone after the test.
+/// A folder that is removed after the test.
 struct Folder {
     fs::path path = test::ownPlace("session-test");
     Folder() {
@@ -67,7 +67,7 @@ std::string complaintOf(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("A session file is read as it was written, the path relative to the file") {
+TEST_CASE("A session file is read back as written, the path relative to the file") {
     const SessionFile s = fullSession();
     const std::string text = sessionToJson(s, "/data/sessions");
     CHECK(text.find("\"../scans/kitten.xyz\"") != std::string::npos);
@@ -131,7 +131,7 @@ TEST_CASE("A session and its input can be moved together") {
     CHECK(read.value().input.source == "/mnt/stick/scans/kitten.xyz");
 }
 
-TEST_CASE("Unknown fields are kept, wherever they stand") {
+TEST_CASE("Unknown fields are kept, at any position") {
     const std::string text = minimal(
         R"(, "future": [1, 2], "layers": {"points": "on", "hologram": "on"},
             "options": {"rules": "paper", "speed": 3})");
@@ -146,7 +146,7 @@ TEST_CASE("Unknown fields are kept, wherever they stand") {
     }
 }
 
-TEST_CASE("Layers and modes that are not known are left out and named; the others hold") {
+TEST_CASE("Unknown layers and modes are skipped and reported; the others are used") {
     const auto read = sessionFromJson(
         minimal(R"(, "layers": {"points": 1, "hologram": "on", "normals": "on", "links": "no"})"),
         "folder/a.sesession", "");
@@ -164,7 +164,7 @@ TEST_CASE("Layers and modes that are not known are left out and named; the other
           "");
 }
 
-TEST_CASE("What is not said is left open: three fields are enough") {
+TEST_CASE("Missing fields are left open: three fields are enough") {
     const auto read = sessionFromJson(minimal(""), "a.sesession", "");
     REQUIRE(read.ok());
     CHECK(read.value().input.source == "scene:torus");
@@ -199,7 +199,7 @@ TEST_CASE("A bad session file is refused with its name and what was expected") {
         {minimal(R"(, "options": {"what_if": ["5.sphere hold 3"]})"), "is no what-if"},
         {minimal(R"(, "options": {"neighbors": 0})"), "1 to 1000"},
         {minimal(R"(, "options": {"neighbors": 2.5})"), "1 to 1000"},
-        {minimal(R"(, "options": {"radius": -1})"), "above 0"},
+        {minimal(R"(, "options": {"radius": -1})"), "a number > 0"},
         {minimal(R"(, "options": {"normals": "up"})"), "options.normals"},
         {minimal(R"(, "options": {"box": [0, 0, 0, 1, 1]})"), "options.box"},
         {minimal(R"(, "options": {"box": [0, 0, 0, 1, 1, 0]})"), "options.box"},
@@ -222,7 +222,7 @@ TEST_CASE("A bad session file is refused with its name and what was expected") {
         {minimal(R"(, "breakpoints": [{"line": "closes", "skip": -1}])"), "\"breakpoints\""},
         {minimal(R"(, "watches": "ring")"), "\"watches\""},
         {minimal(R"(, "watches": [1])"), "\"watches\""},
-        // Numbers that are too large for what they are.
+        // Numbers that are out of range.
         {R"({"format": "spiraling-edge session", "version": 99999999999999999999})", "\"version\""},
         {R"({"format": "spiraling-edge session", "version": -1})", "\"version\""},
         {minimal(R"(, "options": {"neighbors": 1e300})"), "options.neighbors"},
@@ -255,7 +255,8 @@ TEST_CASE("A bad session file is refused with its name and what was expected") {
     }
 }
 
-TEST_CASE("Session files are told from point files by extension or by their first sign") {
+TEST_CASE(
+    "Session files are distinguished from point files by extension or by their first character") {
     const Folder folder;
     put(folder.path / "a.json", "  \n{\"format\": 1}");
     put(folder.path / "a.xyz", "0 0 0 0 0 1\n");
@@ -305,7 +306,7 @@ TEST_CASE("Rule choices are read from NAME=on and NAME=off, and nothing else") {
     CHECK_FALSE(params.rules.closeTwo);
 }
 
-TEST_CASE("What is compared is kept: another run by its options, a mesh by its path") {
+TEST_CASE("The comparison is kept: another run by its options, a mesh by its path") {
     const Folder folder;
     SessionFile s = fullSession();
     s.with = CompareWith::otherRun(s.input);
@@ -341,7 +342,7 @@ TEST_CASE("A session names regular files: no device, no pipe, no folder") {
         return read ? std::string() : read.error().message;
     };
     CHECK(named("points.xyz", "").empty());
-    // Where nothing is, opening says so.
+    // A missing file is reported when it is opened.
     CHECK(named("missing.xyz", "").empty());
     for (const char* source : {"/dev/zero", "folder", "sample:/dev/../dev/zero.nrrd,n=5"}) {
         CAPTURE(source);

@@ -16,7 +16,7 @@ TEST_CASE("A session begins at the start of the first scene") {
     CHECK(open.session.overview().lastPivot > 0);
 }
 
-TEST_CASE("Opening what does not exist fails with a sentence and keeps what was open") {
+TEST_CASE("Opening what does not exist fails with a sentence and keeps the open input") {
     OpenSession open;
     open.session.open({"no-such-file.ply", {}, "paper"});
     open.session.settle();
@@ -91,7 +91,7 @@ TEST_CASE("Finishing a pivot goes to its end, and from there to that of the next
     CHECK(open.place() == "6.advance.1");
 }
 
-TEST_CASE("The end of the run is reached, and nothing lies behind it") {
+TEST_CASE("The end of the run is reached, and nothing comes after it") {
     OpenSession open;
     open.session.toEnd();
     const std::string end = open.place();
@@ -116,7 +116,7 @@ TEST_CASE("All triangles of the run are known at its end, in the order they were
     CHECK(std::equal(some.begin(), some.end(), all.begin()));
 }
 
-TEST_CASE("The same address shows the same picture, from wherever one comes") {
+TEST_CASE("The same address shows the same picture, from any direction") {
     OpenSession forward;
     OpenSession back;
     back.session.toEnd();
@@ -155,7 +155,7 @@ TEST_CASE("The go-to box takes addresses, relative moves, shares and points") {
     CHECK(session.selected() == 12);
 }
 
-TEST_CASE("The go-to box refuses nonsense in words") {
+TEST_CASE("The go-to box refuses nonsense with a sentence") {
     OpenSession open;
     for (const char* text :
          {"", "x", "12.nothing", "101%", "-1%", "p", "p99999999", "12.sort.x", "++1"}) {
@@ -165,7 +165,7 @@ TEST_CASE("The go-to box refuses nonsense in words") {
     CHECK(open.place() == "start");
 }
 
-TEST_CASE("An address that the run has not got is said so") {
+TEST_CASE("An address that the run lacks is reported") {
     OpenSession open;
     open.session.goTo({3, Stage::Join, 7});
     CHECK(open.place() == "3.advance.1");
@@ -186,7 +186,7 @@ TEST_CASE("The selection survives every move, and goes with another input") {
     CHECK(open.place() == "start");
 }
 
-TEST_CASE("A run that was cancelled stands at some place on the way and goes on from there") {
+TEST_CASE("A run that was cancelled is at some position on the way and continues from there") {
     OpenSession open("scene:genus-2");
     open.session.toEnd();
     open.session.cancelMove();
@@ -199,7 +199,7 @@ TEST_CASE("A run that was cancelled stands at some place on the way and goes on 
 TEST_CASE(
     "p and a number goes to every event about that point in turn, and says when none is left") {
     OpenSession open;
-    // What there is: all addresses about point 12, by going through the run.
+    // All addresses about point 12, found by stepping through the run.
     std::vector<std::string> expected;
     open.session.toEnd();
     open.session.settle();
@@ -225,7 +225,7 @@ TEST_CASE(
     open.session.settle();
     CHECK(open.place() == expected.back());
     CHECK(open.session.message().find("Nothing more happens to point 12") != std::string::npos);
-    // Back leads through them, for each was a jump.
+    // Back leads through them, since each was a jump.
     open.session.goBack();
     open.session.settle();
     open.session.goBack();
@@ -233,7 +233,7 @@ TEST_CASE(
     CHECK(open.place() != expected.back());
 }
 
-TEST_CASE("A place beyond the end of the run is missed, and a sentence says so") {
+TEST_CASE("A position beyond the end of the run is missed, with a sentence") {
     OpenSession open;
     CHECK_FALSE(open.session.missed());
     REQUIRE(open.session.goToText("999999").ok());
@@ -252,7 +252,7 @@ TEST_CASE("A place beyond the end of the run is missed, and a sentence says so")
     CHECK(open.session.missed());
 }
 
-TEST_CASE("A notice goes away after a while; what was said is kept until the next move") {
+TEST_CASE("A notice goes away after a while; the message is kept until the next move") {
     using namespace std::chrono_literals;
     OpenSession open;
     open.session.say("Saved.");
@@ -266,7 +266,7 @@ TEST_CASE("A notice goes away after a while; what was said is kept until the nex
     CHECK(open.session.notice().empty());
 }
 
-TEST_CASE("A share of the run means the whole run, also before it was gone through") {
+TEST_CASE("A share of the run means the whole run, also before it is complete") {
     OpenSession whole("scene:torus");
     const std::uint32_t last = whole.session.overview().lastPivot;
     REQUIRE(last > 100);
@@ -274,7 +274,7 @@ TEST_CASE("A share of the run means the whole run, also before it was gone throu
     session.open({"scene:torus", {}, "paper"});
     while (!session.ready()) session.poll();
     REQUIRE(session.goToText("50%").ok());
-    // Known by now or not: it is not what is known that is halved.
+    // Known by now or not: the share is of the whole run, not of the known part.
     CHECK(session.awaitsLength() == !session.overview().complete);
     session.settle();
     CHECK_FALSE(session.awaitsLength());

@@ -7,7 +7,7 @@ using namespace se::view;
 
 namespace {
 
-/// A stack and what a person sees; every change comes ten seconds after the one before.
+/// An undo stack and the visible state; every change comes ten seconds after the previous one.
 struct Bench {
     UndoStack stack;
     Edits now;
@@ -34,7 +34,7 @@ struct Bench {
 
 }  // namespace
 
-TEST_CASE("Changes are undone in reverse and made again in order") {
+TEST_CASE("Changes are undone in reverse and redone in order") {
     Bench b;
     b.now.theme = Theme::Light;
     b.look();
@@ -56,7 +56,7 @@ TEST_CASE("Changes are undone in reverse and made again in order") {
     CHECK(b.redo() == "nothing");
 }
 
-TEST_CASE("A new change after an undo forgets what was undone") {
+TEST_CASE("A new change after an undo discards the undone ones") {
     Bench b;
     b.now.layout = Arrangement::Learn;
     b.look();
@@ -81,7 +81,7 @@ TEST_CASE("A drag is one entry, and two drags are two") {
     CHECK(b.now.camera.yawDegrees == doctest::Approx(CameraPose{}.yawDegrees + 20.0F));
 }
 
-TEST_CASE("Notches of a wheel that follow each other are one entry") {
+TEST_CASE("Successive notches of a wheel are one entry") {
     Bench b;
     for (int i = 0; i < 5; ++i) {
         b.now.camera.distance *= 0.9F;
@@ -93,7 +93,7 @@ TEST_CASE("Notches of a wheel that follow each other are one entry") {
     CHECK(b.stack.undoDepth() == 2);
 }
 
-TEST_CASE("Undo notes what is under way, so that nothing is lost") {
+TEST_CASE("Undo records a pending change, so that nothing is lost") {
     Bench b;
     b.now.camera.yawDegrees = 5.0F;
     b.look(0.016, true);
@@ -126,7 +126,7 @@ TEST_CASE("Every kind of change has a name") {
     CHECK(describeChange(to, noted) == "note of a bookmark");
 }
 
-TEST_CASE("Breakpoints and watches are undone and made again") {
+TEST_CASE("Breakpoints and watches are undone and redone") {
     Bench b;
     b.now.breakpoints.push_back({"", "stage=split"});
     b.look();

@@ -8,7 +8,7 @@
 using namespace se;
 using namespace se::view;
 
-TEST_CASE("A place survives being written as text and read again") {
+TEST_CASE("A position is read back from its text") {
     Camera camera;
     camera.orbit({120.0F, -40.0F}, 600.0F);
     camera.toggleOrthographic();
@@ -23,7 +23,7 @@ TEST_CASE("A place survives being written as text and read again") {
     CHECK(other.matrices(1.5F).viewProjection() == camera.matrices(1.5F).viewProjection());
 }
 
-TEST_CASE("A bare address is a place without a camera, and anything else is refused") {
+TEST_CASE("A bare address is a position without a camera, and anything else is refused") {
     const Result<Place> bare = placeFromText("  20.sort.4\n");
     REQUIRE(bare.ok());
     CHECK(bare.value().address == "20.sort.4");
@@ -39,7 +39,7 @@ TEST_CASE("A bare address is a place without a camera, and anything else is refu
     }
 }
 
-TEST_CASE("History: back and forward lead through the places one jumped from") {
+TEST_CASE("History: back and forward lead through the positions before jumps") {
     History history;
     CHECK_FALSE(history.back("5").has_value());
     history.leave("1");
@@ -96,7 +96,7 @@ TEST_CASE("A session goes from mark to mark, there and back the same ones") {
     CHECK_FALSE(goToMark(-1));
 }
 
-TEST_CASE("A jump to an alert lands on the alert, and not on what happened in its stage before") {
+TEST_CASE("A jump to an alert lands on the alert, and not on an earlier event of its stage") {
     for (const char* scene : {"scene:torus", "scene:figure-9"}) {
         test::OpenSession open(scene);
         open.session.open({scene, {}, "printed"});
@@ -114,7 +114,7 @@ TEST_CASE("A jump to an alert lands on the alert, and not on what happened in it
     }
 }
 
-TEST_CASE("The axis that is up is part of a place; a place without it has z up") {
+TEST_CASE("The axis that is up is part of a position; a position without it has z up") {
     Camera camera;
     camera.setUp(UpAxis::Y);
     const auto read = placeFromText(toText(Place{"1", camera.pose()}));

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# What went wrong: the panel of alerts, their moments, and the rule that would have prevented one.
+# The panel of alerts, their moments, and the rule that would have prevented one.
 . "$(dirname "$0")/harness.sh"
 failing=${TMPDIR:-/tmp}/failing-$$.xyz
 trap 'rm -f "$failing"; cleanup' EXIT
 
-# reach NAME: turns the wheel over the panel until that is in sight.
+# reach NAME: turns the wheel over the panel until NAME is visible.
 reach() {
     local x y rx ry rw rh
     for _ in $(seq 40); do
@@ -17,8 +17,8 @@ reach() {
     fail "$1 does not come into sight"
 }
 
-# A scene of how the run goes opens at the decision that it is about, with no panel in the way; in
-# every layout, but for a place that is named.
+# A scene of a good run opens at the decision that it demonstrates, with no panel in the way; in
+# every layout, except with a named position.
 start scene:torus
 says alert_search done; says alerts "[0-9]+"; says address "200\.split\.1"
 denies open_tab Alerts
@@ -35,17 +35,17 @@ size=1600x980 start scene:four-edge-hole
 says alert_search done; says address 81.sphere.1; says alert "intersecting_triangles:[0-9]+"
 says open_tab Paper
 click_on "tab Alerts"; says open_tab Alerts; sleep 0.3
-# The moments of the alert, by the mouse; each says why below its address.
+# The moments of the alert, by the mouse; each has its reason below its address.
 reach "alert created"; click_on "alert created"; says address 81.emit.[12]; says noticed "[1-9]"
 reach "alert unavoidable"; click_on "alert unavoidable"; says address 81.sphere.1
 reach "alert first touched"; click_on "alert first touched"; says pivot "[0-9]|[1-7][0-9]"
-# Another alert: one goes to where it came about, and it is selected and framed.
+# Another alert: the cursor goes to where it was created, and it is selected and framed.
 picture before
 press F8; says noticed "[1-9]"; sleep 0.5
 picture after
 [ "$(differing before after)" -gt 500 ] || fail "the next alert is not framed"
 says selection "triangle|edge|point"
-# Esc puts the selection and the alert away.
+# Esc clears the selection and the alert.
 press Escape; says alert ""; says selection none
 
 # Which rule would have prevented it, and one click that turns it on.
@@ -54,7 +54,7 @@ alerts=$(field alerts)
 reach "alert remedies"; click_on "alert remedies"
 says "remedy [a-z]+" "\[.*"
 rule=$(grep -oE '"remedy [a-z]+"' "$state" | head -n 1 | tr -d '"')
-# First beside the run as it is, at the same place; then in its stead.
+# First beside the open run, at the same position; then instead of it.
 at=$(field address)
 sleep 0.3; reach "beside ${rule#remedy }"; click_on "beside ${rule#remedy }"
 says compare_with run; says compare_done true; says address "$at"
@@ -63,12 +63,12 @@ sleep 0.3; reach "$rule"
 camera=$(field camera | sed 's/[][{}.*+?()|^$\\]/\\&/g')
 click_on "$rule"
 leaves alerts "$alerts"; says phase ready; says alert_search done
-# What became of it is in sight: the whole new mesh, from where one looked.
+# The result is visible: the whole new mesh, from the same camera.
 says at_end true; says camera "$camera"
 [ "$(field alerts)" -lt "$alerts" ] || fail "the rule does not help: $(field alerts) alerts, $alerts before"
 stop
 
-# An input of one's own that fails opens on the first alert, and F8 leads on.
+# A file that fails opens on its first alert, and F8 goes to the next.
 awk 'BEGIN { srand(3); for (y = 0; y < 14; ++y) for (x = 0; x < 14; ++x)
          if ((x - 7) ^ 2 + (y - 7) ^ 2 > 2) print x + 0.3 * sin(7 * x + 3 * y), y + 0.3 * sin(5 * x + 11 * y), 0, 0, 0, 1
      }' >"$failing"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Breakpoints and watches: F9, F5, Shift+F5, the panel, a lasso, undo, and what a session keeps.
+# Breakpoints and watches: F9, F5, Shift+F5, the panel, a lasso, undo, and the session file.
 . "$(dirname "$0")/harness.sh"
 start scene:figure-12 --goto 0
 says phase ready
@@ -35,7 +35,7 @@ press shift+F5; says pivot 0
 # Playing pauses there.
 press u; says unit event; press space; says address "35\.split\.1"; says playing false
 
-# A breakpoint on a point, and away again; undo brings it back.
+# A breakpoint on a point, and its removal; undo restores it.
 go_to p40; says selected 40
 press F9; says breakpoints '\[ "stage=split", "point=40" \]'
 press F9; says breakpoints '\[ "stage=split" \]'
@@ -43,7 +43,7 @@ press ctrl+z; says breakpoints '\[ "stage=split", "point=40" \]'
 press ctrl+y; says breakpoints '\[ "stage=split" \]'
 press Escape; says selected null
 
-# The panel: a line is changed where it stands.
+# The panel: a line is edited in place.
 press ctrl+p; type_text "breakpoints"; press Return
 says open_tab Breakpoints
 click_on "breakpoint 1"
@@ -54,7 +54,7 @@ press Escape
 press Home; says pivot 0
 press F5; says address "[0-9]+\.join\.1"
 
-# Its menu takes one away.
+# Its menu removes one.
 go_to p40; says selected 40; press F9
 says breakpoints '\[ "stage=join", "point=40" \]'
 click_on "breakpoint 2 options"; sleep 0.3; click_on "breakpoint 2 away"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The doctor's panel opens by itself when something is found, and stays where it is when nothing is.
+# The doctor's panel opens by itself when something is found, and stays where it is otherwise.
 . "$(dirname "$0")/harness.sh"
 
 # A jittered lattice, which ends at no wall, with a copy, and two normals that are zero.
@@ -25,7 +25,7 @@ says marked 0
 click_on "finding zero_normals"
 says marked 2; sleep 0.8 # the frame after the click shows them
 picture marked
-click_on "finding zero_normals" # again: the marks go out
+click_on "finding zero_normals" # again: the marks are cleared
 says marked 0; sleep 0.8
 picture plain
 [ "$(differing marked plain)" -gt 100 ] || fail "marks cannot be seen"
@@ -33,15 +33,15 @@ click_on "finding duplicates"
 says marked 1
 press Escape
 says marked 0
-# Somewhere else, and back by the action.
+# To another tab, and back by the action.
 click_on "tab Counts"
 says open_tab Counts
 press ctrl+p
-type_text "doctor says"
+type_text "doctor"
 press Return
 says open_tab Doctor
 
-# One finding is cured: the input is opened anew with that, and Ctrl+Z takes it back.
+# One finding is fixed: the input is opened again with the fix, and Ctrl+Z undoes it.
 points=$(field points)
 go_to 20; says pivot 20
 click_on "fix zero_normals"
@@ -53,7 +53,7 @@ press Escape; press ctrl+z
 says cures '\[\]'; says points "$points"; says findings '.*zero_normals.*'; says message "Undone: .*|"
 press ctrl+y
 says cures '\[ "zero_normals" \]'; says points "$((points - 3))"; says findings '\[ "open_border" \]'
-# "As the file is" does the same, and can be undone like the rest.
+# "Use the file as is" does the same, and can be undone like the rest.
 sleep 0.3; click_on "doctor as it is"
 says cures '\[\]'; says points "$points"
 press Escape; press ctrl+z
@@ -64,7 +64,7 @@ press ctrl+z; says cures '\[\]'; says findings '.*zero_normals.*'
 sleep 0.3; click_on "copy zero_normals"; says notice "Copied the command\."
 stop
 
-# Normals that look the wrong way are turned with what is mended, at once.
+# Normals that point the wrong way are flipped together with the repairs.
 python3 -c '
 import math
 n = 900
@@ -79,7 +79,7 @@ size=1600x980 start --layout learn "$flawed"
 says doctor done
 says findings '.*"unscaled_normals".*"flipped_normals".*'
 click_on "doctor fix all"
-says phase ready; says mended '\[ "[0-9]+ normals scaled to unit length", "[0-9]+ normals turned" \]'
+says phase ready; says mended '\[ "[0-9]+ normals scaled to unit length", "[0-9]+ normals flipped" \]'
 says doctor done; says findings '\[\]'
 # A session keeps it.
 press Escape; press ctrl+s; says file_browser true; sleep 0.3

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Files dropped on the window, as a file manager does it: points, a session, one that is not there,
-# two at once; and with notes that are not saved.
+# Files dropped on the window, as a file manager does: points, a session, a missing file,
+# two at once; and with unsaved notes.
 . "$(dirname "$0")/harness.sh"
 [ -n "$xlib_python" ] || { echo "skipped: python3-xlib is not installed"; exit 77; }
 drop() { "$xlib_python" "$(dirname "${BASH_SOURCE[0]}")/xdnd.py" "$window" "$@" || fail "the drop of $* fails"; }
@@ -11,20 +11,20 @@ cat >"$work/torus.sesession" <<'END'
  "address": "137.sphere.3", "layers": {"normals": "on", "hologram": "on"}, "notes": "from the file"}
 END
 
-# Points, onto the start page; a blank in the name comes as %20.
+# Points, onto the start page; a space in the name arrives as %20.
 start
 says start_page true
 drop "$work/four points.xyz"
 says input "four points.xyz"; says points 4
 
-# A session goes to its place with its notes; a layer that is not known is named.
+# A session goes to its position with its notes; an unknown layer is reported.
 drop "$work/torus.sesession"
 says input scene:torus; says address "137\.sphere\.3"; says notes "from the file"
 says pins '.*"normals": "on".*'
 says message '.*Left out, since it is not known here.*'
 grep -q 'hologram' "$state" || fail "the layer is not named"
 
-# What is not there leaves all as it was.
+# A missing file leaves everything unchanged.
 drop "$work/missing.ply"
 says phase failed
 says notes "from the file"
@@ -32,12 +32,12 @@ press ctrl+r; says phase failed
 click_on "go on"; says phase ready
 says input scene:torus; says address "137\.sphere\.3"
 
-# Of two the first is opened, and the program says so.
+# Of two the first is opened, and a message reports it.
 drop "$work/four points.xyz" "$work/torus.sesession"
 says input "four points.xyz"
-says message "2 files were dropped; only the first is open.*"
+says message "2 files were dropped; only the first was opened.*"
 
-# With a bookmark that no file holds the program asks first.
+# With an unsaved bookmark the program asks first.
 press Home; says pivot 0 # it may have opened on its first alert
 press F10; says pivot 1
 press ctrl+b; says unsaved true

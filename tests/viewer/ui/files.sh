@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# The start page, sessions, recent files, layouts and undo, as a person meets them.
+# The start page, sessions, recent files, layouts and undo, as a user meets them.
 . "$(dirname "$0")/harness.sh"
 start
 says start_page true
 says phase empty
-# Keys of the run do nothing here; Enter opens only what arrows or Tab have led to (start.sh).
+# Keys of the run do nothing here; Enter opens only items reached by arrows or Tab (start.sh).
 press F10 F5 f Return space 1 ctrl+b ctrl+z ctrl+s Home; says start_page true; says file_browser false
 click 490 150
 says start_page false
@@ -29,7 +29,7 @@ press F10; says pivot 1
 press F2; says layout debug
 press F2; says layout learn
 
-# Bookmarks: Ctrl+B sets one and takes it away, Ctrl with a digit goes there; plain digits are views.
+# Bookmarks: Ctrl+B sets or removes one, Ctrl with a digit goes there; plain digits are views.
 go_to 30.sort.1; says address "30\.sort\.1"
 press ctrl+b; says bookmarks '.*"30\.sort\.1".*'
 go_to 12.sort.2; says address "12\.sort\.2"
@@ -42,7 +42,7 @@ press ctrl+z; says bookmarks '.*"12\.sort\.2".*'
 press ctrl+equal; says em 20\.0
 press ctrl+minus; says em 16\.0
 
-# Another key for an action; one that is taken changes hands at the second press.
+# Another key for an action; a used one is reassigned at the second press.
 press ctrl+p; type_text "change keys"; sleep 0.2; press Return; says key_editor true
 sleep 0.3
 read -r x y w h < <(tr '\n' ' ' <"$state" | sed -E 's/ +/ /g' | sed -nE 's/.*"key run\.unit": \[([^]]*)\].*/\1/p' | tr -d ,)
@@ -56,7 +56,7 @@ press n; denies unit "$unit"
 press n n; says unit "$unit"
 go_to p12; says selected 12
 
-# A session is saved under a name that is asked for once.
+# A session is saved under a name that is requested once.
 go_to 40.sphere.2; says address "40\.sphere\.2"
 press ctrl+s; says file_browser true
 sleep 0.3
@@ -69,7 +69,7 @@ press ctrl+s; sleep 0.4
 grep -q '"address": "41\.advance\.1"' "$work/one.sesession" || fail "the second save does not write"
 says recent 1
 
-# Typing keeps the keys that edit; Ctrl+S and function keys work, Esc leaves the text as it is.
+# A text field keeps the keys that edit; Ctrl+S and function keys work, Esc leaves the text as it is.
 says unsaved false; says title '.*one\.sesession.*'
 press F2 F2; says layout debug
 click_on "tab Notes"; says open_tab Notes; sleep 0.3
@@ -86,7 +86,7 @@ press F10; says pivot $((pivot + 1)); press comma; says pivot "$pivot"
 press ctrl+s; says unsaved false
 go_to 41; says address "41\.advance\.1"; press ctrl+s; sleep 0.4
 
-# Behind a dialog plain keys do nothing; a click beside the line gives it the keyboard back.
+# Under a dialog plain keys have no effect; a click beside the line returns the focus to it.
 press ctrl+o; says file_browser true; sleep 0.3
 before=$(field unit)$(field layers)
 click 640 640; type_text "nlk"; sleep 0.3
@@ -106,7 +106,7 @@ stop
 grep -q '"run.unit": "N"' "$XDG_CONFIG_HOME/spiraling-edge/settings.json" || fail "the key is not kept"
 [ -f "$XDG_STATE_HOME/spiraling-edge/state.json" ] || fail "no state is kept"
 
-# It comes back; the command line comes before it. The layout is remembered without it, too.
+# It is restored; the command line takes precedence. The layout is kept without it as well.
 start "$work/one.sesession"
 says address "41\.advance\.1"; says selected 12; says layout learn
 stop
@@ -117,7 +117,7 @@ start scene:grid; says layout learn; says recent 1; stop
 start scene:grid --reset-layout; says layout debug; stop
 start scene:grid; says layout debug; stop
 
-# A click on a recent file; without settings nothing is known and nothing is kept.
+# A click on a recent file; without settings nothing is read and nothing is kept.
 start; says start_page true
 click_on "recent 1"; says input scene:sphere; says pivot 41
 stop
@@ -125,7 +125,7 @@ before=$(cat "$XDG_STATE_HOME/spiraling-edge/state.json")
 start --no-config; says recent 0; press F2; says start_page true; stop
 [ "$before" = "$(cat "$XDG_STATE_HOME/spiraling-edge/state.json")" ] || fail "--no-config keeps a state"
 
-# What is wrong is said, with exit code 3.
+# Errors are reported, with exit code 3.
 echo '{"format": 1}' >"$work/bad.sesession"
 "$viewer" "$work/bad.sesession" 2>"$work/err.txt"
 [ $? -eq 3 ] || fail "a bad session does not lead to exit code 3"

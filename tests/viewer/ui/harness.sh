@@ -1,14 +1,14 @@
-# Drives the real window under a virtual display as a person would, and asks the program what it
-# shows. To be sourced by a scenario, a script that is called with the path of the viewer:
+# Drives the real window under a virtual display as a user would, and reads the visible state of the
+# program. To be sourced by a scenario, a script that is called with the path of the viewer:
 #
 #   . "$(dirname "$0")/harness.sh"
 #   start scene:sphere            # opens the window; size=1024x640 scale=2 theme=light start ...
-#                                 # for another than 1280x800, scale 1, dark
+#                                 # instead of 1280x800, scale 1, dark
 #   press F10; says pivot 1       # keys; a field of --state-dump, as a regular expression
 #   click 480 300                 # in pixels of the window
 #   stop                          # Ctrl+Q, and a good exit code
 #
-# Leaves 0 if all is well, 77 (skipped) if a tool is missing, and says what it saw if not.
+# Exits with 0 on success, 77 (skipped) if a tool is missing, and reports the state on failure.
 set -u
 viewer=$(realpath "$1")
 for tool in Xvfb xdotool compare import; do
@@ -33,7 +33,7 @@ fail() {
     exit 1
 }
 
-# A display of our own, SIZE (1700x1000) large; the program finds an empty home.
+# A separate display of SIZE (1700x1000); the program finds an empty home.
 display() {
     mkfifo "$work/number"
     Xvfb -displayfd 3 -screen 0 "${1:-1700x1000}x24" -nolisten tcp -noreset 3>"$work/number" 2>/dev/null &
@@ -63,7 +63,7 @@ start() {
     xdotool windowfocus --sync "$window"
 }
 
-# stop: Ctrl+Q; the program leaves with exit code 0.
+# stop: Ctrl+Q; the program quits with exit code 0.
 stop() {
     press ctrl+q
     for _ in $(seq 100); do kill -0 "$program" 2>/dev/null || break; sleep 0.05; done
@@ -101,7 +101,7 @@ drag() {
     xdotool mouseup "${5:-1}"
     sleep 0.1
 }
-# resize WIDTH HEIGHT: and waits up to 10 s until the program has drawn itself so wide.
+# resize WIDTH HEIGHT: and waits up to 10 s until the program has drawn itself at that width.
 resize() {
     local w
     xdotool windowsize --sync "$window" "$1" "$2"
@@ -113,12 +113,12 @@ resize() {
     done
 }
 
-# field NAME: what the program says of it now, without quotes; lists on one line.
+# field NAME: its current value in the state dump, without quotes; lists on one line.
 field() {
     tr '\n' ' ' <"$state" | sed -E 's/ +/ /g' |
         sed -nE "s/.*\"$1\": (\[[^]]*\]|\{[^}]*\}|\"[^\"]*\"|[^ ,}]+).*/\1/p" | sed -E 's/^"(.*)"$/\1/'
 }
-# says NAME PATTERN: waits up to 10 s until the program says so.
+# says NAME PATTERN: waits up to 10 s until the field matches.
 says() {
     for _ in $(seq 200); do
         [[ $(field "$1") =~ ^($2)$ ]] && return 0
@@ -127,7 +127,7 @@ says() {
     done
     fail "expected $1: $2, found '$(field "$1")'"
 }
-# leaves NAME VALUE: waits up to 10 s until the program says anything else.
+# leaves NAME VALUE: waits up to 10 s until the field has another value.
 leaves() {
     for _ in $(seq 200); do
         [ "$(field "$1")" != "$2" ] && return 0
@@ -135,17 +135,17 @@ leaves() {
     done
     fail "$1 stays $2"
 }
-# denies NAME PATTERN: what the program says now is something else.
+# denies NAME PATTERN: the current value does not match.
 denies() {
     sleep 0.3
     [[ $(field "$1") =~ ^($2)$ ]] && fail "$1 is $2"
     return 0
 }
-# inside NAME PERCENT_X PERCENT_Y: "X Y", that place of something that the program says it has drawn,
+# inside NAME PERCENT_X PERCENT_Y: "X Y", that position within an item that the program has drawn,
 # e.g. "tab Dial"; center NAME: its middle.
 inside() {
     local x y w h place before=
-    # In the first frames tabs have no size yet, and tabs and lists slide to where they belong.
+    # In the first frames tabs have no size yet, and tabs and lists move to their positions.
     for _ in $(seq 100); do
         place=$(field "$1" | tr -d '[],')
         read -r x y w h <<<"$place"
@@ -165,13 +165,13 @@ click_on() {
 }
 title() { xdotool getwindowname "$window" 2>/dev/null; }
 
-# The Python that can talk to the display server (Debian: python3-xlib); empty if there is none.
+# A Python that can talk to the display server (Debian: python3-xlib); empty if there is none.
 xlib_python=
 for python in python3 /usr/bin/python3; do
     "$python" -c 'import Xlib' 2>/dev/null && { xlib_python=$python; break; }
 done
 
-# picture NAME; differing A B: pixels that are not the same.
+# picture NAME; differing A B: number of pixels that differ.
 picture() { import -window "$window" "$work/$1.png" || fail "cannot read the window"; }
 differing() {
     local count

@@ -16,8 +16,8 @@ press Left; says address "20\.advance\.1"
 press Left; denies address "20\.advance\.1"; says pivot 20
 press F11; says address "20\.advance\.1"
 press shift+F11; says address "21\.advance\.1"
-# What is said besides goes away by itself.
-press ctrl+b; says notice "Bookmark at .*"; says notice ""; press ctrl+b
+# A notice disappears by itself.
+press ctrl+b; says notice "Bookmark set: .*"; says notice ""; press ctrl+b
 press F5; says pivot "[1-9][0-9][0-9]+"
 whole=$(field pivot)
 [ "$whole" -gt 100 ] || fail "F5 does not run to the end: $whole"
@@ -25,7 +25,7 @@ press shift+F5; says pivot 0
 press End; says pivot "$whole"
 press Home; says pivot 0
 
-# Marks, history, places.
+# Marks, history, positions.
 press ctrl+Right; says address "1\.seed\.1"
 go_to 12.sort.2; says address "12\.sort\.2"
 go_to 40.sphere.2; says address "40\.sphere\.2"
@@ -44,7 +44,7 @@ go_to -10; says pivot $half
 go_to p12; says selected 12
 press Escape; says selected null
 
-# Bookmarks are stopped at; a loop keeps playing in its stretch.
+# Playing stops at bookmarks; a loop plays its range repeatedly.
 press Home; go_to 30; says address "30\.advance\.1"
 press ctrl+b
 press Home; says pivot 0
@@ -75,7 +75,7 @@ press minus; says rate "$rate"
 unit=$(field unit)
 press u; denies unit "$unit"
 
-# Camera: every key changes it, and Enter brings it home.
+# Camera: every key changes it, and Enter resets it.
 home=$(field camera)
 for chord in 1 3 7 9 5 shift+f; do
     before=$(field camera)
@@ -95,13 +95,13 @@ done
 press n; says pins '.*"normals": "on".*'
 press n; says pins '\{\}'
 
-# As long as the back-quote is held one looks at the state before the decision.
+# While the back-quote is held, the state before the decision is shown.
 go_to 30.emit.1; says address '30\.emit\.1'
 triangles=$(field triangles)
 xdotool keydown grave; says before true; says triangles "$((triangles - 1))"
 xdotool keyup grave; says before false; says triangles "$triangles"
 says address '30\.emit\.1'
-# With Shift the two states take turns, the window goes on by itself, and nothing of it stays.
+# With Shift the two states alternate, the window redraws by itself, and no trace is left.
 xdotool keydown shift keydown grave
 says blinking true
 for state_shown in before after before after; do says shown_state $state_shown; done
@@ -126,7 +126,7 @@ press Return; says palette false
 says pivot "$((before + 1))"
 press ctrl+k; says palette true
 press Escape; says palette false
-# It finds by other words, and panels and scenes too.
+# It finds synonyms, and panels and scenes as well.
 press ctrl+k; says palette true; type_text "wirefr"; sleep 0.2
 press Return; says palette false; says mesh_style wire
 press ctrl+k; says palette true; type_text "counts"; sleep 0.2
@@ -136,7 +136,7 @@ press Return; says palette false; says up y
 press ctrl+z; says up z
 press ctrl+o; says file_browser true
 press Escape; says file_browser false
-# The bookmarks are in no file.
+# The bookmarks are not saved.
 press ctrl+r; says asks true; sleep 0.3; click_on "leave discard"; says asks false
 says bookmarks '\[\]'; says phase ready; says pivot 0
 press ctrl+r; denies asks true; says phase ready
@@ -148,7 +148,7 @@ press alt+Return; sleep 0.6
 press F12; says notice "Saved .*"
 ls "$HOME"/spiraling-edge-*.png >/dev/null 2>&1 || fail "F12 saves no picture"
 
-# A click beside the line of a dialog gives the keyboard back to it.
+# A click beside the line of a dialog returns the focus to it.
 press ctrl+o; says file_browser true; sleep 0.3
 click 900 620; sleep 0.2; type_text "scene:torus"; sleep 0.2; press Return; says input scene:torus
 stop

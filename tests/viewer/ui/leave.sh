@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Notes, bookmarks, breakpoints and watches that no file holds are asked about before they are left.
+# Unsaved notes, bookmarks, breakpoints and watches raise a question before they are left.
 . "$(dirname "$0")/harness.sh"
-# What the close button of a window does: a message, not an end by force.
+# Effect of a window's close button: a message, not a forced end.
 ask_to_close() {
     "$xlib_python" - "$window" <<'END' || fail "the window cannot be asked to close"
 import sys
@@ -21,13 +21,13 @@ gone() {
     program=
 }
 
-# Nothing was noted: nothing is asked.
+# Without annotations there is no question.
 start scene:sphere; says phase ready
 press F10 F10; click_on "region view"; press n t
 press ctrl+b ctrl+b; says unsaved false
 stop
 
-# Quitting asks; Esc stays, keys do nothing behind the question.
+# Quitting asks; Esc stays, keys have no effect under the question.
 start scene:sphere; says phase ready
 press F10; says pivot 1
 press ctrl+b; says unsaved true
@@ -40,7 +40,7 @@ press ctrl+o; says file_browser true; sleep 0.3
 type_text "scene:torus"; sleep 0.2; press Return; says asks true; says input scene:sphere
 press Escape; says asks false; says input scene:sphere; says bookmarks '.*"1\.advance\.1".*'
 
-# A breakpoint counts as much, and is named; taken away again nothing is asked.
+# A breakpoint counts as well, and is named; after its removal there is no question.
 press ctrl+b; says unsaved false
 go_to 5.sphere.1; says address "5\.sphere\.1"; press F9; says unsaved true
 for _ in $(seq 100); do [[ $(title) == *"(unsaved breakpoints)"* ]] && break; sleep 0.05; done
@@ -49,7 +49,7 @@ press ctrl+q; says asks true; press Escape; says asks false
 press F9; says unsaved false
 go_to 1; says pivot 1; press ctrl+b; says unsaved true
 
-# Saving asks for a name; without one all stays.
+# Saving asks for a name; without one nothing changes.
 press ctrl+q; says asks true; sleep 0.3
 press Return; says asks false; says file_browser true
 press Escape; says file_browser false; says unsaved true
@@ -59,13 +59,13 @@ type_text "$work/kept"; sleep 0.2; press Return
 gone
 grep -q '"1\.advance\.1"' "$work/kept.sesession" || fail "the bookmark is not saved"
 
-# The session has a name: saving goes on at once.
+# The session has a name: saving continues at once.
 start "$work/kept.sesession"; says bookmarks '.*"1\.advance\.1".*'; says unsaved false
 go_to 7; says pivot 7; press ctrl+b; says unsaved true
 press ctrl+r; says asks true; sleep 0.3; press Return; says asks false; says unsaved false; says pivot 0
 grep -q '"7\.advance\.1"' "$work/kept.sesession" || fail "reloading does not save first"
 
-# The close button asks, too; discarding leaves the file alone.
+# The close button asks as well; discarding leaves the file unchanged.
 go_to 9; says pivot 9; press ctrl+b; says unsaved true
 if [ -n "$xlib_python" ]; then
     ask_to_close; says asks true; press Escape; says asks false

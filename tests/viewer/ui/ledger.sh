@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Why and why not: W on what is picked, a line of the ledger and the cursor is there, in both
-# directions of time; the menu of a right click; what is not there, typed; the query line and its
+# Why and why not: W on the selection, moves to lines of the ledger, in both
+# directions of time; the context menu; missing things by text; the query line and its
 # list; bars of the charts.
 . "$(dirname "$0")/harness.sh"
 start scene:stranded-point
@@ -12,7 +12,7 @@ says selected 32; says asking false
 says ledger '.*"answer": "Point 32 is not in the mesh.*"cause": "73.sort.8".*'
 press Escape; press Escape; says selection none
 
-# From a point that is picked.
+# From a selected point.
 go_to p32; says selected 32
 press w; says open_tab Ledger; says asking false
 # The answer goes to the clipboard.
@@ -24,14 +24,14 @@ press bracketright; says address 73.sort.8
 # A click on a line: back to it.
 click_on "line $here"; says address "$here"
 
-# An edge that is not there.
+# An edge that is not in the mesh.
 click_on "ledger box"; type_text "12,40"; press Return
 says selection edge; says asking false; says ledger '.*"answer": "Edge 12-40 is not in the mesh.*'
 click_on "ledger box"; type_text "12,4000"; press Return; sleep 0.3
 says selection edge
 press Escape; press Escape
 
-# Right click: the menu; with a point selected it asks about the edge of both.
+# Right click: the menu; with a point selected it queries the edge of both.
 go_to 60; says pivot 60; press Escape; press f; sleep 0.4
 read -r x y < <(center "region view")
 found=no
@@ -49,15 +49,15 @@ press Escape; says selection none
 click $((x + dx)) $((y + dy)) 3; sleep 0.5
 click_on "menu why"; says ledger ".*\"subject\": \"point $first\".*"
 
-# What made the ring at the cursor.
+# The cause of the ring at the cursor.
 says selected "$first"; press Escape; says selection none
 go_to 25; says pivot 25; press w; says open_tab Ledger; sleep 0.5
-# What was wrong still stands there.
+# The mistake is still there.
 click_on "ledger box"; press ctrl+a; type_text "ring #1"; press Return
 says ledger '.*"subject": "ring #1 at 25.*'; says asking false
 press Escape
 
-# The query line: a mistake is no question; a list, a step, the next one and back.
+# The query line: a mistake starts no query; a list, a step, the next one and back.
 press ctrl+f; says open_tab Query; sleep 0.3
 type_text "stage=sphere refused dragons"; press Return; sleep 0.3
 says query '.*"line": "".*'
@@ -71,21 +71,21 @@ press F3; leaves address "$first"; second=$(field address)
 press shift+F3; says address "$first"
 click_on "line $second"; says address "$second"
 
-# A bar is a list.
+# A bar leads to a list.
 press ctrl+p; type_text "charts"; sleep 0.3; press Return; says open_tab Charts; says asking false
 sleep 0.4; click_on "bar refusals sphere"; says open_tab Query
 says query '.*"line": "stage=sphere refused".*'; says asking false
 press ctrl+p; type_text "charts"; sleep 0.3; press Return; says open_tab Charts
 sleep 0.4; click_on "bar refusals sort"; says query '.*"line": "stage=sort refused".*'
 
-# Closest calls, and the points in their colors.
-press ctrl+p; type_text "closest calls"; sleep 0.3; press Return; says open_tab Query; says closest '[0-9]+'
+# Closest decisions, and the points in their colors.
+press ctrl+p; type_text "closest decisions"; sleep 0.3; press Return; says open_tab Query; says closest '[0-9]+'
 press Home; says pivot 0; sleep 0.5; picture status
 click_on "tint margin"; says point_tint margin; sleep 0.5; picture margin
 [ "$(differing status margin)" -gt 500 ] || fail "the tint cannot be seen"
 stop
 
-# Another run: the answers of the last one are gone, what is selected is asked about anew.
+# Another run: the answers of the last one are gone, and the selection is queried again.
 start scene:stranded-point
 says phase ready; go_to p32; press w; says ledger '.*"cause": "73.sort.8".*'
 press ctrl+r; says pivot 0; says ledger '.*"subject": "".*'

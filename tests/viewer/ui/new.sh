@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# New points: a shape is chosen, the particles spread in sight, are paused, stepped, saved and used.
+# New points: a shape is chosen, the particles spread visibly, are paused, stepped, saved and used.
 . "$(dirname "$0")/harness.sh"
 
-# larger A B: A > B, which may have decimals.
+# larger A B: A > B, with decimals.
 larger() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a > b) }'; }
 
 start
 says start_page true
 click_on "start file.new.shape"
 says growth_page true; says start_page '.*'
-# They spread in sight, 30 steps a second; where the machine is busy a second look may be needed.
+# They spread visibly, 30 steps per second; on a busy machine a second try may be needed.
 seen=no
 for _ in 1 2 3 4 5; do
     for _ in $(seq 400); do
@@ -21,8 +21,8 @@ for _ in 1 2 3 4 5; do
     [ $seen = yes ] && break
     press Home
 done
-[ $seen = yes ] || fail "nobody sees them spread"
-# Paused, a step changes what is seen.
+[ $seen = yes ] || fail "their spreading is not shown"
+# While paused, a step changes the picture.
 press Home space; says growth paused
 step=$(field growth_step)
 [ "$step" -lt 160 ] || fail "paused at step $step"
@@ -33,13 +33,13 @@ press F10; says growth_step $((step + 2))
 sleep 0.3; picture two
 [ "$(differing one two)" -gt 200 ] || fail "a step moves nothing in the view"
 says growth_points 2000
-# Keys of a run do nothing here, those of the view do.
+# Keys of a run have no effect here, those of the view have.
 layers=$(field layers)
-press n m; [ "$(field layers)" = "$layers" ] || fail "keys of the run work behind the page"
+press n m; [ "$(field layers)" = "$layers" ] || fail "keys of the run work under the page"
 press 1; says yaw '.*'
 drag 700 300 60 20
 
-# Another shape, cut by walls; all steps at once.
+# Another shape, clipped by walls; all steps at once.
 click_on "shape gyroid"
 says growth_source "sample:gyroid.*"
 press End; says growth done; says growth_step 160
@@ -47,7 +47,7 @@ larger "$(field growth_walls)" 50 || fail "no points on walls"
 larger 0.10 "$(field growth_variation)" || fail "the variation is $(field growth_variation)"
 larger 0.0001 "$(field growth_off)" || fail "off by $(field growth_off)"
 
-# A number typed; Enter begins with it, also in the next field, if nothing is typed there.
+# A number typed; Enter starts with it, also in the next field without input.
 click_on "shape torus"; says growth_source "sample:torus.*"
 read -r x y < <(inside "field Points" 50 50); click "$x" "$y"
 type_text "700"; press Tab; sleep 0.4; press Return
@@ -68,13 +68,13 @@ if [ -x "$cli" ]; then
     cmp "$work/torus.ply" "$work/cli.ply" || fail "the points differ from those of the command line"
 fi
 
-# What is wrong is told, and the page stays.
+# Errors are reported, and the page stays.
 read -r x y < <(inside "field Isovalue" 50 50); click "$x" "$y"
 type_text "1000"; press Return
 says growth failed; says growth_complaint ".*no surface.*"
 click_on "shape torus"; says growth_points 600; press End; says growth done
 
-# Used, they are a run like any other; the title says what they are.
+# Used, they are an ordinary run; the title identifies them.
 click_on "growth use"
 says growth_page false; says phase ready
 says input "torus, 600.* points"; says points 600
@@ -89,12 +89,12 @@ press ctrl+n; says growth_page true; says growth "spreading|done"
 press Escape; says growth_page false; says pivot 2; says points 600
 stop
 start "$work/grown.sesession"; says phase ready; says points 600; says pivot 2; stop
-# They are among the recent files as well, behind their session.
+# They are among the recent files as well, after their session.
 start; says recent 2; click_on "recent 2"; says input "torus, 600.* points"; says points 600; stop
-# Millions that are being scattered hold nobody up.
+# Scattering millions of particles does not block.
 start --new sphere -n 5000000; says growth finding; sleep 0.5; stop
 
-# From the command line, also a volume; one that is cut off is told in core's words.
+# From the command line, also a volume; a truncated one is reported in core's words.
 printf 'NRRD0004\ntype: uint8\ndimension: 3\nsizes: 9 9 9\nencoding: raw\n\n' >"$work/ball.nrrd"
 awk 'BEGIN { for (k = -4; k < 5; k++) for (j = -4; j < 5; j++) for (i = -4; i < 5; i++) {
     v = 100 - 5 * (i * i + j * j + k * k); printf "%03o ", (v > 0 ? v : 0) } }' |

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A million points: the window is there at once, says how far it is, can be stopped and left.
+# A million points: the window is there at once, shows the progress, and can be stopped and closed.
 . "$(dirname "$0")/harness.sh"
 count=${POINTS:-1000000}
 python3 "$(dirname "${BASH_SOURCE[0]}")/../../bench/sphere_ply.py" "$count" "$work/many.ply" ||
@@ -7,16 +7,16 @@ python3 "$(dirname "${BASH_SOURCE[0]}")/../../bench/sphere_ply.py" "$count" "$wo
 
 start "$work/many.ply"
 says phase loading
-# In its first frame it has not got its size yet.
+# In its first frame it has no size yet.
 sleep 0.4
 click_on "cancel opening"
 says phase empty; says start_page true
-# At once again, from here; leaving does not wait for it either.
+# Opened again from here; quitting does not wait for it either.
 press ctrl+o; says file_browser true; sleep 0.3
 type_text "$work/many.ply"; sleep 0.2; press Return; says phase loading
 stop
 
-# What is open stays usable while another input is on its way.
+# The open input stays usable while another one is being opened.
 start scene:sphere; says phase ready
 press ctrl+o; says file_browser true; sleep 0.3
 type_text "$work/many.ply"; sleep 0.2; press Return; says phase loading

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# Every panel is opened, in three sizes of the window and at twice the scale; each can be seen.
+# Every panel is opened, in three sizes of the window and at twice the scale; each is visible.
 . "$(dirname "$0")/harness.sh"
 
-# each_tab LEAST: opens every tab in sight; each changes what can be seen.
+# each_tab LEAST: opens every visible tab; each changes the picture.
 each_tab() {
     local name seen=0
-    # In the first frames they have no place yet.
+    # In the first frames they have no position yet.
     for _ in $(seq 100); do grep -q '"tab ' "$state" && break; sleep 0.05; done
     while IFS= read -r name; do
-        # Where there is no room for all, another one may have taken its place.
+        # If there is no room for all, another one may have replaced it.
         [ -n "$(field "$name")" ] || continue
         click_on "$name"
         sleep 0.3
@@ -18,7 +18,7 @@ each_tab() {
     [ "$seen" -ge "$1" ] || fail "only $seen tabs"
 }
 
-# each_more: those that have no room in the rows are opened from the list at their end, each by its
+# each_more: tabs that do not fit into the rows are opened from the list at their end, each by its
 # name; then it has a name in the rows.
 each_more() {
     local name
@@ -27,7 +27,7 @@ each_more() {
     [ -s "$work/more" ] || fail "no panel is in the list"
     press Escape
     while IFS= read -r name; do
-        # Another one that was opened may have made room for it.
+        # Opening another one may have made room for it.
         [ -n "$(field "tab $name")" ] || { click_on "more tabs"; sleep 0.3; click_on "more $name"; }
         [ "$(field open_tab)" = "$name" ] || { sleep 0.3; click_on "tab $name"; }
         says open_tab "$name"

@@ -32,16 +32,16 @@ go_to 60; press f; sleep 0.3; press Escape; says selection none
 find_kind edge; says selection_present true
 press Escape; says selection none
 
-# A double click turns the view about what is there, and leaves the selection alone.
+# A double click centers the orbit there, and keeps the selection.
 go_to p12; says selection point
 press Return; sleep 0.3
 read -r x y < <(center "region view")
 camera=$(field camera)
 undo=$(field undo)
 move_to $((x + 40)) $((y + 30)); xdotool click --repeat 2 --delay 60 1
-leaves camera "$camera"  # else the center did not move
+leaves camera "$camera"  # otherwise the center did not move
 says selected 12
-# It was never another, not even between the two clicks: undo knows of the camera alone.
+# It did not change between the two clicks either: undo has only the camera.
 says undo "$((undo + 1))"
 press ctrl+z; says message "Undone: camera\."; says selected 12
 # A single click waits until no second one can come.
@@ -49,7 +49,7 @@ move_to $((x + 40)) $((y + 30)); xdotool click 1; says click_waits true; says cl
 denies selected 12
 press Escape
 
-# One step of the unit on and back.
+# One step of the unit forward and back.
 go_to 20; says pivot 20
 while [ "$(field unit)" != pivot ]; do press u; sleep 0.1; done
 press o; says pivot 21
@@ -59,7 +59,7 @@ press shift+o; says address '1\.seed.*'
 press u; says unit sub-step
 go_to 20; press u; says unit pivot
 
-# Between its two marks playing goes round and round.
+# Playing loops between its two marks.
 press a; says loop '.*"from": "20[^"]*".*'
 press period period period b; says loop '.*"to": "23[^"]*".*'
 press End; says pivot '[0-9]{3,}'

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Preparing in another way: neighbors, normals and walls derived as asked, marked, kept in a session.
+# Preparing in another way: neighbors, normals and walls derived as requested, marked, kept in a session.
 . "$(dirname "$0")/harness.sh"
 cli=$(dirname "$viewer")/spiraling-edge
 [ -x "$cli" ] || { echo "skipped: no spiraling-edge beside the viewer"; exit 77; }
 { "$cli" run scene:sphere -q -o "$work/sphere.obj" &&
     awk '$1 == "v" { v[++n] = $2 " " $3 " " $4 } $1 == "vn" { s = ++m % 9 ? 1 : -1; print v[m], s * $2, s * $3, s * $4 }' \
         "$work/sphere.obj" >"$work/flipped.xyz"; } || fail "no points with flipped normals"
-# keeps TEXT: saved, the session has it; at once, or when the input has been prepared anew.
+# keeps TEXT: saved, the session has it; at once, or when the input has been prepared again.
 keeps() {
     for _ in $(seq 20); do
         press ctrl+s; sleep 0.5
@@ -36,7 +36,7 @@ press ctrl+shift+r; says prepare true; press Escape; says prepare false; says se
 stop
 start "$work/kept.sesession"; says phase ready
 says derived '\[ "neighbors", "normals", "types" \]'
-# By keyboard alone: Tab goes to the first field, Enter prepares; what was chosen before stays.
+# By keyboard alone: Tab goes to the first field, Enter prepares; earlier choices stay.
 press ctrl+shift+r; says prepare true; sleep 0.3
 press Tab; type_text "7"; press Return; says prepare false; says phase ready
 keeps '"neighbors": 7'
@@ -49,12 +49,12 @@ stop
 start sample:plane,n=400 --orient -k 8 --symmetric --box=-1,-1,-1,1,1,1
 says derived '\[ "neighbors", "orientation", "types" \]'
 stop
-# What is chosen goes before what the doctor's cure chose, and the form shows that.
+# A choice takes precedence over the doctor's fix, and the form shows it.
 start "$work/flipped.xyz"; says phase ready; says doctor done
 click_on "doctor fix all"; says cures '\[ "flipped_normals" \]'; says phase ready
 press ctrl+shift+r; says prepare true; sleep 0.3
 click_on "prepare From the input##m"; click_on "prepare ok"; says prepare false; says cures '\[\]'
 stop
-# Nobody has to move for a number of frames.
+# The pointer does not move for a number of frames.
 timeout 60 "$viewer" scene:sphere --no-config --frames 30 || fail "--frames does not end"
 well

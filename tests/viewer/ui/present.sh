@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Present says where one is, and in every layout an arrow leads to a pivot outside of the view. The
+# Present shows the address, and in every layout an arrow leads to a pivot outside of the view. The
 # camera moves only by hand.
 . "$(dirname "$0")/harness.sh"
 start scene:sphere --goto 40.sort.1 --layout present
@@ -12,7 +12,7 @@ go_to 40.sphere.1
 says address_line "40\.sphere\.1 · 6\.3"
 
 escaped() { printf '%s' "$(field camera)" | sed 's/[][{}.*+?()|^$\\]/\\&/g'; }
-# The pivot is drawn out of sight: the arrow appears, and stays while one steps.
+# The pivot is moved out of the view: the arrow appears, and stays during stepping.
 away() {
     local x y
     read -r x y < <(inside "region view" 70 30)
@@ -27,7 +27,7 @@ press F11 F11 F10
 says pivot 41
 says camera "$camera"
 says pivot_arrow true
-# It stands within the view, and a click on it frames the pivot.
+# It is within the view, and a click on it frames the pivot.
 read -r x y w h < <(field "pivot arrow" | tr -d '[],')
 read -r vx vy vw vh < <(field "region view" | tr -d '[],')
 { [ "$x" -ge "$vx" ] && [ "$y" -ge "$vy" ] && [ $((x + w)) -le $((vx + vw)) ] &&

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A rule is switched while one looks: the cursor stays by state, undo and the session file know of
+# A rule is switched during a run: the cursor stays by state, undo and the session file record
 # it. A fork at a test, and the way back.
 . "$(dirname "$0")/harness.sh"
 
@@ -10,7 +10,7 @@ address=$(field address)
 press ctrl+p; type_text "rules switches"; press Return
 says open_tab Rules
 
-# The filter finds the rule; a switch runs anew, and a second click takes it back.
+# The filter finds the rule; a switch re-runs, and a second click undoes it.
 sleep 0.3; click_on "rules filter"; type_text "walls passed"; sleep 0.3
 click_on "rule walls"
 says choices '\[ "walls=off" \]'; says phase ready
@@ -19,11 +19,11 @@ says message "Same place: nothing before it differs\..*"
 sleep 0.3; click_on "reset walls"
 says choices '\[\]'
 
-# One that matters: the same pivot, wherever it is now, or what both runs share.
+# A rule with an effect: the same pivot at its new position, or the last shared state.
 click_on "rules filter"; press ctrl+a; type_text "maxgap"; sleep 0.3
 click_on "rule maxgap"; press ctrl+a; type_text "95"; press Return
 says choices '\[ "maxgap=95" \]'; says phase ready
-says message "(Same (place|pivot).*runs part at pivot [0-9]+\.|The new run has no pivot.*)"
+says message "(Same (place|pivot).*runs diverge at pivot [0-9]+\.|The new run has no pivot.*)"
 press Escape; press ctrl+z; says choices '\[\]'; says message "Undone: rule maxgap\..*"
 press ctrl+y; says choices '\[ "maxgap=95" \]'
 
@@ -36,7 +36,7 @@ size=1600x980 start "$work/rules.sesession"
 says choices '\[ "maxgap=95" \]'
 stop
 
-# A fork: what was removed is kept.
+# A fork: a removed point is kept.
 size=1600x980 start scene:torus --goto 60.sphere.1
 says pivot 60
 press ctrl+p; type_text "what if forks"; press Return
@@ -53,7 +53,7 @@ press Escape; press ctrl+z; says what_if '\[\]'; says message "Undone: what-if\.
 press ctrl+y; says what_if '\[ "[0-9]+\.[a-z]+ (keep|drop) [0-9]+" \]'
 sleep 0.4; click_on "true run"; says what_if '\[\]'; says phase ready
 says address "$address"
-# No triangle where nobody wants one.
+# A what-if against a triangle.
 go_to 60.emit.1; says address "60\.emit\.1"; sleep 0.3
 click_on "what if here"
 says what_if '\[ "60\.guard drop [0-9]+" \]'; says phase ready

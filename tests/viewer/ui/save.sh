@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Saving the mesh, and copying the command that makes it: Ctrl+E, formats, points, the question before a
-# file is replaced. What is saved is what the command line writes.
+# file is replaced. The saved file equals that of the command line.
 . "$(dirname "$0")/harness.sh"
 cli=$(dirname "$viewer")/spiraling-edge
 [ -x "$cli" ] || { echo "skipped: no spiraling-edge beside the viewer"; exit 77; }
@@ -8,9 +8,9 @@ PATH=$(dirname "$cli"):$PATH
 out="$work/my meshes"
 mkdir "$out"
 cd "$out" || fail "no folder"
-# enter: Return, once the line with the name has the keyboard.
+# enter: Return, once the line with the name has the keyboard focus.
 enter() { says typing true; press Return; }
-# run_copied FILE: the command that was copied last writes FILE; it is the one that was saved.
+# run_copied FILE: the last copied command writes FILE, which equals the saved one.
 run_copied() {
     mv "$1" "$work/saved" || fail "nothing was saved as $1"
     sh -c "$(field mesh_command)" 2>"$work/err.txt" || fail "the copied command fails: $(cat "$work/err.txt")"
@@ -22,7 +22,7 @@ start; says start_page true
 press ctrl+e; says message "There is nothing open to save the mesh of\."; says mesh_dialog false
 stop
 
-# A name is proposed; Enter saves the mesh of the end of the run, and the cursor stays.
+# A name is proposed; Enter saves the final mesh of the run, and the cursor stays.
 start scene:stranded-point --goto 5 --rules corrected --rule maxgap=110; says phase ready; says pivot 5
 press ctrl+e; says mesh_dialog true
 says mesh_name 'stranded-point-mesh\.ply'; says mesh_triangles '[1-9][0-9]*'
@@ -31,7 +31,7 @@ says pivot 5
 "$cli" run scene:stranded-point --rules corrected --rule maxgap=110 -q -o "$work/cli.ply" || fail "the command line fails"
 cmp "$work/cli.ply" "$out/stranded-point-mesh.ply" || fail "the command line writes another mesh"
 
-# The second time: a question. Esc, and Enter on the answer that has the keyboard, keep the file.
+# The second time: a question. Esc, and Enter on the answer with the focus, keep the file.
 echo old >"$out/stranded-point-mesh.ply"
 press ctrl+e; says mesh_dialog true; says mesh_name 'stranded-point-mesh\.ply'; says mesh_triangles '[1-9][0-9]*'
 enter; says mesh_question '.*stranded-point-mesh\.ply'
@@ -61,7 +61,7 @@ press ctrl+p; says palette true; type_text "copy command"; press Return; says pa
 says message 'Copied the command\.'; says mesh_command ".*other\.off'?"
 run_copied other.off
 
-# What cannot be written is told in the dialog, and another name goes.
+# A write error is reported in the dialog, and another name works.
 press ctrl+e; says mesh_dialog true; says mesh_triangles '[1-9][0-9]*'
 says typing true; type_text "none/a.ply"; says mesh_name 'none/a\.ply'
 enter; says mesh_complaint '.*there is no folder.*'; says mesh_dialog true
@@ -70,7 +70,7 @@ enter; says mesh_dialog false
 [ -s "$out/again.stl" ] || fail "the other name is not written"
 stop
 
-# Points that were made here: the command makes the points first.
+# Sampled points: the command makes the points first.
 start sample:torus,n=300 --neighbors 10; says phase ready
 press ctrl+e; says mesh_dialog true; says mesh_name 'torus-300-mesh\.ply'; says mesh_triangles '[1-9][0-9]*'
 click_on "mesh copy command"; says mesh_command 'spiraling-edge sample torus .* && spiraling-edge run .*'

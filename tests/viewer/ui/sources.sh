@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Where points come from: standard input, and sessions that name what cannot be read to its end.
+# Where points come from: standard input, and sessions that name endless inputs.
 . "$(dirname "$0")/harness.sh"
 
 # sphere POINTS: a spiral over the sphere, as XYZ with normals.
@@ -8,7 +8,7 @@ sphere() {
         for (i = 0; i < n; ++i) { z = 1 - (2 * i + 1) / n; r = sqrt(1 - z * z)
             x = r * cos(i * turn); y = r * sin(i * turn); print x, y, z, x, y, z } }'
 }
-# refused CODE SENTENCE ARGUMENTS...: the program ends at once, and says why.
+# refused CODE SENTENCE ARGUMENTS...: the program ends at once, with a reason.
 refused() {
     local wanted=$1 sentence=$2 code=0
     shift 2
@@ -30,7 +30,7 @@ refused 3 "standard input: is empty" -
 echo "1 2 x" | "$viewer" - --screenshot "$work/none.png" 2>"$work/out" && fail "a malformed input is drawn"
 grep -q "standard input:1" "$work/out" || grep -q "standard input" "$work/out" || fail "$(cat "$work/out")"
 
-# In the window too; reloading takes them from memory, and a session cannot name them.
+# Also in the window; reloading takes them from memory, and a session cannot refer to them.
 mkfifo "$work/pipe"
 sphere 300 >"$work/pipe" &
 stdin=$work/pipe start -
@@ -61,7 +61,7 @@ refused 3 '"options.neighbors"' "$work/a.sesession"
 session scene:sphere ', "address": "99999999999.sphere.1"'
 refused 3 '"address"' "$work/a.sesession"
 
-# In the window a refused session leaves all as it is.
+# In the window a refused session changes nothing.
 session /dev/zero
 start scene:sphere; says phase ready
 press ctrl+o; says file_browser true; sleep 0.3
@@ -69,13 +69,13 @@ type_text "$work/a.sesession"; sleep 0.2; press Return
 says notice '.*a.sesession: .*'; says input scene:sphere; says phase ready
 stop
 
-# More than memory holds is a sentence, not the end.
+# An input beyond the memory is an error message, not a crash.
 (
     ulimit -v 3000000
     refused 3 "Out of memory." /dev/zero
 ) || exit 1
 
-# A tangled run: the first alerts, and that there are more.
+# A tangled run: the first alerts, and a note about more.
 start sample:torus,n=400 -r 5
 says alert_search done; says alerts_complete false; says alerts "[1-9][0-9]*"
 click_on "tab Alerts"; says open_tab Alerts

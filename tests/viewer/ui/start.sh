@@ -5,7 +5,7 @@ printf '0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n1.1 1.2 0 0 0 1\n' >"${TMPDIR:-/t
 file=${TMPDIR:-/tmp}/start-$$.xyz
 trap 'rm -f "$file"; cleanup' EXIT
 
-# chosen NAME: the keyboard is there, and a frame shows it.
+# chosen NAME: it has the keyboard focus, and a frame shows it.
 chosen() {
     says "chosen $1" "\[.*"
     sleep 0.3
@@ -26,13 +26,13 @@ press Escape; says keyboard view; says start_page true
 press Tab Tab; says keyboard scenes; chosen sphere
 press Right; chosen torus; press Return
 says phase ready; says input scene:torus; says keyboard view
-# It opens at the decision that it is about. The view has the keyboard: its keys work at once.
+# It opens at the decision that it demonstrates. The view has the focus: its keys work at once.
 says address "200\.split\.1"
 press F10; says pivot 201
 press n; says pins '.*normals.*'
 stop
 
-# Below the place to drop a file on: new points, then recent files.
+# Below the drop area: new points, then recent files.
 start "$file"; says phase ready; stop
 start
 says start_page true; says recent "[1-9]"; sleep 0.3

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Chords that are over within one frame reach text fields and the go-to box.
+# Chords that end within one frame reach text fields and the go-to box.
 . "$(dirname "$0")/harness.sh"
-# A chord as a quick hand or a program makes it; xdotool lets go of Ctrl first.
+# A chord as made by a fast user or a program; xdotool releases Ctrl first.
 quick() {
     local chord
     for chord in "$@"; do xdotool key --clearmodifiers --delay "${delay:-12}" "$chord"; done
@@ -18,9 +18,9 @@ for delay in 12 2 0; do
     quick ctrl+a ctrl+c ctrl+x; says filter ""
     quick ctrl+v ctrl+v; says filter splitsplit
     quick ctrl+a ctrl+v; says filter split
-    # What is typed right behind a chord takes the place of what it marked.
+    # Text typed right after a chord replaces what it selected.
     quick ctrl+a; xdotool type --delay "$delay" join; says filter join
-    # The other way round: what is typed is in before it is marked.
+    # In the other order: text is inserted before it is selected.
     xdotool type --delay "$delay" y; quick ctrl+a ctrl+x; says filter ""
     # Keys that move: one after the other, none lost.
     xdotool type --delay "$delay" ac; quick Left; xdotool type --delay "$delay" b
@@ -28,7 +28,7 @@ for delay in 12 2 0; do
     press Escape
 done
 
-# The go-to box: an address, and a place as Ctrl+C copies it.
+# The go-to box: an address, and a position copied by Ctrl+C.
 click_on "region view"; sleep 0.5
 press Escape Home; says pivot 0
 press ctrl+g; type_text "12.sort.2"
@@ -43,8 +43,8 @@ press ctrl+b; says bookmarks '.*13.*'
 press ctrl+g; quick ctrl+z; press Escape; denies bookmarks '\[\]'
 press ctrl+b; says bookmarks '\[\]'
 
-# What is typed right behind a command that opens a text field is typed there, however slow a frame
-# is: nothing of it reaches the view.
+# Text typed right after a command that opens a text field goes there, even if a frame
+# is slow: nothing of it reaches the view.
 at_once() { # CHORD TEXT: all of it waits when the next frame begins
     kill -STOP "$program"
     xdotool key --clearmodifiers --delay 0 "$1" type --delay 0 -- "$2"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The mouse in the view: turning, panning, zooming, picking; a click on nothing clears.
+# The mouse in the view: orbit, pan, zoom, selection; a click in empty space clears.
 . "$(dirname "$0")/harness.sh"
 start scene:sphere --goto 40
 says address "40\.advance\.1"
@@ -12,7 +12,7 @@ before=$(escaped); drag "$x" "$y" 30 30 2; denies camera "$before"
 before=$(escaped); click "$x" "$y" 4; denies camera "$before"
 says address "40\.advance\.1"
 
-# F puts the pivot into the middle of the view; a click there selects it, and stepping keeps it.
+# F centers the pivot; a click there selects it, and stepping keeps it.
 press Return f; sleep 0.3
 read -r x y < <(center "region view")
 click "$x" "$y"
@@ -30,10 +30,10 @@ press Return; sleep 0.3
 read -r x y < <(inside "region view" 3 6)
 click "$x" "$y"; sleep 0.5
 says selected null
-# A neighbor of the pivot lights up under the pointer.
+# A neighbor of the pivot is highlighted under the pointer.
 press f; sleep 0.3
 read -r x y < <(center "region view")
-lit() { # SECONDS at each place
+lit() { # SECONDS at each position
     local dx dy
     for dy in 0 40 -40 80 -80 120 -120; do
         for dx in 40 60 80 100 120 140 160 180 200 220; do
@@ -45,7 +45,7 @@ lit() { # SECONDS at each place
     return 1
 }
 lit 0.05 || lit 0.2 || fail "no neighbor of the pivot lights up"
-# A press right after a jump of the pointer, both within one frame, moves the camera not at all; nor
+# A press right after a jump of the pointer, both within one frame, does not move the camera; nor
 # does a press that is moved by less than a drag.
 press Return; sleep 0.3
 read -r x y < <(inside "region view" 5 5)
@@ -63,7 +63,7 @@ for button in 1 2 3; do
     says camera "$camera"
     press Escape
 done
-# One that is moved farther turns.
+# A longer one orbits.
 drag "$x" "$y" 60 20; denies camera "$camera"
 stop
 well

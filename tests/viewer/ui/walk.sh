@@ -9,7 +9,7 @@ walk() {
     for chord in "$@"; do press "$chord"; sleep 0.4; done
 }
 
-# All around, forward and back; Ctrl+Tab is the same.
+# The whole cycle, forward and back; Ctrl+Tab is the same.
 for stop in steps rings "ring points" tabs content view; do press Tab; says keyboard "$stop"; done
 press ctrl+Tab; says keyboard steps
 press shift+Tab; says keyboard view
@@ -25,12 +25,12 @@ press n; denies layers '.*"normals".*'; says address "137\.sphere\.2"
 press F10; says pivot 138
 press shift+F10; says pivot 137
 
-# Rings: Enter lights one up. Its points: Left and Right walk, Enter selects.
+# Rings: Enter highlights one. Its points: Left and Right move, Enter selects.
 press Escape; says keyboard view
 press Tab Tab; says keyboard rings; says highlighted_ring null
 press Return; says highlighted_ring 0
 press Tab; says keyboard "ring points"; walk Right Return; denies selected null
-# Tabs: Enter opens; arrows scroll what is in it.
+# Tabs: Enter opens; arrows scroll its content.
 press Tab; says keyboard tabs; says open_tab Inspect
 walk Right Return; says open_tab Paper
 walk Left Return; says open_tab Inspect
@@ -38,7 +38,7 @@ press Tab; says keyboard content; picture before
 walk Down Down Down Down; sleep 0.3; picture after
 [ "$(differing before after)" -gt 200 ] || fail "arrows do not scroll Inspect"
 
-# Esc takes one thing at a time: a list, the panel, the selection, the layout; it never quits.
+# Esc closes one thing at a time: a list, the panel, the selection, the layout; it never quits.
 selected=$(field selected)
 press F1; says cheat_sheet true
 press Escape; says cheat_sheet false; says selected "$selected"
@@ -50,7 +50,7 @@ press Escape; says layout debug
 press Escape Escape; says phase ready
 kill -0 "$program" 2>/dev/null || fail "Esc quits"
 
-# In a narrow window, where all panels are tabs, likewise.
+# In a narrow window, where all panels are tabs, too.
 resize 640 640
 click_on "tab Steps"; says open_tab Steps; says keyboard view
 press Tab; says keyboard steps

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Finding one's way: the strips are dragged, clicked, zoomed and folded, the tree of steps is filtered.
+# Moving in the run: the strips are dragged, clicked, zoomed and folded, the tree of steps is filtered.
 . "$(dirname "$0")/harness.sh"
 start scene:torus --goto 137.sphere.2
 says address "137\.sphere\.2"

@@ -21,7 +21,7 @@ grep -q "999999" "$work/err.txt" || fail "the message does not name the place"
 [ $? -eq 2 ] || fail "a missing folder does not lead to exit code 2"
 grep -q "there is no folder" "$work/err.txt" || fail "the message does not say that the folder is missing"
 
-# A picture of a session shows the session's place, of anything else the end.
+# A picture of a session shows its position, any other picture the end of the run.
 program_beside=$(dirname "$viewer")/spiraling-edge
 if [ -x "$program_beside" ]; then
     printf '{"format": "spiraling-edge session", "version": 1, "input": {"source": "scene:sphere"}, "address": "40.sphere.2"}' >"$work/a.sesession"
@@ -49,5 +49,5 @@ press Escape
 kill -0 "$program" 2>/dev/null || fail "Esc quits"
 stop
 [ "$(field address)" = "40.sphere.2" ] || fail "the state was not written on leaving"
-[ -z "$(ls -A "$XDG_CONFIG_HOME")" ] || fail "--no-config leaves settings behind"
+[ -z "$(ls -A "$XDG_CONFIG_HOME")" ] || fail "--no-config writes settings"
 well

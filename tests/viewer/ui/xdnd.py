@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Drops files on a window, as a file manager does (XDND 5): xdnd.py WINDOW FILE...
 
-Leaves 0 once the window has taken them, 1 if it does not within ten seconds."""
+Exits with 0 once the window has taken them, with 1 if it does not within ten seconds."""
 import sys
 import time
 from pathlib import Path
@@ -26,7 +26,7 @@ def send(name, *data):
 
 
 def give(request):
-    """Hands the list of files over to whoever asks for it."""
+    """Sends the list of files to the requesting window."""
     request.requestor.change_property(request.property, request.target, 8, uris)
     request.requestor.send_event(event.SelectionNotify(
         time=request.time, requestor=request.requestor, selection=request.selection,

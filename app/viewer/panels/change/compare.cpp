@@ -1,5 +1,4 @@
-// The column of the layout Compare: what is compared, the counts, the first difference, the
-// regions.
+// The column of the layout Compare: the two runs, the counts, the first difference, the regions.
 #include <algorithm>
 
 #include "compare_parts.h"
@@ -18,7 +17,7 @@ bool compareButton(const PanelContext& context, const char* label, const char* n
 
 namespace {
 
-/// A color, what it means, and how many triangles have it.
+/// A color, its meaning, and the number of its triangles.
 void countRow(const PanelContext& context, const Color& color, const char* text,
               std::size_t count) {
     const float em = context.em;
@@ -41,25 +40,25 @@ void drawCounts(const PanelContext& context, const Compared& found) {
     countRow(context, colors.used, "only in A", found.meshes.onlyA);
     countRow(context, colors.last, "only in B", found.meshes.onlyB);
     if (found.meshes.turned > 0)
-        countRow(context, colors.rejected, "turned over", found.meshes.turned);
+        countRow(context, colors.rejected, "reversed", found.meshes.turned);
     if (!found.strangers.empty())
-        dimText(grouped(found.strangers.size()) + " vertices of B lie on no point.");
+        dimText(grouped(found.strangers.size()) + " vertices of B match no point.");
     ImGui::Spacing();
 }
 
-/// Where one run decides it.
+/// The deciding line of one run.
 void drawSide(const PanelContext& context, const char* name, const DifferenceSide& side,
               const Color& color) {
     ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
     ImGui::PushFont(context.fonts.strong);
     const std::string title =
         std::string(name) + "  " +
-        (side.line ? toString(side.line->event.address) : std::string("the run is over")) +
+        (side.line ? toString(side.line->event.address) : std::string("the run has ended")) +
         (side.line && !side.decides ? "  instead" : "");
     ImGui::TextUnformatted(title.c_str());
     ImGui::PopFont();
     ImGui::PopStyleColor();
-    // Below the views one reads it as well, once one is there.
+    // The line is also shown below the views, once the cursor is there.
     if (side.line) tooltip(describe(side.line->event));
 }
 
@@ -69,10 +68,10 @@ void drawFirstDifference(const PanelContext& context, const Compared& found) {
     heading(context, "First difference",
             mesh ? "" : "after " + grouped(found.runs.pivotsAlike) + " pivots");
     if (!mesh && !found.runs.first) {
-        dimText("None: the runs do the same from the first pivot to the last.");
+        dimText("None: the runs are the same from the first pivot to the last.");
     } else if (compareButton(context, "First difference", "first",
-                             mesh ? "To the first triangle of the run that the mesh has not"
-                                  : "Both go to the decision at which they part (" +
+                             mesh ? "To the first triangle of the run that the mesh lacks"
+                                  : "To the first decision in which the runs differ (" +
                                         context.key("step.difference") + ")")) {
         page.ask = CompareAsk::FirstDifference;
     }
@@ -86,7 +85,7 @@ void drawFirstDifference(const PanelContext& context, const Compared& found) {
         const bool one = found.runs.harmlessPivots == 1;
         dimText("At " + grouped(found.runs.harmlessPivots) +
                 (one ? " earlier pivot" : " earlier pivots") +
-                " a decision fell differently without a consequence.");
+                " a decision differed without a consequence.");
         if (compareButton(context, one ? "Go there" : "The first of them", "harmless",
                           found.runs.harmless->words))
             page.ask = CompareAsk::FirstHarmless;
@@ -94,7 +93,7 @@ void drawFirstDifference(const PanelContext& context, const Compared& found) {
     ImGui::Spacing();
 }
 
-/// What one run answers.
+/// Answer of one run.
 void drawAnswer(const PanelContext& context, const char* letter, const Color& color,
                 const Session* run) {
     ImGui::PushFont(context.fonts.strong);
@@ -104,7 +103,7 @@ void drawAnswer(const PanelContext& context, const char* letter, const Color& co
     if (run == nullptr) return dimText("a finished mesh, without decisions");
     const Inquiry<WhyAnswer>& asked = run->questions().ledger();
     if (asked.answer() != nullptr) return wrappedText(asked.answer()->answer);
-    dimText(asked.busy() ? "looking ..." : "not asked");
+    dimText(asked.busy() ? "searching ..." : "no query");
 }
 
 std::optional<Address> causeIn(const Session* run) {
@@ -113,7 +112,7 @@ std::optional<Address> causeIn(const Session* run) {
     return answer->lines[answer->cause].event.address;
 }
 
-/// What both runs answer to the same question.
+/// Answers of both runs to the same query.
 void drawWhy(const PanelContext& context) {
     ComparePage& page = context.ui().compare;
     if (!page.why) return;
@@ -126,10 +125,10 @@ void drawWhy(const PanelContext& context) {
     const std::optional<Address> b = causeIn(other);
     if (a && compareButton(
                  context, "Go there", "cause",
-                 other == nullptr ? "To what settled it in A" : "Each to what settled it there"))
+                 other == nullptr ? "To the decisive line in A" : "Both to their decisive lines"))
         page.goTo = ComparedPlace{a, b};
     if (a) ImGui::SameLine();
-    if (compareButton(context, "Close", "why close", "Put the answers away")) page.why.reset();
+    if (compareButton(context, "Close", "why close", "Close the answers")) page.why.reset();
     ImGui::Spacing();
 }
 
@@ -154,7 +153,7 @@ void drawRegion(const PanelContext& context, const Compared& found, std::size_t 
         const auto a = firstMade(found.runs.a, region.inA);
         const auto b = firstMade(found.runs.b, region.inB);
         if ((a || b) && ImGui::SmallButton("Where it began")) page.goTo = ComparedPlace{a, b};
-        tooltip("To the first triangle of it in A (" + addressOrDash(a) + ") and in B (" +
+        tooltip("To its first triangle in A (" + addressOrDash(a) + ") and in B (" +
                 addressOrDash(b) + ")");
     }
     ImGui::PopID();
@@ -166,7 +165,7 @@ void drawRegions(const PanelContext& context, const Compared& found) {
     heading(context, "Regions of difference", grouped(count));
     if (count == 0) return dimText("None: the meshes are the same.");
     if (compareButton(context, "Previous", "previous",
-                      "Show the region before (" + context.key("step.region.previous") + ")"))
+                      "Show the previous region (" + context.key("step.region.previous") + ")"))
         page.ask = CompareAsk::PreviousRegion;
     ImGui::SameLine();
     if (compareButton(context, "Next", "next",
@@ -174,13 +173,13 @@ void drawRegions(const PanelContext& context, const Compared& found) {
         page.ask = CompareAsk::NextRegion;
     constexpr std::size_t kMostRows = 200;
     for (std::size_t i = 0; i < std::min(count, kMostRows); ++i) drawRegion(context, found, i);
-    if (count > kMostRows) dimText("... the smaller ones by Next and Previous.");
+    if (count > kMostRows) dimText("... smaller ones by Next and Previous.");
 }
 
 void drawWorking(const PanelContext& context) {
     ImGui::ProgressBar(static_cast<float>(context.ui().compare.now->share()), {-1.0F, 0.0F},
                        "comparing");
-    if (compareButton(context, "Cancel", "cancel", "Forget the other run"))
+    if (compareButton(context, "Cancel", "cancel", "End the comparison"))
         context.ui().compare.ask = CompareAsk::Stop;
 }
 
@@ -200,18 +199,18 @@ void drawNames(const PanelContext& context) {
     name("B",
          with.kind == CompareWith::Kind::Mesh ? meshTitle(with) : differenceText(run, with.run),
          context.palette.last);
-    if (compareButton(context, "Other...", "other", "Choose something else for B")) {
+    if (compareButton(context, "Other...", "other", "Choose another B")) {
         page.choosing = true;
         if (with.kind == CompareWith::Kind::Run)
             page.form.takeOther(with.run, context.session().model());
     }
     if (with.kind == CompareWith::Kind::Run) {
         ImGui::SameLine();
-        if (compareButton(context, "Swap", "swap", "B becomes the run that all panels show"))
+        if (compareButton(context, "Swap", "swap", "Show B in all panels"))
             page.ask = CompareAsk::Swap;
     }
     ImGui::SameLine();
-    if (compareButton(context, "Stop", "stop", "Forget the other run")) page.ask = CompareAsk::Stop;
+    if (compareButton(context, "Stop", "stop", "End the comparison")) page.ask = CompareAsk::Stop;
     ImGui::Spacing();
 }
 

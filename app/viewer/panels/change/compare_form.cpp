@@ -1,4 +1,4 @@
-// The form of the layout Compare: what the other run is to be.
+// The form of the layout Compare: the choice of the other run.
 #include "compare_parts.h"
 #include "panels/widgets/prepare_fields.h"
 #include "panels/widgets/text_field.h"
@@ -11,7 +11,7 @@ namespace se::view {
 
 namespace {
 
-/// A part of the form that can be opened, and a note behind its name.
+/// A part of the form that can be opened, and a note after its name.
 bool beginPart(const PanelContext& context, const char* name, const std::string& note,
                const std::string& help) {
     const std::string title = std::string(name) + ": " + note + "###" + name;
@@ -27,7 +27,7 @@ void drawRuleFields(const PanelContext& context, CompareForm& form) {
     if (const auto set = drawRuleSets(context, form.rules, place)) form.rules = *set;
     const std::size_t differing = differingCount(form.rules);
     const std::string note =
-        differing == 0 ? "as the set has them" : counted(differing, "differs", "differ");
+        differing == 0 ? "values of the set" : counted(differing, "differs", "differ");
     if (beginPart(context, "Rules", note, "Every rule as a switch, a choice or a number")) {
         if (const auto chosen = drawRuleList(context, form.rules, place)) form.rules = *chosen;
         ImGui::Spacing();
@@ -35,7 +35,7 @@ void drawRuleFields(const PanelContext& context, CompareForm& form) {
     ImGui::PopID();
 }
 
-/// In what the other input is prepared otherwise.
+/// Differences in the preparation of the other input.
 std::string prepareNote(const PanelContext& context, const CompareForm& form) {
     const InputSpec& here = context.session().spec();
     const Result<InputSpec> there = form.prepare.spec(here);
@@ -56,16 +56,14 @@ void drawPrepared(const PanelContext& context, CompareForm& form) {
 
 void drawWhatIfs(const PanelContext& context, CompareForm& form) {
     const auto& all = form.rules.whatIf;
-    const std::string note =
-        all.empty() ? "the true run" : counted(all.size(), "change", "changes");
-    if (!beginPart(context, "What if", note, "What happens in B instead of what the rules say"))
-        return;
+    const std::string note = all.empty() ? "none" : counted(all.size(), "change", "changes");
+    if (!beginPart(context, "What if", note, "Decisions of the rules that B overrides")) return;
     ImGui::PushID("what if");
     for (std::size_t i = 0; i < all.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         const bool gone = ImGui::SmallButton("x");
         context.ui().where["compare what if " + std::to_string(i + 1)] = lastItem();
-        tooltip("Not in B");
+        tooltip("Remove from B");
         ImGui::SameLine();
         ImGui::TextUnformatted(fitted(lineOf(all[i]), ImGui::GetContentRegionAvail().x).c_str());
         tooltip(describe(all[i]));
@@ -80,7 +78,7 @@ void drawWhatIfs(const PanelContext& context, CompareForm& form) {
                   ImGuiInputTextFlags_EnterReturnsTrue))
         form.addWhatIf();
     context.ui().where["compare what if line"] = lastItem();
-    tooltip("One more, in the words of --what-if; Enter adds it.");
+    tooltip("Another one, in the syntax of --what-if; Enter adds it.");
     ImGui::Spacing();
     ImGui::PopID();
 }
@@ -91,22 +89,22 @@ void begin(const PanelContext& context, const Result<InputSpec>& spec) {
     if (spec) page.begin = CompareWith::otherRun(spec.value());
 }
 
-/// What needs one click only.
+/// Choices that need one click only.
 void drawShortcuts(const PanelContext& context) {
     ComparePage& page = context.ui().compare;
     const InputSpec& here = context.session().spec();
     dimText("Or one of these:");
     if (compareButton(context, "Mesh from file...", "mesh",
-                      "A mesh that another program made on the same points"))
+                      "A mesh that another program made from the same points"))
         context.run("run.compare.mesh");
     if (!here.whatIf.empty() &&
-        compareButton(context, "The true run", "true run",
-                      "This run without its what-ifs: what the fork changed"))
+        compareButton(context, "Without what-ifs", "true run",
+                      "This run without its what-ifs, to see what they changed"))
         page.begin = CompareWith::otherRun(trueRunOf(here));
-    if (page.before && compareButton(context, "The run before my last change", "before",
+    if (page.before && compareButton(context, "Before the last change", "before",
                                      "This run as it was: " + differenceText(here, *page.before)))
         page.begin = CompareWith::otherRun(*page.before);
-    if (page.choosing && compareButton(context, "Back", "back", "Leave the comparison as it is"))
+    if (page.choosing && compareButton(context, "Back", "back", "Keep the current comparison"))
         page.choosing = false;
 }
 
@@ -115,7 +113,7 @@ void drawShortcuts(const PanelContext& context) {
 void drawCompareForm(const PanelContext& context) {
     CompareForm& form = context.ui().compare.form;
     const InputSpec& here = context.session().spec();
-    dimText("B, beside the run that is open:");
+    dimText("B, to compare with the open run:");
     drawRuleFields(context, form);
     drawPrepared(context, form);
     drawWhatIfs(context, form);

@@ -1,4 +1,4 @@
-/// What the column of the layout Compare is made of.
+/// Parts of the column in the layout Compare.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace se::view {
 
-/// A button that scripts find as "compare NAME".
+/// A button that test scripts find as "compare NAME".
 bool compareButton(const PanelContext& context, const char* label, const char* name,
                    const std::string& help);
-/// What the other run is to be.
+/// The form for the other run.
 void drawCompareForm(const PanelContext& context);
 
 }  // namespace se::view

@@ -13,7 +13,7 @@ namespace {
 constexpr int kShapesShown = 8;  ///< Rows of the list at once.
 constexpr float kName = 6.4F;    ///< Width of the names before the fields, in em.
 
-/// A dim name, with what follows beside it.
+/// A dim name before the next item.
 void name(const PanelContext& context, const char* text) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", text);
@@ -21,17 +21,17 @@ void name(const PanelContext& context, const char* text) {
     ImGui::SetNextItemWidth(-1.0F);
 }
 
-/// The particles have the keyboard again.
+/// The particles get the keyboard focus back.
 void beginByEnter(const PanelContext& context) {
     context.ui().growth.asked = GrowthAsk::Begin;
     context.ui().requests.closePopups = true;
 }
 
-/// A click selects what stands there: who types replaces it. Enter begins.
+/// A click selects the text, so that typing replaces it. Enter starts.
 constexpr ImGuiInputTextFlags kNumber =
     ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll;
 
-/// A field after its name. Enter in it begins.
+/// A field after its name. Enter in it starts.
 void field(const PanelContext& context, const char* title, const char* hint, std::string& text) {
     name(context, title);
     const std::string id = std::string("##") + title;
@@ -93,7 +93,7 @@ void drawVolume(const PanelContext& context) {
     }
 }
 
-/// One of the two ways to say how many, with its field; to type there chooses it.
+/// One of the two ways to give the number of points, with its field; typing there chooses it.
 void drawNumber(const PanelContext& context, const char* title, const char* help, bool spacing) {
     GrowthForm& form = context.ui().growth.form;
     std::string& text = spacing ? form.spacing : form.count;
@@ -104,7 +104,7 @@ void drawNumber(const PanelContext& context, const char* title, const char* help
     const std::string before = text;
     const std::string id = std::string("##") + title;
     const bool entered = textField(id.c_str(), "", text, kNumber);
-    // Enter begins; only what is typed here chooses this one.
+    // Enter starts; only typing here chooses this one.
     if (text != before) form.bySpacing = spacing;
     context.ui().where[std::string("field ") + title] = lastItem();
     if (entered) beginByEnter(context);
@@ -113,7 +113,7 @@ void drawNumber(const PanelContext& context, const char* title, const char* help
 void drawBox(const PanelContext& context) {
     GrowthPage& page = context.ui().growth;
     bool cut = page.form.cut;
-    if (ImGui::Checkbox("Cut by a box", &cut)) {
+    if (ImGui::Checkbox("Clip to a box", &cut)) {
         if (cut) page.form.cutByOwnBox();
         page.form.cut = cut;
     }
@@ -150,17 +150,17 @@ void drawGrowthForm(const PanelContext& context) {
     field(context, "Isovalue",
           page.form.from == GrowthSource::Shape ? "that of the shape" : "that of the volume",
           page.form.isovalue);
-    drawNumber(context, "Points", "Exactly so many", false);
-    drawNumber(context, "Spacing", "As many as stand so far apart", true);
+    drawNumber(context, "Points", "Exact number", false);
+    drawNumber(context, "Spacing", "As many as fit at this distance", true);
     field(context, "Seed", "a whole number", page.form.seed);
-    tooltip("Another seed gives other points");
+    tooltip("Seed of the random start positions");
     field(context, "Curvature", "0 to 100", page.form.curvature);
     tooltip(
         "Denser where the surface bends: the spacing is divided by 1 + this times the curvature "
         "over its mean, at most by 5");
     drawBox(context);
     ImGui::Spacing();
-    if (ImGui::Button("Begin anew", {-1.0F, 0.0F})) page.asked = GrowthAsk::Begin;
+    if (ImGui::Button("Restart", {-1.0F, 0.0F})) page.asked = GrowthAsk::Begin;
     context.ui().where["growth begin"] = lastItem();
     tooltip("Spread these particles (Enter in a field, or " + context.key("run.start") + ")");
     if (page.complaint.empty()) return;

@@ -12,7 +12,7 @@ namespace se::view {
 
 namespace {
 
-/// Values that fit beside each other stand in one line; what does not goes to the next.
+/// Values that fit beside each other share a line; the others go to the next.
 class Values {
   public:
     explicit Values(const PanelContext& context) : context_(context) {}
@@ -39,7 +39,7 @@ void drawValues(const PanelContext& context) {
     const GrowthPage& page = context.ui().growth;
     const GrowthNumbers& n = page.numbers;
     if (!page.hasPoints()) {
-        ImGui::TextDisabled("%s", page.phase == GrowthPhase::Finding ? "Looking for the surface ..."
+        ImGui::TextDisabled("%s", page.phase == GrowthPhase::Finding ? "Finding the surface ..."
                                                                      : "There are no points yet.");
         return;
     }
@@ -66,14 +66,13 @@ void drawSteppers(const PanelContext& context) {
     const bool over = page.phase == GrowthPhase::Done;
     const bool plays = page.moving();
     const std::array buttons = {
-        Button{"##anew", Icon::SkipStart, "run.start", "Begin anew"},
+        Button{"##restart", Icon::SkipStart, "run.start", "Restart"},
         Button{"##play", plays ? Icon::Pause : Icon::Play, "run.play",
                plays  ? "Pause"
-               : over ? "Begin anew"
-                      : "Go on spreading, 30 steps a second"},
+               : over ? "Restart"
+                      : "Continue spreading, 30 steps per second"},
         Button{"##step", Icon::StepForward, "step.event.next", "One step, then pause"},
-        Button{"##finish", Icon::SkipEnd, "run.end",
-               "All steps that are left, as fast as it goes"}};
+        Button{"##finish", Icon::SkipEnd, "run.end", "All remaining steps, at full speed"}};
     for (const Button& b : buttons) {
         const bool forward = b.icon == Icon::StepForward || b.icon == Icon::SkipEnd;
         const bool enabled = !forward || (!over && page.phase != GrowthPhase::Failed);
@@ -98,7 +97,7 @@ void drawProgress(const PanelContext& context, float width) {
     ImGui::ProgressBar(share, {width, ImGui::GetFrameHeight()}, step.c_str());
 }
 
-/// What becomes of the points.
+/// Buttons to use or save the points.
 void drawEndings(const PanelContext& context) {
     GrowthPage& page = context.ui().growth;
     ImGui::BeginDisabled(!page.hasPoints());
@@ -109,8 +108,8 @@ void drawEndings(const PanelContext& context) {
     if (ImGui::Button("Use these points")) page.asked = GrowthAsk::Use;
     ImGui::PopStyleColor(3);
     context.ui().where["growth use"] = lastItem();
-    tooltip(page.phase == GrowthPhase::Done ? "Open the run on them"
-                                            : "Open the run on them as they are now");
+    tooltip(page.phase == GrowthPhase::Done ? "Open a run on them"
+                                            : "Open a run on them as they are now");
     ImGui::SameLine();
     if (ImGui::Button("Save as PLY...")) context.run("file.savepoints");
     context.ui().where["growth save"] = lastItem();
@@ -161,7 +160,7 @@ void drawParticles(const PanelContext& context) {
     drawAxes(context, {});
 }
 
-/// Which shape stands for what.
+/// Legend of the shapes.
 void drawKey(const PanelContext& context) {
     const GrowthNumbers& n = context.ui().growth.numbers;
     if (n.onWalls == 0) return;

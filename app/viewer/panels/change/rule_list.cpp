@@ -11,14 +11,14 @@ namespace se::view {
 
 namespace {
 
-/// Of what is not a switch: where it stands behind its name, and its width, in em.
+/// Position after its name, and width, of an input that is not a switch, in em.
 constexpr float kNameWidth = 7.0F;
 constexpr float kControl = 8.2F;
-/// The width of the longest option; where it stands below its name.
+/// The width of the longest option; its position below the name.
 constexpr float kLongestControl = 11.0F;
 constexpr float kIndentWidth = 2.0F;
 
-/// What is drawn, and what was chosen.
+/// The row to draw, and the choice made there.
 struct RuleList {
     const PanelContext& context;
     const RuleSet& rules;
@@ -28,7 +28,7 @@ struct RuleList {
     void set(const RuleSetting& setting, double value) {
         chosen = withRule(rules, setting.name, value);
     }
-    /// Scripts find the item drawn last by this name.
+    /// Records the rectangle of the last item under this name, for test scripts.
     void name(const std::string& item) const {
         context.ui().where[place.prefix + item] = lastItem();
     }
@@ -55,7 +55,7 @@ void drawOption(RuleList& list, const RuleRow& row) {
     ImGui::EndCombo();
 }
 
-/// Takes effect with Enter, or when it is left.
+/// Takes effect on Enter, or when the field loses the focus.
 void drawNumber(RuleList& list, const RuleRow& row) {
     const RuleSetting& setting = *row.setting;
     double value = row.value;
@@ -68,7 +68,7 @@ void drawNumber(RuleList& list, const RuleRow& row) {
     list.context.session().say(std::string(setting.name) + ": " + valuesText(setting) + ".");
 }
 
-/// A dot before what is not as the set has it, and the way back behind it.
+/// A dot before a value that differs from the set, and a button to reset it.
 void drawRow(RuleList& list, const RuleRow& row) {
     const PanelContext& context = list.context;
     const RuleSetting& setting = *row.setting;
@@ -94,7 +94,7 @@ void drawRow(RuleList& list, const RuleRow& row) {
     }
     if (row.differs()) ImGui::PopFont();
     if (setting.kind != SettingKind::Switch) {
-        // A name with no room behind it for what can be chosen has it below.
+        // A name without room for the choices after it has them below.
         ImGui::SameLine(kNameWidth * em);
         const float reset = row.differs() ? 3.0F * em : 0.3F * em;
         const bool below = setting.kind == SettingKind::Option &&
@@ -111,7 +111,7 @@ void drawRow(RuleList& list, const RuleRow& row) {
         ImGui::SameLine(ImGui::GetContentRegionMax().x - 2.9F * em);
         if (ImGui::SmallButton("reset")) list.set(setting, row.usual);
         list.name("reset " + name);
-        tooltip("Back to " + valueText(setting, row.usual));
+        tooltip("Reset to " + valueText(setting, row.usual));
     }
     ImGui::PopID();
 }
@@ -133,13 +133,13 @@ std::optional<RuleSet> drawRuleSets(const PanelContext& context, const RuleSet& 
         ImGui::EndCombo();
     }
     list.name("rules set");
-    tooltip("The set of rules (--rules). Another one takes back what was changed singly.");
+    tooltip("The set of rules (--rules). Choosing another one resets single changes.");
     ImGui::SameLine();
     ImGui::BeginDisabled(differingCount(rules) == 0);
     if (ImGui::Button("Reset all")) list.chosen = RuleSet{rules.name, {}, rules.whatIf};
     list.name("rules reset all");
     ImGui::EndDisabled();
-    tooltip("All rules as the set has them");
+    tooltip("Reset all rules to the values of the set");
     return list.chosen;
 }
 
@@ -148,7 +148,7 @@ std::optional<RuleSet> drawRuleList(const PanelContext& context, const RuleSet& 
     RuleList list{context, rules, place};
     drawFilter(list);
     const auto groups = ruleGroups(rules, place.filter.data());
-    if (groups.empty()) ImGui::TextDisabled("No rule has these words.");
+    if (groups.empty()) ImGui::TextDisabled("No rule matches.");
     const ImVec2 usual = ImGui::GetStyle().FramePadding;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {usual.x, 0.4F * usual.y});
     for (const RuleGroup& group : groups) {

@@ -13,13 +13,13 @@ namespace se::view {
 
 struct RuleListPlace {
     std::array<char, 64>& filter;
-    std::string prefix;  ///< Of the names that scripts find its items by: "", "compare ".
+    std::string prefix;  ///< Prefix of the item names for test scripts: "", "compare ".
 };
 
-/// A set of rules, as it is chosen here; nothing if nothing is changed in this frame.
+/// Choice of the rule set; empty if nothing changed in this frame.
 std::optional<RuleSet> drawRuleSets(const PanelContext& context, const RuleSet& rules,
                                     const RuleListPlace& place);
-/// The filter, and all rules that have its words.
+/// The filter, and all rules that match it.
 std::optional<RuleSet> drawRuleList(const PanelContext& context, const RuleSet& rules,
                                     const RuleListPlace& place);
 

@@ -1,4 +1,4 @@
-/// All rules as switches: what is changed is run anew at once.
+/// All rules as switches: a change re-runs the input at once.
 #include <imgui.h>
 
 #include "panels/panel.h"
@@ -17,8 +17,8 @@ void drawRules(const PanelContext& context) {
     const RuleSet rules = session.rules();
     const std::size_t count = differingCount(rules);
     heading(context, "Rules",
-            session.runsAnew() ? "running anew ..."
-            : count == 0       ? "as the set has them"
+            session.runsAnew() ? "re-running ..."
+            : count == 0       ? "values of the set"
                                : std::to_string(count) + (count == 1 ? " differs" : " differ"));
     const RuleListPlace place{context.ui().ruleFilter, ""};
     std::optional<RuleSet> chosen = drawRuleSets(context, rules, place);

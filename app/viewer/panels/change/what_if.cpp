@@ -1,4 +1,4 @@
-/// What may happen otherwise at the cursor: the run forks, and comes back.
+/// Panel for overriding decisions at the cursor: the run forks, and can return.
 #include <imgui.h>
 
 #include <algorithm>
@@ -14,12 +14,12 @@ namespace {
 
 void ask(const PanelContext& context, const RuleSet& rules) { context.ui().requests.rules = rules; }
 
-/// A button that asks for one more what-if.
+/// A button that adds a what-if.
 void offer(const PanelContext& context, const RuleSet& rules, const WhatIf& what,
            const std::string& label, const std::string& name) {
     if (ImGui::Button(label.c_str())) ask(context, withWhatIf(rules, what));
     context.ui().where["what if " + name] = lastItem();
-    tooltip(describe(what) + "\n--what-if \"" + lineOf(what) + "\"\nCtrl+Z takes it back.");
+    tooltip(describe(what) + "\n--what-if \"" + lineOf(what) + "\"\nCtrl+Z undoes it.");
 }
 
 void drawPresent(const PanelContext& context, const RuleSet& rules) {
@@ -29,14 +29,14 @@ void drawPresent(const PanelContext& context, const RuleSet& rules) {
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::SmallButton("x")) ask(context, withoutWhatIf(rules, i));
         context.ui().where["what if remove " + std::to_string(i + 1)] = lastItem();
-        tooltip("Take this back");
+        tooltip("Remove this what-if");
         ImGui::SameLine();
         const std::string text = lineOf(what);
         if (ImGui::Selectable(fitted(text, ImGui::GetContentRegionAvail().x).c_str())) {
             session.goTo(placeOf(what));
         }
         context.ui().where["what if " + std::to_string(i + 1)] = lastItem();
-        tooltip(describe(what) + "\nA click goes there.");
+        tooltip(describe(what) + "\nClick to go there.");
         const std::string& problem = session.whatIfProblem(i);
         if (!problem.empty() && !session.runsAnew()) {
             ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
@@ -46,10 +46,10 @@ void drawPresent(const PanelContext& context, const RuleSet& rules) {
         ImGui::PopID();
     }
     if (rules.whatIf.empty()) {
-        ImGui::TextDisabled("None: this is the true run.");
+        ImGui::TextDisabled("No what-ifs are active.");
         return;
     }
-    if (ImGui::Button("Return to the true run")) context.run("edit.whatif.clear");
+    if (ImGui::Button("Remove all what-ifs")) context.run("edit.whatif.clear");
     context.ui().where["what if clear"] = lastItem();
 }
 
@@ -58,7 +58,7 @@ void drawOffers(const PanelContext& context, const RuleSet& rules) {
     const Event* event = session.event();
     heading(context, "Here", addressText(session));
     if (event == nullptr) {
-        ImGui::TextDisabled("Nothing is decided at the start of the run.");
+        ImGui::TextDisabled("No decision at the start of the run.");
         return;
     }
     const auto offers = offersHere(session);
@@ -67,13 +67,13 @@ void drawOffers(const PanelContext& context, const RuleSet& rules) {
         offer(context, rules, offers[i].what, offers[i].label, name);
     }
     const bool said = describe(*event).starts_with("What if");
-    if (said) wrappedText("A what-if decides here: the cross above takes it back.");
+    if (said) wrappedText("A what-if decides here: the cross above removes it.");
     if (offers.empty() && !said) {
         wrappedText(noOfferText(*event));
     }
 }
 
-/// To the pivot, if nothing is selected.
+/// The selected point, otherwise the pivot.
 Index subject(const Session& session) {
     return session.selected() != kNone ? session.selected() : session.picture().pivot;
 }
@@ -82,7 +82,7 @@ void drawMove(const PanelContext& context, const RuleSet& rules, std::uint32_t p
     WhatIfForm& form = context.ui().whatIf;
     constexpr const char* kNames[] = {"x", "y", "z"};
     for (std::size_t i = 0; i < 3; ++i) {
-        // Each has a line of its own: all of its digits count.
+        // Each has a line of its own, with room for all digits.
         ImGui::AlignTextToFramePadding();
         ImGui::TextDisabled("%s", kNames[i]);
         ImGui::SameLine();
@@ -98,7 +98,7 @@ void drawMove(const PanelContext& context, const RuleSet& rules, std::uint32_t p
              : context.session().say(what.error().message);
     }
     context.ui().where["what if move"] = lastItem();
-    tooltip("From pivot " + std::to_string(pivot) + " on; its triangles go along.");
+    tooltip("From pivot " + std::to_string(pivot) + " on; its triangles move along.");
 }
 
 void drawList(const PanelContext& context, const RuleSet& rules, std::uint32_t pivot) {
@@ -112,7 +112,7 @@ void drawList(const PanelContext& context, const RuleSet& rules, std::uint32_t p
              : context.session().say(what.error().message);
     }
     context.ui().where["what if neighbors"] = lastItem();
-    tooltip("From pivot " + std::to_string(pivot) + " on; by distance, whatever the order here.");
+    tooltip("From pivot " + std::to_string(pivot) + " on; the list is sorted by distance.");
 }
 
 void drawPoint(const PanelContext& context, const RuleSet& rules) {
@@ -130,7 +130,7 @@ void drawPoint(const PanelContext& context, const RuleSet& rules) {
     const std::uint32_t pivot = forkPivot(session);
     if (session.selected() != kNone && session.record().pivot > 0) {
         offer(context, rules, {WhatIfKind::Pivot, pivot, Stage::Advance, point, Vec3(0.0), {}},
-              "Go on at it behind this pivot", "pivot");
+              "Continue there after this pivot", "pivot");
     }
     drawMove(context, rules, pivot);
     drawList(context, rules, pivot);
@@ -174,9 +174,9 @@ void drawWhatIfBanner(const PanelContext& context) {
         ImGui::TextUnformatted(
             ("What if: " + std::to_string(count) + (count == 1 ? " change" : " changes")).c_str());
         ImGui::SameLine();
-        if (ImGui::SmallButton("True run")) context.run("edit.whatif.clear");
+        if (ImGui::SmallButton("Remove all")) context.run("edit.whatif.clear");
         context.ui().where["true run"] = lastItem();
-        tooltip("Take all what-ifs back");
+        tooltip("Remove all what-ifs");
     }
     ImGui::End();
     ImGui::PopStyleColor();

@@ -17,9 +17,9 @@ struct MouseLine {
 constexpr std::array kMouse = {
     MouseLine{"left drag", "Orbit"},
     MouseLine{"right, middle or Shift+left drag", "Pan"},
-    MouseLine{"Ctrl+left drag", "Break at the points within"},
+    MouseLine{"Ctrl+left drag", "Break on the enclosed points"},
     MouseLine{"wheel", "Zoom to the pointer"},
-    MouseLine{"click", "Select a point, edge or triangle; on nothing, none"},
+    MouseLine{"click", "Select a point, edge or triangle, or clear"},
     MouseLine{"double click", "Center the orbit on a point"},
     MouseLine{"drop a file", "Open points or a session"},
 };
@@ -41,7 +41,7 @@ bool beginKeys(const char* id, const PanelContext& context) {
     return true;
 }
 
-/// The ten keys of bookmarks are one row, unless somebody changed one of them.
+/// The ten keys of bookmarks are one row, unless one of them was changed.
 bool bookmarksAreOneRow(const KeyMap& keys) {
     return std::none_of(commands().begin(), commands().end(), [&](const Command& command) {
         return command.id.starts_with("notes.go.") && keys.isChanged(command);
@@ -76,7 +76,7 @@ void drawColumn(const PanelContext& context, std::initializer_list<const char*> 
     for (const char* group : groups) drawGroup(context, group);
 }
 
-/// As many columns as there is room for, so that few have to scroll.
+/// As many columns as fit, to minimize scrolling.
 void drawColumns(const PanelContext& context, int columns) {
     if (!ImGui::BeginTable("##columns", columns, ImGuiTableFlags_SizingStretchSame)) return;
     if (columns == 3) {

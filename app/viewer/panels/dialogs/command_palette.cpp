@@ -19,7 +19,7 @@ bool moveChoice(CommandPalette& palette, std::size_t matches) {
     return pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter);
 }
 
-/// One row: title, what it belongs to, keys. True if it was clicked.
+/// One row: title, group, keys. True if it was clicked.
 bool drawMatch(const PanelContext& context, const PaletteEntry& entry, bool chosen) {
     const std::string label =
         std::string(entry.title) + "##" + std::string(entry.note) + std::string(entry.id);
@@ -61,7 +61,7 @@ void drawCommandPalette(const PanelContext& context) {
     ImGui::PopStyleVar();
     if (shown) {
         if (palette.justOpened) ImGui::SetKeyboardFocusHere();
-        // After a click beside the line it gets the keyboard back.
+        // After a click beside the line it gets the keyboard focus back.
         palette.justOpened = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
         ImGui::SetNextItemWidth(-1.0F);
         if (ImGui::InputTextWithHint("##filter", "Type an action, a panel or a scene",
@@ -78,7 +78,7 @@ void drawCommandPalette(const PanelContext& context) {
                 if (drawMatch(context, matches[i], chosen) || (chosen && enter))
                     picked = &matches[i];
             }
-            if (matches.empty()) ImGui::TextDisabled("Nothing has these words. Esc closes.");
+            if (matches.empty()) ImGui::TextDisabled("No matches. Esc closes.");
         }
         ImGui::EndChild();
         if (picked != nullptr) {

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Frames in which the line gets the keyboard and its text is selected: Dear ImGui needs two.
+/// Frames in which the line gets the keyboard focus and its text is selected: Dear ImGui needs two.
 constexpr int kSettling = 3;
 
 void openSource(const PanelContext& context, const std::string& source) {
@@ -40,7 +40,7 @@ void saveMeshTo(const PanelContext& context, const std::string& typed) {
     form.ask = MeshAsk::Save;
 }
 
-/// What is there is replaced only at the second time.
+/// An existing file is replaced only at the second request.
 void saveTo(const PanelContext& context, FileBrowsing& state, const fs::path& typed) {
     if (context.ui().browser == BrowserTask::SaveMesh) return saveMeshTo(context, typed.string());
     const bool points = context.ui().browser == BrowserTask::SavePoints;
@@ -49,14 +49,14 @@ void saveTo(const PanelContext& context, FileBrowsing& state, const fs::path& ty
     const bool own = !points && path == context.ui().sessionPath;
     if (!own && fs::exists(path, error) && state.overwrite != path) {
         state.overwrite = path;
-        state.error = path.filename().string() + " exists already. Save once more to replace it.";
+        state.error = path.filename().string() + " exists already. Save again to replace it.";
         return;
     }
     (points ? context.ui().growth.savePath : context.ui().requests.saveSessionAs) = path.string();
     context.ui().fileBrowser = false;
 }
 
-/// Which points were made here: on the page, or those that are open.
+/// The sampled points: of the page, or of the open input.
 std::string stemOfMade(const PanelContext& context) {
     const GrowthPage& page = context.ui().growth;
     if (page.open) return sampleStem(page.made, page.numbers.points);
@@ -65,14 +65,14 @@ std::string stemOfMade(const PanelContext& context) {
     return spec && session.ready() ? sampleStem(spec.value(), session.model().points.size()) : "";
 }
 
-/// Where the mesh of this input was saved last; empty: not yet.
+/// File of the last saved mesh of this input; empty: none yet.
 fs::path savedMesh(const PanelContext& context) {
     const MeshForm& form = context.ui().mesh;
     const bool mesh = context.ui().browser == BrowserTask::SaveMesh;
     return mesh && form.savedSource == context.session().spec().source ? form.savedPath : "";
 }
 
-/// A name to begin with: that of the session, else that of the input.
+/// The proposed name: that of the session, otherwise that of the input.
 std::string proposedName(const PanelContext& context) {
     if (context.ui().browser == BrowserTask::SavePoints) return stemOfMade(context) + ".ply";
     if (context.ui().browser == BrowserTask::SaveMesh) {
@@ -91,7 +91,7 @@ std::string proposedName(const PanelContext& context) {
     return fs::path(name).stem().string() + std::string(kSessionExtension);
 }
 
-/// The folder of what is open, else where the program was started, else home.
+/// The folder of the open file, otherwise the working directory, otherwise home.
 fs::path firstFolder(const PanelContext& context) {
     std::error_code error;
     const UiState& ui = context.ui();
@@ -127,11 +127,11 @@ bool saving(const PanelContext& context) {
            task == BrowserTask::SaveMesh;
 }
 
-/// What differs between the tasks, in words.
+/// Texts in which the tasks differ.
 struct Words {
     const char* title;
-    const char* hint;     ///< In the line to type into.
-    const char* nothing;  ///< Where a folder holds nothing of the kind.
+    const char* hint;     ///< Hint in the input line.
+    const char* nothing;  ///< Text for a folder without such files.
 };
 
 Words wordsFor(BrowserTask task) {
@@ -158,14 +158,14 @@ Words wordsFor(BrowserTask task) {
             "No point files or sessions in this folder."};
 }
 
-/// The line to type into, with its button.
+/// The input line, with its button.
 void drawPathLine(const PanelContext& context, FileBrowsing& state) {
     const bool save = saving(context);
     const bool waits = meshDialogWaits(context);
     ImGui::BeginDisabled(waits);
     ImGui::SetNextItemWidth(-5.0F * context.em);
-    // A click beside the line must not leave the keys to nobody.
-    // Nor must a page that opens together with the browser and takes the keyboard.
+    // A click beside the line must not take the keyboard focus away.
+    // Nor must a page that opens together with the browser and takes the focus.
     if (!waits && (state.settling > 0 || state.refocus)) ImGui::SetKeyboardFocusHere();
     // The proposed name is selected, also if the field was typed into before.
     const int select = state.settling > 0 ? ImGuiInputTextFlags_AutoSelectAll : 0;
@@ -175,14 +175,14 @@ void drawPathLine(const PanelContext& context, FileBrowsing& state) {
     ImGui::SameLine();
     const bool pressed = ImGui::Button(save ? "Save" : "Open", {-1.0F, 0.0F});
     ImGui::EndDisabled();
-    // Enter takes the keyboard from the line: where the name is refused, the next one is typed
+    // Enter takes the keyboard focus from the line: if the name is refused, the next one is typed
     // there.
     if (entered) state.settling = kSettling;
     if ((pressed || entered) && !waits) {
         const std::string source = typedSource(state.folder, state.path);
         std::error_code error;
         if (source.empty()) {
-            state.error = "A name is needed.";
+            state.error = "Enter a name.";
         } else if (fs::is_directory(source, error)) {
             state.readFolder(source);
         } else if (save) {
@@ -228,7 +228,7 @@ void drawFiles(const PanelContext& context, FileBrowsing& state) {
 }
 
 void drawOpen(const PanelContext& context, FileBrowsing& state) {
-    // The lists in it scroll, not the whole.
+    // The lists in it scroll, not the window.
     if (!ImGui::BeginTable("##open", 2, ImGuiTableFlags_BordersInnerV)) return;
     ImGui::TableSetupColumn("scenes", ImGuiTableColumnFlags_WidthStretch, 0.42F);
     ImGui::TableSetupColumn("files", ImGuiTableColumnFlags_WidthStretch, 0.58F);
@@ -239,7 +239,7 @@ void drawOpen(const PanelContext& context, FileBrowsing& state) {
     ImGui::EndTable();
 }
 
-/// Once for every time that the browser opens: files may have come and gone.
+/// Each time that the browser opens, since files may have changed.
 void prepare(const PanelContext& context, FileBrowsing& state) {
     state.task = context.ui().browser;
     if (state.folder.empty() || saving(context)) state.folder = firstFolder(context);
@@ -274,7 +274,7 @@ void drawFileBrowser(const PanelContext& context) {
     const bool scenes = context.ui().browser == BrowserTask::Open;
     if (shown) scenes ? drawOpen(context, state) : drawFiles(context, state);
     state.shown = true;
-    // A question that was answered gives the keyboard back.
+    // After a question the input line has the keyboard focus again.
     state.settling = meshDialogWaits(context) ? 2 : std::max(0, state.settling - 1);
     state.refocus = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
     ImGui::End();

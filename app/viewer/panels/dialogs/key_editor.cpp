@@ -7,7 +7,7 @@ namespace se::view {
 
 namespace {
 
-/// One action: its title, its keys (a click asks for a new one), and the way back.
+/// One action: its title, its keys (a click changes them), and a button to reset them.
 void drawRow(const PanelContext& context, const Command& command) {
     UiState& ui = context.ui();
     KeyMap& keys = ui.settings.keys;
@@ -27,20 +27,20 @@ void drawRow(const PanelContext& context, const Command& command) {
     if (!keys.isChanged(command)) return;
     const std::string first(command.keys);
     if (ImGui::SmallButton("reset")) keys.reset(command);
-    tooltip(first.empty() ? "Without a key again" : "Again " + first);
+    tooltip(first.empty() ? "Reset to no key" : "Reset to " + first);
 }
 
 void drawRows(const PanelContext& context) {
     constexpr int kFlags =
         ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH;
     if (!ImGui::BeginTable("##actions", 3, kFlags)) return;
-    // By shares: in its first frame the window has not got its size yet.
+    // As shares: in its first frame the window has no size yet.
     ImGui::TableSetupColumn("action", ImGuiTableColumnFlags_WidthStretch, 0.55F);
     ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthStretch, 0.35F);
     ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthStretch, 0.1F);
     std::string_view group;
     for (const Command& command : commands()) {
-        if (command.id == "help.leave") continue;  // Esc has to stay what it is.
+        if (command.id == "help.leave") continue;  // Esc cannot be changed.
         if (command.group != group) {
             group = command.group;
             ImGui::TableNextRow();
@@ -54,7 +54,7 @@ void drawRows(const PanelContext& context) {
     ImGui::EndTable();
 }
 
-/// Always as high: rows must not move away from under the pointer.
+/// Of constant height: rows must not move under the pointer.
 void drawHead(const PanelContext& context) {
     UiState& ui = context.ui();
     const std::string& note = ui.keyCapture.note();

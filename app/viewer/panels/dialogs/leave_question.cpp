@@ -25,14 +25,14 @@ const char* headline(LeaveFor what) {
 
 struct Choice {
     const char* label;
-    const char* id;  ///< Of its place in the state dump.
+    const char* id;  ///< Name of its rectangle in the state dump.
     LeaveAnswer answer;
     const char* help;
 };
 
 constexpr Choice kChoices[] = {
-    {"Save session", "leave save", LeaveAnswer::Save, "Save the session, then go on"},
-    {"Discard", "leave discard", LeaveAnswer::Discard, "Go on; what was noted is lost"},
+    {"Save session", "leave save", LeaveAnswer::Save, "Save the session, then continue"},
+    {"Discard", "leave discard", LeaveAnswer::Discard, "Continue without saving"},
     {"Cancel (Esc)", "leave cancel", LeaveAnswer::Cancel, "Stay here"},
 };
 
@@ -51,7 +51,7 @@ void drawChoices(const PanelContext& context, LeaveQuestion& question) {
         if (each.answer == LeaveAnswer::Save && std::exchange(question.justAsked, false)) {
             takeKeyboard();
         }
-        // Space is Dear ImGui's own key for it.
+        // Space is Dear ImGui's own key for a button.
         const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) ||
                            ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter));
         if (ImGui::IsItemFocused() && enter) question.answer = each.answer;
@@ -75,7 +75,7 @@ void drawLeaveQuestion(const PanelContext& context) {
     ImGui::PopStyleVar();
     if (!open) return;
     heading(context, headline(question.leave.what));
-    wrappedText("There are " + question.atStake + " that no session file holds yet.");
+    wrappedText("There are unsaved " + question.atStake + ".");
     ImGui::Spacing();
     drawChoices(context, question);
     if (!question.asked || question.answer != LeaveAnswer::None) ImGui::CloseCurrentPopup();

@@ -10,7 +10,7 @@ namespace se::view {
 
 namespace {
 
-/// Where the fields stand after their names, in em.
+/// Position of the fields after their names, in em.
 constexpr float kFieldColumn = 4.5F;
 
 void drawName(const PanelContext& context, const char* name) {
@@ -19,7 +19,7 @@ void drawName(const PanelContext& context, const char* name) {
     ImGui::SameLine(kFieldColumn * context.em);
 }
 
-/// One of several, beside the one before if there is room. True if it was chosen.
+/// A choice, beside the previous one if there is room. True if it was chosen.
 bool drawChoice(const PanelContext& context, const char* label, bool on, const char* where,
                 bool first) {
     const ImGuiStyle& style = ImGui::GetStyle();
@@ -73,13 +73,13 @@ void drawPoints(const PanelContext& context) {
     if (drawChoice(context, "All, in the order of the input", !form.usedOnly, "mesh all points",
                    true))
         form.usedOnly = false;
-    tooltip("Also those that stand in no triangle");
+    tooltip("Also points in no triangle");
     if (drawChoice(context, "Used points only", form.usedOnly, "mesh used points", false))
         form.usedOnly = true;
-    tooltip("Without those that stand in no triangle (--used-points)");
+    tooltip("Without points in no triangle (--used-points)");
 }
 
-/// How large the mesh is, and of which moment.
+/// Size of the mesh, and the state of the run.
 void drawSize(const PanelContext& context) {
     const MeshForm& form = context.ui().mesh;
     if (!form.size) {
@@ -87,7 +87,7 @@ void drawSize(const PanelContext& context) {
         return;
     }
     if (form.size->triangles == 0) {
-        return wrappedText("This run makes no triangle: there is no mesh to save.");
+        return wrappedText("This run makes no triangles: there is no mesh to save.");
     }
     std::string text = sizeText(*form.size, form.usedOnly) + ": the mesh at the end of the run.";
     if (form.size->capped) text += " The run was stopped by the rule cap: the mesh is incomplete.";
@@ -116,7 +116,7 @@ void drawQuestion(const PanelContext& context) {
     ImGui::SameLine();
     const bool keep = ImGui::Button("Cancel (Esc)");
     context.ui().where["mesh keep"] = lastItem();
-    // The answer that loses nothing has the keyboard. Space is Dear ImGui's own key for it.
+    // The safe answer has the keyboard focus. Space is Dear ImGui's own key for it.
     if (std::exchange(form.justAsked, false)) takeKeyboard();
     const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
                        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);

@@ -1,11 +1,11 @@
-/// The part of the file browser that saves a mesh: format, points, what will be written.
+/// The part of the file browser for saving a mesh: format, points, size.
 #pragma once
 
 #include "panels/panel.h"
 
 namespace se::view {
 
-/// The browser is saving a mesh, and waits for an answer or for a thread: nothing can be typed.
+/// The browser is saving a mesh, and waits for an answer or for a thread: input is disabled.
 bool meshDialogWaits(const PanelContext& context);
 /// Draws the fields below the line with the name; a format may change the extension in `name`.
 void drawMeshFields(const PanelContext& context, std::string& name, const std::string& path);

@@ -9,7 +9,7 @@ namespace se::view {
 namespace {
 
 void drawButtons(const PanelContext& context, PrepareForm& form, bool entered) {
-    if (ImGui::Button("Prepare anew") || entered) {
+    if (ImGui::Button("Prepare again") || entered) {
         Result<InputSpec> spec = form.spec(context.session().spec());
         form.complaint = spec ? std::string{} : spec.error().message;
         if (spec) {
@@ -46,8 +46,8 @@ void drawPrepareDialog(const PanelContext& context) {
         const float buttons =
             (form.complaint.empty() ? 1.0F : 2.6F) * ImGui::GetFrameHeightWithSpacing() + 0.4F * em;
         bool entered = false;
-        // The buttons stay in sight where the window is low.
-        // To keys they and the fields are one.
+        // The buttons stay visible in a low window.
+        // Keyboard navigation treats them and the fields as one.
         if (ImGui::BeginChild("##fields", {0.0F, -buttons}, false, ImGuiWindowFlags_NavFlattened)) {
             entered = drawPrepareFields(context, form, "prepare ");
         }

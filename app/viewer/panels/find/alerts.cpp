@@ -15,7 +15,7 @@ namespace se::view {
 
 namespace {
 
-/// With more alerts than this, classes are folded to begin with.
+/// Number of alerts above which classes are folded at first.
 constexpr std::size_t kManyAlerts = 40;
 
 /// A line of the list: the head of a class, or an alert.
@@ -45,7 +45,7 @@ std::vector<AlertRow> rowsOf(const PanelContext& context) {
     return rows;
 }
 
-/// Down at what is unfolded, else to the right.
+/// Arrow that points down if unfolded, otherwise to the right.
 void drawArrow(const PanelContext& context, ImVec2 at, bool open) {
     const float r = 0.3F * context.em;
     const ImVec2 c(at.x + 0.5F * context.em, at.y + 0.5F * ImGui::GetTextLineHeight());
@@ -97,7 +97,7 @@ void drawRow(const PanelContext& context, std::size_t index) {
     const float left = ImGui::GetCursorPosX();
     const bool clicked = ImGui::Selectable("##alert", chosen);
     context.ui().where["alert " + alertName(session.alerts(), index)] = lastItem();
-    tooltip("Go to where it came about, frame it, and see why");
+    tooltip("Go to where it was created, frame it, and show why");
     if (clicked) showAlert(context.commands, index, AlertMoment::Created);
     ImGui::SameLine(left + 1.3F * context.em);
     ImGui::PushFont(context.fonts.mono);
@@ -112,7 +112,7 @@ void drawRow(const PanelContext& context, std::size_t index) {
     ImGui::PopID();
 }
 
-/// Name and address of a moment, to be clicked, and below what was decided there.
+/// Name and address of a moment, as a link, and below it the decision there.
 void drawMoment(const PanelContext& context, const RunFailure& alert, AlertMoment moment) {
     const Session& session = context.session();
     const LedgerLine& line = momentOf(alert, moment);
@@ -146,7 +146,7 @@ void drawMoment(const PanelContext& context, const RunFailure& alert, AlertMomen
     ImGui::Spacing();
 }
 
-/// What the ledger says of the thing that is at fault.
+/// Answer of the ledger for the faulty thing.
 void drawWhy(const PanelContext& context, const RunFailure& alert) {
     Session& session = context.session();
     const Selection subject = subjectOf(alert);
@@ -162,7 +162,7 @@ void drawWhy(const PanelContext& context, const RunFailure& alert) {
     ImGui::Spacing();
 }
 
-/// A rule with what it would do, and a button that turns it on.
+/// A rule with its effect, and a button that turns it on.
 void drawRemedy(const PanelContext& context, const Remedy& remedy) {
     const std::string name(nameOf(remedy));
     ImGui::PushID(name.c_str());
@@ -171,9 +171,9 @@ void drawRemedy(const PanelContext& context, const Remedy& remedy) {
     tooltip(remedy.rule != nullptr ? std::string(remedy.rule->summary)
                                    : "All rules of the set; see docs/robust.md.");
     ImGui::SameLine();
-    if (ImGui::SmallButton("Beside")) showBeside(context.commands, remedy);
+    if (ImGui::SmallButton("Compare")) showBeside(context.commands, remedy);
     context.ui().where["beside " + name] = lastItem();
-    tooltip("This run and the one with it side by side, at this place");
+    tooltip("This run and the one with it side by side, at this position");
     ImGui::SameLine();
     ImGui::PushFont(context.fonts.mono);
     ImGui::TextUnformatted(name.c_str());
@@ -193,9 +193,9 @@ void drawTried(const PanelContext& context, const Remedies& remedies) {
     for (const Remedy& each : remedies.tried) {
         if (each.prevents) {
             if (!any)
-                dimText("Prevented by each of these alone; the run has " + grouped(remedies.all) +
-                        " alerts now, with one of them it has as many as "
-                        "stand at the right.");
+                dimText("Prevented by each of these alone. The run has " + grouped(remedies.all) +
+                        " alerts now; the number with each rule "
+                        "is shown at the right.");
             any = true;
             drawRemedy(context, each);
         } else {
@@ -209,7 +209,7 @@ void drawTried(const PanelContext& context, const Remedies& remedies) {
         dimText("Unknown, since too many alerts are left, with: " + unknown + ".");
 }
 
-/// Which rule beyond the paper would have prevented it.
+/// Rules beyond the paper that would have prevented the alert.
 void drawRemedies(const PanelContext& context) {
     Session& session = context.session();
     const RemedySearch& search = session.remedies();
@@ -224,7 +224,7 @@ void drawRemedies(const PanelContext& context) {
     if (mine && !search.complaint().empty()) dimText(search.complaint());
     if (ImGui::SmallButton("Try the rules beyond the paper")) session.seekRemedies();
     context.ui().where["alert remedies"] = lastItem();
-    tooltip("Runs again with each of them on, one at a time");
+    tooltip("Re-runs with each of them on, one at a time");
 }
 
 void drawChosen(const PanelContext& context) {
@@ -260,7 +260,7 @@ void drawRows(const PanelContext& context, std::span<const AlertRow> rows) {
     clipper.End();
 }
 
-/// All rows; what there is to say of the chosen alert stands below its own.
+/// All rows; details of the chosen alert are below its row.
 void drawList(const PanelContext& context) {
     const std::vector<AlertRow> rows = rowsOf(context);
     const auto chosen = context.session().chosenAlert();
@@ -271,7 +271,7 @@ void drawList(const PanelContext& context) {
     const auto above = static_cast<std::size_t>(found - rows.begin());
     const float pitch = ImGui::GetTextLineHeightWithSpacing();
     if (context.ui().revealAlert) {
-        // At the top: what there is to say takes the room below.
+        // At the top: the details take the room below.
         const float y = ImGui::GetCursorPosY() + static_cast<float>(above) * pitch;
         ImGui::SetScrollY(std::max(0.0F, y - 0.3F * pitch));
     }
@@ -284,14 +284,14 @@ void drawList(const PanelContext& context) {
     drawRows(context, std::span(rows).subspan(above + 1));
 }
 
-/// What was checked, if nothing was found.
+/// List of the checks, if nothing was found.
 void drawNothing() {
     ImGui::TextUnformatted("No failures found.");
     ImGui::Spacing();
     std::string checked;
     for (const FailureClass& each : failureClasses())
         checked += (checked.empty() ? "" : ", ") + titleOf(each);
-    dimText("Looked for: " + checked + ".");
+    dimText("Searched for: " + checked + ".");
 }
 
 void drawSearch(const PanelContext& context) {
@@ -300,12 +300,12 @@ void drawSearch(const PanelContext& context) {
     const std::string& complaint = alerts.complaint();
     if (alerts.stopped() || !complaint.empty()) {
         dimText(alerts.stopped() ? "The search was stopped." : complaint);
-        if (ImGui::SmallButton("Look for failures")) session.resumeAlerts();
+        if (ImGui::SmallButton("Search for failures")) session.resumeAlerts();
         context.ui().where["alerts resume"] = lastItem();
         return;
     }
-    dimText(alerts.busy() ? "Looking for what went wrong ..."
-                          : "What went wrong is looked for once the run was gone through.");
+    dimText(alerts.busy() ? "Searching for alerts ..."
+                          : "The search for alerts starts once the run is complete.");
     if (!alerts.busy()) return;
     ImGui::ProgressBar(static_cast<float>(alerts.share()), {-1.0F, 0.0F});
     if (ImGui::SmallButton("Stop")) session.stopAlerts();
@@ -336,10 +336,11 @@ void drawAlerts(const PanelContext& context) {
     if (alerts.failures().empty()) return drawNothing();
     if (!alerts.complete())
         dimText(
-            "There are too many failures to follow them all: of each class the first are listed.");
+            "There are too many failures to follow all of them: the first of each class are "
+            "listed.");
     if (!session.chosenAlert()) {
         dimText(
-            "A click on an alert goes to where it came about, frames it, and tells its three "
+            "Click an alert to go to where it was created, frame it, and list its three "
             "moments. " +
             context.key("step.alert.next") + " goes to the next one.");
     }

@@ -10,15 +10,15 @@ namespace se::view {
 
 namespace {
 
-/// The key that leads to a bookmark, empty beyond the tenth.
+/// The key of a bookmark, empty beyond the tenth.
 std::string keyOf(const PanelContext& context, std::size_t place) {
     if (place >= kBookmarkKeys) return {};
     const Command* command = findCommand("notes.go." + std::to_string(place + 1));
     return command != nullptr ? context.key(*command) : std::string{};
 }
 
-/// One bookmark: its address (a click goes there), what one wrote, a cross that takes it away.
-/// True if it is to go.
+/// One bookmark: its address (a link), the user's note, and a cross that removes it.
+/// True if it is to be removed.
 bool drawBookmark(const PanelContext& context, Bookmark& mark, std::size_t place) {
     Session& session = context.session();
     const bool here =
@@ -39,10 +39,10 @@ bool drawBookmark(const PanelContext& context, Bookmark& mark, std::size_t place
     tooltip("Go to " + name + (key.empty() ? "" : " (" + key + ")"));
     ImGui::TableNextColumn();
     ImGui::SetNextItemWidth(-1.0F);
-    textField("##note", "what is here", mark.note);
+    textField("##note", "note", mark.note);
     ImGui::TableNextColumn();
     const bool gone = ImGui::SmallButton("x");
-    tooltip("Take this bookmark away");
+    tooltip("Remove this bookmark");
     return gone;
 }
 
@@ -51,7 +51,7 @@ void drawBookmarks(const PanelContext& context) {
     heading(context, "Bookmarks", marks.empty() ? "" : std::to_string(marks.size()));
     if (marks.empty()) {
         const std::string key = context.key("notes.bookmark");
-        dimText(key + " sets a bookmark at the decision shown, and takes it away again.");
+        dimText(key + " sets or removes a bookmark at this decision.");
         return;
     }
     if (!ImGui::BeginTable("##marks", 3, ImGuiTableFlags_SizingStretchProp)) return;
@@ -83,7 +83,7 @@ void drawNotes(const PanelContext& context) {
     textArea("##notes", context.ui().notes, size);
     context.ui().where["field notes"] = lastItem();
     const std::string key = context.key("file.save");
-    ImGui::TextDisabled("%s keeps them in a session file.", key.c_str());
+    ImGui::TextDisabled("%s saves them in a session file.", key.c_str());
 }
 
 }  // namespace se::view

@@ -13,7 +13,7 @@ namespace se::view {
 
 namespace {
 
-/// In em: below this width the sentence stands under its address.
+/// Width in em below which the sentence is placed under its address.
 constexpr float kWide = 26.0F;
 constexpr float kAddress = 10.0F;
 constexpr std::size_t kLongestText = 200;
@@ -50,7 +50,7 @@ float rowHeight(const PanelContext& context) {
     return isWide(context) ? line : line + context.fonts.small->FontSize;
 }
 
-/// Address and sentence, beside or below each other; what lies ahead of the cursor is dim.
+/// Address and sentence, beside or below each other; hits after the cursor are dim.
 void drawLogRow(const PanelContext& context, const LogRow& row) {
     Session& session = context.session();
     const RunPlace here = session.place();

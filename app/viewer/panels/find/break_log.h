@@ -1,11 +1,11 @@
-/// The hits of log-only breakpoints, as a list that leads to them.
+/// The hits of log-only breakpoints, as a list of links.
 #pragma once
 
 #include "panels/panel.h"
 
 namespace se::view {
 
-/// Nothing where no breakpoint is one.
+/// Draws nothing if no breakpoint is log-only.
 void drawBreakLog(const PanelContext& context);
 
 }  // namespace se::view

@@ -13,7 +13,7 @@ namespace se::view {
 
 namespace {
 
-/// In em: a small button, and the least that a line is to have beside the rest of its row.
+/// In em: a small button, and the minimum width of a line beside the rest of its row.
 constexpr float kButton = 1.7F;
 constexpr float kLeastLine = 9.5F;
 
@@ -26,7 +26,7 @@ std::string countText(const Session& session, const Breakpoint& breakpoint) {
            (known->complete ? "" : "\xE2\x89\xA5") + grouped(known->list.total);
 }
 
-/// What is not as usual about it: name, condition, log only.
+/// Non-default options: name, condition, log only.
 std::string summaryOf(const Breakpoint& breakpoint) {
     std::string text = breakpoint.name;
     const auto add = [&](const std::string& more) { text += (text.empty() ? "" : ", ") + more; };
@@ -44,36 +44,36 @@ void numberField(const PanelContext& context, const char* label, std::uint32_t& 
     number = std::max(number, least);
 }
 
-/// Name, hit count and log-only, in a popup. True if the breakpoint is to go.
+/// Name, hit count and log-only, in a popup. True if the breakpoint is to be removed.
 bool drawOptions(const PanelContext& context, Breakpoint& breakpoint, const std::string& name) {
     if (ImGui::Button("...", {kButton * context.em, 0.0F})) ImGui::OpenPopup("##options");
     context.ui().where[name + " options"] = lastItem();
     tooltip("Name, hit count, log only");
     if (!ImGui::BeginPopup("##options")) return false;
     ImGui::SetNextItemWidth(14.0F * context.em);
-    textField("name", "a name of your own", breakpoint.name);
-    numberField(context, "hits passed over first", breakpoint.skip, 0);
-    numberField(context, "then one hit in so many", breakpoint.every, 1);
+    textField("name", "optional name", breakpoint.name);
+    numberField(context, "hits to skip first", breakpoint.skip, 0);
+    numberField(context, "then stop at every Nth hit", breakpoint.every, 1);
     ImGui::Checkbox("log only: list the hits, do not stop", &breakpoint.logOnly);
     ImGui::TextDisabled("Hits count from the start of the run, in both directions.");
-    const bool gone = ImGui::Button("Take this breakpoint away");
+    const bool gone = ImGui::Button("Remove this breakpoint");
     context.ui().where[name + " away"] = lastItem();
     if (gone) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
     return gone;
 }
 
-/// What has room in the row of a breakpoint, the same for all.
+/// Parts that fit into the row of a breakpoint, the same for all.
 struct RowFit {
-    float count = 0.0F;  ///< Width of the hits; 0: they stand below.
-    bool cross = false;  ///< A button of its own takes one away; else the menu "..." does.
+    float count = 0.0F;  ///< Width of the hits; 0: they are below.
+    bool cross = false;  ///< A button of its own removes one; otherwise the menu "..." does.
 };
 
 RowFit rowFit(const PanelContext& context) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float em = context.em;
     const float button = kButton * em + gap;
-    // So that it does not move while they are counted.
+    // Constant, so that the row does not move while hits are counted.
     float count = ImGui::CalcTextSize("88 / 88").x;
     for (const Breakpoint& each : context.ui().breakpoints) {
         const std::string text = countText(context.session(), each);
@@ -86,13 +86,13 @@ RowFit rowFit(const PanelContext& context) {
     return {0.0F, room >= button};
 }
 
-/// Hits, name, condition, log only: what is not as usual, and all that has no room above.
+/// Hits, name, condition, log only: non-default options, and parts that do not fit above.
 void drawBelow(const PanelContext& context, const Breakpoint& breakpoint, const RowFit& fit) {
     std::string text = fit.count > 0.0F ? "" : countText(context.session(), breakpoint);
     const std::string summary = summaryOf(breakpoint);
     if (!summary.empty()) text += (text.empty() ? "" : "   ") + summary;
     if (text.empty()) return;
-    // Nearer to its line than to the next one.
+    // Closer to its own line than to the next one.
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() - 0.6F * ImGui::GetStyle().ItemSpacing.y);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetFrameHeight() +
                          ImGui::GetStyle().ItemSpacing.x);
@@ -108,7 +108,7 @@ void drawComplaint(const PanelContext& context, const std::string& line) {
     wrappedText(complaint, context.palette.rejected);
 }
 
-/// One breakpoint. True if it is to go.
+/// One breakpoint. True if it is to be removed.
 bool drawRow(const PanelContext& context, Breakpoint& breakpoint, std::size_t number,
              const RowFit& fit) {
     const std::string name = "breakpoint " + std::to_string(number);
@@ -124,20 +124,20 @@ bool drawRow(const PanelContext& context, Breakpoint& breakpoint, std::size_t nu
     queryField(context, "##line", "stage=sphere refused", breakpoint.line);
     context.ui().where[name] = lastItem();
     ImGui::SameLine();
-    const float behind = ImGui::GetCursorPosX() + count;
+    const float afterHits = ImGui::GetCursorPosX() + count;
     if (fit.count > 0.0F) {
         const std::string hits = countText(context.session(), breakpoint);
-        ImGui::SetCursorPosX(behind - gap - ImGui::CalcTextSize(hits.c_str()).x);
+        ImGui::SetCursorPosX(afterHits - gap - ImGui::CalcTextSize(hits.c_str()).x);
         ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted(hits.c_str());
         tooltip("Hits up to the cursor, and in all");
-        ImGui::SameLine(behind);
+        ImGui::SameLine(afterHits);
     }
     bool gone = drawOptions(context, breakpoint, name);
     if (fit.cross) {
         ImGui::SameLine();
         gone = ImGui::Button("x", {kButton * context.em, 0.0F}) || gone;
-        tooltip("Take this breakpoint away");
+        tooltip("Remove this breakpoint");
     }
     drawBelow(context, breakpoint, fit);
     drawComplaint(context, breakpoint.line);
@@ -157,14 +157,14 @@ void drawPresets(const PanelContext& context) {
         context.ui().where["preset " + title] = lastItem();
     }
     ImGui::Separator();
-    if (ImGui::MenuItem("A line of your own", "type it")) {
+    if (ImGui::MenuItem("Custom line", "type it")) {
         context.ui().breakpoints.push_back({});
     }
-    ImGui::TextDisabled("Points in the view: Ctrl and a left drag around them.");
+    ImGui::TextDisabled("Points in the view: Ctrl+left drag around them.");
     ImGui::EndPopup();
 }
 
-/// With the words of a line behind the title, and how many breakpoints there are.
+/// The title with the syntax help of a line, and the number of breakpoints.
 void drawTitle(const PanelContext& context) {
     heading(context, "Breakpoints", "");
     ImGui::SameLine();
@@ -176,11 +176,11 @@ void drawTitle(const PanelContext& context) {
     ImGui::TextDisabled("%s", text.c_str());
 }
 
-/// Room for the buttons side by side, with words on all of them.
+/// Whether the buttons fit side by side, all with words.
 bool buttonsFit() {
     const ImGuiStyle& style = ImGui::GetStyle();
     float width = 3.0F * style.ItemSpacing.x;
-    for (const char* each : {"Add...", "Here", "< Back", "Go on >"})
+    for (const char* each : {"Add...", "Here", "< Back", "Next >"})
         width += ImGui::CalcTextSize(each).x + 2.0F * style.FramePadding.x;
     return width <= ImGui::GetContentRegionAvail().x;
 }
@@ -193,13 +193,14 @@ void drawButtons(const PanelContext& context) {
     ImGui::SameLine();
     if (ImGui::Button("Here")) context.run("run.break");
     context.ui().where["breakpoint here"] = lastItem();
-    tooltip("What is selected, else this kind of decision (" + context.key("run.break") + ")");
+    tooltip("Break on the selection, otherwise on this kind of decision (" +
+            context.key("run.break") + ")");
     ImGui::SameLine();
     if (ImGui::Button(words ? "< Back" : "<")) context.run("run.continue.back");
-    tooltip("The breakpoint before (" + context.key("run.continue.back") + ")");
+    tooltip("Previous breakpoint (" + context.key("run.continue.back") + ")");
     ImGui::SameLine();
-    if (ImGui::Button(words ? "Go on >" : ">")) context.run("run.continue");
-    tooltip("The next breakpoint (" + context.key("run.continue") + ")");
+    if (ImGui::Button(words ? "Next >" : ">")) context.run("run.continue");
+    tooltip("Next breakpoint (" + context.key("run.continue") + ")");
 }
 
 void drawHitSearch(const PanelContext& context) {
@@ -207,12 +208,12 @@ void drawHitSearch(const PanelContext& context) {
     if (hits.busy()) {
         const float button = 4.5F * context.em;
         ImGui::ProgressBar(static_cast<float>(hits.share()),
-                           {ImGui::GetContentRegionAvail().x - button, 0.0F}, "looking for hits");
+                           {ImGui::GetContentRegionAvail().x - button, 0.0F}, "searching for hits");
         ImGui::SameLine();
         if (ImGui::Button("Stop")) hits.cancel();
         context.ui().where["stop search"] = lastItem();
     } else if (hits.cancelled()) {
-        if (ImGui::Button("Look on")) hits.resume();
+        if (ImGui::Button("Resume")) hits.resume();
         ImGui::SameLine();
         ImGui::TextDisabled("The search was stopped.");
     }
@@ -230,10 +231,11 @@ void drawBreakpoints(const PanelContext& context) {
     drawButtons(context);
     drawHitSearch(context);
     if (all.empty()) {
-        dimText("The run stops where one holds: " + context.key("run.continue") + " goes on, " +
-                context.key("run.continue.back") + " back. " + context.key("run.break") +
-                " sets one on what is selected, else on this kind of decision; again takes it "
-                "away. Add... lists all kinds.");
+        dimText("The run stops where a breakpoint matches: " + context.key("run.continue") +
+                " continues, " + context.key("run.continue.back") + " goes back. " +
+                context.key("run.break") +
+                " sets or removes one on the selection, otherwise on this kind of "
+                "decision. Add... lists all kinds.");
     }
     const RowFit fit = rowFit(context);
     std::optional<std::size_t> gone;

@@ -9,7 +9,7 @@ namespace se::view {
 
 namespace {
 
-/// Where a chart has its columns, in pixels from its left edge.
+/// Columns of a chart, in pixels from its left edge.
 struct ChartColumns {
     float label = 0.0F;  ///< Width of the labels.
     float count = 0.0F;  ///< Width of the counts.
@@ -26,7 +26,7 @@ ChartColumns columnsOf(const RunChart& chart) {
     return columns;
 }
 
-/// Label, bar, count; a click asks for its decisions.
+/// Label, bar, count; a click queries its decisions.
 void drawBar(const PanelContext& context, const RunChart& chart, const ChartBar& bar,
              const ChartColumns& columns) {
     const float em = context.em;
@@ -54,7 +54,7 @@ void drawBar(const PanelContext& context, const RunChart& chart, const ChartBar&
     const float from = at.x + columns.label + 0.8F * em;
     const float full = std::max(0.0F, right - columns.count - 0.6F * em - from);
     const float share = static_cast<float>(bar.count) / static_cast<float>(columns.most);
-    // What is there can be seen, however little it is.
+    // Any count above zero is visible, however small.
     const float width = bar.count == 0 ? 0.0F : std::max(0.12F * em, share * full);
     list->AddRectFilled({from, at.y + 0.18F * height}, {from + width, at.y + 0.86F * height},
                         toU32(context.palette.accent), 0.1F * em);
@@ -83,16 +83,16 @@ void drawCharts(const PanelContext& context) {
     Inquiry<std::vector<RunChart>>& charts = questions.charts();
     questions.wantCharts();
     if (charts.busy()) {
-        if (drawAsking(context, "Making the run again ...", charts.share())) charts.stop();
+        if (drawAsking(context, "Re-running ...", charts.share())) charts.stop();
         return;
     }
     const std::vector<RunChart>* answer = charts.answer();
     if (answer == nullptr) {
         dimText(charts.complaint());
-        if (ImGui::SmallButton("Ask again")) charts.forget();
+        if (ImGui::SmallButton("Retry")) charts.forget();
         return;
     }
-    dimText("A click on a bar lists its decisions in the panel Query.");
+    dimText("Click a bar to list its decisions in the panel Query.");
     for (const RunChart& chart : *answer) drawChart(context, chart);
 }
 

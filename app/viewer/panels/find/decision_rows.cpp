@@ -16,12 +16,12 @@ namespace {
 
 /// Between two rows, in em.
 constexpr float kRowGap = 0.25F;
-/// Room that a body of its own is worth, in em.
+/// Minimum height of a scrolling body, in em.
 constexpr float kLeastBody = 7.0F;
-/// Frames that the watch of the cursor calls a move.
+/// Frames that count as a move of the cursor.
 constexpr int kSettlingFrames = 4;
 
-/// What became of the subject, by shape and color.
+/// Outcome of the subject, by shape and color.
 struct RoleLook {
     Shape shape;
     float size;
@@ -113,7 +113,7 @@ class RowDrawer {
         if (cause) put("\xE2\x97\x80 cause", palette.text);
     }
 
-    /// Whose turn it was, and the numbers; the margin, which is what one compares, at the right
+    /// The pivot, and the numbers; the margin, which rows are compared by, at the right
     /// end.
     void drawBelow(const LedgerLine& line, ImVec2 at, float room, const std::string& note) const {
         ImDrawList* list = ImGui::GetWindowDrawList();
@@ -131,7 +131,7 @@ class RowDrawer {
         ImGui::PopFont();
     }
 
-    /// With the name of what was measured, where there is room for it.
+    /// With the name of the quantity, if it fits.
     static std::string numbersOf(const LedgerLine& line, float room) {
         if (!line.reading) return shortSentence(line.event);
         const std::string at =
@@ -141,7 +141,7 @@ class RowDrawer {
         return fits ? full : at + comparisonText(*line.reading, false);
     }
 
-    /// Where the cursor stands between two lines.
+    /// Position of the cursor between two lines.
     void drawCursorLine(std::size_t i, ImVec2 at, float room) const {
         if (!rows_.inOrder || place_.here || place_.before != i) return;
         const float y = std::round(at.y - 0.12F * em());
@@ -155,7 +155,7 @@ class RowDrawer {
     LinePlace place_;
 };
 
-/// Without an order only the line that the cursor stands on has a mark.
+/// Without an order only the line at the cursor has a mark.
 LinePlace placeOfCursor(const DecisionRows& rows, const Session& session) {
     if (rows.inOrder) return placeAmong(rows.lines, session);
     LinePlace place;
@@ -166,13 +166,13 @@ LinePlace placeOfCursor(const DecisionRows& rows, const Session& session) {
     return place;
 }
 
-/// Brings the line that the cursor moves to into view; `top` is where the first one begins.
+/// Scrolls to the line that the cursor moves to; `top` is the position of the first one.
 void follow(const PanelContext& context, const DecisionRows& rows, const LinePlace& place,
             float top, float pitch) {
     const Session& session = context.session();
     const bool moved =
         rows.list.watch.moved(session.generation(), session.record().pivot, session.cursor());
-    // Of an answer that is new its beginning comes first.
+    // A new answer is shown from its beginning.
     const void* answer = rows.lines.data();
     if (std::exchange(rows.list.answer, answer) != answer) {
         rows.list.settling = kSettlingFrames;

@@ -1,4 +1,4 @@
-/// Decisions as rows that lead to them: of a ledger, of a query, of the closest calls.
+/// Decisions as rows that lead to them: of a ledger, of a query, of the closest decisions.
 #pragma once
 
 #include <functional>
@@ -11,24 +11,24 @@
 
 namespace se::view {
 
-/// Something else to say of a line than its numbers.
+/// Replacement for the numbers of a line.
 struct RowNote {
     std::string below;    ///< In its second row.
-    std::string tooltip;  ///< Behind the rest.
+    std::string tooltip;  ///< After the rest.
 };
 
 struct DecisionRows {
     std::span<const LedgerLine> lines;
     LineList& list;
-    std::optional<std::size_t> cause = {};  ///< The line that settled it.
-    bool inOrder = true;  ///< In the order of the run: the cursor has a place among them.
+    std::optional<std::size_t> cause = {};  ///< The decisive line.
+    bool inOrder = true;  ///< In the order of the run: the cursor has a position among them.
     std::function<RowNote(std::size_t)> note = {};  ///< About a line; none by default.
 };
 
-/// Below each other in the window that is being drawn, which scrolls to what the cursor moves to.
+/// Draws them below each other in the current window, which scrolls to the line of the cursor.
 /// The line that was chosen, if any.
 std::optional<std::size_t> drawDecisionRows(const PanelContext& context, const DecisionRows& rows);
-/// What is below is scrolled by itself, so that what one types into stays in sight; in a low window
+/// A part that scrolls by itself, so that the input above stays visible; in a low window
 /// the panel is scrolled as a whole.
 class ScrolledBody {
   public:
@@ -40,9 +40,9 @@ class ScrolledBody {
   private:
     bool apart_;
 };
-/// Goes to a decision and frames something once there.
+/// Goes to a decision and frames a selection there.
 void goToDecision(const PanelContext& context, const Address& address, FrameWish frame);
-/// How far a question is, with a button. True if it is to stop.
+/// Progress of a query, with a button. True if it is to stop.
 bool drawAsking(const PanelContext& context, const char* what, double share);
 
 }  // namespace se::view

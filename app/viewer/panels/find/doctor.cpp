@@ -24,7 +24,7 @@ Color severityColor(const PanelContext& context, Severity severity) {
     return context.palette.text;
 }
 
-/// Lights up the points of a finding and frames them; a second click puts the light out.
+/// Highlights the points of a finding and frames them; a second click clears the highlight.
 void show(const PanelContext& context, const Finding& finding, bool shown) {
     Session& session = context.session();
     if (shown) return session.mark({});
@@ -32,7 +32,7 @@ void show(const PanelContext& context, const Finding& finding, bool shown) {
     if (points.empty()) {
         session.mark({});
         return session.say(finding.points.empty() ? "This is about the file as a whole."
-                                                  : "These points have no place to be shown at.");
+                                                  : "These points have no finite position.");
     }
     const MarkedPlace place = placeOf(session.model(), points);
     if (place.normal != glm::vec3(0.0F)) context.camera().face(place.normal);
@@ -40,14 +40,14 @@ void show(const PanelContext& context, const Finding& finding, bool shown) {
     session.mark(std::move(points));
 }
 
-/// How many are lit up, if not all are.
+/// Number of highlighted points, if not all are.
 std::string markedText(const Session& session, const Finding& finding) {
     const std::size_t marked = session.marked().size();
     if (marked == finding.points.size()) return {};
     return "Marked: " + grouped(marked) + " of " + grouped(finding.points.size()) + " points.";
 }
 
-/// Points that were made here go to a file first; none for those of a step on the way.
+/// File name for sampled points, which are saved first; none for those of an intermediate step.
 std::string commandForMade(const std::string& source, const DoctorCheck& check) {
     const Result<SampleSpec> spec = sampleFromSource(source);
     const std::string making = spec ? sampleCommand(spec.value()) : std::string{};
@@ -57,7 +57,7 @@ std::string commandForMade(const std::string& source, const DoctorCheck& check) 
            remedyFor(check, shellQuoted(stem + ".ply"), shellQuoted(stem + "-mended.ply"));
 }
 
-/// The command that helps, ready to be pasted: who does so may stand in another folder.
+/// The command of a fix, ready to be pasted, with absolute paths for any folder.
 std::string commandFor(const PanelContext& context, const DoctorCheck& check) {
     namespace fs = std::filesystem;
     const std::string& source = context.session().spec().source;
@@ -70,7 +70,7 @@ std::string commandFor(const PanelContext& context, const DoctorCheck& check) {
     return remedyFor(check, shellQuoted(input), shellQuoted(output));
 }
 
-/// Asks for the input to be opened anew, with these cures besides those it has.
+/// Requests to open the input again, with these fixes besides those it has.
 void follow(const PanelContext& context, const Cures& more) {
     Cures cures = context.session().spec().cures;
     cures.insert(cures.end(), more.begin(), more.end());
@@ -83,7 +83,7 @@ void drawRemedy(const PanelContext& context, const Finding& finding) {
     if (canCure(check)) {
         if (ImGui::SmallButton("Apply the fix")) follow(context, {name});
         context.ui().where["fix " + name] = lastItem();
-        tooltip(std::string(cureText(check.cure)) + "\nCtrl+Z takes it back.");
+        tooltip(std::string(cureText(check.cure)) + "\nCtrl+Z undoes it.");
     }
     const std::string command = commandFor(context, check);
     if (command.empty()) return;
@@ -93,20 +93,20 @@ void drawRemedy(const PanelContext& context, const Finding& finding) {
         context.session().say("Copied the command.");
     }
     context.ui().where["copy " + name] = lastItem();
-    tooltip("For a terminal; it writes a file of its own and leaves yours alone.");
+    tooltip("For a terminal; it writes a new file and leaves yours unchanged.");
     ImGui::PushFont(context.fonts.mono);
     wrappedText(command);
     ImGui::PopFont();
 }
 
-/// What was done to the input, and the way back.
+/// Fixes that were applied to the input, and a button to undo them.
 void drawMended(const PanelContext& context) {
     const Session& session = context.session();
     if (session.spec().cures.empty()) return;
-    wrappedText("Mended here, not in the file: " + mendedText(session.model()) + ".");
-    if (ImGui::SmallButton("As the file is")) context.ui().requests.cures = Cures{};
+    wrappedText("Repaired here, not in the file: " + mendedText(session.model()) + ".");
+    if (ImGui::SmallButton("Use the file as is")) context.ui().requests.cures = Cures{};
     context.ui().where["doctor as it is"] = lastItem();
-    tooltip("Open the input as it is in the file");
+    tooltip("Open the input without any fixes");
     ImGui::Spacing();
     ImGui::Separator();
 }
@@ -114,13 +114,13 @@ void drawMended(const PanelContext& context) {
 void drawFixAll(const PanelContext& context) {
     const Cures cures = plainCures(context.session().checkup().findings());
     if (cures.empty()) return;
-    if (ImGui::Button("Apply all that needs no guessing")) follow(context, cures);
+    if (ImGui::Button("Apply all safe fixes")) follow(context, cures);
     context.ui().where["doctor fix all"] = lastItem();
     std::string text;
     for (const std::string& name : cures) {
         text += (text.empty() ? "" : "\n") + std::string(cureText(findDoctorCheck(name)->cure));
     }
-    tooltip(text + "\nCtrl+Z takes it back.");
+    tooltip(text + "\nCtrl+Z undoes it.");
 }
 
 void drawFinding(const PanelContext& context, const Finding& finding) {
@@ -140,7 +140,7 @@ void drawFinding(const PanelContext& context, const Finding& finding) {
     ImGui::PopStyleColor();
     context.ui().where["finding " + name] = lastItem();
     tooltip(finding.points.empty() ? "About the file as a whole"
-            : shown                ? "Put the marks out"
+            : shown                ? "Clear the marks"
                                    : "Mark these points in the view, and frame them");
     wrappedText(finding.text + ".");
     if (shown) {
@@ -173,18 +173,17 @@ void drawDoctor(const PanelContext& context) {
     drawMended(context);
     if (!checkup.complaint().empty()) return dimText(checkup.complaint());
     if (!checkup.done()) {
-        dimText(checkup.busy() ? "Looking for what could upset the algorithm ..."
-                               : "The doctor looks at the points once the run was gone through.");
+        dimText(checkup.busy() ? "Examining the input ..."
+                               : "The doctor examines the points once the run is complete.");
         if (checkup.busy()) ImGui::ProgressBar(static_cast<float>(checkup.share()), {-1.0F, 0.0F});
         return;
     }
     if (checkup.findings().empty()) {
-        dimText("Nothing found: " + std::to_string(doctorChecks().size()) +
-                " checks say that these points will not upset the algorithm.");
+        dimText("Nothing found: all " + std::to_string(doctorChecks().size()) + " checks passed.");
         return;
     }
     drawFixAll(context);
-    dimText("A click on a finding marks its points and frames them.");
+    dimText("Click a finding to mark its points and frame them.");
     for (const Finding& finding : checkup.findings()) drawFinding(context, finding);
 }
 

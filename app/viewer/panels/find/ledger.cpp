@@ -10,7 +10,7 @@ namespace se::view {
 
 namespace {
 
-/// Broken at blanks only: never inside of an address.
+/// Broken at spaces only: never inside of an address.
 void paragraph(const PanelContext& context, const std::string& text) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.05F * context.em});
     for (const std::string& line : wrapped(text, ImGui::GetContentRegionAvail().x))
@@ -19,7 +19,7 @@ void paragraph(const PanelContext& context, const std::string& text) {
     ImGui::Dummy({0.0F, 0.1F * context.em});
 }
 
-/// What one can ask about without finding it in the view: also what is not there.
+/// Query by text, which also finds things that are not in the view or not in the mesh.
 void drawQuestionBox(const PanelContext& context) {
     LedgerPanel& panel = context.ui().ledger;
     const float button = ImGui::CalcTextSize("Why?").x + 1.5F * context.em;
@@ -43,13 +43,14 @@ void drawEmpty(const PanelContext& context) {
     dimText(
         "Why is it there? Why is it not? Click a point, an edge or a triangle in the "
         "view and press " +
-        key + ", or click it with the right button.");
+        key + ", or right-click it.");
     ImGui::Spacing();
     dimText(
-        "For what is not there: type its points above, such as 812,640 for an edge. Or select one "
-        "point, and click the other with the right button.");
+        "If it is not in the view, type its points above, such as 812,640 for an edge. Or select "
+        "one "
+        "point, and right-click the other.");
     ImGui::Spacing();
-    dimText("ring asks what made the active ring, ring #2 the second on the stack.");
+    dimText("Type ring for the cause of the active ring, ring #2 for the second on the stack.");
 }
 
 void drawAnswer(const PanelContext& context, const WhyAnswer& ledger) {
@@ -73,7 +74,7 @@ void drawAnswer(const PanelContext& context, const WhyAnswer& ledger) {
         goToDecision(context, ledger.lines[*line].event.address, FrameWish::Focus);
 }
 
-/// While the panel is in sight, what is picked is asked about.
+/// While the panel is visible, each new selection is queried.
 void followSelection(const PanelContext& context) {
     Session& session = context.session();
     Selection& seen = context.ui().ledger.seen;
@@ -98,10 +99,10 @@ void drawLedger(const PanelContext& context) {
     const ScrolledBody body(context, "##ledgerBody");
     Inquiry<WhyAnswer>& ledger = questions.ledger();
     if (ledger.busy()) {
-        if (drawAsking(context, "Making the run again ...", ledger.share())) ledger.stop();
+        if (drawAsking(context, "Re-running ...", ledger.share())) ledger.stop();
     } else if (!ledger.complaint().empty()) {
         dimText(ledger.complaint());
-        if (ImGui::SmallButton("Ask again")) questions.askAgain();
+        if (ImGui::SmallButton("Retry")) questions.askAgain();
     } else if (const WhyAnswer* answer = ledger.answer()) {
         drawAnswer(context, *answer);
     } else {

@@ -16,11 +16,11 @@ namespace se::view {
 
 namespace {
 
-/// Ready to be asked; each shows something on most inputs.
+/// Example queries; each finds something on most inputs.
 constexpr const char* kExamples[] = {"stage=sphere kept margin<1e-3", "refused section=6.1",
                                      "failure", "angle<10", "stage=split"};
 
-/// The two lists of the panel, one of them in sight.
+/// The two lists of the panel, one of them visible.
 void drawChoice(const PanelContext& context) {
     QueryPanel& panel = context.ui().query;
     const auto choice = [&](const char* title, const char* name, QueryList list) {
@@ -31,12 +31,12 @@ void drawChoice(const PanelContext& context) {
         if (on) ImGui::PopStyleColor(2);
         context.ui().where[name] = lastItem();
     };
-    choice("By words", "query words", QueryList::Found);
+    choice("By terms", "query words", QueryList::Found);
     ImGui::SameLine();
-    choice("Closest calls", "query closest", QueryList::Closest);
+    choice("Closest decisions", "query closest", QueryList::Closest);
 }
 
-/// Keeps what is typed and what is offered in step with each other.
+/// Synchronizes the typed text with the suggestions.
 void drawLine(const PanelContext& context) {
     QueryPanel& panel = context.ui().query;
     const float button = ImGui::CalcTextSize("Find").x + 1.5F * context.em;
@@ -51,7 +51,7 @@ void drawLine(const PanelContext& context) {
     if (ImGui::Button("Find") || entered) findTyped(context.commands);
 }
 
-/// What is wrong with the line, as soon as it is: but not with the word that is being typed.
+/// Error of the line, as soon as there is one, except in the word that is being typed.
 void drawMistake(const PanelContext& context) {
     const QueryPanel& panel = context.ui().query;
     const std::string& asked = context.session().questions().line();
@@ -80,7 +80,7 @@ void drawTerm(const PanelContext& context, const QueryTerm& term, bool wide) {
     ImGui::PopStyleVar();
 }
 
-/// The terms that the last word may become; a click completes it.
+/// Completions of the last word; a click inserts one.
 void drawTerms(const PanelContext& context) {
     const bool wide = ImGui::GetContentRegionAvail().x > 15.0F * context.em;
     if (!ImGui::BeginTable("##terms", wide ? 2 : 1, ImGuiTableFlags_SizingStretchProp)) return;
@@ -94,7 +94,7 @@ void drawTerms(const PanelContext& context) {
 
 void drawHelp(const PanelContext& context) {
     QueryPanel& panel = context.ui().query;
-    dimText("Finds decisions of the whole run. All words must hold. Such as:");
+    dimText("Finds decisions of the whole run. All terms must match. Examples:");
     for (const char* example : kExamples) {
         if (ImGui::Selectable(example)) {
             panel.typed = example;
@@ -103,13 +103,13 @@ void drawHelp(const PanelContext& context) {
         context.ui().where[std::string("example ") + example] = lastItem();
     }
     ImGui::Spacing();
-    dimText("The words; a click puts one into the line:");
+    dimText("All terms; click one to insert it:");
     drawTerms(context);
 }
 
 void drawFound(const PanelContext& context, const FoundDecisions& found) {
     const bool all = found.total == found.lines.size();
-    std::string text = found.total == 0   ? "No decision is like that."
+    std::string text = found.total == 0   ? "No decision matches."
                        : found.total == 1 ? "1 decision"
                                           : grouped(found.total) + " decisions";
     if (!all) text += ", the first " + grouped(found.lines.size());
@@ -118,8 +118,8 @@ void drawFound(const PanelContext& context, const FoundDecisions& found) {
     const std::string keys = context.key("ask.hit.previous") + " / " + context.key("ask.hit.next");
     ImGui::SameLine();
     ImGui::TextDisabled("%s", keys.c_str());
-    tooltip("To the previous / next one from where the cursor is");
-    if (ImGui::SmallButton("Break at these"))
+    tooltip("To the previous / next one from the cursor");
+    if (ImGui::SmallButton("Break on these"))
         addBreakpoint(context.commands, {"", context.session().questions().line()});
     context.ui().where["query break"] = lastItem();
     const DecisionRows rows{found.lines, context.ui().query.found};
@@ -134,10 +134,10 @@ void drawByWords(const PanelContext& context) {
     drawMistake(context);
     const ScrolledBody body(context, "##queryBody");
     Inquiry<FoundDecisions>& found = questions.found();
-    // While somebody types, the words are of more use than what was found before.
+    // While the user types, the terms are more useful than the old results.
     if (panel.typing && panel.typed != questions.line()) return drawTerms(context);
     if (found.busy()) {
-        if (drawAsking(context, "Making the run again ...", found.share())) found.stop();
+        if (drawAsking(context, "Re-running ...", found.share())) found.stop();
     } else if (!found.complaint().empty()) {
         dimText(found.complaint());
     } else if (const FoundDecisions* answer = found.answer()) {
@@ -147,24 +147,24 @@ void drawByWords(const PanelContext& context) {
     }
 }
 
-/// The move in full stands in the tooltip.
+/// The full move is in the tooltip.
 std::string nudgeText(const Nudge& nudge) {
     char text[64];
-    std::snprintf(text, sizeof text, "moving %u by %.2g turns it", nudge.point,
+    std::snprintf(text, sizeof text, "moving %u by %.2g flips it", nudge.point,
                   glm::length(nudge.by));
     return text;
 }
 
 std::string moveText(const Nudge& nudge) {
     char text[120];
-    std::snprintf(text, sizeof text, "Moving %u by (%.6g, %.6g, %.6g) turns it.", nudge.point,
+    std::snprintf(text, sizeof text, "Moving %u by (%.6g, %.6g, %.6g) flips it.", nudge.point,
                   nudge.by.x, nudge.by.y, nudge.by.z);
     return text;
 }
 
 void drawCalls(const PanelContext& context, const ClosestAnswer& closest) {
     if (closest.lines.empty()) return dimText("No decision of this run compared a number.");
-    dimText("The decisions nearest to going the other way, the nearest first.");
+    dimText("The decisions closest to going the other way, closest first.");
     bool tinted = context.ui().settings.pointTint == PointTint::Margin;
     if (ImGui::Checkbox("Tint points by margin", &tinted))
         context.run(tinted ? "view.points.margin" : "view.points.status");
@@ -184,12 +184,12 @@ void drawClosest(const PanelContext& context) {
     questions.wantClosest();
     const ScrolledBody body(context, "##closestBody");
     if (closest.busy()) {
-        if (drawAsking(context, "Making the run again ...", closest.share())) closest.stop();
+        if (drawAsking(context, "Re-running ...", closest.share())) closest.stop();
     } else if (const ClosestAnswer* answer = closest.answer()) {
         drawCalls(context, *answer);
     } else {
         dimText(closest.complaint());
-        if (ImGui::SmallButton("Ask again")) closest.forget();
+        if (ImGui::SmallButton("Retry")) closest.forget();
     }
 }
 

@@ -28,7 +28,7 @@ void queryHelp(const PanelContext& context) {
     ImGui::TextDisabled("(?)");
     if (!ImGui::IsItemHovered()) return;
     ImGui::BeginTooltip();
-    ImGui::TextUnformatted("All words of a line must hold:");
+    ImGui::TextUnformatted("All terms of a line must match:");
     if (ImGui::BeginTable("##terms", 2)) {
         for (const QueryTerm& term : queryTerms()) {
             ImGui::TableNextRow();

@@ -11,7 +11,7 @@ namespace se::view {
 
 namespace {
 
-/// The edge or triangle of what is selected and this point: the way to ask for one that is not
+/// The edge or triangle of the selection and this point: a way to query one that is not
 /// there.
 std::optional<Selection> together(const Selection& selected, const Selection& what) {
     if (what.kind != SelectionKind::Point) return std::nullopt;
@@ -32,7 +32,7 @@ void drawTogether(const PanelContext& context, const Selection& what) {
     context.ui().where["menu together"] = lastItem();
 }
 
-/// What may happen otherwise to a point: the run forks.
+/// What-ifs for a point: the run forks.
 void drawWhatIfs(const PanelContext& context, Index point) {
     Session& session = context.session();
     ImGui::Separator();
@@ -84,11 +84,11 @@ void drawEntries(const PanelContext& context, const Selection& what) {
     }
 }
 
-/// Of a thing in the view of the other run: what can be asked and done there.
+/// Menu of a thing in the view of the other run: its queries and actions.
 void drawBeside(const PanelContext& context, const Selection& what) {
     const Comparison* now = context.ui().compare.now;
     if (what.kind == SelectionKind::None || now == nullptr || now->other() == nullptr) {
-        ImGui::TextDisabled("B is a finished mesh: it has no decisions to ask about.");
+        ImGui::TextDisabled("B is a finished mesh: it has no decisions.");
         context.ui().where["menu beside"] = lastItem();
         return;
     }

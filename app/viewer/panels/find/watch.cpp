@@ -49,7 +49,7 @@ void drawColumns(const PanelContext& context, const Rect& at, const PaintedPlot&
         const float top = yOf(plot.columns[i].high);
         const float bottom = yOf(plot.columns[i].low);
         list->AddRectFilled({x, std::min(bottom, zero)}, {x + width, std::max(bottom, zero)}, fill);
-        // Joined to the column before, so that steps are seen.
+        // Joined to the previous column, so that steps are visible.
         const float before = i > 0 ? yOf(plot.columns[i - 1].low) : bottom;
         list->AddRectFilled({x, std::min(top, before)},
                             {x + width, std::max({bottom, top + thick, std::min(before, bottom)})},
@@ -82,7 +82,7 @@ void drawPlot(const PanelContext& context, const std::string& expression, const 
     const float print = 0.78F * context.em;
     const ImVec2 label(at.min.x + 0.3F * context.em, at.min.y + 0.1F * context.em);
     const ImVec2 size = context.fonts.small->CalcTextSizeA(print, 1e9F, 0.0F, most.c_str());
-    // Readable over what is plotted.
+    // Readable over the plot.
     list->AddRectFilled({label.x - 0.1F * context.em, label.y},
                         {label.x + size.x + 0.1F * context.em, label.y + size.y},
                         toU32(context.palette.background.withAlpha(0.8F)), 0.15F * context.em);
@@ -100,7 +100,7 @@ void drawPlot(const PanelContext& context, const std::string& expression, const 
         tooltip("pivot " + grouped(pivot) + ": " + valueText(expression, series.values[pivot]));
 }
 
-/// One expression. True if it is to go.
+/// One expression. True if it is to be removed.
 bool drawRow(const PanelContext& context, std::string& expression, std::size_t number) {
     const Session& session = context.session();
     const float em = context.em;
@@ -125,7 +125,7 @@ bool drawRow(const PanelContext& context, std::string& expression, std::size_t n
     tooltip("At the end of pivot " + grouped(pivot));
     ImGui::SameLine(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - button);
     const bool gone = ImGui::Button("x", {button, 0.0F});
-    tooltip("Watch this no more");
+    tooltip("Remove watch");
     const auto parsed = WatchExpression::parse(expression);
     const std::string complaint =
         parsed ? missingPointIn(expression, session.model().points.size()) : parsed.error().message;
@@ -138,7 +138,7 @@ bool drawRow(const PanelContext& context, std::string& expression, std::size_t n
     return gone;
 }
 
-/// The point for `status=N`: the selected one, else the pivot.
+/// The point for `status=N`: the selected one, otherwise the pivot.
 Index pointToWatch(const Session& session) {
     return session.selected() != kNone ? session.selected() : session.picture().pivot;
 }
@@ -161,25 +161,24 @@ void drawWatchTerms(const PanelContext& context) {
     ImGui::EndPopup();
 }
 
-/// How far the values are known, and the way to stop that.
+/// Progress of the values, and a button to stop it.
 void drawScan(const PanelContext& context) {
     WatchScan& scan = context.session().watches();
     if (scan.busy()) {
         const float button = 4.0F * context.em;
         ImGui::SameLine();
         ImGui::ProgressBar(static_cast<float>(scan.share()),
-                           {ImGui::GetContentRegionAvail().x - button, 0.0F},
-                           "going through the run");
+                           {ImGui::GetContentRegionAvail().x - button, 0.0F}, "scanning the run");
         ImGui::SameLine();
         if (ImGui::Button("Stop")) scan.cancel();
         context.ui().where["stop watching"] = lastItem();
     } else if (scan.cancelled()) {
         ImGui::SameLine();
-        if (ImGui::Button("Go on")) scan.resume();
+        if (ImGui::Button("Resume")) scan.resume();
         context.ui().where["watch on"] = lastItem();
         ImGui::SameLine();
         ImGui::TextDisabled("Stopped.");
-        tooltip("The values are known up to where the run was gone through.");
+        tooltip("Values are known up to the point where the scan stopped.");
     }
 }
 
@@ -201,7 +200,7 @@ void drawWatch(const PanelContext& context) {
     if (all.empty()) {
         dimText(
             "Numbers of the run over its pivots: the length of the ring, the status of a point, "
-            "any counter. A click in a plot goes there.");
+            "any counter. Click in a plot to go there.");
     }
     std::optional<std::size_t> gone;
     for (std::size_t i = 0; i < all.size(); ++i) {

@@ -12,13 +12,13 @@ namespace se::view {
 namespace {
 
 constexpr int kParts = 48;
-/// More components than these are not named one by one.
+/// Maximum number of components that are named one by one.
 constexpr std::size_t kNamedColors = 8;
 
-/// Where a plate may stand, the best first; the axes have the other corner.
+/// Corners for a plate, the best first; the axes have the other corner.
 constexpr std::array kCorners = {Corner::BottomRight, Corner::TopLeft, Corner::TopRight};
 
-/// Text on a plate in a corner of the view that hides nothing of the decision, if there is one.
+/// Text on a plate in a corner of the view that covers no decision, if there is one.
 struct Plate {
     Plate(const PanelContext& context, std::span<const Rect> taken, glm::vec2 wanted)
         : em(context.em), size(wanted) {
@@ -43,7 +43,7 @@ struct Plate {
 std::optional<Rect> drawBirth(const PanelContext& context, std::span<const Rect> taken) {
     const float em = context.em;
     const std::string last = grouped(context.drawList.birthEnd);
-    const std::string title = "triangle, in order of birth";
+    const std::string title = "triangle, in creation order";
     const float width = std::max(12.0F * em, ImGui::CalcTextSize(title.c_str()).x);
     const float line = ImGui::GetTextLineHeight();
     const Plate plate(context, taken, {width + 1.2F * em, 2.0F * line + 1.7F * em});
@@ -58,7 +58,7 @@ std::optional<Rect> drawBirth(const PanelContext& context, std::span<const Rect>
             {at.x + from * width, top}, {at.x + to * width, top + 0.6F * em}, toU32(viridis(from)),
             toU32(viridis(to)), toU32(viridis(to)), toU32(viridis(from)));
     }
-    // Where the cursor stands on the scale.
+    // Position of the cursor on the scale.
     const float share = std::min(1.0F, static_cast<float>(context.drawList.finishedTriangles) /
                                            static_cast<float>(context.drawList.birthEnd));
     const float x = at.x + share * width;
@@ -98,7 +98,7 @@ std::optional<Rect> drawComponents(const PanelContext& context, std::span<const 
     return Rect{plate.at, plate.size};
 }
 
-/// The steps of least margins, from nearest to farthest.
+/// The steps of least margins, from small to large.
 std::optional<Rect> drawMargins(const PanelContext& context, std::span<const Rect> taken) {
     const float em = context.em;
     const std::string title = "points: least margin of any test";

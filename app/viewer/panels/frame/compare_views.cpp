@@ -1,4 +1,4 @@
-// The two views of the layout Compare: their titles, the second one, and its sentence.
+// The two views of the layout Compare: their titles, the second view, and its sentence.
 #include <algorithm>
 
 #include "panels/panel.h"
@@ -10,14 +10,14 @@ namespace se::view {
 
 namespace {
 
-/// "A  paper rules", and at the right end what only this one has.
+/// "A  paper rules", and at the right end the count of triangles only in this one.
 void drawTitle(const PanelContext& context, const Rect& bar, const char* letter,
                const std::string& name, const Color& color, const std::string& note) {
     const float em = context.em;
     if (bar.size.x < em) return;
     const std::string window = std::string("##title") + letter;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    // Lower than windows are: else it would cover the top of the view.
+    // Lower than the minimum height of windows, or it would cover the top of the view.
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
     const bool open =
         beginRegion(window.c_str(), bar, ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoScrollbar);
@@ -39,20 +39,20 @@ void drawTitle(const PanelContext& context, const Rect& bar, const char* letter,
     ImGui::End();
 }
 
-/// Nothing is there yet.
+/// The second view before there is anything to compare.
 void drawEmptyView(const PanelContext& context) {
     const Rect& view = context.layout.otherView;
     if (beginRegion("##otherEmpty", view)) {
         const Comparison* now = context.ui().compare.now;
         const bool chosen = now != nullptr && now->chosen();
         const float width = std::min(view.size.x - 2.0F * context.em, 20.0F * context.em);
-        // In a low view too the button is in sight.
+        // The button is visible in a low view as well.
         const float top = std::max(0.3F * context.em,
                                    std::min(0.35F * view.size.y, view.size.y - 5.8F * context.em));
         ImGui::SetCursorPos({0.5F * (view.size.x - width), top});
         ImGui::BeginGroup();
         if (chosen) {
-            dimText(now->complaint().empty() ? "Being opened and compared ..." : now->complaint(),
+            dimText(now->complaint().empty() ? "Opening and comparing ..." : now->complaint(),
                     width);
         } else {
             dimText("Choose on the left what to compare this run with, or", width);
@@ -65,7 +65,7 @@ void drawEmptyView(const PanelContext& context) {
     ImGui::End();
 }
 
-/// A mesh from a file: it can be looked at, there is nothing to step through.
+/// A mesh from a file: it can be viewed, but has no steps.
 void drawStill(const PanelContext& context) {
     const Rect& view = context.layout.view;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
@@ -88,7 +88,7 @@ void drawStill(const PanelContext& context) {
     ImGui::End();
 }
 
-/// The same window, seen from the other run.
+/// The panel context of the other run.
 void drawOther(const PanelContext& context) {
     const OtherView& other = *context.other;
     Layout layout = context.layout;
@@ -110,7 +110,7 @@ void drawOther(const PanelContext& context) {
     drawSentence(there, "##otherNarration");
 }
 
-/// "B 212.sphere.3" where it stands.
+/// "B 212.sphere.3", the position of the other run.
 std::string noteOf(const Session& session, std::size_t only) {
     const std::string place =
         session.event() != nullptr ? toString(session.address()) : std::string("start");

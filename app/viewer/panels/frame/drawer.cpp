@@ -7,7 +7,7 @@ namespace se::view {
 
 namespace {
 
-/// Left of the bars: the names. Right of them: a margin.
+/// Width of the names left of the bars, and of the margin right of them.
 constexpr float kGutter = 4.4F;
 constexpr float kDrawerMargin = 0.9F;
 
@@ -20,7 +20,7 @@ void drawFoldButton(const PanelContext& context) {
     const float side = 1.3F * em;
     if (ImGui::InvisibleButton("##fold", {side, side})) context.run("view.drawer");
     const bool hovered = ImGui::IsItemHovered();
-    tooltip(folded ? "Show the strips PIVOT and STAGE too (Ctrl+J)"
+    tooltip(folded ? "Show the strips PIVOT and STAGE as well (Ctrl+J)"
                    : "Fold the drawer to the strip RUN (Ctrl+J)");
     const ImVec2 c(at.x + 0.5F * side, at.y + 0.5F * side);
     const float r = 0.32F * em;

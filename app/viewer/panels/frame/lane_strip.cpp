@@ -7,13 +7,13 @@ namespace se::view {
 
 namespace {
 
-/// Height of a lane, in em: so many as fit, but none higher than this looks like a bar chart.
+/// Maximum height of a lane, in em; higher ones would look like a bar chart.
 constexpr float kLeastLane = 0.5F;
 constexpr float kHighestLane = 0.95F;
-/// Of the row that the lanes beyond share.
+/// Height of the row that the remaining lanes share.
 constexpr float kGathered = 1.0F;
 
-/// The lanes that have no row of their own: how many there are at a time, as a skyline.
+/// The lanes without a row of their own: their number over time, as a skyline.
 void drawGathered(const RunStrip& strip) {
     const LanePicture& picture = strip.picture();
     if (picture.gathered == 0) return;

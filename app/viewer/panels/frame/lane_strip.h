@@ -21,16 +21,16 @@ struct RunStrip {
     float yOf(std::uint32_t row) const;
 };
 
-/// Rows for the lanes: if there are too many, the last one is that which they share.
+/// Rows for the lanes: if there are too many, the last one is shared.
 std::uint32_t rowsFor(const RunStrip& strip);
-/// From one row to the next, of what is painted.
+/// Distance between rows as painted.
 float pitchOf(const RunStrip& strip);
-/// How long the active ring is, behind everything.
+/// Length of the active ring, in the background.
 void drawRingLengths(const RunStrip& strip);
 void drawLanes(const RunStrip& strip);
-/// How many lanes have no row of their own, beside the row that they share.
+/// Number of lanes without a row of their own, beside the shared row.
 void drawMore(const RunStrip& strip);
-/// A line about the row that lanes share, if the mouse is there.
+/// Tooltip of the shared row, if the mouse is there.
 std::string gatheredText(const RunStrip& strip, ImVec2 mouse);
 
 }  // namespace se::view

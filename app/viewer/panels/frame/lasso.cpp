@@ -12,10 +12,10 @@ namespace se::view {
 
 namespace {
 
-/// Corners of the line are at least so many em apart.
+/// Minimum distance between corners of the line, in em.
 constexpr float kLassoStep = 0.25F;
 
-/// Breaks at whatever happens to the points that were drawn around, and marks them.
+/// Sets a breakpoint on all events of the enclosed points, and marks them.
 void close(const PanelContext& context, Lasso& lasso) {
     Session& session = context.session();
     const Rect& view = context.layout.view;
@@ -26,7 +26,7 @@ void close(const PanelContext& context, Lasso& lasso) {
     const CameraMatrices camera = context.camera().matrices(view.size.x / view.size.y);
     const std::vector<Index> points = pointsWithin(session.model(), camera, view.size, path);
     if (points.empty())
-        return session.say("There is no point within the line that faces this way.");
+        return session.say("There is no point inside the lasso that faces this way.");
     addBreakpoint(context.commands,
                   {"lasso, " + grouped(points.size()) + " points", amongLine(points)});
     context.ui().wantedTab = kBreakpointsTab;
@@ -56,7 +56,7 @@ void drawLasso(const PanelContext& context) {
     const std::vector<glm::vec2>& path = context.ui().lasso.path;
     if (path.size() < 2) return;
     ImDrawList* list = ImGui::GetWindowDrawList();
-    // In the color of text, with a rim of the background: no ring looks like that.
+    // In the color of text, with a rim of the background color, unlike any ring.
     const auto stroke = [&](const Color& color, float width) {
         for (const glm::vec2& corner : path) list->PathLineTo(toVec2(corner));
         list->PathStroke(toU32(color), 0, width);

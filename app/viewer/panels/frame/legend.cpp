@@ -26,7 +26,7 @@ constexpr std::array kEntries = {
     Entry{Shape::Dot, &Palette::done, "DONE"},
 };
 
-/// The axes have the fourth.
+/// The axes have the fourth corner.
 constexpr std::array kLegendCorners = {Corner::TopRight, Corner::TopLeft, Corner::BottomRight};
 
 }  // namespace
@@ -36,7 +36,7 @@ std::optional<Rect> drawLegend(const PanelContext& context, std::span<const Rect
     const float em = 0.84F * context.em;
     const float row = 1.32F * em;
     const glm::vec2 size(9.6F * em, row * static_cast<float>(kEntries.size()) + 0.7F * em);
-    // Where it would cover too much of the picture it is left out; F1 has it as well.
+    // Omitted where it would cover too much of the picture; F1 shows it as well.
     if (view.size.y < size.y + 8.0F * em || view.size.x < 3.6F * size.x) return std::nullopt;
     const std::vector<LabelMark> marks = Sight(context).surroundings();
     const std::optional<Rect> place =

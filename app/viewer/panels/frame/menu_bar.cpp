@@ -24,7 +24,7 @@ void drawScene(const PanelContext& context, const Scene& scene) {
     tooltip(std::string(scene.watch));
 }
 
-/// Built-in inputs: those that work, and those that fail.
+/// Built-in inputs: those that succeed, and those that fail.
 void drawSceneMenu(const PanelContext& context) {
     if (ImGui::BeginMenu("Scenes")) {
         for (const Scene& scene : scenes()) drawScene(context, scene);
@@ -35,7 +35,7 @@ void drawSceneMenu(const PanelContext& context) {
     ImGui::EndMenu();
 }
 
-/// The layouts are rows of the table of commands as well, but here one sees which one is on.
+/// The layouts are rows of the table of commands as well, but here the current one is checked.
 void drawLayouts(const PanelContext& context) {
     if (!ImGui::BeginMenu("Layout")) return;
     for (const ArrangementRow& row : arrangements()) {
@@ -46,7 +46,7 @@ void drawLayouts(const PanelContext& context) {
     ImGui::EndMenu();
 }
 
-/// The styles of the mesh likewise.
+/// The styles of the mesh, with a check at the current one.
 void drawMeshStyles(const PanelContext& context) {
     if (!ImGui::BeginMenu("Mesh")) return;
     for (const MeshStyleRow& row : meshStyles()) {
@@ -57,7 +57,7 @@ void drawMeshStyles(const PanelContext& context) {
     ImGui::EndMenu();
 }
 
-/// So are the colors of the points.
+/// The colors of the points, with a check at the current one.
 void drawPointTints(const PanelContext& context) {
     if (!ImGui::BeginMenu("Points")) return;
     for (const PointTintRow& row : pointTints()) {
@@ -72,7 +72,7 @@ void drawPointTints(const PanelContext& context) {
 void drawUpAxes(const PanelContext& context) {
     if (!ImGui::BeginMenu("Up axis")) return;
     const bool chosen = context.ui().settings.up.has_value();
-    if (ImGui::MenuItem("By a guess", nullptr, !chosen)) context.run("view.up.auto");
+    if (ImGui::MenuItem("Automatic", nullptr, !chosen)) context.run("view.up.auto");
     for (const UpAxis axis : {UpAxis::X, UpAxis::Y, UpAxis::Z}) {
         const std::string name(upAxisName(axis));
         if (ImGui::MenuItem(name.c_str(), nullptr, context.camera().up() == axis))
@@ -81,7 +81,7 @@ void drawUpAxes(const PanelContext& context) {
     ImGui::EndMenu();
 }
 
-/// Stands in a menu within the menu.
+/// Whether a command is in a submenu.
 bool isChoice(const Command& command) {
     const auto among = [&](std::string_view menu) { return command.id.starts_with(menu); };
     return (among("view.layout.") || among("view.mesh.") || among("view.points.") ||
@@ -115,12 +115,12 @@ void drawMenuGroup(const PanelContext& context, std::string_view group) {
     ImGui::EndMenu();
 }
 
-/// What is open, as much of it as there is room for in whole words: or nothing.
+/// Description of the open input, as many whole words of it as fit.
 std::string fittingNote(const PanelContext& context, float room) {
     const Session& session = context.session();
     if (!session.ready() || context.ui().growth.open) return {};
     const std::string& name = session.model().name;
-    // Of new points the name says how many.
+    // For new points the name has their number.
     const std::string number = isSample(session.spec().source)
                                    ? std::string{}
                                    : "   " + grouped(session.model().points.size()) + " points";
@@ -142,7 +142,7 @@ void drawMenuBar(const PanelContext& context) {
         last = command.group;
         drawMenuGroup(context, last);
     }
-    // Its right end stands above that of the headings below.
+    // Aligned to the right end of the headings below.
     const float end = context.layout.menu.max().x - 0.7F * context.em;
     const float room = end - ImGui::GetCursorScreenPos().x;
     const std::string note = fittingNote(context, room - context.em);

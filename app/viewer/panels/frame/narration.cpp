@@ -12,10 +12,10 @@ namespace {
 struct Caption {
     ImFont* font = nullptr;
     std::vector<std::string> lines;
-    bool cut = false;  ///< The tooltip has all of it.
+    bool cut = false;  ///< The tooltip has all of the text.
 };
 
-/// Too long even in the smallest print: whole lines only, and the last one says so.
+/// Too long even in the smallest type: whole lines only, and the last one ends in dots.
 void shorten(Caption& caption, const ImVec2& room) {
     ImGui::PushFont(caption.font);
     const float lines =
@@ -30,7 +30,7 @@ void shorten(Caption& caption, const ImVec2& room) {
     ImGui::PopFont();
 }
 
-/// In the largest print of the layout that leaves no line out, nor of the sentence beside it.
+/// In the largest type of the layout that fits all lines, also of the sentence beside it.
 Caption fittingCaption(const PanelContext& context, const std::string& sentence,
                        const std::string& beside) {
     const Fonts& fonts = context.fonts;
@@ -50,16 +50,16 @@ Caption fittingCaption(const PanelContext& context, const std::string& sentence,
     return caption;
 }
 
-/// What is decided where a run stands, with all digits; without an event what else there is to say.
+/// The decision at the cursor of a run, with all digits; without an event the latest message.
 std::string sentenceOf(const Session& session) {
     if (const Event* event = session.event(); event != nullptr)
         return (session.showsBefore() ? "Before this: " : "") + describe(*event) +
                session.noticedText();
     if (!session.message().empty()) return session.message();
-    return session.ready() ? "Nothing has been done yet: all points are UNUSED." : "";
+    return session.ready() ? "Nothing has happened yet: all points are UNUSED." : "";
 }
 
-/// Where nothing else says where one is.
+/// Shown where no other panel has the address.
 void drawAddressLine(const PanelContext& context) {
     context.ui().addressLine.clear();
     const Layout& layout = context.layout;
@@ -81,7 +81,7 @@ void drawNarration(const PanelContext& context) { drawSentence(context, "##narra
 void drawSentence(const PanelContext& context, const char* window) {
     const Session& session = context.session();
     if (beginRegion(window, context.layout.narration)) {
-        // What else there is to say stands in the view for a while: see drawNotices().
+        // Other messages are shown in the view for a while: see drawNotices().
         const std::string whole = sentenceOf(session);
         const std::string sentence = withShortNumbers(whole);
         Color color = context.palette.accent;

@@ -32,9 +32,9 @@ const char* partName(LoadPart part) {
         case LoadPart::Preparing:
             return "finding neighbors";
         case LoadPart::Placing:
-            return "making the picture";
+            return "preparing the view";
         case LoadPart::Beginning:
-            return "beginning the run";
+            return "starting the run";
     }
     return "";
 }
@@ -43,7 +43,7 @@ void drawLoading(const PanelContext& context) {
     Session& session = context.session();
     if (beginNotice(context, "##loading")) {
         const std::string& source = session.opening().source;
-        heading(context, session.runsAnew() ? "Running anew" : "Opening",
+        heading(context, session.runsAnew() ? "Re-running" : "Opening",
                 fitted(source, 16.0F * context.em));
         ImGui::ProgressBar(static_cast<float>(session.loadShare()), {-1.0F, 0.0F},
                            partName(session.loadPart()));
@@ -63,7 +63,7 @@ void drawError(const PanelContext& context) {
         ImGui::Spacing();
         if (ImGui::Button("Open another...")) context.ui().fileBrowser = true;
         ImGui::SameLine();
-        if (ImGui::Button(session.ready() ? "Go on" : "Start page")) session.dismissError();
+        if (ImGui::Button(session.ready() ? "Continue" : "Start page")) session.dismissError();
         context.ui().where["go on"] = lastItem();
     }
     ImGui::End();
@@ -74,7 +74,7 @@ struct Progressed {
     float share = 0.0F;
 };
 
-/// How far the runner thread is on its way to another pivot.
+/// Progress of the runner thread on its way to another pivot.
 Progressed moved(const Session& session) {
     const RunOverview& run = session.overview();
     const std::uint32_t at = session.runnerPosition();
@@ -86,7 +86,7 @@ Progressed moved(const Session& session) {
             static_cast<float>(at) / static_cast<float>(end)};
 }
 
-/// How much of the run is known. A closed surface has two triangles to a point.
+/// Known share of the run. A closed surface has two triangles per point.
 Progressed goneThrough(const Session& session) {
     const RunOverview& run = session.overview();
     const auto expected = 2.0F * static_cast<float>(session.model().points.size());
@@ -94,7 +94,7 @@ Progressed goneThrough(const Session& session) {
     return {"pivot " + grouped(run.lastPivot), made / std::max(1.0F, expected)};
 }
 
-/// How far the hits of the breakpoints are known.
+/// Known share of the breakpoint hits.
 Progressed searched(const Session& session) {
     return {"hits", static_cast<float>(session.hits().share())};
 }
@@ -113,9 +113,9 @@ void drawMove(const PanelContext& context) {
         const Progressed move = session.awaitsStop()     ? searched(session)
                                 : session.awaitsLength() ? goneThrough(session)
                                                          : moved(session);
-        if (session.awaitsStop()) ImGui::TextDisabled("Looking for the breakpoint ...");
+        if (session.awaitsStop()) ImGui::TextDisabled("Searching for the breakpoint ...");
         if (session.awaitsLength()) {
-            ImGui::TextDisabled("How long is the run? It is gone through first.");
+            ImGui::TextDisabled("Running once to find the length of the run ...");
         }
         const float button = 4.5F * context.em;
         ImGui::ProgressBar(std::min(1.0F, move.share),
@@ -128,7 +128,7 @@ void drawMove(const PanelContext& context) {
     ImGui::End();
 }
 
-/// What was said lately, above the sentence of the decision and never instead of it.
+/// The latest message, above the sentence of the decision and never instead of it.
 void drawSaid(const PanelContext& context) {
     const std::string text = context.session().notice();
     const Rect& view = context.layout.view;
@@ -148,7 +148,7 @@ void drawSaid(const PanelContext& context) {
                   toU32(context.palette.text), text.c_str(), nullptr, room);
 }
 
-/// A popup covers the view, and the start page has a place of its own for what was said.
+/// A popup covers the view, and the start page shows messages itself.
 bool viewIsFree(const PanelContext& context) {
     const UiState& ui = context.ui();
     return !ui.cheatSheet && !ui.keyEditor && !ui.fileBrowser && !ui.palette.open &&
@@ -159,13 +159,13 @@ bool viewIsFree(const PanelContext& context) {
 
 void drawNotices(const PanelContext& context) {
     const Session& session = context.session();
-    // A run anew is over before this could be read, as a rule.
+    // A re-run usually ends before this could be read.
     const bool soon = session.runsAnew() && session.anewSeconds() < kLongMove;
     if (session.phase() == SessionPhase::Loading && !soon) drawLoading(context);
     if (session.phase() == SessionPhase::Failed) drawError(context);
     if (session.phase() == SessionPhase::Ready && session.busySeconds() > kLongMove)
         drawMove(context);
-    // At the start the caption says it, and keeps it: no decision waits there.
+    // At the start the caption shows the message permanently: there is no decision.
     if (session.ready() && session.event() != nullptr && viewIsFree(context)) drawSaid(context);
 }
 

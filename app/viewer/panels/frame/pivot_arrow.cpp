@@ -8,7 +8,7 @@ namespace se::view {
 
 namespace {
 
-/// The disc with the letter, and the arrow from its middle to the tip, in em.
+/// The disc with the letter, and the arrow from its center to the tip, in em.
 constexpr float kDisc = 0.85F;
 constexpr float kTip = 1.75F;
 constexpr float kInset = 2.0F;
@@ -31,7 +31,7 @@ std::optional<PivotArrow> offerPivotArrow(const PanelContext& context) {
     }
     found.hovered = ImGui::IsItemHovered();
     tooltip("The pivot, p " + std::to_string(pivot) +
-            ", is outside of the view.\nA click brings it into the middle.");
+            ", is outside of the view.\nClick to center it.");
     context.ui().where["pivot arrow"] = found.rect;
     return found;
 }

@@ -10,7 +10,7 @@ namespace se::view {
 
 namespace {
 
-/// Paints the lanes anew if the run, the window or the room for them has changed.
+/// Repaints the lanes if the run, the window or their room has changed.
 void keepPainted(const PanelContext& context, const LaneRoom& room) {
     const Session& session = context.session();
     const RunOverview& run = session.overview();
@@ -71,8 +71,8 @@ void drawAlertMarks(const RunStrip& strip) {
     }
 }
 
-/// What went wrong on the way: thin strokes along the top of the lanes, one per pixel; and the
-/// three moments of the alert that is looked at.
+/// Failures on the way: thin strokes along the top of the lanes, one per pixel; and the
+/// three moments of the chosen alert.
 void drawNoticed(const RunStrip& strip) {
     ImDrawList* list = ImGui::GetWindowDrawList();
     const Session& session = strip.context.session();
@@ -102,7 +102,7 @@ void drawNoticed(const RunStrip& strip) {
     }
 }
 
-/// A flag with the number of the bookmark, as long as there is a key for it.
+/// A flag with the number of the bookmark, while there is a key for it.
 void drawBookmarkMarks(const RunStrip& strip) {
     ImDrawList* list = ImGui::GetWindowDrawList();
     const float em = strip.context.em;
@@ -143,14 +143,14 @@ void drawStops(const RunStrip& strip) {
     }
 }
 
-/// Where the run and the one beside it part: half in the color of each.
+/// The pivot where the two compared runs diverge: half in the color of each.
 float differencePlace(const RunStrip& strip) {
     const Compared* found = strip.context.ui().compare.result();
     if (found == nullptr || !found->runs.first || !found->runs.first->a.line) return -1.0F;
     return std::round(strip.xOf(found->runs.first->a.line->event.address.pivot));
 }
 
-/// The diamond that stands there; empty where there is none.
+/// The diamond drawn there; empty if there is none.
 Rect differenceMark(const RunStrip& strip) {
     const float x = differencePlace(strip);
     if (x < strip.bars.min.x || x > strip.bars.max().x) return {};
@@ -175,18 +175,18 @@ void drawDifference(const RunStrip& strip) {
     strip.context.ui().where["strip difference"] = mark;
 }
 
-/// About the first difference, if the mouse is there.
+/// Tooltip of the first difference, if the mouse is there.
 std::string differenceText(const RunStrip& strip, ImVec2 mouse) {
     const float x = differencePlace(strip);
     if (x < 0.0F || std::abs(mouse.x - x) > 0.5F * strip.context.em) return {};
     const RunDifference& first = *strip.context.ui().compare.result()->runs.first;
     const auto at = [](const DifferenceSide& side) {
-        return side.line ? toString(side.line->event.address) : std::string("the run is over");
+        return side.line ? toString(side.line->event.address) : std::string("the run has ended");
     };
     return "\nfirst difference: A " + at(first.a) + ", B " + at(first.b) + "\n" + first.words;
 }
 
-/// The stretch that is played again and again; a mark alone is a bracket.
+/// The stretch of the playback loop; a mark alone is a bracket.
 void drawLoop(const RunStrip& strip) {
     const PlayLoop& loop = strip.context.playback().loop;
     if (loop.empty()) return;
@@ -240,11 +240,11 @@ std::string tooltipText(const RunStrip& strip, std::uint32_t pivot, ImVec2 mouse
     }
     text += differenceText(strip, mouse);
     text += gatheredText(strip, mouse);
-    // The triangle of an alert stands above the lanes, and is as wide as this.
+    // The triangle of an alert is above the lanes, and is as wide as this.
     const LaneAlert* alert =
         alertNear(strip.picture(), mouse.x - strip.bars.min.x, 0.6F * strip.context.em);
     if (alert != nullptr) text += "\n" + alertText(*alert);
-    // What the sign next to the pointer means.
+    // Meaning of the mark under the pointer.
     const LaneSign* nearest = nullptr;
     float best = 0.7F * strip.context.em;
     for (const LaneSign& sign : strip.picture().signs) {
@@ -272,7 +272,7 @@ void handleMouse(const RunStrip& strip) {
     if (ImGui::IsItemActivated()) drag.begin();
     const bool onMark = differenceMark(strip).contains({io.MousePos.x, io.MousePos.y});
     if (ImGui::IsItemActivated() && onMark && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-        // Each to its own address, as its key does.
+        // Each to its own address, like its key.
         strip.context.playback().pause();
         strip.context.ui().compare.ask = CompareAsk::FirstDifference;
     } else if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
@@ -289,7 +289,7 @@ void handleMouse(const RunStrip& strip) {
     tooltip(tooltipText(strip, pivot, io.MousePos));
 }
 
-/// Keeps the strip's window on the run, and on the cursor when that moves.
+/// Keeps the strip's window on the run, and on the cursor when it moves.
 void keepWindow(const PanelContext& context) {
     const Session& session = context.session();
     Navigation& nav = context.ui().navigation;
@@ -302,7 +302,7 @@ void keepWindow(const PanelContext& context) {
     }
 }
 
-/// How much of the run there is, under the strip's name.
+/// Length of the run, under the strip's name.
 void drawTotal(const RunStrip& strip) {
     const RunOverview& run = strip.context.session().overview();
     const float em = strip.context.em;
@@ -330,7 +330,7 @@ void drawRunStrip(const PanelContext& context, const Rect& area) {
     context.ui().where["strip run"] = bars;
     if (!session.ready()) return;
     keepWindow(context);
-    // Folded, there is room for the scale only where it covers nothing.
+    // Folded, the scale is drawn only where it covers nothing.
     const float scale = folded ? 0.35F * em : 1.0F * em;
     RunStrip strip{context, bars, {{bars.min.x, bars.min.y + scale}, bars.size}, 1.0F};
     strip.lanes.size.y = bars.size.y - scale;

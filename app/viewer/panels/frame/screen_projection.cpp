@@ -9,12 +9,12 @@ namespace se::view {
 
 namespace {
 
-/// More than these are not looked at: a place has to be found within a frame.
+/// Maximum number of items: a position has to be found within a frame.
 constexpr std::size_t kMostLines = 4000;
 constexpr std::size_t kMostSprites = 400;
 constexpr std::size_t kMostFaces = 400;
 constexpr std::size_t kMostSights = 48;
-/// Marks of this size, in em, are of points that must stay in sight.
+/// Marks of this size, in em, belong to points that must stay visible.
 constexpr float kMarkFrom = 0.9F;
 /// Marks grow with the view: at most by this (gl/renderer.cpp).
 constexpr float kMarkGrowth = 1.15F;
@@ -25,7 +25,7 @@ constexpr float kSpotWeight = 1.0F;
 /// Marks of candidates, from this size on, count more.
 constexpr float kCandidateFrom = 0.6F;
 constexpr float kCandidateWeight = 4.0F;
-/// What is kept free about the pivot and about the others, in em.
+/// Free radius around the pivot and around the others, in em.
 constexpr float kAboutPivot = 1.6F;
 constexpr float kAboutOthers = 0.7F;
 

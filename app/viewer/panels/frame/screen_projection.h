@@ -1,4 +1,4 @@
-/// The scene as it stands on the screen, in pixels of the window: for what is drawn over it.
+/// Projection of the scene to the screen, in pixels of the window: for overlays.
 #pragma once
 
 #include <optional>
@@ -13,11 +13,11 @@ class Sight {
   public:
     explicit Sight(const PanelContext& context);
 
-    /// Nothing if it is behind the eye.
+    /// Empty if the point is behind the eye.
     std::optional<glm::vec2> at(const glm::vec3& place) const;
-    /// The marks of the pivot, its ends, what is under test and what is selected.
+    /// The marks of the pivot, its ends, the point under test and the selection.
     std::vector<LabelMark> marks() const;
-    /// The points that the decisions of the pivot are about, also where no mark is drawn.
+    /// The points that the decisions of the pivot involve, also those without a mark.
     std::vector<LabelMark> surroundings() const;
     /// Everything that is drawn, apart from the finished mesh and the cloud.
     Clutter clutter() const;

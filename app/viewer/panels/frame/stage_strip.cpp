@@ -48,7 +48,7 @@ std::vector<float> widthsOf(const PanelContext& context, const std::vector<Stage
     return widths;
 }
 
-/// The events of a stage, one tick each; as one piece where they are too many.
+/// The events of a stage, one tick each; as one piece if there are too many.
 void drawTicks(const PanelContext& context, const StageRun& run, const Rect& block) {
     const Session& session = context.session();
     ImDrawList* list = ImGui::GetWindowDrawList();
@@ -110,7 +110,7 @@ void drawStageBlock(const PanelContext& context, const StageRun& run, const Rect
     ImGui::PopID();
 }
 
-/// The wheel anywhere on a strip. Goes first, so that what lies over it can be clicked.
+/// The wheel anywhere on a strip. Drawn first, so that items over it can be clicked.
 float wheelOver(const Rect& area) {
     const ImVec2 low = toVec2(area.min);
     const ImVec2 high = toVec2(area.max());
@@ -122,7 +122,7 @@ float wheelOver(const Rect& area) {
 
 std::string cellText(const Event& event, float room) {
     if (const auto* emit = std::get_if<EmitEvidence>(&event.evidence)) {
-        // The whole number, whatever becomes of the word.
+        // The whole number, even if the word is cut.
         const std::string number = grouped(emit->triangle);
         const std::string named = "triangle " + number;
         return ImGui::CalcTextSize(named.c_str()).x <= room ? named : number;
@@ -218,7 +218,7 @@ void drawStageStrip(const PanelContext& context, const Rect& area) {
     keepSteps(context);
     const StageRun* run = runAtCursor(context);
     if (run == nullptr) return;
-    // Very many: those about the cursor.
+    // If there are too many: those around the cursor.
     const auto fits = static_cast<std::size_t>(std::max(1.0F, bars.size.x / (kLeastCell * em)));
     const std::size_t count = std::min(run->size(), fits);
     std::size_t first = run->begin;

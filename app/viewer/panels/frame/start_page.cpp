@@ -17,7 +17,7 @@ constexpr float kPicture = 7.4F;     ///< Height of the picture in a tile, in em
 constexpr const char* kDropFormats = "PLY, XYZ, PCD, OBJ, OFF; .sesession";
 constexpr float kSide = 19.0F;  ///< Width of the column beside the tiles, in em.
 
-/// Around something that can be opened.
+/// Frame around something that can be opened.
 struct PageFrame {
     Color color;
     float width;
@@ -25,7 +25,7 @@ struct PageFrame {
 
 bool hasKeyboard() { return ImGui::IsItemFocused() && ImGui::GetIO().NavVisible; }
 
-/// Of the item drawn last: the one that has the keyboard stands out most.
+/// Frame of the item drawn last; stronger with the keyboard focus.
 PageFrame frameOf(const Palette& palette, float em) {
     if (hasKeyboard()) return {palette.pivot, 0.18F * em};
     if (ImGui::IsItemHovered()) return {palette.accent, 0.12F * em};
@@ -57,7 +57,7 @@ void drawSentence(const PanelContext& context, ImDrawList* list, const SceneTile
     ImGui::PopFont();
 }
 
-/// All tiles are as high as the longest sentence needs.
+/// Height of all tiles, from the longest sentence.
 float sentenceHeight(const PanelContext& context, const StartPage& page, float width) {
     ImGui::PushFont(context.fonts.small);
     std::size_t lines = 1;
@@ -114,7 +114,7 @@ void drawTiles(const PanelContext& context) {
         int column = 0;
         bool failing = false;
         for (const SceneTile& tile : page.tiles) {
-            // Scenes that fail stand behind the others, under a heading of their own.
+            // Scenes that fail come after the others, under a heading of their own.
             if (galleryScene(tile.id) != nullptr && !std::exchange(failing, true)) {
                 column = 0;
                 ImGui::Spacing();

@@ -9,7 +9,7 @@ namespace se::view {
 
 namespace {
 
-/// The address has at least this much room, so that what follows it stays where it is.
+/// Minimum room of the address, so that the next parts do not move.
 constexpr float kAddressWidth = 10.3F;
 constexpr float kPartGap = 1.2F;
 
@@ -35,7 +35,7 @@ std::vector<std::string> partsOf(const PanelContext& context) {
     return parts;
 }
 
-/// The keys that everybody needs, as this person has them; those without a key are left out.
+/// The most used keys, with the user's changes; those without a key are left out.
 std::string keysText(const PanelContext& context) {
     struct Hint {
         const char* command;

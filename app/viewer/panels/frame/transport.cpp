@@ -30,7 +30,7 @@ constexpr std::array kAfter = {
     TransportButton{"##pivotOn", Icon::Forward, "step.pivot.next", "Next pivot"},
     TransportButton{"##end", Icon::SkipEnd, "run.end", "Run to the end"}};
 
-/// "Next pivot (F10, .)": the keys as this person has them.
+/// "Next pivot (F10, .)": with the user's keys.
 std::string withKeys(const PanelContext& context, const std::string& text,
                      std::string_view command) {
     const std::string keys = context.ui().settings.keys.all(*findCommand(command));
@@ -55,7 +55,7 @@ void drawUnit(const PanelContext& context) {
         }
         if (ImGui::Button(std::string(unitName(unit)).c_str())) context.playback().setUnit(unit);
         if (on) ImGui::PopStyleColor();
-        tooltip(withKeys(context, "What playing and single steps go on by", "run.unit"));
+        tooltip(withKeys(context, "Unit of playback and single steps", "run.unit"));
         ImGui::SameLine(0.0F, 0.15F * context.em);
     }
 }
@@ -88,8 +88,9 @@ void drawLoop(const PanelContext& context) {
         const std::optional<Address>& at;
     };
     const PlayLoop& loop = context.playback().loop;
-    for (const Mark& mark : {Mark{"A", "run.loop.start", "Play again from here on", loop.from},
-                             Mark{"B", "run.loop.end", "Turn back to A here", loop.to}}) {
+    for (const Mark& mark :
+         {Mark{"A", "run.loop.start", "Start of the loop", loop.from},
+          Mark{"B", "run.loop.end", "End of the loop, which returns to A", loop.to}}) {
         if (mark.at) {
             ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent.withAlpha(0.45F)));
         }
@@ -99,17 +100,17 @@ void drawLoop(const PanelContext& context) {
         std::string help = withKeys(context, mark.help, mark.command);
         if (mark.at) {
             help += "\nNow at " + toString(*mark.at) + ". " +
-                    withKeys(context, "No loop", "run.loop.clear");
+                    withKeys(context, "Clear loop", "run.loop.clear");
         }
         tooltip(help);
         ImGui::SameLine(0.0F, 0.15F * context.em);
     }
 }
 
-/// What is typed, of a long text the part about the caret.
+/// The typed text; of a long text the part around the caret.
 void drawTyped(const PanelContext& context, const GoToBox& box, ImVec2 at, float room) {
     const float em = context.em;
-    const float sign = ImGui::CalcTextSize("0").x;  // all are as wide
+    const float sign = ImGui::CalcTextSize("0").x;  // all characters have the same width
     const auto fits = static_cast<std::size_t>(std::max(1.0F, room / sign));
     const std::size_t first = box.caret() > fits ? box.caret() - fits : 0;
     const std::string text = box.text().substr(first, fits);
@@ -136,7 +137,7 @@ void drawGoTo(const PanelContext& context) {
                       ImGui::GetFrameHeight());
     if (ImGui::InvisibleButton("##goto", size)) box.open();
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsItemHovered()) box.close();
-    // A text field that had the keyboard would get what is typed as well.
+    // A focused text field would get the typed characters as well.
     if (box.active() && ImGui::GetIO().WantTextInput) ImGui::SetWindowFocus(nullptr);
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
@@ -158,12 +159,11 @@ void drawGoTo(const PanelContext& context) {
             ": 137, 137.sphere.3, +10, -10, 50%, or p812 to select a point");
 }
 
-/// Where there is no room for all units: the present one, a click goes on to the next.
+/// If not all units fit: the current one; a click changes to the next.
 void drawUnitAlone(const PanelContext& context) {
     const std::string name(unitName(context.playback().unit()));
     if (ImGui::Button((name + "##unit").c_str())) context.run("run.unit");
-    tooltip(withKeys(context, "What playing and single steps go on by; click for the next",
-                     "run.unit"));
+    tooltip(withKeys(context, "Unit of playback and single steps; click for the next", "run.unit"));
     ImGui::SameLine(0.0F, 0.15F * context.em);
 }
 

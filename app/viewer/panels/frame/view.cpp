@@ -22,7 +22,7 @@ bool isOn(const PanelContext& context, LayerId layer) {
         .test(static_cast<std::size_t>(layer));
 }
 
-/// Only what is drawn can be picked.
+/// Only visible things can be picked.
 Pick underMouse(const PanelContext& context) {
     const Session& session = context.session();
     const Rect& view = context.layout.view;
@@ -37,8 +37,8 @@ Pick underMouse(const PanelContext& context) {
                         localMouse(view), 0.6F * context.em});
 }
 
-/// A click picks, a double click turns the view about what is there and picks nothing. So a click
-/// counts only when no second one can follow.
+/// A click selects, a double click centers the orbit and selects nothing. So a click
+/// counts only when it can no longer become a double click.
 void handleClicks(const PanelContext& context) {
     ClickWait& click = context.ui().click;
     const ImGuiIO& io = ImGui::GetIO();
@@ -50,7 +50,7 @@ void handleClicks(const PanelContext& context) {
     }
     const bool single = io.MouseClickedLastCount[ImGuiMouseButton_Left] == 1;
     if (isClick(context, ImGuiMouseButton_Left) && single) {
-        // Counted from the press, as that of a double click is.
+        // Counted from the press, like a double click.
         const double until =
             io.MouseClickedTime[ImGuiMouseButton_Left] + double{io.MouseDoubleClickTime};
         click.begin(underMouse(context).what, until);
@@ -58,7 +58,7 @@ void handleClicks(const PanelContext& context) {
     if (const auto picked = click.due(ImGui::GetTime())) context.session().select(*picked);
 }
 
-/// A right click that was no drag opens the menu of what is there.
+/// A right click that was no drag opens the context menu.
 void handleRightClick(const PanelContext& context) {
     if (!isClick(context, ImGuiMouseButton_Right)) return;
     const Selection what = underMouse(context).what;
@@ -67,8 +67,8 @@ void handleRightClick(const PanelContext& context) {
     if (what.kind != SelectionKind::None) menu.openBeside(what);
 }
 
-/// Lights up the neighbor of the pivot that the pointer is on, here and on the dial. Only those: to
-/// look at all points in every frame would take too long.
+/// Highlights the neighbor of the pivot under the pointer, here and on the dial. Only neighbors: a
+/// search of all points in every frame would take too long.
 void hoverNeighbor(const PanelContext& context) {
     const Session& session = context.session();
     const Index pivot = session.picture().pivot;
@@ -88,7 +88,7 @@ void handleMouse(const PanelContext& context) {
     handleRightClick(context);
 }
 
-/// Which of the two states it is, where somebody looks back.
+/// The name of the shown state, while the user looks back.
 std::optional<Rect> drawShownState(const PanelContext& context) {
     const Session& session = context.session();
     if (!context.ui().look.on() || !session.ready() || session.event() == nullptr) {
@@ -110,7 +110,7 @@ std::optional<Rect> drawShownState(const PanelContext& context) {
     return place;
 }
 
-/// What lies over the picture. Each keeps off those before it; labels come last, since they find a
+/// Overlays of the picture. Each avoids those before it; labels come last, since they find a
 /// place anywhere.
 void drawOver(const PanelContext& context, const std::optional<PivotArrow>& arrow) {
     std::vector<Rect> taken;
@@ -121,7 +121,7 @@ void drawOver(const PanelContext& context, const std::optional<PivotArrow>& arro
     note(drawShownState(context));
     note(drawAxes(context, taken));
     note(drawColorBar(context, taken));
-    // Where two runs are compared the column beside them says what the colors mean.
+    // In Compare the column beside the views explains the colors.
     const bool compared = context.layout.arrangement == Arrangement::Compare;
     if (context.ui().settings.legend && !compared) note(drawLegend(context, taken));
     drawLabels(context, taken);

@@ -1,4 +1,4 @@
-/// What lies over the picture of the scene. Each says where it is, so that the next keeps off it.
+/// Overlays of the scene. Each reports its rectangle, so that the next one avoids it.
 #pragma once
 
 #include <optional>
@@ -10,33 +10,33 @@
 
 namespace se::view {
 
-/// The way to the pivot, where it is outside of the view.
+/// The arrow to the pivot, if the pivot is outside of the view.
 struct PivotArrow {
     EdgeArrow arrow;
     Rect rect;  ///< In pixels of the window.
     bool hovered = false;
 };
 
-/// The scene with what lies over it, in a window of that name.
+/// The scene with its overlays, in a window of that name.
 void drawScene(const PanelContext& context, const char* window);
 
-/// Takes clicks: they frame the pivot. To be called before the scene takes those that are left.
+/// Takes clicks, which frame the pivot. To be called before the scene takes the remaining ones.
 std::optional<PivotArrow> offerPivotArrow(const PanelContext& context);
 void drawPivotArrow(const PanelContext& context, const PivotArrow& arrow);
 
-/// What the marks mean, in a corner where it covers nothing of `taken` and leaves the pivot's
-/// surroundings in sight; nothing if there is none.
+/// Legend of the marks, in a corner where it covers nothing of `taken` and leaves the pivot's
+/// surroundings visible; nothing if there is none.
 std::optional<Rect> drawLegend(const PanelContext& context, std::span<const Rect> taken);
 
-/// What the colors of the mesh mean, if they mean something.
+/// Legend of the mesh colors, if they have a meaning.
 std::optional<Rect> drawColorBar(const PanelContext& context, std::span<const Rect> taken);
 
-/// Ctrl with a left drag draws a line around points; true while it does, and as it ends. To be
+/// Ctrl with a left drag draws a lasso around points; true while it does, and as it ends. To be
 /// called right after the scene's own item.
 bool handleLasso(const PanelContext& context);
 void drawLasso(const PanelContext& context);
 
-/// Where there is room for them beside `taken`.
+/// Labels, where there is room for them beside `taken`.
 void drawLabels(const PanelContext& context, std::span<const Rect> taken);
 
 }  // namespace se::view

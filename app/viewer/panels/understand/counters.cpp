@@ -19,7 +19,7 @@ void warn(const PanelContext& context, const char* name, std::size_t value) {
              value == 0 ? context.palette.textDim : context.palette.rejected);
 }
 
-/// What was derived stands out from what the input brought.
+/// Derived values are highlighted among those of the input.
 void origin(const PanelContext& context, const char* name, bool derived, const std::string& note) {
     valueRow(context, name, derived ? "derived" + note : "from the input",
              derived ? context.palette.test : context.palette.text);
@@ -40,7 +40,7 @@ std::string neighborNote(const PanelContext& context) {
 }
 
 std::string normalNote(const DerivedPieces& derived) {
-    return derived.normals ? std::string{} : ": " + grouped(derived.turnedNormals) + " turned";
+    return derived.normals ? std::string{} : ": " + grouped(derived.turnedNormals) + " flipped";
 }
 
 void drawInput(const PanelContext& context) {

@@ -10,13 +10,13 @@ namespace se::view {
 
 namespace {
 
-/// What the second disc has of the room, in em.
+/// Size of the second disc, in em.
 constexpr float kSecondWide = 6.6F;
 constexpr float kSecondHigh = 6.2F;
 constexpr float kBetween = 0.5F;
-/// What the first keeps at least: with less beside it, the second stands below.
+/// Minimum size of the first disc: with less beside it, the second one is below.
 constexpr float kFirstWide = 10.5F;
-/// In a low panel one scrolls.
+/// Minimum height in a low panel, which scrolls.
 constexpr float kLeastHigh = 9.0F;
 
 struct DialRooms {
@@ -33,8 +33,8 @@ bool hasSecondDisc(const PanelContext& context) {
     });
 }
 
-/// A pivot that has a second disc at one of its decisions keeps room for it at all of them: the
-/// first one stays where it is.
+/// A pivot with a second disc at one of its decisions reserves room for it at all of them, so that
+/// the first one does not move.
 DialRooms roomsIn(const Rect& room, const PanelContext& context) {
     const float em = context.em;
     const float least = std::min(kLeastHigh * em, room.size.x);
@@ -55,8 +55,8 @@ DialRooms roomsIn(const Rect& room, const PanelContext& context) {
     return rooms;
 }
 
-/// Room is left for the names of all points that matter, tested or not: the disc stays where it is
-/// while the decisions of a pivot go by.
+/// Room is reserved for the names of all important points, tested or not, so that the disc does not
+/// move during the decisions of a pivot.
 DialDisc discIn(const Rect& room, const PanelContext& context, const Dial& dial) {
     std::vector<RimText> texts;
     for (const DialTick& tick : dial.ticks) {
@@ -93,7 +93,7 @@ void drawDial(const PanelContext& context) {
             dial.empty() ? "" : "tangent plane at p " + std::to_string(dial.pivot));
     if (dial.empty()) {
         dimText(session.atEnd() ? "No pivot here: the run is finished."
-                                : "No pivot here. Step on: F11 or \xE2\x86\x92.");
+                                : "No pivot here. Step forward: F11 or \xE2\x86\x92.");
         return;
     }
     const ImVec2 corner = ImGui::GetCursorScreenPos();

@@ -101,7 +101,7 @@ void DialDrawer::drawArc(const DialArc& arc) {
     }
 }
 
-/// The plane of §6.2 seen from above: what lies beyond the chord is hatched.
+/// The plane of §6.2 seen from above: the far side of the chord is hatched.
 void DialDrawer::drawChord(const DialChord& chord) {
     const ImU32 color = toU32(c_.palette.rejected.withAlpha(0.6F));
     constexpr int kLines = 12;
@@ -122,7 +122,7 @@ void DialDrawer::drawMark(const DialMark& mark) {
                    toU32(c_.palette.textDim), px(0.14F));
 }
 
-/// A place on the ring beside the pivot, filled if the third point went there.
+/// A neighbor on the ring beside the pivot, filled if the third point is there.
 void DialDrawer::drawSlot(const DialSlot& slot) {
     const ImU32 color = toU32(c_.palette.test);
     const float half = 0.45F * c_.em;
@@ -133,7 +133,7 @@ void DialDrawer::drawSlot(const DialSlot& slot) {
                 : list_->AddRect(low, high, color, 0.0F, 0, px(0.1F));
 }
 
-/// What was refused is hatched at the rim: the reason is in the tooltip and the caption.
+/// Refused points are hatched at the rim: the reason is in the tooltip and the caption.
 void DialDrawer::drawRefusal(const DialTick& tick, ImU32 color) {
     for (int i = -2; i <= 2; ++i) {
         const double degrees = tick.degrees + 2.2 * i;
@@ -163,7 +163,7 @@ Color DialDrawer::colorOf(const DialTick& tick) const {
     return colors.text;
 }
 
-/// The height above the plane: up is the outer side. One that has no room in the panel ends in an
+/// The height above the plane: up is the outer side. A height that exceeds the panel ends in an
 /// arrow head instead of a bar.
 void DialDrawer::drawStem(const DialTick& tick, const Color& color) {
     const float stem = tick.height * disc_.radius;
@@ -183,7 +183,7 @@ void DialDrawer::drawStem(const DialTick& tick, const Color& color) {
     list_->AddTriangleFilled({at.x, top}, {at.x - wing, back}, {at.x + wing, back}, ink);
 }
 
-/// About what is under test, and what is pointed at or selected.
+/// Names of the points under test, under the pointer and selected.
 void DialDrawer::drawRings(const DialTick& tick) {
     const ImVec2 at = tip(tick);
     const bool lit = tick.point == c_.session().hovered();
@@ -218,7 +218,7 @@ void DialDrawer::drawTick(const DialTick& tick) {
     drawRings(tick);
 }
 
-/// What matters most comes first: it stands nearest to its place.
+/// The most important come first: they are closest to their points.
 std::vector<RimText> DialDrawer::texts() const {
     std::vector<RimText> first;
     std::vector<RimText> ends;
@@ -243,8 +243,8 @@ std::vector<RimText> DialDrawer::texts() const {
     return first;
 }
 
-/// Along the spoke, where it is clear of the marks of other points and of their ranks; nowhere if
-/// there is no such place.
+/// Along the spoke, clear of the marks and ranks of other points; omitted if there is
+/// no such position.
 void DialDrawer::drawRank(const DialTick& tick) {
     const float em = c_.em;
     const auto isNear = [em](ImVec2 at, ImVec2 other, float reach) {

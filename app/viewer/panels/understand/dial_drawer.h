@@ -32,8 +32,8 @@ struct RimText {
     std::string text;
     Color color;
 };
-/// Writes them around the rim, none over another; the first in the list stand nearest to their
-/// places. `taken`: where none may stand.
+/// Draws texts around the rim, none over another; the first in the list are closest to their
+/// points. `taken`: areas without texts.
 void drawRimTexts(const PanelContext& context, const DialDisc& disc, const Rect& room,
                   std::span<const Rect> taken, std::span<const RimText> texts);
 /// Size of such a text.
@@ -50,7 +50,7 @@ class DialDrawer {
   public:
     DialDrawer(const PanelContext& context, const Dial& dial, const DialDisc& disc);
 
-    /// Nothing leaves `room`. `taken`: the part of it that is another's.
+    /// Draws nothing outside of `room`. `taken`: the part of it that is used already.
     void draw(const Rect& room, std::span<const Rect> taken);
     /// The tick nearest to the pointer, null if none is near.
     const DialTick* underPointer() const;
@@ -79,10 +79,11 @@ class DialDrawer {
     DialDisc disc_;
     ImDrawList* list_;
     Rect room_;
-    std::vector<ImVec2> ranks_;  ///< Where they stand so far.
+    std::vector<ImVec2> ranks_;  ///< Names so far.
 };
 
-/// The second disc (Fig. 6): the pivot as e sees it, with the names of what bounds the sector of e.
+/// The second disc (Fig. 6): the pivot as seen from e, with the names of the ends of the sector of
+/// e.
 void drawReciprocalDial(const PanelContext& context, const DialReciprocal& reciprocal,
                         const Rect& room);
 

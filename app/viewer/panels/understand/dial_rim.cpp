@@ -7,7 +7,7 @@ namespace se::view {
 
 namespace {
 
-/// Between the rim and a name, in em, and the size of a name.
+/// Distance between the rim and a name, in em, and the size of a name.
 constexpr float kNameGap = 0.45F;
 constexpr float kNameSize = 0.8F;
 
@@ -76,7 +76,7 @@ void drawReciprocalDial(const PanelContext& context, const DialReciprocal& r, co
     const std::vector<RimText> texts = {{0.0, "efirst", colors.first},
                                         {r.limitDegrees, "elast", colors.last},
                                         {r.pivotDegrees, "p", verdict}};
-    // Room is left for one that moves along the rim.
+    // Room is reserved for a name that moves along the rim.
     const glm::vec2 spare(0.0F, 0.8F * extent.y);
     const DialDisc disc =
         discWithTexts(context, {below.min + spare, below.size - 2.0F * spare}, texts);

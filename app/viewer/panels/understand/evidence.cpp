@@ -28,7 +28,7 @@ void drawEvidence(const PanelContext& context, const Event& event) {
     const std::optional<Color> outcome = outcomeColor(context.palette, event);
     if (const std::string ending(endingText(event)); !ending.empty())
         valueRow(context, "verdict", ending, outcome.value_or(context.palette.text));
-    // While the state before is shown, the values stay those of the decision.
+    // While the previous state is shown, the values stay those of the decision.
     std::optional<Picture> after;
     if (session.showsBefore()) after = makePicture(session.record(), session.cursor());
     const EvidenceInput input{session.shown(), after ? *after : session.picture(), event,

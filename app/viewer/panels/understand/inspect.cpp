@@ -19,7 +19,7 @@ std::string statusText(PointStatus status) {
     return "USED, " + std::to_string(status) + (status == 1 ? " ring entry" : " ring entries");
 }
 
-/// With a star at what was derived.
+/// With a star at derived values.
 std::string marked(const char* name, bool derived) {
     return derived ? std::string(name) + " *" : std::string(name);
 }
@@ -55,7 +55,7 @@ void drawPoint(const PanelContext& context, const char* title, Index point) {
     ImGui::PopID();
 }
 
-/// Leads to the pivot that made the thing, or says that nobody knows of it yet.
+/// Link to the pivot that made the thing, or a note that it is not known yet.
 void drawBirth(const PanelContext& context, const SelectionFacts& facts, const char* thing) {
     const Session& session = context.session();
     const auto pivot = facts.number ? pivotOfTriangle(session.overview(), *facts.number)
@@ -70,7 +70,7 @@ void drawBirth(const PanelContext& context, const SelectionFacts& facts, const c
     if (!pivot) return;
     const std::string birth = toString(*birthOfTriangle(session.overview(), *facts.number));
     if (ImGui::Button(("Go to " + birth + ", which made it").c_str())) context.run("step.birth");
-    tooltip("Goes to the decision that made it; Alt+Left comes back");
+    tooltip("Go to the decision that made it; Alt+Left returns");
 }
 
 void drawEdge(const PanelContext& context, const SelectionFacts& facts) {
@@ -100,7 +100,7 @@ void drawTriangle(const PanelContext& context, const SelectionFacts& facts) {
             points += (i == 0 ? "" : ", ") + std::to_string(corners[i]);
             angles += (i == 0 ? "" : ", ") + degreesText(facts.degrees[i]);
         }
-        valueRow(context, "number", facts.number ? std::to_string(*facts.number) : "mended");
+        valueRow(context, "number", facts.number ? std::to_string(*facts.number) : "repaired");
         valueRow(context, "corners", points);
         valueRow(context, "angles", angles);
         valueRow(context, "area", numberText(facts.area));
@@ -138,7 +138,7 @@ void drawStep(const PanelContext& context, const Event& event) {
     ImGui::PushFont(context.fonts.mono);
     ImGui::TextDisabled("%s", toString(event.address).c_str());
     ImGui::PopFont();
-    if (section.empty()) dimText("A rule of ours: docs/robust.md");
+    if (section.empty()) dimText("Not in the paper: docs/robust.md");
     ImGui::Spacing();
     drawEvidence(context, event);
 }
@@ -155,7 +155,7 @@ void drawInspect(const PanelContext& context) {
         dimText(session.model().watch.empty() ? "All points are UNUSED. No triangle has been made."
                                               : session.model().watch);
     }
-    // What somebody picked is what that person wants to read.
+    // A selection is shown first.
     const bool picked = session.selection().kind != SelectionKind::None;
     if (picked) drawSelection(context);
     if (session.picture().pivot != kNone) drawPoint(context, "Pivot", session.picture().pivot);

@@ -7,7 +7,7 @@ namespace se::view {
 
 namespace {
 
-/// A pin: upright and filled where it holds, a ring where the stage decides.
+/// A pin: upright and filled if the layer is pinned, a ring if the stage decides.
 void drawPin(const PanelContext& context, ImVec2 center, LayerMode mode) {
     const float em = context.em;
     ImDrawList* list = ImGui::GetWindowDrawList();
@@ -27,14 +27,14 @@ const char* pinText(LayerMode mode) {
         case LayerMode::Automatic:
             return "Automatic: the stage decides.\nClick to pin it as it is now.";
         case LayerMode::PinnedOn:
-            return "Pinned: shown in every stage.\nClick to take the pin out.";
+            return "Pinned: shown in every stage.\nClick to unpin.";
         case LayerMode::PinnedOff:
-            return "Pinned: hidden in every stage.\nClick to take the pin out.";
+            return "Pinned: hidden in every stage.\nClick to unpin.";
     }
     return "";
 }
 
-/// What the layer shows does not come from the input.
+/// The content of the layer is not from the input.
 bool isDerived(const Session& session, LayerId layer) {
     if (!session.ready()) return false;
     const PrepareReport& report = session.model().report;
@@ -90,7 +90,7 @@ void drawLayerSwitches(const PanelContext& context) {
     }
     ImGui::Spacing();
     ImGui::BeginDisabled(modes == LayerModes{});
-    if (ImGui::Button("Take all pins out")) modes = {};
+    if (ImGui::Button("Unpin all")) modes = {};
     ImGui::EndDisabled();
     ImGui::Checkbox("Legend", &context.ui().settings.legend);
     bool light = context.ui().settings.theme == Theme::Light;

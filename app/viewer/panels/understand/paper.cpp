@@ -11,7 +11,7 @@ namespace se::view {
 
 namespace {
 
-/// A line of pseudo-code; the present one lit, with its numbers below.
+/// A line of pseudo-code; the current one highlighted, with its numbers below.
 void drawLine(const PanelContext& context, const std::string& line, bool present,
               const std::string& numbers, const Color& color) {
     const std::size_t level = line.find_first_not_of(' ');
@@ -19,7 +19,7 @@ void drawLine(const PanelContext& context, const std::string& line, bool present
     const float left = ImGui::GetCursorPosX();
     const float width = ImGui::GetContentRegionAvail().x - indent;
     const std::vector<std::string> lines = wrapped(line.substr(level), width);
-    const float more = 0.5F * context.em;  // Numbers stand in from the line that they belong to.
+    const float more = 0.5F * context.em;  // Numbers are indented from their line.
     const std::vector<std::string> values =
         numbers.empty() ? std::vector<std::string>{} : wrapped(numbers, width - more);
     const float height = ImGui::GetTextLineHeightWithSpacing();
@@ -44,7 +44,7 @@ void drawLine(const PanelContext& context, const std::string& line, bool present
     ImGui::PopStyleColor();
 }
 
-/// Of a scene that fails: what, where, what the paper says of it, and what helps.
+/// For a scene that fails: class, decision, the paper's sentence, and the remedy.
 void drawGallery(const PanelContext& context) {
     Session& session = context.session();
     const FailureScene* each = galleryScene(session.spec().source);
@@ -79,7 +79,7 @@ void drawPaper(const PanelContext& context) {
     const Event* event = session.event();
     if (event == nullptr) {
         heading(context, "Paper");
-        dimText("Step on (F11 or \xE2\x86\x92): the rule at work is explained here.");
+        dimText("Step forward (F11 or \xE2\x86\x92): the active rule is explained here.");
         return;
     }
     const PaperRule& rule = paperRule(event->address.stage);
@@ -94,7 +94,7 @@ void drawPaper(const PanelContext& context) {
     for (std::size_t i = 0; i < rule.code.size(); ++i) {
         const bool isPresent = i == present;
         drawLine(context, rule.code[i], isPresent, isPresent ? liveNumbers(*event) : "", color);
-        // The numbers below the line are what one looks for.
+        // The numbers below the line are the most important part.
         if (isPresent && moved && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(1.0F);
     }
 }

@@ -10,16 +10,16 @@ namespace se::view {
 
 namespace {
 
-/// Of the strip under the list, in em.
+/// Height of the strip under the list, in em.
 constexpr float kStripHeight = 4.4F;
-/// From one point of the strip to the next, beyond the width of a number.
+/// Distance between points of the strip, beyond the width of a number.
 constexpr float kPointGap = 0.9F;
 
 std::string ringName(const RingPath& ring) {
     return ring.active ? "active" : "#" + std::to_string(ring.depth + 1);
 }
 
-/// Puts a ring into the middle of the view; the direction stays.
+/// Centers a ring in the view; the direction stays.
 void frameRing(const PanelContext& context, const RingPath& ring) {
     const Model& model = context.session().model();
     if (ring.points.empty()) return;
@@ -67,7 +67,7 @@ void drawRow(const PanelContext& context, const RingPath& ring) {
     }
     if (ImGui::IsItemHovered()) {
         context.ui().navigation.pointedRing = ring.id;
-        tooltip("Click: keep it lit. Double click: show all of it. Right click: why is it there?");
+        tooltip("Click: highlight it. Double click: show all of it. Right click: why is it there?");
         if (ImGui::IsMouseReleased(ImGuiMouseButton_Right) && session.event() != nullptr) {
             context.ui().subjectMenu.open(
                 RingPlace{session.address(), ring.active ? 0 : ring.depth + 1});
@@ -140,7 +140,7 @@ PointLook lookOf(const PanelContext& context, Index point) {
     return {Shape::Disc, 0.45F, palette.used};
 }
 
-/// What a point is to the pivot, for the line above the strip.
+/// Role of a point for the pivot, for the line above the strip.
 std::string roleOf(const Picture& picture, Index point) {
     std::string text;
     const auto add = [&](Index which, const char* name) {
@@ -192,7 +192,7 @@ void drawPoint(const RingStrip& strip, std::size_t i) {
     ImGui::PopID();
 }
 
-/// The whole ring as a thin bar: what the strip shows, and where it is worked on.
+/// The whole ring as a thin bar: the part in the strip, and the position of current work.
 void drawWhole(const RingStrip& strip, float width, std::optional<std::size_t> work) {
     const float em = strip.context.em;
     const Palette& palette = strip.context.palette;
@@ -247,7 +247,7 @@ void drawStrip(const PanelContext& context, const RingPath& ring) {
     context.ui().where["strip ring"] = {{at.x, at.y}, {width, kStripHeight * em}};
 }
 
-/// Rows stand whole at the upper end of the list, however it is scrolled.
+/// Rows are whole at the upper end of the list at any scroll position.
 void snapToRows(float row) {
     const float at = ImGui::GetScrollY();
     const float whole = std::round(at / row) * row;
@@ -290,7 +290,7 @@ void drawRings(const PanelContext& context) {
     const float em = context.em;
     const float row = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
     const float room = ImGui::GetContentRegionAvail().y;
-    // Whole rows: half a row looks as if it were all.
+    // Whole rows: half a row would look like the end of the list.
     const float rows = std::floor((room - kStripHeight * em - 0.4F * em) / row);
     drawList(context, std::clamp(rows, 1.0F, static_cast<float>(count)) * row, row);
     const RingPath* shown = ringToShow(session.picture(), session.highlightedRing());

@@ -13,9 +13,9 @@ namespace {
 /// In em: one level of the tree, and its arrow.
 constexpr float kIndent = 0.75F;
 constexpr float kArrow = 1.0F;
-/// In em: from the cross to the number of what was refused.
+/// In em: from the cross to the number of refused tests.
 constexpr float kCross = 0.75F;
-/// What lies ahead of the cursor.
+/// Rows after the cursor.
 constexpr float kAhead = 0.55F;
 
 std::string trianglesText(std::size_t number) { return "+" + grouped(number); }
@@ -52,7 +52,7 @@ class RowPen {
     }
     /// In a row with counts at its end.
     void label(const std::string& words, const Color& color) { text(words, color, labelEnd_); }
-    /// Whole or not at all.
+    /// Drawn whole or not at all.
     void labelIfItFits(const std::string& words, const Color& color) {
         if (x_ + ImGui::CalcTextSize(words.c_str()).x <= labelEnd_) label(words, color);
     }
@@ -120,7 +120,7 @@ Shape markOf(const Event& event) {
     return verdictOf(event) ? Shape::Disc : Shape::Dot;
 }
 
-/// Made by the pivots first to last, as far as the run was gone through.
+/// Number made by the pivots first to last, as far as the run is known.
 std::size_t trianglesBetween(const RunOverview& run, std::uint32_t first, std::size_t last) {
     last = std::min(last, run.triangles.size());
     if (first == 0 || first > last) return 0;
@@ -138,7 +138,7 @@ std::size_t trianglesOfComponent(const RunOverview& run, std::size_t component) 
         isLast ? run.triangles.size() : run.components[component + 1].firstPivot - 1);
 }
 
-/// What a pivot did to the rings, in one word.
+/// Effect of a pivot on the rings, in one word.
 std::string pivotNote(const PivotSummary& summary) {
     const auto found = [&](Stage stage) { return (summary.found & findingOf(stage)) != 0; };
     for (const Stage stage : {Stage::Split, Stage::Join, Stage::Done, Stage::Seed, Stage::Skip,
@@ -189,7 +189,7 @@ void drawStage(const PanelContext& context, RowPen& pen, const StepRow& row) {
         if (rejects(event)) pen.shape(Shape::Cross, 0.52F * context.em, context.palette.rejected);
         const Index subject = subjectOf(event);
         std::string note = subject == kNone ? std::string{} : std::to_string(subject) + " ";
-        // A single decision has no counts: the width is its own.
+        // A single decision has no counts: the whole width is free.
         pen.text(note + outcomeText(event), context.palette.textDim, pen.end());
         return;
     } else if (run.tests == 0) {

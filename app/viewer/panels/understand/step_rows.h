@@ -1,4 +1,4 @@
-/// How a row of the panel Steps looks.
+/// Drawing of a row in the panel Steps.
 #pragma once
 
 #include <imgui.h>
@@ -18,7 +18,7 @@ StepColumns stepColumns(const PanelContext& context, float left, float room);
 void drawStepRow(const PanelContext& context, const StepRow& row, ImVec2 at,
                  const StepColumns& columns);
 std::string stepRowTooltip(const PanelContext& context, const StepRow& row);
-/// How far a click opens or folds the row, from its left.
+/// Width from the left in which a click opens or folds the row.
 float stepArrowEnd(const PanelContext& context, const StepRow& row);
 /// "1 pivot", "12 pivots".
 std::string withS(std::size_t number, const char* word);

@@ -28,7 +28,7 @@ void goTo(const PanelContext& context, const StepRow& row) {
     }
 }
 
-/// Opens or folds; another pivot can only be opened by going there.
+/// Opens or folds a row; another pivot can only be opened by a move there.
 void toggle(const PanelContext& context, const StepRow& row) {
     StepTree& tree = context.ui().navigation.steps;
     if (row.kind == StepRowKind::Pivot && row.pivot != context.session().record().pivot) {
@@ -39,10 +39,10 @@ void toggle(const PanelContext& context, const StepRow& row) {
     }
 }
 
-/// What a person does with a row.
+/// The user's action on a row.
 enum class RowAction : std::uint8_t { None, Go, Toggle };
 
-/// A click, or Enter, Left and Right for those who walk by keyboard.
+/// A click, or Enter, Left and Right for keyboard navigation.
 RowAction actionOn(const PanelContext& context, const StepRow& row, bool pressed, float left) {
     const StepTree& tree = context.ui().navigation.steps;
     const bool byMouse = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
@@ -94,7 +94,7 @@ void drawStepFilter(const PanelContext& context) {
         tooltip(
             "Shows only pivots and tests with all of these words: the beginning of a stage "
             "(sphere), a word of a verdict (removed), the number of a point or pivot, or x for "
-            "what was refused.");
+            "refused tests.");
     }
     nav.steps.setFilter(nav.stepFilter.data());
 }
@@ -116,14 +116,14 @@ void drawColumnTitles(const PanelContext& context, const StepColumns& columns) {
     ImGui::Dummy({0.0F, 0.75F * em});
 }
 
-/// Brings the cursor's row into view if the cursor has moved away from it.
+/// Scrolls to the cursor's row if the cursor has moved away from it.
 void followCursor(const PanelContext& context, float pitch) {
     const Session& session = context.session();
     Navigation& nav = context.ui().navigation;
     if (!nav.stepsWatch.moved(session.generation(), session.record().pivot, session.cursor())) {
         return;
     }
-    // The start has no row: it lies above the first.
+    // The start has no row: it is above the first.
     if (session.event() == nullptr) return ImGui::SetScrollY(0.0F);
     const auto row = nav.steps.rowOfCursor();
     if (!row) return;
@@ -160,7 +160,7 @@ void drawStepRows(const PanelContext& context, const StepColumns& columns) {
             chosen = tree.row(row);
         }
     }
-    // After all rows: there may be others now.
+    // After all rows: they may change here.
     if (action == RowAction::Go) goTo(context, *chosen);
     if (action == RowAction::Toggle) toggle(context, *chosen);
 }
@@ -183,11 +183,10 @@ void drawSteps(const PanelContext& context) {
                     ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize);
     drawColumnTitles(context, columns);
     if (tree.rowCount() == 0) {
-        return dimText(tree.filtered()
-                           ? "No pivot has all of these words. Esc in the line above "
-                             "undoes what was typed."
-                           : "Nothing has been done yet. F10 goes on by a pivot, F11 by "
-                             "a single decision.");
+        return dimText(tree.filtered() ? "No pivot has all of these words. Esc in the line above "
+                                         "reverts the text."
+                                       : "Nothing has happened yet. F10 steps by a pivot, F11 by "
+                                         "a single decision.");
     }
     if (ImGui::BeginChild("##rows", {0, 0}, false, ImGuiWindowFlags_AlwaysVerticalScrollbar)) {
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.2F * context.em});

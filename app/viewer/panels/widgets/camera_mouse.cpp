@@ -11,7 +11,7 @@ namespace se::view {
 
 namespace {
 
-/// A press that moves by this share of the window's height or more is a drag.
+/// A press that moves by this share of the window's height is a drag.
 constexpr float kDragShare = 0.01F;
 
 }  // namespace

@@ -1,4 +1,4 @@
-/// Turning, panning and zooming with the mouse, wherever there is a view.
+/// Orbit, pan and zoom with the mouse, in any view.
 #pragma once
 
 #include <imgui.h>
@@ -10,13 +10,13 @@
 
 namespace se::view {
 
-/// By what the mouse does on the item drawn last, which must fill the view.
+/// Moves the camera by the mouse on the item drawn last, which must fill the view.
 void moveCameraByMouse(const PanelContext& context);
-/// A press of the button on the item drawn last that was no drag, when it ends. Goes after
+/// A press of the button on the item drawn last that was no drag, when it ends. To be called after
 /// moveCameraByMouse().
 bool isClick(const PanelContext& context, ImGuiMouseButton button);
-/// The three axes, in the lower left corner of the view, or where else there is room beside
-/// `taken`: there, if anywhere.
+/// The three axes, in the lower left corner of the view, or in another place with room beside
+/// `taken`; omitted if there is none.
 std::optional<Rect> drawAxes(const PanelContext& context, std::span<const Rect> taken);
 
 }  // namespace se::view

@@ -12,10 +12,10 @@ namespace se::view {
 namespace {
 
 constexpr float kChoice = 11.0F;  ///< Width of a choice before its field, in em.
-constexpr float kField = 4.5F;    ///< What a field has at least.
-constexpr float kTwo = 22.0F;     ///< From this width on two switches stand side by side.
+constexpr float kField = 4.5F;    ///< Minimum width of a field.
+constexpr float kTwo = 22.0F;     ///< Width from which two switches are side by side.
 
-/// Where a field stands behind its choice.
+/// Position of a field after its choice.
 float fieldPlace(const PanelContext& context) {
     const float room = ImGui::GetContentRegionMax().x - kField * context.em;
     return std::min(kChoice * context.em, room);
@@ -25,19 +25,19 @@ void besideIfRoom(const PanelContext& context) {
     if (ImGui::GetContentRegionMax().x >= kTwo * context.em) ImGui::SameLine(kChoice * context.em);
 }
 
-/// The form, where it is drawn.
+/// The form and the context of its drawing.
 struct Fields {
     const PanelContext& context;
     PrepareForm& form;
     const std::string& prefix;
 
-    /// Scripts find the item drawn last by this name.
+    /// Records the rectangle of the last item under this name, for test scripts.
     void name(const char* item) const {
         if (ImGui::IsItemVisible()) context.ui().where[prefix + item] = lastItem();
     }
 };
 
-/// One of several; what follows stands beside it.
+/// A choice; the next item is beside it.
 template <typename T>
 void choice(const Fields& fields, const char* label, T& value, T mine, const char* help) {
     if (ImGui::RadioButton(label, value == mine)) value = mine;
@@ -51,13 +51,13 @@ void toggle(const Fields& fields, const char* label, bool& value, const char* he
     tooltip(help);
 }
 
-/// A title, and whether what is there now was derived.
+/// A title, and whether the current data was derived.
 void part(const PanelContext& context, const char* title, bool derived) {
     ImGui::Spacing();
     heading(context, title, derived ? "derived now" : "from the input now");
 }
 
-/// A field that chooses what it belongs to.
+/// A field; typing in it makes its choice.
 template <typename T>
 bool valueField(const Fields& fields, const char* id, std::string& text, T& value, T mine) {
     ImGui::SameLine(fieldPlace(fields.context));
@@ -79,20 +79,18 @@ bool drawNeighbors(const Fields& fields) {
     const bool none = computed && !session.spec().neighbors.recompute;
     choice(fields, none ? "The 12 nearest, as the input has no lists" : "From the input##n",
            form.reach, Reach::File, "Its lists; if it has none, the 12 nearest");
-    choice(fields, "Nearest, so many", form.reach, Reach::Nearest,
-           "The k nearest points (--neighbors)");
+    choice(fields, "K nearest", form.reach, Reach::Nearest, "The k nearest points (--neighbors)");
     bool entered = valueField(fields, "##count", form.count, form.reach, Reach::Nearest);
     choice(fields, "Within a radius", form.reach, Reach::Radius, "In scene units (--radius)");
     entered = valueField(fields, "##radius", form.radius, form.reach, Reach::Radius) || entered;
     choice(fields, "Within spacings", form.reach, Reach::Spacings,
-           "So many times the mean distance to the nearest point (--reach)");
+           "A multiple of the mean distance to the nearest point (--reach)");
     entered =
         valueField(fields, "##spacings", form.spacings, form.reach, Reach::Spacings) || entered;
-    toggle(fields, "Symmetric", form.symmetric,
-           "Whoever lists a point is listed by it as well (--symmetric)");
+    toggle(fields, "Symmetric", form.symmetric, "Make neighbor lists symmetric (--symmetric)");
     besideIfRoom(context);
     toggle(fields, "Keep opposing normals", form.keepOpposing,
-           "Also neighbors whose normal opposes that of the point (--keep-opposing)");
+           "Keep neighbors whose normal opposes that of the point (--keep-opposing)");
     return entered;
 }
 
@@ -103,10 +101,10 @@ void drawNormals(const Fields& fields) {
     const bool none = derived.normals && context.session().spec().normals != NormalSource::Derived;
     choice(fields, none ? "Derived, as the input has none" : "From the input##m", form.normals,
            NormalSource::AsGiven, "Derived from the positions if it has none");
-    choice(fields, "Turned to agree with each other", form.normals, NormalSource::Oriented,
+    choice(fields, "Flipped to agree with each other", form.normals, NormalSource::Oriented,
            "Those of the input, outward for closed parts (--orient)");
     choice(fields, "Derived from the positions", form.normals, NormalSource::Derived,
-           "Planes through the nearest points, turned to agree (--derive-normals)");
+           "Planes through the nearest points, flipped to agree (--derive-normals)");
 }
 
 bool drawWalls(const Fields& fields) {
@@ -116,7 +114,7 @@ bool drawWalls(const Fields& fields) {
          context.session().model().report.derived.types ||
              context.session().model().report.derived.rim);
     choice(fields, "From the input##w", form.walls, From::File,
-           "The types of its points, if it has some");
+           "The types of its points, if it has any");
     choice(fields, "The box around all points", form.walls, From::Around,
            "Points on its faces are boundary points (--box auto)");
     choice(fields, "This box", form.walls, From::Box,
@@ -139,7 +137,7 @@ bool drawPrepareFields(const PanelContext& context, PrepareForm& form, const std
     ImGui::Spacing();
     heading(context, "Noise");
     toggle(fields, "Keep all points of noisy input", form.keepNoise,
-           "Robust rules set points aside that lie over or under others (--keep-noise)");
+           "Robust rules set aside points that lie above or below others (--keep-noise)");
     return entered;
 }
 

@@ -1,4 +1,4 @@
-/// What can be derived from the points of an input, as fields: of File > Prepare, and of the other
+/// Fields for what is derived from the points of an input: in File > Prepare, and for the other
 /// run in the layout Compare.
 #pragma once
 
@@ -9,7 +9,8 @@
 
 namespace se::view {
 
-/// True if Enter was pressed in one of them. Scripts find the items as `prefix` and their names.
+/// True if Enter was pressed in one of them. Test scripts find the items as `prefix` and their
+/// names.
 bool drawPrepareFields(const PanelContext& context, PrepareForm& form, const std::string& prefix);
 
 }  // namespace se::view

@@ -1,3 +1,5 @@
+// Names of tabs are never cut. If all rows fit into a share of the column's height, all names are
+// shown; otherwise as many as fit into fewer rows, and the rest is listed behind a button.
 #include "tab_rows.h"
 
 #include <algorithm>
@@ -11,12 +13,12 @@ namespace se::view {
 namespace {
 
 constexpr int kMostRows = 4;
-/// Of the height of the column: what all names may take, and what some of them may where that is
-/// not enough.
+/// Limits as shares of the height of the column: for all names, and for some of them if all do not
+/// fit.
 constexpr float kMostOfHeight = 0.3F;
 constexpr float kShareOfSome = 0.2F;
 constexpr const char* kMorePopup = "##moreTabs";
-/// In em: beside a name, and from one tab to the next.
+/// In em: margin beside a name, and distance between tabs.
 constexpr float kPad = 0.36F;
 constexpr float kGap = 0.12F;
 
@@ -28,12 +30,12 @@ float tabRowHeight(const PanelContext& context) {
     return ImGui::GetTextLineHeight() + 0.5F * context.em;
 }
 
-/// Each column remembers its own: Learn's is another than that of Debug.
+/// Each column remembers its own tab: that of Learn differs from that of Debug.
 int& openTabOfColumn() { return *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("##openTab")); }
 
 int idOf(const SidePanel& panel) { return static_cast<int>(ImGui::GetID(panel.title)); }
 
-/// The tab that was asked for, else the one that is open, else the first.
+/// The requested tab, otherwise the open one, otherwise the first.
 const SidePanel* openTab(const PanelContext& context, ColumnTabs tabs) {
     std::string& wanted = context.ui().wantedTab;
     for (const SidePanel* panel : tabs) {
@@ -51,7 +53,7 @@ const SidePanel* openTab(const PanelContext& context, ColumnTabs tabs) {
 class RowFill {
   public:
     RowFill(const PanelContext& context, float room) : gap_(kGap * context.em), room_(room) {}
-    /// True if what is so wide stands in the row of the one before.
+    /// True if a name of this width is in the row of the previous one.
     bool add(float width) {
         const bool beside = x_ > 0.0F && x_ + width <= room_;
         if (!beside) {
@@ -70,7 +72,7 @@ class RowFill {
     int rows_ = 0;
 };
 
-/// The tabs of a column: those with a name in the rows, and those behind the button at their end.
+/// The tabs of a column: those with a name in the rows, and those in the list at their end.
 struct SortedTabs {
     std::vector<const SidePanel*> shown;
     std::vector<const SidePanel*> more;
@@ -94,7 +96,7 @@ SortedTabs sortedAt(ColumnTabs tabs, std::size_t count, const SidePanel& open) {
     return sorted;
 }
 
-/// All in the rows if there is room, else as many as there is room for: no name is ever cut.
+/// All in the rows if there is room, otherwise as many as fit: no name is ever cut.
 SortedTabs sorted(const PanelContext& context, ColumnTabs tabs, const SidePanel& open) {
     const float height = ImGui::GetContentRegionAvail().y;
     SortedTabs all = sortedAt(tabs, tabs.size(), open);
@@ -108,7 +110,7 @@ SortedTabs sorted(const PanelContext& context, ColumnTabs tabs, const SidePanel&
     return sortedAt(tabs, count, open);
 }
 
-/// A name; true if it was clicked. `lit`: it is that of the open tab.
+/// A name; true if it was clicked. `lit`: the name of the open tab.
 bool drawName(const PanelContext& context, const std::string& title, bool lit) {
     const Palette& palette = context.palette;
     ImGui::PushStyleColor(ImGuiCol_Button,
@@ -120,12 +122,12 @@ bool drawName(const PanelContext& context, const std::string& title, bool lit) {
     return clicked;
 }
 
-/// The names that have no room, in a list.
+/// The names that do not fit, in a list.
 void drawMore(const PanelContext& context, const std::vector<const SidePanel*>& more,
               const SidePanel*& chosen) {
     if (drawName(context, moreText(more.size()), false)) ImGui::OpenPopup(kMorePopup);
     context.ui().where["more tabs"] = lastItem();
-    tooltip("The panels that there is no room for here");
+    tooltip("Panels that do not fit here");
     ImGui::PushFont(context.fonts.text);
     if (ImGui::BeginPopup(kMorePopup)) {
         for (const SidePanel* panel : more) {

@@ -1,5 +1,5 @@
-/// Tabs in as many rows as their names need; where there is no room for that, the rest of them
-/// stands in a list behind a button at their end.
+/// Tabs in as many rows as their names need; if there is no room for that, the rest of them is
+/// in a list, opened by a button at their end.
 #pragma once
 
 #include <span>

@@ -9,7 +9,7 @@
 
 namespace se::view {
 
-/// A UTF-8 text less its last sign, however many bytes that has.
+/// A UTF-8 text without its last character, which may have several bytes.
 inline std::string withoutLastSign(std::string text) {
     const auto continues = [](char byte) {
         return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
@@ -19,7 +19,7 @@ inline std::string withoutLastSign(std::string text) {
     return text;
 }
 
-/// The longest beginning of a text that is at most `width` wide; at least one sign.
+/// The longest beginning of a text that is at most `width` wide; at least one character.
 template <typename Measure>
 std::string fittingBeginning(const std::string& text, float width, const Measure& measure) {
     std::string cut = text;
@@ -31,8 +31,8 @@ std::string fittingBeginning(const std::string& text, float width, const Measure
     return cut;
 }
 
-/// Lines of at most `width`, as `measure(const std::string&)` has it: broken at line ends and
-/// blanks, never inside of a number. Only a word wider than a whole line is cut, such as a path.
+/// Lines of at most `width`, as measured by `measure(const std::string&)`: broken at line ends and
+/// spaces, never inside of a number. Only a word wider than a whole line is cut, such as a path.
 /// At least one line.
 template <typename Measure>
 std::vector<std::string> linesAtBlanks(std::string_view text, float width, const Measure& measure) {

@@ -4,7 +4,7 @@ namespace se::view {
 
 namespace {
 
-/// Dear ImGui asks for room whenever the text grows.
+/// Dear ImGui calls back to resize the text whenever it grows.
 int grow(ImGuiInputTextCallbackData* data) {
     if (data->EventFlag != ImGuiInputTextFlags_CallbackResize) return 0;
     auto& text = *static_cast<std::string*>(data->UserData);

@@ -1,4 +1,4 @@
-/// Fields to type into that are as long as what is typed.
+/// Text fields without a limit of length.
 #pragma once
 
 #include <imgui.h>

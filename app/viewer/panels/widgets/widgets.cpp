@@ -84,7 +84,7 @@ void heading(const PanelContext& context, const char* title, const std::string& 
     if (!note.empty()) {
         const float width = ImGui::CalcTextSize(note.c_str()).x;
         const float left = ImGui::GetContentRegionMax().x - width;
-        // What does not fit beside the title goes below it.
+        // Text that does not fit beside the title goes below it.
         if (left >= titleEnd + context.em) ImGui::SameLine(left);
         ImGui::TextDisabled("%s", note.c_str());
     }
@@ -148,7 +148,7 @@ void dimText(const std::string& text, float width) {
 }
 
 void tooltip(const std::string& text) {
-    // Who walks by keyboard must see the next rows.
+    // Keyboard navigation must show the next rows.
     if (ImGui::GetCurrentContext()->NavDisableMouseHover) return;
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) showTooltip(text);
 }

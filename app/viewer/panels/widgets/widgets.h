@@ -1,4 +1,4 @@
-/// Small things that several panels draw.
+/// Small elements that several panels draw.
 #pragma once
 
 #include <imgui.h>
@@ -18,32 +18,32 @@ ImU32 toU32(const Color& color);
 inline ImVec4 toVec4(const Color& color) { return {color.r, color.g, color.b, color.a}; }
 inline ImVec2 toVec2(glm::vec2 v) { return {v.x, v.y}; }
 
-/// Where the item drawn last is.
+/// Rectangle of the item drawn last.
 inline Rect lastItem() {
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
     return {{low.x, low.y}, {high.x - low.x, high.y - low.y}};
 }
 
-/// Begins a window without frame that fills `rect`. Call ImGui::End() in any case.
+/// Begins a window without frame that fills `rect`. ImGui::End() must follow in any case.
 bool beginRegion(const char* name, const Rect& rect, int extraFlags = 0);
-/// A line with the title of a panel, and something dim at its right end.
+/// A line with the title of a panel, and a dim note at its right end.
 void heading(const PanelContext& context, const char* title, const std::string& note = {});
 /// A square button with a drawn icon. `large` ones are wider.
 bool iconButton(const char* id, Icon icon, const char* tooltip, bool enabled, bool active,
                 const PanelContext& context);
-/// Gives the keyboard to the item drawn last.
+/// Gives the keyboard focus to the item drawn last.
 void takeKeyboard();
-/// Gives it to the first item of the window that is being drawn; without one, arrows scroll it.
+/// Gives it to the first item of the current window; without one, arrows scroll the window.
 void takeKeyboardHere();
-/// A text in lines that are broken at blanks only, never inside of a number: `width` pixels wide,
+/// A text in lines that are broken at spaces only, never inside of a number: `width` pixels wide,
 /// or as wide as there is room (0). One item, so that a tooltip is that of all lines. All running
 /// text of panels goes through here, since Dear ImGui itself breaks lines after a decimal point.
 void wrappedText(const std::string& text, float width = 0.0F);
 void wrappedText(const std::string& text, const Color& color);
-/// A note in the color of what matters less.
+/// A note in the color of less important text.
 void dimText(const std::string& text, float width = 0.0F);
-/// If the item drawn last is pointed at.
+/// Tooltip of the item drawn last.
 void tooltip(const std::string& text);
 void showTooltip(const std::string& text);
 /// Draws the shape of a point, as the view does.
@@ -60,11 +60,11 @@ bool beginValues(const char* id, const PanelContext& context);
 void endValues();
 /// A text that is cut with dots if it does not fit `width`.
 std::string fitted(const std::string& text, float width);
-/// The same, cut between two words.
+/// A text cut between two words, with dots, if it does not fit `width`.
 std::string fittedWords(const std::string& text, float width);
-/// linesAtBlanks() in the present print.
+/// linesAtBlanks() in the current type.
 std::vector<std::string> wrapped(const std::string& text, float width);
-/// What became of the thing that an event is about, if it has no verdict: "in", "stranded", the
+/// Outcome of an event without a verdict: "in", "stranded", the
 /// kind of an alert. Empty if there is no such word.
 std::string_view wordOf(const Event& event);
 /// "137.sphere.3", or "start".
