@@ -7,7 +7,7 @@
 namespace se {
 namespace {
 
-/// Works on a copy of the file.
+/// Repairs a copy of the file.
 class Surgeon {
   public:
     explicit Surgeon(const PointFile& file) : file_(file), keep_(file.position.size(), true) {}
@@ -26,7 +26,7 @@ class Surgeon {
     }
 
   private:
-    /// `what` begins with a noun for one, `many` for several.
+    /// `what` is the text for one, `many` that for several.
     void note(std::string_view name, std::size_t count, const std::string& what,
               const std::string& many) {
         if (count == 0) return;
@@ -34,7 +34,7 @@ class Surgeon {
             {name, count, count == 1 ? "1 " + what : std::to_string(count) + " " + many});
     }
 
-    /// All of them zero tell nothing; without them they are derived.
+    /// Drops normals that are all zero, so that normals are derived.
     void dropEmptyNormals() {
         const std::size_t count = file_.normal.size();
         if (std::any_of(file_.normal.begin(), file_.normal.end(),

@@ -10,7 +10,7 @@
 namespace se {
 namespace {
 
-/// The best so far, as a heap whose top is the worst of them.
+/// The best calls so far, as a heap whose top is the worst of them.
 class Shortlist {
   public:
     Shortlist(const PointSet& points, const Params& params, std::size_t count)

@@ -136,7 +136,7 @@ void smallComponents(const InspectedMesh& mesh, Failures& failures) {
 
 namespace {
 
-/// Calls `see(p, isolated)` for the points in no triangle that have a place at all.
+/// Calls `see(p, isolated)` for the points in no triangle that have a finite position.
 template <typename See>
 void forEachUnused(const InspectedMesh& mesh, See&& see) {
     const auto finite = [&](std::size_t p) {

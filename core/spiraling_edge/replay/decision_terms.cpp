@@ -17,7 +17,7 @@ using Read = Result<Condition>;
 /// An empty condition: the word is of another form.
 Read otherForm() { return Condition(); }
 
-/// What follows `prefix`; empty if the word does not begin with it.
+/// The rest of the word after `prefix`; empty if the word does not begin with it.
 std::optional<std::string_view> behind(std::string_view word, std::string_view prefix) {
     if (!word.starts_with(prefix)) return {};
     return word.substr(prefix.size());
@@ -35,7 +35,7 @@ Error notA(std::string_view word, std::string_view what) {
     return Error{"\"" + std::string(word) + "\": expected " + std::string(what) + "."};
 }
 
-/// "inside sphere" as it stands in a line: inside-sphere.
+/// A text in the form of a query line: "inside-sphere" for "inside sphere".
 std::string hyphened(std::string_view text) {
     std::string word(text);
     std::replace(word.begin(), word.end(), ' ', '-');
@@ -167,7 +167,7 @@ Read readValue(std::string_view word) {
     return readCompared(word, "value", [](const Reading& r) { return r.value; });
 }
 
-/// One point behind `prefix`, and what must hold for it.
+/// One point after `prefix`, and the condition on it.
 Read readPointTerm(std::string_view word, std::string_view prefix,
                    bool (*holds)(const Decision&, Index)) {
     const auto text = behind(word, prefix);
@@ -177,7 +177,8 @@ Read readPointTerm(std::string_view word, std::string_view prefix,
     return Condition([p = *point, holds](const Decision& d) { return holds(d, p); });
 }
 
-/// The point had no entry on a ring before (§4): by a seed, as a third point of §7, or in a fan.
+/// True if the point gets its first entry on a ring (§4): by a seed, as a third point of §7, or in
+/// a fan.
 bool becomesUsed(const Decision& d, Index p) {
     if (const auto* seed = std::get_if<SeedEvidence>(&d.event.evidence))
         return p == kNone || seed->first == p || seed->second == p;
@@ -192,7 +193,7 @@ Read readUsed(std::string_view word) {
     return readPointTerm(word, "used=", becomesUsed);
 }
 
-/// Its last entry leaves the rings (§6.5, §7), or nothing can be begun with it (§4).
+/// True if its last entry leaves the rings (§6.5, §7), or it cannot begin a ring (§4).
 bool becomesDone(const Decision& d, Index p) {
     if (const auto* strand = std::get_if<StrandEvidence>(&d.event.evidence))
         return p == kNone || strand->point == p;
@@ -288,7 +289,7 @@ Read readLeastAngle(std::string_view word) {
     });
 }
 
-/// So that a slip of the finger does not fill the memory.
+/// Limit of a range, so that a typing error does not fill the memory.
 constexpr Index kMostInRange = 10'000'000;
 
 Read readAmong(std::string_view word) {

@@ -1,4 +1,5 @@
-/// Every decision as one plain sentence with its numbers.
+/// Every decision as one plain sentence with its numbers, for the event list, `why` and golden
+/// logs. One overload of sentence() per kind of evidence.
 #include <cstdio>
 
 #include "spiraling_edge/base/number_text.h"
@@ -8,7 +9,7 @@
 namespace se {
 namespace {
 
-/// Degrees with one digit, which hides rounding from one machine to the next.
+/// Degrees with one digit after the point, which hides rounding differences between machines.
 std::string deg(double value) {
     char buffer[32];
     std::snprintf(buffer, sizeof buffer, "%.1f", value == 0.0 ? 0.0 : value);
@@ -276,7 +277,7 @@ std::string fanText(const GuardEvidence& e, bool kept) {
            " is made, whatever the rules on fans say.";
 }
 
-/// What a person said counts, whatever the numbers say; empty if nobody did.
+/// The end of a sentence about a what-if that overrides the numbers; empty without one.
 template <typename Evidence>
 std::string whatIfText(const Evidence& e, const Event& event) {
     if constexpr (requires { e.verdict; }) {

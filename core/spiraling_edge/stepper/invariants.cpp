@@ -71,7 +71,7 @@ std::string checkRings(const State& s, const Params& params) {
     return {};
 }
 
-/// Invariant 8, unless a rule that it rests on is off.
+/// Invariant 8, unless a rule that it depends on is off.
 std::string checkAngles(const State& s, const Params& params) {
     if (params.paper.tie == TieRule::Both || !params.paper.maxAngle) return "";
     double before = s.pivot.startAngle.key;
