@@ -48,7 +48,7 @@ std::optional<Finding> findEntriesOutside(const Patient& patient) {
 std::optional<Finding> findRepeatedEntries(const Patient& patient) {
     EntryCount entries;
     std::vector<Index> lastList(patient.size(),
-                                kNone);  // the last list that each point was seen in
+                                kNone);  // per point: the last list that holds it
     forEachList(patient, [&](Index p, std::span<const Index> list) {
         std::size_t repeated = 0;
         lastList[p] = p;

@@ -31,14 +31,15 @@ std::vector<Trial> trialsFor(const Params& params) {
     return trials;
 }
 
-/// Of all classes; a lower bound where the search ended early.
+/// Failures of all classes; a lower bound where the search ended early.
 std::size_t countOf(const InspectedRun& run) {
     std::size_t all = 0;
     for (const ClassTotal& each : run.totals) all += each.total;
     return all;
 }
 
-/// A point in no triangle is the same trouble near the surface and far from it.
+/// True if the classes mean the same failure: points in no triangle near the surface and far from
+/// it do.
 bool sameTrouble(const FailureClass& a, const FailureClass& b) {
     const auto unused = [](const FailureClass& c) {
         return c.name == "unused_points" || c.name == "isolated_points";

@@ -13,7 +13,7 @@ namespace {
 
 std::string namedPoint(Index p) { return "Point " + std::to_string(p); }
 
-/// What can be told without a run.
+/// The checks that need no run.
 Status checkPlain(const PointSet& points, const WhatIf& what) {
     if (what.point >= points.size()) return Error{namedPoint(what.point) + " does not exist."};
     if (what.kind == WhatIfKind::Move) {
@@ -47,7 +47,7 @@ bool isAbout(const Event& event, const WhatIf& what) {
     return what.stage == Stage::TwoPoint || testedPoint(event) == what.point;
 }
 
-/// Keep and Drop: what the log of the pivot says of them.
+/// The checks of Keep and Drop against the log of the pivot.
 Status checkTest(const std::vector<Event>& events, const WhatIf& what) {
     std::optional<Verdict> verdict;
     bool stageSeen = false;
@@ -91,7 +91,7 @@ std::size_t repeatedEdges(const std::vector<Triangle>& triangles, std::size_t fr
     return count;
 }
 
-/// Runs to the pivots of what-ifs and looks at each with and without them.
+/// Runs to the pivots of what-ifs and compares each with and without them.
 class Check {
   public:
     Check(const PointSet& points, const Params& params)
@@ -149,7 +149,7 @@ class Check {
         return done;
     }
 
-    /// The invariant that the what-ifs of a pivot break, and that holds without them.
+    /// The invariant that is broken by the what-ifs of a pivot and holds without them.
     std::string brokenBy(const State& before, std::uint32_t pivot, const PointSet& points) const {
         const State& after = stepper_.state();
         const std::string broken = checkInvariants(after, points, params_);

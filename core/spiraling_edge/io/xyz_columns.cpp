@@ -13,7 +13,7 @@ namespace se::io {
 namespace {
 
 constexpr double kHighestColor = 255.0;
-/// Normals written with two decimals are off by less.
+/// More than the error of normals written with two decimals.
 constexpr double kLengthTolerance = 0.02;
 
 /// Kinds of three columns.

@@ -7,11 +7,12 @@
 namespace se {
 namespace {
 
-/// The distance of points that are kept, in widths of the noise.
+/// Least distance of points that are kept, in widths of the noise.
 constexpr double kApartSpacings = 2.0;
-/// How far over or under a point another counts as the same place of the surface, in widths.
+/// Height over or under a point within which another counts as the same place of the surface, in
+/// widths.
 constexpr double kReach = 6.0;
-/// Farther ones lie higher wherever the surface bends.
+/// Number of neighbors: farther ones lie higher wherever the surface bends.
 constexpr std::size_t kNearest = 12;
 
 NoisePatch patchOf(std::span<const Vec3> position, std::span<const Vec3> normal,

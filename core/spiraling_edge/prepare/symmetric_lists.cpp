@@ -8,7 +8,7 @@ namespace se {
 
 namespace {
 
-/// For each point, who lists it.
+/// The inverse of the lists: for each point, the points that list it.
 NeighborLists turnedRound(const NeighborLists& lists) {
     const std::size_t n = lists.size();
     NeighborLists turned;
@@ -29,7 +29,7 @@ struct Piece {
     std::vector<std::uint32_t> length;
 };
 
-/// Puts both lists of p together.
+/// Merges both lists of p.
 class Joiner {
   public:
     Joiner(std::span<const Vec3> position, const NeighborLists& lists,

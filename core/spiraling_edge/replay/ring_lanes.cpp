@@ -91,7 +91,7 @@ void LaneKeeper::take(const SplitEvidence& split) {
     const Index whole = split.activeLength + split.stackedLength;
     Ring* parent = &*active_;
     if (active_->length != whole) {
-        // Rings that an earlier link of this pivot has put on the stack may split there.
+        // A ring that an earlier link of this pivot has pushed may split on the stack.
         if (const auto place = freshOfLength(whole)) parent = &stack_[*place];
     }
     parent->length = split.activeLength;
@@ -172,7 +172,7 @@ void LaneKeeper::take(const AdvanceEvidence& advance) {
 
 void LaneKeeper::settle(const EdgeRings& rings) {
     if (rings.active() == kNone || active_ || stack_.empty()) return;
-    // The pivot's ring closed and the traversal goes on in one that it had split off.
+    // The pivot's ring was closed, and the traversal continues in one that it had split off.
     activate(freshOfLength(rings.length(rings.active())).value_or(stack_.size() - 1));
 }
 

@@ -23,7 +23,7 @@ constexpr std::string_view kActives[] = {"end", "other", "longer", "shorter"};
 constexpr std::string_view kStacks[] = {"last", "first"};
 constexpr std::string_view kNexts[] = {"end", "start"};
 
-// The paper's words, where several rows have them.
+// Sentences of the paper that several rows quote.
 constexpr std::string_view kLimitsWords =
     "The algorithm then advances the start pointer to point to q. ... Similarly, the algorithm "
     "moves the end pointer when it adds t to the neighbor ring.";

@@ -13,7 +13,7 @@
 
 namespace se {
 
-/// What a phase works on.
+/// The context of a phase.
 struct StepContext {
     const PointSet& points;
     const Params& params;

@@ -8,7 +8,7 @@
 namespace se {
 namespace {
 
-/// Inline, for it does nothing but find the phase, 12 times per pivot.
+/// Inline, since it only dispatches on the phase, 12 times per pivot.
 [[gnu::always_inline]] inline void runPhase(AnyContext auto& context) {
     switch (context.state.phase) {
         case Phase::Seed:
@@ -52,7 +52,7 @@ namespace {
     }
 }
 
-/// The phases after which one is between two pivots.
+/// True for the phases after which the run is between two pivots.
 bool endsStep(Phase phase) {
     return phase == Phase::Advance || phase == Phase::Reinsert || phase == Phase::Flip ||
            phase == Phase::Reseat;
@@ -60,7 +60,7 @@ bool endsStep(Phase phase) {
 
 State freshState(const PointSet& points, const Params& params) {
     State state(points.size());
-    state.triangles.reserve(2 * points.size());  // about as many as a closed surface has
+    state.triangles.reserve(2 * points.size());  // about the number of a closed surface
     state.done.reserve(points.size());
     if (params.rules.needsEdges()) state.edges = EdgeTable(points.size());
     return state;
@@ -78,7 +78,7 @@ Stepper::Stepper(const PointSet& points, const Params& params, EventLog* log)
 
 namespace {
 
-/// The pivot that the next phase belongs to.
+/// The number of the pivot of the next phase.
 std::uint32_t presentPivot(const State& state) {
     switch (state.phase) {
         case Phase::Seed:
@@ -153,7 +153,7 @@ StopReason Stepper::runUntil(const std::function<bool(const State&)>& condition)
 }
 
 StopReason Stepper::run() {
-    // What is asked once per call must be asked for each pivot.
+    // The choice of the context must be made for each pivot.
     while (altered_ && stepPivot()) {
     }
     inContext([](auto& context) {

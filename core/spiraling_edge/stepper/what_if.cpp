@@ -60,14 +60,14 @@ bool readList(const std::vector<std::string_view>& parts, std::vector<Index>& ou
     return true;
 }
 
-/// A test can be decided at these stages.
+/// True for the stages with tests that a what-if can override.
 bool decides(Stage stage) {
     constexpr std::array kStages{Stage::Sort, Stage::Limits, Stage::Convex,   Stage::Reciprocal,
                                  Stage::Hole, Stage::Sphere, Stage::TwoPoint, Stage::Guard};
     return std::find(kStages.begin(), kStages.end(), stage) != kStages.end();
 }
 
-/// What stands behind the verb, and does the place go with it?
+/// Reads the words after the verb; false if they or the place do not fit it.
 bool readRest(const std::vector<std::string_view>& parts, Stage stage, WhatIf& out) {
     switch (out.kind) {
         case WhatIfKind::Keep:

@@ -46,7 +46,7 @@ constexpr std::array<std::pair<std::string_view, NrrdType>, 32> kTypes{{
     {"float64_t", NrrdType::Double},
 }};
 
-/// Fields of the format that say nothing about where a sample lies or what it is worth.
+/// Fields of the format that affect neither the place nor the value of a sample.
 constexpr std::array<std::string_view, 23> kIgnored{"content",
                                                     "number",
                                                     "min",
@@ -195,7 +195,7 @@ class HeaderParser {
         return success();
     }
 
-    /// Three numbers that are no infinities; brackets and commas count as blanks.
+    /// Reads `count` finite numbers; brackets and commas count as blanks.
     bool takeNumbers(std::string_view text, double* numbers, std::size_t count) const {
         std::string plain(text);
         for (char& c : plain) {

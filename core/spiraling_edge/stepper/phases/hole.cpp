@@ -7,8 +7,8 @@ namespace se {
 
 namespace {
 
-/// The edges of the hole that p, start and end form, if it has three, or up to as many as
-/// PaperRules::holeSize says; 0 if they form none.
+/// The number of edges of the hole that p, start and end form, at most PaperRules::holeSize (by
+/// default three); 0 if they form none.
 Index edgesOfHole(const AnyContext auto& context) {
     const State& s = context.state;
     const NeighborRing& n = s.pivot;
@@ -18,7 +18,7 @@ Index edgesOfHole(const AnyContext auto& context) {
         return length >= 3 && length <= size ? length : 0;
     }
     if (!(n.endAngle.key - n.startAngle.key < kHalfTurnKey)) return 0;
-    // p, start and end are two edges; so many lead back from end to start.
+    // p to start and end are two edges; the others lead back from end to start.
     Index e = n.end;
     for (Index edges = 3; edges <= size; ++edges) {
         if (context.openStep(e)) return 0;

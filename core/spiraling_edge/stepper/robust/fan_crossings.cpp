@@ -1,5 +1,6 @@
-/// Rules on other parts of the mesh in the place of a fan: nocross, nomeet. Both search only the
-/// neighbor list of the pivot, so that a fan costs O(list times fan).
+/// Rules on other parts of the mesh in the place of a fan: nocross, nomeet. Both search only around
+/// the points that the pivot lists: the cost of a fan is its length times the ring steps or
+/// triangles there.
 #include <algorithm>
 
 #include "spiraling_edge/geometry/box.h"
