@@ -74,7 +74,8 @@ class Surgeon {
             keep_[p] = false;
             ++asked;
         }
-        note("dropped", asked, "more point dropped, as asked", "more points dropped, as asked");
+        note("dropped", asked, "more point dropped, as requested",
+             "more points dropped, as requested");
     }
 
     void scaleNormals() {

@@ -60,9 +60,9 @@ Status checkTest(const std::vector<Event>& events, const WhatIf& what) {
     const std::string place = toString(placeOf(what));
     if (!stageSeen) return Error{"Nothing is tested at " + place + "."};
     if (!verdict) return Error{namedPoint(what.point) + " is not tested at " + place + "."};
-    if (what.kind == WhatIfKind::Drop) return Error{"It is so anyway."};
+    if (what.kind == WhatIfKind::Drop) return Error{"No effect: the decision is already that way."};
     const std::string reason = reasonAgainst(*verdict, what.point);
-    return Error{reason.empty() ? "It is so anyway." : reason};
+    return Error{reason.empty() ? "No effect: the decision is already that way." : reason};
 }
 
 Status checkPivot(const std::vector<Event>& events, const WhatIf& what) {
@@ -70,7 +70,7 @@ Status checkPivot(const std::vector<Event>& events, const WhatIf& what) {
         const auto* advance = std::get_if<AdvanceEvidence>(&event.evidence);
         if (advance != nullptr && advance->whatIf && advance->to == what.point) return success();
     }
-    return Error{namedPoint(what.point) + " stands on no edge ring behind pivot " +
+    return Error{namedPoint(what.point) + " is on no edge ring after pivot " +
                  std::to_string(what.pivot) + "."};
 }
 
@@ -181,7 +181,7 @@ std::string reasonAgainst(Verdict verdict, Index point) {
         case Verdict::AlreadyDone:
             return namedPoint(point) + " is DONE: triangles surround it (invariant 7).";
         case Verdict::OnRingEnd:
-            return namedPoint(point) + " is first or last, and in the neighbor ring anyway.";
+            return namedPoint(point) + " is first or last, and always in the neighbor ring.";
         case Verdict::NotAfterStart:
         case Verdict::NotBeforeEnd:
         case Verdict::Outside:

@@ -1,5 +1,5 @@
 /// Every decision as one plain sentence with its numbers, for the event list, `why` and golden
-/// logs. One overload of sentence() per kind of evidence.
+/// logs. One overload of text() per kind of evidence.
 #include <cstdio>
 
 #include "spiraling_edge/base/number_text.h"
@@ -184,7 +184,7 @@ std::string text(const TwoPointEvidence& e) {
     if (e.verdict == Verdict::Discarded)
         return text + (over ? ": over 180, the ring is discarded."
                             : ": not under 180, the ring is discarded.");
-    return text + (over ? ": over 180, one triangle is made all the same."
+    return text + (over ? ": over 180 degrees, but a triangle is made anyway."
                         : ": under 180, one triangle closes the gap.");
 }
 std::string text(const GuardEvidence& e) {
@@ -257,7 +257,7 @@ std::string text(const ComponentEvidence& e) {
 std::string text(const AlertEvidence& e) {
     switch (e.kind) {
         case AlertKind::TriangleCap:
-            return "Alert: too many triangles for so many points; the run is stopped.";
+            return "Alert: too many triangles for the number of points; the run is stopped.";
         case AlertKind::Hole:
             return "Alert: a hole is left open at point " + str(e.point) + ".";
         case AlertKind::LostSeed:

@@ -26,10 +26,10 @@ const char* laneChangeText(LaneChangeKind kind) {
 }
 
 std::uint32_t lanesAt(std::span<const LaneChange> changes, std::uint32_t pivot) {
-    const auto behind = std::upper_bound(
+    const auto next = std::upper_bound(
         changes.begin(), changes.end(), pivot,
         [](std::uint32_t p, const LaneChange& change) { return p < change.pivot; });
-    return behind == changes.begin() ? 0 : std::prev(behind)->live;
+    return next == changes.begin() ? 0 : std::prev(next)->live;
 }
 
 std::vector<LaneChange> LaneKeeper::takeChanges() { return std::exchange(changes_, {}); }

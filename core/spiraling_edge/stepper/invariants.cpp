@@ -80,7 +80,7 @@ std::string checkAngles(const State& s, const Params& params) {
         before = c.angle.key;
     }
     const bool ordered = s.pivot.candidates.empty() || s.pivot.endAngle.key > before;
-    return ordered ? "" : "8: a candidate is behind end";
+    return ordered ? "" : "8: a candidate is beyond end";
 }
 
 /// Invariants 11 and 13.

@@ -111,7 +111,7 @@ std::string describe(const WhatIf& what) {
             if (what.stage == Stage::Limits)
                 return "At " + pivot + " start or end advances to " + pointText(what) + ".";
             if (what.stage == Stage::Guard)
-                return "At " + pivot + " the rules on fans are not heard on " + pointText(what) +
+                return "At " + pivot + " the rules on fans do not apply to " + pointText(what) +
                        ".";
             return "At " + pivot + ", " + stage + ": " + pointText(what) + " is kept.";
         case WhatIfKind::Drop:
@@ -120,7 +120,7 @@ std::string describe(const WhatIf& what) {
             return "At " + pivot + ", " + stage + ": " + pointText(what) +
                    (what.stage == Stage::Limits ? " is not advanced to." : " is dropped.");
         case WhatIfKind::Pivot:
-            return "Behind " + pivot + " the run goes on at " + pointText(what) + ".";
+            return "After " + pivot + " the run continues at " + pointText(what) + ".";
         case WhatIfKind::Move:
             return "From " + pivot + " on " + pointText(what) + " is elsewhere.";
         case WhatIfKind::List:

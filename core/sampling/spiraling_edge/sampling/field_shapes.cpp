@@ -76,10 +76,10 @@ struct Blast {
 };
 Blast blastAt(double radius) {
     const double s = radius / kFront;
-    const double behind = kRestPressure + (1.0 - kRestPressure) * s * s * s;
+    const double inside = kRestPressure + (1.0 - kRestPressure) * s * s * s;
     const double front = 1.0 / (1.0 + std::exp((radius - kFront) / kFrontWidth));
     const double rise = 3.0 * (1.0 - kRestPressure) * s * s / kFront;
-    return {behind * front, rise * front - behind * front * (1.0 - front) / kFrontWidth};
+    return {inside * front, rise * front - inside * front * (1.0 - front) / kFrontWidth};
 }
 double blastValue(const Vec3& x) {
     const Vec3 v = kFlattened * x;

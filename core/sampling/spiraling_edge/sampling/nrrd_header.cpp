@@ -150,7 +150,7 @@ class HeaderParser {
         if (key == "byte skip" || key == "byteskip") return takeByteSkip(text);
         if (std::find(kIgnored.begin(), kIgnored.end(), key) != kIgnored.end()) return success();
         return wrong("NRRD has no field " + inQuotes(key) +
-                     "; own fields are written with := behind the name");
+                     "; own fields are written with := after the name");
     }
 
     Status takeType(std::string_view text) {

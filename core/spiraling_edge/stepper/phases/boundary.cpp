@@ -11,10 +11,10 @@ namespace {
 void putOnRing(StepContext& context, Index third, bool before) {
     State& s = context.state;
     const Index pivot = s.pivot.pivot;
-    const Index behind = before ? s.rings.prev(pivot) : pivot;
-    s.third.stepBeforeWasOpen = s.rings.open(behind);
-    s.third.entry = s.rings.insertAfter(behind, third);
-    s.rings.setOpen(behind, true);
+    const Index previous = before ? s.rings.prev(pivot) : pivot;
+    s.third.stepBeforeWasOpen = s.rings.open(previous);
+    s.third.entry = s.rings.insertAfter(previous, third);
+    s.rings.setOpen(previous, true);
     s.rings.setOpen(s.third.entry, true);
     s.status[third] = 1;
 }
@@ -159,10 +159,10 @@ bool admitBoundaryPivot(AnyContext auto& context) {
 void withdrawThirdPoint(StepContext& context) {
     State& s = context.state;
     if (s.third.entry == kNone) return;
-    const Index behind = s.rings.prev(s.third.entry);
+    const Index previous = s.rings.prev(s.third.entry);
     s.status[s.rings.point(s.third.entry)] = kUnused;
     s.rings.erase(s.third.entry);
-    s.rings.setOpen(behind, s.third.stepBeforeWasOpen);
+    s.rings.setOpen(previous, s.third.stepBeforeWasOpen);
     s.third = {};
 }
 

@@ -25,11 +25,11 @@ void release(AnyContext auto& context, Index entry, Stage stage) {
 
 void insertCandidates(AnyContext auto& context) {
     State& s = context.state;
-    Index behind = s.pivot.start;
+    Index previous = s.pivot.start;
     for (const Candidate& c : s.pivot.candidates) {
-        behind = s.rings.insertAfter(behind, c.point);
+        previous = s.rings.insertAfter(previous, c.point);
         s.status[c.point] = s.status[c.point] + 1;
-        s.insertedEntries.push_back(behind);
+        s.insertedEntries.push_back(previous);
         s.instances.push_back(c.instance);
         noteRing(context, Stage::Ring, c.point, true);
     }

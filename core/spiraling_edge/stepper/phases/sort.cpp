@@ -27,9 +27,9 @@ void sortByAngle(const std::vector<Candidate>& listed, std::vector<Candidate>& s
         key[i] = listed[i].angle.key;
         unsigned before = 0;
         for (std::size_t j = 0; j < i; ++j) {
-            const unsigned behind = key[j] > key[i] ? 1U : 0U;
-            place[j] += behind;
-            before += 1U - behind;
+            const unsigned after = key[j] > key[i] ? 1U : 0U;
+            place[j] += after;
+            before += 1U - after;
         }
         place[i] = before;
     }
