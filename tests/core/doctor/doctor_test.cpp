@@ -1,4 +1,5 @@
-/// Each check of the doctor: planted alone it is found, where it was planted, and no other accuses.
+/// Each check of the doctor: a problem planted alone is found, where it was planted, and no other
+/// is found.
 #include "spiraling_edge/doctor/doctor.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-/// What the doctor mends without guessing.
+/// The repairs of the doctor that need no guess.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,7 +18,7 @@ std::map<std::string, std::size_t> repairsOf(const Treatment& treatment) {
     return counts;
 }
 
-/// Everything that can be mended, at once.
+/// A file with everything that can be repaired.
 PointFile patient() {
     PointFile file = withLists(ball());
     file.type.assign(file.position.size(), kInterior);
@@ -78,7 +78,7 @@ TEST_CASE("doctor: points keep their order and everything that belongs to them")
     for (Index p = 0; p < kept.size(); ++p) {
         const auto old = static_cast<Index>(kept[p]);
         CHECK(after.position[p] == before.position[old]);
-        // Every list names the same points as before, but for those that are gone.
+        // Every list names the same points as before, except those that were dropped.
         std::vector<Index> names;
         for (const Index q : listOf(after, p)) names.push_back(static_cast<Index>(kept[q]));
         std::vector<Index> wanted;

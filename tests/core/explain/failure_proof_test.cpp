@@ -39,7 +39,7 @@ TEST_CASE("proof: turning the decision called unavoidable makes the failure go a
             const FailureProof& proof = proofs.value()[i];
             CAPTURE(describe(failure.failure));
             CHECK((isGone(proof) || !proof.reason.empty()));
-            // What the scene is about.
+            // The subject of the scene.
             if (failure.failure.kind->name == each.failure &&
                 toString(failure.moments.unavoidable.event.address) == each.address)
                 CHECK(proof.proof != Proof::Stays);

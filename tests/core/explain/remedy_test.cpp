@@ -61,7 +61,7 @@ TEST_CASE("remedy: every rule that robust has beyond the paper is tried, and bot
         REQUIRE(remedy != nullptr);
         CHECK(remedy->rule == nullptr);
     }
-    // The gallery says that it helps.
+    // The gallery names it as a remedy.
     CHECK(remedyNamed(four.remedies, "corrected")->prevents);
 }
 

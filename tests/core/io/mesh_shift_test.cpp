@@ -36,7 +36,7 @@ FarMesh torusAt(const Vec3& middle, double size) {
     return mesh;
 }
 
-/// Every position that a file holds, beside the one that was meant.
+/// Every position of a file with the intended one.
 struct Pairs {
     std::vector<Vec3> found;
     std::vector<Vec3> meant;
@@ -118,7 +118,7 @@ TEST_CASE("STL: a mesh that no shift helps, or without size, is written without 
     PointFile points;
     const MeshFormat& stl = *meshFormatOf("a.stl");
     CHECK_FALSE(shiftOf(stl, points, {}).has_value());
-    // All corners in one place, and small triangles at both ends of a long way.
+    // All corners in one place, and small triangles far apart.
     points.position.assign(3, Vec3(1e7 + 0.1));
     const std::vector<Triangle> one{{0, 1, 2}};
     CHECK_FALSE(shiftOf(stl, points, one).has_value());

@@ -1,4 +1,4 @@
-/// PCD, ascii and binary: what is read, and what is refused with which words.
+/// PCD, ascii and binary: valid files, and the errors of invalid ones.
 #include <doctest/doctest.h>
 
 #include <bit>

@@ -10,7 +10,7 @@ using namespace se::test;
 
 namespace {
 
-/// Five points with everything that a PLY file can bring, written by hand as text.
+/// Five points with all features of a PLY file, written by hand as text.
 const char* const kFull =
     "ply\n"
     "format ascii 1.0\n"
@@ -56,7 +56,7 @@ const std::string kTwo =
     "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
     "property float z\nend_header\n0 0 0\n1 2 3\n";
 
-/// The same with longer numbers, so that there seems to be room for more rows.
+/// Two points with longer numbers, so that there seems to be room for more rows.
 const std::string kLongTwo =
     kTwo.substr(0, kTwo.find("0 0 0")) + "0.000 0.000 0.000\n1.5 2.5 3.5\n";
 

@@ -33,7 +33,7 @@ bool parses(std::string_view field, double& value) {
     double other = 0.0;
     const bool good = io::parseDouble(field, value);
     CHECK(io::parseDoubleByStrtod(field, other) ==
-          good);  // the way of libraries without from_chars
+          good);  // the code path of libraries without from_chars
     if (good) CHECK(sameNumber(value, other));
     return good;
 }

@@ -167,7 +167,7 @@ TEST_CASE("mesh comparison: of points at one place, that of the same number is t
     file.faces = {{0, 1, 2}, {0, 3, 2}};
     const MatchedMesh matched = matchMesh(file.position, file);
     CHECK(matched.triangles == file.faces);
-    // Without as many points the lower number is taken.
+    // With fewer points the lower number is used.
     PointFile shorter = file;
     shorter.position = {{1, 0, 0}, {0, 0, 0}, {0, 1, 0}};
     shorter.faces = {{1, 0, 2}};

@@ -1,4 +1,4 @@
-/// Normals for points that come without, and a common side for normals that disagree.
+/// Estimation of missing normals, and orientation of normals to a common side.
 #include "spiraling_edge/prepare/normals.h"
 
 #include <doctest/doctest.h>
@@ -14,7 +14,7 @@ using namespace se::test;
 
 namespace {
 
-/// The k nearest of each point, whatever the normals.
+/// The k nearest of each point, regardless of normals.
 NeighborLists nearest(const std::vector<Vec3>& position, std::size_t k = 12) {
     const std::vector<bool> usable(position.size(), true);
     return findNeighbors(position, {}, usable, reach(k, false)).value();
@@ -134,7 +134,7 @@ TEST_CASE("orientation: it holds round the edges of a cube, where the plain cosi
 }
 
 TEST_CASE("orientation: the two sides of a thin sheet look apart") {
-    // Each point has its twin below nearer than its neighbors beside.
+    // Each point has a twin below it that is nearer than its neighbors.
     std::vector<Vec3> position;
     std::vector<Vec3> truth;
     for (int i = 0; i < 12; ++i) {

@@ -47,7 +47,7 @@ std::string errorOf(const PointFile& file, const NeighborOptions& options = {}) 
     return prepared.ok() ? "none" : prepared.error().message;
 }
 
-/// Whether point p has an empty list and stands in no list.
+/// True if point p has an empty list and is in no list.
 bool isSetAside(const PointSet& points, Index p) {
     const auto& ids = points.neighbors.ids;
     return points.neighbors[p].empty() && std::count(ids.begin(), ids.end(), p) == 0;
@@ -315,7 +315,7 @@ TEST_CASE("prepare: normals are scaled to unit length once") {
     file.normal[0] *= 100.0;
     file.normal[1] *= 1e-310;
     file.normal[2] *= 1e300;
-    file.normal[3] *= 1.0 + 1e-7;  // as rounded to float: mended, not reported
+    file.normal[3] *= 1.0 + 1e-7;  // as rounded to float: corrected, not reported
     const Prepared prepared = mustPrepare(file);
     CHECK(prepared.report.unscaledNormals == 3);
     for (const Vec3& normal : prepared.points.normal) {

@@ -17,7 +17,7 @@ using namespace se::test;
 
 namespace {
 
-/// One line for each kind of breakpoint, with points that the run deals with.
+/// One line for each kind of breakpoint, with points that occur in the run.
 std::vector<std::string> kindsFor(const PointSet& points) {
     const Run run = runAll(points, paper());
     const Triangle t = run.state.triangles.at(run.state.triangles.size() / 2);
@@ -72,7 +72,7 @@ std::vector<Hit> backward(std::span<const ArmedBreakpoint> armed, RunPlace end) 
 }
 constexpr RunPlace kBehindAll{0xffffffffU, 0};
 
-/// Whatever the run says of its points, they are looked for in the log itself.
+/// The matches of a line, searched in the log itself.
 std::vector<Hit> matching(const PointSet& points, const std::string& line) {
     std::vector<Hit> found;
     const auto query = DecisionQuery::parse(line);
@@ -295,8 +295,8 @@ TEST_CASE("query: what is wrong with triangles appears in the run just if the me
         const PointSet points = sceneOf(id);
         const auto failures = inspectMesh(points, runAll(points, paper()).state.mesh());
         for (const FailureClass& kind : failureClasses()) {
-            // Points and loops are looked at before the run is over: what is left may differ.
-            // What only a run has is in no mesh.
+            // Points and loops are examined before the end of the run: the final result may differ.
+            // Classes that only a run has occur in no mesh.
             const bool ofTriangles = kind.name != "holes" && kind.name != "unused_points";
             if (!ofTriangles || !appearsInRun(kind) || kind.find == nullptr) continue;
             CAPTURE(id);

@@ -147,7 +147,7 @@ TEST_CASE("query: terms about the pivot as a whole hold for all of its decisions
           count([&](const LedgerLine& line) { return ring(line) >= 10 && ring(line) <= 19; }));
     CHECK(found(points, "stage=pivot ring=4").total ==
           count([&](const LedgerLine& line) { return ring(line) == 4; }));
-    // A pivot without tests has one decision, that it is the pivot.
+    // A pivot without tests has one event: that it is the pivot.
     const std::size_t some = found(points, "stage=sort kept candidates=3").total;
     CHECK(some == 3 * found(points, "stage=pivot candidates=3").total);
     CHECK(found(points, "stage=pivot tests=0..5").total +

@@ -31,7 +31,7 @@ Watched watch(const PointSet& points, const Params& params) {
     return result;
 }
 
-/// The classes that are there with a triangle or a point, as soon as it is.
+/// True for a class that a single triangle or point decides.
 bool isLive(const MeshFailure& failure) {
     constexpr std::array<std::string_view, 8> kLive{
         "non_manifold_edges",   "inconsistent_edges",     "duplicate_triangles",
@@ -40,7 +40,7 @@ bool isLive(const MeshFailure& failure) {
     return std::find(kLive.begin(), kLive.end(), failure.kind->name) != kLive.end();
 }
 
-/// Triangles by hand, as a run would make them.
+/// The failures of given triangles, as if made by a run.
 std::vector<LiveFailure> seeAll(const PointSet& points, const std::vector<Triangle>& triangles) {
     LiveCheck check(points);
     std::vector<LiveFailure> all;
@@ -96,7 +96,7 @@ TEST_CASE("live: what is noticed is still there at the end, if no rule mends") {
         const Watched run = watch(points, paper());
         const auto failures = inspectMesh(points, run.mesh);
         for (const LiveFailure& live : run.failures) {
-            // A fold is one of an edge of two triangles, which a third may join.
+            // A fold is at an edge of two triangles, which a third may join later.
             if (live.kind->name == "folded_edges" || live.triangle == kNone) continue;
             CAPTURE(describe(live));
             CHECK(std::any_of(failures.begin(), failures.end(), [&](const MeshFailure& failure) {

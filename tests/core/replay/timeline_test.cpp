@@ -132,7 +132,7 @@ TEST_CASE("The events of a pivot are those of a straight run, and the cursor sta
 }
 
 TEST_CASE("What happens behind the last pivot has a number of its own") {
-    // Two points that list each other, and one that lists nobody and is stranded at the end.
+    // Two points that list each other, and one that has an empty list and is stranded at the end.
     PointSet points;
     points.position = {{0, 0, 0}, {1, 0, 0}, {9, 9, 9}};
     points.normal = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};

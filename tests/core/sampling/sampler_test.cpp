@@ -49,7 +49,7 @@ struct Spacing {
     double mean = 0.0;
     double variation = 0.0;  ///< Standard deviation over mean.
 };
-/// Of the points inside.
+/// Spacing of the interior points.
 Spacing spacingOf(const PointFile& file) {
     const std::vector<double> all = nearest(file);
     double sum = 0.0;
@@ -284,7 +284,7 @@ TEST_CASE(
                 return true;
             }).ok());
     CHECK(last > 0.95);
-    // Scattered by several thousands at a time, and no more than that after a no.
+    // Scattered in batches of several thousand, and at most one batch after a cancellation.
     std::size_t calls = 0;
     REQUIRE(Sampler::begin(field, points(60000), [&](double) { return ++calls > 0; }).ok());
     CHECK(calls > 12);

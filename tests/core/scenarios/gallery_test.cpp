@@ -52,7 +52,7 @@ E evidenceAt(const char* scene) {
     return std::get<E>(event.evidence);
 }
 
-/// How many failures of its class are left with other rules or another input.
+/// The number of failures of its class with other rules or another input.
 std::size_t leftIn(const char* scene, const char* rules,
                    const std::function<void(PointFile&)>& treat = {},
                    const PrepareOptions& options = {}) {

@@ -24,7 +24,7 @@ Watched watch(std::string_view id, const Params& params = paper()) {
     return watched;
 }
 
-/// Is there evidence of one kind, in one pivot, that fits?
+/// True if a pivot has fitting evidence of one kind.
 template <typename E, typename Fits>
 bool happens(const Watched& watched, std::uint32_t pivot, Fits&& fits) {
     for (const Event& event : watched.log.events()) {

@@ -11,7 +11,7 @@ namespace {
 
 const Vec3 kUp(0, 0, 1);
 
-/// p = 0 at the origin; first = 1 in the east, last = 2 at an angle; the ring goes on far away.
+/// p = 0 at the origin; first = 1 in the east, last = 2 at an angle; the ring continues far away.
 /// Further points from 5 on.
 std::vector<Vec3> around(double lastDegrees, std::vector<Vec3> more) {
     std::vector<Vec3> position{Vec3(0), polar(0), polar(lastDegrees), {-9, -9, 0}, {9, -9, 0}};

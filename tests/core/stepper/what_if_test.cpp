@@ -1,4 +1,4 @@
-/// Forks: what a person lets happen at one place instead of what the rules say.
+/// Forks: overrides of the rules at one place of a run.
 #include "spiraling_edge/stepper/what_if.h"
 #include "spiraling_edge/stepper/edited_points.h"
 
@@ -75,7 +75,7 @@ std::uint64_t hashOf(const PointSet& points, const Params& params) {
     return runHash(runAll(points, params).state, params);
 }
 
-/// Any what-if about an event, sensible or not.
+/// A random what-if about an event, valid or not.
 WhatIf anyWhatIf(const PointSet& points, const Event& event, std::mt19937& random) {
     const auto number = [&](std::size_t below) { return static_cast<Index>(random() % below); };
     WhatIf what{static_cast<WhatIfKind>(number(5)),
@@ -184,7 +184,7 @@ TEST_CASE("the traversal goes on where it was told to") {
     for (int i = 0; i < 5; ++i) forked.stepPivot();
     CHECK(forked.state().rings.point(forked.state().pivot.pivot) == point);
     CHECK(firstBreach(points, fork, Level::AnyInput) == "");
-    // A point that is DONE stands on no ring.
+    // A point that is DONE is on no ring.
     const Index done = state.done.front();
     const Status refused =
         answer(points, withWhatIfs({said("5.advance pivot " + std::to_string(done))}));
@@ -198,14 +198,14 @@ TEST_CASE("moved from the first pivot on, a point is as if it had been there") {
     moved.position[20] += 0.3 * (points.position[points.neighbors[20][0]] - points.position[20]);
     WhatIf what{WhatIfKind::Move, 1, Stage::Pivot, 20, moved.position[20], {}};
     CHECK(said(lineOf(what)) == what);
-    // Its list, and those it stands in, are by distance again.
+    // Its list, and those that hold it, are by distance again.
     const auto edited = editedPoints(points, withWhatIfs({what}));
     REQUIRE(edited.size() == 1);
     CHECK(validate(edited[0].points).ok());
     moved.neighbors = edited[0].points.neighbors;
     CHECK(stateHash(runAll(points, withWhatIfs({what})).state) ==
           stateHash(runAll(moved, Params{}).state));
-    // Later on, what came before stays as it was.
+    // Later, all events before are unchanged.
     what.pivot = 30;
     Stepper plain(points, Params{});
     Stepper fork(points, withWhatIfs({what}));
