@@ -27,7 +27,7 @@ TEST_CASE("doctor: open_border notes the rims of an open surface, until they hav
     }
 }
 
-TEST_CASE("doctor: open_border says nothing of closed surfaces, nor of what walls cut") {
+TEST_CASE("doctor: open_border finds nothing on closed surfaces, nor at walls") {
     for (const Family& family : closedFamilies(1.5))
         CHECK_MESSAGE(findingOf(examined(family.sample(1)), "open_border") == nullptr, family.name);
     PointFile file = sampleSheet(wavySheet(), 12, 160, 1);  // typed

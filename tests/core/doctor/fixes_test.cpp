@@ -49,7 +49,7 @@ TEST_CASE("doctor: a healthy file is left as it is") {
     }
 }
 
-TEST_CASE("doctor: what was mended is listed, and gone") {
+TEST_CASE("doctor: repairs are listed, and the problems gone") {
     const Treatment treatment = treat(patient());
     const auto counts = repairsOf(treatment);
     CHECK(counts.at("non_finite") == 1);
@@ -135,7 +135,7 @@ TEST_CASE("doctor: normals that are all zero are taken out, not the points") {
     CHECK(repairsOf(treatment).at("zero_normals") == file.position.size());
 }
 
-TEST_CASE("doctor: what is guessing is left to the user, who may name points to drop") {
+TEST_CASE("doctor: guesses are left to the user, by a list of points to drop") {
     PointFile file = ball();
     file.position.push_back(Vec3(40, 0, 0));
     file.normal.push_back(Vec3(1, 0, 0));

@@ -83,7 +83,7 @@ TEST_CASE("closest calls: a lattice decides at the very limit") {
     CHECK(std::abs(calls.calls[0].reading.margin) < 1e-9);
 }
 
-TEST_CASE("closest calls: none asked for, none given; cancelled says so") {
+TEST_CASE("closest calls: zero requested; cancelled") {
     const PointSet points = prepared(closedFamilies()[0].sample(2));
     CHECK(callsOf(points, paper(), 0).calls.empty());
     CHECK_FALSE(closestCalls(points, paper(), 5, [](double) { return false; }).ok());

@@ -151,7 +151,7 @@ TEST_CASE("ledger: a triangle of the mesh names the step that made it") {
     }
 }
 
-TEST_CASE("ledger: an edge that was flipped away says so") {
+TEST_CASE("ledger: the answer for an edge that was flipped away") {
     const PointSet points = sceneNamed("linked-tori");
     const Params robust = *paramsByName("robust");
     EventLog log;
@@ -169,7 +169,7 @@ TEST_CASE("ledger: an edge that was flipped away says so") {
     }
 }
 
-TEST_CASE("ledger: the lines of an isolated point say that nothing lists it") {
+TEST_CASE("ledger: the answer for an isolated point is that nothing lists it") {
     PointFile file = findScene("sphere")->build();
     file.neighbors = {};
     PointSet points = prepared(file);
@@ -187,7 +187,7 @@ TEST_CASE("ledger: the lines of an isolated point say that nothing lists it") {
     CHECK(ledger.lines[ledger.cause].event.address.stage == Stage::Strand);
 }
 
-TEST_CASE("ledger: what cannot be asked") {
+TEST_CASE("ledger: invalid subjects") {
     const PointSet points = sceneNamed("grid");
     CHECK_FALSE(why(points, paper(), Subject::point(100000)).ok());
     CHECK_FALSE(why(points, paper(), Subject::edge(3, 3)).ok());

@@ -48,7 +48,7 @@ TEST_CASE("reduce: what stays still fails, and no single point of it can go") {
     }
 }
 
-TEST_CASE("reduce: an input that does not fail, and a reader who cancels") {
+TEST_CASE("reduce: an input that does not fail, and a cancelled one") {
     const PointFile file = closedFamilies()[0].sample(1);
     CHECK_FALSE(reduceInput(file, Vec3(0.0), [](const PointFile&) { return false; }).ok());
     const auto always = [](const PointFile&) { return true; };

@@ -229,7 +229,7 @@ TEST_CASE("exact: what a floating-point determinant gets wrong is still right") 
     CHECK(orient3d(a, b, c, d - Vec3(0, 0, tiny)) == -up);
 }
 
-TEST_CASE("exact: triangles meet where separating axes say so, on small lattices") {
+TEST_CASE("exact: triangles meet exactly where no separating axis exists, on small lattices") {
     for (const std::int64_t reach : {1, 2, 4, 50}) {
         GridRandom random(static_cast<std::uint64_t>(reach) + 2);
         std::size_t wrong = 0;

@@ -75,7 +75,7 @@ TEST_CASE("XYZ: columns of zeros as whole numbers are colors, else missing norma
     CHECK(mustRead("0 0 0 nan nan nan\n1 0 0 nan nan nan\n").hasNormals());
 }
 
-TEST_CASE("XYZ: colors and normals in either order, told by their numbers") {
+TEST_CASE("XYZ: colors and normals in either order, recognized by their numbers") {
     for (const char* text : {"1 2 3 0 0.6 0.8 9 8 7\n4 5 6 0 0 1 255 0 1\n",
                              "1 2 3 9 8 7 0 0.6 0.8\n4 5 6 255 0 1 0 0 1\n"}) {
         const PointFile file = mustRead(text);

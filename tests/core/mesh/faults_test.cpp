@@ -203,7 +203,7 @@ TEST_CASE("faults: names are those of the report") {
     CHECK(faultName(FaultKind::Folded) == "folded");
 }
 
-TEST_CASE("faults: the search for pairs ends after its work, and says so") {
+TEST_CASE("faults: the search for pairs ends at its work limit and is marked incomplete") {
     // Slanted and parallel: all boxes meet, no two triangles do.
     const auto slanted = [](Index count) {
         PointSet points = pointsAt({});

@@ -18,7 +18,7 @@ Prepared prepareOrFail(const PointFile& file) {
 
 }  // namespace
 
-TEST_CASE("prepare: points without normals get derived ones, and the report says so") {
+TEST_CASE("prepare: points without normals get derived ones, with a report") {
     for (const Family& family : closedFamilies(6.0)) {
         PointFile file = family.sample(1);
         const std::vector<Vec3> truth = file.normal;

@@ -82,7 +82,7 @@ TEST_CASE("noise: long lists do not make a surface noisy") {
     }
 }
 
-TEST_CASE("noise: a sphere in noise wider than its spacing comes out whole and sound") {
+TEST_CASE("noise: a sphere in noise wider than its spacing gets a whole and sound mesh") {
     for (const double width : {1.0, 1.5, 2.0}) {
         for (std::uint64_t seed = 1; seed <= 3; ++seed) {
             const PointFile file = noisySphere(6000, width, seed);
@@ -126,7 +126,8 @@ TEST_CASE("noise: lists from the file are taken as they are") {
 }
 
 TEST_CASE(
-    "noise: the noisy sphere of the shared data comes out whole and sound, all others whole") {
+    "noise: the noisy sphere of the shared data gets a whole and sound mesh, all others a whole "
+    "one") {
     for (const char* name : {"sphere_noisy", "fin90", "oni", "elephant", "hippo"}) {
         const auto file = sharedPoints(std::string("points/") + name + ".ply");
         if (!file) return;
@@ -142,7 +143,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("noise: all of the work tells how far it is, and can be cancelled at any time") {
+TEST_CASE("noise: all of the work reports progress, and can be cancelled at any time") {
     PointFile file = noisySphere(6000, 1.0, 5);
     file.normal.clear();
     PrepareOptions options;

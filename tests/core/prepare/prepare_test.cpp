@@ -72,7 +72,7 @@ TEST_CASE("findNeighbors: ties on a lattice fall to the lower index") {
     CHECK(find(points, nearest(3, false))[0] == std::vector<Index>{1, 8, 64});
 }
 
-TEST_CASE("symmetricLists: who lists a point is listed by it, nearest first, and nobody is lost") {
+TEST_CASE("symmetricLists: every entry has its inverse, nearest first, and none is lost") {
     // Dense on one side, sparse on the other: sparse points list dense ones that do not list them.
     OraclePoints points = makeRandom(400);
     for (Vec3& x : points.position) x.x = x.x * x.x * x.x;
@@ -185,7 +185,7 @@ TEST_CASE("findNeighbors: the order of the points changes names only") {
     }
 }
 
-TEST_CASE("findNeighbors: a flipped normal among many looks at the 8 k + 64 nearest only") {
+TEST_CASE("findNeighbors: the search at a flipped normal examines the 8 k + 64 nearest only") {
     OraclePoints points = makeRandom(500);
     points.usable.assign(500, true);
     points.normal.assign(500, Vec3(0, 0, 1));

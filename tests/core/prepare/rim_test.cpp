@@ -186,7 +186,7 @@ TEST_CASE("rim: progress ascends over all of preparing, and no ends the search a
     CHECK_FALSE(symmetricLists(points.position, points.neighbors, 2, never).ok());
 }
 
-TEST_CASE("rim: rim points of a file keep their type, and get the gap that they look out through") {
+TEST_CASE("rim: rim points of a file keep their type, and get their gap") {
     const Prepared found = withRim(cylinder().file);
     PointFile file = cylinder().file;
     file.type = found.points.type;

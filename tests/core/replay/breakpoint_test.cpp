@@ -152,7 +152,7 @@ TEST_CASE("breakpoints: from any place, forward goes to the next hit and back to
     }
 }
 
-TEST_CASE("breakpoints: hit counts run from the start, whichever way one goes") {
+TEST_CASE("breakpoints: hit counts run from the start, in both directions") {
     const PointSet points = sceneOf("torus");
     const HitList list = hitsOf(points, "stage=sort refused");
     REQUIRE(list.total > 100);
@@ -216,7 +216,7 @@ TEST_CASE("breakpoints: places number the events of a pivot as the timeline list
     }
 }
 
-TEST_CASE("query: used and done hold exactly where a status says so") {
+TEST_CASE("query: used and done hold exactly where a status changes") {
     for (const char* id : {"sheet", "figure-14", "stranded-point", "torus"}) {
         CAPTURE(id);
         const PointSet points = sceneOf(id);
@@ -309,8 +309,7 @@ TEST_CASE("query: what is wrong with triangles appears in the run just if the me
     }
 }
 
-TEST_CASE(
-    "query: failures that only a finished mesh shows cannot be stopped at, and the line says so") {
+TEST_CASE("query: failures that only a finished mesh shows are an error") {
     for (const char* bad : {"failure=small_components", "failure=dragons", "failure="}) {
         const auto query = DecisionQuery::parse(bad);
         REQUIRE_FALSE(query.ok());
@@ -319,7 +318,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("query: of a class that is known only at the end the line says just that") {
+TEST_CASE("query: the error for a class that is known only at the end") {
     for (const FailureClass& kind : failureClasses()) {
         const std::string line = "failure=" + std::string(kind.name);
         CAPTURE(line);

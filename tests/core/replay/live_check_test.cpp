@@ -129,7 +129,7 @@ TEST_CASE("live: a point whose triangles are more than one fan is noticed when i
     CHECK(looked > 0);
 }
 
-TEST_CASE("live: a sound run has nothing to tell") {
+TEST_CASE("live: a sound run has no failures") {
     const PointSet points = prepared(findScene("sphere")->build());
     CHECK(watch(points, *paramsByName("robust")).failures.empty());
 }
@@ -146,7 +146,7 @@ TEST_CASE("live: the third triangle at an edge, not the fourth") {
     CHECK(describe(first) == "Triangle 2 is the third at the edge 0, 1: non-manifold.");
 }
 
-TEST_CASE("live: a crossing is told of the later triangle, however far apart they began") {
+TEST_CASE("live: a crossing is reported for the later triangle, at any distance in the run") {
     // The large one lies over more cells than are kept.
     const PointSet points =
         flat({{0, 0, 0}, {1e-3, 0, 0}, {0, 1e-3, 0}, {-9, -9, 1e-4}, {9, -9, 1e-4}, {0, 9, -2e-4}});

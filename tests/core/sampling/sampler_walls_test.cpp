@@ -82,7 +82,7 @@ Chains chainsOf(const Field& field, const PointFile& file) {
 
 }  // namespace
 
-TEST_CASE("chains of particles on walls are evenly spaced, and stand on them to the bit") {
+TEST_CASE("chains of particles on walls are evenly spaced, and lie exactly on them") {
     for (const Field& field : {cut("sphere"), cut("torus"), fieldOf(*findShape("gyroid")),
                                fieldOf(*findShape("monkey-saddle")),
                                fieldOf(*findShape("hyperboloid")), fieldOf(*findShape("plane"))}) {

@@ -111,7 +111,7 @@ Volume ball(std::size_t n) {
 
 }  // namespace
 
-TEST_CASE("NRRD: header and samples are read as they stand there") {
+TEST_CASE("NRRD: header and samples are read unchanged") {
     const Volume volume = readGood(kHeader + numbers<std::uint8_t>(24, false));
     CHECK(volume.size == std::array<std::size_t, 3>{2, 3, 4});
     CHECK(volume.spacing == Vec3(1, 2, 0.5));

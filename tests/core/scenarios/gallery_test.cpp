@@ -109,7 +109,7 @@ TEST_CASE("gallery: what helps, helps") {
     CHECK(leftIn("near-duplicates", "paper", dropCopies) <= 1);
 }
 
-TEST_CASE("gallery: the decisions are what the scenes say") {
+TEST_CASE("gallery: the decisions match the scenes") {
     CHECK(evidenceAt<TwoPointEvidence>("sparse-spot").verdict == Verdict::Discarded);
     CHECK(evidenceAt<LimitEvidence>("uneven-density").verdict == Verdict::Moved);
     CHECK(evidenceAt<LimitEvidence>("tee-at-wall").verdict == Verdict::Moved);

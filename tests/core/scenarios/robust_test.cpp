@@ -201,7 +201,7 @@ TEST_CASE("robust: a log changes nothing, and the same steps come twice") {
     }
 }
 
-TEST_CASE("robust: a state that is put back goes on to the same end, mending included") {
+TEST_CASE("robust: a restored state continues to the same end, including repair") {
     constexpr int kEvery = 5;
     for (const PointSet& points : eventful()) {
         Stepper stepper(points, robust());
@@ -270,7 +270,7 @@ TEST_CASE("robust: each step after the last pivot has a number and leaves the tr
     CHECK(stepper.state().mesh() != emitted);
 }
 
-TEST_CASE("paper: knows none of the rules beyond it, and looks at no finished triangle") {
+TEST_CASE("paper: has none of the rules beyond it, and keeps no edge table") {
     const Rules rules = paper().rules;
     CHECK_FALSE(rules.looksAtFan());
     CHECK_FALSE(rules.needsEdges());

@@ -141,7 +141,7 @@ TEST_CASE("5 Figure 2: the first five pivots add the points of the figure") {
           Points{5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15});
 }
 
-TEST_CASE("figure scenes show what they say, at the pivot they name") {
+TEST_CASE("figure scenes show their figures at the pivots they name") {
     const auto moved = [](Side side) {
         return [side](const LimitEvidence& e) {
             return e.side == side && e.verdict == Verdict::Moved;

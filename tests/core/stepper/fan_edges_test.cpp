@@ -68,7 +68,7 @@ TEST_CASE("unblocked: a DONE point in the triangle is not in the way") {
     CHECK(rig.startPoint() == 5);
 }
 
-TEST_CASE("stepback: a point is looked at again when the one behind it has gone") {
+TEST_CASE("stepback: a point is tested again when the one after it is removed") {
     // 5 is inside the wide sphere with 6; 6 is removed; with last instead, 5 is outside.
     const auto triangles = [](const Params& params) {
         Rig rig({{0, 0, 0},

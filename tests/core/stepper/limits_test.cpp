@@ -32,7 +32,7 @@ TEST_CASE("6.1 concave means a free angle below 180 degrees") {
     }
 }
 
-TEST_CASE("6.1 Figure 4: start and end advance where the ring is concave, points behind are out") {
+TEST_CASE("6.1 Figure 4: start and end advance where the ring is concave, points beyond are out") {
     Rig rig(bay());
     rig.list(0, {1, 2, 5, 6, 7, 8, 9}).ring(kBayRing);
     REQUIRE(rig.runTo(Phase::Convex));
@@ -53,7 +53,7 @@ TEST_CASE("6.1 Figure 4: z stays the reference vector when start advances") {
     CHECK(rig.state().pivot.frame.z.x == doctest::Approx(1 / std::sqrt(1.04)));
 }
 
-TEST_CASE("6.1 start and end stay where the ring point behind is not among p's neighbors") {
+TEST_CASE("6.1 start and end stay where the next ring point is not among p's neighbors") {
     Rig rig(bay());
     rig.list(0, {1, 2, 7}).ring(kBayRing).runTo(Phase::Convex);
     CHECK(rig.startPoint() == 1);
@@ -80,7 +80,7 @@ TEST_CASE("6.1 start does not advance to a point beyond last, nor end to one bef
     CHECK(other.verdictOn<LimitEvidence>(5) == Verdict::Outside);
 }
 
-TEST_CASE("6.1 start and end advance as far as the ring is concave") {
+TEST_CASE("6.1 start and end advance while the ring is concave") {
     const std::vector<Vec3> deep{{0, 0, 0}, {1, 0.1, 0},   {-1, 0.2, 0},  {-9, 9, 0},
                                  {9, 9, 0}, {1.3, 0.6, 0}, {1.2, 1.2, 0}, {0, 1.2, 0}};
     Rig rig(deep);
@@ -132,7 +132,7 @@ TEST_CASE("6.1 a ring of four is filled by two triangles, and nothing is left") 
     CHECK(rig.state().rings.active() == kNone);
 }
 
-TEST_CASE("6.1 Figure 5: the point behind a convex start or end is dropped") {
+TEST_CASE("6.1 Figure 5: the point beyond a convex start or end is dropped") {
     const std::vector<Vec3> position{Vec3(0),   polar(0),      polar(300), {9, -9, 0},
                                      {9, 9, 0}, {-0.2, -1, 0}, polar(90),  {-0.05, -0.74, 0}};
     Rig rig(position);
@@ -148,7 +148,7 @@ TEST_CASE("6.1 Figure 5: the point behind a convex start or end is dropped") {
     CHECK(other.verdictOn<DropEvidence>(5) == Verdict::BehindConvex);
 }
 
-TEST_CASE("6.1 the convexity test looks only at the points adjacent to start and end") {
+TEST_CASE("6.1 the convexity test applies only to the points adjacent to start and end") {
     // As above, but 5 is two steps beyond first: it could be the other side of a hole.
     Rig rig({Vec3(0),
              polar(0),

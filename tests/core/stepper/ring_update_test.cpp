@@ -33,7 +33,7 @@ TEST_CASE("6.5 the pivot leaves the ring: DONE if it stood there once") {
     CHECK(rig.state().rings.firstEntryOf(0) == kNone);
 }
 
-TEST_CASE("6.5 a pivot that stands on rings twice loses one entry and stays USED") {
+TEST_CASE("6.5 a pivot with two entries loses one and stays USED") {
     Rig rig(doubledBay());
     rig.list(0, {7}).stacked({0, 10, 11}).ring({0, 2, 6, 3, 4, 5, 1}).pivot();
     CHECK(rig.triangles() == Triangles{{0, 1, 7}, {0, 7, 2}});
@@ -135,7 +135,7 @@ TEST_CASE("7, 6.5 a ring of two with an open step is not finished") {
     CHECK(rig.status(1) == 1);
 }
 
-TEST_CASE("6.5 where end went with a closed ring, the last inserted point goes on") {
+TEST_CASE("6.5 where end is removed with a closed ring, the last inserted point is next") {
     // 5 follows last = 2 on the ring, where it is convex; its other entry keeps it there.
     const Vec3 e(1.5, 0.5, 0);
     Rig rig({{0, 0, 0},

@@ -53,7 +53,7 @@ TEST_CASE("6.1 the two sides of the slicing plane: n.v = 0 belongs to the first 
     CHECK(angleOf(frame, Vec3(-1, -1e-6, 0)).key > kHalfTurnKey);
 }
 
-TEST_CASE("6.1 keys order angles as degrees do, and tell differences over a limit") {
+TEST_CASE("6.1 keys order angles as degrees do, and decide differences over a limit") {
     Random random(2);
     const auto at = [](double degrees) {
         return angleOf(makeFrame(Vec3(0), kUp, Vec3(1, 0, 0)), polar(degrees));

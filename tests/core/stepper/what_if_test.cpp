@@ -171,7 +171,7 @@ TEST_CASE("start and end do not advance to a point that is held off") {
     }));
 }
 
-TEST_CASE("the traversal goes on where it was told to") {
+TEST_CASE("the traversal continues at the given point") {
     const PointSet points = sphere();
     Stepper stepper(points, Params{});
     for (int i = 0; i < 5; ++i) stepper.stepPivot();
@@ -255,7 +255,7 @@ Index pivotOf(const std::vector<Event>& events) {
 
 }  // namespace
 
-TEST_CASE("a pivot makes no triangle where a person wants none, by any rules") {
+TEST_CASE("a pivot makes no triangle where a what-if drops it, under any rules") {
     const PointSet points = sphere();
     for (const char* set : {"paper", "robust"}) {
         const Params usual = *paramsByName(set);
@@ -275,7 +275,7 @@ TEST_CASE("a pivot makes no triangle where a person wants none, by any rules") {
     }
 }
 
-TEST_CASE("start or end advances against a convex ring if a person wants it") {
+TEST_CASE("start or end advances against a convex ring by a what-if") {
     const PointSet points = sphere();
     std::size_t advanced = 0;
     for (const Event& event : eventsOf(points, Params{})) {
@@ -345,7 +345,7 @@ TEST_CASE("what would break an invariant is refused, and it is said which") {
     CHECK_FALSE(requireWhatIfs(points, withWhatIfs({onto})).ok());
 }
 
-TEST_CASE("forks are the same with a log and without, stepped, run, and gone back to") {
+TEST_CASE("forks are the same with a log and without, stepped, run, and revisited") {
     const PointSet points = sphere();
     const Event removed = firstEvent(points, Params{}, verdictIs<SphereEvidence>(Verdict::Removed));
     WhatIf moved{WhatIfKind::Move, 12, Stage::Pivot, 20, points.position[20] * 1.01, {}};
