@@ -210,9 +210,9 @@ class Rig {
     Index makeRing(const std::vector<Index>& points) {
         EdgeRings& rings = state_.rings;
         const Index head = rings.start(points[0], points[1]);
-        Index behind = rings.next(head);
+        Index last = rings.next(head);
         for (std::size_t i = 2; i < points.size(); ++i) {
-            behind = rings.insertAfter(behind, points[i]);
+            last = rings.insertAfter(last, points[i]);
         }
         Index entry = head;
         for (const Index p : points) {

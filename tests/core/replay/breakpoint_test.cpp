@@ -141,14 +141,14 @@ TEST_CASE("breakpoints: from any place, forward goes to the next hit and back to
         };
         const auto ahead =
             std::find_if(all.begin() + static_cast<std::ptrdiff_t>(i) + 1, all.end(), isHit);
-        const auto behind = std::find_if(all.rbegin() + static_cast<std::ptrdiff_t>(all.size() - i),
+        const auto earlier = std::find_if(all.rbegin() + static_cast<std::ptrdiff_t>(all.size() - i),
                                          all.rend(), isHit);
         const auto next = nextStop({&armed, 1}, all[i].place);
         const auto previous = previousStop({&armed, 1}, all[i].place);
         REQUIRE(next.has_value() == (ahead != all.end()));
-        REQUIRE(previous.has_value() == (behind != all.rend()));
+        REQUIRE(previous.has_value() == (earlier != all.rend()));
         if (next) CHECK(next->hit == *ahead);
-        if (previous) CHECK(previous->hit == *behind);
+        if (previous) CHECK(previous->hit == *earlier);
     }
 }
 

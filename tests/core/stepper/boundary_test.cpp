@@ -232,9 +232,9 @@ TEST_CASE("7.2 the third point is UNUSED, on a wall of p, and its sector stays i
 
 TEST_CASE("bothwalls: no third point beside a pivot whose other ring neighbor is off its walls") {
     // 0 on the wall +x; 1 around the corner on +y; the ring comes from 3, on the wall or inside.
-    const auto run = [](std::uint8_t behind, const Params& params) {
+    const auto run = [](std::uint8_t after, const Params& params) {
         Rig rig(inCorner(), params);
-        typedCorner(rig).type(3, behind).listAll().ring({0, 1, 5, 4, 3}).pivot();
+        typedCorner(rig).type(3, after).listAll().ring({0, 1, 5, 4, 3}).pivot();
         return std::pair(rig.all<InsertEvidence>().at(0).verdict, rig.triangles());
     };
     const Triangles made{{0, 2, 1}};

@@ -87,7 +87,7 @@ TEST_CASE("stepback: a point is tested again when the one after it is removed") 
 }
 
 TEST_CASE("wallsdone: a wall point whose ring neighbors share its wall is no candidate") {
-    const auto candidates = [](unsigned behind, const Params& params) {
+    const auto candidates = [](unsigned after, const Params& params) {
         Rig rig({{0, 0, 0},
                  {1, 0, 0},
                  {-1, 0, 0},
@@ -97,7 +97,7 @@ TEST_CASE("wallsdone: a wall point whose ring neighbors share its wall is no can
                  {-0.7, 1.7, 0},
                  {0.7, 1.7, 0}},
                 params);
-        rig.type(5, kPositiveX).type(6, kPositiveX).type(7, behind);
+        rig.type(5, kPositiveX).type(6, kPositiveX).type(7, after);
         rig.list(0, {5}).ring({0, 2, 3, 6, 5, 7, 4, 1}).runTo(Phase::Hole);
         return rig.candidates();
     };
