@@ -1,3 +1,6 @@
+/// Write to a temporary file in the folder of the target, then rename: readers see the old or the
+/// new file. A fixed table of unfinished files lets signal handlers remove them without locks or
+/// memory.
 #include "spiraling_edge/base/atomic_file.h"
 
 #include <fcntl.h>

@@ -1,3 +1,5 @@
+/// The table of checks and the run over it. The examined file (examined_file.h) holds the values
+/// that checks share; its neighbor search takes about half of the time.
 #include "spiraling_edge/doctor/doctor.h"
 
 #include <algorithm>

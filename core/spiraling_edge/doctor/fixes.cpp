@@ -1,3 +1,5 @@
+/// Repairs of a file that need no guess, each with a line in the report. Points are dropped at the
+/// end, together, and lists and faces renumbered once. O(file).
 #include <algorithm>
 #include <utility>
 

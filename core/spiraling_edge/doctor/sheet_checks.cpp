@@ -1,3 +1,7 @@
+/// Flipped normals without a global orientation: sheets are connected sets of points whose normals
+/// agree; two sheets contradict each other where they continue in one plane with opposite normals.
+/// Where the contradictions are more than noise can explain, the smaller sheet counts as flipped.
+/// O(points times list).
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -1,3 +1,5 @@
+/// Checks of normals against each other: flipped parts of a component (sheet_checks.cpp), and
+/// closed components whose normals point inward at all six extremes.
 #include <algorithm>
 #include <array>
 #include <limits>

@@ -1,3 +1,6 @@
+/// Checks of distances: near duplicates, isolated and collinear points, uneven spacing and exact
+/// ties, each from the lists of the 12 nearest. O(points), but for ties with the cube of the eight
+/// nearest.
 #include <algorithm>
 
 #include "spiraling_edge/doctor/checks.h"
@@ -74,8 +77,7 @@ std::optional<Finding> findIsolatedPoints(const Patient& patient) {
     return findingAt(std::move(points), Severity::Warning, text);
 }
 
-// ---- collinear points
-// -----------------------------------------------------------------------------
+// ---- collinear points ---------------------------------------------------------------------------
 
 std::optional<Finding> findInLine(const Patient& patient) {
     if (patient.presentCount < 3) return std::nullopt;

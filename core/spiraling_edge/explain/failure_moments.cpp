@@ -1,3 +1,6 @@
+/// Follows failures through a second run. Events are passed only to the failures at their points,
+/// and the number of events per point, counted in the first run, decides beforehand how many
+/// failures can be followed within the work limit.
 #include "spiraling_edge/explain/failure_moments.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+/// Test of causes by inversion: the run is forked just before the decision that made a failure
+/// unavoidable, the decision inverted by a what-if, and the end inspected. A decision that is only
+/// postponed to another pivot is followed up to twelve times. One run forward serves all failures,
+/// in the order of their pivots; each costs a run from its fork and an inspection.
 #include "spiraling_edge/explain/failure_proof.h"
 
 #include <algorithm>

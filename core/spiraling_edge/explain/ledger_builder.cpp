@@ -1,3 +1,6 @@
+/// Selects the events about a subject: tests between its points, tests that end a fan it would have
+/// been in, and facts about its points. For this it tracks which of its points may still become
+/// spokes of the current fan.
 #include "spiraling_edge/explain/ledger_builder.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+/// A state machine per failure, by its kind: a point waits for its last refusal, a hole or a ring
+/// for the last fan refused on it, a triangle for the tests that made its corners neighbors in a
+/// fan. The last candidate for the cause is kept until the failure exists. O(1) per event, but for
+/// triangles the tests of one pivot.
 #include "spiraling_edge/explain/moment_finder.h"
 
 #include <algorithm>

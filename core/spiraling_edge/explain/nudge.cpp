@@ -1,3 +1,6 @@
+/// The least move that inverts a decision: the compared number is a function of the position of one
+/// point, and Newton steps along its gradient (by differences) lead to its zero; the move is then
+/// enlarged by a thousandth, to be beyond. At most 12 steps.
 #include "spiraling_edge/explain/nudge.h"
 
 #include <cmath>

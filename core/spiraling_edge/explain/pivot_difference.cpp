@@ -1,3 +1,8 @@
+/// Comparison of two logs of one pivot. Facts (rings, triangles, the next pivot) must be equal in
+/// order; tests are matched by stage and subject, since runs with other rules make other tests. The
+/// first test with another result explains a difference; a test that only one run makes counts only
+/// if it changed something. Equal logs are recognized in O(events); else O(events squared) for the
+/// events of the pivot.
 #include "spiraling_edge/explain/pivot_difference.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+/// Delta debugging (Zeller and Hildebrandt 2002) over points: first the smallest ball around the
+/// failure that fails, then pieces of half the points, a quarter and so on, far ones first, until
+/// no single point can be removed. Each try is a run of the caller; about n log n tries in the
+/// usual case, n squared at worst.
 #include "spiraling_edge/explain/reduce.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+/// Search for remedies by trial: a run and an inspection with each single rule of `robust` added,
+/// and with the whole sets. A failure counts as prevented only if the list of its class is
+/// complete.
 #include "spiraling_edge/explain/remedy.h"
 
 #include <algorithm>

@@ -34,7 +34,7 @@ struct Remedies {
 };
 
 /// True if the failure is still among `failures`. One of its class that shares two points with it,
-/// or the only one of its class, counts as the same: a hole that has become smaller is still there.
+/// or its only point, counts as the same: a hole that has become smaller is still there.
 bool isStillThere(const MeshFailure& failure, const std::vector<MeshFailure>& failures);
 
 /// Tries them all, a run and an inspection each. Fails if cancelled. Deterministic. Points that

@@ -1,3 +1,6 @@
+/// The ancestry of a ring: lanes (ring_lanes.h) identify rings over a run, and each seed, split and
+/// join is a node that names the nodes it was made of. The answer is the set of nodes reachable
+/// from the ring. O(run up to the ring).
 #include "spiraling_edge/explain/ring_history.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+/// Triangles that close a gap of three have no deciding test of their own: they are traced to the
+/// last earlier triangle at their edges, until one has a test. Two runs: the first records the
+/// decision of every triangle, the second returns the lines.
 #include "spiraling_edge/explain/root_decisions.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+/// Two steppers side by side, one pivot at a time, each with a log of that pivot. Until the first
+/// pivot with a different result both have the same state, so that comparing logs suffices
+/// (pivot_difference.h); afterwards both run on to their ends alone. The step that made each
+/// triangle is recorded on the way, for differences of the final meshes. O(both runs).
 #include "spiraling_edge/explain/run_compare.h"
 
 #include <algorithm>

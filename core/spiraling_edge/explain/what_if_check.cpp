@@ -1,3 +1,6 @@
+/// A what-if is checked at its pivot: the run is copied just before it, made with the what-if and a
+/// log, and, only if an invariant is broken afterwards, made again without it. O(run up to the last
+/// what-if + points for each pivot with one).
 #include "spiraling_edge/explain/what_if_check.h"
 
 #include <algorithm>

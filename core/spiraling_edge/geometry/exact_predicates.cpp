@@ -1,3 +1,6 @@
+/// A floating-point filter with Shewchuk's error bounds decides almost always; otherwise the
+/// determinant is summed exactly in expansions on the stack. Triangles are then compared by the
+/// signs of such determinants alone.
 #include "spiraling_edge/geometry/exact_predicates.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+/// The PLY reader: templates over the two encodings (ply_rows.h), so that text and binary are
+/// checked alike. Elements without lists are read column by column.
 #include "spiraling_edge/io/ply.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+/// The XYZ reader: commas, column count and header comment are determined from the first rows, the
+/// meaning of the columns at the end (xyz_columns.h).
 #include <algorithm>
 #include <array>
 #include <cctype>

@@ -1,3 +1,5 @@
+/// XYZ has no header: the meaning of its columns is inferred from the numbers of the whole file
+/// (range, whole numbers, length), and only where one reading is possible. O(numbers).
 #include "spiraling_edge/io/xyz_columns.h"
 
 #include <algorithm>

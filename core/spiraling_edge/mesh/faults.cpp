@@ -1,3 +1,7 @@
+/// Faults by sorted sides and a grid. Edge faults come from the sides of all triangles sorted by
+/// edge. For intersections, triangles are put into cells of 1.5 mean sizes; a pair is tested in one
+/// of its common cells only, first by boxes, then exactly (exact_predicates.h). O(t log t) for t
+/// triangles of similar size, bounded by a work limit on tangled meshes.
 #include "spiraling_edge/mesh/faults.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+/// Checks by edges and points. Sides are sorted by edge once for all of them; holes are connected
+/// components of the boundary edges, unused points are classified by a grid. O(t log t).
 #include <algorithm>
 #include <cmath>
 #include <map>

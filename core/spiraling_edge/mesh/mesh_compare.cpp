@@ -1,3 +1,5 @@
+/// Two meshes as sorted lists of corner triples, merged in one pass; triangles in only one of them
+/// are joined by common points to regions (union-find). O(t log t).
 #include "spiraling_edge/mesh/mesh_compare.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+/// Counts from sorted sides and union-find: components over points, boundary loops over boundary
+/// edges, fans over corners joined across edges. O(t log t).
 #include "spiraling_edge/mesh/mesh_report.h"
 
 #include <algorithm>

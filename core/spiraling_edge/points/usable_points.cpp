@@ -1,3 +1,5 @@
+/// One pass with a hash table of positions (open addressing) finds exact copies. Expected
+/// O(points).
 #include "spiraling_edge/points/usable_points.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+/// Neighbor lists by a k-d tree (nanoflann) over points packed along a Z-curve. The tree only
+/// proposes: distances are compared exactly, ties by index, so that lists do not depend on the
+/// tree, on threads or on a translation without rounding. Ranges of leaves are searched in
+/// parallel. O(n log n) for n points and short lists.
 #include "spiraling_edge/prepare/neighbor_search.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+/// Thinning by a greedy choice: each point gets the mean plane of its patch; points near the middle
+/// of the noise are chosen first, and each sets aside the listed points over and under it. O(points
+/// log points + list entries).
 #include "spiraling_edge/prepare/noise.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+/// Planes by principal components: the 3 x 3 scatter matrix is diagonalized by Jacobi rotations,
+/// with + - * / and sqrt alone. Orientation by Prim's algorithm over the lists in both directions,
+/// cheapest where mirrored normals agree best. O(entries log entries).
 #include "spiraling_edge/prepare/normals.h"
 
 #include <algorithm>

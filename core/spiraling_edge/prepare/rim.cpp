@@ -1,3 +1,6 @@
+/// Rims without a mesh: angular gaps between neighbors in the tangent plane give candidates, and
+/// walks from gap to gap join them to closed chains. Angles are keys without trigonometry. Each
+/// list entry is walked at most once, so that the walks cost O(list entries times longest list).
 #include "spiraling_edge/prepare/rim.h"
 
 #include <algorithm>

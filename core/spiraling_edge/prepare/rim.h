@@ -43,8 +43,8 @@ Result<Rim> findRim(std::span<const Vec3> position, std::span<const Vec3> normal
                     const NeighborLists& neighbors, std::span<const std::uint8_t> type = {},
                     unsigned threads = 0, const Progress& progress = {});
 
-/// The widest gaps of points that were given as rim points (kRimPoint): `type` tells which. All
-/// others get no ends, nor do points with fewer than two neighbors in different directions.
+/// The widest gaps of points that were given as rim points (kRimPoint): by `type`. All others get
+/// no ends, nor do points with fewer than two neighbors in different directions.
 Result<std::vector<RimGap>> gapsOfRimPoints(std::span<const Vec3> position,
                                             std::span<const Vec3> normal,
                                             const NeighborLists& neighbors,

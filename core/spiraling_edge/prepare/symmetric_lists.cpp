@@ -1,3 +1,5 @@
+/// The inverse of all lists by a counting sort, then each list merged with its inverse, in parallel
+/// by blocks of points. O(list entries log longest list).
 #include <algorithm>
 #include <numeric>
 

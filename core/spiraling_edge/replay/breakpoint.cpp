@@ -1,3 +1,5 @@
+/// All hits of a line are found by one run; stops in both directions are then binary searches in
+/// the sorted hits, corrected for `skip` and `every`.
 #include "spiraling_edge/replay/breakpoint.h"
 
 #include <algorithm>

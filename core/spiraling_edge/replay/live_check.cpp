@@ -1,3 +1,6 @@
+/// Failures at the event that causes them, by incremental structures: a hash of edges, a hash of
+/// corner triples, and a hash of grid cells for crossings; fans are checked when a point becomes
+/// DONE, since it gets no triangles after that. About O(1) per triangle.
 #include "spiraling_edge/replay/live_check.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+/// The margin of each kind of test from its evidence: an angle, a length over the distance to the
+/// pivot, or for §6.3 the better of the two.
 #include "spiraling_edge/replay/reading.h"
 
 #include <algorithm>

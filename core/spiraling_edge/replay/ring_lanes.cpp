@@ -1,3 +1,7 @@
+/// A replay of the ring stack from events alone. Events carry lengths, not rings: where a split,
+/// join or close may concern the active ring or one pushed by the same pivot, the length that fits
+/// decides. Freed lanes go to a heap, so that the least free number is reused. O(1) per event,
+/// O(log lanes) per lane.
 #include "spiraling_edge/replay/ring_lanes.h"
 
 #include <algorithm>

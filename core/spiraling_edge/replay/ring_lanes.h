@@ -44,7 +44,7 @@ std::uint32_t lanesAt(std::span<const LaneChange> changes, std::uint32_t pivot);
 /// Gives every ring of a run its lane.
 ///
 /// Events name no rings. The stack is replayed from them, and where an event could mean one of
-/// several rings their lengths tell which.
+/// several rings their lengths decide.
 class LaneKeeper {
   public:
     struct Ring {

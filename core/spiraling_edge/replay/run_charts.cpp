@@ -1,3 +1,5 @@
+/// Histograms over one run, drawn as at most 16 bars of equal width from 1, 2, 5, 10 and so on.
+/// Each bar has a query line that finds exactly its decisions.
 #include "spiraling_edge/replay/run_charts.h"
 
 #include <algorithm>

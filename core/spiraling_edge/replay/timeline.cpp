@@ -1,3 +1,7 @@
+/// Random access by keyframes. A keyframe holds the rings and a few numbers; triangles, alerts and
+/// DONE points are append-only, so that moving to it only cuts or extends them. When the byte
+/// budget is full the spacing of keyframes doubles and every second one is dropped. A seek costs
+/// the changes to the nearest keyframe and at most one spacing of pivots.
 #include "spiraling_edge/replay/timeline.h"
 
 #include <algorithm>

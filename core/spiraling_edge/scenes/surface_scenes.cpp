@@ -1,3 +1,6 @@
+/// Even samples without files: random points in a thin shell are projected onto the surface and
+/// relaxed by mutual repulsion, with + - * / and sqrt alone, so that every machine gets the same
+/// points.
 #include "spiraling_edge/scenes/surface_scenes.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+/// Doubly linked rings in a pool, with free lists and a chain of entries per point. Split and join
+/// are one exchange of successors; relabeling after a split walks both parts in step, so that it
+/// costs the length of the shorter one, and after a join that of the shorter ring.
 #include "spiraling_edge/stepper/edge_ring.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+/// The invariants as direct checks over the whole state, independent of the code that maintains
+/// them. O(points) each.
 #include "spiraling_edge/stepper/invariants.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+/// The table of settings, one row each, in the order of the paper, then those beyond it.
 #include "spiraling_edge/stepper/rule_settings.h"
 
 #include <array>

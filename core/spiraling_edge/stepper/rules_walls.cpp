@@ -1,3 +1,5 @@
+/// The rules of §7 that need more than one expression: third points, and the sector of a rim point.
+/// Angles are keys, and walls have exact outward directions, so that no trigonometry decides.
 #include <algorithm>
 
 #include "spiraling_edge/stepper/rules.h"

@@ -1,3 +1,6 @@
+/// The dispatch from State::phase to the phase functions. Each exists in two variants, with and
+/// without a log; the choice is made once per call, and runs with what-ifs or non-default paper
+/// rules always take the one with a log.
 #include "spiraling_edge/stepper/stepper.h"
 
 #include <algorithm>

@@ -57,7 +57,7 @@ bool areClosed(const Rim& rim, const PointSet& points) {
 
 }  // namespace
 
-// ---- results ------------------------------------------------------------------------------
+// ---- results ------------------------------------------------------------------------------------
 
 TEST_CASE("rim: one closed chain for each rim of an open surface, and only points beside rims") {
     for (const Open& open : openSurfaces()) {

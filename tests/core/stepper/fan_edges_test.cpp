@@ -9,7 +9,7 @@
 using namespace se;
 using namespace se::test;
 
-// ---- angles -----------------------------------------------------------------
+// ---- angles -------------------------------------------------------------------------------------
 
 TEST_CASE("tangent: a point far below the tangent plane is sorted by its direction in the plane") {
     // 30 degrees in the plane, 74 between the vectors; the sector ends at 60.

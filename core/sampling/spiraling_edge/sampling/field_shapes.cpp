@@ -1,3 +1,5 @@
+/// The built-in scalar fields: formulas with their gradients, one row each in the table at the end.
+/// A new shape is a value, a gradient and a row.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,3 +1,5 @@
+/// Decompression of gzip and zlib streams by zlib, with the size known beforehand. A stream expands
+/// to at most 1032 times its size, so that memory is bounded by the input.
 #include "spiraling_edge/sampling/inflate.h"
 
 #include <zlib.h>

@@ -1,3 +1,6 @@
+/// Marching over a lattice: the field is evaluated once per corner, layer by layer, and each edge
+/// whose ends differ in sign gives one crossing by the Illinois variant of regula falsi. Curves on
+/// the walls come from marching squares. O(cells) evaluations, in parallel by layers.
 #include "spiraling_edge/sampling/lattice.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+/// The header of NRRD: fields line by line, each with its own checks, then the fields together.
+/// Sizes are checked against the machine before any sample is read.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,3 +1,7 @@
+/// Birth and death of particles. The crowding at a place is the sum of the repulsion around it;
+/// crowded particles are removed and new ones added at the least crowded places, a few percent at a
+/// time, so that the number reaches its target and the spacing becomes even. Deterministic: ties by
+/// index. O(n log n) for n particles.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,7 +33,7 @@ constexpr double kCrowded = 1.35;
 constexpr double kPair = 4.0;
 /// A particle without another within this many spacings has no neighbors for triangles.
 constexpr double kLonely = 1.3;
-/// Crowding on parts too small for the number of particles.
+/// Crowding above which a particle is exchanged even where there is little room elsewhere.
 constexpr double kSqueezed = 2.0;
 
 /// Measures the crowding. At a place it is the sum of push() over the particles around, scaled to 1

@@ -1,3 +1,6 @@
+/// The first particles: corners, then the curves on the walls divided evenly, then the area, one
+/// particle for each equal share of it along a Z-curve. The count follows from area and lengths, or
+/// the spacing from the count. O(crossings log crossings).
 #include <algorithm>
 #include <array>
 #include <cmath>

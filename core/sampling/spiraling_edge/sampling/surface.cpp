@@ -1,3 +1,5 @@
+/// Projection onto the surface along the gradient: a bracket from the Newton step, then the
+/// Illinois variant of regula falsi. Curvature by differences of the unit normal.
 #include "spiraling_edge/sampling/surface.h"
 
 #include <algorithm>
