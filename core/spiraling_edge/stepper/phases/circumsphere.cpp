@@ -1,4 +1,8 @@
-/// §6.3: the circumsphere test, which removes candidates from the neighbor ring.
+/// §6.3: the circumsphere test with the 120-degree rule, which removes candidates from the neighbor
+/// ring. The equator of the sphere is the circle through the pivot and the two neighbors of a
+/// candidate; a candidate inside it stays, and so does one whose removal would leave a gap over 120
+/// degrees. One pass, O(candidates); with Rules::stepBack a removal tests the candidate before it
+/// again.
 #include "spiraling_edge/stepper/step_context.h"
 
 namespace se {

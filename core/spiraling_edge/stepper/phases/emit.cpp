@@ -1,4 +1,5 @@
-/// §6.4: the fan of triangles.
+/// §6.4: the fan of triangles from first to last, and the two-point rings over 180 degrees that are
+/// discarded. Triangles are only appended. O(fan).
 #include <cassert>
 #include <span>
 

@@ -1,4 +1,7 @@
-/// §6.1, Figs. 4 to 6: start and end advance, and USED candidates are tested.
+/// §6.1, Figs. 4 to 6: start and end advance while the ring is concave (Fig. 4), and candidates
+/// outside are dropped; USED candidates must then pass the convexity test (Fig. 5) and, at one of
+/// their entries, the reciprocal test (Fig. 6). O(list) for each move, plus the entries of USED
+/// candidates.
 #include <algorithm>
 
 #include "spiraling_edge/stepper/step_context.h"

@@ -1,4 +1,7 @@
-/// §6.5: the edge ring after a pivot, and the way to the next one.
+/// §6.5: the edge ring after a pivot: passed entries are released, candidates inserted, and points
+/// met again split or join rings (one exchange of successors). Then the traversal continues, pops a
+/// ring or ends the component; finished rings of two and rings freed by §7 are closed here, too.
+/// O(fan) per pivot, plus relabeling of the shorter ring.
 #include <algorithm>
 
 #include "spiraling_edge/stepper/step_context.h"

@@ -1,4 +1,6 @@
-/// §6.1, Fig. 3: the neighbors of the pivot, sorted by angle.
+/// §6.1, Fig. 3: the listed neighbors between start and end, sorted by angle. Angles are keys
+/// without an arccosine, and the inner loops avoid branches that could not be predicted. O(list),
+/// plus the sort.
 #include <algorithm>
 #include <array>
 
