@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and opens the viewer.
+# Installs missing packages, builds, and opens the viewer.
 #   ./run.sh [FILE] [VIEWER OPTIONS]
 # FILE: points as PLY, XYZ, OBJ, OFF or PCD, or scene:ID. Without one: a scan of a kitten that Debian
 # ships, or a built-in scene if it cannot be fetched. Without a display, the same is run headless:
@@ -52,6 +52,6 @@ mkdir -p out
 say "there is no display: running $input headless"
 build/bin/spiraling-edge run "$input" -o "out/$name.ply" --report -
 say "the mesh is in out/$name.ply"
-[[ " $* " == *" --goto "* ]] || set -- "$@" --goto 100% # unless asked otherwise, of the end
+[[ " $* " == *" --goto "* ]] || set -- "$@" --goto 100% # the end of the run by default
 "$viewer" "$input" --screenshot "out/$name.png" "$@"
 say "the picture is in out/$name.png"

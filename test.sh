@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds everything with warnings as errors and runs every check:
+# Installs missing packages, builds everything with warnings as errors and runs every check:
 #   asan      core and its tests with address and undefined behavior sanitizers
 #   lean      optimized programs, tested from outside; the viewer also under a virtual display
 #   the rest  layers, format, clang-tidy, use as a library by another project
@@ -29,7 +29,7 @@ run() {
     echo "$? $((SECONDS - start))" >"$logs/$name.status"
 }
 
-# judge NAME: one line on a check that has run. Each test of a suite counts by itself.
+# judge NAME: one line about a check that has run. Each test of a suite counts separately.
 judge() {
     local name=$1 log=$logs/$1.log status seconds tests bad all=1 ending=
     read -r status seconds <"$logs/$name.status"
@@ -68,7 +68,7 @@ check_format() {
         xargs "$(command -v clang-format-14 || command -v clang-format)" --dry-run -Werror
 }
 consumer() {
-    # The same flags as in the build before, so that ccache knows the library's files.
+    # The same flags as in the build before, so that ccache has the library's files.
     local flags=("${lean_flags[@]}")
     command -v ccache >/dev/null && flags+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
     tests/consumer/run.sh build-test/lean "${flags[@]}"
@@ -80,7 +80,7 @@ tests_of() {
     ctest --test-dir "$1" --output-on-failure --no-tests=error -j "$jobs" "${@:2}"
 }
 lean_tests() { tests_of build-test/lean --label-exclude 'core|fuzz' --exclude-regex NOT_BUILT; }
-# What only computes, for the time that the tests of the window leave: those look at a clock.
+# Tests that only compute, in the time that the window's tests leave: those depend on a clock.
 meanwhile() {
     chrt --idle -p 0 "$BASHPID" 2>/dev/null || renice -n 19 "$BASHPID" >/dev/null
     run asan_tests tests_of build-test/asan

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Checks what the compiler does not: which part may include which, who may write files, that every
-# source file is named in a CMakeLists.txt, what stands at the root, and the limits of size. Prints
-# every breach; fails if there is one.
+# Checks beyond the compiler's: the includes between parts, the one place that writes files, that
+# every source file is named in a CMakeLists.txt, the entries of the root, and the limits of size.
+# Prints every violation; fails if there is one.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit 1
 breaches=0
@@ -45,8 +45,8 @@ no "$(include 'zlib')" "only inflate.cpp may use zlib" "${not_inflate[@]}"
 no "$(include nanoflann)" "only neighbor_search.cpp may use nanoflann" "${not_search[@]}"
 no '\b(f?printf|f?puts)\(|std::(cout|cerr|clog)\b' "core prints nothing" "${core[@]}"
 no '^#include "([^s]|s[^p])' "core includes as spiraling_edge/ROOM/..." "${core[@]}"
-# Rooms of core, from the bottom: each may include those before it. Sampling stands beside them, on
-# what comes up to prepare; programs alone include it.
+# Rooms of core, from the bottom: each may include those before it. Sampling may include the rooms
+# up to prepare; only programs include it.
 known=()
 rooms=(base points geometry mesh io stepper prepare doctor scenes replay explain)
 for room in "${rooms[@]}"; do
@@ -95,7 +95,7 @@ no 'std::(jthread|stop_token|stop_source|bit_cast|ranges::|views::|condition_var
     "not in old compilers" "${ours[@]}"
 no '__cpp_lib_to_chars|std::chars_format' "numbers as text go through number_text.h" "${ours[@]}"
 
-# Files are written in one place, which leaves none half written.
+# Files are written in one place, which leaves no partial file.
 mapfile -t not_writers < <(printf '%s\n' "${core[@]}" "${cli[@]}" ${viewer[@]+"${viewer[@]}"} |
     grep -vE '/atomic_file\.(h|cpp)$')
 no '\b(f|fre|fd)open\(|\bofstream|std::fstream|O_CREAT|O_WRONLY|O_RDWR|\bcreat\(|mk(o)?stemp|tmpfile\(|stbi_write_(png|jpg|bmp|tga|hdr)\(|copy_file\(' \
@@ -112,7 +112,7 @@ done < <(git ls-tree --name-only HEAD 2>/dev/null)
 # Dear ImGui breaks lines within numbers: running text goes through wrappedText().
 no 'ImGui::(TextWrapped|PushTextWrapPos)' "wrap text by panels/widgets/widgets.h" "${viewer[@]}"
 
-# Explicit lists forget.
+# Every source is in a list.
 while read -r file; do
     name=${file##*/}
     folder=$(dirname "$file")

@@ -2,7 +2,7 @@
 # The one list of Debian packages that the project needs, and their installation.
 #   packages.sh run     to build and run the programs
 #   packages.sh test    to build and run the tests, too
-# Installs what is missing, as root or with sudo; does nothing, quickly, if nothing is.
+# Installs missing packages, as root or with sudo; returns quickly if there are none.
 set -euo pipefail
 
 run=(
@@ -10,12 +10,12 @@ run=(
     libglm-dev libnanoflann-dev zlib1g-dev             # core
     libcli11-dev nlohmann-json3-dev libfmt-dev         # programs
     libglfw3-dev libimgui-dev libstb-dev python3-glad  # viewer
-    libegl-dev libegl1 libgl1 libgl1-mesa-dri          # OpenGL, in software if need be
+    libegl-dev libegl1 libgl1 libgl1-mesa-dri          # OpenGL, in software if necessary
     fonts-dejavu-core fonts-inter
 )
 test=(
     doctest-dev libbenchmark-dev
-    admesh assimp-utils  # other programs, for what is written and read
+    admesh assimp-utils  # other programs, to test written and read files
     clang-format-14 clang-tidy-16
     xvfb xauth xdotool x11-utils x11-xserver-utils imagemagick python3-xlib  # the viewer under a virtual display
 )
@@ -31,8 +31,8 @@ if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     exit 0
 fi
 
-# Packages of the list that are not installed, one per line. dpkg-query fails as soon as it has never
-# heard of one of them, which is no failure here.
+# Packages of the list that are not installed, one per line. dpkg-query fails if one of them is
+# unknown, which is not an error here.
 missing() {
     local installed
     installed=$({ dpkg-query -W -f='${Package} ${db:Status-Status}\n' "${wanted[@]}" 2>/dev/null || true; } |

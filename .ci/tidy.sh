@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # clang-tidy with the rules of .clang-tidy over our sources, as many at a time as there are cores.
 #   tidy.sh BUILD [FOLDER...]    BUILD holds compile_commands.json; default: core and app
-# Many sources are looked at as one, which takes a tenth of the time: most of it goes into what
-# they include. What was clean is not looked at again until it, a header or the rules change.
+# Many sources are checked as one, which takes a tenth of the time, since most of it is spent in
+# includes. A clean source is checked again only after it, a header or the rules change.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit 1
 build=$1
@@ -13,7 +13,7 @@ tidy=$(command -v clang-tidy-16 || command -v clang-tidy) || { echo "no clang-ti
 cache=$build/tidy
 mkdir -p "$cache"
 
-# Writes the sources that include 25 others, and how to compile them; prints their names.
+# Writes sources that include 25 others each, with their compile commands; prints their names.
 together() {
     python3 - "$build" "$cache" "${folders[@]}" <<'PYTHON'
 import json, pathlib, re, sys
@@ -51,7 +51,7 @@ echo "clang-tidy: $((${#work[@]} / 2)) times 25 files to look at"
 
 check() {
     local output
-    # -w: compiler warnings are the compiler's business.
+    # -w: no compiler warnings here.
     output=$("$1" -p "$2" --config-file=.clang-tidy --quiet --extra-arg=-w "$3" 2>/dev/null) &&
         : >"$4" && return 0
     echo "$output"

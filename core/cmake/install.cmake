@@ -1,5 +1,5 @@
-# What `cmake --install` lays down: the library with its headers, and the package that
-# find_package(spiraling_edge) finds. The programs are installed where they are defined (app/).
+# Installation: the library with its headers, and the package for find_package(spiraling_edge). The
+# programs are installed where they are defined (app/).
 include(CMakePackageConfigHelpers)
 
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/spiraling_edge")

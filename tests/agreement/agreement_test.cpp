@@ -31,10 +31,10 @@ struct NamedMesh {
     std::vector<se::Triangle> triangles;
 };
 
-/// What both say of a mesh.
+/// The common verdict on a mesh.
 struct Verdict {
     bool manifold = false;      ///< At most two triangles per edge, wound alike; one fan per point.
-    bool intersecting = false;  ///< Asked of manifold meshes only: CGAL's check works on those.
+    bool intersecting = false;  ///< For manifold meshes only: CGAL's check works on those.
     bool operator==(const Verdict&) const = default;
 };
 
@@ -76,7 +76,7 @@ std::vector<NamedMesh> meshesOfScenes() {
     return meshes;
 }
 
-/// A closed octahedron, and what can be made of it.
+/// A closed octahedron, and variants with one failure each.
 std::vector<NamedMesh> plantedMeshes() {
     se::PointSet points;
     points.position = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1},

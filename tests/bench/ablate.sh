@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# What each rule beyond the paper is worth: `--rules robust` with one rule off at a time, over a list
-# of point files. Prints a Markdown table: files with a sound mesh, faults, unused points, boundary
-# loops and seconds in all.
+# The effect of each rule beyond the paper: `--rules robust` with one rule off at a time, over a
+# list of point files. Prints a Markdown table: files with a sound mesh, faults, unused points,
+# boundary loops and seconds in all.
 #   tests/bench/ablate.sh PROGRAM FILE...     PROGRAM: build/bin/spiraling-edge
 set -uo pipefail
 [ $# -ge 2 ] || { echo "usage: $0 PROGRAM FILE..." >&2; exit 2; }

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Our program beside other methods on the same points: a Markdown table per input, and how the times
-# grow with the number of points. See docs/performance.md.
+# Our program compared with other methods on the same points: a Markdown table per input, and the
+# growth of the times with the number of points. See docs/performance.md.
 #   tests/bench/compare.sh [-n REPEATS] [-o FOLDER] [-m "METHODS"] [-g "SIZES"] [-b BUILD] [INPUT...]
-#     -n  repeats (3); the table has medians. The programs take turns, so that load falls on all
-#     -o  where results go (out/compare): runs.csv, table.md, growth.csv, growth.svg
-#     -m  peers (gp3 gp3:12 afs bpa alpha crust hoppe poisson), :K for that many neighbors; "" for none
-#     -g  sizes of the growing sphere ("1000 10000 100000 1000000"); "" for none
-#     -b  build folder (build-peers); configured and built if the programs are not there
+#     -n repeats (3); the table has medians. The programs take turns, so that load falls on all -o
+#     where results go (out/compare): runs.csv, table.md, growth.csv, growth.svg -m peers (gp3
+#     gp3:12 afs bpa alpha crust hoppe poisson), :K for that many neighbors; "" for none -g sizes of
+#     the growing sphere ("1000 10000 100000 1000000"); "" for none -b build folder (build-peers);
+#     configured and built if the programs are missing
 #   INPUT: point files with normals. Default: a sphere and a torus of 43,000 points.
 #   GROWTH_PEERS ("gp3 afs bpa"): the peers of the growing sphere, up to a million points.
 #   LIMIT (900): seconds for one run.
@@ -64,8 +64,8 @@ run() {
     echo "$(field "$json" read),$(field "$json" $search),$(field "$json" $reconstruct),$(field "$json" write),$cpu,$(field "$json" triangles)"
 }
 
-# measure CSV LABEL INPUT REPEATS METHODS...: lines "label,method,repeat,...", in turns. A method that
-# failed or took too long is not tried again.
+# measure CSV LABEL INPUT REPEATS METHODS...: lines "label,method,repeat,...", in turns. A method
+# that failed or took too long is not run again.
 measure() {
     local csv=$1 label=$2 input=$3 repeats=$4 repeat method line
     local -A failed=()
@@ -83,7 +83,7 @@ measure() {
     done
 }
 
-# soundness METHOD: the cells of the table that count what is wrong with its mesh.
+# soundness METHOD: the cells of the table that count the faults of its mesh.
 soundness() {
     local json=$scratch/check.json flipped
     timeout "$limit" "$tool" check "$scratch/$1.ply" >"$json" || { echo " ? | ? | ? | ? | ?"; return; }

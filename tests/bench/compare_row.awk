@@ -1,5 +1,6 @@
 # The beginning of one row of compare.sh's table: medians of one method on one input, and their
-# ratios to the first row's, taken run by run and then the median. Nothing if there are no runs.
+# ratios to the first row's, taken run by run and then the median. Prints nothing if there are no
+# runs.
 function median(values, count,    i, j, swap) {
     for (i = 2; i <= count; i++)
         for (j = i; j > 1 && values[j - 1] > values[j]; j--) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# What each missing input costs: the table of docs/performance.md, "Missing inputs".
+# The cost of each missing input: the table of docs/performance.md, "Missing inputs".
 #   tests/bench/costs.sh PROGRAM FILE...
-# Files with normals, which are derived anew and compared with those of the file.
+# FILE needs normals; they are derived again and compared with those of the file.
 set -euo pipefail
 export LC_ALL=C
 program=$1

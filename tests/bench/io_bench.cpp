@@ -39,8 +39,8 @@ const PointFile& pointsWithLists() {
     }();
     return file;
 }
-/// Two million triangles, as many as a closed mesh of the points has; where they lie is of no
-/// concern to a writer.
+/// Two million triangles, as many as a closed mesh of the points has; their places do not matter to
+/// a writer.
 const std::vector<Triangle>& triangles() {
     static const std::vector<Triangle> made = [] {
         std::vector<Triangle> all;
@@ -53,7 +53,7 @@ const std::vector<Triangle>& triangles() {
     return made;
 }
 
-/// A file that goes with its object.
+/// A file that is removed with its object.
 class Scratch {
   public:
     explicit Scratch(const std::string& name)

@@ -1,9 +1,9 @@
-/// Reading and writing a million points, beside the same bytes moved by fread and fwrite.
+/// Reading and writing a million points, compared with the same bytes moved by fread and fwrite.
 #pragma once
 
 namespace se::bench {
 
-/// Rows io/...: not run unless asked for, as they need 300 MB in the folder for temporary files.
+/// Rows io/...: not run unless requested, as they need 300 MB in the folder for temporary files.
 void registerIo();
 
 }  // namespace se::bench

@@ -1,5 +1,5 @@
-// How fast a run is, and what recording its events costs. Baseline in the same process: sorting the
-// neighbors of every point once by angle, which is the least that any such algorithm does.
+// Time of a run, with and without a log of its events. Baseline in the same process: one sort of
+// every point's neighbors by angle, the least work of any such algorithm.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -108,7 +108,7 @@ void triangulate(benchmark::State& bench, const std::string& name, const std::st
     triangulateBy(bench, name, paramsByName(rules).value_or(Params{}));
 }
 
-/// The paper's rules but for one ("onsphere=kept"): such runs go the way of those with a log.
+/// The paper's rules but for one ("onsphere=kept"): such runs take the logging code path.
 void triangulateOtherwise(benchmark::State& bench, const std::string& name,
                           const std::string& rule) {
     Params params;
@@ -118,7 +118,7 @@ void triangulateOtherwise(benchmark::State& bench, const std::string& name,
     triangulateBy(bench, name, params);
 }
 
-/// As triangulate(), but with the run that renumbers scattered points; and what memory it takes.
+/// As triangulate(), but with the run that renumbers scattered points; and its memory.
 void reconstructAtOnce(benchmark::State& bench, const std::string& name) {
     const PointSet& points = pointsOf(name);
     if (skipIfAbsent(bench, points)) return;
@@ -133,7 +133,7 @@ void reconstructAtOnce(benchmark::State& bench, const std::string& name) {
     countPoints(bench, points);
 }
 
-/// Going about in a run that was seen once: to the pivot before, or to any.
+/// Moves in a run that was seen once: to the previous pivot, or to any.
 void goBack(benchmark::State& bench, const std::string& name, bool anywhere) {
     const PointSet& points = pointsOf(name);
     if (skipIfAbsent(bench, points)) return;
@@ -194,14 +194,15 @@ void registerAll(const std::string& name) {
     add("reconstruct", reconstructAtOnce);
     for (const std::string_view rules : paramSetNames())
         add("triangulate_" + std::string(rules), triangulate, std::string(rules));
-    // On scans no point lies exactly on a sphere: the same mesh, so that the way alone differs.
+    // On scans no point lies exactly on a sphere: the same mesh, so that only the code path
+    // differs.
     add("triangulate_paper_onsphere_kept", triangulateOtherwise, std::string("onsphere=kept"));
     add("triangulate_log_cleared", triangulateWithLog, false);
     add("triangulate_log_kept", triangulateWithLog, true);
     add("neighbors", findNeighborLists);
 }
 
-/// Not run unless asked for: preparing the points alone takes seconds.
+/// Not run unless requested: preparing the points alone takes seconds.
 void registerLarge(const std::string& name) {
     benchmark::RegisterBenchmark(("large/reconstruct/" + name).c_str(),
                                  [=](benchmark::State& bench) { reconstructAtOnce(bench, name); })

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Uses the library as another project would: installed, and from its sources.
+# Uses the library from another project: installed, and from its sources.
 #   run.sh BUILD [CMAKE ARGUMENTS]   BUILD: a finished build; the arguments go to both consumers
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)

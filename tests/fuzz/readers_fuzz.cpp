@@ -1,5 +1,5 @@
-/// Feeds bytes to the readers. Whatever they are: no crash, and what is read can be written, read
-/// back and prepared. By default a plain program that takes files, so that it never rots:
+/// Feeds arbitrary bytes to the readers: no crash, and any result can be written, read back and
+/// prepared. By default a plain program that takes files, so that it never rots:
 ///
 ///     readers_fuzz FILE...
 ///
@@ -22,7 +22,7 @@
 
 namespace {
 
-/// Unlike assert(), stays in optimized builds.
+/// Unlike assert(), kept in optimized builds.
 void require(bool good, const char* what) {
     if (good) return;
     std::fprintf(stderr, "broken: %s\n", what);
@@ -41,7 +41,7 @@ void checkContent(const se::PointFile& file) {
             "prepared points are not valid");
 }
 
-/// What volume.h promises of a volume that was read.
+/// Checks the guarantees of volume.h for a volume that was read.
 void checkVolume(const se::Volume& volume) {
     const auto& size = volume.size;
     require(size[0] >= 2 && size[1] >= 2 && size[2] >= 2, "fewer than two samples");

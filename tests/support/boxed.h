@@ -1,5 +1,5 @@
-/// Even samples of surfaces cut by a box, with points on its walls and edges, in a time that grows
-/// like their number: 43,000 take less than a second.
+/// Even samples of surfaces cut by a box, with points on its walls and edges, in time proportional
+/// to their number: 43,000 take less than a second.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace se::test {
 
-/// Two linked tori, their gap 0.44 wide: as few as 215 points tell them apart.
+/// Two linked tori, their gap 0.44 wide: as few as 215 points separate them.
 inline ImplicitSurface linkedRings() {
     static constexpr auto value = [](const Vec3& x) {
         const double across = std::sqrt(x.x * x.x + x.y * x.y) - 1.0;
@@ -37,7 +37,7 @@ inline ImplicitSurface linkedRings() {
 inline double lengthOf(const Vec3& v) { return std::sqrt(glm::dot(v, v)); }
 
 /// Places points first where edges of the box meet the surface, then at equal steps along its
-/// curves on the walls, then inside, where they push themselves apart.
+/// curves on the walls, then inside, where they repel each other.
 class BoxSampler {
   public:
     BoxSampler(const ImplicitSurface& surface, const Vec3& low, const Vec3& high, double points,
@@ -66,7 +66,7 @@ class BoxSampler {
     /// Area per point in squares of the spacing, for equilateral triangles.
     static constexpr double kHexagonal = 0.86602540378443865;
 
-    // ---- where points may be ----
+    // ---- the domain ----
 
     /// Of the surface, or of its curve on a wall across `axis`.
     Vec3 gradient(const Vec3& x, int axis) const {
@@ -291,7 +291,7 @@ class BoxSampler {
             points_[i] = project(points_[i], kNoWall, 3);
         }
     }
-    /// Pairs of points of which one may move.
+    /// Pairs of points with a movable one.
     std::vector<std::array<Index, 2>> pairsWithin(double reach, std::size_t fixed) const {
         std::vector<std::array<Index, 2>> pairs;
         CellGrid grid(low_, high_, reach);
@@ -331,11 +331,11 @@ class BoxSampler {
     Random random_;
     double count_, spacing_;
     std::vector<Vec3> points_;
-    std::size_t corners_ = 0;  ///< The first so many lie on edges of the box.
+    std::size_t corners_ = 0;  ///< The number of first points that lie on edges of the box.
 };
 
-/// About so many evenly spaced points of the surface within the box, typed by wall, and half as
-/// many more as lie on the walls. None has a type if the box holds the whole surface.
+/// About `count` evenly spaced points of the surface within the box, typed by wall, plus half the
+/// number on the walls. None has a type if the box holds the whole surface.
 inline PointFile sampleBoxed(const ImplicitSurface& surface, const Vec3& low, const Vec3& high,
                              double points, std::uint64_t seed) {
     return BoxSampler(surface, low, high, points, seed).sample();

@@ -1,4 +1,4 @@
-/// Even samples of surfaces with exact normals, and what is done with them in many tests.
+/// Even samples of surfaces with exact normals, and common steps of tests with them.
 #pragma once
 
 #include <cmath>
@@ -33,11 +33,11 @@ inline constexpr bool kSanitized = false;
 struct Family {
     std::string name;
     int components;
-    int euler;  ///< Of the whole surface.
+    int euler;  ///< Euler number of the whole surface.
     std::function<PointFile(std::uint64_t seed)> sample;
 };
 
-/// About `scale` times 300 points on a sphere; the others have a like spacing.
+/// About `scale` times 300 points on a sphere; the others have a similar spacing.
 inline std::vector<Family> closedFamilies(double scale = 1.0) {
     const auto closed = [scale](ImplicitSurface surface, double area, double points) {
         const double count = std::floor(points * scale);
@@ -56,7 +56,7 @@ inline NeighborOptions reach(std::size_t k, bool dropOpposing = true) {
     return {KNearest{k}, dropOpposing};
 }
 
-/// The points as the stepper wants them; empty if they cannot be prepared.
+/// The points prepared for the stepper; empty if they cannot be.
 inline PointSet prepared(const PointFile& file, const NeighborOptions& options = {}) {
     auto result = prepare(file, {options});
     return result.ok() ? std::move(result.value().points) : PointSet{};
@@ -92,7 +92,7 @@ inline std::string describeFaults(const PointSet& points, const std::vector<Tria
     return text;
 }
 
-/// Steps a run to its end and returns the first breach, empty if there is none.
+/// Steps a run to its end and returns the first violated invariant; empty if there is none.
 inline std::string firstBreach(const PointSet& points, const Params& params,
                                InvariantChecker::Level level) {
     Stepper stepper(points, params);

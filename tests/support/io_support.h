@@ -1,4 +1,4 @@
-/// What the tests of the readers share: comparing contents, cutting files, a folder that vanishes.
+/// Helpers of the readers' tests: comparison of contents, truncated files, a temporary folder.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -69,7 +69,7 @@ inline std::string replaced(std::string text, std::string_view from, std::string
     return text.replace(at, from.size(), to);
 }
 
-/// Reads every proper prefix of `bytes`: none may be taken for a file with less in it than `bytes`.
+/// Reads every proper prefix of `bytes`: none may be read as a file with less content than `bytes`.
 inline void checkAllPrefixes(const std::string& bytes) {
     const PointFile whole = mustRead(bytes);
     for (std::size_t size = 0; size < bytes.size(); ++size) {

@@ -1,4 +1,4 @@
-/// Surfaces that end without a wall, and where.
+/// Surfaces that end without a wall, with the places of their rims.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -10,7 +10,7 @@
 
 namespace se::test {
 
-/// An open surface, with what is known about where it ends.
+/// An open surface with its known rims.
 struct Open {
     std::string name;
     PointFile file;
@@ -24,7 +24,7 @@ inline void add(PointFile& file, const Vec3& x, const Vec3& normal) {
     file.normal.push_back(normal);
 }
 
-/// Closed samples with what lies beyond the rims cut away.
+/// Closed samples with the parts beyond the rims cut away.
 inline Open cut(std::string name, const PointFile& whole, std::size_t rims, double spacing,
                 std::function<double(const Vec3&)> depth) {
     Open open{std::move(name), {}, rims, spacing, depth};
@@ -94,7 +94,7 @@ inline std::vector<Open> openSurfaces() {
     return all;
 }
 
-/// Moved about by up to `share` of the spacing.
+/// The points moved by up to `share` of the spacing.
 inline PointFile shaken(const Open& open, double share, std::uint64_t seed) {
     PointFile file = open.file;
     Random random(seed);

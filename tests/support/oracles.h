@@ -1,4 +1,5 @@
-/// What the rules compute, in the plainest way: by angles, by solving equations, by trying all.
+/// The computations of the rules in the plainest way: by angles, by solving equations, by trying
+/// all.
 #pragma once
 
 #include <cmath>
@@ -11,7 +12,7 @@ namespace se::test {
 
 inline constexpr double kPi = 3.14159265358979323846;
 
-/// The numbers of core, in the forms that tests want.
+/// The random numbers of core, in the forms that tests need.
 class Random : public SplitMix {
   public:
     using SplitMix::SplitMix;

@@ -1,4 +1,4 @@
-/// Inputs that no surface gave.
+/// Inputs without a surface.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace se::test {
 
-/// Anything at all: points in a cube, lists of random others, normals and types by chance.
+/// Random inputs: points in a cube, lists of random others, random normals and types.
 inline PointSet randomPoints(std::uint64_t seed) {
     Random random(seed);
     PointSet points;

@@ -18,7 +18,7 @@ namespace se::test {
 inline Params paper() { return *paramsByName("paper"); }
 inline Params robust() { return *paramsByName("robust"); }
 inline Params printed() { return *paramsByName("printed"); }
-/// `paper` with one rule turned over.
+/// `paper` with one rule inverted.
 inline Params paperBut(bool Rules::*rule) {
     Params params = paper();
     params.rules.*rule = !(params.rules.*rule);
@@ -34,9 +34,9 @@ inline std::vector<Index> ringFrom(const State& s, Index entry) {
     return points;
 }
 
-/// Points with normals up unless said otherwise. The finished patch lies left of a ring's
-/// direction, so at a pivot the free sector runs counterclockwise from the point before it on the
-/// ring to the point behind it.
+/// Points with normals up unless set. The finished patch lies left of a ring's direction, so at a
+/// pivot the free sector runs counterclockwise from the point before it on the ring to the point
+/// after it.
 class Rig {
   public:
     explicit Rig(std::vector<Vec3> position, Params params = paper()) : params_(params) {
@@ -101,7 +101,7 @@ class Rig {
         state_.phase = Phase::Pivot;
         return *this;
     }
-    /// Triangles that are there already. They leave status and rings as they are.
+    /// Existing triangles. They do not change status or rings.
     Rig& mesh(const std::vector<Triangle>& triangles) {
         for (const Triangle& t : triangles) {
             state_.triangles.push_back(t);
@@ -154,7 +154,7 @@ class Rig {
     const State& state() { return stepper().state(); }
     const PointSet& points() { return stepper().points(); }
     const std::vector<Triangle>& triangles() { return state().triangles; }
-    /// Those that were not given.
+    /// The triangles that were not given.
     std::vector<Triangle> newTriangles() {
         const auto& all = triangles();
         return {all.begin() + static_cast<std::ptrdiff_t>(given_), all.end()};
@@ -210,9 +210,9 @@ class Rig {
     Index makeRing(const std::vector<Index>& points) {
         EdgeRings& rings = state_.rings;
         const Index head = rings.start(points[0], points[1]);
-        Index behind = rings.next(head);
+        Index last = rings.next(head);
         for (std::size_t i = 2; i < points.size(); ++i) {
-            behind = rings.insertAfter(behind, points[i]);
+            last = rings.insertAfter(last, points[i]);
         }
         Index entry = head;
         for (const Index p : points) {
@@ -246,7 +246,7 @@ using Triangles = std::vector<Triangle>;
 
 }  // namespace se::test
 
-// What a failed check prints.
+// The output of failed checks.
 namespace doctest {
 template <>
 struct StringMaker<se::Triangle> {

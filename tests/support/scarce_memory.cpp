@@ -35,7 +35,7 @@ ScarceMemory::~ScarceMemory() {
 
 void* operator new(std::size_t size) { return allocate(size); }
 void* operator new[](std::size_t size) { return allocate(size); }
-// Sanitizers have their own of these, which do not go with the delete below.
+// Sanitizers have their own versions, which do not match the delete below.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return std::malloc(size); }
 void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return std::malloc(size); }
 void operator delete(void* memory) noexcept { std::free(memory); }

@@ -1,12 +1,12 @@
-/// Too little memory, for tests of what happens then.
+/// A shortage of memory, for tests.
 #pragma once
 
 #include <cstddef>
 
 namespace se {
 
-/// While it lives, every allocation of more than `most` bytes throws std::bad_alloc in all threads
-/// but the one that made it. One at a time.
+/// While it exists, every allocation of more than `most` bytes throws std::bad_alloc in all threads
+/// but the one that created it. One at a time.
 class ScarceMemory {
   public:
     explicit ScarceMemory(std::size_t most = 256);

@@ -1,4 +1,4 @@
-/// Large inputs next to the checkout, which not every machine has.
+/// Large inputs next to the checkout, absent on most machines.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -11,7 +11,7 @@
 
 namespace se::test {
 
-/// The file or folder of this name; empty, with a message, where it is not at hand.
+/// The file or folder of this name; empty, with a message, where it is absent.
 inline std::filesystem::path sharedFile(const std::string& name) {
 #ifdef SPIRALING_EDGE_SHARED_DATA
     std::filesystem::path path = std::filesystem::path(SPIRALING_EDGE_SHARED_DATA) / name;
@@ -22,7 +22,7 @@ inline std::filesystem::path sharedFile(const std::string& name) {
     return {};
 }
 
-/// What the file of this name holds, or nothing, with a message, where it is not at hand.
+/// The content of the file of this name; nothing, with a message, where it is absent.
 inline std::optional<PointFile> sharedPoints(const std::string& name) {
     const std::filesystem::path path = sharedFile(name);
     if (path.empty()) return std::nullopt;

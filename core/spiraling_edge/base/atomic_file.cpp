@@ -1,3 +1,6 @@
+/// Write to a temporary file in the folder of the target, then rename: readers see the old or the
+/// new file. A fixed table of unfinished files lets signal handlers remove them without locks or
+/// memory.
 #include "spiraling_edge/base/atomic_file.h"
 
 #include <fcntl.h>
@@ -33,8 +36,8 @@ struct UnfinishedFile {
 static_assert(std::atomic<int>::is_always_lock_free);
 std::array<UnfinishedFile, 16> unfinishedFiles;
 
-/// The slot of `path`, from 1; 0 if the table is full or the path too long: then a signal would
-/// leave the file.
+/// The slot of `path`, from 1; 0 if the table is full or the path too long: then a signal does not
+/// remove the file.
 std::size_t listUnfinished(const std::string& path) {
     if (path.size() >= unfinishedFiles[0].path.size()) return 0;
     for (std::size_t i = 0; i < unfinishedFiles.size(); ++i) {
@@ -58,7 +61,7 @@ extern "C" void removeAndEnd(int signal) {
     std::raise(signal);
 }
 
-/// A name of a file that this process has open: what it leads to must be appended to, not replaced.
+/// True for the name of a file that this process has open, which must be appended to, not replaced.
 bool isOpenFile(const fs::path& path) {
     const std::string name = path.string();
     return name == "/dev/stdout" || name == "/dev/stderr" || name.rfind("/dev/fd/", 0) == 0 ||
@@ -73,8 +76,8 @@ fs::path unpredictableName(const fs::path& folder) {
     return folder / name.data();
 }
 
-/// rename() checks only the permissions of the folder, and root may write everywhere: a
-/// write-protected file stays.
+/// True for a write-protected file. rename() would replace it, as it checks only the permissions of
+/// the folder, and root may write everywhere.
 bool isWriteProtected(const fs::path& target, unsigned mode) {
     constexpr unsigned kAnyWriteBit = 0222;
     if ((mode & kAnyWriteBit) == 0) {
@@ -157,7 +160,8 @@ bool AtomicFile::openTemporary() {
     errno = 0;
     descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode_);
     if (descriptor_ >= 0) {
-        // The mode of the old file, whatever the umask. Failure is no reason not to write.
+        // The mode of the old file, regardless of the umask. A failure here does not prevent the
+        // write.
         if (exists_) static_cast<void>(::fchmod(descriptor_, mode_));
         return true;
     }
@@ -223,7 +227,7 @@ void removeUnfinishedFiles() noexcept {
 
 void removeUnfinishedFilesAtSignals() noexcept {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXFSZ, SIGXCPU}) {
-        // Ignored by the caller, as nohup does: that holds.
+        // A signal ignored by the caller, as by nohup, stays ignored.
         if (std::signal(signal, removeAndEnd) == SIG_IGN) std::signal(signal, SIG_IGN);
     }
 }

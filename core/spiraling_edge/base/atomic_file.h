@@ -37,7 +37,8 @@ class AtomicFile {
 
     /// Appends `bytes`.
     Status write(std::string_view bytes);
-    /// Ends the file and gives it its name. No further call may follow.
+    /// Completes the file: closes it and, unless the target is written to directly, renames it. No
+    /// further call may follow.
     Status commit();
 
   private:
@@ -62,7 +63,7 @@ class AtomicFile {
 };
 
 /// `path` with its links followed, also where the last leads to a file that does not exist yet: the
-/// file that an AtomicFile replaces. Empty if they lead round in a circle.
+/// file that an AtomicFile replaces. Empty if they form a cycle.
 std::filesystem::path withLinksFollowed(std::filesystem::path path);
 
 /// Writes `bytes` as an AtomicFile.

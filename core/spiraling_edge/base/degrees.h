@@ -1,4 +1,4 @@
-/// Angles as people write them, and the cosines that decide.
+/// Conversion between angles in degrees and the cosines that decide.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 namespace se {
 
 /// The cosine of an angle from 0 to 180 degrees by + - * / alone, so that it is the same on every
-/// machine; as near as a double can be where rules have their usual values.
+/// machine; correctly rounded where rules have their default values.
 inline double cosineOfDegrees(double degrees) {
     struct Known {
         double degrees, cosine;
@@ -31,7 +31,7 @@ inline double cosineOfDegrees(double degrees) {
     return -sine;
 }
 
-/// Back again, to the digits that a person would write.
+/// The inverse of cosineOfDegrees(), rounded to nine digits after the point for display.
 inline double degreesOfCosine(double cosine) {
     constexpr double kPi = 3.14159265358979323846;
     constexpr double kDigits = 1e9;

@@ -1,4 +1,4 @@
-/// Groups of numbers, joined pair by pair.
+/// Disjoint sets of numbers (union-find).
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace se {
 
-/// Each group is named by its least member. By path halving.
+/// Disjoint sets, each named by its least member. Path halving (Tarjan and van Leeuwen 1984).
 class DisjointSets {
   public:
     explicit DisjointSets(std::size_t size) : parent_(size) {
@@ -20,7 +20,7 @@ class DisjointSets {
         while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
         return x;
     }
-    /// True if the two were apart.
+    /// Joins the sets of x and y. True if they were different.
     bool unite(Index x, Index y) {
         x = find(x);
         y = find(y);

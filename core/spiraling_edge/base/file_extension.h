@@ -1,4 +1,4 @@
-/// What kind of file a name stands for.
+/// File extensions.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace se {
 
-/// ".ply" of "a/Scan.PLY"; empty if the name has none.
+/// The extension in lower case: ".ply" for "a/Scan.PLY"; empty if the name has none.
 inline std::string lowerExtension(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),

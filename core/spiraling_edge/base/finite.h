@@ -1,4 +1,4 @@
-/// Positions and normals that one can compute with.
+/// Test for finite positions and normals.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-/// Numbers as text: exact ones, and those that people read.
+/// Numbers as text: exact, or rounded for display.
 #pragma once
 
 #include <array>
@@ -42,7 +42,7 @@ inline void appendPlainNumber(std::string& text, double value) {
     appendNumber(text, value);
 }
 
-/// Six significant digits; the same on every machine.
+/// `value` with six significant digits; the same on every machine.
 inline std::string num(double value) {
     std::array<char, 32> out;
     std::snprintf(out.data(), out.size(), "%.6g", value == 0.0 ? 0.0 : value);

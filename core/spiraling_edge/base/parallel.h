@@ -14,17 +14,16 @@
 
 namespace se {
 
-/// Threads beside that of the caller. An exception in one of them reaches the caller.
+/// Threads in addition to the caller's. An exception in one of them reaches the caller.
 class Workers {
   public:
-    /// Calls work() in a thread of its own. It must not use what the caller destroys before this
-    /// object.
+    /// Calls work() in a thread of its own. Everything it uses must outlive this object.
     template <typename Work>
     void start(Work&& work) {
         running_.push_back(std::async(std::launch::async, std::forward<Work>(work)));
     }
-    /// Waits for all of them; then throws the exception of the first, in the order of start(), that
-    /// ended with one. The destructor waits too, and throws nothing.
+    /// Waits for all of them; then rethrows the first exception, in the order of start(). The
+    /// destructor waits as well, and throws nothing.
     void join() {
         for (const std::future<void>& each : running_) each.wait();
         for (std::future<void>& each : std::exchange(running_, {})) each.get();
@@ -34,10 +33,10 @@ class Workers {
     std::vector<std::future<void>> running_;
 };
 
-/// Calls work(from, to) for pieces of 0 .. count that lie side by side, one per thread. `threads`
-/// 0: as many as the machine has, but none for fewer than `least` items. Results are the same for
-/// any number as long as work on one item does not depend on another. An exception of `work` is
-/// thrown on, once all threads have ended.
+/// Calls work(from, to) for consecutive pieces of 0 .. count, one per thread. `threads` 0: as many
+/// as the machine has, but none for fewer than `least` items. Results are the same for any number
+/// if work on one item does not depend on another. An exception of `work` is rethrown once all
+/// threads have ended.
 template <typename Work>
 void forRanges(std::size_t count, unsigned threads, std::size_t least, Work&& work) {
     const std::size_t asked = threads > 0 ? threads : std::thread::hardware_concurrency();
@@ -51,8 +50,8 @@ void forRanges(std::size_t count, unsigned threads, std::size_t least, Work&& wo
     others.join();
 }
 
-/// As forRanges(), but calls work(i) for each item, and `progress` now and then from the thread of
-/// the caller, whose range stands for all. False if it cancelled: then some items are left out.
+/// As forRanges(), but calls work(i) for each item, and `progress` at intervals from the caller's
+/// thread with the share of its range. False if it cancelled: then some items are left out.
 template <typename Work>
 bool forEachWatched(std::size_t count, unsigned threads, std::size_t least,
                     const Progress& progress, Work&& work) {
@@ -71,10 +70,10 @@ bool forEachWatched(std::size_t count, unsigned threads, std::size_t least,
     return !cancelled;
 }
 
-/// A run tells of its progress once in so many pivots.
+/// Pivots of a run between two calls of its progress function.
 inline constexpr std::uint32_t kPivotsPerReport = 1024;
 
-/// A piece of the work that goes from share `from` of the whole to share `to`.
+/// The progress of a part of the work, which covers the shares `from` to `to` of the whole.
 inline Progress partOf(const Progress& progress, double from, double to) {
     if (!progress) return {};
     return [progress, from, to](double share) { return progress(from + (to - from) * share); };

@@ -1,9 +1,9 @@
-/// A hint to the processor.
+/// Prefetch hints.
 #pragma once
 
 namespace se {
 
-/// Memory at `where` will be read soon. Changes nothing but the time; any address will do. A
+/// Announces a read of the memory at `where`; any address is allowed. Affects only the time. A
 /// function that only prefetches must be always_inline, too: GCC finds no effect in it and drops
 /// its calls.
 [[gnu::always_inline]] inline void prefetch(const void* where) {

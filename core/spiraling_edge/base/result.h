@@ -1,4 +1,4 @@
-/// How things that can fail say so: no exceptions cross the borders of core.
+/// Results of operations that can fail: no exceptions cross the borders of core.
 #pragma once
 
 #include <cassert>
@@ -8,7 +8,7 @@
 
 namespace se {
 
-/// What went wrong, for a person: where (file, line or byte), what was expected, what to do.
+/// A message for the user: the place (file, line or byte), what was expected, what to do.
 struct Error {
     std::string message;
 };

@@ -25,7 +25,7 @@ std::string oneLine(std::string_view text) {
     for (std::size_t i = 0; i < text.size(); ++i) {
         const auto byte = static_cast<unsigned char>(text[i]);
         const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0U;
-        // U+0080 to U+009F: to some terminals these are control characters, too.
+        // U+0080 to U+009F: some terminals treat these as control characters, too.
         const bool late = byte == 0xc2U && next >= 0x80U && next < 0xa0U;
         if (byte == '\\') {
             line += "\\\\";

@@ -1,4 +1,4 @@
-/// Seconds that pieces of work take.
+/// A stop watch for the time of pieces of work.
 #pragma once
 
 #include <chrono>
@@ -8,7 +8,7 @@ namespace se {
 
 class StopWatch {
   public:
-    /// Seconds since the last lap, or since it began.
+    /// Seconds since the last lap, or since construction.
     double lap() {
         const auto now = std::chrono::steady_clock::now();
         return std::chrono::duration<double>(now - std::exchange(last_, now)).count();

@@ -1,4 +1,4 @@
-/// The reason that the operating system gives for a failure.
+/// Error texts of the operating system.
 #pragma once
 
 #include <cerrno>

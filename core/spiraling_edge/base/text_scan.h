@@ -26,7 +26,7 @@ inline Error errorAt(const std::string& name, const std::string& place, const st
 /// A line number as a place: "line 12".
 inline std::string lineText(std::size_t number) { return "line " + std::to_string(number); }
 
-/// `field` in quotes for an error message: shortened, and without bytes that upset a terminal.
+/// `field` in quotes for an error message: shortened, and without control characters.
 inline std::string inQuotes(std::string_view field) {
     constexpr std::size_t kLongest = 24;
     std::string text = "\"";
@@ -36,10 +36,10 @@ inline std::string inQuotes(std::string_view field) {
 
 inline bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
-/// Walks over the lines of a text; knows their numbers, counted from 1.
+/// Iterates over the lines of a text and their numbers, counted from 1.
 class LineReader {
   public:
-    /// `linesBefore`: how many lines of the file lie before `text`.
+    /// `linesBefore`: the number of lines of the file before `text`.
     explicit LineReader(std::string_view text, std::size_t linesBefore = 0)
         : rest_(text), number_(linesBefore) {}
 
@@ -52,8 +52,8 @@ class LineReader {
         ++number_;
         return true;
     }
-    /// Moves to the next line that has more than blanks, after cutting off what follows the
-    /// character `comment`; '\0' means that the format has no comments.
+    /// Moves to the next line that has more than blanks, without the rest from the character
+    /// `comment` on; '\0' means that the format has no comments.
     bool nextContent(char comment = '\0') {
         while (next()) {
             if (comment != '\0') line_ = line_.substr(0, line_.find(comment));
@@ -65,7 +65,7 @@ class LineReader {
 
     std::string_view line() const { return line_; }
     std::size_t number() const { return number_; }
-    /// What has not been walked over yet.
+    /// The text after the current line.
     std::string_view rest() const { return rest_; }
 
   private:
@@ -74,7 +74,7 @@ class LineReader {
     std::size_t number_;
 };
 
-/// Cuts a line into fields at blanks and tabs, and at one or two more characters if they are named.
+/// Splits a line into fields at blanks and tabs, and at one or two more characters if given.
 class Fields {
   public:
     explicit Fields(std::string_view line, char extraSeparator = ' ', char otherSeparator = ' ')
@@ -99,7 +99,7 @@ class Fields {
     char other_;
 };
 
-/// What is left of a number without its leading '+'; a second sign makes it no number.
+/// A number without its leading '+'; empty if a second sign follows.
 inline std::string_view withoutPlus(std::string_view field) {
     if (field.empty() || field.front() != '+') return field;
     field.remove_prefix(1);
@@ -142,7 +142,7 @@ inline bool parseDoubleByStrtod(std::string_view field, double& value) {
 }
 
 /// Reads all of `field` as a decimal number; "nan" and "inf" are numbers. False if it is not one,
-/// or if it lies beyond the largest double. What lies below the smallest becomes 0.
+/// or if it lies beyond the largest double. A number below the smallest becomes 0.
 inline bool parseDouble(std::string_view field, double& value) {
 #if defined(__cpp_lib_to_chars)
     const std::string_view digits = withoutPlus(field);

@@ -1,4 +1,4 @@
-/// The words that everything else is written in.
+/// The basic types of the library.
 #pragma once
 
 #include <cstdint>

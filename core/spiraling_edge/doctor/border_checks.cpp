@@ -6,7 +6,7 @@
 namespace se {
 namespace {
 
-/// As the normals of the surface look when flipped ones are put right.
+/// The normals of the points, with flipped ones corrected.
 std::vector<Vec3> sidesOfPoints(const Patient& patient) {
     std::vector<Vec3> side(patient.size(), Vec3(0.0));
     for (Index p = 0; p < patient.size(); ++p) {
@@ -31,7 +31,7 @@ std::optional<Finding> findOpenBorder(const Patient& patient) {
     if (!lists) return std::nullopt;
     const Result<Rim> rim = findRim(file.position, side, lists.value(), file.type);
     if (!rim) return std::nullopt;
-    // A rim that the file brings is none without types.
+    // Rim points in the file do not count without types.
     const auto& chains = rim.value().chains;
     const auto rims = static_cast<std::size_t>(
         std::count_if(chains.begin(), chains.end(), [&](const std::vector<Index>& chain) {

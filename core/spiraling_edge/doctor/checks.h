@@ -10,7 +10,7 @@ std::optional<Finding> findNonFinite(const Patient& patient);
 std::optional<Finding> findDuplicates(const Patient& patient);
 std::optional<Finding> findTooFewPoints(const Patient& patient);
 
-// spacing_checks.cpp: how points lie to each other
+// spacing_checks.cpp: distances between points
 std::optional<Finding> findNearDuplicates(const Patient& patient);
 std::optional<Finding> findIsolatedPoints(const Patient& patient);
 std::optional<Finding> findInLine(const Patient& patient);
@@ -33,8 +33,8 @@ std::optional<Finding> findRepeatedEntries(const Patient& patient);
 std::optional<Finding> findUnsortedLists(const Patient& patient);
 std::optional<Finding> findShortLists(const Patient& patient);
 std::optional<Finding> findUnsymmetricLists(const Patient& patient);
-/// Is the list of p ordered by distance, up to the rounding of floats? Points that do not exist, or
-/// have no finite position, are passed over.
+/// True if the list of p is ordered by distance, up to the rounding of floats. Points that do not
+/// exist, or have no finite position, are ignored.
 bool isNearestFirst(std::span<const Vec3> position, Index p, std::span<const Index> list);
 
 // type_checks.cpp

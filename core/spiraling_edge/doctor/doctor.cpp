@@ -1,3 +1,5 @@
+/// The table of checks and the run over it. The examined file (examined_file.h) holds the values
+/// that checks share; its neighbor search takes about half of the time.
 #include "spiraling_edge/doctor/doctor.h"
 
 #include <algorithm>
@@ -86,7 +88,7 @@ constexpr std::array kChecks{
                 "spiraling-edge run IN --derive-rim -o OUT.ply", Cure::Rim, findOpenBorder},
 };
 
-/// Of the work, the search for the nearest points.
+/// Share of the search for the nearest points in the whole work.
 constexpr double kSearchShare = 0.5;
 
 }  // namespace
@@ -108,7 +110,7 @@ std::string remedyFor(const DoctorCheck& check, std::string_view input, std::str
     constexpr std::string_view kIn = "IN";
     constexpr std::string_view kOut = "OUT.ply";
     std::string command(check.remedy);
-    // From behind: the input may be called anything.
+    // From the end, since the name of the input may contain the placeholder.
     const std::size_t out = command.find(kOut);
     if (out != std::string::npos) command.replace(out, kOut.size(), output);
     const std::size_t in = command.find(kIn);

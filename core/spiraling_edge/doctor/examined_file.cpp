@@ -8,7 +8,7 @@
 namespace se {
 namespace {
 
-/// As many as the lists that prepare() makes have by default.
+/// The default length of lists from prepare().
 constexpr std::size_t kListed = KNearest{}.k;
 constexpr std::size_t kAround = 6;
 
@@ -24,7 +24,7 @@ std::vector<Vec3> scaledNormals(const PointFile& file) {
     return normal;
 }
 
-/// Of the values above zero.
+/// Median of the values above zero.
 double median(std::vector<double> values) {
     values.erase(std::remove(values.begin(), values.end(), 0.0), values.end());
     if (values.empty()) return 0.0;

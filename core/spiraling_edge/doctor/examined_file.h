@@ -1,4 +1,4 @@
-/// What several checks of the doctor need, computed once.
+/// Values that several checks of the doctor share, computed once.
 #pragma once
 
 #include <string>
@@ -9,23 +9,23 @@
 
 namespace se {
 
-/// Which points belong together, and which of them look the wrong way (sheet_checks.cpp).
+/// Connected components of points, and the points whose normals are flipped (sheet_checks.cpp).
 struct Sides {
     std::vector<Index> component;  ///< The name of each point's component; kNone without a normal.
     std::vector<bool> flipped;     ///< Against the rest of the component.
 };
 
-/// A file on the examination table. Everything beside `file` is derived from it.
+/// A file under examination. Everything except `file` is derived from it.
 struct Patient {
     explicit Patient(const PointFile& points) : file(points) {}
 
     const PointFile& file;
     std::vector<Fitness> fitness;
-    /// Points with a place of their own: finite and no copy, whatever their normals.
+    /// Points that are finite and no copy, with any normal.
     std::vector<bool> present;
     std::size_t presentCount = 0;
     std::vector<Vec3> normal;  ///< Scaled; zero where there is no direction. Empty if none at all.
-    NeighborLists nearest;     ///< The 12 nearest present points, whatever their normals.
+    NeighborLists nearest;     ///< The 12 nearest present points, with any normals.
     /// Distance to the sixth nearest point, or to the last if there are fewer: on an even surface
     /// a point has six others about it. 0 without others.
     std::vector<double> spacing;
@@ -33,14 +33,14 @@ struct Patient {
     Sides sides;
 
     Index size() const { return static_cast<Index>(file.position.size()); }
-    /// Present, with a normal of its own. Requires that the file has some.
+    /// True if the point is present and has a normal. Requires a file with normals.
     bool hasSide(Index p) const { return present[p] && normal[p] != Vec3(0.0); }
     /// Its normal, turned to the side of the rest of its component if it is flipped.
     Vec3 side(Index p) const { return sides.flipped[p] ? -normal[p] : normal[p]; }
     double distance(Index p, Index q) const;
 };
 
-/// Sides from everything else that is known of the patient.
+/// The sides of a file whose other members are filled in.
 Sides sidesOf(const Patient& patient);
 
 /// Fails as examine() does.

@@ -1,3 +1,5 @@
+/// Repairs of a file that need no guess, each with a line in the report. Points are dropped at the
+/// end, together, and lists and faces renumbered once. O(file).
 #include <algorithm>
 #include <utility>
 
@@ -7,7 +9,7 @@
 namespace se {
 namespace {
 
-/// Works on a copy of the file.
+/// Repairs a copy of the file.
 class Surgeon {
   public:
     explicit Surgeon(const PointFile& file) : file_(file), keep_(file.position.size(), true) {}
@@ -26,7 +28,7 @@ class Surgeon {
     }
 
   private:
-    /// `what` begins with a noun for one, `many` for several.
+    /// `what` is the text for one, `many` that for several.
     void note(std::string_view name, std::size_t count, const std::string& what,
               const std::string& many) {
         if (count == 0) return;
@@ -34,7 +36,7 @@ class Surgeon {
             {name, count, count == 1 ? "1 " + what : std::to_string(count) + " " + many});
     }
 
-    /// All of them zero tell nothing; without them they are derived.
+    /// Drops normals that are all zero, so that normals are derived.
     void dropEmptyNormals() {
         const std::size_t count = file_.normal.size();
         if (std::any_of(file_.normal.begin(), file_.normal.end(),
@@ -74,7 +76,8 @@ class Surgeon {
             keep_[p] = false;
             ++asked;
         }
-        note("dropped", asked, "more point dropped, as asked", "more points dropped, as asked");
+        note("dropped", asked, "more point dropped, as requested",
+             "more points dropped, as requested");
     }
 
     void scaleNormals() {

@@ -11,7 +11,7 @@ void forEachList(const Patient& patient, Visit&& visit) {
     for (Index p = 0; p < patient.file.neighbors.size(); ++p) visit(p, patient.file.neighbors[p]);
 }
 
-/// A finding that counts entries; at the points whose lists have them.
+/// Counts entries, for a finding at the points whose lists have them.
 class EntryCount {
   public:
     void add(Index p, std::size_t entries) {
@@ -48,7 +48,7 @@ std::optional<Finding> findEntriesOutside(const Patient& patient) {
 std::optional<Finding> findRepeatedEntries(const Patient& patient) {
     EntryCount entries;
     std::vector<Index> lastList(patient.size(),
-                                kNone);  // the last list that each point was seen in
+                                kNone);  // per point: the last list that holds it
     forEachList(patient, [&](Index p, std::span<const Index> list) {
         std::size_t repeated = 0;
         lastList[p] = p;
@@ -64,7 +64,8 @@ std::optional<Finding> findRepeatedEntries(const Patient& patient) {
 }
 
 bool isNearestFirst(std::span<const Vec3> position, Index p, std::span<const Index> list) {
-    // Who ordered by floats may have swapped what is this near to equal: squares, hence twice.
+    // Distances this nearly equal may have been swapped by a sort in floats. Twice the rounding,
+    // since squares are compared.
     constexpr double kRounding = 2e-6;
     if (!isFinite(position[p])) return true;
     double farthest = 0.0;

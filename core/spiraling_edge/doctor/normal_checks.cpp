@@ -37,8 +37,8 @@ std::optional<Finding> findCloseSheets(const Patient& patient) {
         if (patient.hasSide(q) && normalsOppose(patient.side(p), patient.side(q)))
             points.push_back(p);
     }
-    // Thin parts are a fact of many shapes. Where every second point has its nearest on another
-    // sheet, the spacing does not fit the set as a whole.
+    // Many shapes have thin parts. If every second point has its nearest on another sheet, the
+    // spacing does not fit the set as a whole.
     const bool everywhere = 2 * points.size() >= patient.presentCount;
     const std::string text =
         countText(points.size(), "point") + " with the nearest other on a sheet that faces away";

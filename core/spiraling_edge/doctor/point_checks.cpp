@@ -26,7 +26,7 @@ std::optional<Finding> findDuplicates(const Patient& patient) {
 }
 
 std::optional<Finding> findTooFewPoints(const Patient& patient) {
-    // Three make one triangle, which may be meant; a surface it is not.
+    // Three points make one triangle, which may be intended but is no surface.
     constexpr std::size_t kTriangle = 3;
     if (patient.presentCount > kTriangle) return std::nullopt;
     const std::string text = countText(patient.presentCount, "point") + " with a place of " +

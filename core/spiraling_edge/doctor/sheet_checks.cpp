@@ -1,3 +1,7 @@
+/// Flipped normals without a global orientation: sheets are connected sets of points whose normals
+/// agree; two sheets contradict each other where they continue in one plane with opposite normals.
+/// Where the contradictions are more than noise can explain, the smaller sheet counts as flipped.
+/// O(points times list).
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,7 +15,7 @@ namespace {
 
 // ---- sheets -------------------------------------------------------------------------------------
 
-/// Do p and q lie in one smooth sheet, whichever way their normals point? Each lies within 30
+/// True if p and q lie in one smooth sheet, regardless of the sign of their normals: each within 30
 /// degrees of the other's tangent plane, and the planes within 45 degrees of each other.
 bool inOneSheet(const Patient& patient, Index p, Index q) {
     if (!patient.hasSide(p) || !patient.hasSide(q)) return false;
@@ -39,7 +43,7 @@ DisjointSets sheetsOf(const Patient& patient) {
 
 // ---- contradictions -----------------------------------------------------------------------------
 
-/// Unit direction from p to q as seen along the normal of p; zero right above and below.
+/// Unit direction from p to q in projection along the normal of p; zero exactly above and below.
 Vec3 directionInPlane(const Patient& patient, Index p, Index q) {
     Vec3 d = patient.file.position[q] - patient.file.position[p];
     d -= glm::dot(d, patient.normal[p]) * patient.normal[p];
@@ -47,7 +51,7 @@ Vec3 directionInPlane(const Patient& patient, Index p, Index q) {
     return length > 0.0 ? d / length : Vec3(0.0);
 }
 
-/// Does q lie less than 45 degrees above or below p? Else it is no part of the own sheet, though
+/// True if q lies less than 45 degrees above or below p. Else it is not in the same sheet, though
 /// its normal may agree by chance.
 bool isBeside(const Patient& patient, Index p, Index q) {
     const Vec3 offset = patient.file.position[q] - patient.file.position[p];
@@ -56,7 +60,8 @@ bool isBeside(const Patient& patient, Index p, Index q) {
 }
 
 /// Neighbors in the sheet of p with an opposing normal, where p has no agreeing neighbor within 60
-/// degrees of their direction. Were they on a second sheet, the own one would go on beside them.
+/// degrees of their direction. If they were on a second sheet, that of p would continue beside
+/// them.
 void contradictions(const Patient& patient, Index p, std::vector<Index>& opposing) {
     opposing.clear();
     std::vector<Vec3> agreeing;
@@ -77,7 +82,7 @@ void contradictions(const Patient& patient, Index p, std::vector<Index>& opposin
     opposing.erase(std::remove_if(opposing.begin(), opposing.end(), goesOn), opposing.end());
 }
 
-/// How often two sheets contradict each other, by their least points.
+/// Number of contradictions of two sheets, by their least points.
 using Quarrels = std::map<std::pair<Index, Index>, std::size_t>;
 
 Quarrels quarrelsBetween(const Patient& patient, DisjointSets& sheets) {
@@ -94,9 +99,9 @@ Quarrels quarrelsBetween(const Patient& patient, DisjointSets& sheets) {
     return quarrels;
 }
 
-/// Must a patch of so many points be flipped that contradicts the rest so often? Straight along a
-/// rim each step contradicts in six pairs, and a patch of m points has a rim of 2.3 root m steps
-/// at least, even if half of it is the rim of the surface: 14 root m. A single flipped point
+/// True if a patch of `patch` points with `pairs` contradictions must be flipped. Along a straight
+/// rim each step contradicts in six pairs, and a patch of m points has a rim of 2.3 root m steps at
+/// least, even if half of it is the rim of the surface: 14 root m. A single flipped point
 /// contradicts in 12. Noise and thin parts contradict here and there. Long strips have short rims,
 /// hence the bound above.
 bool isEvidence(std::size_t pairs, std::size_t patch) {
@@ -104,7 +109,7 @@ bool isEvidence(std::size_t pairs, std::size_t patch) {
     return static_cast<double>(pairs) >= wanted;
 }
 
-/// The sheets that contradict each other with evidence, both ways.
+/// The sheets that contradict each other with evidence, in both directions.
 using Opponents = std::map<Index, std::vector<Index>>;
 
 Opponents opponentsAmong(const Patient& patient, DisjointSets& sheets,
@@ -118,8 +123,8 @@ Opponents opponentsAmong(const Patient& patient, DisjointSets& sheets,
     return opponents;
 }
 
-/// Of sheets that contradict each other, the largest is taken to be right, what contradicts it
-/// flipped, what contradicts that right again, and so on.
+/// Decides among sheets that contradict each other: the largest counts as right, those that
+/// contradict it as flipped, those that contradict these as right, and so on.
 std::map<Index, bool> flippedAmong(const Opponents& opponents,
                                    const std::vector<std::size_t>& size) {
     std::vector<Index> bySize;

@@ -1,3 +1,5 @@
+/// Checks of normals against each other: flipped parts of a component (sheet_checks.cpp), and
+/// closed components whose normals point inward at all six extremes.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -21,11 +23,12 @@ std::optional<Finding> findFlippedNormals(const Patient& patient) {
 
 namespace {
 
-/// What is known of a component from a look along each axis, up and down.
+/// The extremes of a component along each axis, in both directions.
 struct Extent {
     struct Extreme {
         double reach = -std::numeric_limits<double>::infinity();
-        double out = 0.0;  ///< The normal there along that direction; the largest if some tie.
+        double out =
+            0.0;  ///< Component of the normal there along that direction; the largest in a tie.
     };
     std::array<Extreme, 6> extreme;  ///< +x, -x, +y, ...
     std::size_t points = 0;
@@ -44,7 +47,7 @@ struct Extent {
             e.reach = reach;
         }
     }
-    /// A closed surface looks out where it reaches farthest. This one does so nowhere.
+    /// The normals of a closed surface point outward at its extremes. Here none of them does.
     bool looksIn() const {
         constexpr double kIn = -0.5;
         return std::all_of(extreme.begin(), extreme.end(),
@@ -74,13 +77,13 @@ std::map<Index, Extent> extentsOf(const Patient& patient) {
 
 std::optional<Finding> findInsideOut(const Patient& patient) {
     const std::map<Index, Extent> extents = extentsOf(patient);
-    // Fewer points than an icosahedron has enclose nothing for certain.
+    // Fewer points than those of an icosahedron may enclose nothing.
     constexpr std::size_t kLeast = 12;
     std::vector<bool> insideOut(patient.size(), false);
     std::size_t count = 0;
     for (const auto& [name, extent] : extents) {
         if (extent.points < kLeast || extent.cut || !extent.looksIn()) continue;
-        // Within another component it is a cavity, and right.
+        // Within another component it is a cavity, and correct.
         const bool cavity =
             std::any_of(extents.begin(), extents.end(),
                         [&e = extent](const auto& other) { return e.isWithin(other.second); });

@@ -1,3 +1,6 @@
+/// Checks of distances: near duplicates, isolated and collinear points, uneven spacing and exact
+/// ties, each from the lists of the 12 nearest. O(points), but for ties with the cube of the eight
+/// nearest.
 #include <algorithm>
 
 #include "spiraling_edge/doctor/checks.h"
@@ -30,10 +33,10 @@ std::optional<Finding> findNearDuplicates(const Patient& patient) {
 
 namespace {
 
-/// Lists of twelve reach about two spacings; four times as far no list of any use does.
+/// In spacings. Lists of twelve reach about two; no useful list reaches four times as far.
 constexpr double kFar = 8.0;
 
-/// The middle one of the spacings of the points that p lists.
+/// Median of the spacings of the points that p lists.
 double spacingAround(const Patient& patient, Index p, std::vector<double>& room) {
     room.clear();
     for (const Index q : patient.nearest[p]) room.push_back(patient.spacing[q]);
@@ -42,7 +45,8 @@ double spacingAround(const Patient& patient, Index p, std::vector<double>& room)
     return *middle;
 }
 
-/// By the second nearest point, so that a stray pair is found, too: two make no triangle.
+/// Points far from all others, by the second nearest point, so that isolated pairs are found, too:
+/// two make no triangle.
 std::vector<bool> farPoints(const Patient& patient) {
     std::vector<bool> far(patient.size(), false);
     std::vector<double> room;
@@ -73,7 +77,7 @@ std::optional<Finding> findIsolatedPoints(const Patient& patient) {
     return findingAt(std::move(points), Severity::Warning, text);
 }
 
-// ---- points in line -----------------------------------------------------------------------------
+// ---- collinear points ---------------------------------------------------------------------------
 
 std::optional<Finding> findInLine(const Patient& patient) {
     if (patient.presentCount < 3) return std::nullopt;
@@ -91,8 +95,8 @@ std::optional<Finding> findInLine(const Patient& patient) {
 // ---- spacing ------------------------------------------------------------------------------------
 
 std::optional<Finding> findUnevenSpacing(const Patient& patient) {
-    // A list with a reach of two spacings finds nobody where points are this much sparser, and
-    // sixteen times as many as needed where they are this much denser.
+    // A list with a reach of two spacings is empty where points are this much sparser, and sixteen
+    // times too long where they are this much denser.
     constexpr double kUneven = 4.0;
     const double middle = patient.middleSpacing;
     double least = middle;
@@ -124,7 +128,7 @@ struct Offset {
     double lengthSq;
 };
 
-/// Does another point lie exactly on the sphere of 6.3 through p, a and b, and none in it?
+/// True if another point lies exactly on the sphere of 6.3 through p, a and b, and none in it.
 bool tieAbout(const std::vector<Offset>& near, std::size_t a, std::size_t b) {
     bool tie = false;
     for (std::size_t i = 0; i < near.size(); ++i) {
@@ -160,8 +164,8 @@ std::optional<Finding> findTies(const Patient& patient) {
     for (Index p = 0; p < patient.size(); ++p) {
         if (patient.present[p] && hasTie(patient, p, near)) points.push_back(p);
     }
-    // A lattice has ties everywhere. Parts with ties have many a scan and many a machine part
-    // whose coordinates have few digits: that is no fault of the set.
+    // A lattice has ties everywhere. Ties in places occur in many scans and in machine parts whose
+    // coordinates have few digits, and are no problem.
     const bool lattice = 10 * points.size() >= 9 * patient.presentCount;
     const std::string text =
         countText(points.size(), "point") + " of " + std::to_string(patient.presentCount) +

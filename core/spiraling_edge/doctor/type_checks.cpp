@@ -28,7 +28,7 @@ constexpr std::array kFacesOfBox{Face{kPositiveX, 0, 1.0},  Face{kPositiveY, 1, 
                                  Face{kPositiveZ, 2, 1.0},  Face{kNegativeX, 0, -1.0},
                                  Face{kNegativeY, 1, -1.0}, Face{kNegativeZ, 2, -1.0}};
 
-/// Where a face lies: the middle one of its points, the outer one of two. -infinity without any.
+/// Coordinate of a face: the median of its points, the outer one of two. -infinity without any.
 double levelOf(const Patient& patient, const Face& face) {
     std::vector<double> levels;
     for (Index p = 0; p < patient.size(); ++p) {
@@ -41,7 +41,7 @@ double levelOf(const Patient& patient, const Face& face) {
     return *middle;
 }
 
-/// Does the surface run along the wall at p? Then it only touches it, and is not cut there.
+/// True if the surface runs along the wall at p: then it only touches it, and is not cut there.
 bool touches(const Patient& patient, const Face& face, Index p) {
     constexpr double kAlong = 0.96592582628906829;  // within 15 degrees
     return patient.file.hasNormals() && std::abs(patient.normal[p][face.axis]) > kAlong;

@@ -1,3 +1,6 @@
+/// One run with a heap of the best: of every test with a number the least margin is kept per point,
+/// and the moves that would invert the best decisions are computed only for those that enter the
+/// heap. O(run).
 #include "spiraling_edge/explain/closest_calls.h"
 
 #include <algorithm>
@@ -10,7 +13,7 @@
 namespace se {
 namespace {
 
-/// The best so far, as a heap whose top is the worst of them.
+/// The best calls so far, as a heap whose top is the worst of them.
 class Shortlist {
   public:
     Shortlist(const PointSet& points, const Params& params, std::size_t count)

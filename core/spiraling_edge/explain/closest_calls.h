@@ -15,7 +15,7 @@ struct Nudge {
     Vec3 by{};  ///< Scene units.
 };
 
-/// One decision, and the move that would turn it.
+/// One decision, and the move that would invert it.
 struct ClosestCall {
     Event event;
     Index pivot = kNone;
@@ -25,12 +25,12 @@ struct ClosestCall {
 
 struct ClosestCalls {
     std::vector<ClosestCall> calls;  ///< Least |margin| first, then in the order of the run.
-    /// Per point: the least |margin| of all tests of it; infinite if it was in none with a number.
+    /// Per point: the least |margin| of all its tests; infinite if none of them has a number.
     std::vector<double> leastMargin;
 };
 
-/// Finds the `count` closest calls of a run by running it again. Fails if cancelled. Ties on exact
-/// lattices have a margin of 0. O(run). Deterministic.
+/// The `count` decisions of a run with the least |margin|, found by running it again. Fails if
+/// cancelled. Ties on exact lattices have a margin of 0. O(run). Deterministic.
 Result<ClosestCalls> closestCalls(const PointSet& points, const Params& params, std::size_t count,
                                   const Progress& progress = {});
 

@@ -1,3 +1,6 @@
+/// Follows failures through a second run. Events are passed only to the failures at their points,
+/// and the number of events per point, counted in the first run, decides beforehand how many
+/// failures can be followed within the work limit.
 #include "spiraling_edge/explain/failure_moments.h"
 
 #include <algorithm>
@@ -35,7 +38,7 @@ void forEachPointOf(const Event& event, Index pivot, Visit&& visit) {
     }
 }
 
-/// The finders of several failures, asked only about events at their points.
+/// The finders of several failures, called only with events at their points.
 class Finders {
   public:
     Finders(const PointSet& points, const Params& params, const std::vector<Triangle>& mesh,
@@ -75,7 +78,7 @@ class Finders {
         for (const MomentFinder& each : finders_) all.push_back(each.found());
         return all;
     }
-    /// Of each failure the triangle that is a whole fan and brought it about, or kNone.
+    /// For each failure the triangle that is a whole fan and caused it, or kNone.
     std::vector<Index> alone() const {
         std::vector<Index> all;
         all.reserve(finders_.size());
@@ -104,14 +107,14 @@ class Finders {
     FinderInput input_;
     std::span<const MeshFailure> failures_;
     std::vector<std::vector<std::size_t>> at_;  ///< Per point: the failures there.
-    std::vector<std::uint64_t> asked_;          ///< Per failure: the last event it was asked about.
+    std::vector<std::uint64_t> asked_;          ///< Per failure: the last event passed to it.
     std::uint64_t event_ = 0;
     std::vector<MomentFinder> finders_;
     std::vector<std::size_t> concerned_;
     FreedRings rings_;
 };
 
-/// How much there is to look at for a failure: the events of a run, point by point.
+/// The work of following a failure: the number of events of the run at each point.
 class EventCounts {
   public:
     explicit EventCounts(std::size_t points) : at_(points, 0) {}
@@ -137,14 +140,14 @@ class EventCounts {
     std::uint64_t all_ = 0;
 };
 
-/// Where a failure stands in the list of classes.
+/// Position of the class of a failure in failureClasses().
 std::size_t rankOf(const MeshFailure& failure) {
     return static_cast<std::size_t>(failure.kind - failureClasses().data());
 }
 
-/// Takes out of `run` the failures that cannot be followed within the work that `counts` allows. Of
-/// each class the first ones stay: all firsts, then all seconds, until the next of its class is too
-/// much. Requires failures in the order of their classes.
+/// Removes from `run` the failures that cannot be followed within the work that `counts` allows.
+/// The first ones of each class stay: all firsts, then all seconds, until the next of its class
+/// exceeds the work. Requires failures in the order of their classes.
 void keepAffordable(const PointSet& points, const Params& params, const EventCounts& counts,
                     InspectedRun& run) {
     const std::vector<LedgerLine> noMoves;
@@ -188,8 +191,8 @@ void keepAffordable(const PointSet& points, const Params& params, const EventCou
     run.failures = std::move(some);
 }
 
-/// What fills the gap between three points comes from the decision that made the last of its
-/// edges. False if cancelled.
+/// Traces triangles that fill a gap between three points back to the decision that made the last of
+/// their edges. False if cancelled.
 bool traceBack(const PointSet& points, const Params& params, const std::vector<Index>& alone,
                std::vector<std::optional<FailureMoments>>& found, const Progress& progress) {
     std::vector<Index> asked;
@@ -253,7 +256,7 @@ Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& pa
     RunFailureSearch found{{}, std::move(run->totals)};
     for (std::size_t i = 0; i < failures.size(); ++i) {
         if (!moments.value()[i]) {
-            // None of this run's: it does not count.
+            // Not a failure of this run: not counted.
             --found.totals[rankOf(failures[i])].listed;
             --found.totals[rankOf(failures[i])].total;
             continue;

@@ -1,4 +1,4 @@
-/// When a failure of a run came about: three moments, each an address to go to.
+/// The causes of a failure in time: three moments of a run, each an address to go to.
 #pragma once
 
 #include <optional>
@@ -10,29 +10,30 @@
 
 namespace se {
 
-/// The moments of one failure, in the order in which one looks for the cause.
+/// The moments of one failure, in the order of a search for its cause.
 struct FailureMoments {
-    LedgerLine created;      ///< It is there: its last triangle, or its point or ring is done with.
-    LedgerLine unavoidable;  ///< The decision after which it had to come.
-    LedgerLine touched;      ///< The run came to its points for the first time.
+    LedgerLine
+        created;  ///< The failure exists: its last triangle is made, or its point or ring is done.
+    LedgerLine unavoidable;  ///< The decision after which it was certain.
+    LedgerLine touched;      ///< The first event about its points.
 };
 
-/// Finds them by running again. `mesh` is that of the run, which `failure` was found in. Fails if
-/// the failure is none of this run's mesh, or if cancelled. Which decision made a failure
-/// unavoidable:
-/// - a faulty triangle: the last test in its pivot that took one of its corners, took away what lay
-///   between two of them, or made a triangle of the first and last point alone (§6.4);
-/// - a point in no triangle: the last test that refused it, or the fan that it was the pivot of; of
-///   one that was never tested the moment at which its last neighbor became DONE;
+/// Finds the moments by running again. `mesh` is the mesh of the run, and `failure` was found in
+/// it. Fails if the failure is not one of this mesh, or if cancelled. The decision that made a
+/// failure unavoidable is:
+/// - a faulty triangle: the last test in its pivot that took one of its corners, removed a
+///   candidate between two of them, or made a triangle of the first and last point alone (§6.4);
+/// - a point in no triangle: the last test that refused it, or the fan that it was the pivot of; if
+///   it was never tested, the moment at which its last neighbor became DONE;
 /// - a hole, a ring left over: the last time that a fan, or a test between two points of the loop,
 ///   was refused.
-/// Of an edge of several triangles the third counts, or the second in one direction.
+/// For an edge of several triangles the third triangle counts, or the second in one direction.
 Result<FailureMoments> momentsOf(const PointSet& points, const Params& params,
                                  const MeshFailure& failure, const std::vector<Triangle>& mesh,
                                  const Progress& progress = {});
 
-/// Of all failures of a run at once, in one go through it: nothing for one that is none of this
-/// run's. Fails if cancelled. O(run + events about their points).
+/// The moments of all `failures` in one pass through the run; nothing for a failure that is not one
+/// of this run. Fails if cancelled. O(run + events about their points).
 Result<std::vector<std::optional<FailureMoments>>> momentsOfAll(
     const PointSet& points, const Params& params, std::span<const MeshFailure> failures,
     const std::vector<Triangle>& mesh, const Progress& progress = {});
@@ -40,33 +41,33 @@ Result<std::vector<std::optional<FailureMoments>>> momentsOfAll(
 /// One failure of a run.
 struct RunFailure {
     MeshFailure failure;
-    std::vector<Triangle> corners;  ///< Of failure.triangles, one by one.
+    std::vector<Triangle> corners;  ///< The corners of failure.triangles, in their order.
     FailureMoments moments;
 };
 
-/// The work of following failures through a run, in events looked at for a failure: a fixed amount,
-/// and so much more for each event of the run.
+/// Limit of the work of following failures through a run, in events examined for a failure: a fixed
+/// amount, plus kMomentWorkPerEvent for each event of the run.
 inline constexpr std::uint64_t kMomentWork = 4'000'000;
 inline constexpr std::uint64_t kMomentWorkPerEvent = 128;
 
 /// The failures of a run that were followed within the limits of the search.
 struct RunFailureSearch {
     std::vector<RunFailure> failures;
-    std::vector<ClassTotal> totals;  ///< Of each of failureClasses(), in its order.
+    std::vector<ClassTotal> totals;  ///< One for each of failureClasses(), in its order.
 };
 
-/// All that went wrong in a run: what inspectWithTotals() finds in its mesh, with its limits, and
-/// the rings that it left over or was stopped at, in the order of failureClasses(). Where following
-/// all of them through the run exceeds kMomentWork and kMomentWorkPerEvent, the first of each class
-/// are taken, as many of each as of the others if there are; one of each in any case. Fails if
+/// All failures of a run: those that inspectWithTotals() finds in its mesh, with its limits, and
+/// the rings that were left over or that it was stopped at, in the order of failureClasses(). Where
+/// following all of them through the run exceeds kMomentWork and kMomentWorkPerEvent, the first of
+/// each class are taken, an equal number of each where there are enough, at least one. Fails if
 /// cancelled. Two runs and an inspection, or three with triangles that are whole fans.
 /// Deterministic.
 Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& params,
                                         const Progress& progress = {});
-/// RunFailureSearch::failures of searchFailures().
+/// The failures that searchFailures() finds.
 Result<std::vector<RunFailure>> failuresOfRun(const PointSet& points, const Params& params,
                                               const Progress& progress = {});
-/// The first of them in the run: the place of the one that was created first; size() of none.
+/// Position of the failure that was created first in the run; failures.size() if there is none.
 std::size_t firstCreated(std::span<const RunFailure> failures);
 
 }  // namespace se

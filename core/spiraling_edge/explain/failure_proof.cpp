@@ -1,3 +1,7 @@
+/// Test of causes by inversion: the run is forked just before the decision that made a failure
+/// unavoidable, the decision inverted by a what-if, and the end inspected. A decision that is only
+/// postponed to another pivot is followed up to twelve times. One run forward serves all failures,
+/// in the order of their pivots; each costs a run from its fork and an inspection.
 #include "spiraling_edge/explain/failure_proof.h"
 
 #include <algorithm>
@@ -14,7 +18,7 @@
 namespace se {
 namespace {
 
-/// Why a decision without a what-if cannot be turned.
+/// The reason why a decision without a what-if cannot be inverted.
 std::string reasonFor(const LedgerLine& decision) {
     const auto verdict = verdictOf(decision.event);
     if (verdict == Verdict::NotAfterStart || verdict == Verdict::NotBeforeEnd ||
@@ -26,7 +30,7 @@ std::string reasonFor(const LedgerLine& decision) {
                                            : "There is no what-if for such a decision.";
 }
 
-/// The run that `stepper` ends, and the failures of one class in it.
+/// Runs `stepper` to the end and finds the failures of one class.
 InspectedRun endOf(Stepper& stepper, const PointSet& points, const FailureClass& kind) {
     if (kind.find != nullptr) {
         stepper.run();
@@ -45,18 +49,18 @@ InspectedRun endOf(Stepper& stepper, const PointSet& points, const FailureClass&
         }
     }
     stepper.setLog(nullptr);
-    // All of this class are there.
+    // The list of this class is complete.
     return {stepper.state(), std::move(found),
             std::vector<ClassTotal>(failureClasses().size(), ClassTotal{})};
 }
 
-/// A point that nobody took, or two that found only each other.
+/// True for a point that no fan took, or two that found only each other.
 bool isLost(const MeshFailure& failure) {
     return failure.triangles.empty() && failure.points.size() <= 2;
 }
 
-/// The same point is asked about, maybe by another pivot or test; of a fan, the same pivot. All
-/// that is asked about a lost point is about it.
+/// True if `b` tests the same point as `a`, possibly at another pivot or stage; for a fan, if it
+/// has the same pivot. For a lost point every test of it counts.
 bool asksAgain(const LedgerLine& a, const LedgerLine& b, const MeshFailure& failure) {
     const Index point = testedPoint(a.event);
     return isLost(failure) ||
@@ -67,20 +71,20 @@ bool isSame(const MeshFailure& a, const MeshFailure& b) {
     return a.kind == b.kind && a.points == b.points;
 }
 
-/// Goes through the run once and forks it where it is asked to.
+/// Runs once from start to end and forks at the decisions to invert.
 class Prover {
   public:
     Prover(const PointSet& points, const Params& params, std::span<const RunFailure> known)
         : points_(points), params_(params), known_(known), stepper_(points, params) {}
 
-    /// Requires pivots that do not go back from call to call.
+    /// Requires that pivots do not decrease from call to call.
     FailureProof prove(const RunFailure& failure) {
         const std::uint32_t pivot = failure.moments.unavoidable.event.address.pivot;
         while (stepper_.state().counters.pivots + 1 < pivot && stepper_.stepPivot()) {
         }
         FailureProof proof = turned(failure.failure, failure.moments.unavoidable);
         if (proof.proof != Proof::Replaced || failure.failure.triangles.size() != 2) return proof;
-        // It takes two to cross: maybe the later one only runs into what should not be there.
+        // Of two crossing triangles the earlier may be the wrong one.
         const auto earlier = decisionBehind(failure.failure.triangles.front());
         if (!earlier) return proof;
         FailureProof other = turned(failure.failure, *earlier);
@@ -91,10 +95,11 @@ class Prover {
     }
 
   private:
-    /// A point can be tested again by each of its neighbors; so many times it is followed.
+    /// Maximum number of repeated tests that are followed: a point can be tested by each of its
+    /// neighbors.
     static constexpr std::size_t kMostTurns = 12;
 
-    /// Turns a decision, and the same again where it is only put off.
+    /// Inverts a decision, and its repetition where it is only postponed.
     FailureProof turned(const MeshFailure& failure, const LedgerLine& decision) const {
         FailureProof result;
         const auto turn = turnOf(points_, decision);
@@ -110,7 +115,7 @@ class Prover {
         return result.proof <= best.proof ? result : best;
     }
 
-    /// The decision that a triangle comes from.
+    /// The decision that made a triangle.
     std::optional<LedgerLine> decisionBehind(Index triangle) {
         if (mesh_.empty()) {
             Stepper whole(points_, params_);
@@ -124,7 +129,8 @@ class Prover {
         return moments ? std::optional(moments.value().unavoidable) : std::nullopt;
     }
 
-    /// Just before the last of the turns. From the start if the run is past one of them.
+    /// A stepper just before the last of the turns; from the start if the run has passed one of
+    /// them.
     Stepper forkedAt(const Params& forked, const std::vector<WhatIf>& turns) const {
         Stepper fork(points_, forked);
         const std::uint32_t here = stepper_.state().counters.pivots;
@@ -136,8 +142,8 @@ class Prover {
         return fork;
     }
 
-    /// Runs on with the turns of `result`. True if the last of them only put the decision off:
-    /// then the same point is `asked` about again, and that turn is added.
+    /// Continues with the turns of `result`. True if the last of them only postponed the decision:
+    /// then `asked` is its repetition, and that turn is added.
     bool turnOnce(const MeshFailure& failure, LedgerLine& asked, FailureProof& result) const {
         Params forked = params_;
         forked.whatIf.insert(forked.whatIf.end(), result.turns.begin(), result.turns.end());
@@ -176,7 +182,7 @@ class Prover {
         return true;
     }
 
-    /// The failure itself, if it is left, or a new one of its class in its place.
+    /// The failure itself, if it still exists, or a new one of its class in its place.
     const MeshFailure* heirOf(const MeshFailure& failure,
                               const std::vector<MeshFailure>& left) const {
         const MeshFailure* heir = nullptr;
@@ -197,7 +203,7 @@ class Prover {
     const Params& params_;
     std::span<const RunFailure> known_;
     Stepper stepper_;
-    std::vector<Triangle> mesh_;  ///< Of the run, once it is asked for.
+    std::vector<Triangle> mesh_;  ///< The mesh of the run, made when first needed.
 };
 
 std::uint32_t pivotOf(const RunFailure& failure) {

@@ -1,5 +1,5 @@
-/// Whether the decision that made a failure unavoidable is its cause: the run forks there, with the
-/// decision the other way, and goes on to its end.
+/// Test of whether the decision that made a failure unavoidable is its cause: the run forks there
+/// with the decision inverted and continues to its end.
 #pragma once
 
 #include <optional>
@@ -13,14 +13,14 @@
 
 namespace se {
 
-/// What became of a failure once the decision went the other way.
+/// The outcome for a failure once the decision is inverted.
 enum class Proof : std::uint8_t {
-    Gone,       ///< It is gone, and no new one of its class is there.
-    Later,      ///< The same point is tested again later; gone once that is turned, too.
+    Gone,       ///< The failure is gone, and there is no new one of its class.
+    Later,      ///< The same point is tested again later; gone once that decision is inverted, too.
     Earlier,    ///< Of two triangles: gone, without a new one, if the earlier is not made.
-    Replaced,   ///< It is gone, but a new one of its class has two of its points.
-    Stays,      ///< Another decision brings the same about: one of its class has the same points.
-    NotTurned,  ///< The decision cannot go the other way.
+    Replaced,   ///< The failure is gone, but a new one of its class has two of its points.
+    Stays,      ///< Another decision leads to the same: a failure of its class has the same points.
+    NotTurned,  ///< The decision cannot be inverted.
 };
 /// "gone", "gone, asked again", "gone with the earlier", "another in its place", "stays", "cannot
 /// be turned".
@@ -28,12 +28,13 @@ std::string_view proofName(Proof proof);
 
 struct FailureProof {
     Proof proof = Proof::NotTurned;
-    std::vector<WhatIf> turns;  ///< What was done instead; several where a test is made again.
-    std::string reason;  ///< NotTurned: why. Stays: what does it then. Earlier: the decision.
+    std::vector<WhatIf> turns;  ///< The what-ifs used; several where a test is repeated.
+    std::string
+        reason;  ///< NotTurned: the reason. Stays: the other decision. Earlier: the decision.
 };
 
-/// The what-if that turns a decision: keep what was refused, drop what was taken, list no third
-/// point that was inserted. Nothing where a decision has no other way, or is no decision.
+/// The what-if that inverts a decision: keeps a refused point, drops a taken one, unlists an
+/// inserted third point. Nothing where the event cannot be inverted or is no decision.
 std::optional<WhatIf> turnOf(const PointSet& points, const LedgerLine& decision);
 
 /// One proof for each of the `chosen` among all failures of this run, in their order. Fails if
@@ -43,7 +44,7 @@ Result<std::vector<FailureProof>> proveCauses(const PointSet& points, const Para
                                               std::span<const std::size_t> chosen,
                                               const Progress& progress = {});
 
-/// Of each class at most `most`, spread evenly over all of it; their places, ascending.
+/// Positions, ascending, of at most `most` failures of each class, spread evenly over it.
 std::vector<std::size_t> sampleOfEach(std::span<const RunFailure> failures, std::size_t most);
 
 }  // namespace se

@@ -1,4 +1,4 @@
-/// Rings that a run gives up (§7), put together from its events.
+/// Rings that a run frees (§7), reconstructed from its events.
 #pragma once
 
 #include <algorithm>
@@ -14,13 +14,13 @@ namespace se {
 struct FreedRing {
     AlertEvidence alert;
     std::vector<Index> points;  ///< Ascending.
-    Event event;                ///< That tells of it.
+    Event event;                ///< The event of the ring.
 };
 
 /// Collects the points of a ring while they leave it.
 class FreedRings {
   public:
-    /// A ring with an alert, at the event of the alert.
+    /// Takes the next event. Returns a ring at the event of its alert.
     std::optional<FreedRing> see(const Event& event) {
         if (event.address.stage != Stage::Done) {
             leaving_.clear();
@@ -49,7 +49,7 @@ class FreedRings {
     std::optional<Event> freed_;
 };
 
-/// A ring that was given up, or the place where the run was stopped.
+/// The failure of a freed ring, or of the place where the run was stopped.
 inline MeshFailure failureOf(const PointSet& points, const FreedRing& ring) {
     MeshFailure failure;
     const bool stopped = ring.alert.kind == AlertKind::TriangleCap;

@@ -1,4 +1,4 @@
-/// A run with everything that went wrong in it, without the moments.
+/// A run with all its failures, without their moments.
 #pragma once
 
 #include <functional>
@@ -19,14 +19,14 @@ struct InspectedRun {
     std::vector<MeshFailure> failures;
     std::vector<ClassTotal> totals;
 
-    /// Of a class of failureClasses().
+    /// The total of a class of failureClasses().
     const ClassTotal& totalOf(const FailureClass& kind) const {
         return totals[static_cast<std::size_t>(&kind - failureClasses().data())];
     }
 };
 
-/// Runs `points` to the end and looks at what came out; nothing if `progress` cancelled.
-/// `visit` is shown each pivot, if it is given.
+/// Runs `points` to the end and inspects the result; nothing if `progress` cancelled. Calls
+/// `visit`, unless it is empty, with each pivot.
 std::optional<InspectedRun> inspectRun(const PointSet& points, const Params& params,
                                        const Progress& progress,
                                        const std::function<void(const ScannedPivot&)>& visit = {});

@@ -1,3 +1,5 @@
+/// The ledger by re-running: one run with a log of one pivot at a time, and only the lines about
+/// the subject are kept. O(run), with memory for the answer alone.
 #include "spiraling_edge/explain/ledger.h"
 
 #include <algorithm>

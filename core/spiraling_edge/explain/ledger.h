@@ -1,5 +1,5 @@
 /// The ledger: why a point, an edge or a triangle is in the mesh, or why not. Found by running
-/// again and keeping what concerns the subject; no log of a whole run is ever stored.
+/// again and keeping the events about the subject; no log of a whole run is ever stored.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace se {
 
-/// What is asked about: one point, the two of an edge, or the three of a triangle, in any order.
+/// The subject of a query: one point, the two of an edge, or the three of a triangle, in any order.
 class Subject {
   public:
     static Subject point(Index p) { return Subject({p, kNone, kNone}, 1); }
@@ -24,7 +24,7 @@ class Subject {
     std::span<const Index> points() const { return {points_.data(), size_}; }
     std::size_t size() const { return size_; }
     Index operator[](std::size_t i) const { return points_[i]; }
-    /// Place of p among the points, size() if it is none of them.
+    /// Position of p among the points, size() if it is none of them.
     std::size_t find(Index p) const;
     bool has(Index p) const { return find(p) < size_; }
 
@@ -37,12 +37,13 @@ class Subject {
 /// "point 812", "edge 812-640", "triangle (1, 2, 3)".
 std::string nameOf(const Subject& subject);
 
-/// The answer.
+/// The answer to a query.
 struct Ledger {
     Subject subject;
     bool present = false;           ///< In the mesh at the end of the run.
     std::vector<LedgerLine> lines;  ///< In the order of the run.
-    /// The line that settled it: what made it, or the last that prevented it. Always one of lines.
+    /// Position of the deciding line: the one that made the subject, or the last that prevented it.
+    /// Always below lines.size().
     std::size_t cause = 0;
     std::string answer;  ///< One or two sentences that end with the address of the cause.
 };

@@ -1,3 +1,6 @@
+/// Selects the events about a subject: tests between its points, tests that end a fan it would have
+/// been in, and facts about its points. For this it tracks which of its points may still become
+/// spokes of the current fan.
 #include "spiraling_edge/explain/ledger_builder.h"
 
 #include <algorithm>
@@ -33,7 +36,7 @@ void LedgerBook::add(const ScannedPivot& pivot) {
     }
 }
 
-/// Which points of the subject are still in the neighbor ring of this pivot.
+/// Tracks the points of the subject that are still in the neighbor ring of this pivot.
 void LedgerBook::follow(const Event& event) {
     const Subject& subject = ledger_.subject;
     const auto set = [&](Index p, bool on) {
@@ -44,13 +47,13 @@ void LedgerBook::follow(const Event& event) {
         set(pivot->last, true);
         return;
     }
-    // Limits are moved past points, and first and last are no candidates: both stay spokes.
+    // Points that limits move past stay spokes, and so do first and last, which are no candidates.
     const auto* sort = std::get_if<SortEvidence>(&event.evidence);
     const bool stays = std::holds_alternative<LimitEvidence>(event.evidence) ||
                        (sort != nullptr && sort->verdict == Verdict::OnRingEnd);
     const Outcome outcome = outcomeOf(event);
     if (stays || outcome == Outcome::None) return;
-    // One entry of the point that takes the pivot is enough (§6.1, Fig. 6).
+    // One entry of the point whose test passes is enough (§6.1, Fig. 6).
     const bool otherEntry = event.address.stage == Stage::Reciprocal && isAgainst(outcome) &&
                             reciprocal_ == testedPoint(event);
     if (otherEntry) return;
@@ -83,7 +86,7 @@ bool LedgerBook::isFactOf(const Event& event) const {
                                  [&](const StrandEvidence& e) { return subject.has(e.point); },
                                  [&](const PivotEvidence& e) { return subject.has(e.pivot); },
                                  [&](const SkipEvidence& e) { return subject.has(e.pivot); },
-                                 // The other side of the pivot would be left open (docs/robust.md).
+                                 // The other side of the pivot would stay open (docs/robust.md).
                                  [&](const InsertEvidence& e) { return subject.has(e.pivot); },
                                  [&](const RingEvidence& e) { return subject.has(e.point); },
                                  [&](const SplitEvidence& e) { return subject.has(e.point); },
@@ -106,7 +109,8 @@ bool LedgerBook::isFactOf(const Event& event) const {
                       event.evidence);
 }
 
-/// A test between two points of the subject, or of the one point; or one that ends their fan.
+/// The role of a test between two points of the subject, or of its one point, or of a test that
+/// ends their fan.
 std::optional<LineRole> LedgerBook::roleOfTest(Index pivot, const Event& event) const {
     const Outcome outcome = outcomeOf(event);
     if (outcome == Outcome::None) return {};
@@ -118,7 +122,7 @@ std::optional<LineRole> LedgerBook::roleOfTest(Index pivot, const Event& event) 
     } else if (subject.has(pivot) && subject.has(tested) && tested != pivot) {
         return role;
     }
-    // The fan as a whole: the subject would have been in it.
+    // The fan as a whole, which would have held the subject.
     const bool wholeFan = tested == kNone && (event.address.stage == Stage::TwoPoint ||
                                               event.address.stage == Stage::Guard);
     if (!wholeFan || !isAgainst(outcome)) return {};

@@ -1,4 +1,4 @@
-/// Keeps, pivot by pivot, the lines of a ledger; then finds the one that settled the question.
+/// Collects, pivot by pivot, the lines of a ledger; then finds the deciding one.
 #pragma once
 
 #include <bitset>
@@ -18,7 +18,7 @@ class LedgerBook {
         : points_(points), params_(params), ledger_{subject, false, {}, 0, {}} {}
 
     void add(const ScannedPivot& pivot);
-    /// Requires that all pivots have been added.
+    /// Finds the deciding line. Call it after the last pivot was added, with the state there.
     Ledger close(const State& end);
 
   private:
@@ -31,9 +31,9 @@ class LedgerBook {
     const PointSet& points_;
     const Params& params_;
     Ledger ledger_;
-    std::bitset<3> alive_;  ///< Which points of the subject may become spokes of the present fan.
+    std::bitset<3> alive_;  ///< Points of the subject that may become spokes of the current fan.
     Index reciprocal_ = kNone;  ///< The last point that passed the reciprocal test at this pivot.
-    bool inMesh_ = false;       ///< Kept up while the mesh is mended after the last pivot.
+    bool inMesh_ = false;       ///< Updated during the repair after the last pivot.
     bool mending_ = false;
 };
 

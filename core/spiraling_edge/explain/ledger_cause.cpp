@@ -1,4 +1,4 @@
-// Which line of a ledger settled the question, and the answer in words.
+// The deciding line of a ledger, and the answer in words.
 #include <algorithm>
 #include <functional>
 
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kNoLine = static_cast<std::size_t>(-1);
 
-/// How a subject that is not in the mesh was kept out.
+/// The cause for which a subject is not in the mesh.
 struct Cause {
     std::size_t line = kNoLine;
     std::string words;  ///< One sentence, without the address.
@@ -45,7 +45,8 @@ class CauseFinder {
     }
     Cause told(std::size_t line) const { return {line, describe(ledger_.lines[line].event)}; }
 
-    /// A refused entry of the reciprocal test is no cause if another entry took the pivot.
+    /// True if another entry of the point passed the reciprocal test: then the refused one is no
+    /// cause.
     bool hasOtherEntry(const LedgerLine& refused) const {
         if (refused.event.address.stage != Stage::Reciprocal) return false;
         return std::any_of(ledger_.lines.begin(), ledger_.lines.end(), [&](const LedgerLine& line) {
@@ -55,7 +56,7 @@ class CauseFinder {
                    testedPoint(line.event) == testedPoint(refused.event);
         });
     }
-    /// A limit that stays where it is refuses nothing.
+    /// True for a limit that does not move, which refuses nothing.
     static bool isLimit(const LedgerLine& line) {
         return std::holds_alternative<LimitEvidence>(line.event.evidence);
     }
@@ -88,7 +89,7 @@ class CauseFinder {
                    return pivot != nullptr && pivot->pivot == p;
                }) != kNoLine;
     }
-    /// The last line that one of the points is named in.
+    /// The last line that names one of the points.
     std::size_t lastAbout(const Subject& subject) const {
         const std::size_t about = last([&](const LedgerLine& line) {
             return subject.has(testedPoint(line.event)) || subject.has(line.pivot);

@@ -1,3 +1,7 @@
+/// A state machine per failure, by its kind: a point waits for its last refusal, a hole or a ring
+/// for the last fan refused on it, a triangle for the tests that made its corners neighbors in a
+/// fan. The last candidate for the cause is kept until the failure exists. O(1) per event, but for
+/// triangles the tests of one pivot.
 #include "spiraling_edge/explain/moment_finder.h"
 
 #include <algorithm>
@@ -12,14 +16,15 @@ bool sameCorners(const Triangle& a, const Triangle& b) {
     return hasCorner(b, a.a) && hasCorner(b, a.b) && hasCorner(b, a.c);
 }
 
-/// Left out for its angle alone: it lies where the pivot has triangles, or will never have any.
+/// True if a candidate was left out only for its angle: it lies where the pivot has triangles, or
+/// will never have any.
 bool liesOutside(const Event& event) {
     const auto* sort = std::get_if<SortEvidence>(&event.evidence);
     return sort != nullptr &&
            (sort->verdict == Verdict::NotAfterStart || sort->verdict == Verdict::NotBeforeEnd);
 }
 
-/// Two points that find only each other (§6.4): no triangle could have come of it.
+/// True for two points that find only each other (§6.4), which can make no triangle.
 bool isFullTurn(const Event& event) {
     const auto* two = std::get_if<TwoPointEvidence>(&event.evidence);
     return two != nullptr && two->degrees > 359.9;
@@ -52,7 +57,7 @@ MomentFinder::MomentFinder(const FinderInput& input, const MeshFailure& failure)
 
 MomentFinder::Kind MomentFinder::kindOf(const MeshFailure& failure) {
     if (failure.kind->name == "holes") return Kind::Hole;
-    // Two points are left over when nobody else took either of them.
+    // Two points are left over when no fan took either of them.
     const bool pair = failure.points.size() == 2;
     if (failure.kind->find == nullptr) return pair ? Kind::Point : Kind::Ring;
     return failure.triangles.empty() ? Kind::Point : Kind::Triangle;
@@ -73,8 +78,8 @@ void MomentFinder::see(const LedgerLine& line) {
 
 std::optional<FailureMoments> MomentFinder::found() const {
     if (!created_ || !touched_) return {};
-    // A point that was never tested was lost with its last neighbor. Where nothing was decided at
-    // all, making it was.
+    // A point that was never tested was lost with its last neighbor. Without any decision the
+    // creation counts.
     for (const auto& decision : {unavoidable_, alonePair_, outside_, deserted_}) {
         if (decision) return FailureMoments{*created_, *decision, *touched_};
     }
@@ -108,7 +113,7 @@ void MomentFinder::seeForPoint(const LedgerLine& line) {
         drop != nullptr ? moveOver(*drop).value_or(line) : line;
 }
 
-/// The first move of start or end that left the candidate behind.
+/// The first move of start or end past the candidate.
 std::optional<LedgerLine> MomentFinder::moveOver(const DropEvidence& drop) const {
     const auto passes = [&](const LedgerLine& line) {
         const auto& move = std::get<LimitEvidence>(line.event.evidence);
@@ -120,7 +125,7 @@ std::optional<LedgerLine> MomentFinder::moveOver(const DropEvidence& drop) const
     return found == input_.moves.end() ? std::nullopt : std::optional(*found);
 }
 
-/// A loop is there once its last point is done with, a ring once it is freed.
+/// A loop exists once its last point is DONE, a ring once it is freed.
 void MomentFinder::seeForRing(const LedgerLine& line) {
     const Index tested = testedPoint(line.event);
     const bool pivots = line.pivot != kNone && mine(line.pivot);
@@ -134,8 +139,7 @@ void MomentFinder::seeForRing(const LedgerLine& line) {
         (liesOutside(line.event) ? outside_ : unavoidable_) = line;
 }
 
-/// By its number, and by its corners where a step after the last pivot has put another triangle
-/// into its place.
+/// Compares by number, and by corners where a step after the last pivot has replaced the triangle.
 bool MomentFinder::isOne(const EmitEvidence& made) const {
     if (made.triangle < input_.mesh.size() && sameCorners(input_.mesh[made.triangle], made.corners))
         return std::binary_search(failure_.triangles.begin(), failure_.triangles.end(),
@@ -144,14 +148,14 @@ bool MomentFinder::isOne(const EmitEvidence& made) const {
                        [&](const Triangle& t) { return sameCorners(made.corners, t); });
 }
 
-/// Failures that are there before all of their triangles are.
+/// True for failures that exist before all of their triangles are made.
 bool MomentFinder::isEarlyFailure() const {
     const std::string_view kind = failure_.kind->name;
     return kind == "duplicate_triangles" || kind == "non_manifold_edges" ||
            kind == "inconsistent_edges";
 }
 
-/// Are enough of its triangles made?
+/// True if enough of its triangles are made.
 bool MomentFinder::isThere() const {
     const std::string_view kind = failure_.kind->name;
     if (kind == "duplicate_triangles") return made_.size() > 1;
@@ -182,7 +186,7 @@ void MomentFinder::remember(const LedgerLine& line) {
     if (taken || closed || fillsHole(line.event)) decided_.push_back(line);
 }
 
-/// Where an edge or a point is at fault, what made that: the last test that took an end of it.
+/// The decision that made a faulty edge or point: the last test that took an end of it.
 std::optional<LedgerLine> MomentFinder::decisionForPart(const Triangle& made) const {
     const std::string_view kind = failure_.kind->name;
     const bool edge = kind == "non_manifold_edges" || kind == "inconsistent_edges";
@@ -191,8 +195,8 @@ std::optional<LedgerLine> MomentFinder::decisionForPart(const Triangle& made) co
     return lastDecision(decided_, end(failure_.points.front()), end(failure_.points.back()));
 }
 
-/// What made the triangle. That first and last alone are filled (§6.4) counts where nothing else
-/// was decided.
+/// The decision that made the triangle. The filling of first and last alone (§6.4) counts where
+/// there is no other.
 std::optional<LedgerLine> MomentFinder::decisionFor(const Triangle& made) const {
     if (const auto tested = lastDecision(decided_, made)) return tested;
     const auto found = std::find_if(decided_.rbegin(), decided_.rend(), [&](const auto& line) {
@@ -201,8 +205,8 @@ std::optional<LedgerLine> MomentFinder::decisionFor(const Triangle& made) const 
     return found == decided_.rend() ? std::nullopt : std::optional(*found);
 }
 
-/// Of several triangles the one that completes the failure: of an edge of five the third, of two
-/// that cross the second.
+/// Waits for the triangle that completes the failure: of an edge of five the third, of two that
+/// cross the second.
 void MomentFinder::seeForTriangle(const LedgerLine& line) {
     remember(line);
     if (mends(line.event)) {
@@ -215,7 +219,7 @@ void MomentFinder::seeForTriangle(const LedgerLine& line) {
     made_.push_back(emit->corners);
     complete_ = isEarlyFailure() && isThere();
     created_ = line;
-    // Without a test of that edge it was there before, and had to get this triangle.
+    // Without a test of that edge it existed before, and was bound to get this triangle.
     if (const auto part = decisionForPart(emit->corners)) part_ = part;
     unavoidable_ = part_ ? *part_ : decisionFor(emit->corners).value_or(line);
     alone_ = fillsHole(unavoidable_->event) ? emit->triangle : kNone;

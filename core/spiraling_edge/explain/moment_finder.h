@@ -1,4 +1,4 @@
-/// Follows one failure through a run and remembers its three moments.
+/// Follows one failure through a run and records its three moments.
 #pragma once
 
 #include <optional>
@@ -8,34 +8,34 @@
 
 namespace se {
 
-/// What all finders of a run share.
+/// The common input of all finders of a run.
 struct FinderInput {
     const PointSet& points;
     const Params& params;
     const std::vector<Triangle>& mesh;
-    const std::vector<LedgerLine>& moves;  ///< Of start and end in the present pivot so far.
+    const std::vector<LedgerLine>& moves;  ///< Moves of start and end in the current pivot so far.
 };
 
 class MomentFinder {
   public:
-    /// `failure` and `input` must stay. Requires triangles below mesh.size().
+    /// `failure` and `input` must outlive this object. Requires triangles below mesh.size().
     MomentFinder(const FinderInput& input, const MeshFailure& failure);
 
-    /// Those of the failure and the corners of its triangles, ascending.
+    /// The points of the failure and the corners of its triangles, ascending.
     const std::vector<Index>& points() const { return points_; }
-    /// Points that may bring it about by becoming DONE.
+    /// Points that may cause the failure by becoming DONE.
     const std::vector<Index>& around() const { return around_; }
-    /// Looks at the next event; those about none of its points may be left out.
+    /// Takes the next event; events about none of points() may be left out.
     void see(const LedgerLine& line);
-    /// The ring of the failure is freed.
+    /// Takes the event at which the ring of the failure is freed.
     void seeFreed(const LedgerLine& line) { created_ = line; }
-    /// The triangle that is the whole fan of its pivot, if such a one brought the failure about.
+    /// The triangle that is the whole fan of its pivot, if such a triangle caused the failure.
     Index alone() const { return alone_; }
-    /// Nothing if the failure does not come from this run.
+    /// The moments; nothing if the failure does not come from this run.
     std::optional<FailureMoments> found() const;
 
   private:
-    /// What of a run brings a failure about.
+    /// The kind of event that causes a failure.
     enum class Kind : std::uint8_t { Point, Hole, Ring, Triangle };
     static Kind kindOf(const MeshFailure& failure);
 
@@ -56,20 +56,21 @@ class MomentFinder {
     const FinderInput& input_;
     const MeshFailure& failure_;
     Kind kind_;
-    std::vector<Triangle> triangles_;  ///< Of the failure.
+    std::vector<Triangle> triangles_;  ///< Triangles of the failure.
     std::vector<Index> points_;
-    std::vector<Index> around_;  ///< Of a point in no triangle: those that it lists.
+    std::vector<Index> around_;  ///< For a point in no triangle: the points that it lists.
     std::optional<LedgerLine> created_;
     std::optional<LedgerLine> unavoidable_;
-    std::optional<LedgerLine> outside_;    ///< The last refusal of a point outside of the sector.
-    std::optional<LedgerLine> alonePair_;  ///< Found only one other point, which finds only it.
-    std::optional<LedgerLine> part_;       ///< What made the edge or point that is at fault.
+    std::optional<LedgerLine> outside_;  ///< The last refusal of a point outside the sector.
+    std::optional<LedgerLine>
+        alonePair_;  ///< The pivot kept only one candidate, as the candidate's own list does.
+    std::optional<LedgerLine> part_;  ///< The decision that made the faulty edge or point.
     std::optional<LedgerLine> touched_;
     std::optional<LedgerLine> deserted_;  ///< The last of the neighbors became DONE.
     Index alone_ = kNone;
-    std::vector<Triangle> made_;       ///< Of the failure, in the order of the run.
-    bool complete_ = false;            ///< Enough of them: those that follow are no cause.
-    std::uint32_t pivot_ = 0;          ///< That `decided_` is about.
+    std::vector<Triangle> made_;       ///< Triangles of the failure made so far, in order.
+    bool complete_ = false;            ///< The failure exists: later triangles are no cause.
+    std::uint32_t pivot_ = 0;          ///< The pivot of `decided_`.
     std::vector<LedgerLine> decided_;  ///< Tests of this pivot that a triangle may come from.
 };
 

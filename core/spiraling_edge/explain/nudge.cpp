@@ -1,3 +1,6 @@
+/// The least move that inverts a decision: the compared number is a function of the position of one
+/// point, and Newton steps along its gradient (by differences) lead to its zero; the move is then
+/// enlarged by a thousandth, to be beyond. At most 12 steps.
 #include "spiraling_edge/explain/nudge.h"
 
 #include <cmath>
@@ -8,7 +11,7 @@
 namespace se {
 namespace {
 
-/// What was compared, as a function of the place of one point: > 0 where that point is taken.
+/// The compared number as a function of the position of one point: > 0 where that point is taken.
 struct Compared {
     Index point = kNone;
     std::function<double(const Vec3&)> value;
@@ -21,7 +24,7 @@ double wrapped(double degrees) {
     return degrees;
 }
 
-/// Inside a sector from 0 to `end`: above 0, by the nearer limit.
+/// Distance to the nearer limit of a sector from 0 to `end`: above 0 inside.
 double insideSector(double degrees, double end) {
     const double toEnd = wrapped(end - degrees);
     const double toStart = wrapped(degrees);
@@ -96,7 +99,7 @@ class Comparison {
         return {};
     }
 
-    /// §6.3: the angle decided, not the sphere.
+    /// §6.3: true if the angle decided, not the sphere.
     void setDecidedByGap(bool yes) { decidedByGap_ = yes; }
 
   private:
@@ -140,7 +143,7 @@ std::optional<Nudge> nudgeOf(const Event& event, const NudgeContext& context) {
     const bool taken = outcomeOf(event) == Outcome::Taken;
     const auto turned = [&](double value) { return taken ? value < 0.0 : value > 0.0; };
     constexpr int kSteps = 12;
-    constexpr double kBeyond = 1.001;  // what Newton reaches is the border itself
+    constexpr double kBeyond = 1.001;  // Newton converges to the border itself
     Vec3 x = from;
     for (int i = 0; i < kSteps; ++i) {
         const Vec3 gradient = gradientOf(compared.value, x, 1e-6 * size);

@@ -1,4 +1,4 @@
-/// Which move of which point turns a decision.
+/// The least move of a point that inverts a decision.
 #pragma once
 
 #include <optional>
@@ -7,15 +7,15 @@
 
 namespace se {
 
-/// Where a decision was made.
+/// The context of a decision.
 struct NudgeContext {
     const PointSet& points;
     const Params& params;
     Index pivot, first, last;  ///< Points.
 };
 
-/// The shortest move, by Newton steps along the gradient of what was compared; empty if the event
-/// has no reading, or if no small move turns it.
+/// The shortest move, by Newton steps along the gradient of the compared number; empty if the event
+/// has no reading, or if no small move inverts it.
 std::optional<Nudge> nudgeOf(const Event& event, const NudgeContext& context);
 
 }  // namespace se

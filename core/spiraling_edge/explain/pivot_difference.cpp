@@ -1,3 +1,8 @@
+/// Comparison of two logs of one pivot. Facts (rings, triangles, the next pivot) must be equal in
+/// order; tests are matched by stage and subject, since runs with other rules make other tests. The
+/// first test with another result explains a difference; a test that only one run makes counts only
+/// if it changed something. Equal logs are recognized in O(events); else O(events squared) for the
+/// events of the pivot.
 #include "spiraling_edge/explain/pivot_difference.h"
 
 #include <algorithm>
@@ -10,7 +15,7 @@
 namespace se {
 namespace {
 
-/// What an event is about, without its numbers: equal keys are the same question.
+/// The subject of an event without its numbers: events with equal keys test the same.
 using Key = std::array<Index, 6>;
 
 Key keyOf(const Event& event) {
@@ -52,10 +57,10 @@ Key keyOf(const Event& event) {
         event.evidence);
 }
 
-/// The answer to the question: equal answers have the same consequence.
+/// The result of a test: equal results have the same consequence.
 struct Answer {
     Outcome outcome;      ///< None, Taken or Refused.
-    Index third = kNone;  ///< §7: the point that was inserted, and where.
+    Index third = kNone;  ///< §7: the inserted point and its place.
     Verdict place = Verdict::Kept;
     friend bool operator==(const Answer&, const Answer&) = default;
 };
@@ -66,7 +71,7 @@ Answer answerOf(const Event& event) {
     return {outcome};
 }
 
-/// A rule's answer to a question; the others state what was done.
+/// True for the test of a rule; other events are facts.
 bool isTest(const Event& event) { return outcomeOf(event) != Outcome::None; }
 bool isSort(const Event& event) { return std::holds_alternative<SortEvidence>(event.evidence); }
 
@@ -74,8 +79,8 @@ bool isSort(const Event& event) { return std::holds_alternative<SortEvidence>(ev
 class PivotEvents {
   public:
     explicit PivotEvents(std::span<const Event> events) : events_(events) {
-        // A rule that looks at the whole fan sends the pivot back to §6.3: what comes behind it is
-        // compared behind it, stage by stage.
+        // A rule that examines the whole fan sends the pivot back to §6.3: events after it are
+        // compared as a pass of their own, stage by stage.
         std::uint32_t pass = 0;
         for (std::size_t i = 0; i < events.size(); ++i) {
             order_.push_back({pass, events[i].address.stage, i, keyOf(events[i])});
@@ -107,9 +112,9 @@ class PivotEvents {
                                        emit->corners.c == point);
         });
     }
-    /// The same question at the same place of the order; null if this run does not come to it.
+    /// The same test at the same place of the order; null if this run does not make it.
     const Place* counterpart(const Place& place, const PivotEvents& from) const {
-        std::size_t number = 0;  // a question may be asked twice in a stage
+        std::size_t number = 0;  // a test may be repeated in a stage
         for (const Place& p : from.order_) {
             if (p.event == place.event) break;
             if (p.rank() == place.rank() && p.key == place.key) ++number;
@@ -119,14 +124,14 @@ class PivotEvents {
         }
         return nullptr;
     }
-    /// The last time that the question was asked at that place of the order; null if never.
+    /// The last repetition of the test at that place of the order; null if there is none.
     const Place* lastOf(const Place& place) const {
         const auto found = std::find_if(order_.rbegin(), order_.rend(), [&](const Place& p) {
             return p.rank() == place.rank() && p.key == place.key;
         });
         return found == order_.rend() ? nullptr : &*found;
     }
-    /// What happens here where the other run is at `rank`: size() if nothing more.
+    /// The first event at or after `rank`, else the last event; 0 without events.
     std::size_t instead(const std::pair<std::uint32_t, Stage>& rank) const {
         for (const Place& p : order_) {
             if (p.rank() >= rank) return p.event;
@@ -186,18 +191,19 @@ class PivotPair {
         return kNone;
     }
 
-    /// Only one of the lists has the tested point, and both runs do look at lists.
+    /// True if only one of the lists has the tested point, and both runs read their lists.
     static bool onlyListed(const PivotEvents& mine, const PivotEvents& other, const Event& event) {
         const Index point = testedPoint(event);
         return point != kNone && mine.sorts(point) && other.sortsAny() && !other.sorts(point);
     }
-    /// Answered otherwise; or not asked there, and the answer changes something.
+    /// True if the other run has a different result, or does not make the test although it changes
+    /// something.
     static bool differs(const PivotEvents& mine, const PivotEvents& other, const Place& place) {
         const Event& event = mine.at(place);
         if (const Place* const there = other.counterpart(place, mine))
             return answerOf(other.at(*there)) != answerOf(event);
         if (onlyListed(mine, other, event)) return false;
-        // Candidates go on unless refused; start, end and the ring stay unless moved.
+        // Candidates stay unless refused; start, end and the ring stay unless moved.
         const bool changes = std::holds_alternative<LimitEvidence>(event.evidence) ||
                              std::holds_alternative<InsertEvidence>(event.evidence);
         return (outcomeOf(event) == Outcome::Taken) == changes;
@@ -225,7 +231,7 @@ class PivotPair {
     static Mismatch mismatchAt(const PivotEvents& mine, const PivotEvents& other,
                                const Place& place) {
         const Place* there = other.counterpart(place, mine);
-        // Asked more than once here: against the last word that fell there.
+        // Repeated more often here: compared with the last result there.
         if (there == nullptr && isTest(mine.at(place))) there = other.lastOf(place);
         const bool decides =
             there != nullptr && answerOf(other.at(*there)) != answerOf(mine.at(place));

@@ -1,5 +1,5 @@
-/// Two runs at the same pivot, after the same steps: whether it makes the same in both, and if any
-/// of its decisions fell differently.
+/// Comparison of two runs at the same pivot, after the same steps: whether its results are equal,
+/// and which of its decisions differ.
 #pragma once
 
 #include <optional>
@@ -14,26 +14,27 @@ namespace se {
 struct Mismatch {
     std::size_t a = 0;
     std::size_t b = 0;
-    bool aDecides = false;  ///< Else `a` is what happens there instead.
+    bool aDecides = false;  ///< False: `a` is the event there instead.
     bool bDecides = false;
-    bool listsDiffer = false;  ///< Only one of the runs looks at the point, from its lists.
+    bool listsDiffer =
+        false;  ///< Only one of the runs tests the point, since only its list holds it.
     /// The first point that only one of the lists has, and that it takes; kNone if there is none.
     Index onlyInA = kNone;
     Index onlyInB = kNone;
 };
 
-/// True if seeds, rings, triangles and the way on are the same; tests may have gone otherwise.
+/// True if seeds, rings, triangles and the next pivot are the same; tests may differ.
 bool makesTheSame(std::span<const Event> a, std::span<const Event> b);
 
-/// The first test that fell differently, in the order of the stages; nothing if none did. What only
-/// one run looks at, from its lists, does not count.
+/// The first test with different outcomes, in the order of the stages; nothing if there is none.
+/// Points in the list of only one run do not count.
 std::optional<Mismatch> firstOtherTest(std::span<const Event> a, std::span<const Event> b);
 
-/// The same for a pivot that does not make the same: if no test explains it, the point that only
-/// one run has in a list, or else the first thing that is done differently.
+/// The first difference of a pivot whose results differ: a test, or if none differs, the point that
+/// only one run has in a list, or else the first different event.
 Mismatch firstDifference(std::span<const Event> a, std::span<const Event> b);
 
-/// One sentence. `pivot` is the pivot's point, kNone outside of one.
+/// One sentence about the mismatch. `pivot` is the pivot's point, kNone outside a pivot.
 std::string wordsFor(const Mismatch& mismatch, std::span<const Event> a, std::span<const Event> b,
                      Index pivot);
 

@@ -7,7 +7,7 @@
 namespace se {
 namespace {
 
-/// The last line for which `isCorner` holds of what it took, or of both sides of a gap.
+/// The last line for which `isCorner` holds for the point it took, or for both sides of a gap.
 template <typename Test>
 std::optional<LedgerLine> lastOf(const std::vector<LedgerLine>& decided, const Test& isCorner) {
     const auto found = std::find_if(decided.rbegin(), decided.rend(), [&](const LedgerLine& line) {

@@ -1,3 +1,7 @@
+/// Delta debugging (Zeller and Hildebrandt 2002) over points: first the smallest ball around the
+/// failure that fails, then pieces of half the points, a quarter and so on, far ones first, until
+/// no single point can be removed. Each try is a run of the caller; about n log n tries in the
+/// usual case, n squared at worst.
 #include "spiraling_edge/explain/reduce.h"
 
 #include <algorithm>
@@ -25,7 +29,7 @@ class Reducer {
         for (std::size_t i = 0; i < most_; ++i) kept_[i] = static_cast<Index>(i);
         if (!stillFails(kept_)) return Error{"The whole input does not fail so."};
         crop(place);
-        // Pieces come out whole where near points stand together: by distance, not by number.
+        // Points are ordered by distance, so that a piece is a connected part.
         sortByDistance(kept_, place);
         takeOutPieces();
         if (cancelled_) return Error{"Cancelled."};
@@ -49,7 +53,7 @@ class Reducer {
     }
     bool stillFails(const std::vector<Index>& points) {
         if (over() || points.empty()) return false;
-        // The first try is made in any case.
+        // The first try is always made.
         exhausted_ = tries_ > 0 && left_ == 0;
         if (exhausted_) return false;
         ++tries_;
@@ -73,7 +77,7 @@ class Reducer {
                          [&](Index a, Index b) { return distanceSq(a) < distanceSq(b); });
     }
 
-    /// The smallest ball, by factors of the fourth root of two, whose points fail by themselves.
+    /// Crops to the smallest ball, by factors of the fourth root of two, whose points fail alone.
     void crop(const Vec3& place) {
         constexpr double kGrowth = 1.189207115002721;
         std::vector<Index> byDistance = kept_;
@@ -90,12 +94,13 @@ class Reducer {
         }
     }
 
-    /// Pieces of half the points, a quarter, ... down to single ones, until none can go.
+    /// Removes pieces of half the points, a quarter, ... down to single ones, until none can be
+    /// removed.
     void takeOutPieces() {
         std::size_t size = std::max<std::size_t>(kept_.size() / 2, 1);
         for (;;) {
             bool changed = false;
-            // From the far end: what is far away goes first.
+            // From the far end: distant points first.
             for (std::size_t end = kept_.size(); end > 0 && !over();) {
                 const std::size_t begin = end > size ? end - size : 0;
                 std::vector<Index> rest = kept_;
@@ -114,7 +119,7 @@ class Reducer {
 
     const PointFile& file_;
     const Fails& fails_;
-    std::uint64_t left_;  ///< Of the effort.
+    std::uint64_t left_;  ///< Remaining effort.
     const Progress& progress_;
     std::size_t most_;
     std::vector<Index> kept_;
@@ -134,7 +139,7 @@ Result<Reduced> reduceInput(const PointFile& file, const Vec3& place,
 Result<Reduced> reduceInput(const PointFile& file, const Vec3& place,
                             const std::function<bool(const PointFile&)>& fails,
                             const Progress& progress) {
-    // Work that is nothing uses up no effort.
+    // Tries without work use up no effort.
     return reduceInput(
         file, place,
         [&](const PointFile& part) {

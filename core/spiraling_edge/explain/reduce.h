@@ -1,4 +1,4 @@
-/// Shrinking an input to the fewest points that still fail.
+/// Reduction of an input to a minimal failing case.
 #pragma once
 
 #include <cstdint>
@@ -10,30 +10,30 @@
 
 namespace se {
 
-/// What is left of an input.
+/// A reduced input.
 struct Reduced {
     PointFile file;
     std::vector<Index> kept;  ///< Numbers in the input, ascending.
-    std::size_t tries = 0;    ///< How often it was tried whether the failure is still there.
-    bool complete = true;     ///< False: the effort was used up, fewer points may do.
+    std::size_t tries = 0;    ///< Number of calls of `fails`.
+    bool complete = true;     ///< False: the effort was used up; fewer points may fail, too.
 };
 
 /// The outcome of one try.
 struct ReduceTry {
     bool fails = false;
-    std::uint64_t work = 0;  ///< What it took, in the unit of the effort.
+    std::uint64_t work = 0;  ///< Cost of the try, in the unit of the effort.
 };
 
-/// Takes points out of `file` for as long as `fails` holds: first all but the ball about `place`
-/// that still fails, then piece by piece and point by point (delta debugging, Zeller and
-/// Hildebrandt 2002), until no single point can go. Fails if the whole input does not, or if
-/// cancelled; the share of `progress` goes by the points left. Once the tries have taken `effort`
-/// together, no more are made: the result is the best so far, maybe the whole input. `file` must be
-/// as treat() leaves it. Deterministic if `fails` is.
+/// Removes points from `file` while `fails` holds: first all but the ball about `place` that still
+/// fails, then piece by piece and point by point (delta debugging, Zeller and Hildebrandt 2002),
+/// until no single point can be removed. Fails if the whole input does not fail, or if cancelled;
+/// `progress` gets a share by the points left. Once the tries have taken `effort` together, no more
+/// are made: the result is the best so far, possibly the whole input. `file` must come from
+/// treat(). Deterministic if `fails` is.
 Result<Reduced> reduceInput(const PointFile& file, const Vec3& place,
                             const std::function<ReduceTry(const PointFile&)>& fails,
                             std::uint64_t effort, const Progress& progress = {});
-/// As above, for as long as it takes.
+/// As above, without a limit of the effort.
 Result<Reduced> reduceInput(const PointFile& file, const Vec3& place,
                             const std::function<bool(const PointFile&)>& fails,
                             const Progress& progress = {});

@@ -1,3 +1,6 @@
+/// Search for remedies by trial: a run and an inspection with each single rule of `robust` added,
+/// and with the whole sets. A failure counts as prevented only if the list of its class is
+/// complete.
 #include "spiraling_edge/explain/remedy.h"
 
 #include <algorithm>
@@ -31,14 +34,15 @@ std::vector<Trial> trialsFor(const Params& params) {
     return trials;
 }
 
-/// Of all classes; a lower bound where the search ended early.
+/// Failures of all classes; a lower bound where the search ended early.
 std::size_t countOf(const InspectedRun& run) {
     std::size_t all = 0;
     for (const ClassTotal& each : run.totals) all += each.total;
     return all;
 }
 
-/// A point in no triangle is the same trouble near the surface and far from it.
+/// True if the classes mean the same failure: points in no triangle near the surface and far from
+/// it do.
 bool sameTrouble(const FailureClass& a, const FailureClass& b) {
     const auto unused = [](const FailureClass& c) {
         return c.name == "unused_points" || c.name == "isolated_points";

@@ -1,4 +1,4 @@
-/// Which rule beyond the paper would have prevented a failure: found by running again with that one
+/// The rules beyond the paper that would have prevented a failure, found by running again with one
 /// rule on.
 #pragma once
 
@@ -12,13 +12,13 @@
 
 namespace se {
 
-/// What a rule that is off now, or a whole set of rules, would do.
+/// The effect of a rule that is off, or of a whole set of rules.
 struct Remedy {
     const RuleSwitch* rule = nullptr;  ///< Null: the whole set.
-    std::string_view set;              ///< Of a whole set: its name.
+    std::string_view set;              ///< The name of a whole set.
     bool prevents = false;             ///< The failure is gone.
-    bool unknown = false;              ///< Too many of its class to tell whether it is gone.
-    /// Failures of its class, and of all, that the run has then; of a tangled run a lower bound.
+    bool unknown = false;              ///< Undecided: the list of its class is incomplete.
+    /// Failures of its class, and of all classes, of that run; a lower bound if the run is tangled.
     std::size_t ofClass = 0;
     std::size_t all = 0;
 };
@@ -29,12 +29,12 @@ struct Remedies {
     /// Each rule of `robust` that is off, by itself, and then the sets `corrected` and `robust`:
     /// those that prevent the failure first, of these those that leave the fewest failures.
     std::vector<Remedy> tried;
-    std::size_t ofClass = 0;  ///< As the run is.
+    std::size_t ofClass = 0;  ///< Failures of its class without a remedy.
     std::size_t all = 0;
 };
 
-/// Is the failure still among `failures`? One of its class that shares two points with it, or the
-/// only one, is taken for the same: a hole that has become smaller is still there.
+/// True if the failure is still among `failures`. One of its class that shares two points with it,
+/// or its only point, counts as the same: a hole that has become smaller is still there.
 bool isStillThere(const MeshFailure& failure, const std::vector<MeshFailure>& failures);
 
 /// Tries them all, a run and an inspection each. Fails if cancelled. Deterministic. Points that

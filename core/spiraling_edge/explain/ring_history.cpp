@@ -1,3 +1,6 @@
+/// The ancestry of a ring: lanes (ring_lanes.h) identify rings over a run, and each seed, split and
+/// join is a node that names the nodes it was made of. The answer is the set of nodes reachable
+/// from the ring. O(run up to the ring).
 #include "spiraling_edge/explain/ring_history.h"
 
 #include <algorithm>
@@ -40,7 +43,7 @@ Result<RingPlace> ringPlaceFromString(std::string_view text) {
 
 namespace {
 
-/// What made a ring, and the makings of the rings that it was made of.
+/// The event that made a ring, and those of the rings that it was made of.
 struct Making {
     LedgerLine line;
     std::vector<std::size_t> of;  ///< Earlier makings.
@@ -64,7 +67,7 @@ class RingGenealogy {
         const auto& stack = lanes_.stack();
         return place <= stack.size() ? &stack[stack.size() - place] : nullptr;
     }
-    /// All makings that the ring of a lane came of, in the order of the run.
+    /// All events in the ancestry of the ring of a lane, in the order of the run.
     std::vector<LedgerLine> linesOf(std::uint32_t lane) const {
         std::vector<bool> wanted(makings_.size(), false);
         wanted[made_.at(lane)] = true;
@@ -96,7 +99,7 @@ class RingGenealogy {
             case LaneChangeKind::Hole:
                 return;
         }
-        // A split makes both of its rings, a join the one that goes on.
+        // A split makes both of its rings, a join the one that remains.
         if (change.kind != LaneChangeKind::Join) made_[change.lane] = makings_.size();
         if (change.kind != LaneChangeKind::Seed) made_[change.other] = makings_.size();
         makings_.push_back(std::move(making));
@@ -104,10 +107,10 @@ class RingGenealogy {
 
     LaneKeeper lanes_;
     std::vector<Making> makings_;
-    std::map<std::uint32_t, std::size_t> made_;  ///< Per lane: the making of its ring.
+    std::map<std::uint32_t, std::size_t> made_;  ///< Per lane: the event that made its ring.
 };
 
-/// Stops at the wanted place and keeps what there is to say of it.
+/// Stops at the place of the query and collects the answer.
 class RingFinder {
   public:
     explicit RingFinder(const RingPlace& ring) : ring_(ring) {}
@@ -162,7 +165,7 @@ class RingFinder {
     RingPlace ring_;
     RingGenealogy genealogy_;
     bool found_ = false;
-    std::uint32_t last_ = 0;  ///< The pivot that was seen last.
+    std::uint32_t last_ = 0;  ///< The last pivot visited.
     std::size_t rings_ = 0;
     std::optional<Index> length_;
     std::vector<LedgerLine> lines_;
@@ -173,7 +176,7 @@ class RingFinder {
 Result<RingHistory> whyRing(const PointSet& points, const Params& params, const RingPlace& ring,
                             const Progress& progress) {
     RingFinder finder(ring);
-    // What comes behind the place makes no difference.
+    // Events after the place are not needed.
     const auto goOn = [&](double share) {
         return !finder.found() && (!progress || progress(share));
     };

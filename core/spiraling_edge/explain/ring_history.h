@@ -1,5 +1,5 @@
-/// Why there is an edge ring: the sub-step that made it (a seed, a split, a join, §4 and §6.5) and
-/// those that led there.
+/// The origin of an edge ring: the sub-step that made it (a seed, a split, a join, §4 and §6.5) and
+/// those that led to it.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@
 
 namespace se {
 
-/// A ring by where it is. Rings have no names of their own: splits and joins make others of them.
+/// A ring by its address and place. Rings have no names of their own, since splits and joins change
+/// them.
 struct RingPlace {
     Address at;       ///< Just after this decision; a pivot alone: after its last.
     Index place = 0;  ///< 0: the active ring; else counted from the top of the stack, from 1.
@@ -24,12 +25,13 @@ Result<RingPlace> ringPlaceFromString(std::string_view text);
 struct RingHistory {
     RingPlace ring;
     Index length = 0;               ///< Points of the ring there.
-    std::vector<LedgerLine> lines;  ///< Seeds, splits and joins that it came of, in order.
-    std::size_t cause = 0;          ///< The last of them, which made the ring as it is.
+    std::vector<LedgerLine> lines;  ///< The seeds, splits and joins of its ancestry, in order.
+    std::size_t cause = 0;          ///< Position of the last of them, which made the ring.
     std::string answer;             ///< Ends with the address of the cause.
 };
 
-/// Fails if the run has no such address, or no such ring there, or if cancelled. O(run up to it).
+/// The history of `ring`. Fails if the run has no such address, or no such ring there, or if
+/// cancelled. O(run up to it).
 Result<RingHistory> whyRing(const PointSet& points, const Params& params, const RingPlace& ring,
                             const Progress& progress = {});
 

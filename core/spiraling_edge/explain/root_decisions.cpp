@@ -1,3 +1,6 @@
+/// Triangles that close a gap of three have no deciding test of their own: they are traced to the
+/// last earlier triangle at their edges, until one has a test. Two runs: the first records the
+/// decision of every triangle, the second returns the lines.
 #include "spiraling_edge/explain/root_decisions.h"
 
 #include <algorithm>
@@ -16,7 +19,7 @@ struct Made {
     bool alone = false;
 };
 
-/// All triangles of a run with their decisions.
+/// The triangles of a run with their decisions.
 class Book {
   public:
     Book(const PointSet& points, const Params& params) : points_(points), params_(params) {}
@@ -31,7 +34,7 @@ class Book {
         return true;
     }
 
-    /// Pivot 0 if there is none.
+    /// The decision that a triangle is traced to; pivot 0 if there is none.
     Address rootOf(Index triangle) const {
         while (triangle < made_.size() && made_[triangle].alone) {
             const Index before = lastAtEdges(triangle);
@@ -71,7 +74,7 @@ class Book {
         }
     }
 
-    /// The last triangle before this one that has an edge of it at its pivot.
+    /// The last earlier triangle that shares an edge of this one at its own pivot.
     Index lastAtEdges(Index triangle) const {
         const Triangle& t = made_[triangle].corners;
         Index last = kNone;
@@ -84,9 +87,9 @@ class Book {
 
     const PointSet& points_;
     const Params& params_;
-    std::vector<LedgerLine> decided_;  ///< Of the present pivot.
+    std::vector<LedgerLine> decided_;  ///< Of the current pivot.
     std::vector<Made> made_;           ///< By number.
-    std::vector<std::size_t> from_;    ///< Per point: where its triangles begin in at_.
+    std::vector<std::size_t> from_;    ///< Per point: the begin of its triangles in at_.
     std::vector<Index> at_;
 };
 

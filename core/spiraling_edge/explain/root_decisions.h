@@ -1,4 +1,4 @@
-/// Where the triangles come from that fill what is left between three points (§6.4).
+/// The origin of triangles that fill the gap between three points (§6.4).
 #pragma once
 
 #include <map>
@@ -9,8 +9,8 @@
 
 namespace se {
 
-/// Of triangles that are the whole fan of their pivot, by their number: the decision that the last
-/// of their edges comes from, in an earlier pivot; through such triangles again, if need be. Those
+/// For triangles that are the whole fan of their pivot, by number: the decision in an earlier pivot
+/// that made the last of their edges, traced through further such triangles if necessary. Triangles
 /// without one are left out. Nothing if cancelled. Two runs.
 std::optional<std::map<Index, LedgerLine>> rootDecisions(const PointSet& points,
                                                          const Params& params,

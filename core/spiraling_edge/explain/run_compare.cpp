@@ -1,3 +1,7 @@
+/// Two steppers side by side, one pivot at a time, each with a log of that pivot. Until the first
+/// pivot with a different result both have the same state, so that comparing logs suffices
+/// (pivot_difference.h); afterwards both run on to their ends alone. The step that made each
+/// triangle is recorded on the way, for differences of the final meshes. O(both runs).
 #include "spiraling_edge/explain/run_compare.h"
 
 #include <algorithm>
@@ -13,7 +17,7 @@
 namespace se {
 namespace {
 
-/// A triangle from its least corner on.
+/// The corners of a triangle from the least one on, in its winding.
 std::array<Index, 3> turnedToLeast(const Triangle& t) {
     if (t.a <= t.b && t.a <= t.c) return {t.a, t.b, t.c};
     if (t.b <= t.c) return {t.b, t.c, t.a};
@@ -22,7 +26,7 @@ std::array<Index, 3> turnedToLeast(const Triangle& t) {
 
 bool has(const Triangle& t, Index p) { return t.a == p || t.b == p || t.c == p; }
 
-/// Where each triangle of a run came from, as it goes along.
+/// Records the event that made each triangle while a run goes on.
 class Births {
   public:
     void see(const Event& event) {
@@ -54,7 +58,7 @@ class Births {
     }
 
   private:
-    /// The last step after the pivots that can have left this triangle.
+    /// The last step after the pivots that can have made this triangle.
     Address mended(const Triangle& t) const {
         const auto leaves = [&](const Event& event) {
             if (const auto* flip = std::get_if<FlipEvidence>(&event.evidence))
@@ -64,7 +68,7 @@ class Births {
         };
         const auto found = std::find_if(mending_.rbegin(), mending_.rend(), leaves);
         if (found != mending_.rend()) return found->address;
-        // What is left closed the hole of a point that was taken out: the events do not say which.
+        // The others closed the hole of a point that was taken out; the events do not name them.
         const auto taken = std::find_if(mending_.rbegin(), mending_.rend(), [](const Event& e) {
             return std::holds_alternative<ReseatEvidence>(e.evidence);
         });
@@ -121,7 +125,7 @@ RunDifference differenceAt(const Mismatch& mismatch, const Walker& a, const Walk
             wordsFor(mismatch, a.events(), b.events(), pivot)};
 }
 
-/// Looks at the pivot that both have just gone through in step.
+/// Compares the pivot that both have just completed.
 void comparePivot(const Walker& a, const Walker& b, RunComparison& found) {
     if (!makesTheSame(a.events(), b.events())) {
         found.first = differenceAt(firstDifference(a.events(), b.events()), a, b);

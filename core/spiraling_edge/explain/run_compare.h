@@ -1,4 +1,5 @@
-/// Two runs step by step: up to where they do the same, and the decision at which they part.
+/// Comparison of two runs step by step: the part in which they agree, and the decision at which
+/// they diverge.
 #pragma once
 
 #include <optional>
@@ -9,22 +10,22 @@
 
 namespace se {
 
-/// What a run is made of. Both must outlive what uses it.
+/// The input of a run. Both must outlive this object and its users.
 struct ComparedRun {
     const PointSet& points;
     const Params& params;
 };
 
-/// One of the two runs at a place where they differ.
+/// One of the two runs at a difference.
 struct DifferenceSide {
-    /// It takes the decision in question. Else it does not come to it, since the point is in no
-    /// list there, or no rule asks; `line` is what it does next.
+    /// The run makes the decision in question. Else it never reaches it, since the point is in no
+    /// list there, or no rule tests it; `line` is then its next event.
     bool decides = false;
-    /// Nothing if this run is over by then.
+    /// Nothing if this run has already ended.
     std::optional<LedgerLine> line;
 };
 
-/// A decision that the two runs, after the same steps, take differently.
+/// A decision that the two runs make differently after the same steps.
 struct RunDifference {
     DifferenceSide a, b;
     std::string words;  ///< One sentence that names both.
@@ -33,38 +34,39 @@ struct RunDifference {
 /// A mesh, and the decision that made each triangle.
 struct MadeMesh {
     std::vector<Triangle> triangles;
-    /// Of each triangle: the address of its `emit`, or of the step after the last pivot that left
+    /// For each triangle: the address of its `emit`, or of the step after the last pivot that made
     /// it.
     std::vector<Address> made;
-    /// Those of the pivots, in their order, where later steps have left others; else empty.
+    /// The triangles of the pivots, in their order, where later steps have changed the mesh; else
+    /// empty.
     std::vector<Triangle> emitted;
-    std::uint32_t pivots = 0;  ///< Of the run, the steps after the last pivot among them.
+    std::uint32_t pivots = 0;  ///< Pivots of the run, including the steps after the last pivot.
 
-    /// As the run made them, one by one.
+    /// The triangles in the order in which the run made them.
     const std::vector<Triangle>& inOrder() const { return emitted.empty() ? triangles : emitted; }
 };
 
 /// The first decision that made one of these triangles (positions in the list); nothing if the mesh
-/// does not know what made them.
+/// has no record of them.
 std::optional<Address> firstMade(const MadeMesh& mesh, std::span<const Index> triangles);
 
 /// Runs to the end. Fails only if `progress` cancels. O(run).
 Result<MadeMesh> makeMesh(const ComparedRun& run, const Progress& progress = {});
 
 struct RunComparison {
-    /// The first decision with a consequence: behind its pivot the rings or the triangles differ.
-    /// Nothing if the runs make the same from the first pivot to the last.
+    /// The first decision with a consequence: after its pivot the rings or the triangles differ.
+    /// Nothing if the runs agree from the first pivot to the last.
     std::optional<RunDifference> first;
-    std::uint32_t pivotsAlike = 0;  ///< That make the same, before `first`.
-    /// The first decision taken differently without a consequence, in the pivots before `first`.
+    std::uint32_t pivotsAlike = 0;  ///< Pivots before `first`, in which the runs agree.
+    /// The first different decision without a consequence, in the pivots before `first`.
     std::optional<RunDifference> harmless;
     std::uint32_t harmlessPivots = 0;  ///< Pivots with such decisions.
     MadeMesh a, b;
 };
 
 /// Runs both, in step up to the first difference. They may have other rules, other neighbor lists,
-/// normals or types. What only one of them looks at because only its lists hold it counts as a
-/// difference only if it has a consequence. Fails if they have not the same number of points, or if
+/// normals or types. A point that only one of them tests because only its lists hold it counts as a
+/// difference only if it has a consequence. Fails if their numbers of points differ, or if
 /// `progress` cancels. Requires valid PointSets. Deterministic. O(both runs).
 Result<RunComparison> compareRuns(const ComparedRun& a, const ComparedRun& b,
                                   const Progress& progress = {});

@@ -1,3 +1,6 @@
+/// A what-if is checked at its pivot: the run is copied just before it, made with the what-if and a
+/// log, and, only if an invariant is broken afterwards, made again without it. O(run up to the last
+/// what-if + points for each pivot with one).
 #include "spiraling_edge/explain/what_if_check.h"
 
 #include <algorithm>
@@ -13,7 +16,7 @@ namespace {
 
 std::string namedPoint(Index p) { return "Point " + std::to_string(p); }
 
-/// What can be told without a run.
+/// The checks that need no run.
 Status checkPlain(const PointSet& points, const WhatIf& what) {
     if (what.point >= points.size()) return Error{namedPoint(what.point) + " does not exist."};
     if (what.kind == WhatIfKind::Move) {
@@ -47,7 +50,7 @@ bool isAbout(const Event& event, const WhatIf& what) {
     return what.stage == Stage::TwoPoint || testedPoint(event) == what.point;
 }
 
-/// Keep and Drop: what the log of the pivot says of them.
+/// The checks of Keep and Drop against the log of the pivot.
 Status checkTest(const std::vector<Event>& events, const WhatIf& what) {
     std::optional<Verdict> verdict;
     bool stageSeen = false;
@@ -60,9 +63,9 @@ Status checkTest(const std::vector<Event>& events, const WhatIf& what) {
     const std::string place = toString(placeOf(what));
     if (!stageSeen) return Error{"Nothing is tested at " + place + "."};
     if (!verdict) return Error{namedPoint(what.point) + " is not tested at " + place + "."};
-    if (what.kind == WhatIfKind::Drop) return Error{"It is so anyway."};
+    if (what.kind == WhatIfKind::Drop) return Error{"No effect: the decision is already that way."};
     const std::string reason = reasonAgainst(*verdict, what.point);
-    return Error{reason.empty() ? "It is so anyway." : reason};
+    return Error{reason.empty() ? "No effect: the decision is already that way." : reason};
 }
 
 Status checkPivot(const std::vector<Event>& events, const WhatIf& what) {
@@ -70,7 +73,7 @@ Status checkPivot(const std::vector<Event>& events, const WhatIf& what) {
         const auto* advance = std::get_if<AdvanceEvidence>(&event.evidence);
         if (advance != nullptr && advance->whatIf && advance->to == what.point) return success();
     }
-    return Error{namedPoint(what.point) + " stands on no edge ring behind pivot " +
+    return Error{namedPoint(what.point) + " is on no edge ring after pivot " +
                  std::to_string(what.pivot) + "."};
 }
 
@@ -91,7 +94,7 @@ std::size_t repeatedEdges(const std::vector<Triangle>& triangles, std::size_t fr
     return count;
 }
 
-/// Runs to the pivots of what-ifs and looks at each with and without them.
+/// Runs to the pivots of what-ifs and compares each with and without them.
 class Check {
   public:
     Check(const PointSet& points, const Params& params)
@@ -149,7 +152,7 @@ class Check {
         return done;
     }
 
-    /// The invariant that the what-ifs of a pivot break, and that holds without them.
+    /// The invariant that is broken by the what-ifs of a pivot and holds without them.
     std::string brokenBy(const State& before, std::uint32_t pivot, const PointSet& points) const {
         const State& after = stepper_.state();
         const std::string broken = checkInvariants(after, points, params_);
@@ -181,7 +184,7 @@ std::string reasonAgainst(Verdict verdict, Index point) {
         case Verdict::AlreadyDone:
             return namedPoint(point) + " is DONE: triangles surround it (invariant 7).";
         case Verdict::OnRingEnd:
-            return namedPoint(point) + " is first or last, and in the neighbor ring anyway.";
+            return namedPoint(point) + " is first or last, and always in the neighbor ring.";
         case Verdict::NotAfterStart:
         case Verdict::NotBeforeEnd:
         case Verdict::Outside:

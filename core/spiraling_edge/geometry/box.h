@@ -1,4 +1,4 @@
-/// Axis-aligned boxes: what cannot meet by its extent needs no exact test.
+/// Axis-aligned boxes, to skip exact tests of shapes that are apart.
 #pragma once
 
 #include <glm/common.hpp>

@@ -12,13 +12,13 @@ namespace se {
 
 class BoxCells {
   public:
-    /// A box over more cells than this is not put into them.
+    /// Maximum number of cells of a box; larger boxes are kept apart.
     static constexpr std::uint64_t kManyCells = 512;
 
     /// `low` is the lower corner of all boxes, `cell` the width of a cell, above 0.
     BoxCells(Vec3 low, double cell) : low_(low), perCell_(1.0 / cell) {}
 
-    /// Calls `visit` with the number of each cell. False, and no call, if they are too many.
+    /// Calls `visit` with the number of each cell. False, without a call, if they are too many.
     template <typename Visit>
     bool forEachCell(const Vec3& low, const Vec3& high, Visit&& visit) const {
         const auto from = place(low);
@@ -35,7 +35,7 @@ class BoxCells {
         return true;
     }
 
-    /// The cell in which two boxes that meet are tested, out of all that both touch.
+    /// The one cell, of all that both boxes touch, in which the pair is tested.
     std::uint64_t cellOfPair(const Vec3& lowA, const Vec3& lowB) const {
         const auto c = place(glm::max(lowA, lowB));
         return (c[0] << 42U) | (c[1] << 21U) | c[2];

@@ -1,3 +1,6 @@
+/// A floating-point filter with Shewchuk's error bounds decides almost always; otherwise the
+/// determinant is summed exactly in expansions on the stack. Triangles are then compared by the
+/// signs of such determinants alone.
 #include "spiraling_edge/geometry/exact_predicates.h"
 
 #include <algorithm>
@@ -118,7 +121,7 @@ bool segmentsMeetInPlane(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3
     const int c = orient2d(r, s, p, axis);
     const int d = orient2d(r, s, q, axis);
     if (a != 0 || b != 0 || c != 0 || d != 0) return a * b <= 0 && c * d <= 0;
-    // All in line: they meet if their extents do.
+    // All collinear: they meet if their extents do.
     const auto within = [&](const Vec3& x, const Vec3& u, const Vec3& v) {
         const Flat f = flatten(x, axis);
         const Flat g = flatten(u, axis);
@@ -192,7 +195,7 @@ bool segmentMeetsTriangle(const Vec3& p, const Vec3& q, const Vec3* t) {
 }
 
 bool trianglesMeet(const Vec3* a, const Vec3* b) {
-    // A plane of one with the other wholly on one side settles most pairs.
+    // Most pairs are decided by the plane of one with the other entirely on one side.
     const std::array side{orient3d(b[0], b[1], b[2], a[0]), orient3d(b[0], b[1], b[2], a[1]),
                           orient3d(b[0], b[1], b[2], a[2])};
     if (side[0] == side[1] && side[1] == side[2] && side[0] != 0) return false;

@@ -14,14 +14,14 @@ int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 /// The plane that a figure is projected to: the axis that is dropped.
 enum class Axis { X, Y, Z };
 
-/// > 0 if a, b, c run counterclockwise in the projection, < 0 clockwise, 0 in line.
+/// > 0 if a, b, c run counterclockwise in the projection, < 0 clockwise, 0 collinear.
 int orient2d(const Vec3& a, const Vec3& b, const Vec3& c, Axis dropped);
 
 /// True if the triangles a0 a1 a2 and b0 b1 b2, which have no corner in common, touch or cross.
 bool trianglesMeet(const Vec3* a, const Vec3* b);
 /// True if the segment p q touches or crosses the triangle.
 bool segmentMeetsTriangle(const Vec3& p, const Vec3& q, const Vec3* triangle);
-/// True if the triangles (u, v, x) and (u, v, y), seen as sets, share more than the edge u v.
+/// True if the triangles (u, v, x) and (u, v, y), as sets of points, share more than the edge u v.
 bool overlapAtEdge(const Vec3& u, const Vec3& v, const Vec3& x, const Vec3& y);
 
 /// True if the triangles share more than their common corners: the definition of an intersection.

@@ -24,7 +24,7 @@ Vec3 torusGradient(const Vec3& x) {
 Vec3 toSecondLink(const Vec3& x) { return {x.x - 1.0, x.z, -x.y}; }
 Vec3 fromSecondLink(const Vec3& v) { return {v.x, -v.z, v.y}; }
 
-/// Two tori side by side, squared distances multiplied: a level above zero melts them into one.
+/// Two tori side by side, squared distances multiplied: a level above zero merges them.
 constexpr double kApart = 1.2;
 constexpr double kMelt = 0.03;
 double squareTorus(const Vec3& x) {

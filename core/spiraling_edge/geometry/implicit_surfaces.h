@@ -10,7 +10,7 @@ namespace se {
 struct ImplicitSurface {
     double (*value)(const Vec3&);
     Vec3 (*gradient)(const Vec3&);
-    Vec3 low, high;  ///< A box around it; with walls, the box that it is cut by.
+    Vec3 low, high;  ///< A box around it; with walls, the box that cuts it.
 };
 
 /// Tori have a tube of radius 0.4 around a circle of radius 1.
@@ -22,7 +22,7 @@ ImplicitSurface doubleTorus();
 ImplicitSurface flatSheet();
 /// Waves over the square |x|, |y| <= 1.
 ImplicitSurface wavySheet();
-/// The minimal surface of Schoen (1970), to the level set that is near it: bent the same way
+/// The gyroid, a minimal surface of Schoen (1970), approximated by a level set: saddle-shaped
 /// everywhere, and branching.
 ImplicitSurface gyroid();
 

@@ -1,5 +1,4 @@
-/// What an edge ring that came to rest encloses, or any other closed chain of points, as a shape in
-/// space.
+/// The shape in space of an edge ring that stopped growing, or of any other closed chain of points.
 #pragma once
 
 #include <cmath>
@@ -10,31 +9,32 @@
 
 namespace se {
 
-/// Narrower, on average, than this many of its edges, a ring is no opening but a seam that did not
-/// close: where the spacing changes, neighbors leave wide gaps too.
+/// Least width of an opening in edges of its ring. A narrower ring is a seam that did not close:
+/// where the spacing changes, neighbors leave wide gaps, too.
 inline constexpr double kNarrowestOpening = 2.5;
 
 struct LoopShape {
     Index length = 0;
     double perimeter = 0.0;
-    double area = 0.0;  ///< Of the ring seen from where it looks largest.
-    /// Seen along the normals of its points it turns counterclockwise, as round a patch of the
-    /// surface. Round a hole it turns clockwise, for the hole lies in the free sectors of its
-    /// points.
+    double area = 0.0;  ///< In projection along the direction in which it is largest.
+    /// True if it turns counterclockwise in projection along the normals of its points, as around a
+    /// patch of the surface. Around a hole it turns clockwise, since the hole lies in the free
+    /// sectors of its points.
     bool turnsRoundPatch = false;
 
     /// The side of the square, or the diameter of the circle, of the same perimeter and area.
     double width() const { return perimeter > 0.0 ? 4.0 * area / perimeter : 0.0; }
-    /// The same in edges of the ring: 1 for a square of four edges, n / pi for a round one of n.
+    /// The width in edges of the ring: 1 for a square of four edges, n / pi for a round one of n.
     double widthInEdges() const {
         return perimeter > 0.0 ? width() * static_cast<double>(length) / perimeter : 0.0;
     }
 };
 
-/// Adds up a loop point by point.
+/// Sums up a loop point by point.
 class ShapeSum {
   public:
-    /// From a point with its normal to the one behind it, both relative to a point of the loop.
+    /// Adds the step from a point with its normal to the next point, both relative to a point of
+    /// the loop.
     void add(const Vec3& from, const Vec3& normal, const Vec3& to) {
         ++shape_.length;
         normal_ += normal;
@@ -53,7 +53,7 @@ class ShapeSum {
     Vec3 area_{0.0}, normal_{0.0};
 };
 
-/// Of these points in this order, closed. Requires at least one.
+/// The shape of the closed loop through these points in this order. Requires at least one.
 LoopShape shapeOfLoop(std::span<const Vec3> position, std::span<const Vec3> normal,
                       std::span<const Index> loop);
 

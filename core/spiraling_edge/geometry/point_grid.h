@@ -11,13 +11,12 @@
 
 namespace se {
 
-/// Points in the cells of a grid, to find those near a place. Memory is taken by blocks of 8 x 8 x
-/// 8 cells and only for those with points in them, so that time and memory follow the number of
-/// points on a surface, not the volume around it.
+/// Points in the cells of a grid, to find those near a place. Memory is allocated in blocks of 8 x
+/// 8 x 8 cells, only for blocks with points, so that time and memory are proportional to the number
+/// of points on a surface, not to the volume around it.
 class CellGrid {
   public:
-    /// Requires a cell above 0 and low <= high; what lies outside counts to the cells at the
-    /// border.
+    /// Requires a cell above 0 and low <= high; points outside belong to the cells at the border.
     CellGrid(const Vec3& low, const Vec3& high, double cell) : low_(low), cell_(cell) {
         while (blocksOf(high) > kMostBlocks) cell_ *= 1.25;
         for (int i = 0; i < 3; ++i) count_[i] = static_cast<int>((high[i] - low_[i]) / cell_) + 1;
@@ -36,7 +35,7 @@ class CellGrid {
         next_.push_back(first);
         first = static_cast<Index>(next_.size() - 1);
     }
-    /// Calls `see` with all points within the width of a cell, and with some farther ones.
+    /// Calls `see` with all points within the width of a cell of `x`, and with some farther ones.
     template <typename See>
     void near(const Vec3& x, See&& see) const {
         const glm::ivec3 from = glm::max(cellOf(x) - 1, glm::ivec3(0));
@@ -53,7 +52,7 @@ class CellGrid {
   private:
     /// Cells along an edge of a block.
     static constexpr int kSide = 8;
-    /// Beyond this, the table of blocks costs more than a look at more points per cell.
+    /// Beyond this, the table of blocks costs more than visiting more points per cell.
     static constexpr double kMostBlocks = 16e6;
 
     double blocksOf(const Vec3& high) const {
@@ -79,9 +78,9 @@ class CellGrid {
     Vec3 low_;
     double cell_;
     glm::ivec3 count_{}, blocks_{};
-    std::vector<Index> block_;  ///< Its place in `first_`, kNone: without points.
-    std::vector<std::array<Index, kSide * kSide * kSide>> first_;  ///< Of the points of each cell.
-    std::vector<Index> next_;  ///< After each point, in the same cell.
+    std::vector<Index> block_;  ///< Position of the block in `first_`; kNone: without points.
+    std::vector<std::array<Index, kSide * kSide * kSide>> first_;  ///< First point of each cell.
+    std::vector<Index> next_;                                      ///< Next point in the same cell.
 };
 
 }  // namespace se

@@ -1,5 +1,5 @@
 /// Shape of a triangle against its corners' normals and its neighbors: shared by the rules beyond
-/// the paper and the checks of a finished mesh, so that both mean the same by a fault.
+/// the paper and the checks of a finished mesh, so that both have the same definition of a fault.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ inline Vec3 areaVector(const PointSet& points, const Triangle& t) {
     return areaVector(points.position[t.a], points.position[t.b], points.position[t.c]);
 }
 
-/// FaultKind::Degenerate: a corner twice, or no area to speak of next to its sides.
+/// FaultKind::Degenerate: a corner twice, or a negligible area for the length of its sides.
 inline bool isDegenerate(const PointSet& points, const Triangle& t) {
     if (t.a == t.b || t.b == t.c || t.c == t.a) return true;
     const Vec3 u = points.position[t.b] - points.position[t.a];
@@ -39,7 +39,7 @@ inline double facing(const PointSet& points, const Triangle& t) {
 /// FaultKind::Flipped, for a triangle that is not degenerate.
 inline bool isFlipped(const PointSet& points, const Triangle& t) { return facing(points, t) < 0.0; }
 
-/// Does the triangle face the normal of each of its corners?
+/// True if the triangle faces the normal of each of its corners.
 inline bool facesNormals(const PointSet& points, Index a, Index b, Index c) {
     const Vec3 area = areaVector(points, {a, b, c});
     return glm::dot(area, points.normal[a]) > 0.0 && glm::dot(area, points.normal[b]) > 0.0 &&
@@ -63,8 +63,8 @@ inline double normalsCosine(const PointSet& points, const Triangle& a, const Tri
     return size > 0.0 ? glm::dot(m, n) / size : 1.0;
 }
 
-/// Is the angle between two normals of any length larger than the one with this cosine? The roots
-/// are taken one by one: the product of the squares leaves the range of a double much earlier.
+/// True if the angle between two normals of any length is larger than the one with this cosine. The
+/// roots are taken separately: the product of the squares would overflow much earlier.
 inline bool encloseMore(const Vec3& m, const Vec3& n, double cosine) {
     return glm::dot(m, n) < cosine * (std::sqrt(glm::dot(m, m)) * std::sqrt(glm::dot(n, n)));
 }

@@ -1,3 +1,5 @@
+/// Coordinates in 2^10 steps per axis are interleaved to a 30-bit code, packed with the index into
+/// 64 bits and sorted by a radix sort in three passes. O(points).
 #include "spiraling_edge/geometry/z_curve.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-/// Points in the order of a Z-curve (Morton 1966): what is near in space is near in memory.
+/// Points in the order of a Z-curve (Morton 1966): neighbors in space are neighbors in memory.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 namespace se {
 
 /// The indices 0 .. position.size() - 1 along a Z-curve through the bounding box of the finite
-/// positions, at 2^10 steps a side; equal steps by index. Positions that are not finite come last.
+/// positions, with 2^10 steps per side; ties by index. Positions that are not finite come last.
 /// O(points).
 std::vector<Index> zCurveOrder(std::span<const Vec3> position);
 

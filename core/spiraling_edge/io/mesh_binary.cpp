@@ -1,4 +1,4 @@
-/// STL and GLB.
+/// The binary mesh formats: STL and GLB (binary glTF 2.0).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -79,8 +79,8 @@ struct Bounds {
         low = glm::min(low, x);
         high = glm::max(high, x);
     }
-    /// The middle as floats, which every program keeps; as doubles where floats are so coarse that
-    /// the points would be far from it.
+    /// The center as floats, which every program preserves; as doubles where floats are too coarse
+    /// to be near the points.
     Vec3 middle() const {
         const Vec3 exact = 0.5 * (low + high);
         const Vec3 size = high - low;
@@ -101,7 +101,7 @@ std::string jsonOf(const Vec3& v) {
     return text + ']';
 }
 
-/// Unit normals are demanded; +z stands for those that have no direction.
+/// glTF requires unit normals; those without a direction become +z.
 Vec3 unitNormal(const Vec3& n) {
     const double length = std::sqrt(glm::dot(n, n));
     return isFinite(n) && length > 0.0 ? n / length : Vec3(0, 0, 1);
@@ -140,7 +140,7 @@ class GlbParts {
     }
 
   private:
-    /// A view of what was added since `begin`, and an accessor to it.
+    /// Adds a view of the bytes since `begin`, and an accessor to it.
     void describe(std::size_t begin, int target, int type, std::size_t count, const char* shape,
                   const std::string& more = {}) {
         const auto comma = [](const std::string& list) { return list.empty() ? "" : ","; };

@@ -1,4 +1,5 @@
-/// The bytes of the formats of write_mesh.h, one function each. All require checked input.
+/// The writers of the formats in write_mesh.h, one function each. All expect input that passes
+/// checkWritable().
 #pragma once
 
 #include <optional>
@@ -15,19 +16,19 @@ std::string offBytes(const PointFile& points, std::span<const Triangle> triangle
 std::string noffBytes(const PointFile& points, std::span<const Triangle> triangles);
 /// Binary: three corners per triangle, as float, relative to floatShift(), which the header names.
 std::string stlBytes(const PointFile& points, std::span<const Triangle> triangles);
-/// Binary glTF 2.0. Positions are floats about the middle of the box, which is the node's place, so
-/// that a set far from the origin keeps its shape.
+/// Binary glTF 2.0. Positions are floats relative to the center of the box, which is the
+/// translation of the node, so that a set far from the origin keeps its shape.
 std::string glbBytes(const PointFile& points, std::span<const Triangle> triangles);
 
 /// `value` rounded to float.
 double asFloat(double value);
-/// A round place near the middle of the triangles, for positions written as float relative to it.
-/// Empty where no corner moves by more than a thousandth of the mean edge without it, or where it
-/// would not help.
+/// An origin with few digits near the center of the triangles, for positions written as float
+/// relative to it. Empty where no corner moves by more than a thousandth of the mean edge without
+/// it, or where it would not help.
 std::optional<Vec3> floatShift(const PointFile& points, std::span<const Triangle> triangles);
 
-/// What would make a file that cannot be read back: columns of different length, a triangle that
-/// names a point that does not exist.
+/// Fails for input whose file could not be read back: columns of different length, a triangle that
+/// names a nonexistent point.
 Status checkWritable(const PointFile& points, std::span<const Triangle> triangles);
 
 }  // namespace se::io

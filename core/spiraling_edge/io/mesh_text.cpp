@@ -1,4 +1,4 @@
-/// OBJ and OFF.
+/// The text mesh formats: OBJ and OFF.
 #include <array>
 #include <charconv>
 

@@ -4,7 +4,7 @@
 namespace se::io {
 namespace {
 
-/// Reads OBJ: `v`, `vn` and `f`; all other statements are passed over.
+/// Reads OBJ: `v`, `vn` and `f`; all other statements are ignored.
 class ObjReader {
   public:
     ObjReader(std::string_view text, const std::string& name) : lines_(text), name_(name) {}
@@ -24,7 +24,8 @@ class ObjReader {
     }
 
   private:
-    /// A reference that must not exceed the number of things in the whole file, with its line.
+    /// The highest reference to a kind of element, to be checked against the whole file, with its
+    /// line.
     struct Highest {
         std::int64_t index = -1;
         std::size_t line = 0;
@@ -41,7 +42,7 @@ class ObjReader {
         return keyword != "f" || readFace(fields);
     }
 
-    /// What follows the three numbers (weights, colors) is passed over.
+    /// Numbers after the first three (weights, colors) are ignored.
     bool readVector(Fields& fields, std::vector<Vec3>& target) {
         Vec3 vector{};
         for (int axis = 0; axis < 3; ++axis) {
@@ -55,7 +56,7 @@ class ObjReader {
         return true;
     }
 
-    /// A reference counts from 1, or back from the last thing read so far if it is negative.
+    /// A reference counts from 1, or back from the last element read so far if it is negative.
     bool readReference(std::string_view field, std::size_t soFar, Highest& highest,
                        std::int64_t& index) {
         std::int64_t number = 0;
@@ -102,7 +103,7 @@ class ObjReader {
         return true;
     }
 
-    /// Faces may stand before what they refer to, so this is known at the end only.
+    /// Faces may precede the elements that they refer to, so the check is made at the end.
     bool checkReferences() {
         const auto check = [this](const Highest& highest, std::size_t count, const char* things) {
             if (highest.index < static_cast<std::int64_t>(count)) return true;
@@ -116,8 +117,8 @@ class ObjReader {
                check(highestNormal_, normals_.size(), "normals");
     }
 
-    /// The normal that the faces give a point (the first, if there are several); if some point has
-    /// none, the normals in their order, provided there are as many as points; else no normals.
+    /// Takes for each point the first normal that a face assigns to it; if some point has none, the
+    /// normals in their order, provided there are as many as points; else no normals.
     void takeNormals() {
         std::vector<Index> normalOf(file_.position.size(), kNone);
         std::size_t found = 0;

@@ -126,7 +126,7 @@ class OffReader {
     std::uint64_t points_ = 0;
     std::uint64_t faces_ = 0;
     bool hasNormals_ = false;
-    bool mayHaveMore_ = false;  // colors (C) or texture coordinates (ST), which are passed over
+    bool mayHaveMore_ = false;  // colors (C) or texture coordinates (ST), which are ignored
 };
 
 }  // namespace

@@ -41,7 +41,7 @@ struct PcdField {
     bool isColor() const { return (name == "rgb" || name == "rgba") && size == 4 && count == 1; }
 };
 
-/// Where the numbers of a field go: that of point p to first[p * stride]. Nowhere if null.
+/// The target of the numbers of a field: that of point p is first[p * stride]. None if null.
 struct Target {
     double* first = nullptr;
     std::size_t stride = 1;
@@ -178,7 +178,7 @@ class PcdReader {
         }
         rowSize_ = 0;
         for (const PcdField& field : fields_) rowSize_ += field.size * field.count;
-        // Before memory is taken: a row has at least two bytes in text, and its size in binary.
+        // Checked before allocation: a row has at least two bytes in text, and its size in binary.
         const std::uint64_t least = binary_ ? rowSize_ : 2;
         if (*points_ > (lines_.rest().size() + 1) / least) return failCut(0);
         return true;
@@ -222,7 +222,7 @@ class PcdReader {
             if (&field == find(own)) return false;
         }
         for (const char* own : kNormals) {
-            // Whole numbers of this name are no normals here, but would be in PLY.
+            // Whole numbers of this name are not normals here, but would be in PLY.
             if (field.name == own && field.kind != 'F') return false;
             if (!file_.normal.empty() && &field == find(own)) return false;
         }
@@ -320,7 +320,7 @@ class PcdReader {
         return false;
     }
 
-    /// Packed colors become columns that every program knows.
+    /// Splits packed colors into the usual columns.
     void splitColors() {
         for (std::size_t i = 0; i < file_.attributes.size(); ++i) {
             const Attribute& packed = file_.attributes[i];

@@ -1,4 +1,4 @@
-/// What the PLY reader and writer share: scalar types, the header, and scalars in bytes.
+/// Common parts of the PLY reader and writer: scalar types, the header, and scalars in bytes.
 #pragma once
 
 #include <algorithm>
@@ -26,8 +26,8 @@ struct PlyProperty {
 
 struct PlyElement {
     std::string name;
-    std::uint64_t count = 0;  ///< As announced: not to be trusted before it is checked.
-    std::size_t line = 0;     ///< Where the header announces it.
+    std::uint64_t count = 0;  ///< As announced; must be checked against the size of the file.
+    std::size_t line = 0;     ///< Line of the header that announces it.
     std::vector<PlyProperty> properties;
 
     bool hasList() const {
@@ -43,10 +43,10 @@ struct PlyHeader {
     std::size_t lines = 0;  ///< Lines up to the first row.
 };
 
-/// Reads the header and checks all that it alone can tell.
+/// Reads the header and makes the checks that need no rows.
 Result<PlyHeader> readPlyHeader(std::string_view bytes, const std::string& name);
 
-/// Calls `use` with a value of the C++ type that `type` stands for.
+/// Calls `use` with a value of the C++ type of `type`.
 template <typename Use>
 decltype(auto) withScalar(ScalarType type, Use&& use) {
     switch (type) {
@@ -83,7 +83,7 @@ inline std::string_view nameOf(ScalarType type) {
     return kNames[static_cast<std::size_t>(type)];
 }
 
-/// The scalar that lies at `bytes`, in the other byte order if `swapped`.
+/// The scalar at `bytes`, in the other byte order if `swapped`.
 template <typename Scalar>
 Scalar loadScalar(const char* bytes, bool swapped) {
     std::array<char, sizeof(Scalar)> raw;
@@ -94,7 +94,7 @@ Scalar loadScalar(const char* bytes, bool swapped) {
     return scalar;
 }
 
-/// Puts `scalar` at `bytes` in little endian order and returns the place behind it.
+/// Stores `scalar` at `bytes` in little endian order and returns the address after it.
 template <typename Scalar>
 char* storeScalar(char* bytes, Scalar scalar) {
     std::memcpy(bytes, &scalar, sizeof(Scalar));

@@ -33,7 +33,7 @@ class HeaderReader {
         : bytes_(bytes), lines_(bytes), name_(name) {}
 
     Result<PlyHeader> read() {
-        lines_.next();  // "ply", or the caller would not be here
+        lines_.next();  // "ply", checked by the caller
         bool ended = false;
         while (!ended && lines_.next()) {
             Fields fields(lines_.line());

@@ -1,3 +1,5 @@
+/// The PLY reader: templates over the two encodings (ply_rows.h), so that text and binary are
+/// checked alike. Elements without lists are read column by column.
 #include "spiraling_edge/io/ply.h"
 
 #include <algorithm>
@@ -28,7 +30,7 @@ bool sameLetters(std::string_view a, std::string_view b) {
     });
 }
 
-/// The scalar of this name; if there is none, one whose name differs in capitals alone.
+/// The scalar of this name; if there is none, one whose name differs only in case.
 std::size_t findScalar(const PlyElement& element, std::string_view name) {
     const std::size_t exact = findProperty(element, name, false);
     if (exact != kNoProperty) return exact;
@@ -42,8 +44,8 @@ std::size_t findScalar(const PlyElement& element, std::string_view name) {
 using Names = std::array<const char*, 3>;
 constexpr Names kPositionNames{"x", "y", "z"};
 
-/// The names under which `vertex` holds normals: the usual ones, unless only those of the Point
-/// Cloud Library are there.
+/// The names under which `vertex` holds normals: the usual ones, unless it has only those of the
+/// Point Cloud Library.
 Names normalNames(const PlyElement& vertex) {
     constexpr Names kUsual{"nx", "ny", "nz"};
     constexpr Names kLong{"normal_x", "normal_y", "normal_z"};
@@ -72,7 +74,7 @@ const PlyElement* findElement(const PlyHeader& header, std::string_view name) {
     return nullptr;
 }
 
-/// What the header alone tells about the elements that are read.
+/// The checks of the elements to read that need only the header.
 Status checkHeader(const PlyHeader& header, const std::string& name) {
     const PlyElement* vertex = findElement(header, "vertex");
     if (vertex == nullptr) return Error{name + ": the header announces no element \"vertex\""};
@@ -105,7 +107,7 @@ Status checkHeader(const PlyHeader& header, const std::string& name) {
     return success();
 }
 
-/// Reads the rows behind the header; the templates below are the same for text and binary.
+/// Reads the rows after the header; the templates below are the same for text and binary.
 template <typename Rows>
 class BodyReader {
   public:
@@ -204,7 +206,7 @@ class BodyReader {
         return true;
     }
 
-    /// Makes room for the points and says where each property of `vertex` goes. Lists go nowhere.
+    /// Allocates the points and returns the target of each property of `vertex`. Lists have none.
     std::vector<Column> makeColumns(const PlyElement& vertex) {
         const auto count = static_cast<std::size_t>(vertex.count);
         std::vector<Column> columns(vertex.properties.size());

@@ -1,6 +1,5 @@
 /// The rows of PLY elements, one class per encoding with the same members, so that ply_reader.cpp
-/// reads both with the same templates. A member that returns false has left its reason in
-/// problem().
+/// reads both with the same templates. A member that returns false has set problem().
 #pragma once
 
 #include <cmath>
@@ -15,7 +14,7 @@
 
 namespace se::io {
 
-/// Where the values of a scalar property go: that of row r to first[r * stride]; nowhere if null.
+/// The target of a scalar property: the value of row r is first[r * stride]; none if null.
 struct Column {
     double* first = nullptr;
     std::size_t stride = 1;
@@ -38,7 +37,7 @@ inline bool roundTo(ScalarType type, double& value) {
     });
 }
 
-/// What both encodings know while they walk: the file's name, the element and row, the problem.
+/// The common state of both encodings: the file's name, the current element and row, the problem.
 class RowsBase {
   public:
     explicit RowsBase(const std::string& name) : name_(name) {}
@@ -75,8 +74,8 @@ class AsciiRows : public RowsBase {
 
     bool fail(const std::string& what) { return failAt(lineText(lines_.number()), what); }
 
-    /// Checks that the rows of `element` can all be there, before memory is taken for them. A value
-    /// takes two characters at least: a digit and what separates it from the next.
+    /// Checks that the file has room for the rows of `element`, before memory is allocated. A value
+    /// takes at least two characters: a digit and a separator.
     bool checkRoom(const PlyElement& element) {
         const std::uint64_t room = (lines_.rest().size() + 1) / (2 * element.properties.size());
         if (element.count <= room) return true;

@@ -15,10 +15,10 @@ using namespace io;
 
 /// The name under which types are written (docs/file-formats.md says why it begins with "scalar").
 constexpr std::string_view kTypeName = "scalar_se_type";
-/// Read as types where there is no kTypeName, so no other column may have the name there.
+/// Read as types where there is no kTypeName, so that no other column may have this name there.
 constexpr std::string_view kOldTypeName = "se_type";
 
-/// `value` as `Scalar`; what an integer type cannot hold becomes the nearest value that it can.
+/// `value` as `Scalar`; out of range of an integer type, the nearest value that it can hold.
 template <typename Scalar>
 Scalar toScalar(double value) {
     if constexpr (std::is_integral_v<Scalar>) {
@@ -68,7 +68,7 @@ std::vector<OutColumn> columnsOf(const PointFile& points) {
     return columns;
 }
 
-/// The type that counts the entries of a list: short lists, the rule, take two bytes.
+/// The type of the length of a list: two bytes for short lists, the usual case.
 ScalarType neighborCountType(const NeighborLists& lists) {
     for (Index p = 0; p < lists.size(); ++p) {
         if (lists[p].size() > std::numeric_limits<std::uint16_t>::max()) return ScalarType::UInt32;
@@ -85,7 +85,7 @@ std::string headerText(const PointFile& points, const std::vector<OutColumn>& co
         text += "property " + std::string(nameOf(column.type)) + ' ' + column.name + '\n';
     }
     if (points.hasTypes()) text += "property uchar " + std::string(kTypeName) + '\n';
-    // Programs expect int here; the same bytes hold numbers that are too large for it as uint.
+    // Programs expect int here; uint has the same size for larger numbers.
     const bool fitsInt = points.position.size() <= std::numeric_limits<std::int32_t>::max();
     text += "element face " + std::to_string(triangleCount) + "\nproperty list uchar " +
             (fitsInt ? "int" : "uint") + " vertex_indices\n";

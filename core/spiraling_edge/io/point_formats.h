@@ -1,5 +1,5 @@
-/// The readers behind readPoints(), one per format. Each takes the whole file (without a byte order
-/// mark) and the name that errors call it.
+/// The readers that readPoints() dispatches to, one per format. Each takes the whole file (without
+/// a byte order mark) and its name for errors.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ Result<PointFile> readPcd(std::string_view bytes, const std::string& name);
 /// True if `word` is a keyword that opens an OFF file: OFF with any of the prefixes C, N, ST.
 bool isOffKeyword(std::string_view word);
 
-/// Appends the fan of a polygon around its first corner; fewer than three corners give nothing.
+/// Appends the fan of a polygon around its first corner; none for fewer than three corners.
 void appendFan(std::span<const Index> polygon, std::vector<Triangle>& triangles);
 
 }  // namespace se::io

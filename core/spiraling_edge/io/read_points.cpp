@@ -33,7 +33,7 @@ bool isObjKeyword(std::string_view word) {
 /// A line of XYZ that begins with two slashes, as CloudCompare writes it.
 bool isSlashComment(std::string_view line) { return io::Fields(line).next().starts_with("//"); }
 
-/// The reader for what `bytes` seem to be; null if they seem to be nothing that can be read.
+/// The reader for the apparent format of `bytes`; null if it is none that can be read.
 ReadFunction findReader(std::string_view bytes, const std::string& name) {
     if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r") || bytes.starts_with("ply "))
         return io::readPly;
@@ -46,7 +46,7 @@ ReadFunction findReader(std::string_view bytes, const std::string& name) {
     if (isObjKeyword(word)) return io::readObj;
     double number = 0.0;
     if (!io::parseDouble(word, number)) return nullptr;
-    // OFF may begin with its counts, which only the extension tells from a point.
+    // OFF may begin with its counts, which only the extension distinguishes from a point.
     return lowerExtension(name) == ".off" ? io::readOff : io::readXyz;
 }
 
@@ -64,7 +64,7 @@ Result<std::string> readBytes(const fs::path& path) {
     std::string bytes;
     if (fs::is_regular_file(status)) {
         const std::uintmax_t size = fs::file_size(path, ignored);
-        // One byte more than there should be, so that the end is seen without another round.
+        // One byte more than expected, to detect the end without another round.
         if (!ignored) bytes.resize(static_cast<std::size_t>(size) + 1);
     }
     std::size_t filled = 0;

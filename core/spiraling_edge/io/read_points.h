@@ -16,10 +16,10 @@
 namespace se {
 
 /// Reads PLY (ascii, binary little and big endian), XYZ (`x y z` with normals, colors, both or an
-/// intensity), OBJ (`v`, `vn`, `f`), OFF/NOFF or PCD. Errors name the file and the line or byte,
-/// what was expected and what to do.
+/// intensity), OBJ (`v`, `vn`, `f`), OFF/NOFF or PCD (ascii and binary). Errors name the file and
+/// the line or byte, what was expected and what to do.
 Result<PointFile> readPoints(const std::filesystem::path& path);
-/// The same from memory; `name` is what errors call it, and its extension is the second hint.
+/// Reads points from memory; `name` is the name in errors, and its extension is the second hint.
 Result<PointFile> readPoints(std::string_view bytes, const std::string& name);
 
 /// Points from standard input, read to its end; a second call finds nothing. Errors begin with
@@ -29,11 +29,12 @@ Result<PointFile> readStandardInput();
 /// Writes `points` (all of them, in order, with their attributes) and `triangles` as binary little
 /// endian PLY; `points.faces` are not written unless passed as `triangles`. Types and neighbor
 /// lists are written if the file holds them. Fails also if the columns of `points` differ in length
-/// or a triangle names a point that does not exist. Attributes whose name is taken by an own
-/// property or cannot stand in a header (empty, or with blanks) are left out.
+/// or a triangle names a point that does not exist. Attributes are left out if their name is that
+/// of an own property or is not allowed in a header (empty, or with blanks).
 Status writeMeshPly(const std::filesystem::path& path, const PointFile& points,
                     std::span<const Triangle> triangles);
-/// The bytes that writeMeshPly() writes. Requires what writeMeshPly() checks.
+/// The bytes that writeMeshPly() writes. Requires columns of equal length and triangles that name
+/// existing points.
 std::string meshPlyBytes(const PointFile& points, std::span<const Triangle> triangles);
 
 }  // namespace se

@@ -27,7 +27,7 @@ constexpr std::array kFormats{
                io::glbBytes, io::glbBytes, nullptr, kGreatestFloat},
 };
 
-/// Whether the finite coordinates stay finite in this format.
+/// True if all finite coordinates stay finite in this format.
 bool fits(const MeshFormat& format, std::span<const Vec3> positions) {
     return std::all_of(positions.begin(), positions.end(), [&](const Vec3& x) {
         for (int i = 0; i < 3; ++i) {

@@ -1,4 +1,5 @@
-/// Writing meshes for other programs, in the kind that the extension names (docs/file-formats.md).
+/// Writers of meshes for other programs, in the format that the extension names
+/// (docs/file-formats.md).
 #pragma once
 
 #include <filesystem>
@@ -15,18 +16,18 @@ namespace se {
 /// The bytes of a file. Requires triangles that name existing points.
 using MeshBytes = std::string (*)(const PointFile& points, std::span<const Triangle> triangles);
 
-/// One kind of file that a mesh can be written as.
+/// A file format that a mesh can be written in.
 struct MeshFormat {
     std::string_view extension;  ///< ".obj", lower case
     std::string_view title;      ///< "Wavefront OBJ, text"
-    /// What it leaves out, for a person; empty if nothing.
+    /// The content it leaves out, for display; empty if none.
     std::string_view leavesOut;
     MeshBytes bytes;
     /// The bytes with the normals of the points: `bytes` itself where it writes them anyway, null
     /// where the format has no place for them.
     MeshBytes bytesWithNormals;
-    /// The place that positions in the file are relative to, to be added by a reader; empty if they
-    /// are those of `points`. Null where the format needs no shift, or names it to its readers.
+    /// The origin of the positions in the file, which a reader adds; empty if they are those of
+    /// `points`. Null where the format needs no shift, or stores it.
     std::optional<Vec3> (*shift)(const PointFile& points, std::span<const Triangle> triangles);
     /// The greatest coordinate, in magnitude, that the format can hold.
     double greatest = std::numeric_limits<double>::max();
@@ -41,18 +42,19 @@ struct WriteOptions {
 
 /// PLY (binary), OBJ, OFF, STL (binary), GLB.
 std::span<const MeshFormat> meshFormats();
-/// The one of a path's extension, whatever the case; PLY if it has none. Null if nothing fits.
+/// The format of a path's extension, in upper or lower case; PLY if it has none. Null if no format
+/// fits.
 const MeshFormat* meshFormatOf(const std::filesystem::path& path);
 
 /// The shift of `format` for this mesh: empty where positions in the file are those of `points`.
 std::optional<Vec3> shiftOf(const MeshFormat& format, const PointFile& points,
                             std::span<const Triangle> triangles);
-/// A shift with all its digits: "(500000, 5400000, 300)".
+/// Text of a shift, with all its digits: "(500000, 5400000, 300)".
 std::string shiftText(const Vec3& shift);
 
 /// Writes points and triangles in the format that the extension of `path` names. Fails where
 /// writeMeshPly() does, and with the extensions that can be written if it is none of them.
-/// Positions in STL may be relative to shiftOf(), which callers should tell their users.
+/// Positions in STL may be relative to shiftOf(), which callers should show to their users.
 Status writeMesh(const std::filesystem::path& path, const PointFile& points,
                  std::span<const Triangle> triangles, const WriteOptions& options = {});
 

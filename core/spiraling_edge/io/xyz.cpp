@@ -1,3 +1,5 @@
+/// The XYZ reader: commas, column count and header comment are determined from the first rows, the
+/// meaning of the columns at the end (xyz_columns.h).
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -98,7 +100,7 @@ class XyzReader {
 
     // ---- rows -------------------------------------------------------------------------------
 
-    /// The last comment before the points that names columns counts.
+    /// Takes the column names of a comment. The last such comment before the points counts.
     void takeHeader(std::string_view comment) {
         if (!file_.position.empty()) return;
         comment.remove_prefix(std::min(comment.find_first_not_of("#/"), comment.size()));
@@ -138,7 +140,7 @@ class XyzReader {
         if (!std::all_of(field.begin(), field.end(), isDigit)) digitsOnly_[column] = 0;
     }
 
-    /// Settles by the first row what commas are, and refuses what differs.
+    /// Determines the meaning of commas from the first row, and refuses other rows.
     bool checkSeparators(std::string_view content) {
         if (content.find(';') != std::string_view::npos &&
             !hasFieldsBetween(content, ';', content.size())) {
@@ -160,7 +162,7 @@ class XyzReader {
                                     "decimal points in the whole file");
     }
 
-    /// Settles by the first row how many columns there are, and which hold the position.
+    /// Determines the number of columns and those of the position from the first row.
     bool beginRows() {
         columns_ = row_.size();
         firstLine_ = lines_.number();
@@ -228,8 +230,8 @@ class XyzReader {
         return true;
     }
 
-    /// A sentence such as "x y z in mm, up" may have as many words as there are columns. It is not
-    /// taken for names where the numbers are those of normals or colors and it names none.
+    /// A sentence such as "x y z in mm, up" may have as many words as there are columns. It does
+    /// not count as names where the numbers are those of normals or colors and it names none.
     bool headerFits() {
         if (columns_ < 6 || !isRecognizable(columns_) || has("nx") || has("red")) return true;
         const Result<NamedColumns> named = recognizeColumns(extra_);
@@ -241,7 +243,7 @@ class XyzReader {
                           "; name the columns in it, such as \"# x y z nx ny nz\", or remove it");
     }
 
-    /// Place of a name among names_; their number if it is not there.
+    /// Position of a name in names_; their number if it is not there.
     std::size_t find(std::string_view name) const {
         return static_cast<std::size_t>(std::find(names_.begin(), names_.end(), name) -
                                         names_.begin());
@@ -293,7 +295,7 @@ class XyzReader {
     std::vector<std::string> names_;   // Of others_; empty where taken.
     ExtraColumns extra_;
     std::vector<double> row_;
-    std::vector<char> digitsOnly_;  // Per column: 1 as long as all numbers are digits alone.
+    std::vector<char> digitsOnly_;  // Per column: 1 while all numbers are digits alone.
     bool decimalComma_ = false;
     bool countsRows_ = true;  // So far the first column goes up by one from row to row.
     double lastFirst_ = 0.0;

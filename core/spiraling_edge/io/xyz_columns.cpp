@@ -1,3 +1,5 @@
+/// XYZ has no header: the meaning of its columns is inferred from the numbers of the whole file
+/// (range, whole numbers, length), and only where one reading is possible. O(numbers).
 #include "spiraling_edge/io/xyz_columns.h"
 
 #include <algorithm>
@@ -13,7 +15,7 @@ namespace se::io {
 namespace {
 
 constexpr double kHighestColor = 255.0;
-/// Normals written with two decimals are off by less.
+/// More than the error of normals written with two decimals.
 constexpr double kLengthTolerance = 0.02;
 
 /// Kinds of three columns.

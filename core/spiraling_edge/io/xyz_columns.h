@@ -26,8 +26,8 @@ struct NamedColumns {
 };
 
 /// The names in a comment that names x, y and z once each, without comment signs: "x y z red nx".
-/// Known names in the form that PLY uses ("R" is "red"), others as they stand. Empty if it is
-/// another comment, or if it names a column twice.
+/// Known names in the form that PLY uses ("R" is "red"), others unchanged. Empty if it is another
+/// comment, or if it names a column twice.
 std::vector<std::string> columnNamesIn(std::string_view comment);
 
 /// True if files with `columns` numbers per row, the position included, can be read without names.

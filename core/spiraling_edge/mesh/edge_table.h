@@ -1,5 +1,5 @@
-/// Which directed edges the mesh has, and in which triangle: for the rules beyond the paper that
-/// look at finished triangles (Rules::guard and its kin).
+/// The directed edges of the mesh and their triangles: for the rules beyond the paper that examine
+/// finished triangles (Rules::guard and others).
 #pragma once
 
 #include <vector>
@@ -12,13 +12,13 @@ namespace se {
 using HalfEdge = Index;
 
 /// Half-edges chained per point they leave. Two words per side, no hashing: a point has few sides,
-/// and they were touched moments ago. Grows like the list of triangles it belongs to.
+/// and they were touched recently. Grows with the list of triangles it belongs to.
 class EdgeTable {
   public:
     EdgeTable() = default;
     explicit EdgeTable(std::size_t pointCount) : head_(pointCount, kNone) {}
 
-    /// Takes in triangle number `index`, which must be the next one.
+    /// Adds the next triangle.
     void add(const Triangle& t) {
         const auto first = static_cast<HalfEdge>(next_.size());
         const Index corners[3] = {t.a, t.b, t.c};
@@ -28,7 +28,7 @@ class EdgeTable {
             head_[corners[k]] = first + k;
         }
     }
-    /// Forgets all triangles but the first `count`.
+    /// Removes all triangles but the first `count`.
     void cutTo(std::size_t count) {
         while (next_.size() > 3 * count) {
             const auto h = static_cast<HalfEdge>(next_.size() - 1);
@@ -50,7 +50,7 @@ class EdgeTable {
         const Index base = h - h % 3;
         return target_[base + (h + 1 - base) % 3];
     }
-    /// Newest side that leaves a point; go on with nextFrom().
+    /// Newest side that leaves a point; continue with nextFrom().
     HalfEdge firstFrom(Index point) const { return head_[point]; }
     HalfEdge nextFrom(HalfEdge h) const { return next_[h]; }
     Index target(HalfEdge h) const { return target_[h]; }

@@ -1,3 +1,7 @@
+/// Faults by sorted sides and a grid. Edge faults come from the sides of all triangles sorted by
+/// edge. For intersections, triangles are put into cells of 1.5 mean sizes; a pair is tested in one
+/// of its common cells only, first by boxes, then exactly (exact_predicates.h). O(t log t) for t
+/// triangles of similar size, bounded by a work limit on tangled meshes.
 #include "spiraling_edge/mesh/faults.h"
 
 #include <algorithm>
@@ -20,12 +24,12 @@ struct Placed {
     Index triangle;
 };
 
-/// Triangles in one plane are told apart by exact arithmetic, some hundred times as slow. A flat
-/// surface has a few such pairs for each triangle: only those beyond that count for what they cost.
+/// Triangles in one plane need exact arithmetic, about a hundred times as slow. A flat surface has
+/// a few such pairs for each triangle: only those beyond this number count with their full cost.
 constexpr std::uint64_t kFlatPairsPerTriangle = 16;
 constexpr std::uint64_t kFlatPairWork = 2048;
 
-/// The corners of `b` lie in the plane of `a`, rounding aside.
+/// True if the corners of `b` lie in the plane of `a`, up to rounding.
 bool liesFlat(const PointSet& points, const Triangle& a, const Triangle& b) {
     constexpr double kRounding = 1e-12;
     const Vec3 normal = areaVector(points, a);
@@ -80,8 +84,8 @@ class FaultFinder {
     void testCells(const BoxCells& grid, const std::vector<Placed>& placed);
     void testLarge(const std::vector<Index>& large);
     void testPair(Index a, Index b);
-    /// Then the search ends: a triangle made 70,000 times, as in a run that was stopped, is more
-    /// than two billion pairs, and even passing over them takes minutes.
+    /// True when the search must end: a triangle made 70,000 times, as in a run that was stopped,
+    /// makes more than two billion pairs, and even skipping them takes minutes.
     bool isOver() const { return intersections_ == kMostIntersections || work_ == 0; }
     void spend(std::uint64_t work) { work_ -= std::min(work, work_); }
 
@@ -93,7 +97,7 @@ class FaultFinder {
     std::size_t intersections_ = 0;
     std::size_t flat_ = 0;  ///< Pairs in one plane so far.
     std::uint64_t allowed_;
-    std::uint64_t work_;  ///< That is left.
+    std::uint64_t work_;  ///< Remaining work.
 };
 
 void FaultFinder::findShapes() {

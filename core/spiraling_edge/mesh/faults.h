@@ -1,4 +1,4 @@
-/// What is wrong with a mesh, triangle by triangle: class and place of every fault.
+/// Faults of the triangles of a mesh: class and place of each.
 #pragma once
 
 #include <array>
@@ -32,13 +32,12 @@ struct Fault {
     friend bool operator==(const Fault&, const Fault&) = default;
 };
 
-/// After this many intersecting pairs the search for more ends: a hopelessly tangled mesh has
-/// billions.
+/// Maximum number of intersecting pairs: a hopelessly tangled mesh has billions.
 inline constexpr std::size_t kMostIntersections = 1000000;
-/// The work that the search for intersections may take, in units of a pair of triangles looked at:
-/// a fixed amount, plus kIntersectionWorkPerTriangle for each triangle. A pair whose boxes meet
-/// counts kPairTestWork units; in one plane, where only exact arithmetic tells, 2048 units beyond
-/// 16 such pairs for each triangle. Meshes that are surfaces take some hundred units per triangle.
+/// Limit of the work of the search for intersections, in pairs of triangles visited: a fixed
+/// amount, plus kIntersectionWorkPerTriangle for each triangle. A pair whose boxes meet counts
+/// kPairTestWork units; in one plane, where only exact arithmetic decides, 2048 units beyond 16
+/// such pairs for each triangle. Meshes that are surfaces take some hundred units per triangle.
 inline constexpr std::uint64_t kIntersectionWork = 50'000'000;
 inline constexpr std::uint64_t kIntersectionWorkPerTriangle = 4096;
 inline constexpr std::uint64_t kPairTestWork = 32;
@@ -46,10 +45,10 @@ inline constexpr std::uint64_t kPairTestWork = 32;
 /// The faults of a mesh that were found within the limits of the search.
 struct FaultSearch {
     std::vector<Fault> faults;  ///< Ordered by kind, triangle and other.
-    /// All pairs were looked at. Else there may be more intersections; the other kinds are all
-    /// there.
+    /// False: the search ended early, and there may be more intersections; the other kinds are
+    /// complete.
     bool complete = true;
-    std::uint64_t work = 0;  ///< That the search for intersections took, in the units above.
+    std::uint64_t work = 0;  ///< Work of the search for intersections, in the units above.
 };
 
 /// All faults. Intersections are exact (floating-point filter, then exact arithmetic); the search
@@ -59,13 +58,13 @@ struct FaultSearch {
 /// O(t) for t triangles of similar size, however often one is repeated.
 FaultSearch searchFaults(const PointSet& points, std::span<const Triangle> triangles);
 
-/// FaultSearch::faults of searchFaults(), with its limits.
+/// The faults that searchFaults() finds, with its limits.
 std::vector<Fault> findFaults(const PointSet& points, std::span<const Triangle> triangles);
 
 /// All faults but intersections, which take most of the time.
 std::vector<Fault> findLocalFaults(const PointSet& points, std::span<const Triangle> triangles);
 
-/// How many there are of each kind.
+/// The number of faults of each kind.
 std::array<std::size_t, kFaultKinds> countFaults(std::span<const Fault> faults);
 
 }  // namespace se

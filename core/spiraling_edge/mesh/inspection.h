@@ -1,5 +1,4 @@
-/// What is wrong with a finished mesh, whoever made it: each failure with its class, place and
-/// size.
+/// Failures of a finished mesh, of this program or another: each with its class, place and size.
 #pragma once
 
 #include <span>
@@ -12,13 +11,13 @@
 namespace se {
 
 struct MeshFailure;
-struct InspectedMesh;  // What the checks look at; made by inspectMesh().
+struct InspectedMesh;  // The input of the checks; made by inspectMesh().
 
 /// One row of the table of classes: a new check is one function and one row.
 struct FailureClass {
     std::string_view name;     ///< As in the report of a run: `non_manifold_edges`.
     std::string_view meaning;  ///< One sentence.
-    /// Null for what only a run can have, see failuresOfRun().
+    /// Null for a class that only a run can have, see failuresOfRun().
     void (*find)(const InspectedMesh& mesh, std::vector<MeshFailure>& failures);
 };
 
@@ -32,9 +31,10 @@ struct MeshFailure {
     const FailureClass* kind = nullptr;
     std::vector<Index> points;     ///< Of the edge, the loop, ...; ascending.
     std::vector<Index> triangles;  ///< Involved, ascending; empty for points in none.
-    Vec3 place{};                  ///< Middle of it, scene units.
-    double length = 0.0;           ///< Holes: of the loop, scene units.
-    double area = 0.0;             ///< Holes: of the flat surface that the loop spans, squared.
+    Vec3 place{};                  ///< Its center, scene units.
+    double length = 0.0;           ///< Holes: length of the loop, scene units.
+    double area =
+        0.0;  ///< Holes: area of the flat surface that the loop spans, scene units squared.
 };
 /// One sentence with points and numbers.
 std::string describe(const MeshFailure& failure);
@@ -50,34 +50,34 @@ inline constexpr double kIsolated = 4.0;
 /// At most this many intersecting triangles are listed: a tangled mesh has millions.
 inline constexpr std::size_t kMostListed = 10'000;
 
-/// How many failures of a class there are.
+/// The number of failures of a class.
 struct ClassTotal {
-    std::size_t listed = 0;  ///< The first of them; these are in the list.
-    std::size_t total = 0;   ///< That are known.
-    bool exact = true;       ///< False: there are at least `total`, the search ended early.
+    std::size_t listed = 0;  ///< Those in the list, the first ones.
+    std::size_t total = 0;   ///< Those known.
+    bool exact = true;       ///< False: there are at least `total`, since the search ended early.
 
     bool all() const { return exact && listed == total; }
 };
 /// "12", "first 10000 of 34567", "first 10000 of at least 1204331".
 std::string amountText(const ClassTotal& total);
 
-/// A mesh with all failures that are listed.
+/// The result of an inspection.
 struct MeshInspection {
     std::vector<MeshFailure> failures;
-    std::vector<ClassTotal> totals;  ///< Of each of failureClasses(), in its order.
+    std::vector<ClassTotal> totals;  ///< One for each of failureClasses(), in its order.
     std::uint64_t work = 0;          ///< FaultSearch::work.
 };
-/// Nothing is left out of the list, and nothing was left unsearched.
+/// True if every failure is listed and the search was complete.
 bool isComplete(std::span<const ClassTotal> totals);
 
 /// All failures, in the order of failureClasses(), then by triangle or point. `points.normal` and
 /// `points.type` may be empty: then nothing is flipped, and every boundary loop is a hole. Neighbor
-/// lists are not looked at. A loop whose points all lie on walls (isBoundary) is the border of the
+/// lists are not used. A loop whose points all lie on walls (isBoundary) is the border of the
 /// surface and no hole. Requires corners below points.size() and finite positions of used points.
 /// Self-intersections are exact; the search for them has the limits of searchFaults(), and the
 /// first kMostListed are listed. Deterministic. About O(t log t).
 MeshInspection inspectWithTotals(const PointSet& points, std::span<const Triangle> triangles);
-/// MeshInspection::failures of inspectWithTotals().
+/// The failures that inspectWithTotals() lists.
 std::vector<MeshFailure> inspectMesh(const PointSet& points, std::span<const Triangle> triangles);
 
 }  // namespace se

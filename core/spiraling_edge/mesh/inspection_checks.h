@@ -1,4 +1,4 @@
-/// The checks of inspection.h, and what they share.
+/// The checks of inspection.h and their common input.
 #pragma once
 
 #include "spiraling_edge/mesh/faults.h"
@@ -7,7 +7,8 @@
 
 namespace se {
 
-/// A mesh with what several checks need. Normals and types are there, if only as zeros.
+/// A mesh with values that several checks share. Normals and types are filled in with zeros where
+/// absent.
 struct InspectedMesh {
     InspectedMesh(const PointSet& input, std::span<const Triangle> mesh);
 
@@ -15,12 +16,12 @@ struct InspectedMesh {
     std::span<const Triangle> triangles;
     std::vector<TriangleSide> sides;
     std::vector<Fault> faults;
-    bool allFaults = true;        ///< Else the search for intersections ended early.
+    bool allFaults = true;        ///< False: the search for intersections ended early.
     std::uint64_t faultWork = 0;  ///< FaultSearch::work.
     std::vector<bool> used;       ///< Per point: in some triangle.
     double meanEdge = 0.0;        ///< Length, scene units.
 
-    /// A failure at these points and triangles; the place is the middle of the points.
+    /// A failure at these points and triangles; its place is the center of the points.
     MeshFailure at(std::vector<Index> itsPoints, std::vector<Index> itsTriangles) const;
 };
 

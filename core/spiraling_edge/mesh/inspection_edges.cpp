@@ -1,3 +1,5 @@
+/// Checks by edges and points. Sides are sorted by edge once for all of them; holes are connected
+/// components of the boundary edges, unused points are classified by a grid. O(t log t).
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -136,7 +138,7 @@ void smallComponents(const InspectedMesh& mesh, Failures& failures) {
 
 namespace {
 
-/// Calls `see(p, isolated)` for the points in no triangle that have a place at all.
+/// Calls `see(p, isolated)` for the points in no triangle that have a finite position.
 template <typename See>
 void forEachUnused(const InspectedMesh& mesh, See&& see) {
     const auto finite = [&](std::size_t p) {

@@ -56,7 +56,7 @@ std::vector<Index> cornersOf(const InspectedMesh& mesh, std::initializer_list<In
     return points;
 }
 
-/// The faults of one kind, as failures; of them the first `most`.
+/// Appends the first `most` faults of one kind as failures.
 void ofKind(FaultKind kind, const InspectedMesh& mesh, Failures& failures,
             std::size_t most = std::numeric_limits<std::size_t>::max()) {
     std::size_t listed = 0;

@@ -1,3 +1,5 @@
+/// Two meshes as sorted lists of corner triples, merged in one pass; triangles in only one of them
+/// are joined by common points to regions (union-find). O(t log t).
 #include "spiraling_edge/mesh/mesh_compare.h"
 
 #include <algorithm>
@@ -74,7 +76,7 @@ class Pairing {
     MeshDifference take() { return std::move(found_); }
 
   private:
-    /// Those wound alike first, then the rest.
+    /// Pairs triangles of equal winding first, then the rest.
     void pair(std::span<const Entry> a, std::span<const Entry> b) {
         for (const bool alike : {true, false}) {
             for (const Entry& x : a) {
@@ -93,7 +95,7 @@ class Pairing {
     MeshDifference found_;
 };
 
-/// Groups what is not in both by common points.
+/// Groups the triangles that are not in both by common points.
 class RegionFinder {
   public:
     RegionFinder(std::span<const Vec3> position, std::span<const Triangle> a,
@@ -151,7 +153,7 @@ class RegionFinder {
 
     std::span<const Vec3> position_;
     DisjointSets sets_;
-    std::vector<Index> regionOf_;  ///< By the set's least point.
+    std::vector<Index> regionOf_;  ///< Per least point of a set: its region.
     std::vector<DifferenceRegion> regions_;
 };
 

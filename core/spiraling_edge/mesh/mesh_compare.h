@@ -1,5 +1,5 @@
-/// Two meshes over the same points: which triangles only one of them has, and where. One of them
-/// may come from a file of another program, with vertices in an order of its own.
+/// Comparison of two meshes over the same points: the triangles that only one of them has, by
+/// region. One of them may come from a file of another program, with vertices in another order.
 #pragma once
 
 #include <array>
@@ -14,10 +14,10 @@
 namespace se {
 
 /// A vertex of a file is a point of the set if it is not farther from it than this times the
-/// diagonal of the box around the points: what rounding to floats, or to six digits, can do.
+/// diagonal of the box around the points: the error of rounding to floats, or to six digits.
 inline constexpr double kSamePlace = 1e-6;
 
-/// A mesh of a file in the numbers of the points that it was made on.
+/// A mesh of a file, with vertices renumbered as the points that it was made on.
 struct MatchedMesh {
     /// In the order of the file. A corner n with n >= points is strangers[n - points].
     std::vector<Triangle> triangles;
@@ -26,28 +26,28 @@ struct MatchedMesh {
 };
 
 /// Finds the point of each vertex: the one of the same number if it lies there, or else the nearest
-/// within kSamePlace, ties by index. Vertices in no triangle are not looked at. Requires faces that
-/// name existing vertices. Deterministic. About O(points + vertices).
+/// within kSamePlace, ties by index. Vertices in no triangle are ignored. Requires faces that name
+/// existing vertices. Deterministic. About O(points + vertices).
 MatchedMesh matchMesh(std::span<const Vec3> points, const PointFile& mesh);
 
-/// What the other mesh has in the place of a triangle.
+/// The counterpart of a triangle in the other mesh.
 enum class Standing : std::uint8_t {
     Both,    ///< The same corners, wound the same way.
     Turned,  ///< The same corners, wound the other way.
     Only,    ///< Nothing with these corners.
 };
 
-/// Triangles that only one mesh has, or has turned, hanging together by points.
+/// Triangles that only one mesh has, or has reversed, connected by common points.
 struct DifferenceRegion {
     std::vector<Index> inA;  ///< Positions in the list of A, ascending: Only and Turned.
     std::vector<Index> inB;
     std::vector<Index> points;  ///< All their corners, ascending.
-    Vec3 place{};               ///< Middle of the box around them, scene units.
+    Vec3 place{};               ///< Center of the box around them, scene units.
     double radius = 0.0;        ///< Half the diagonal of that box.
 };
 
 struct MeshDifference {
-    std::vector<Standing> a;  ///< Of each triangle of A.
+    std::vector<Standing> a;  ///< For each triangle of A.
     std::vector<Standing> b;
     std::size_t both = 0;
     std::size_t turned = 0;
@@ -60,12 +60,13 @@ struct MeshDifference {
 };
 
 /// Compares as sets of triangles: neither their order nor the corner they begin with counts. A
-/// triangle that stands there twice counts twice. Requires corners below position.size().
+/// repeated triangle counts as often as it occurs. Requires corners below position.size().
 /// Deterministic. O(t log t).
 MeshDifference compareMeshes(std::span<const Vec3> position, std::span<const Triangle> a,
                              std::span<const Triangle> b);
 
-/// What a mesh has in the place of any triangle. How often it has it does not count.
+/// The triangles of a mesh as a set, to look up the counterpart of a triangle. Repetitions do not
+/// count.
 class TriangleSet {
   public:
     TriangleSet() = default;

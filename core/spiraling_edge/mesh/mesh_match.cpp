@@ -1,4 +1,5 @@
-// The vertices of a mesh from a file, found again among the points.
+// Finds the vertices of a mesh from a file among the points, in a grid with about one point per
+// cell: about O(1) per vertex.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -11,7 +12,7 @@
 namespace se {
 namespace {
 
-/// Points by place, for those within a small distance.
+/// Points by position, to find one within a small distance.
 class PlaceFinder {
   public:
     explicit PlaceFinder(std::span<const Vec3> points) : points_(points) {
@@ -53,7 +54,7 @@ class PlaceFinder {
 
   private:
     std::span<const Vec3> points_;
-    std::vector<Index> known_;  ///< Those with a place, as the grid numbers them.
+    std::vector<Index> known_;  ///< Points with a finite position, as the grid numbers them.
     std::optional<Box> box_;
     std::optional<CellGrid> grid_;
     double tolerance_ = 0.0;

@@ -1,3 +1,5 @@
+/// Counts from sorted sides and union-find: components over points, boundary loops over boundary
+/// edges, fans over corners joined across edges. O(t log t).
 #include "spiraling_edge/mesh/mesh_report.h"
 
 #include <algorithm>
@@ -9,7 +11,7 @@
 namespace se {
 namespace {
 
-/// Counts the edges by how many triangles share them, and the loops of the boundary.
+/// Counts the edges by the number of their triangles, and the loops of the boundary.
 void countEdges(const std::vector<TriangleSide>& sides, std::size_t points, MeshReport& report) {
     DisjointSets boundary(points);
     std::vector<bool> onBoundary(points, false);

@@ -1,4 +1,4 @@
-/// What the triangles amount to: edges, orientation, components, holes.
+/// Counts over a mesh: edges, orientation, components, holes.
 #pragma once
 
 #include <span>
@@ -33,7 +33,7 @@ struct MeshReport {
     }
 };
 
-/// Counts. Requires corners below points.size(). O(t log t) for t triangles.
+/// Counts a mesh. Requires corners below points.size(). O(t log t) for t triangles.
 MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangles);
 
 }  // namespace se

@@ -1,5 +1,5 @@
-/// The sides of all triangles, brought together by edge: for the checks of a finished mesh, which
-/// may be no manifold at all.
+/// The sides of all triangles, grouped by edge: for the checks of a finished mesh, which need not
+/// be a manifold.
 #pragma once
 
 #include <algorithm>
@@ -45,7 +45,7 @@ inline std::size_t endOfEdge(const std::vector<TriangleSide>& sides, std::size_t
     return end;
 }
 
-/// Points whose triangles form more than one fan, ascending: they do not hang together by edges at
+/// Points whose triangles form more than one fan, ascending: they are not connected by edges at
 /// that point. `sides` are those of the triangles. In mesh_report.cpp.
 std::vector<Index> nonManifoldPoints(std::span<const Triangle> triangles,
                                      const std::vector<TriangleSide>& sides, std::size_t points);

@@ -1,4 +1,4 @@
-/// Leaving points out of a PointFile: the columns that lose rows, and the new indices.
+/// Removal of points from a PointFile: the columns that lose rows, and the new indices.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-/// What a point file holds, whatever its format.
+/// The content of a point file of any format.
 #pragma once
 
 #include <cstdint>
@@ -12,21 +12,21 @@ namespace se {
 /// The scalar types of PLY.
 enum class ScalarType : std::uint8_t { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float, Double };
 
-/// A per-point column that the algorithm does not use but that output must keep.
+/// A per-point column that the algorithm does not use but that output keeps.
 struct Attribute {
     std::string name;
     ScalarType type = ScalarType::Float;
     std::vector<double> values;  ///< One per point; every ScalarType fits a double exactly.
 };
 
-/// How the columns of a file that has no header for them (XYZ) were read.
+/// The meaning of the columns of a file without a header for them (XYZ).
 struct ColumnReading {
     std::string names;   ///< "x y z red green blue"; empty for other formats.
     std::string reason;  ///< The evidence, in words; empty for x, y and z alone.
 };
 
-/// What a point file held, as it stood there: nothing repaired, nothing normalized, nothing
-/// dropped. `prepare.h` turns it into a PointSet that the stepper accepts.
+/// The unmodified content of a point file: nothing repaired, nothing normalized, nothing dropped.
+/// `prepare.h` turns it into a PointSet that the stepper accepts.
 struct PointFile {
     std::vector<Vec3> position;
     /// Float or Double: how positions are written, so that no digit is lost. Text formats without

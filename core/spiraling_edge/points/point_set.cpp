@@ -57,7 +57,7 @@ Status checkRim(const PointSet& points) {
     return success();
 }
 
-/// What the stepper computes with. NaN fails both comparisons.
+/// Checks the values that the stepper computes with. NaN fails both comparisons.
 Status checkPoint(const PointSet& points, Index p) {
     if (!isFinite(points.position[p])) {
         return Error{pointText(p) + " is in a neighbor list, but its position is not finite"};
@@ -75,7 +75,7 @@ Status validate(const PointSet& points) {
     if (Status status = checkOrder(points); !status) return status;
     if (Status status = checkRim(points); !status) return status;
     const auto n = static_cast<Index>(points.size());
-    std::vector<Index> lastList(n, kNone);  // the last list that each point was seen in
+    std::vector<Index> lastList(n, kNone);  // per point: the last list that holds it
     for (Index p = 0; p < n; ++p) {
         const auto list = points.neighbors[p];
         if (list.empty()) continue;

@@ -51,8 +51,8 @@ constexpr std::uint8_t withCornerBit(std::uint8_t type) {
     return static_cast<std::uint8_t>(isCorner(faces) ? faces | kCorner : faces);
 }
 
-/// One list of point indices per point, nearest first, packed one behind the other.
-/// Lists may be of any length, unsymmetric or empty.
+/// One list of point indices per point, nearest first, packed consecutively. Lists may be of any
+/// length, unsymmetric or empty.
 struct NeighborLists {
     /// size() + 1 positions into `ids`, ascending; list p is ids[offset[p] .. offset[p + 1]).
     std::vector<std::uint32_t> offset{0};
@@ -69,9 +69,8 @@ struct NeighborLists {
     }
 };
 
-/// What a rim point looks out through: a sector of its tangent plane without neighbors,
-/// counterclockwise from `from` to `to`, two of its neighbors. No ends: not a rim point, or
-/// unknown.
+/// The gap of a rim point: a sector of its tangent plane without neighbors, counterclockwise from
+/// `from` to `to`, two of its neighbors. No ends: not a rim point, or unknown.
 struct RimGap {
     Index from = kNone;
     Index to = kNone;
@@ -79,32 +78,31 @@ struct RimGap {
     friend bool operator==(const RimGap&, const RimGap&) = default;
 };
 
-/// Points as the stepper wants them. All arrays have the same length.
+/// The input of the stepper. All arrays have the same length.
 struct PointSet {
     std::vector<Vec3> position;      ///< Scene units.
     std::vector<Vec3> normal;        ///< Unit length; the outer side of the surface.
     std::vector<std::uint8_t> type;  ///< TypeBits.
     NeighborLists neighbors;
-    /// Of rim points; empty: none are known.
+    /// Gaps of rim points; empty: none are known.
     std::vector<RimGap> rim;
     /// The order in which the start pointer of §4 takes the points, all of them once; empty: by
     /// index.
     std::vector<Index> order;
 
-    /// No ends where none are known.
+    /// The gap of point p; no ends where none is known.
     RimGap gapAt(Index p) const { return rim.empty() ? RimGap{} : rim[p]; }
-    /// The point at place i of that order.
+    /// The point at position i of that order.
     Index inOrder(std::size_t i) const { return order.empty() ? static_cast<Index>(i) : order[i]; }
     std::size_t size() const { return position.size(); }
     bool empty() const { return position.empty(); }
 };
 
-/// Checks what the stepper relies on: equal array lengths; for every point that has a list or
-/// stands in one, a finite position and a unit normal (within 1e-6); in every list only existing
+/// Checks the preconditions of the stepper: equal array lengths; for every point that has a list or
+/// is in one, a finite position and a unit normal (within 1e-6); in every list only existing
 /// points, none twice, not the point itself; all points once in `order`, unless empty; as ends of
-/// `rim` only other points that exist, both or none. Points
-/// outside all lists may hold anything: they end as isolated. `prepare.h` makes any input pass.
-/// O(points + list entries).
+/// `rim` only other points that exist, both or none. Points outside all lists may have any values:
+/// they end as isolated. prepare() makes any input pass. O(points + list entries).
 Status validate(const PointSet& points);
 
 }  // namespace se

@@ -1,3 +1,5 @@
+/// One pass with a hash table of positions (open addressing) finds exact copies. Expected
+/// O(points).
 #include "spiraling_edge/points/usable_points.h"
 
 #include <algorithm>
@@ -8,7 +10,7 @@
 namespace se {
 namespace {
 
-/// Normals off by less than this from unit length are left bit for bit as they are.
+/// Normals whose length differs from 1 by less than this are left unchanged, bit for bit.
 constexpr double kUnitAlready = 1e-12;
 /// Normals off by more than this are reported.
 constexpr double kReportedTolerance = 1e-3;
@@ -22,8 +24,8 @@ class PositionTable {
         slots_.assign(slots, kNone);
     }
 
-    /// Adds point p, unless another point at the same place was added before. Which one stands
-    /// there.
+    /// Adds point p, unless another point at the same position was added before. Returns the one in
+    /// the table.
     Index add(Index p) {
         const std::size_t mask = slots_.size() - 1;
         for (std::size_t slot = hash(position_[p]) & mask;; slot = (slot + 1) & mask) {
@@ -82,7 +84,7 @@ bool scaleToUnit(Vec3& normal) {
     if (!hasDirection(normal)) return false;
     const double length = glm::length(normal);
     if (std::abs(length - 1.0) <= kUnitAlready) return false;
-    // By the largest component first: squares of very long or short normals leave the range.
+    // By the largest component first: squares of very long or short normals overflow or underflow.
     const double largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
     normal /= largest;
     normal /= glm::length(normal);

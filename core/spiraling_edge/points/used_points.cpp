@@ -13,7 +13,7 @@ std::vector<bool> usedPoints(std::size_t points, std::span<const Triangle> trian
     return used;
 }
 
-/// The lists of the points that have a number, in their order, by these numbers.
+/// The lists of the points that have a number, in their order, renumbered.
 NeighborLists keptLists(const NeighborLists& lists, const std::vector<Index>& number) {
     NeighborLists kept;
     std::vector<Index> list;

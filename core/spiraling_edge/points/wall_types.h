@@ -15,12 +15,12 @@ struct WallBox {
     double tolerance = 1e-6;
 };
 
-/// The least box around all points with finite positions; {0, 0} if there are none.
+/// The bounding box of all points with finite positions; {0, 0} if there are none.
 WallBox boxAround(std::span<const Vec3> position);
 
 /// TypeBits of each point: the bit of every face that it lies on, the corner bit with two or more.
-/// Points outside of the box, or not finite, are interior. A side of the box without length has no
-/// faces, nor has a face with fewer than three points, which a surface only touches.
+/// Points outside the box, or not finite, are interior. A side of the box without length has no
+/// faces. A face with fewer than three points, which a surface only touches, does not count.
 std::vector<std::uint8_t> wallTypes(std::span<const Vec3> position, const WallBox& box);
 
 }  // namespace se

@@ -1,3 +1,7 @@
+/// Neighbor lists by a k-d tree (nanoflann) over points packed along a Z-curve. The tree only
+/// proposes: distances are compared exactly, ties by index, so that lists do not depend on the
+/// tree, on threads or on a translation without rounding. Ranges of leaves are searched in
+/// parallel. O(n log n) for n points and short lists.
 #include "spiraling_edge/prepare/neighbor_search.h"
 
 #include <algorithm>
@@ -16,10 +20,10 @@ namespace se {
 namespace {
 
 /// Choice: where many normals around a point oppose its own, as around a flipped normal, only this
-/// many of the nearest points are looked at. Without a bound such a point searches the whole set in
+/// many of the nearest points are examined. Without a bound such a point searches the whole set in
 /// vain, and some percent of flipped normals make the search quadratic.
 std::size_t mostExamined(std::size_t k) { return 8 * k + 64; }
-/// How many points are done between two calls of Progress.
+/// Number of points between two calls of Progress.
 constexpr std::size_t kProgressStep = 4096;
 
 /// The tree prunes by sums that it updates step by step and compares with `<`. Its bound is widened
@@ -27,7 +31,7 @@ constexpr std::size_t kProgressStep = 4096;
 /// here, by exact comparison. The smallest double is for bounds that are 0 by underflow.
 double widened(double bound) { return bound * (1.0 + 1e-9) + std::numeric_limits<double>::min(); }
 
-/// The usable points, packed along a Z-curve, in the form that nanoflann asks for.
+/// The usable points, packed along a Z-curve, in the form that nanoflann requires.
 class Cloud {
   public:
     /// `normal` may be empty; then normal() must not be called.
@@ -64,7 +68,7 @@ class Cloud {
     std::vector<Index> id_;
 };
 
-/// How nanoflann measures: exactly as lists are ordered.
+/// The metric for nanoflann: exactly that by which lists are ordered.
 struct Distance {
     using ElementType = double;
     using DistanceType = double;
@@ -88,16 +92,16 @@ struct Found {
 };
 
 /// Collects candidates for the list of one point while the tree is searched: its nearest points, or
-/// all within a radius. Points at the place of the point itself are none.
+/// all within a radius. Points at the position of the point itself do not count.
 class Candidates {
   public:
     explicit Candidates(const Cloud& cloud) : cloud_(cloud) {}
 
     struct Limits {
-        std::size_t most = 0;  ///< The list holds the nearest so many, at least 1.
+        std::size_t most = 0;  ///< Maximum length of the list, at least 1.
         double reachSquared = std::numeric_limits<double>::max();
         bool dropOpposing = false;
-        std::size_t mostDropped = 0;  ///< Beyond it the search gives up.
+        std::size_t mostDropped = 0;  ///< Beyond it the search ends without a result.
     };
 
     void start(Index point, const Limits& limits) {
@@ -114,7 +118,7 @@ class Candidates {
         return found_;
     }
 
-    // What nanoflann asks of a result set.
+    // The interface of a result set of nanoflann.
     double worstDist() const { return bound_; }
     std::size_t size() const { return found_.size(); }
     bool full() const { return found_.size() == limits_.most; }
@@ -135,7 +139,7 @@ class Candidates {
   private:
     void insert(const Found& candidate) {
         if (full()) {
-            auto place = found_.end() - 1;  // that of the farthest, which leaves
+            auto place = found_.end() - 1;  // that of the farthest, which is removed
             for (; place != found_.begin() && candidate < *(place - 1); --place) {
                 *place = *(place - 1);
             }
@@ -155,16 +159,15 @@ class Candidates {
     std::size_t dropped_ = 0;
 };
 
-/// Finds the lists of a range of points in the order of the tree's leaves: there the points that
-/// one search touches were touched by the search before, and are still in the cache. One per
-/// thread.
+/// Finds the lists of a range of points in the order of the tree's leaves: consecutive searches
+/// touch mostly the same points, which are still in the cache. One per thread.
 class RangeSearch {
   public:
     RangeSearch(const Cloud& cloud, const Tree& tree, const NeighborOptions& options,
                 std::size_t from, std::size_t to)
         : cloud_(cloud), tree_(tree), options_(options), candidates_(cloud), from_(from), to_(to) {}
 
-    /// Asks `goOn` every so often, with the share done; stops early if it says no.
+    /// Calls `goOn` at intervals with the share done; stops early if it returns false.
     template <typename GoOn>
     void run(GoOn&& goOn) {
         length_.reserve(to_ - from_);
@@ -181,13 +184,13 @@ class RangeSearch {
     }
 
     std::size_t entries() const { return found_.size(); }
-    /// Writes how long each list is, one place behind its point, for partial sums.
+    /// Writes the length of each list one position after its point, for partial sums.
     void writeLengths(std::vector<std::uint32_t>& offset) const {
         for (std::size_t i = from_; i < to_; ++i) {
             offset[cloud_.id(tree_.vAcc[i]) + std::size_t{1}] = length_[i - from_];
         }
     }
-    /// Copies the lists to where `lists.offset` says.
+    /// Copies the lists to the positions in `lists.offset`.
     void writeLists(NeighborLists& lists) const {
         auto from = found_.begin();
         for (std::size_t i = from_; i < to_; ++i) {
@@ -219,8 +222,8 @@ class RangeSearch {
             limits.dropOpposing = false;
             query(point, limits);
         }
-        // If it did not give up, it dropped so few that all it found are among the nearest
-        // mostExamined(k): both ways give the same list wherever both can be gone.
+        // A search that did not end early dropped so few points that all it found are among the
+        // nearest mostExamined(k): both methods give the same list wherever both apply.
         take(point, k);
     }
 
@@ -251,8 +254,8 @@ class RangeSearch {
     std::vector<std::uint32_t> length_;  // of each
 };
 
-/// Splits the points over threads. Every list is found by itself, so that their number changes
-/// nothing but the time.
+/// Splits the points over threads. Every list is found independently, so that the number of threads
+/// affects only the time.
 class NeighborSearch {
   public:
     NeighborSearch(std::span<const Vec3> position, std::span<const Vec3> normal,
@@ -282,7 +285,7 @@ class NeighborSearch {
 
   private:
     static constexpr std::size_t kLeafSize = 10;
-    /// Fewer points than this are not worth a thread.
+    /// Least number of points per thread.
     static constexpr std::size_t kPointsPerThread = 4096;
 
     std::size_t threadCount() const {
@@ -292,7 +295,8 @@ class NeighborSearch {
         return std::max<std::size_t>(1, std::min(asked, useful));
     }
 
-    /// The first range is searched here, and its progress stands for all. False if cancelled.
+    /// Searches the first range in this thread and reports its progress for all. False if
+    /// cancelled.
     bool searchAll(const Progress& progress) {
         std::atomic<bool> cancelled = false;
         Workers others;
@@ -326,8 +330,7 @@ class NeighborSearch {
     std::vector<RangeSearch> ranges_;
 };
 
-/// Mean distance to the nearest, of all points that have one; 1 if none has: then no radius finds
-/// any.
+/// Mean distance to the nearest point; 1 if no point has one: then no radius finds any.
 double meanSpacing(std::span<const Vec3> position, const NeighborLists& nearest) {
     double sum = 0.0;
     std::size_t count = 0;
@@ -339,7 +342,7 @@ double meanSpacing(std::span<const Vec3> position, const NeighborLists& nearest)
     return count > 0 ? sum / static_cast<double>(count) : 1.0;
 }
 
-/// The nearest of each first, to know the spacing.
+/// Searches the nearest point of each first, for the spacing.
 Result<NeighborLists> withinSpacings(double spacings, std::span<const Vec3> position,
                                      std::span<const Vec3> normal, const std::vector<bool>& usable,
                                      NeighborOptions options, const Progress& progress) {
@@ -360,7 +363,7 @@ void sortNearestFirst(std::span<const Vec3> position, Index p, std::vector<Index
     neighbors.reserve(list.size());
     for (const Index q : list) neighbors.push_back({distanceSquared(position[p], position[q]), q});
     std::sort(neighbors.begin(), neighbors.end());
-    // The same point has the same distance, so that its entries stand side by side now.
+    // Repeated entries have the same distance and are now adjacent.
     neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
     list.clear();
     for (const Neighbor& neighbor : neighbors) list.push_back(neighbor.id);

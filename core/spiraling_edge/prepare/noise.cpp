@@ -1,3 +1,6 @@
+/// Thinning by a greedy choice: each point gets the mean plane of its patch; points near the middle
+/// of the noise are chosen first, and each sets aside the listed points over and under it. O(points
+/// log points + list entries).
 #include "spiraling_edge/prepare/noise.h"
 
 #include <algorithm>
@@ -7,11 +10,12 @@
 namespace se {
 namespace {
 
-/// The distance of points that are kept, in widths of the noise.
+/// Least distance of points that are kept, in widths of the noise.
 constexpr double kApartSpacings = 2.0;
-/// How far over or under a point another counts as the same place of the surface, in widths.
+/// Height over or under a point within which another counts as the same place of the surface, in
+/// widths.
 constexpr double kReach = 6.0;
-/// Farther ones lie higher wherever the surface bends.
+/// Number of neighbors: farther ones lie higher wherever the surface bends.
 constexpr std::size_t kNearest = 12;
 
 NoisePatch patchOf(std::span<const Vec3> position, std::span<const Vec3> normal,

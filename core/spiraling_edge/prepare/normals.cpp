@@ -1,3 +1,6 @@
+/// Planes by principal components: the 3 x 3 scatter matrix is diagonalized by Jacobi rotations,
+/// with + - * / and sqrt alone. Orientation by Prim's algorithm over the lists in both directions,
+/// cheapest where mirrored normals agree best. O(entries log entries).
 #include "spiraling_edge/prepare/normals.h"
 
 #include <algorithm>
@@ -13,7 +16,7 @@ namespace {
 
 Error cancelled() { return Error{"the work on normals was cancelled"}; }
 
-/// Tells `progress` of every few thousandth of `count` items.
+/// Counts items and reports to `progress` once in some thousand.
 class Ticks {
   public:
     Ticks(std::size_t count, const Progress& progress) : count_(count), progress_(progress) {}
@@ -66,7 +69,7 @@ void rotate(Matrix& m, Matrix& axes, std::size_t a, std::size_t b) {
     m[a][b] = m[b][a] = 0.0;
 }
 
-/// Sums of products of the offsets from their mean; p itself counts as one at zero.
+/// Scatter matrix of the offsets about their mean; p itself counts with offset zero.
 Matrix scatter(std::span<const Vec3> position, Index p, std::span<const Index> list) {
     Vec3 mean(0.0);
     for (const Index q : list) mean += position[q] - position[p];
@@ -184,7 +187,7 @@ class Orientation {
     }
 
   private:
-    /// The component of p.
+    /// Collects the component of p.
     std::vector<Index> collect(Index p, std::vector<bool>& seen) const {
         std::vector<Index> component{p};
         seen[p] = true;
@@ -198,7 +201,7 @@ class Orientation {
         return component;
     }
 
-    /// The point to begin with, made to look out.
+    /// The first point of a component, its normal turned outward.
     Index firstOf(const std::vector<Index>& component) {
         Index best = component.front();
         double bestShare = -1.0;
@@ -248,7 +251,7 @@ class Orientation {
     }
 
     /// Cosine between the normal of q and that of p mirrored at the plane halfway between them: 1
-    /// if a circle runs through both, across a thin part too.
+    /// if a circle runs through both, also across a thin part.
     double agreement(Index p, Index q) const {
         const Vec3 d = position_[q] - position_[p];
         const double lengthSq = glm::dot(d, d);

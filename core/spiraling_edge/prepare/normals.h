@@ -1,4 +1,4 @@
-/// Normals for points that come without, and a common side for normals that disagree.
+/// Estimation of missing normals, and orientation of normals to a common side.
 #pragma once
 
 #include <cstddef>
@@ -12,34 +12,34 @@
 namespace se {
 
 /// Unit normals of the planes nearest to each point and its listed neighbors (principal components
-/// of their positions; Hoppe et al. 1992, section 3.1), to either side. Zero where no plane fits
-/// best: fewer than two neighbors, or all in line. `neighbors` has a list per position; those of
-/// points to be left out are empty, and nobody lists them. Deterministic.
+/// of their positions; Hoppe et al. 1992, section 3.1), on either side. Zero where no plane fits
+/// best: fewer than two neighbors, or all collinear. `neighbors` has a list per position; those of
+/// points to leave out are empty, and no list holds these points. Deterministic.
 std::vector<Vec3> estimateNormals(std::span<const Vec3> position, const NeighborLists& neighbors);
-/// The same; fails if `progress` cancels.
+/// As estimateNormals() above; fails if `progress` cancels.
 Result<std::vector<Vec3>> estimateNormals(std::span<const Vec3> position,
                                           const NeighborLists& neighbors, const Progress& progress);
 
-/// What orientNormals() did.
+/// The result of orientNormals().
 struct OrientationReport {
     std::size_t turned = 0;      ///< Normals that changed sides.
     std::size_t components = 0;  ///< Parts without a list entry from one to another.
-    /// Steps of the tree across which the normals say next to nothing (|cosine| < 0.1): creases,
-    /// thin parts. Look there first.
+    /// Steps of the tree with nearly perpendicular normals (|cosine| < 0.1): creases, thin parts.
+    /// The likeliest places of errors.
     std::size_t doubtful = 0;
 };
 
 /// Turns normals so that neighbors agree: from one point of each component on, along the minimum
 /// spanning tree of the lists, cheapest where normals agree best (Riemannian graph; Hoppe et al.
-/// 1992, section 3.3). Whether two agree is asked after one is mirrored at the plane halfway
-/// between the points (Xie et al. 2003), which holds across creases and thin parts, where Hoppe's
-/// plain cosine turns whole patches (docs/choices.md). The first point is the one farthest out
-/// along the axis that its normal follows best; it looks out, so that closed surfaces do
-/// everywhere. Lists need not be symmetric. Points with a zero normal are left out. Deterministic:
+/// 1992, section 3.3). Two are compared after one is mirrored at the plane halfway between the
+/// points (Xie et al. 2003), which holds across creases and thin parts, where Hoppe's plain cosine
+/// turns whole patches (docs/choices.md). The first point is the one farthest out along the axis
+/// that its normal follows best; its normal points outward, and so do all normals of a closed
+/// surface. Lists need not be symmetric. Points with a zero normal are left out. Deterministic:
 /// ties by index.
 OrientationReport orientNormals(std::span<const Vec3> position, const NeighborLists& neighbors,
                                 std::vector<Vec3>& normal);
-/// The same; fails if `progress` cancels, with some normals turned and others not.
+/// As orientNormals() above; fails if `progress` cancels, with some normals turned and others not.
 Result<OrientationReport> orientNormals(std::span<const Vec3> position,
                                         const NeighborLists& neighbors, std::vector<Vec3>& normal,
                                         const Progress& progress);

@@ -1,3 +1,5 @@
+/// The order of the derivations: usable points, normals, their sides, types, lists, noise, rims.
+/// Each piece is derived only if absent or requested, and timed.
 #include "spiraling_edge/prepare/prepare.h"
 
 #include <algorithm>
@@ -54,7 +56,7 @@ class Preparation {
         std::transform(file_.type.begin(), file_.type.end(), set_.type.begin(), withCornerBit);
     }
 
-    /// Where the surface ends without a wall, as found or as given.
+    /// Takes the rim points, found or given.
     Status takeRim() {
         if (!options_.rim) return takeGivenRim();
         StopWatch watch;
@@ -85,7 +87,7 @@ class Preparation {
         return success();
     }
 
-    /// Points that nothing can be derived from.
+    /// Sets aside copies, from which nothing can be derived.
     void setAsideCopies() {
         const std::vector<Fitness> fitness =
             fitnessOf(set_.position, derivesNormals() ? std::span<const Vec3>{} : file_.normal);
@@ -135,7 +137,7 @@ class Preparation {
         return success();
     }
 
-    /// The nearest, whatever their normals.
+    /// The nearest points, with any normals.
     Result<NeighborLists> listsForNormals() {
         NeighborOptions nearest = options_.neighbors;
         nearest.reach = KNearest{options_.planeNeighbors};
@@ -151,13 +153,13 @@ class Preparation {
         }
     }
 
-    /// Progress of a piece of work that goes from what is done so far to `share` of the whole.
+    /// Progress of a part of the work, from the share done so far to `share` of the whole.
     Progress upTo(double share) {
         const double from = std::exchange(done_, share);
         if (!progress_) return {};
         return [this, from, share](double own) { return progress_(from + (share - from) * own); };
     }
-    /// Between pieces of work that tell nothing.
+    /// Checks for cancellation between parts of the work without progress.
     Status goOn() const {
         if (!progress_ || progress_(done_)) return success();
         return Error{"preparing the points was cancelled"};
@@ -177,8 +179,8 @@ class Preparation {
         return lists;
     }
 
-    /// The lists again, without the points that noise scatters over and under the others. If it is
-    /// still there then, the points are no surface, or one that bends as fast as it is noisy: all
+    /// The lists without the points that noise scatters over and under the others. If the noise
+    /// remains, the points are no surface, or one that bends as much as it is noisy: all points
     /// stay.
     Result<NeighborLists> withoutNoise(Result<NeighborLists> all) {
         const auto noiseOf = [&](const Result<NeighborLists>& lists) {
@@ -202,7 +204,7 @@ class Preparation {
     Status thinOut() {
         NeighborOptions wide = options_.neighbors;
         wide.reach = KNearest{kNoisePatch};
-        // How often is not known before: each search takes a third of what is left to tell.
+        // The number of searches is not known: each takes a third of the remaining share.
         const auto search = [&] {
             return findNeighbors(set_.position, set_.normal, usable_, wide,
                                  upTo(done_ + (listsShare() - done_) / 3.0));
@@ -252,7 +254,7 @@ class Preparation {
                !normalsOppose(set_.normal[p], set_.normal[q]);
     }
 
-    /// Of the whole work, all up to the lists: rims and lists both ways follow.
+    /// Share of the whole work up to the lists: rims and symmetric lists follow.
     double listsShare() const {
         const bool rims =
             options_.rim || std::any_of(set_.type.begin(), set_.type.end(), isRimPoint);

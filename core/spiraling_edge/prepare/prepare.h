@@ -1,6 +1,6 @@
-/// From what a file held to what the stepper accepts: normals, types and neighbor lists derived
-/// where absent or asked for, unusable points set aside, lists cleaned (section 2 of the reading in
-/// docs/choices.md).
+/// Conversion of a file's content to the input of the stepper: normals, types and neighbor lists
+/// derived where absent or requested, unusable points set aside, lists cleaned (section 2 of the
+/// reading in docs/choices.md).
 #pragma once
 
 #include <cstddef>
@@ -25,51 +25,51 @@ struct WithinRadius {
     double radius = 0.0;
 };
 /// All points not farther than `spacings` times the mean distance of a point to its nearest
-/// neighbor, as particles that push each other within a radius have it (§3 and §6.4, "search
-/// range"; docs/table1.md).
+/// neighbor, as for particles that repel each other within a radius (§3 and §6.4, "search range";
+/// docs/table1.md).
 struct WithinSpacings {
     double spacings = 1.6;
 };
 
-/// How missing neighbor lists are made.
+/// Options of the computation of neighbor lists.
 struct NeighborOptions {
     std::variant<KNearest, WithinRadius, WithinSpacings> reach = KNearest{};
     /// Leave out points whose normal opposes (dot product <= 0), before the k nearest are taken.
-    /// The paper is silent; without it, sheets that come close are joined. Of the k nearest only
-    /// the first 8 k + 64 points are looked at, so that a flipped normal amid thousands of others
-    /// gets a short list instead of a search through all points.
+    /// The paper is silent; without it, sheets that come close are joined. The search for the k
+    /// nearest examines only the first 8 k + 64 points, so that a flipped normal amid thousands of
+    /// others gets a short list instead of a search through all points.
     bool dropOpposingNormals = true;
-    /// Threads that search at once; 0: as many as the machine has. The result is the same for any.
+    /// Number of threads; 0: as many as the machine has. The result is the same for any.
     unsigned threads = 0;
     /// Compute lists even if the file has some.
     bool recompute = false;
-    /// Whoever lists a point is listed by it as well (symmetricLists).
+    /// Makes lists symmetric (symmetricLists).
     bool symmetric = false;
 };
 
-/// Where normals come from.
+/// Source of normals.
 enum class NormalSource : std::uint8_t {
     AsGiven,   ///< From the file; derived if it has none.
     Oriented,  ///< From the file, turned to agree with each other; derived if it has none.
-    Derived,   ///< From the positions, whatever the file has.
+    Derived,   ///< From the positions, even if the file has some.
 };
 
-/// What is derived, and how.
+/// Options of prepare().
 struct PrepareOptions {
     NeighborOptions neighbors;
     NormalSource normals = NormalSource::AsGiven;
     /// Derived normals are those of the planes nearest to this many neighbors.
     std::size_t planeNeighbors = 12;
-    /// Types are those of the walls of this box, whatever the file has.
+    /// Types are those of the walls of this box, even if the file has some.
     std::optional<WallBox> walls{};
-    /// Rim points are those that findRim() finds (rim.h), whatever the file has.
+    /// Rim points are those that findRim() finds (rim.h), even if the file has some.
     bool rim = false;
     /// Where lists are computed and noise along the normals exceeds kNoisy, points are set aside
     /// and normals averaged (thinNoise, noise.h) until it does not.
     bool setNoiseAside = false;
 };
 
-/// What was derived, and what it cost: the answer to "quantify the costs" of the paper's last
+/// The derived pieces and their costs: the answer to "quantify the costs" of the paper's last
 /// paragraph. Seconds are 0 for pieces that were not derived.
 struct DerivedPieces {
     bool normals = false;
@@ -77,32 +77,32 @@ struct DerivedPieces {
     bool types = false;
     bool rim = false;
     std::size_t turnedNormals = 0;     ///< Sides changed by the orientation.
-    std::size_t normalComponents = 0;  ///< Parts that were oriented each by itself.
+    std::size_t normalComponents = 0;  ///< Parts that were oriented independently.
     std::size_t planelessPoints = 0;   ///< Set aside: no plane fits their neighbors best.
     std::size_t rimPoints = 0;
     std::size_t rimChains = 0;   ///< Closed, one per opening.
-    double normalSeconds = 0.0;  ///< With the search for the neighbors that they need.
+    double normalSeconds = 0.0;  ///< Including the search for the neighbors that they need.
     double orientationSeconds = 0.0;
     double typeSeconds = 0.0;
     double rimSeconds = 0.0;
     double neighborSeconds = 0.0;  ///< PrepareReport::neighborsComputed.
 };
 
-/// How many points and list entries were set aside, and why. The points stay in the set, with their
-/// index, but have an empty list and stand in no list.
+/// The points and list entries that were set aside, by reason. The points stay in the set, with
+/// their index, but have an empty list and are in no list.
 struct PrepareReport {
     std::size_t nonFinitePoints = 0;
     std::size_t zeroNormals = 0;      ///< Or not finite: without a direction.
     std::size_t duplicatePoints = 0;  ///< Exact copies of a usable point with a lower index.
-    /// Normals whose length was off by more than 1e-3. Lesser errors, as of rounded numbers in a
-    /// file, are mended without mention.
+    /// Normals whose length was off by more than 1e-3. Smaller errors, as of rounded numbers in a
+    /// file, are corrected without mention.
     std::size_t unscaledNormals = 0;
     std::size_t droppedListEntries =
         0;  ///< In lists from the file: self, repeated, unusable, opposing.
     bool neighborsComputed = false;
-    double noise = 0.0;  ///< noiseAlongNormals() before any was set aside; 0: not measured.
+    double noise = 0.0;  ///< noiseAlongNormals() before any point was set aside; 0: not measured.
     std::size_t noisyPoints = 0;  ///< Set aside: the others lie nearer to the middle of the noise.
-    DerivedPieces derived;        ///< ... besides the lists.
+    DerivedPieces derived;        ///< Derived pieces other than lists.
 };
 
 struct Prepared {
@@ -113,26 +113,26 @@ struct Prepared {
 /// Makes a PointSet: it passes validate(), positions are those of the file, and lists from the file
 /// are put in order and cleaned. Fails if k is 0 or the radius not positive, if a list names a
 /// point that does not exist, or if cancelled. Neighbor lists are ordered by distance, ties by
-/// index: the result does not depend on how the search works.
+/// index: the result does not depend on the search method.
 Result<Prepared> prepare(const PointFile& file, const PrepareOptions& options,
                          const Progress& progress = {});
-/// Stores in `file` the normals and types that preparing it has derived, so that a mesh is written
-/// with those that it was made by. Given ones that stayed as they were, and neighbor lists, are not
-/// touched. `points` and `report` are those that prepare() made of `file`.
+/// Stores in `file` the normals and types that prepare() has derived, so that a mesh is written
+/// with those it was made from. Unchanged given ones, and neighbor lists, are not touched. `points`
+/// and `report` are the result of prepare() for `file`.
 void storeDerived(const PointSet& points, const PrepareReport& report, PointFile& file);
-/// The ordered lists alone, for points with usable[p] true; all others get an empty list and stand
-/// in none. Requires finite usable positions. Points at the same place are no neighbors of each
-/// other, nor are points so far apart (1e154) that the square of their distance is no number.
-/// `normal` may be empty if opposing normals are not dropped. Deterministic: ordered by
-/// distance, ties by index, and unchanged if all points are moved without rounding.
+/// The ordered lists alone, for points with usable[p] true; all others get an empty list and are in
+/// none. Requires finite usable positions. Points at the same place are no neighbors of each other,
+/// nor are points so far apart (1e154) that the square of their distance is no number. `normal` may
+/// be empty if opposing normals are not dropped. Deterministic: ordered by distance, ties by index,
+/// and unchanged if all points are moved without rounding.
 Result<NeighborLists> findNeighbors(std::span<const Vec3> position, std::span<const Vec3> normal,
                                     const std::vector<bool>& usable, const NeighborOptions& options,
                                     const Progress& progress = {});
 
-/// The lists, and with each entry q of p's an entry p of q's: where the spacing changes, points of
-/// the sparse side list some that do not list them. Ordered by distance, ties by index. Fails if
-/// there would be more entries than an Index counts.
-/// `threads` as in NeighborOptions; the result is the same for any. Fails if cancelled.
+/// Symmetric lists: for each entry q in the list of p, also p in the list of q. Where the spacing
+/// changes, points of the sparse side list some that do not list them. Ordered by distance, ties by
+/// index. Fails if there would be more entries than an Index counts. `threads` as in
+/// NeighborOptions; the result is the same for any. Fails if cancelled.
 Result<NeighborLists> symmetricLists(std::span<const Vec3> position, const NeighborLists& lists,
                                      unsigned threads = 0, const Progress& progress = {});
 

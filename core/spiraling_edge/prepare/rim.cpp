@@ -1,3 +1,6 @@
+/// Rims without a mesh: angular gaps between neighbors in the tangent plane give candidates, and
+/// walks from gap to gap join them to closed chains. Angles are keys without trigonometry. Each
+/// list entry is walked at most once, so that the walks cost O(list entries times longest list).
 #include "spiraling_edge/prepare/rim.h"
 
 #include <algorithm>
@@ -22,7 +25,8 @@ struct FlatPlace {
     double x = 0.0, y = 0.0;
 };
 
-/// From u counterclockwise to v, both of unit length; 0 for the same direction up to rounding.
+/// Angle key from u counterclockwise to v, both of unit length; 0 for the same direction up to
+/// rounding.
 double keyFrom(const FlatPlace& u, const FlatPlace& v) {
     constexpr double kSameDirection = 1e-9;
     const double cosine = std::clamp(u.x * v.x + u.y * v.y, -1.0, 1.0);
@@ -45,13 +49,13 @@ struct Spoke {
 /// A sector without neighbors.
 struct Gap {
     RimGap ends;
-    double key = 0.0;  ///< How wide.
+    double key = 0.0;  ///< Width, as a key.
 };
 
-/// The neighbors of one point as seen along its normal, counterclockwise.
+/// The neighbors of one point in projection along its normal, counterclockwise.
 class Spokes {
   public:
-    /// From the direction of `reference` on, which has key 0 unless turned (below).
+    /// Keys count from the direction of `reference`, unless turned back (below).
     Spokes(std::span<const Vec3> position, const Vec3& normal, Index p, Index reference,
            std::span<const Index> list) {
         const Vec3 z = position[reference] - position[p];
@@ -64,7 +68,7 @@ class Spokes {
         for (const Index q : list) add(q, position[q] - position[p]);
         sortFrom({1.0, 0.0});
     }
-    /// 60 degrees before the reference gets key 0.
+    /// Moves key 0 to 60 degrees before the reference.
     void turnBack() { sortFrom({0.5, -0.86602540378443865}); }
 
     /// The widest gap that begins at a key up to `last` and does not end at `except`; the first of
@@ -113,12 +117,13 @@ class Spokes {
 
 // ---- the search ---------------------------------------------------------------------------------
 
-/// Longer lists reach beyond the points about a point, and over narrow openings.
+/// Number of neighbors used: longer lists reach beyond the points around a point, and over narrow
+/// openings.
 constexpr std::size_t kNearestOfRim = 12;
-/// Of a chain, this many of three must be candidates, and on no wall.
+/// Of three points of a chain, this many must be candidates, and on no wall.
 constexpr std::size_t kOfThree = 2;
 
-/// The first of each list, and both ways.
+/// The first of each list, with every entry in both directions.
 Result<NeighborLists> nearestBothWays(std::span<const Vec3> position, const NeighborLists& lists,
                                       unsigned threads, const Progress& progress) {
     NeighborLists nearest;
@@ -137,9 +142,9 @@ Gap widestGap(std::span<const Vec3> position, std::span<const Vec3> normal,
     return Spokes(position, normal[p], p, list[0], list).widest(kFullTurnOfKeys, kNone);
 }
 
-/// Of the work, bringing the lists both ways; the gaps are the rest.
+/// Share of the symmetric lists in the work; the rest is the search for gaps.
 constexpr double kListsShare = 0.4;
-/// Fewer points are not worth a thread.
+/// Least number of points per thread.
 constexpr std::size_t kPerThread = 2048;
 
 class RimSearch {
@@ -164,7 +169,7 @@ class RimSearch {
     bool candidate(Index p) const { return widest_[p].key > kKey120; }
     bool onWall(Index p) const { return !type_.empty() && isOnWall(type_[p]); }
 
-    /// False if cancelled. Each gap is found by itself; the walks from them are short work.
+    /// False if cancelled. Gaps are found independently; the walks from them are cheap.
     bool findCandidates(unsigned threads, const Progress& progress) {
         widest_.resize(position_.size());
         const auto look = [this](std::size_t p) {
@@ -175,7 +180,7 @@ class RimSearch {
         return true;
     }
 
-    /// Where a walk goes on at p when it came from `before`; kNone if nowhere.
+    /// The step after p of a walk that came from `before`; kNone if there is none.
     Index next(Index before, Index p) const {
         Spokes spokes(position_, normal_[p], p, before, lists_[p]);
         spokes.turnBack();
@@ -183,7 +188,7 @@ class RimSearch {
         return gap.key >= kKey60 ? gap.ends.to : kNone;
     }
 
-    /// The step from p to q is marked as walked; false if it was.
+    /// Marks the step from p to q as walked; false if it was already.
     bool mark(Index p, Index q) {
         const auto list = lists_[p];
         const auto at = std::find(list.begin(), list.end(), q) - list.begin();
@@ -193,7 +198,7 @@ class RimSearch {
         return first;
     }
 
-    /// Walks from candidate p until it comes where it was, or cannot go on.
+    /// Walks from candidate p until the walk closes or ends.
     void follow(Index p) {
         std::vector<Index> path{p};
         place_[p] = 0;
@@ -230,8 +235,8 @@ class RimSearch {
         rim_.chains.push_back(std::move(chain));
     }
 
-    /// Candidates beside chains, which passed them over: into the chain if they look out between
-    /// two that follow each other, as its first step over them was longer than it need be.
+    /// Inserts candidates beside a chain that skipped them: those whose gap lies between two
+    /// successive points of it.
     void addBetween() {
         std::vector<bool> onChain(position_.size(), false);
         for (const auto& chain : rim_.chains) {
@@ -264,9 +269,9 @@ class RimSearch {
     const NeighborLists& lists_;
     std::span<const std::uint8_t> type_;
     Rim rim_;
-    std::vector<Gap> widest_;   ///< Of each point.
-    std::vector<Index> place_;  ///< Of each point on the present path, else kNone.
-    std::vector<bool> walked_;  ///< For each list entry: the step to it.
+    std::vector<Gap> widest_;   ///< Per point.
+    std::vector<Index> place_;  ///< Position of each point on the current path, else kNone.
+    std::vector<bool> walked_;  ///< Per list entry: the step to it.
 };
 
 }  // namespace

@@ -1,3 +1,5 @@
+/// The inverse of all lists by a counting sort, then each list merged with its inverse, in parallel
+/// by blocks of points. O(list entries log longest list).
 #include <algorithm>
 #include <numeric>
 
@@ -8,7 +10,7 @@ namespace se {
 
 namespace {
 
-/// For each point, who lists it.
+/// The inverse of the lists: for each point, the points that list it.
 NeighborLists turnedRound(const NeighborLists& lists) {
     const std::size_t n = lists.size();
     NeighborLists turned;
@@ -29,7 +31,7 @@ struct Piece {
     std::vector<std::uint32_t> length;
 };
 
-/// Puts both lists of p together.
+/// Merges both lists of p.
 class Joiner {
   public:
     Joiner(std::span<const Vec3> position, const NeighborLists& lists,

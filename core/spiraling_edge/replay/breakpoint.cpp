@@ -1,3 +1,5 @@
+/// All hits of a line are found by one run; stops in both directions are then binary searches in
+/// the sorted hits, corrected for `skip` and `every`.
 #include "spiraling_edge/replay/breakpoint.h"
 
 #include <algorithm>
@@ -13,8 +15,8 @@ std::uint64_t stepOf(const Breakpoint& breakpoint) {
 std::uint64_t pickedFrom(const Breakpoint& breakpoint, std::uint64_t from) {
     const std::uint64_t step = stepOf(breakpoint);
     const std::uint64_t skip = breakpoint.skip;
-    const std::uint64_t behind = from > skip ? from - skip : 1;
-    return skip + (behind + step - 1) / step * step;
+    const std::uint64_t counted = from > skip ? from - skip : 1;
+    return skip + (counted + step - 1) / step * step;
 }
 
 /// The last hit number <= `to` that is picked; 0 if there is none.

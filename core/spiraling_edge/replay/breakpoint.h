@@ -14,18 +14,18 @@
 namespace se {
 
 struct Breakpoint {
-    std::string name;         ///< For people; may be empty.
+    std::string name;         ///< For display; may be empty.
     std::string line;         ///< See decision_query.h.
-    std::uint32_t skip = 0;   ///< The first hits that are passed over.
-    std::uint32_t every = 1;  ///< Of the hits behind those, only each N-th; at least 1.
+    std::uint32_t skip = 0;   ///< Number of first hits to pass over.
+    std::uint32_t every = 1;  ///< Stops at each N-th of the hits after those; at least 1.
     bool on = true;
     bool logOnly = false;  ///< Never stops; its hits are listed.
     friend bool operator==(const Breakpoint&, const Breakpoint&) = default;
 };
 
-/// Is hit number `hit` one to stop at? Hits count from 1, in the order of the run from its start,
-/// whichever way one goes: so a count means the same from both sides. Log-only ones pick the hits
-/// that they list in the same way.
+/// True if hit number `hit` stops the run. Hits count from 1, in the order of the run from its
+/// start, in both directions of time. A log-only breakpoint picks the hits that it lists in the
+/// same way.
 bool picks(const Breakpoint& breakpoint, std::uint64_t hit);
 
 /// A decision that a line matches.
@@ -35,15 +35,15 @@ struct Hit {
     friend bool operator==(const Hit&, const Hit&) = default;
 };
 
-/// No more hits of a line are kept.
+/// Maximum number of hits that are kept of a line.
 inline constexpr std::size_t kMostHits = std::size_t{1} << 22U;
 
-/// The hits of a line, as far as they are known.
+/// The hits of a line known so far.
 struct HitList {
     std::vector<Hit> hits;    ///< The first kMostHits, in the order of the run.
-    std::uint64_t total = 0;  ///< Also of those that are not kept.
+    std::uint64_t total = 0;  ///< Including those that are not kept.
 
-    /// The next one.
+    /// Appends the next hit.
     void add(const Hit& hit) {
         if (++total <= kMostHits) hits.push_back(hit);
     }
@@ -52,7 +52,7 @@ struct HitList {
 };
 
 /// Calls `found` with each decision of a run that one of `queries` matches, and the number of the
-/// query, in the order of the run; the decision is gone after the call. Stored is nothing. False if
+/// query, in the order of the run; the decision is gone after the call. Nothing is stored. False if
 /// `progress` cancelled. O(run).
 bool scanHits(const PointSet& points, const Params& params, std::span<const DecisionQuery> queries,
               const std::function<void(std::size_t query, const Hit&, const Decision&)>& found,
@@ -63,14 +63,14 @@ struct ArmedBreakpoint {
     const Breakpoint* breakpoint;
     const HitList* hits;
 };
-/// Where a run stops, and what stops it there.
+/// The hit at which a run stops, and the breakpoint that stops it.
 struct Stop {
     Hit hit;
-    std::size_t breakpoint = 0;  ///< Among those given; the first one of several.
+    std::size_t breakpoint = 0;  ///< Position among those given; the first of several.
     std::uint64_t number = 0;    ///< Of the hit, from 1.
 };
-/// The first stop behind `here`; nothing if there is none. Breakpoints that are off or log-only
-/// stop nothing. O(log hits).
+/// The first stop after `here`; nothing if there is none. Breakpoints that are off or log-only stop
+/// nothing. O(log hits).
 std::optional<Stop> nextStop(std::span<const ArmedBreakpoint> armed, RunPlace here);
 /// The last stop before `here`.
 std::optional<Stop> previousStop(std::span<const ArmedBreakpoint> armed, RunPlace here);

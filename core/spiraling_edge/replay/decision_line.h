@@ -1,4 +1,4 @@
-/// What the questions about a run ask of its events (ledger, moments of a failure, query lines).
+/// Decisions as lines, for the queries about a run (ledger, moments of a failure, query lines).
 #pragma once
 
 #include <optional>
@@ -8,18 +8,18 @@
 
 namespace se {
 
-/// What a line tells about the subject.
+/// Role of a line for the subject.
 enum class LineRole : std::uint8_t {
-    Fact,     ///< What became of one of its points: ring, pivot, DONE.
+    Fact,     ///< A change of one of its points: ring, pivot, DONE.
     Taken,    ///< A test that it passed.
     Refused,  ///< A test that it failed, or that ended a fan it would have been in.
-    Made,     ///< It came into the mesh.
-    Undone,   ///< It went out of the mesh again.
+    Made,     ///< It was added to the mesh.
+    Undone,   ///< It was removed from the mesh.
 };
 /// "fact", "taken", "refused", "made", "undone".
 std::string_view roleName(LineRole role);
 
-/// One decision, where to find it, and what it meant.
+/// One decision, its place and its reading.
 struct LedgerLine {
     Event event;
     Index pivot = kNone;  ///< The point that was the pivot.
@@ -27,13 +27,13 @@ struct LedgerLine {
     std::optional<Reading> reading;
 };
 
-/// The event as a line, its role by what became of the test.
+/// The line of an event, with the role Taken or Refused by the outcome of its test, else Fact.
 LedgerLine lineOf(const Event& event, const ReadingContext& context);
 
-/// Left out of the sort as a fact, not by a test: DONE, or first or last itself.
+/// True for a point left out of the sort by a fact, not a test: DONE, or first or last itself.
 bool wasSettledBefore(const Event& event);
 
-/// A step after the last pivot, which changes the mesh without saying which triangles.
+/// True for a step after the last pivot, which changes the mesh without naming the triangles.
 bool mendsMesh(const Event& event);
 
 }  // namespace se

@@ -17,7 +17,7 @@ std::string_view takeWord(std::string_view& line) {
     return word;
 }
 
-/// What a word stands for; an empty condition if it is of no known form.
+/// The meaning of a word; an empty condition if it is of no known form.
 struct WordMeaning {
     DecisionCondition condition;
     bool asksForFailures = false;

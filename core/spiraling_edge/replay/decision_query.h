@@ -1,6 +1,6 @@
-/// A filter over the decisions of a run, written as one line:
-/// `stage=sphere kept margin<1e-4 point=812`. A breakpoint is such a line: it stands at the same
-/// addresses whichever way one comes from.
+/// A filter over the decisions of a run, written as one line: `stage=sphere kept margin<1e-4
+/// point=812`. A breakpoint is such a line: it stops at the same addresses in both directions of
+/// time.
 #pragma once
 
 #include <functional>
@@ -16,15 +16,15 @@
 
 namespace se {
 
-/// What a term of the line looks at.
+/// The subject of a condition: one decision with its surroundings.
 struct Decision {
     const Event& event;
     Index pivot;  ///< The point that was the pivot.
     const std::optional<Reading>& reading;
     const PointSet& points;
-    std::span<const Event> events;  ///< All of the pivot, see pivot_tally.h.
-    /// The classes of failures that are there from this decision on (live_check.h), one bit each:
-    /// failureBit(). Always 0 if nobody asked for them.
+    std::span<const Event> events;  ///< All events of the pivot, see pivot_tally.h.
+    /// The classes of failures that appear at this decision (live_check.h), one bit each:
+    /// failureBit(). Always 0 unless they were requested.
     std::uint32_t failures = 0;
 };
 using DecisionCondition = std::function<bool(const Decision&)>;
@@ -33,29 +33,29 @@ using DecisionCondition = std::function<bool(const Decision&)>;
 struct QueryTerm {
     std::string_view form;     ///< "stage=NAME"
     std::string_view meaning;  ///< One sentence.
-    /// The condition that `word` stands for; nothing if it is not of this form; an error if it is,
-    /// but says nothing sensible.
+    /// The condition that `word` describes; empty if it is not of this form; an error if it is, but
+    /// its value is wrong.
     Result<DecisionCondition> (*read)(std::string_view word);
-    bool asksForFailures = false;  ///< It looks at Decision::failures.
+    bool asksForFailures = false;  ///< Reads Decision::failures.
 };
 /// All terms, for help and completion.
 std::span<const QueryTerm> queryTerms();
 
-/// What is wrong with a line: the first word that says nothing sensible.
+/// The first word of a line that is not understood.
 struct QueryMistake {
     std::string word;
     std::string message;     ///< One sentence that names the word.
-    bool isUnknown = false;  ///< It is of the form of no term; else of one, with a wrong value.
+    bool isUnknown = false;  ///< No term has this form; else one has, but the value is wrong.
 };
 std::optional<QueryMistake> mistakeIn(std::string_view line);
 
-/// All conditions hold together; an empty line holds for everything.
+/// A parsed line. A decision matches if all conditions hold; an empty line matches everything.
 class DecisionQuery {
   public:
     /// Words are separated by blanks. Fails with the word that is not understood.
     static Result<DecisionQuery> parse(std::string_view line);
     bool matches(const Decision& decision) const;
-    /// Some term looks at Decision::failures: the run has to be checked while it is scanned.
+    /// True if some term reads Decision::failures: the run must be checked while it is scanned.
     bool asksForFailures() const { return asksForFailures_; }
 
   private:
@@ -64,7 +64,7 @@ class DecisionQuery {
 };
 
 struct FoundDecisions {
-    std::vector<LedgerLine> lines;  ///< The first ones, in the order of the run.
+    std::vector<LedgerLine> lines;  ///< The first matches, in the order of the run.
     std::size_t total = 0;          ///< Of the whole run.
 };
 

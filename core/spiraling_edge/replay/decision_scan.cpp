@@ -9,7 +9,7 @@
 namespace se {
 namespace {
 
-/// Seen with a single decision: by LiveCheck, and those of plainFailures().
+/// The classes detected at a single decision: by LiveCheck, or by plainFailures().
 constexpr std::array<std::string_view, 13> kInRun = {"non_manifold_edges",
                                                      "non_manifold_vertices",
                                                      "inconsistent_edges",
@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 13> kInRun = {"non_manifold_edges",
 
 std::uint32_t bitOf(std::string_view name) { return failureBit(*findFailureClass(name)); }
 
-/// What one decision brings about by itself.
+/// The failures that one event causes by itself.
 std::uint32_t plainFailures(const Event& event, const PointSet& points) {
     if (const auto* emit = std::get_if<EmitEvidence>(&event.evidence)) {
         const bool thin = leastAngleCosine(points, emit->corners) > kSliverCosine;

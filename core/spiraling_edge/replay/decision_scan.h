@@ -1,5 +1,5 @@
-/// Every decision of a run, one after the other, with its place: what query lines, breakpoints and
-/// counts over a run are made of.
+/// Every decision of a run in order, with its place: the basis of query lines, breakpoints and
+/// counts over a run.
 #pragma once
 
 #include "spiraling_edge/mesh/inspection.h"
@@ -8,16 +8,15 @@
 
 namespace se {
 
-/// Makes the run and shows each decision to `visit`, in order. `failures`: with
-/// Decision::failures, which costs about as much again. False if `progress` cancelled.
-/// Deterministic.
+/// Runs from the start and calls `visit` with each decision, in order. `failures`: fills
+/// Decision::failures, which doubles the cost. False if `progress` cancelled. Deterministic.
 bool scanDecisions(const PointSet& points, const Params& params, bool failures,
                    const std::function<void(const Decision&, RunPlace)>& visit,
                    const Progress& progress = {});
 
 /// The bit of a class in Decision::failures.
 std::uint32_t failureBit(const FailureClass& kind);
-/// Can the class be told while the run goes on? Those of the mesh as a whole cannot.
+/// True if the class can be detected during the run; false for those of the mesh as a whole.
 bool appearsInRun(const FailureClass& kind);
 
 }  // namespace se

@@ -17,8 +17,8 @@ using Read = Result<Condition>;
 /// An empty condition: the word is of another form.
 Read otherForm() { return Condition(); }
 
-/// What follows `prefix`; empty if the word does not begin with it.
-std::optional<std::string_view> behind(std::string_view word, std::string_view prefix) {
+/// The rest of the word after `prefix`; empty if the word does not begin with it.
+std::optional<std::string_view> afterPrefix(std::string_view word, std::string_view prefix) {
     if (!word.starts_with(prefix)) return {};
     return word.substr(prefix.size());
 }
@@ -35,7 +35,7 @@ Error notA(std::string_view word, std::string_view what) {
     return Error{"\"" + std::string(word) + "\": expected " + std::string(what) + "."};
 }
 
-/// "inside sphere" as it stands in a line: inside-sphere.
+/// A text in the form of a query line: "inside-sphere" for "inside sphere".
 std::string hyphened(std::string_view text) {
     std::string word(text);
     std::replace(word.begin(), word.end(), ' ', '-');
@@ -44,7 +44,7 @@ std::string hyphened(std::string_view text) {
 }
 
 Read readStage(std::string_view word) {
-    const auto name = behind(word, "stage=");
+    const auto name = afterPrefix(word, "stage=");
     if (!name) return otherForm();
     const auto stage = stageFromName(*name);
     if (!stage) return notA(word, "the name of a stage, such as sphere");
@@ -52,7 +52,7 @@ Read readStage(std::string_view word) {
 }
 
 Read readSection(std::string_view word) {
-    const auto section = behind(word, "section=");
+    const auto section = afterPrefix(word, "section=");
     if (!section) return otherForm();
     bool known = false;
     for (std::size_t i = 0; i < kStageCount; ++i)
@@ -72,7 +72,7 @@ Read readOutcome(std::string_view word) {
 }
 
 Read readVerdict(std::string_view word) {
-    const auto name = behind(word, "verdict=");
+    const auto name = afterPrefix(word, "verdict=");
     if (!name) return otherForm();
     const auto table = verdictTable();
     if (std::none_of(table.begin(), table.end(),
@@ -89,7 +89,7 @@ Read readVerdict(std::string_view word) {
 }
 
 Read readPoint(std::string_view word) {
-    const auto text = behind(word, "point=");
+    const auto text = afterPrefix(word, "point=");
     if (!text) return otherForm();
     const auto point = numberIn<Index>(*text);
     if (!point) return notA(word, "the number of a point, such as point=812");
@@ -97,7 +97,7 @@ Read readPoint(std::string_view word) {
 }
 
 Read readPivot(std::string_view word) {
-    const auto text = behind(word, "pivot=");
+    const auto text = afterPrefix(word, "pivot=");
     if (!text) return otherForm();
     const auto point = numberIn<Index>(*text);
     if (!point) return notA(word, "the number of the point, such as pivot=812");
@@ -120,7 +120,7 @@ std::optional<Range> rangeIn(std::string_view text) {
 }
 
 Read readAt(std::string_view word) {
-    const auto text = behind(word, "at=");
+    const auto text = afterPrefix(word, "at=");
     if (!text) return otherForm();
     const auto range = rangeIn(*text);
     if (!range) return notA(word, "pivot numbers, such as at=137 or at=100..200");
@@ -129,7 +129,7 @@ Read readAt(std::string_view word) {
 
 /// A number of the pivot as a whole, one or from A to B.
 Read readTally(std::string_view word, std::string_view prefix, std::uint32_t PivotTally::*number) {
-    const auto text = behind(word, prefix);
+    const auto text = afterPrefix(word, prefix);
     if (!text) return otherForm();
     const auto range = rangeIn(*text);
     if (!range) {
@@ -148,11 +148,11 @@ Read readTests(std::string_view word) { return readTally(word, "tests=", &PivotT
 /// `name<X` and `name>X` for a number of the reading.
 Read readCompared(std::string_view word, std::string_view name,
                   double (*numberOf)(const Reading&)) {
-    const auto text = behind(word, name);
+    const auto text = afterPrefix(word, name);
     if (!text || text->empty() || (text->front() != '<' && text->front() != '>'))
         return otherForm();
     const auto limit = numberIn<double>(text->substr(1));
-    if (!limit) return notA(word, "a number behind < or >, such as " + std::string(name) + "<1e-4");
+    if (!limit) return notA(word, "a number after < or >, such as " + std::string(name) + "<1e-4");
     const bool below = text->front() == '<';
     return Condition([below, limit = *limit, numberOf](const Decision& d) {
         if (!d.reading) return false;
@@ -167,17 +167,18 @@ Read readValue(std::string_view word) {
     return readCompared(word, "value", [](const Reading& r) { return r.value; });
 }
 
-/// One point behind `prefix`, and what must hold for it.
+/// One point after `prefix`, and the condition on it.
 Read readPointTerm(std::string_view word, std::string_view prefix,
                    bool (*holds)(const Decision&, Index)) {
-    const auto text = behind(word, prefix);
+    const auto text = afterPrefix(word, prefix);
     if (!text) return otherForm();
     const auto point = numberIn<Index>(*text);
     if (!point) return notA(word, "the number of a point, such as " + std::string(prefix) + "812");
     return Condition([p = *point, holds](const Decision& d) { return holds(d, p); });
 }
 
-/// The point had no entry on a ring before (§4): by a seed, as a third point of §7, or in a fan.
+/// True if the point gets its first entry on a ring (§4): by a seed, as a third point of §7, or in
+/// a fan.
 bool becomesUsed(const Decision& d, Index p) {
     if (const auto* seed = std::get_if<SeedEvidence>(&d.event.evidence))
         return p == kNone || seed->first == p || seed->second == p;
@@ -192,7 +193,7 @@ Read readUsed(std::string_view word) {
     return readPointTerm(word, "used=", becomesUsed);
 }
 
-/// Its last entry leaves the rings (§6.5, §7), or nothing can be begun with it (§4).
+/// True if its last entry leaves the rings (§6.5, §7), or it cannot begin a ring (§4).
 bool becomesDone(const Decision& d, Index p) {
     if (const auto* strand = std::get_if<StrandEvidence>(&d.event.evidence))
         return p == kNone || strand->point == p;
@@ -218,7 +219,7 @@ Read readStranded(std::string_view word) {
 /// A new side of the mesh is a step of the ring (§6.5): the side of a triangle across from its
 /// pivot, or the two steps of a seed.
 Read readEdge(std::string_view word) {
-    const auto text = behind(word, "edge=");
+    const auto text = afterPrefix(word, "edge=");
     if (!text) return otherForm();
     const std::size_t comma = text->find(',');
     const auto a = numberIn<Index>(text->substr(0, comma));
@@ -258,7 +259,7 @@ Read readAlert(std::string_view word) {
 /// A class of failures, as a bit of Decision::failures; all of them without a name.
 Read readFailure(std::string_view word) {
     if (word == "failure") return Condition([](const Decision& d) { return d.failures != 0; });
-    const auto name = behind(word, "failure=");
+    const auto name = afterPrefix(word, "failure=");
     if (!name) return otherForm();
     const FailureClass* kind = findFailureClass(*name);
     if (kind == nullptr || !appearsInRun(*kind)) {
@@ -266,18 +267,17 @@ Read readFailure(std::string_view word) {
         for (const FailureClass& each : failureClasses())
             if (appearsInRun(each)) names += (names.empty() ? "" : ", ") + std::string(each.name);
         if (kind != nullptr)
-            return Error{
-                "\"" + std::string(word) +
-                "\": that is known only when the run has ended; while it goes on there are " +
-                names + "."};
-        return notA(word, "a class of failures that shows while the run goes on: " + names);
+            return Error{"\"" + std::string(word) +
+                         "\": that is known only when the run has ended; during a run there are " +
+                         names + "."};
+        return notA(word, "a class of failures that appears during a run: " + names);
     }
     const std::uint32_t bit = failureBit(*kind);
     return Condition([bit](const Decision& d) { return (d.failures & bit) != 0; });
 }
 
 Read readLeastAngle(std::string_view word) {
-    const auto text = behind(word, "angle<");
+    const auto text = afterPrefix(word, "angle<");
     if (!text) return otherForm();
     const auto degrees = numberIn<double>(*text);
     if (!degrees) return notA(word, "degrees, such as angle<5");
@@ -288,11 +288,11 @@ Read readLeastAngle(std::string_view word) {
     });
 }
 
-/// So that a slip of the finger does not fill the memory.
+/// Limit of a range, so that a typing error does not fill the memory.
 constexpr Index kMostInRange = 10'000'000;
 
 Read readAmong(std::string_view word) {
-    auto text = behind(word, "among=");
+    auto text = afterPrefix(word, "among=");
     if (!text) return otherForm();
     std::vector<Index> points;
     while (!text->empty()) {
@@ -317,24 +317,24 @@ Read readAmong(std::string_view word) {
 constexpr QueryTerm kTerms[] = {
     {"stage=NAME", "Of this stage: sort, sphere, ring ...", readStage},
     {"section=6.3", "Of this section of the paper.", readSection},
-    {"kept", "What was tested was taken.", readOutcome},
-    {"refused", "What was tested was refused.", readOutcome},
+    {"kept", "A test that took its point.", readOutcome},
+    {"refused", "A test that refused its point.", readOutcome},
     {"verdict=NAME", "Ended so: inside-sphere, gap-too-wide ...", readVerdict},
     {"point=N", "About this point.", readPoint},
     {"pivot=N", "While this point was the pivot.", readPivot},
     {"at=A..B", "At these pivots, counted from 1.", readAt},
-    {"ring=A..B", "At pivots on a ring of so many points.", readRing},
-    {"candidates=A..B", "At pivots with so many candidates (6.1).", readCandidates},
-    {"tests=A..B", "At pivots that cost so many tests.", readTests},
-    {"margin<X", "This near to going the other way, either side; or margin>X.", readMargin},
-    {"value<X", "What was measured, in its own unit; or value>X.", readValue},
+    {"ring=A..B", "At pivots on a ring of A to B points.", readRing},
+    {"candidates=A..B", "At pivots with A to B candidates (6.1).", readCandidates},
+    {"tests=A..B", "At pivots with A to B tests.", readTests},
+    {"margin<X", "A margin of less than X on either side; or margin>X.", readMargin},
+    {"value<X", "The measured number, in its own unit; or value>X.", readValue},
     {"used=N", "The point becomes USED; any point without =N.", readUsed},
     {"done=N", "The point becomes DONE; any point without =N.", readDone},
-    {"stranded", "A point that nothing can be begun with; or stranded=N.", readStranded},
+    {"stranded", "A point that cannot begin a ring; or stranded=N.", readStranded},
     {"edge=N,M", "The edge becomes a step of the ring.", readEdge},
     {"closes", "A ring is closed or freed.", readCloses},
     {"component", "A component is complete.", readComponent},
-    {"alert", "The run gives something up: a ring with points in it, a seed, itself.", readAlert},
+    {"alert", "An alert: a ring freed with points in it, a lost seed, a stopped run.", readAlert},
     {"failure=CLASS", "A failure of the mesh appears; of any class without =CLASS.", readFailure,
      true},
     {"angle<X", "A triangle with a least angle below X degrees.", readLeastAngle},

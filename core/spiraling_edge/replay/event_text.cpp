@@ -1,4 +1,5 @@
-/// Every decision as one plain sentence with its numbers.
+/// Every decision as one plain sentence with its numbers, for the event list, `why` and golden
+/// logs. One overload of text() per kind of evidence.
 #include <cstdio>
 
 #include "spiraling_edge/base/number_text.h"
@@ -8,7 +9,7 @@
 namespace se {
 namespace {
 
-/// Degrees with one digit, which hides rounding from one machine to the next.
+/// Degrees with one digit after the point, which hides rounding differences between machines.
 std::string deg(double value) {
     char buffer[32];
     std::snprintf(buffer, sizeof buffer, "%.1f", value == 0.0 ? 0.0 : value);
@@ -183,7 +184,7 @@ std::string text(const TwoPointEvidence& e) {
     if (e.verdict == Verdict::Discarded)
         return text + (over ? ": over 180, the ring is discarded."
                             : ": not under 180, the ring is discarded.");
-    return text + (over ? ": over 180, one triangle is made all the same."
+    return text + (over ? ": over 180 degrees, but a triangle is made anyway."
                         : ": under 180, one triangle closes the gap.");
 }
 std::string text(const GuardEvidence& e) {
@@ -256,7 +257,7 @@ std::string text(const ComponentEvidence& e) {
 std::string text(const AlertEvidence& e) {
     switch (e.kind) {
         case AlertKind::TriangleCap:
-            return "Alert: too many triangles for so many points; the run is stopped.";
+            return "Alert: too many triangles for the number of points; the run is stopped.";
         case AlertKind::Hole:
             return "Alert: a hole is left open at point " + str(e.point) + ".";
         case AlertKind::LostSeed:
@@ -276,7 +277,7 @@ std::string fanText(const GuardEvidence& e, bool kept) {
            " is made, whatever the rules on fans say.";
 }
 
-/// What a person said counts, whatever the numbers say; empty if nobody did.
+/// The end of a sentence about a what-if that overrides the numbers; empty without one.
 template <typename Evidence>
 std::string whatIfText(const Evidence& e, const Event& event) {
     if constexpr (requires { e.verdict; }) {

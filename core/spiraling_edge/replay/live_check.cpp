@@ -1,3 +1,6 @@
+/// Failures at the event that causes them, by incremental structures: a hash of edges, a hash of
+/// corner triples, and a hash of grid cells for crossings; fans are checked when a point becomes
+/// DONE, since it gets no triangles after that. About O(1) per triangle.
 #include "spiraling_edge/replay/live_check.h"
 
 #include <algorithm>
@@ -18,7 +21,7 @@ namespace {
 
 /// Cells are as wide as this many mean distances of neighbors.
 constexpr double kCell = 1.5;
-/// The lists of so many points tell the mean distance.
+/// Number of points whose lists give the mean distance.
 constexpr std::size_t kSampled = 512;
 
 double usualDistance(const PointSet& points) {
@@ -39,7 +42,7 @@ Vec3 lowerCorner(const PointSet& points) {
     Vec3 low(0.0);
     bool any = false;
     for (std::size_t p = 0; p < points.size(); ++p) {
-        if (points.neighbors[static_cast<Index>(p)].empty()) continue;  // maybe not finite
+        if (points.neighbors[static_cast<Index>(p)].empty()) continue;  // possibly not finite
         low = any ? glm::min(low, points.position[p]) : points.position[p];
         any = true;
     }
@@ -63,7 +66,7 @@ struct CornersHash {
     }
 };
 
-/// What is known of an edge.
+/// The triangles at an edge.
 struct EdgeUse {
     Index first = kNone;                          ///< The first triangle at it.
     std::array<Index, 2> firstWay{kNone, kNone};  ///< The first of each direction.
@@ -98,10 +101,10 @@ class LiveCheck::Watch {
     void seeDone(Index p) {
         if (!used_[p]) add("unused_points", kNone, kNone, {p});
         if (!isOneFan(p)) add("non_manifold_vertices", kNone, kNone, {p});
-        trianglesAt_[p] = {};  // A DONE point gets no more (§4).
+        trianglesAt_[p] = {};  // A DONE point gets no more triangles (§4).
     }
 
-    /// Do the triangles at a point hang together by edges? One with that point twice does not.
+    /// True if the triangles at a point are connected by edges. One with that point twice is not.
     bool isOneFan(Index p) const {
         const std::vector<Index>& all = trianglesAt_[p];
         DisjointSets fans(all.size());
@@ -161,18 +164,18 @@ class LiveCheck::Watch {
         if (fold != kNone) addPair("folded_edges", number, fold);
     }
 
-    /// Against all earlier triangles nearby, until one is met; then the new one joins them. A copy
-    /// (not `fresh`) does not: what it crosses, the first of its kind crosses too.
+    /// Tests a new triangle against all earlier ones nearby until it meets one, then adds it to
+    /// them. A copy (not `fresh`) is not added: the first of its kind crosses the same triangles.
     void seeCrossing(Index number, bool fresh) {
         allowed_ += kLiveCheckWorkPerTriangle;
-        // For good: the triangles passed over meanwhile stand in no cell.
+        // Permanently, since the triangles skipped meanwhile are in no cell.
         exhausted_ = exhausted_ || work_ > allowed_;
         if (exhausted_) return;
         const Box& box = boxes_[number];
         near_.clear();
         const auto meet = [&](Index other) {
             ++work_;
-            // A triangle lies in many cells, and is met once.
+            // A triangle lies in many cells, but is tested once.
             if (std::exchange(metBy_[other], number) != number) near_.push_back(other);
         };
         const bool fits = cells_.forEachCell(box.low, box.high, [&](std::uint64_t cell) {
@@ -220,9 +223,9 @@ class LiveCheck::Watch {
     std::unordered_map<std::array<Index, 3>, Index, CornersHash> byCorners_;
     std::unordered_map<std::uint64_t, std::vector<Index>> inCell_;
     std::vector<Index> large_;  ///< Triangles over too many cells.
-    std::vector<Index> near_;   ///< Of one triangle; kept for its memory.
+    std::vector<Index> near_;   ///< Those near one triangle; a member to reuse its memory.
     std::vector<Index> metBy_;  ///< Per triangle: the last one that it was near to.
-    std::uint64_t work_ = 0;    ///< Triangles looked at in the search for crossings.
+    std::uint64_t work_ = 0;    ///< Triangles visited in the search for crossings.
     std::uint64_t allowed_ = kLiveCheckWork;
     bool exhausted_ = false;
     std::vector<LiveFailure>* found_ = nullptr;

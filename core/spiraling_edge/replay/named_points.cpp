@@ -8,7 +8,7 @@ namespace se {
 
 namespace {
 
-/// Before the number of a point, or several: "edge=812,640", "among=3..9".
+/// Prefixes of the number of a point, or several: "edge=812,640", "among=3..9".
 constexpr std::array<std::string_view, 8> kNaming = {
     "point=", "pivot=", "used=", "done=", "stranded=", "edge=", "among=", "status="};
 

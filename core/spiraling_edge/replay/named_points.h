@@ -1,4 +1,4 @@
-/// Which points a line of words names: of a query, a breakpoint or a watch.
+/// The points that a query, a breakpoint or a watch names.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace se {
 
-/// A sentence about the first point that `line` names and a set of `points` points has not got;
-/// empty if it has them all. Words that do not name points are passed over.
+/// A sentence about the first point that `line` names and that is not below `points`; empty if
+/// there is none. Words that do not name points are ignored.
 std::string missingPointIn(std::string_view line, std::size_t points);
 
 }  // namespace se

@@ -1,4 +1,4 @@
-/// What a pivot had to do, as numbers: what the charts count and query lines ask for.
+/// The work of a pivot in numbers, for charts and query lines.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 namespace se {
 
 struct PivotTally {
-    /// Points of the active ring as the pivot began; 0 where no ring entry was looked at.
+    /// Points of the active ring when the pivot began; 0 where there was no ring entry.
     std::uint32_t ringLength = 0;
     std::uint32_t candidates = 0;  ///< Neighbors that the sort of §6.1 kept, Fig. 3.
-    std::uint32_t tests = 0;       ///< Decisions that took or refused something: what it cost.
+    std::uint32_t tests = 0;       ///< Decisions that took or refused something: the cost.
 };
 
-/// Requires all events of one pivot.
+/// The tally of one pivot. Requires `events` to be all events of that pivot.
 PivotTally tallyOf(std::span<const Event> events);
 
 }  // namespace se

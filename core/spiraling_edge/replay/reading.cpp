@@ -1,3 +1,5 @@
+/// The margin of each kind of test from its evidence: an angle, a length over the distance to the
+/// pivot, or for §6.3 the better of the two.
 #include "spiraling_edge/replay/reading.h"
 
 #include <algorithm>
@@ -12,8 +14,8 @@ constexpr double kRadians = 3.14159265358979323846 / 180.0;
 
 double length(const Vec3& v) { return std::sqrt(glm::dot(v, v)); }
 
-/// An angle in a sector from 0 to `end` (degrees, below 360): against the nearer of its two limits.
-/// What is beyond the end comes round to 360, which is 0 again.
+/// An angle in a sector from 0 to `end` (degrees, below 360), compared with the nearer of its two
+/// limits. Angles beyond the end wrap at 360.
 Reading inSector(double degrees, double end) {
     const bool inside = degrees < end;
     const double toEnd = inside ? end - degrees : degrees - end;
@@ -67,7 +69,7 @@ class Reader {
                              (e.radius - e.distance) / far};
         const double limit = std::acos(c_.params.maxGapCosine) / kRadians;
         const Reading gap{"gap", "deg", e.gapDegrees, limit, (e.gapDegrees - limit) * kRadians};
-        // Kept if either says so: the larger decides.
+        // Kept if either test keeps it: the larger margin decides.
         return gap.margin > sphere.margin ? gap : sphere;
     }
     Found operator()(const TwoPointEvidence& e) const {

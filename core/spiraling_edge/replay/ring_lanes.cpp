@@ -1,3 +1,7 @@
+/// A replay of the ring stack from events alone. Events carry lengths, not rings: where a split,
+/// join or close may concern the active ring or one pushed by the same pivot, the length that fits
+/// decides. Freed lanes go to a heap, so that the least free number is reused. O(1) per event,
+/// O(log lanes) per lane.
 #include "spiraling_edge/replay/ring_lanes.h"
 
 #include <algorithm>
@@ -26,10 +30,10 @@ const char* laneChangeText(LaneChangeKind kind) {
 }
 
 std::uint32_t lanesAt(std::span<const LaneChange> changes, std::uint32_t pivot) {
-    const auto behind = std::upper_bound(
+    const auto next = std::upper_bound(
         changes.begin(), changes.end(), pivot,
         [](std::uint32_t p, const LaneChange& change) { return p < change.pivot; });
-    return behind == changes.begin() ? 0 : std::prev(behind)->live;
+    return next == changes.begin() ? 0 : std::prev(next)->live;
 }
 
 std::vector<LaneChange> LaneKeeper::takeChanges() { return std::exchange(changes_, {}); }
@@ -91,7 +95,7 @@ void LaneKeeper::take(const SplitEvidence& split) {
     const Index whole = split.activeLength + split.stackedLength;
     Ring* parent = &*active_;
     if (active_->length != whole) {
-        // Rings that an earlier link of this pivot has put on the stack may split there.
+        // A ring that an earlier link of this pivot has pushed may split on the stack.
         if (const auto place = freshOfLength(whole)) parent = &stack_[*place];
     }
     parent->length = split.activeLength;
@@ -172,7 +176,7 @@ void LaneKeeper::take(const AdvanceEvidence& advance) {
 
 void LaneKeeper::settle(const EdgeRings& rings) {
     if (rings.active() == kNone || active_ || stack_.empty()) return;
-    // The pivot's ring closed and the traversal goes on in one that it had split off.
+    // The pivot's ring was closed, and the traversal continues in one that it had split off.
     activate(freshOfLength(rings.length(rings.active())).value_or(stack_.size() - 1));
 }
 

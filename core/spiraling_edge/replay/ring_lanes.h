@@ -1,5 +1,5 @@
 /// One lane per edge ring, over the whole run: splits fork, joins merge, closed and freed rings
-/// end. Told by the events of the run, in order; the lanes at any time are the active ring and the
+/// end. Derived from the events of the run; the lanes at any time are the active ring and the
 /// stack.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace se {
 
-/// What happens to a lane.
+/// Kind of change of a lane.
 enum class LaneChangeKind : std::uint8_t {
     Seed,       ///< Begins, with a ring of two.
     Split,      ///< Begins, split off the lane `other`.
@@ -22,17 +22,17 @@ enum class LaneChangeKind : std::uint8_t {
     Join,       ///< Ends in the lane `other`.
     Closed,     ///< Ends: its last gap is filled.
     Freed,      ///< Ends: the surface ends here (a boundary).
-    Hole,       ///< Ends: a hole stays open, or nothing came of the seed. There is an alert.
+    Hole,       ///< Ends: a hole stays open, or the seed got no triangle. There is an alert.
 };
 /// "split off", "closed", ...
 const char* laneChangeText(LaneChangeKind kind);
 inline bool beginsLane(LaneChangeKind kind) { return kind <= LaneChangeKind::Split; }
 inline bool endsLane(LaneChangeKind kind) { return kind >= LaneChangeKind::Join; }
 
-/// In the order of the run.
+/// One change of a lane.
 struct LaneChange {
     std::uint32_t pivot = 0;
-    std::uint32_t lane = 0;   ///< From 0; a lane that is free again is used again.
+    std::uint32_t lane = 0;   ///< From 0; lanes are reused.
     std::uint32_t other = 0;  ///< Of a split or join.
     std::uint32_t live = 0;   ///< Lanes afterwards.
     LaneChangeKind kind = LaneChangeKind::Seed;
@@ -44,18 +44,18 @@ std::uint32_t lanesAt(std::span<const LaneChange> changes, std::uint32_t pivot);
 /// Gives every ring of a run its lane.
 ///
 /// Events name no rings. The stack is replayed from them, and where an event could mean one of
-/// several rings their lengths tell which.
+/// several rings their lengths decide.
 class LaneKeeper {
   public:
     struct Ring {
         std::uint32_t lane = 0;
         Index length = 0;
-        bool fresh = false;  ///< Put on the stack by the present pivot.
+        bool fresh = false;  ///< Pushed by the current pivot.
     };
 
-    /// The next event of the run.
+    /// Takes the next event of the run.
     void take(const Event& event);
-    /// Between two pivots: what no event tells is read from the rings.
+    /// Corrects the lanes from the rings, for changes without an event. Call between two pivots.
     void settle(const EdgeRings& rings);
 
     const std::optional<Ring>& active() const { return active_; }
@@ -64,7 +64,7 @@ class LaneKeeper {
     std::uint32_t live() const {
         return static_cast<std::uint32_t>(stack_.size()) + (active_ ? 1U : 0U);
     }
-    /// What was found since the last call.
+    /// The changes since the last call.
     std::vector<LaneChange> takeChanges();
 
   private:
@@ -83,7 +83,7 @@ class LaneKeeper {
     void take(const Other&) {}
 
     void beginPivot(Index ringLength);
-    /// Place on the stack of the ring pushed by this pivot with that length.
+    /// Position on the stack of the ring of that length pushed by the current pivot.
     std::optional<std::size_t> freshOfLength(Index length) const;
     void joinStacked(std::size_t gone, Ring& into);
     void activate(std::size_t place);
@@ -98,7 +98,7 @@ class LaneKeeper {
     std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> free_;
     std::uint32_t lanes_ = 0;
     std::uint32_t pivot_ = 0;
-    Index closing_ = 0;  ///< Entries of a closed ring that are yet to be told of.
+    Index closing_ = 0;  ///< Entries of a closed ring whose removal is still to come.
 };
 
 }  // namespace se

@@ -1,3 +1,5 @@
+/// Histograms over one run, drawn as at most 16 bars of equal width from 1, 2, 5, 10 and so on.
+/// Each bar has a query line that finds exactly its decisions.
 #include "spiraling_edge/replay/run_charts.h"
 
 #include <algorithm>
@@ -13,10 +15,10 @@ namespace {
 
 constexpr std::uint32_t kMostBars = 16;
 
-/// How often each number came up.
+/// The number of occurrences of each value.
 using Histogram = std::map<std::uint32_t, std::uint64_t>;
 
-/// The least of 1, 2, 5, 10, 20 ... that `most` bars of it hold everything from `low` to `high`.
+/// The least width of 1, 2, 5, 10, 20 ... for which the bars of a chart cover `low` to `high`.
 std::uint32_t widthFor(std::uint32_t low, std::uint32_t high) {
     std::uint64_t width = 1;
     for (std::size_t i = 0; high / width - low / width >= kMostBars; ++i)
@@ -24,7 +26,7 @@ std::uint32_t widthFor(std::uint32_t low, std::uint32_t high) {
     return static_cast<std::uint32_t>(width);
 }
 
-/// Bars of equal width from the first to the last number that came up.
+/// Bars of equal width from the first to the last value.
 std::vector<ChartBar> barsOf(const Histogram& histogram, std::string_view term) {
     std::vector<ChartBar> bars;
     if (histogram.empty()) return bars;

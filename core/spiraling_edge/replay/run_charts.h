@@ -16,19 +16,19 @@ namespace se {
 struct ChartBar {
     std::string label;        ///< "sphere", "12", "10-19".
     std::uint64_t count = 0;  ///< Decisions.
-    std::string query;        ///< What decision_query.h reads: "stage=sphere refused".
+    std::string query;        ///< A line for decision_query.h: "stage=sphere refused".
 };
 
 struct RunChart {
     std::string_view name;   ///< One word: "refusals", "ring", "candidates", "tests".
-    std::string_view title;  ///< For people.
-    std::string_view unit;   ///< What is counted: "decisions", "pivots".
+    std::string_view title;  ///< For display.
+    std::string_view unit;   ///< Unit of the counts: "decisions", "pivots".
     std::vector<ChartBar> bars;
 };
 
-/// Rejections by stage; over the pivots that looked at a ring entry: the length of the ring, the
-/// candidates of §6.1, the tests. At most 16 bars a chart, of equal width. Fails if cancelled.
-/// O(run). Deterministic.
+/// Rejections by stage; over the pivots with a ring entry: the length of the ring, the candidates
+/// of §6.1, the tests. At most 16 bars a chart, of equal width. Fails if cancelled. O(run).
+/// Deterministic.
 Result<std::vector<RunChart>> runCharts(const PointSet& points, const Params& params,
                                         const Progress& progress = {});
 

@@ -1,5 +1,5 @@
-/// Going through a whole run pivot by pivot with its events: what every question about a run is
-/// answered from. Nothing is stored.
+/// Traversal of a whole run, pivot by pivot, with its events: the basis of every query about a run.
+/// Nothing is stored.
 #pragma once
 
 #include <compare>
@@ -16,15 +16,15 @@
 
 namespace se {
 
-/// Which event of which pivot: the order of a run. Addresses alone do not have it, since stages may
-/// come round again within a pivot (docs/robust.md).
+/// Position of an event in a run. Addresses do not give this order, since stages may be repeated
+/// within a pivot (docs/robust.md).
 struct RunPlace {
     std::uint32_t pivot = 0;  ///< As in the address; 0 is the start of the run.
     std::uint32_t event = 0;  ///< From 0, among all events of that number.
     friend auto operator<=>(const RunPlace&, const RunPlace&) = default;
 };
 
-/// Gives the events of a run their places; it must be shown all of them, in order.
+/// Assigns the events of a run their places. next() must be called with every event, in order.
 class PlaceCounter {
   public:
     RunPlace next(const Event& event) {
@@ -40,13 +40,13 @@ class PlaceCounter {
 /// One pivot of a run, or one step after the last pivot.
 struct ScannedPivot {
     Index point = kNone;            ///< The pivot's point; kNone where there is none.
-    std::span<const Event> events;  ///< All of them, in order; addresses as everywhere.
-    const State& after;             ///< The state behind the pivot.
+    std::span<const Event> events;  ///< All events of the pivot, in order.
+    const State& after;             ///< The state after the pivot.
 };
 
-/// Runs `points` under `params` from the start and shows each pivot that has events to `visit`. The
-/// state at the end; nothing if `progress` cancelled (its share counts the points that are DONE).
-/// Requires a valid PointSet. Deterministic.
+/// Runs `points` under `params` from the start and calls `visit` with each pivot that has events.
+/// Returns the state at the end; nothing if `progress` cancelled (its share counts the points that
+/// are DONE). Requires a valid PointSet. Deterministic.
 std::optional<State> scanRun(const PointSet& points, const Params& params,
                              const std::function<void(const ScannedPivot&)>& visit,
                              const Progress& progress = {});

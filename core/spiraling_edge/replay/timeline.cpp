@@ -1,3 +1,7 @@
+/// Random access by keyframes. A keyframe holds the rings and a few numbers; triangles, alerts and
+/// DONE points are append-only, so that moving to it only cuts or extends them. When the byte
+/// budget is full the spacing of keyframes doubles and every second one is dropped. A seek costs
+/// the changes to the nearest keyframe and at most one spacing of pivots.
 #include "spiraling_edge/replay/timeline.h"
 
 #include <algorithm>
@@ -7,7 +11,7 @@ namespace se {
 
 namespace {
 
-/// Pivots between two questions to keepGoing: well under a millisecond.
+/// Pivots between two calls of keepGoing: well under a millisecond.
 constexpr std::uint32_t kAskEvery = 32;
 
 std::size_t bytesOf(const MendState& mend) {
@@ -21,7 +25,7 @@ std::size_t bytesOf(const NeighborRing& ring) {
            ring.fan.size() * sizeof(FanPoint) + ring.spokes.size() * sizeof(Index);
 }
 
-/// Exchanges what a keyframe does without.
+/// Exchanges the parts that a keyframe does not hold.
 void swapLarge(State& a, State& b) {
     std::swap(a.triangles, b.triangles);
     std::swap(a.alerts, b.alerts);
@@ -31,7 +35,7 @@ void swapLarge(State& a, State& b) {
     std::swap(a.rings, b.rings);
 }
 
-/// Takes the statuses of the points on the rings away, or gives them.
+/// Removes the statuses of the points on the rings, or restores them.
 void countEntries(State& state, bool present) {
     for (Index entry = 0; entry < state.rings.entryCapacity(); ++entry) {
         if (!state.rings.alive(entry)) continue;
@@ -65,7 +69,7 @@ bool Timeline::stepPivot() {
     const std::size_t triangles = state().triangles.size();
     const std::size_t alerts = state().alerts.size();
     const std::size_t done = state().done.size();
-    // The steps after the last pivot go on to their next kind without one that counts.
+    // The steps after the last pivot go to their next kind without counting a pivot.
     while (stepper_.stepPivot() && position() == before.pivots) {
     }
     const bool complete = position() > before.pivots;
@@ -74,7 +78,7 @@ bool Timeline::stepPivot() {
     done_.appended(state().done.size() - done);
     farthest_ = std::max(farthest_, position());
     if (!complete) {
-        // Behind the last pivot. Whatever happens there is counted.
+        // After the last pivot; all steps there are counted.
         endKnown_ = true;
         beyondLast_ = true;
         tail_ = !(state().counters == before);
@@ -111,7 +115,7 @@ std::vector<Event> Timeline::eventsOf(std::uint32_t pivot) {
 }
 
 Timeline::Keyframe Timeline::makeKeyframe() {
-    // What a keyframe does without is put aside while the rest is copied.
+    // The parts that a keyframe does not hold are moved aside during the copy.
     State state = stepper_.exchangeState({});
     State large;
     swapLarge(large, state);
@@ -126,8 +130,8 @@ Timeline::Keyframe Timeline::makeKeyframe() {
 
 void Timeline::rememberKeyframe() {
     if (keyframes_.contains(position())) return;
-    // The mesh that is edited after the last pivot is in each keyframe as a whole: never so many
-    // that those of the pivots must go.
+    // Each keyframe after the last pivot holds the whole mesh: never so many that those of the
+    // pivots are thinned out.
     const bool first = keyframes_.empty();
     if (!first && !state().mend.empty() && bytesOf(state().mend) > byteBudget_ / 4) return;
     Keyframe keyframe = makeKeyframe();

@@ -1,4 +1,5 @@
-/// Going to any pivot of a run, forward and back: keyframes under a byte budget and re-stepping.
+/// Random access to the pivots of a run, forward and back: keyframes under a byte budget and
+/// re-stepping.
 #pragma once
 
 #include <algorithm>
@@ -12,17 +13,17 @@
 
 namespace se {
 
-/// An append-only list of a State as one goes back and forth: what lies beyond the present place is
-/// put aside, so that each element is in memory once.
+/// An append-only list of a State during moves back and forth: elements beyond the current place
+/// are stored aside, so that each is in memory once.
 template <typename T>
 class Beyond {
   public:
-    /// Makes `list` its first `count` elements; may be longer than it is, if that was seen before.
+    /// Makes `list` its first `count` elements; `count` may exceed its size up to the longest seen.
     void resize(std::vector<T>& list, std::size_t count) {
         for (; list.size() > count; list.pop_back()) later_.push_back(list.back());
         for (; list.size() < count; later_.pop_back()) list.push_back(later_.back());
     }
-    /// A step has appended `count` elements: if they had been put aside, they are no more.
+    /// Drops the stored elements that a step has just appended again, `count` of them.
     void appended(std::size_t count) {
         later_.resize(later_.size() - std::min(count, later_.size()));
     }
@@ -31,13 +32,14 @@ class Beyond {
     std::vector<T> later_;  // the next one last
 };
 
-/// A cursor over a run. It always stands between two pivots: "at pivot n" means that n pivots are
+/// A cursor over a run. It is always between two pivots: "at pivot n" means that n pivots are
 /// complete; 0 is the beginning. points must outlive it and pass validate().
 ///
-/// A keyframe holds what cannot be told from the append-only lists of a State (triangles, alerts,
-/// DONE points): the rings and a few numbers. So its size goes with the length of the rings, and
-/// the way to it with what changed since; neither goes with the number of points. Only after the
-/// last pivot, with the rules that edit the mesh, a keyframe holds that mesh as a whole.
+/// A keyframe holds the parts that do not follow from the append-only lists of a State (triangles,
+/// alerts, DONE points): the rings and a few numbers. So its size is proportional to the length of
+/// the rings, and the cost of restoring it to the changes since; neither depends on the number of
+/// points. Only after the last pivot, with the rules that edit the mesh, a keyframe holds that mesh
+/// as a whole.
 class Timeline {
   public:
     /// A budget that adds a fifth to the memory of the plain run, but at least 32 MB.
@@ -45,7 +47,7 @@ class Timeline {
 
     Timeline(const PointSet& points, const Params& params)
         : Timeline(points, params, defaultBudget(points)) {}
-    /// `byteBudget`: about what all keyframes together may take.
+    /// `byteBudget`: approximate limit for all keyframes together, in bytes.
     Timeline(const PointSet& points, const Params& params, std::size_t byteBudget);
 
     const State& state() const { return stepper_.state(); }
@@ -55,17 +57,17 @@ class Timeline {
     std::uint32_t farthest() const { return farthest_; }
     bool endKnown() const { return endKnown_; }
     /// The highest number that eventsOf() has events for. Requires endKnown(). One more than the
-    /// pivots of the run if something still happens after the last of them, such as points that
-    /// nothing can be begun with.
+    /// pivots of the run if there are events after the last of them, such as points that cannot
+    /// begin a ring.
     std::uint32_t lastPivot() const { return farthest_ + (tail_ ? 1U : 0U); }
-    /// About the bytes of all keyframes.
+    /// Approximate size of all keyframes, in bytes.
     std::size_t keyframeBytes() const { return keyframeBytes_; }
 
-    /// Completes one more pivot. False if there is none: then what is left to do has been done.
+    /// Completes one more pivot. False if there is none: then the run is complete.
     bool stepPivot();
     /// Goes to the place where `pivot` pivots are complete, or to the end if the run is shorter.
-    /// What happens after the last pivot is run only if `pivot` is beyond it.
-    /// Stops early, at some place on the way, if `keepGoing` returns false (asked every so often).
+    /// Steps after the last pivot are run only if `pivot` is beyond it. Stops early, before the
+    /// target, if `keepGoing` returns false (called at intervals).
     void seek(std::uint32_t pivot, const std::function<bool()>& keepGoing = {});
     /// The events of pivot number `pivot`, made by running it again with a log; the cursor is moved
     /// to pivot - 1 complete pivots. Empty if the run is shorter.
@@ -98,8 +100,8 @@ class Timeline {
     std::uint32_t spacing_ = 16;  ///< Pivots between keyframes; doubles when the budget is full.
     std::uint32_t farthest_ = 0;
     bool endKnown_ = false;
-    bool tail_ = false;        ///< Something happens after the last pivot.
-    bool beyondLast_ = false;  ///< The cursor stands behind what happens after the last pivot.
+    bool tail_ = false;        ///< There are events after the last pivot.
+    bool beyondLast_ = false;  ///< The cursor is after the events that follow the last pivot.
 };
 
 }  // namespace se

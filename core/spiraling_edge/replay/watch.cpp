@@ -70,7 +70,7 @@ std::string allForms() {
     return forms;
 }
 
-/// How many points are USED, from the points that the events of each pivot are about.
+/// Counts the USED points from the points in the events of each pivot.
 class UsedCounter {
   public:
     explicit UsedCounter(std::size_t points) : used_(points, false) {}

@@ -11,15 +11,15 @@
 
 namespace se {
 
-/// What a watch looks at, between two pivots.
+/// The input of a watch, between two pivots.
 struct WatchedRun {
     const State& state;
     std::uint64_t tests = 0;    ///< Decisions so far that took or refused something.
-    std::uint64_t refused = 0;  ///< Of those.
+    std::uint64_t refused = 0;  ///< Those of `tests` that refused.
     std::size_t used = 0;       ///< Points that are USED.
 };
 
-/// One row of the table of what can be watched: a new one is one row.
+/// One row of the table of watch terms: a new term is one row.
 struct WatchTerm {
     std::string_view form;                                ///< "ring", "status=N"
     std::string_view meaning;                             ///< One sentence.
@@ -33,7 +33,7 @@ class WatchExpression {
     static Result<WatchExpression> parse(std::string_view text);
     /// Requires a point below the number of points, if it has one.
     double valueIn(const WatchedRun& run) const { return term_->value(run, point_); }
-    /// The point that it is about; kNone if none.
+    /// The point of the expression; kNone if none.
     Index point() const { return point_; }
     const WatchTerm& term() const { return *term_; }
 
@@ -43,9 +43,9 @@ class WatchExpression {
     Index point_;
 };
 
-/// Makes the run and shows the values of all expressions after each pivot to `visit`, in order;
-/// pivot 0 is the start. A step without a number of its own behind the last pivot is shown under
-/// the number before it. An expression about a point that there is not has the value 0. False if
+/// Runs from the start and calls `visit` with the values of all expressions after each pivot, in
+/// order; pivot 0 is the start. A step after the last pivot without a number of its own is reported
+/// under the number before it. An expression about a nonexistent point has the value 0. False if
 /// `progress` cancelled. Deterministic.
 bool scanWatches(
     const PointSet& points, const Params& params, std::span<const WatchExpression> expressions,

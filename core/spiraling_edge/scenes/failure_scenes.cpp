@@ -9,7 +9,7 @@
 namespace se {
 namespace {
 
-/// With the lists that `reach` gives, so that the failure does not depend on options.
+/// Adds lists with `reach`, so that the failure does not depend on options.
 PointFile withLists(PointFile file, const NeighborOptions& reach) {
     const std::vector<bool> usable(file.position.size(), true);
     auto lists = findNeighbors(file.position, file.normal, usable, reach);

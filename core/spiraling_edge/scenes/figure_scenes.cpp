@@ -1,5 +1,5 @@
-/// Small inputs on which one figure of the paper can be watched. The pivots named in the table of
-/// scenes are found again by tests/core/scenes_test.cpp.
+/// Small inputs that each show one figure of the paper. tests/core/scenes/scenes_test.cpp checks
+/// the pivots named in the table of scenes.
 #include "spiraling_edge/scenes/figure_scenes.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace se {
 namespace {
 
-/// Gives the file the lists of the k nearest points, so that the figure does not depend on options.
+/// Adds lists of the k nearest points, so that the figure does not depend on options.
 PointFile withLists(PointFile file, std::size_t k) {
     const std::vector<bool> usable(file.position.size(), true);
     auto lists = findNeighbors(file.position, file.normal, usable, {KNearest{k}});
@@ -23,7 +23,7 @@ void moveToBack(std::vector<T>& values, std::size_t count) {
     std::rotate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count), values.end());
 }
 
-/// A small sheet that is begun at an interior point.
+/// A small sheet whose run begins at an interior point.
 PointFile smallSheet(const ImplicitSurface& sheet, std::uint64_t seed, std::size_t k) {
     constexpr std::size_t kPerSide = 5;
     constexpr std::size_t kRim = 4 * (kPerSide + 1);
@@ -97,7 +97,7 @@ PointFile figure12() { return smallTorus(5, 10); }
 
 PointFile figure14() {
     PointFile file = sampleSheet(flatSheet(), 5, 26, 1);
-    // The rim goes around in fours, from the corners on: this begins on the wall y = -1.
+    // Rim points come in groups of four, from the corners on: this begins on the wall y = -1.
     moveToBack(file.position, 8);
     moveToBack(file.normal, 8);
     moveToBack(file.type, 8);

@@ -1,4 +1,4 @@
-/// Small inputs on which one figure of the paper can be watched.
+/// Small inputs that each show one figure of the paper.
 #pragma once
 
 #include "spiraling_edge/points/point_file.h"

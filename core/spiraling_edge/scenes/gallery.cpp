@@ -1,5 +1,5 @@
-// The failure gallery: the table of scenes that fail. tests/core/gallery_test.cpp finds each
-// failure and its decision again.
+// The failure gallery: the table of scenes that fail. tests/core/scenarios/gallery_test.cpp checks
+// each failure and its decision.
 #include <array>
 
 #include "spiraling_edge/scenes/failure_scenes.h"

@@ -12,10 +12,10 @@ namespace se {
 /// A named input that needs no file.
 struct Scene {
     std::string_view id;     ///< As on the command line: `scene:torus`.
-    std::string_view title;  ///< For people.
-    std::string_view watch;  ///< One sentence: what to look at.
+    std::string_view title;  ///< For display.
+    std::string_view watch;  ///< One sentence about the points of interest.
     PointFile (*build)();    ///< Makes the points; equal on every machine.
-    /// Of the decision that it is about, with the set `paper`; empty: the start of the run.
+    /// Address of the decision that it shows, with the set `paper`; empty: the start of the run.
     std::string_view address = {};
 };
 
@@ -23,10 +23,10 @@ struct Scene {
 struct FailureScene {
     Scene scene;
     std::string_view failure;  ///< Class of the failure, as in inspection.h, under the set `paper`.
-    std::string_view address;  ///< Of the decision that causes it.
-    std::string_view section;  ///< Of the paper, where it predicts this.
-    std::string_view sentence;  ///< The paper's words there.
-    std::string_view helps;     ///< What a user can do.
+    std::string_view address;  ///< Address of the decision that causes it.
+    std::string_view section;  ///< Section of the paper that predicts it.
+    std::string_view sentence;  ///< The paper's sentence there.
+    std::string_view helps;     ///< Advice for the user.
 };
 
 /// The failure gallery.
@@ -34,10 +34,10 @@ std::span<const FailureScene> failureScenes();
 
 /// All scenes that work, the default first.
 std::span<const Scene> scenes();
-/// Of either table; null if there is none of that id.
+/// The scene of that id in either table; null if there is none.
 const Scene* findScene(std::string_view id);
-/// The address of the decision that the scene of either table is about; empty if it is about the
-/// whole run, or if there is no scene of that id.
+/// The address of the decision that a scene of either table shows; empty if it shows the whole run,
+/// or if there is no scene of that id.
 std::string_view addressOfScene(std::string_view id);
 
 }  // namespace se

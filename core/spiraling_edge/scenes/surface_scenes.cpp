@@ -1,3 +1,6 @@
+/// Even samples without files: random points in a thin shell are projected onto the surface and
+/// relaxed by mutual repulsion, with + - * / and sqrt alone, so that every machine gets the same
+/// points.
 #include "spiraling_edge/scenes/surface_scenes.h"
 
 #include <algorithm>
@@ -38,7 +41,7 @@ std::vector<Pair> pairsWithin(const std::vector<Vec3>& x, double reach) {
     return pairs;
 }
 
-/// Moves all points but the first `fixed` apart, `keep` bringing each back to where it may be.
+/// Moves all points but the first `fixed` apart; `keep` projects each back to its domain.
 template <typename Keep>
 void relax(std::vector<Vec3>& x, std::size_t fixed, double spacing, Keep&& keep) {
     constexpr int kSteps = 48;

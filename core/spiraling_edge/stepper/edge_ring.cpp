@@ -1,3 +1,6 @@
+/// Doubly linked rings in a pool, with free lists and a chain of entries per point. Split and join
+/// are one exchange of successors; relabeling after a split walks both parts in step, so that it
+/// costs the length of the shorter one, and after a join that of the shorter ring.
 #include "spiraling_edge/stepper/edge_ring.h"
 
 #include <algorithm>
@@ -136,7 +139,8 @@ Exchange EdgeRings::finishSplit(Index x, Index y) {
 }
 
 Exchange EdgeRings::finishJoin(Index x, Index y, Index ringX, Index ringY) {
-    // What was ring y now runs from x's successor to y, what was ring x from y's to x.
+    // The entries of ring y now run from x's successor to y, those of ring x from y's successor to
+    // x.
     const bool keepX = rings_[ringX].length >= rings_[ringY].length;
     const Index kept = keepX ? ringX : ringY;
     const Index gone = keepX ? ringY : ringX;
@@ -183,7 +187,7 @@ void EdgeRings::restore(const EdgeRings& rings) {
     std::vector<Index> heads = std::move(headOfPoint_);
     *this = rings;
     headOfPoint_ = std::move(heads);
-    // The first of a point's entries is the one that no other leads to.
+    // The head of a point's chain is the entry that no other links to.
     std::vector<bool> later(entries_.size(), false);
     for (const RingEntry& e : entries_) {
         if (e.ring != kNone && e.nextOfPoint != kNone) later[e.nextOfPoint] = true;

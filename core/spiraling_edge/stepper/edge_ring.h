@@ -1,6 +1,6 @@
 /// The edge rings of §4 and §6.5: the active ring and the stack of the others.
 ///
-/// Invariants (checked by checkInvariants() in state.h):
+/// Invariants (checked by checkInvariants() in invariants.h):
 ///  1. next and prev agree; each live entry is in exactly one ring; ring lengths are right.
 ///  2. A point's chain holds exactly its live entries.
 ///  3. The active ring is not on the stack; no ring is on the stack twice.
@@ -12,9 +12,8 @@
 
 namespace se {
 
-/// One place on a ring. The edge that it stands for is its step: from its point to the point of
-/// `next`. A point may have several entries, also in one ring (§4). Dead entries have ring ==
-/// kNone.
+/// One place on a ring. Its step is the edge from its point to the point of `next`. A point may
+/// have several entries, also in one ring (§4). Dead entries have ring == kNone.
 struct RingEntry {
     Index point = kNone;
     Index prev = kNone;
@@ -24,21 +23,22 @@ struct RingEntry {
     bool open = false;          ///< The step to `next` is not an edge of the mesh.
 };
 
-/// What EdgeRings::exchangeSuccessors() did.
+/// The result of EdgeRings::exchangeSuccessors().
 struct Exchange {
     bool split = false;     ///< One ring became two; else two became one.
     Index ringOfX = kNone;  ///< Ring of x afterwards.
     Index ringOfY = kNone;  ///< Ring of y afterwards; equal to ringOfX after a join.
 };
 
-/// Pooled doubly linked rings with a stack. Entries and rings are named by index, so the whole is a
-/// plain value that can be copied. No call allocates once the pool has grown to its working size.
+/// Pooled doubly linked rings with a stack. Entries and rings are named by index, so the rings as a
+/// whole are a plain value that can be copied. No call allocates once the pool has grown to its
+/// working size.
 class EdgeRings {
   public:
     EdgeRings() = default;
     explicit EdgeRings(std::size_t pointCount) : headOfPoint_(pointCount, kNone) {}
 
-    // Looking.
+    // Queries.
     const RingEntry& operator[](Index entry) const { return entries_[entry]; }
     Index point(Index entry) const { return entries_[entry].point; }
     Index next(Index entry) const { return entries_[entry].next; }
@@ -47,7 +47,7 @@ class EdgeRings {
     bool alive(Index entry) const { return entry != kNone && entries_[entry].ring != kNone; }
     /// True if the step from `entry` to its successor is not an edge of the mesh.
     bool open(Index entry) const { return entries_[entry].open; }
-    /// Newest entry of a point, kNone if it stands in no ring. Go on with nextOfPoint.
+    /// Newest entry of a point, kNone if it is in no ring. Continue with nextOfPoint.
     Index firstEntryOf(Index point) const { return headOfPoint_[point]; }
     /// Number of entries of a ring.
     Index length(Index ring) const { return rings_[ring].length; }
@@ -63,19 +63,19 @@ class EdgeRings {
     std::size_t entryCapacity() const { return entries_.size(); }
     std::size_t ringCapacity() const { return rings_.size(); }
 
-    // Changing.
+    // Modifiers.
     /// Makes p, q the active ring, both steps open. Requires no active ring. Returns p's entry.
     Index start(Index p, Index q);
-    /// Puts a new entry behind `entry`; the new entry's step takes over the open mark of `entry`.
+    /// Inserts a new entry after `entry`; the new entry's step takes over the open mark of `entry`.
     Index insertAfter(Index entry, Index point);
     void setOpen(Index entry, bool open) { entries_[entry].open = open; }
-    /// Takes an entry out; its predecessor's step now leads to its successor. A ring that loses its
-    /// last entry is gone (from the stack or as active ring, too).
+    /// Removes an entry; its predecessor's step then leads to its successor. A ring that loses its
+    /// last entry is removed, also from the stack or as active ring.
     void erase(Index entry);
-    /// The one operation behind split and join (§6.5, Fig. 12): x and y swap what follows them,
-    /// together with the open marks of those steps. Of a split, one part keeps the ring's role
-    /// (active, or its place on the stack); the other has none until activate() or push() gives it
-    /// one. A joined ring is active if either was, and leaves the stack then.
+    /// The one operation of split and join (§6.5, Fig. 12): x and y swap their successors, together
+    /// with the open marks of those steps. Of a split, one part keeps the ring's role (active, or
+    /// its place on the stack); the other has none until activate() or push() gives it one. A
+    /// joined ring is active if either was, and leaves the stack then.
     Exchange exchangeSuccessors(Index x, Index y);
     /// Makes `ring` the active one; takes it off the stack if it was there.
     /// The ring that was active is neither afterwards.
@@ -85,17 +85,17 @@ class EdgeRings {
     /// Makes the top of the stack the active ring and returns its head; kNone if the stack is
     /// empty.
     Index pop();
-    /// The same with the bottom of the stack, the ring that lies there longest.
+    /// As pop(), with the bottom of the stack: the ring pushed first.
     Index popOldest();
 
-    // For going back in time.
-    /// A copy of the rings without the points' sides of it, which follow from the entries: its size
-    /// goes with the length of the rings, not with the number of points.
+    // Keyframes.
+    /// A copy of the rings without the entry chains of the points, which follow from the entries:
+    /// its size is proportional to the length of the rings, not to the number of points.
     EdgeRings withoutPoints() const;
-    /// Becomes what `rings`, from withoutPoints(), was made of. Touches only points that have
-    /// entries now or then.
+    /// Restores the rings that `rings` was made of by withoutPoints(). Touches only points that
+    /// have entries before or after it.
     void restore(const EdgeRings& rings);
-    /// About the bytes of withoutPoints().
+    /// Approximate size of withoutPoints(), in bytes.
     std::size_t bytesWithoutPoints() const;
 
   private:
@@ -109,7 +109,7 @@ class EdgeRings {
     Index newRing();
     void freeRing(Index ring);
     void removeFromStack(Index ring);
-    /// Gives the entries from `from` to `to`, both included, to `ring`.
+    /// Assigns the entries from `from` to `to`, both included, to `ring`.
     void relabel(Index from, Index to, Index ring);
     Exchange finishSplit(Index x, Index y);
     Exchange finishJoin(Index x, Index y, Index ringX, Index ringY);

@@ -9,7 +9,7 @@
 
 namespace se {
 
-/// Points that a what-if has changed, from a pivot on.
+/// The points as a what-if changes them, from a pivot on.
 struct EditedPoints {
     std::uint32_t from = 0;
     PointSet points;

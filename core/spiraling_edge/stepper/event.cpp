@@ -28,7 +28,7 @@ std::optional<std::uint32_t> numberFrom(std::string_view text) {
     return value;
 }
 
-/// Cuts the part before the first dot off `text`.
+/// Removes the part before the first dot from `text` and returns it.
 std::string_view takePart(std::string_view& text) {
     const std::size_t dot = std::min(text.find('.'), text.size());
     const std::string_view part = text.substr(0, dot);

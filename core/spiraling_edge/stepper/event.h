@@ -1,5 +1,5 @@
-/// What happened, decision by decision. The stepper produces events only if it is given a log;
-/// every event carries the evidence of its rule, and has an address that never changes between
+/// The record of a run, decision by decision. The stepper produces events only if it is given a
+/// log; every event carries the evidence of its rule, and has an address that never changes between
 /// equal runs.
 #pragma once
 
@@ -19,8 +19,8 @@ namespace se {
 /// The stages of a pivot, in order, and those outside one. The same words everywhere.
 enum class Stage : std::uint8_t {
     Seed,        ///< §4: a new ring of two.
-    Strand,      ///< §4: a point that nothing can be begun with.
-    Pivot,       ///< The ring entry that is looked at.
+    Strand,      ///< §4: a point that cannot begin a ring.
+    Pivot,       ///< The ring entry that becomes the pivot.
     Skip,        ///< §7: a boundary point, passed over.
     Insert,      ///< §7.1, §7.2: a third boundary point joins the ring.
     Sort,        ///< §6.1, Fig. 3
@@ -30,17 +30,17 @@ enum class Stage : std::uint8_t {
     Hole,        ///< §6.2, Fig. 7
     Sphere,      ///< §6.3, Fig. 8
     TwoPoint,    ///< §6.4, Fig. 9
-    Guard,       ///< Beyond the paper: the whole fan is looked at (docs/robust.md).
+    Guard,       ///< Beyond the paper: the whole fan is examined (docs/robust.md).
     Fill,        ///< Beyond the paper: an ear of a hole.
     Emit,        ///< §6.4, Fig. 10
     Ring,        ///< §6.5, Fig. 11
     Split,       ///< §6.5, Fig. 11
     Join,        ///< §6.5, Fig. 12
     Advance,     ///< §6.5: the next pivot.
-    Reinsert,    ///< Beyond the paper, after the last pivot: a stranded point finds its triangle.
-    Flip,        ///< Beyond the paper, after the last pivot: an edge is flipped.
-    Reseat,      ///< Beyond the paper, after the last pivot: a point at a fault is taken out.
-    Done,        ///< §3, §7: a ring is freed or a component complete.
+    Reinsert,  ///< Beyond the paper, after the last pivot: a stranded point is put into a triangle.
+    Flip,      ///< Beyond the paper, after the last pivot: an edge is flipped.
+    Reseat,    ///< Beyond the paper, after the last pivot: a point at a fault is taken out.
+    Done,      ///< §3, §7: a ring is freed or a component complete.
 };
 inline constexpr std::size_t kStageCount = 23;
 
@@ -82,7 +82,7 @@ enum class Verdict : std::uint8_t {
     NowStart,    ///< A candidate that start moved to: not refused.
     NowEnd,      ///< A candidate that end moved to: not refused.
     // convex
-    BehindConvex,  ///< Next on the ring behind a convex start or end (Fig. 5).
+    BehindConvex,  ///< Next on the ring beyond a convex start or end (Fig. 5).
     // reciprocal
     NotReciprocal,  ///< p is outside the sector of e (Fig. 6).
     WallComplete,   ///< e is complete along its walls (Rules::wallsDone).
@@ -113,14 +113,14 @@ enum class Verdict : std::uint8_t {
     OtherSideOpen,  ///< The pivot's other side would be left open (Rules::bothWalls).
     NoThirdPoint,
     // any test
-    WhatIfKept,     ///< Kept because a person said so (what_if.h).
-    WhatIfDropped,  ///< Dropped because a person said so.
+    WhatIfKept,     ///< Kept by a what-if (what_if.h).
+    WhatIfDropped,  ///< Dropped by a what-if.
 };
 inline constexpr std::size_t kVerdictCount = 41;
 /// "inside sphere", ... (verdict_table.h).
 std::string_view verdictText(Verdict verdict);
 
-/// Which of the two sides of a pivot.
+/// One of the two sides of a pivot.
 enum class Side : std::uint8_t { Start, End };
 
 // One struct of evidence per kind of decision. Points are point indices, entries are not shown.
@@ -141,7 +141,7 @@ struct SkipEvidence {
     Index pivot;
     std::uint8_t type;
 };
-/// §7.1 and §7.2: which point was inserted, where, and by what numbers.
+/// §7.1 and §7.2: the inserted point, its place and the numbers that decided.
 struct InsertEvidence {
     Index pivot, other, third;
     bool corner;         ///< 7.2; else 7.1.
@@ -157,16 +157,16 @@ struct SortEvidence {
     double endDegrees;    ///< The limit.
     Verdict verdict;      ///< Kept, NotAfterStart, NotBeforeEnd, SameAngle, AlreadyDone, OnRingEnd
     Index rival;          ///< SameAngle: the point that stays.
-    bool farther = true;  ///< SameAngle: than the rival, or as far.
+    bool farther = true;  ///< SameAngle: at least as far as the rival.
 };
-/// A look at the ring neighbor behind start or end (Fig. 4).
+/// A test of the ring neighbor beyond start or end (Fig. 4).
 struct LimitEvidence {
     Side side;
     Index from, to;
     double turn;  ///< ((before - s) x (after - s)) . N_s; > 0: concave.
     double fromDegrees, toDegrees;
     Verdict verdict;  ///< Moved, NotListed, NotConcave, NotAnEdge, Outside, OtherLimit
-    /// start or end is at `to` afterwards.
+    /// True if start or end is at `to` afterwards.
     bool moves() const { return verdict == Verdict::Moved || verdict == Verdict::WhatIfKept; }
 };
 /// A candidate that the new limits leave outside, or the convexity rule drops.
@@ -208,7 +208,7 @@ struct TwoPointEvidence {
 struct GuardEvidence {
     Verdict verdict;
     Index a, b;     ///< The spoke to a (b is kNone), or the triangle pivot, a, b.
-    Index dropped;  ///< The candidate that goes; kNone: the fan is refused. Of a what-if: the
+    Index dropped;  ///< The candidate that is dropped; kNone: the fan is refused. Of a what-if: the
                     ///< candidate that stays, or the pivot.
 };
 /// The next ear of a hole (Rules::fill).
@@ -247,7 +247,7 @@ struct SplitEvidence {
 };
 struct JoinEvidence {
     Index point;
-    Index depthFromTop;  ///< Where the other ring was found; kNone: it was the active one.
+    Index depthFromTop;  ///< Position of the other ring; kNone: it was the active one.
     Index length;        ///< Of the joined ring.
 };
 /// A ring of two finished steps was closed, see Rules::closeTwo.
@@ -258,7 +258,7 @@ struct AdvanceEvidence {
     Index to;             ///< kNone: no ring is left.
     Index circuit;        ///< Pivots since the last triangle.
     bool popped;          ///< The ring came off the stack.
-    bool whatIf = false;  ///< A person said so (what_if.h).
+    bool whatIf = false;  ///< Set by a what-if (what_if.h).
 };
 /// A ring was freed after a full circuit without a triangle (§7).
 struct FreeEvidence {
@@ -293,13 +293,13 @@ struct Event {
     Evidence evidence;
 };
 
-/// The word for how the test of an event ended: that of its verdict, but "now start" or "now end"
-/// for a candidate that start or end moved to. Empty for an event without a test.
+/// The words for the verdict of an event; "now start" or "now end" for a candidate that start or
+/// end moved to. Empty for an event without a test.
 std::string_view endingText(const Event& event);
 /// One plain sentence with its numbers; the same on screen, on stdout and in golden logs.
 std::string describe(const Event& event);
 
-/// Receives every decision, in order. Not part of State: a copy of a State knows no log.
+/// Receives every decision, in order. Not part of State: a copy of a State has no log.
 class EventLog {
   public:
     void add(std::uint32_t pivot, Stage stage, const Evidence& evidence);

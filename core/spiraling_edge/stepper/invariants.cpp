@@ -1,3 +1,5 @@
+/// The invariants as direct checks over the whole state, independent of the code that maintains
+/// them. O(points) each.
 #include "spiraling_edge/stepper/invariants.h"
 
 #include <algorithm>
@@ -71,7 +73,7 @@ std::string checkRings(const State& s, const Params& params) {
     return {};
 }
 
-/// Invariant 8, unless a rule that it rests on is off.
+/// Invariant 8, unless a rule that it depends on is off.
 std::string checkAngles(const State& s, const Params& params) {
     if (params.paper.tie == TieRule::Both || !params.paper.maxAngle) return "";
     double before = s.pivot.startAngle.key;
@@ -80,7 +82,7 @@ std::string checkAngles(const State& s, const Params& params) {
         before = c.angle.key;
     }
     const bool ordered = s.pivot.candidates.empty() || s.pivot.endAngle.key > before;
-    return ordered ? "" : "8: a candidate is behind end";
+    return ordered ? "" : "8: a candidate is beyond end";
 }
 
 /// Invariants 11 and 13.

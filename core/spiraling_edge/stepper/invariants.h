@@ -1,4 +1,4 @@
-/// What must hold between two pivots. The numbers are those of section "Invariants" in
+/// Conditions that must hold between two pivots. The numbers are those of section "Invariants" in
 /// docs/architecture.md.
 #pragma once
 
@@ -10,19 +10,19 @@
 
 namespace se {
 
-/// Checks the invariants that hold on any input and that one State alone can show: 1, 2, 8, 11 and
-/// 13. Returns the first one that is broken, in words; empty if all hold. Call it between pivots.
+/// Checks the invariants that hold on any input and that a single State can show: 1, 2, 8, 11
+/// and 13. Returns a sentence about the first violation; empty if all hold. Call it between pivots.
 /// O(points).
 std::string checkInvariants(const State& state, const PointSet& points, const Params& params);
 
-/// Follows a run from its beginning and checks every invariant after every pivot, those that need
-/// the state before included. O(points) per pivot: for tests and for hunting, not for production.
+/// Follows a run from its beginning and checks every invariant after every pivot, including those
+/// that need the previous state. O(points) per pivot: for tests and debugging, not for production.
 class InvariantChecker {
   public:
-    /// Which invariants to expect.
+    /// The set of invariants to expect.
     enum class Level : std::uint8_t {
         AnyInput,     ///< 1, 2, 6 to 11, 13.
-        Guarded,      ///< Also 3 and 5: what Rules::guard promises for any input.
+        Guarded,      ///< Also 3 and 5, which Rules::guard guarantees on any input.
         WellSampled,  ///< Also 12: edges and rings fit together as on a manifold.
     };
 

@@ -15,11 +15,11 @@ struct Angle {
     double cosine = 1.0;
     double key = 0.0;
 
-    /// For people: the angle in degrees, by arccosine (§6.1). Decisions never use it.
+    /// The angle in degrees, by arccosine (§6.1), for display. Decisions never use it.
     double degrees() const;
 };
 
-/// The angle of a full turn: `last` when first and last are the same entry (§6.1).
+/// The angle of a full turn: the angle of last when first and last are the same entry (§6.1).
 inline constexpr Angle kFullTurn{1.0, 4.0};
 /// Keys of 180 degrees.
 inline constexpr double kHalfTurnKey = 2.0;
@@ -37,7 +37,8 @@ struct Candidate {
 /// One spoke of the pivot's fan, from first to last.
 struct FanPoint {
     Index point = kNone;
-    Index entry = kNone;  ///< On the ring already: entry, or the candidate's instance; else kNone.
+    Index entry =
+        kNone;  ///< The entry if already on the ring, or the candidate's instance; else kNone.
     bool candidate = false;  ///< May be dropped; else one of first .. start, end .. last.
     Vec3 offset{};
     double lengthSq = 0.0;
@@ -55,13 +56,13 @@ struct Frame {
 };
 
 /// Everything about the pivot being worked on. first, last, start and end are ring entries, not
-/// points: a point may stand on both sides of its pivot.
+/// points: a point may be on both sides of its pivot.
 struct NeighborRing {
     Index pivot = kNone;  ///< Entry of p.
     Index first = kNone;  ///< Predecessor of the pivot.
     Index last = kNone;   ///< Successor of the pivot; equal to first on a ring of two.
     Index start = kNone;  ///< first, or an entry before it (Fig. 4).
-    Index end = kNone;    ///< last, or an entry behind it.
+    Index end = kNone;    ///< last, or an entry after it.
     Frame frame;
     Angle lastAngle;   ///< The sector: angle of last, kFullTurn when first == last.
     Angle startAngle;  ///< 0 at first.
@@ -70,10 +71,10 @@ struct NeighborRing {
     std::vector<Candidate> listed;
     /// Strictly between start and end, by increasing angle.
     std::vector<Candidate> candidates;
-    /// The rules beyond the paper that drop candidates: those that were there before §6.3, so that
-    /// it can be done again without the dropped ones.
+    /// For the rules beyond the paper that drop candidates: the candidates before §6.3, so that it
+    /// can be repeated without the dropped ones.
     std::vector<Candidate> pool;
-    /// For the rules that look at the whole fan, in order: first .. start, candidates, end .. last.
+    /// For the rules that examine the whole fan, in order: first .. start, candidates, end .. last.
     std::vector<FanPoint> fan;
     /// The points of the fan alone.
     std::vector<Index> spokes;

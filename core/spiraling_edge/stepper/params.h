@@ -1,4 +1,4 @@
-/// The few things that can be set, with the paper's values as defaults.
+/// The parameters of a run, with the paper's values as defaults.
 #pragma once
 
 #include <cstdint>
@@ -11,25 +11,25 @@
 
 namespace se {
 
-/// How each place is read where the paper is silent, ambiguous or measurably wrong. Every switch is
-/// one line in the table of ruleSwitches(); docs/choices.md says why each reading was taken.
-/// A switch that is off means: the printed sentence, word for word.
+/// Readings of the paper where it is silent, ambiguous or measurably wrong. Every switch is one
+/// line in the table of ruleSwitches(); docs/choices.md gives the reason for each reading. A switch
+/// that is off means: the printed sentence, word for word.
 struct Rules {
     /// §6.1, Fig. 6: the reciprocal test takes the sector from e's predecessor counterclockwise to
     /// its successor, the side that is still free. Off: "preceding and succeeding ... (elast and
     /// efirst)" as printed, which is the finished side.
     bool freeSector = true;
-    /// §6.1, Fig. 4: start and end advance before other neighbors are looked at, until nothing
-    /// moves. Off: as the neighbors come in list order, each looked at once.
+    /// §6.1, Fig. 4: start and end advance before other neighbors are tested, until nothing moves.
+    /// Off: in list order of the neighbors, each tested once.
     bool limitsFirst = true;
     /// §6.2: a hole of three needs a third side that is an edge of the mesh, and a sector below 180
     /// degrees. Off: three entries on the ring are enough.
     bool realHole = true;
     /// §6.5: a ring of two entries whose two steps are both mesh edges is one finished edge and is
-    /// closed. Off: it stays and is taken for a fresh ring of two.
+    /// closed. Off: it stays and counts as a fresh ring of two.
     bool closeTwo = true;
     /// §7: steps that are no mesh edges (a fresh ring of two; beside a point inserted by 7.1 or
-    /// 7.2) are known as open, and no rule takes them for edges. Off: every step counts as an edge.
+    /// 7.2) are marked open, and no rule treats them as edges. Off: every step counts as an edge.
     bool openSteps = true;
 
     // Beyond the paper (docs/robust.md): off in the sets `paper` and `printed`.
@@ -39,13 +39,13 @@ struct Rules {
     /// §6.1, Fig. 4: start and end do not advance over a triangle whose circumsphere holds an
     /// UNUSED neighbor.
     bool unblocked = false;
-    /// §6.3: after a removal the point before it is looked at again.
+    /// §6.3: after a removal the point before it is tested again.
     bool stepBack = false;
     /// §7: a boundary point whose ring neighbors both share a wall with it is complete, and no
     /// candidate.
     bool wallsDone = false;
     /// §7.2: a third point is put beside a boundary point only if its other ring neighbor shares a
-    /// wall with it; else the side towards that neighbor would be left open for good.
+    /// wall with it; else the side toward that neighbor would stay open permanently.
     bool bothWalls = false;
     /// A candidate that would use a directed edge twice, or close an edge without meeting its ring
     /// entries, is dropped: the mesh is an oriented manifold on any input, and every run ends.
@@ -54,7 +54,7 @@ struct Rules {
     bool gap = false;
     /// No second triangle on the same three points.
     bool noPillow = false;
-    /// A candidate with a new edge that crosses a ring edge nearby, as seen along the pivot's
+    /// A candidate with a new edge that crosses a ring edge nearby, in projection along the pivot's
     /// normal, is dropped.
     bool noCross = false;
     /// A candidate with a triangle against the normal of one of its corners, or folded onto the
@@ -72,54 +72,54 @@ struct Rules {
     bool fill = false;
     /// After the last pivot: a stranded point goes into the triangle it lies over.
     bool reinsert = false;
-    /// After the last pivot: edges that are better the other way round are flipped.
+    /// After the last pivot: edges whose flip improves the two triangles are flipped.
     bool flip = false;
     /// After the last pivot: a point at a flipped triangle is taken out if its hole can be closed
     /// without a fault; `reinsert` may put it back.
     bool reseat = false;
 
-    /// Some rule looks at the whole fan before it is made.
+    /// True if some rule examines the whole fan before it is made.
     bool looksAtFan() const {
         return guard || gap || noPillow || noCross || noFold || noMeet || rim || delay;
     }
-    /// Some rule looks at finished triangles.
+    /// True if some rule examines finished triangles.
     bool needsEdges() const { return guard || noPillow || noFold || noMeet || fill; }
 
     friend bool operator==(const Rules&, const Rules&) = default;
 };
 
-/// §6.1: which of two neighbors at the same angle stays.
+/// §6.1: the one of two neighbors at the same angle that stays.
 enum class TieRule : std::uint8_t {
     Nearest,   ///< "the point closest to p is included", as printed.
     Farthest,  ///< The other one.
     Both,      ///< Both: no such rule.
 };
-/// §6.1: the side to which angles grow.
+/// §6.1: the direction in which angles grow.
 enum class TurnRule : std::uint8_t {
     Counterclockwise,  ///< n = normal x z, the reading of docs/choices.md.
     Clockwise,         ///< n = z x normal, "the cross product of z and p's normals".
 };
-/// §6.5: which entry of a point that is already USED is its "other instance".
+/// §6.5: the entry of an already USED point that is its "other instance".
 enum class InstanceRule : std::uint8_t {
     Sector,  ///< The first one whose sector holds p.
     First,   ///< "the first other instance of the point in the edge ring".
 };
-/// §6.3: what becomes of a point exactly on the sphere.
+/// §6.3: the treatment of a point exactly on the sphere.
 enum class OnSphereRule : std::uint8_t { Removed, Kept };
-/// §6.4: which neighbor rings of first and last alone are discarded.
+/// §6.4: the neighbor rings of first and last alone that are discarded.
 enum class TwoPointRule : std::uint8_t {
     Over,  ///< Those over 180 degrees, as printed.
     From,  ///< Those of exactly 180 degrees as well.
     None,  ///< None but the full turn, which has no triangle.
 };
-/// §6.5: which part of a split ring stays active; the other is pushed.
+/// §6.5: the part of a split ring that stays active; the other is pushed.
 enum class ActiveRule : std::uint8_t { End, Other, Longer, Shorter };
-/// §6.5: which stacked ring is taken up next.
+/// §6.5: the stacked ring that is popped next.
 enum class StackRule : std::uint8_t { Last, First };
-/// §6.5: where the traversal goes on after triangles.
+/// §6.5: the point at which the traversal continues after triangles.
 enum class NextRule : std::uint8_t { End, Start };
 
-/// The paper's own rules, which can be turned off or set to see what each of them is for. The
+/// The paper's own rules, which can be switched off or varied to show the purpose of each. The
 /// defaults are the paper's, or the readings of docs/choices.md.
 struct PaperRules {
     TieRule tie = TieRule::Nearest;                 ///< §6.1
@@ -146,18 +146,18 @@ struct PaperRules {
     friend bool operator==(const PaperRules&, const PaperRules&) = default;
 };
 
-/// From where on the rules beyond the paper object (docs/robust.md). Angles are stored as their
-/// cosines, so that no trigonometry decides.
+/// Thresholds of the rules beyond the paper (docs/robust.md). Angles are stored as their cosines,
+/// so that no trigonometry decides.
 struct RobustLimits {
     double foldCosine = -0.8660254037844386;  ///< Rules::noFold: two triangles at an edge, 150.
     double steepCosine = 0.5;                 ///< Rules::delay: off a corner's normal, 60.
     double rimGapCosine = -0.5;               ///< Rules::rim: between neighbors, 120.
     double rimAngleCosine = -0.5;             ///< Rules::rim: of a triangle at the pivot, 120.
     double openingWidth = 2.5;                ///< Rules::rim: of an opening, in its edges.
-    double flatCosine = 0.70710678118654752;  ///< Rules::noMeet: is looked at where normals are
-                                              ///< farther apart, 45.
-    double flipFlatCosine = 0.9;              ///< Rules::flip: two triangles of a flat piece.
-    double flipNarrowCosine = 0.94;           ///< Rules::flip: the least angle of a narrow one.
+    double flatCosine =
+        0.70710678118654752;         ///< Rules::noMeet: tested where normals are farther apart, 45.
+    double flipFlatCosine = 0.9;     ///< Rules::flip: two triangles of a flat piece.
+    double flipNarrowCosine = 0.94;  ///< Rules::flip: the least angle of a narrow one.
 
     friend bool operator==(const RobustLimits&, const RobustLimits&) = default;
 };
@@ -166,14 +166,14 @@ struct RobustLimits {
 struct RuleSwitch {
     std::string_view name;     ///< As on the command line: `closetwo`.
     std::string_view section;  ///< "6.5"
-    std::string_view summary;  ///< One sentence: what "on" does.
+    std::string_view summary;  ///< One sentence: the effect of "on".
     bool Rules::*member;
 };
 
 /// All switches, in the order of the paper.
 std::span<const RuleSwitch> ruleSwitches();
 
-/// Everything the stepper can be told. Equal points and equal Params give equal steps.
+/// All parameters of the stepper. Equal points and equal Params give equal steps.
 struct Params {
     Rules rules;
     PaperRules paper;
@@ -193,18 +193,19 @@ struct Params {
     RobustLimits limits;
     /// Opposing normals are left out of neighbor lists that are computed (see prepare.h).
     bool dropOpposingNormals = true;
-    /// Points are set aside where noise is as wide as their spacing (see noise.h). On in `robust`.
+    /// Points are left out where noise is as wide as their spacing (see noise.h). On in `robust`.
     bool setNoiseAside = false;
-    /// What a person lets happen instead of what the rules say; none: the true run.
+    /// Overrides of single decisions by the user; empty: the rules decide everything.
     std::vector<WhatIf> whatIf = {};
 
     friend bool operator==(const Params&, const Params&) = default;
 };
 
-/// A named set of params: `paper` (the default: the reading of docs/choices.md) or `printed` (the
-/// paper word for word, for teaching). Empty if there is no such set.
+/// A named set of params: `paper` (the default: the reading of docs/choices.md), `printed` (the
+/// paper word for word, for teaching), `corrected` or `robust` (with rules beyond the paper). Empty
+/// if there is no such set.
 std::optional<Params> paramsByName(std::string_view name);
-/// The names that paramsByName() knows.
+/// The names that paramsByName() accepts.
 std::span<const std::string_view> paramSetNames();
 
 }  // namespace se

@@ -1,3 +1,4 @@
+/// The table of settings, one row each, in the order of the paper, then those beyond it.
 #include "spiraling_edge/stepper/rule_settings.h"
 
 #include <array>
@@ -23,7 +24,7 @@ constexpr std::string_view kActives[] = {"end", "other", "longer", "shorter"};
 constexpr std::string_view kStacks[] = {"last", "first"};
 constexpr std::string_view kNexts[] = {"end", "start"};
 
-// The paper's words, where several rows have them.
+// Sentences of the paper that several rows quote.
 constexpr std::string_view kLimitsWords =
     "The algorithm then advances the start pointer to point to q. ... Similarly, the algorithm "
     "moves the end pointer when it adds t to the neighbor ring.";
@@ -93,7 +94,7 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
     {"holesize",
      "6.2",
      false,
-     "holes of up to so many edges are known; below 3: none",
+     "largest number of edges of a hole that is known; below 3: none",
      "Note that the algorithm will not recognize a hole formed by more than three points. ... "
      "Although checks for larger holes could be made, it would be a case of diminishing returns.",
      SettingKind::Whole,
@@ -180,7 +181,7 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
     {"cap",
      "8",
      true,
-     "the run stops above so many triangles per point",
+     "the run stops above this many triangles per point",
      "",
      SettingKind::Whole,
      2.0,
@@ -234,7 +235,7 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
     {"filllength",
      "6.5",
      true,
-     "fill closes rings of at most so many entries",
+     "fill closes rings of at most this many entries",
      "",
      SettingKind::Whole,
      3.0,

@@ -1,5 +1,5 @@
-/// Everything about the rules that a person can set, in one table: it feeds the command line, the
-/// Rules panel, session files and reports.
+/// All settings of the rules in one table, which feeds the command line, the Rules panel, session
+/// files and reports.
 #pragma once
 
 #include <span>
@@ -12,20 +12,20 @@
 
 namespace se {
 
-/// What the value of a setting is. It is held as a number in any case.
+/// Kind of value of a setting. Every value is stored as a number.
 enum class SettingKind : std::uint8_t {
     Switch,  ///< 0 or 1, written "off" and "on".
     Number,  ///< Within low and high.
-    Whole,   ///< The same, a whole number.
+    Whole,   ///< A whole number within low and high.
     Option,  ///< An index into the options.
 };
 
 /// One row of the table.
 struct RuleSetting {
     std::string_view name;     ///< As on the command line: `maxgap`.
-    std::string_view section;  ///< "6.3"; docs/robust.md has those beyond the paper.
+    std::string_view section;  ///< Of the paper: "6.3".
     bool beyondPaper;          ///< Not in the paper (docs/robust.md).
-    std::string_view summary;  ///< One sentence: what it does, if it is a switch: when on.
+    std::string_view summary;  ///< One sentence: its effect; of a switch, when on.
     /// The paper's sentence, word for word; empty where it has none.
     std::string_view paper;
     SettingKind kind;
@@ -39,19 +39,19 @@ struct RuleSetting {
 
 /// All settings: those of the paper in its order, then those beyond it.
 std::span<const RuleSetting> ruleSettings();
-/// An angle that is held as its cosine, in degrees.
+/// The angle in degrees of a setting that is stored as a cosine.
 double degreesOf(double cosine);
-/// Null if there is none of that name.
+/// The setting of that name; null if there is none.
 const RuleSetting* findRuleSetting(std::string_view name);
 
-/// "on", "120", "nearest": reads back as the same value.
+/// The text of a value: "on", "120", "nearest". It reads back as the same value.
 std::string valueText(const RuleSetting& setting, double value);
-/// What can be written there: "on or off", "a number from 90 to 180 (degrees)", "nearest, farthest
+/// The valid values in words: "on or off", "a number from 90 to 180 (degrees)", "nearest, farthest
 /// or both".
 std::string valuesText(const RuleSetting& setting);
-/// Fails with a sentence that says what can be written.
+/// The value of a text. Fails with a sentence that lists the valid values.
 Result<double> valueFromText(const RuleSetting& setting, std::string_view text);
-/// Can the setting have that value?
+/// True if the setting can have that value.
 bool isValue(const RuleSetting& setting, double value);
 
 /// One setting with a value of its own, beside a named set of rules.
@@ -60,11 +60,11 @@ struct RuleValue {
     double value = 1.0;
     friend bool operator==(const RuleValue&, const RuleValue&) = default;
 };
-/// Reads "maxgap=100". Fails with a sentence that names what there is.
+/// Reads "maxgap=100". Fails with a sentence that names the settings.
 Result<RuleValue> ruleValueFromText(std::string_view text);
-/// "maxgap=100".
+/// The text of a value: "maxgap=100".
 std::string lineOf(const RuleValue& value);
-/// Carries them out in their order. Fails if there is no setting of a name, or no such value.
+/// Applies the values in their order. Fails if a setting does not exist or cannot have the value.
 Status applyRuleValues(std::span<const RuleValue> values, Params& params);
 /// The settings in which `params` differs from `base`, in the order of the table, with the values
 /// of `params`.

@@ -1,4 +1,4 @@
-/// How the rows of the table of settings are written down (rule_settings.cpp).
+/// Makers of the rows of the table of settings (rule_settings.cpp).
 #pragma once
 
 #include "spiraling_edge/base/degrees.h"

@@ -78,7 +78,7 @@ Result<double> valueFromText(const RuleSetting& setting, std::string_view text) 
     for (const std::string_view each : setting.options) {
         ways.push_back(std::string(setting.name) + "=" + std::string(each));
     }
-    // "on" first, as one says it.
+    // "on or off" is the usual order.
     if (setting.kind == SettingKind::Switch) std::reverse(ways.begin(), ways.end());
     return Error{"Write " + alternatives(ways) + "."};
 }

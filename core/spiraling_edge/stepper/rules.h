@@ -1,8 +1,8 @@
 /// The decisions of §4 to §7, each a pure function in the paper's words that returns its evidence:
 /// the numbers compared and the verdict. Only + - * / and sqrt decide, so that runs are equal on
-/// every machine; numbers for people (degrees, centers, radii) come from member functions that are
-/// called only when someone looks. All positions are taken relative to a nearby point first, so
-/// that a set far from the origin loses no precision.
+/// every machine; numbers for display (degrees, centers, radii) come from member functions that are
+/// called only for that. All positions are first taken relative to a nearby point, so that a set
+/// far from the origin loses no precision.
 #pragma once
 
 #include <algorithm>
@@ -36,7 +36,7 @@ inline Angle makeAngle(double cosine, bool secondHalf) {
     return {c, kBase[secondHalf ? 1 : 0] + kSign[secondHalf ? 1 : 0] * c};
 }
 
-/// The angle between z and `offset` (relative to the pivot) as projected onto the tangent plane.
+/// The angle between z and `offset` (relative to the pivot), projected onto the tangent plane.
 inline Angle angleInPlane(const Vec3& x, const Vec3& n, const Vec3& offset) {
     const double along = glm::dot(x, offset);
     const double across = glm::dot(n, offset);
@@ -76,7 +76,7 @@ inline bool exceedsAngle(const Angle& a, const Angle& b, double limitCosine) {
 
 // ---- §6.1: limits and reciprocity ---------------------------------------------------------------
 
-/// §6.1, Fig. 4: is the edge ring concave at s?
+/// §6.1, Fig. 4: the test whether the edge ring is concave at s.
 struct ConcaveTest {
     double turn;  ///< ((before - s) x (after - s)) . N_s, squared scene units.
     bool concave() const { return turn > 0.0; }
@@ -88,14 +88,14 @@ inline ConcaveTest testConcave(const Vec3& s, const Vec3& normal, const Vec3& be
     return {glm::dot(glm::cross(before - s, after - s), normal)};
 }
 
-/// §6.1, Fig. 6: could p be in the neighbor ring of e?
+/// §6.1, Fig. 6: the test whether p could be in the neighbor ring of e.
 struct ReciprocalTest {
     Angle pivot;  ///< Angle of p at e, from e's first.
     Angle limit;  ///< Angle of e's last.
     bool inside;
 };
-/// `first` and `last` are the positions at either side of e's entry; sameEntry: they are the same
-/// entry, so that the sector is a full turn.
+/// `first` and `last` are the positions before and after e's entry on the ring; sameEntry: they are
+/// the same entry, so that the sector is a full turn.
 inline ReciprocalTest testReciprocal(const Vec3& e, const Vec3& normal, const Vec3& first,
                                      const Vec3& last, bool sameEntry, const Vec3& p,
                                      double tolerance, bool tangent = false) {
@@ -134,8 +134,8 @@ struct SphereTest {
     Vec3 numerator;      ///< 2 denominator times the center, relative to p.
     double denominator;  ///< |t x s|^2
     double power;        ///< |q|^2 denominator - q . numerator; < 0 inside.
-    double scale;        ///< |q|^2 denominator, what power is compared with.
-    bool noCircle;       ///< p, s and t lie in line.
+    double scale;        ///< |q|^2 denominator, the magnitude that power is compared with.
+    bool noCircle;       ///< p, s and t are collinear.
 
     /// Strictly inside. Choice: a point on the sphere up to rounding counts as on it.
     bool inside() const { return power < -1e-12 * scale; }
@@ -176,11 +176,12 @@ bool pointsOut(const Vec3& direction, std::uint8_t faces);
 
 /// True if the sector at p from `from` counterclockwise to `to` stays inside the box: it is at most
 /// 180 degrees, and no outward direction of p's walls lies strictly in it. Measured in the tangent
-/// plane. Choice: the paper gives only the cross product of 7.1; this is what it decides.
+/// plane. Choice: the paper gives only the cross product of 7.1; this is the property that it
+/// decides.
 bool sectorStaysInside(const Vec3& p, const Vec3& normal, std::uint8_t faces, const Vec3& from,
                        const Vec3& to);
 
-/// §7.1: where the third point goes.
+/// §7.1: the place of the third point on the ring.
 struct ThirdPointPlace {
     Vec3 cross;   ///< N_p x (s - p), s the second point of the ring.
     bool before;  ///< Before p on the ring, else after.
@@ -189,17 +190,17 @@ struct ThirdPointPlace {
 ThirdPointPlace placeThirdPoint(const Vec3& p, const Vec3& normal, std::uint8_t faces,
                                 const Vec3& second, const Vec3& third);
 
-/// The same by the cross product alone, wherever the sector leads.
+/// As placeThirdPoint(), by the cross product alone, even if the sector leads out of the box.
 ThirdPointPlace printedThirdPointPlace(const Vec3& p, const Vec3& normal, std::uint8_t faces,
                                        const Vec3& second);
 
-/// §7 for a rim point: what of the free sector between its ring neighbors is still to be meshed.
-/// Choice: a boundary point without wall bits knows no wall, but the gap that it looks out through.
+/// §7 for a rim point: the part of the free sector between its ring neighbors that is not yet
+/// meshed. Choice: a boundary point without wall bits has no wall; its gap takes the place of one.
 struct RimSector {
     /// The surface ends in the sector: the middle of the gap lies in it, or first or last in the
     /// gap.
     bool holdsGap;
-    /// If so: is there surface between first and the gap's beginning, and between its end and last?
+    /// If so: there is surface between first and the gap's beginning; between its end and last.
     bool openAtFirst, openAtLast;
 };
 /// Measured in the tangent plane; `from` and `to` are the positions of the gap's ends. sameEntry:
@@ -207,11 +208,11 @@ struct RimSector {
 RimSector testRimSector(const Vec3& p, const Vec3& normal, const Vec3& first, const Vec3& last,
                         bool sameEntry, const Vec3& from, const Vec3& to);
 
-/// Rules::rim: does the surface end at p? True for a boundary point, and where the directions to
-/// its neighbors, as seen along its normal, leave a gap wider than the angle of this cosine.
+/// Rules::rim: true if the surface ends at p: a boundary point, or a point where the directions to
+/// its neighbors, in projection along its normal, leave a gap wider than the angle of `gapCosine`.
 bool isRim(const PointSet& points, Index p, double gapCosine);
 
-/// §7.2: is there a transition from one wall to another between two ring neighbors?
+/// §7.2: true if there is a transition from one wall to another between two ring neighbors.
 inline bool isTransition(std::uint8_t a, std::uint8_t b) {
     return isOnWall(a) && isOnWall(b) && !shareFace(a, b);
 }

@@ -1,3 +1,5 @@
+/// The rules of §7 that need more than one expression: third points, and the sector of a rim point.
+/// Angles are keys, and walls have exact outward directions, so that no trigonometry decides.
 #include <algorithm>
 
 #include "spiraling_edge/stepper/rules.h"
@@ -5,8 +7,8 @@
 namespace se {
 namespace {
 
-/// Angles up to this much over 180 degrees (in key units, about 2.5 degrees) pass as straight: wall
-/// points lie along their wall only up to the sampling.
+/// Angles up to this much over 180 degrees (in key units, about 2.5 degrees) count as straight:
+/// wall points follow their wall only up to the sampling.
 constexpr double kStraightSlack = 1e-3;
 
 struct Wall {
@@ -35,7 +37,7 @@ bool sectorStaysInside(const Vec3& p, const Vec3& normal, std::uint8_t faces, co
     if (end.key > kHalfTurnKey + kStraightSlack) return false;
     for (const Wall& wall : kWalls) {
         if ((faces & wall.bit) == 0) continue;
-        // A surface that lies in the wall has no outward direction of its own.
+        // A surface that lies in the wall has no outward direction there.
         const Vec3 inPlane = wall.outward - glm::dot(wall.outward, normal) * normal;
         if (glm::dot(inPlane, inPlane) < 1e-12) continue;
         const Angle out = angleOf(frame, inPlane);
@@ -53,8 +55,8 @@ ThirdPointPlace printedThirdPointPlace(const Vec3& p, const Vec3& normal, std::u
 ThirdPointPlace placeThirdPoint(const Vec3& p, const Vec3& normal, std::uint8_t faces,
                                 const Vec3& second, const Vec3& third) {
     const auto [cross, printed] = printedThirdPointPlace(p, normal, faces, second);
-    // Choice: where the points do not lie along one wall, the cross product may say "after" for a
-    // sector that leads outside; then the other place is taken if its sector stays inside.
+    // Choice: where the points do not lie along one wall, the cross product may choose "after" for
+    // a sector that leads outside; then the other place is used if its sector stays inside.
     const auto fits = [&](bool before) {
         return before ? sectorStaysInside(p, normal, faces, third, second)
                       : sectorStaysInside(p, normal, faces, second, third);

@@ -1,4 +1,4 @@
-/// The whole state of a run: one value. Copy it, and you have a place to come back to.
+/// The whole state of a run as one value: a copy is a place to return to.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@
 
 namespace se {
 
-/// What advance() will do next. One phase function each, in the order of a pivot's stages.
+/// The next phase that advance() runs. One function each, in the order of a pivot's stages.
 enum class Phase : std::uint8_t {
-    Seed,        ///< §4
-    Pivot,       ///< Take up the entry; pass over (§7) or insert a third point (§7.1, 7.2).
+    Seed,  ///< §4
+    Pivot,  ///< Takes the entry as pivot; passes over it (§7) or inserts a third point (§7.1, 7.2).
     Sort,        ///< §6.1
     Limits,      ///< §6.1
     Convex,      ///< §6.1
@@ -24,7 +24,7 @@ enum class Phase : std::uint8_t {
     Hole,        ///< §6.2
     Sphere,      ///< §6.3
     TwoPoint,    ///< §6.4
-    Guard,       ///< Beyond the paper: the rules that look at the whole fan.
+    Guard,       ///< Beyond the paper: the rules that examine the whole fan.
     Emit,        ///< §6.4
     Ring,        ///< §6.5
     Link,        ///< §6.5: splits and joins.
@@ -41,15 +41,15 @@ using PointStatus = std::int32_t;
 inline constexpr PointStatus kUnused = 0;
 inline constexpr PointStatus kDone = -1;
 
-/// State::patience: fans that waited (Rules::delay) may be made.
+/// Value of State::patience: delayed fans (Rules::delay) may be made.
 inline constexpr std::uint32_t kDelayedAllowed = 1;
-/// State::patience: triangles against the normal of one corner, but not against the sum of the
-/// three, may be made as well.
+/// Value of State::patience: triangles against the normal of one corner, but not against the sum of
+/// the three, may be made as well.
 inline constexpr std::uint32_t kCornerAllowed = 2;
-/// State::patience: no ear of the hole could be closed (Rules::fill).
+/// Value of State::patience: no ear of the hole could be closed (Rules::fill).
 inline constexpr std::uint32_t kFillFailed = 3;
 
-/// What was counted so far.
+/// Counts of the run so far.
 struct Counters {
     std::uint32_t pivots = 0;
     std::uint32_t skipped = 0;
@@ -64,7 +64,7 @@ struct Counters {
     std::uint32_t closedRings = 0;  ///< Finished edges and lone entries, see Rules::closeTwo.
     std::uint32_t freedRings = 0;
     std::uint32_t holes = 0;      ///< Freed rings with interior points.
-    std::uint32_t openings = 0;   ///< Freed rings that Rules::rim takes for the surface's end.
+    std::uint32_t openings = 0;   ///< Freed rings that Rules::rim treats as an end of the surface.
     std::uint32_t filled = 0;     ///< Triangles made by Rules::fill.
     std::uint32_t lostSeeds = 0;  ///< Rings of two that got no triangle.
     std::uint32_t maxRingLength = 0;
@@ -72,17 +72,17 @@ struct Counters {
     friend bool operator==(const Counters&, const Counters&) = default;
 };
 
-/// Something a person should look at, where and when it happened.
+/// An event that deserves the user's attention.
 struct Alert {
     AlertKind kind;
     std::uint32_t pivot;
     Index point;
 };
 
-/// A third point inserted by §7, kept until the pivot shows whether it leads to triangles.
+/// A third point inserted by §7, kept until the pivot has made triangles or not.
 struct InsertedPoint {
     Index entry = kNone;
-    bool stepBeforeWasOpen = false;  ///< Of the step that the entry was put into.
+    bool stepBeforeWasOpen = false;  ///< Open mark of the step that the entry was inserted into.
 };
 
 struct State {
@@ -90,42 +90,43 @@ struct State {
     explicit State(std::size_t pointCount) : status(pointCount, kUnused), rings(pointCount) {}
 
     Phase phase = Phase::Seed;
-    Index startPointer = 0;  ///< §4: a place in PointSet::order; only ever advances.
+    Index startPointer = 0;  ///< §4: position in PointSet::order; never moves back.
     Index circuit = 0;       ///< Pivots since the last triangle, in the active ring.
-    /// Beyond the paper: what was tried with the active ring since its last triangle, 0 if nothing,
-    /// else kDelayedAllowed or kFillFailed.
+    /// Beyond the paper: the degree to which rules are relaxed for the active ring since its last
+    /// triangle: 0, kDelayedAllowed, kCornerAllowed or kFillFailed.
     std::uint32_t patience = 0;
-    NeighborRing pivot;                  ///< The pivot being worked on.
+    NeighborRing pivot;                  ///< The current pivot.
     InsertedPoint third;                 ///< §7.1, §7.2
-    std::uint32_t pivotTriangles = 0;    ///< Made by this pivot.
-    std::vector<Index> insertedEntries;  ///< By this pivot, in order (§6.5).
+    std::uint32_t pivotTriangles = 0;    ///< Triangles made by this pivot.
+    std::vector<Index> insertedEntries;  ///< Entries inserted by this pivot, in order (§6.5).
     std::vector<Index> instances;        ///< The "other instance" of each, kNone if none.
     std::vector<PointStatus> status;
     EdgeRings rings;
-    EdgeTable edges;                  ///< Of `triangles`; kept only where a rule asks for it.
+    EdgeTable edges;                  ///< Edges of `triangles`; kept only where a rule needs it.
     std::vector<Triangle> triangles;  ///< Append-only (§6.4).
-    Index componentBegin = 0;         ///< Where those of the present component begin (§4).
-    /// The mesh as the steps after the last pivot leave it; empty before them. `triangles` stays.
+    Index componentBegin = 0;  ///< Position of the first triangle of the current component (§4).
+    /// The mesh edited by the steps after the last pivot; empty before them. `triangles` is
+    /// unchanged.
     MendState mend;
     std::vector<Alert> alerts;  ///< Append-only.
     std::vector<Index> done;    ///< The DONE points, in the order in which they became so (§4).
     Counters counters;
 
-    /// Marks a point DONE: for good, see invariant 7.
+    /// Marks a point DONE, permanently (invariant 7).
     void finish(Index p) {
         status[p] = kDone;
         done.push_back(p);
     }
-    /// The mesh as far as it is made.
+    /// The mesh made so far.
     const std::vector<Triangle>& mesh() const { return mend.empty() ? triangles : mend.triangles; }
     bool finished() const { return phase == Phase::Finished; }
     /// The run was stopped with AlertKind::TriangleCap.
     bool capped() const { return !alerts.empty() && alerts.back().kind == AlertKind::TriangleCap; }
 };
 
-/// Hash of what decides how the run goes on and of what it has made up to the last pivot; the mesh
-/// that is edited afterwards counts only through the counters. Equal input,
-/// params and step number give equal hashes on every machine, compiler and build type. O(points).
+/// Hash of the state that decides the rest of the run and of the triangles up to the last pivot;
+/// the mesh edited afterwards counts only through the counters. Equal input, params and step number
+/// give equal hashes on every machine, compiler and build type. O(points).
 std::uint64_t stateHash(const State& state);
 
 }  // namespace se

@@ -13,7 +13,7 @@
 
 namespace se {
 
-/// What a phase works on.
+/// The context of a phase.
 struct StepContext {
     const PointSet& points;
     const Params& params;
@@ -21,16 +21,16 @@ struct StepContext {
 
     const Vec3& positionAt(Index entry) const { return points.position[state.rings.point(entry)]; }
     const Vec3& normalAt(Index entry) const { return points.normal[state.rings.point(entry)]; }
-    /// The step from `entry` is no mesh edge, as far as the rules know (Rules::openSteps).
+    /// True if the rules know that the step from `entry` is no mesh edge (Rules::openSteps).
     bool openStep(Index entry) const { return params.rules.openSteps && state.rings.open(entry); }
-    /// Angles grow clockwise (PaperRules::turn).
+    /// True if angles grow clockwise (PaperRules::turn).
     bool clockwise() const { return params.paper.turn == TurnRule::Clockwise; }
 };
 
-// Phases are compiled twice, for a context with a log and for one without, so that nobody pays for
-// what nobody hears: the question alone would cost 1 to 4 percent (docs/performance.md).
+// Phases are compiled twice, for a context with a log and for one without: a branch at each event
+// would cost 1 to 4 percent even without a log (docs/performance.md).
 
-/// Nobody listens.
+/// No log: events are not made.
 struct SilentContext : StepContext {};
 /// Every decision goes to the log.
 struct LoggedContext : StepContext {
@@ -42,44 +42,46 @@ template <AnyContext Context>
 constexpr bool kListening = std::is_same_v<Context, LoggedContext>;
 
 inline constexpr PaperRules kPlainPaper{};
-/// The paper's rules as they are set. Where nobody listens they are as usual, known when this is
-/// compiled: the stepper has runs with others, like those with what-ifs, go the way of the log.
+/// The paper's rules of the run. Without a log they are the defaults, known at compile time: runs
+/// with non-default paper rules or what-ifs take the logging code path.
 template <AnyContext Context>
 constexpr const PaperRules& paperOf(const Context& context) {
     if constexpr (kListening<Context>) return context.params.paper;
     return kPlainPaper;
 }
 
-/// Adds the event that `make` returns to those of `pivot`, if someone listens.
+/// Logs an event of `pivot` with the evidence that `make` returns; nothing without a log.
 template <AnyContext Context, typename MakeEvidence>
 void noteAt(Context& context, std::uint32_t pivot, Stage stage, const MakeEvidence& make) {
     if constexpr (kListening<Context>) context.log.add(pivot, stage, make());
 }
-/// ... of the present pivot.
+/// Logs an event of the current pivot.
 template <typename MakeEvidence>
 void note(AnyContext auto& context, Stage stage, const MakeEvidence& make) {
     noteAt(context, context.state.counters.pivots, stage, make);
 }
 
 // phases/what_if_phase.cpp
-/// What a person said of a point that is tested at this stage of the present pivot.
+/// The what-if for a point tested at this stage of the current pivot: true keeps it, false drops
+/// it; nothing without one.
 std::optional<bool> saidOf(const StepContext& context, Stage stage, Index point);
-/// ... where anybody can be heard: runs with what-ifs have a log wherever one of them is.
+/// The what-if for a point as above. Without a log there is none: runs take the logging path at
+/// every what-if.
 template <AnyContext Context>
 std::optional<bool> said(const Context& context, Stage stage, Index point) {
     if constexpr (kListening<Context>) return saidOf(context, stage, point);
     return std::nullopt;
 }
-/// A verdict as what a person said makes it.
+/// A verdict after a what-if: unchanged if there is none, or if it agrees.
 inline Verdict afterWhatIf(Verdict verdict, std::optional<bool> said, bool keeps) {
     if (!said || *said == keeps) return verdict;
     return *said ? Verdict::WhatIfKept : Verdict::WhatIfDropped;
 }
-/// Goes on where a person wants it, after a pivot.
+/// Applies a what-if of the kind Pivot after a pivot.
 void redirect(LoggedContext& context);
 
-/// The entry of a point that is found first when the active ring is searched, then the stack from
-/// the top (§6.5); kNone if it stands on no ring.
+/// The first entry of a point in a search of the active ring, then of the stack from the top
+/// (§6.5); kNone if it is on no ring.
 Index firstInstance(const EdgeRings& rings, Index point);
 
 // phases/start.cpp: §4
@@ -101,19 +103,21 @@ void phaseSphere(AnyContext auto& context);
 // phases/emit.cpp: §6.4
 void phaseTwoPoint(AnyContext auto& context);
 void phaseEmit(AnyContext auto& context);
-/// Lays out NeighborRing::fan from the candidates that are left.
+/// Fills NeighborRing::fan from the remaining candidates.
 void layOutFan(StepContext& context);
 // robust/guard.cpp: beyond the paper
 void phaseGuard(AnyContext auto& context);
-/// Would a rule that keeps the mesh a manifold (Rules::guard, Rules::noPillow) refuse the fan?
+/// True if a rule that keeps the mesh a manifold (Rules::guard, Rules::noPillow) would refuse the
+/// fan.
 bool manifoldRefuses(const StepContext& context);
-/// Would any rule on faults of shape (Rules::noFold, Rules::noCross, Rules::noMeet) refuse it?
+/// True if a rule on faults of shape (Rules::noFold, Rules::noCross, Rules::noMeet) would refuse
+/// the fan.
 bool shapeRefuses(const StepContext& context);
 // robust/fill.cpp: beyond the paper
 void phaseFill(AnyContext auto& context);
-/// Should the active ring be closed by ears instead of being freed?
+/// True if the active ring should be closed by ears instead of being freed.
 bool mayFill(const StepContext& context);
-/// Rules::rim is on, and the active ring, of more than four, runs round a patch of the surface, or
+/// Rules::rim is on, and the active ring, of more than four, runs around a patch of the surface, or
 /// more than two in three of its points lie where the surface ends.
 bool isOpening(const StepContext& context);
 // phases/ring_update.cpp: §6.5
@@ -121,16 +125,16 @@ void phaseRing(AnyContext auto& context);
 void phaseLink(AnyContext auto& context);
 void phaseAdvance(AnyContext auto& context);
 // robust/repair_phases.cpp: beyond the paper, after the last pivot
-/// Goes to the first phase after the last pivot that a rule asks for, else to Finished.
+/// Goes to the first phase after the last pivot whose rule is on, else to Finished.
 void beginMendPhases(StepContext& context);
 void phaseReinsert(AnyContext auto& context);
 void phaseFlip(AnyContext auto& context);
 void phaseReseat(AnyContext auto& context);
 // phases/boundary.cpp: §7
-/// Decides whether a boundary point may be a pivot, and puts the third point of §7.1 or §7.2 on the
-/// ring if so. False: pass over it.
+/// Decides whether a boundary point may be a pivot; if so, inserts the third point of §7.1 or §7.2.
+/// False: pass over it.
 bool admitBoundaryPivot(AnyContext auto& context);
-/// Takes the third point off the ring again, after a pivot that made no triangle.
+/// Removes the third point after a pivot that made no triangle.
 void withdrawThirdPoint(StepContext& context);
 
 }  // namespace se

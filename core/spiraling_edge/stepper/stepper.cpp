@@ -1,3 +1,6 @@
+/// The dispatch from State::phase to the phase functions. Each exists in two variants, with and
+/// without a log; the choice is made once per call, and runs with what-ifs or non-default paper
+/// rules always take the one with a log.
 #include "spiraling_edge/stepper/stepper.h"
 
 #include <algorithm>
@@ -8,7 +11,7 @@
 namespace se {
 namespace {
 
-/// Inline, for it does nothing but find the phase, 12 times per pivot.
+/// Inline, since it only dispatches on the phase, 12 times per pivot.
 [[gnu::always_inline]] inline void runPhase(AnyContext auto& context) {
     switch (context.state.phase) {
         case Phase::Seed:
@@ -52,7 +55,7 @@ namespace {
     }
 }
 
-/// The phases after which one is between two pivots.
+/// True for the phases after which the run is between two pivots.
 bool endsStep(Phase phase) {
     return phase == Phase::Advance || phase == Phase::Reinsert || phase == Phase::Flip ||
            phase == Phase::Reseat;
@@ -60,7 +63,7 @@ bool endsStep(Phase phase) {
 
 State freshState(const PointSet& points, const Params& params) {
     State state(points.size());
-    state.triangles.reserve(2 * points.size());  // about as many as a closed surface has
+    state.triangles.reserve(2 * points.size());  // about the number of a closed surface
     state.done.reserve(points.size());
     if (params.rules.needsEdges()) state.edges = EdgeTable(points.size());
     return state;
@@ -78,7 +81,7 @@ Stepper::Stepper(const PointSet& points, const Params& params, EventLog* log)
 
 namespace {
 
-/// The pivot that the next phase belongs to.
+/// The number of the pivot of the next phase.
 std::uint32_t presentPivot(const State& state) {
     switch (state.phase) {
         case Phase::Seed:
@@ -153,7 +156,7 @@ StopReason Stepper::runUntil(const std::function<bool(const State&)>& condition)
 }
 
 StopReason Stepper::run() {
-    // What is asked once per call must be asked for each pivot.
+    // The choice of the context must be made for each pivot.
     while (altered_ && stepPivot()) {
     }
     inContext([](auto& context) {

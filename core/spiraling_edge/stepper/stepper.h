@@ -1,5 +1,5 @@
-/// The algorithm, one phase at a time. There is one stepper: the debugger steps what the benchmark
-/// times.
+/// The algorithm, one phase at a time. There is one stepper: the debugger runs the code that the
+/// benchmark times.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace se {
 
-/// Why runUntil() came back.
+/// The reason why runUntil() returned.
 enum class StopReason : std::uint8_t {
     Finished,   ///< Every point is DONE.
     Condition,  ///< The condition held.
@@ -31,8 +31,9 @@ class Stepper {
 
     /// Runs one phase of a pivot. Returns false, doing nothing, if the run is finished.
     bool advance();
-    /// Runs to the end of the present pivot, or of the next one if between two (its seed included).
-    /// Returns false if no pivot was left (stranded points at the very end are still marked).
+    /// Runs to the end of the current pivot, or of the next one if between two (including its
+    /// seed). Returns false if no pivot was left (stranded points at the very end are still
+    /// marked).
     bool stepPivot();
     /// Runs whole pivots until the condition holds between two of them, or to the end.
     StopReason runUntil(const std::function<bool(const State&)>& condition);
@@ -42,26 +43,26 @@ class Stepper {
     const State& state() const { return state_; }
     /// Goes to another place of a run over the same points and params.
     void setState(State state) { state_ = std::move(state); }
-    /// The same, and returns the State from before.
+    /// As setState(); returns the previous State.
     State exchangeState(State state) { return std::exchange(state_, std::move(state)); }
-    /// Gives the state away, e.g. to take the triangles out. The stepper starts over.
+    /// Moves the state out, e.g. for its triangles. The stepper starts over.
     State takeState();
     void setLog(EventLog* log) { log_ = log; }
-    /// At the present place: what-ifs may change them on the way.
+    /// The points at the current place: what-ifs may change them during a run.
     const PointSet& points() const;
     const Params& params() const { return params_; }
 
   private:
-    /// Calls work(context), with a log or without: what listens is asked once per call, not in the
-    /// phases.
+    /// Calls work(context) in the variant with or without a log, chosen once per call and not in
+    /// the phases.
     template <typename Work>
     bool inContext(Work&& work);
 
     const PointSet& points_;
     Params params_;
     std::vector<EditedPoints> edited_;
-    /// The paper's own rules are not as usual, or something else happens somewhere: such a run is
-    /// heard whether there is a log or not.
+    /// Non-default paper rules or what-ifs: such a run takes the logging code path with or without
+    /// a log.
     bool altered_;
     State state_;
     EventLog* log_;

@@ -11,9 +11,9 @@
 
 namespace se {
 
-/// The effect of a decision on the point that was tested.
+/// The effect of a decision on the tested point.
 enum class Outcome : std::uint8_t {
-    None,       ///< Nothing was tested: a fact, such as a triangle made.
+    None,       ///< No test: a fact, such as a triangle made.
     Taken,      ///< Kept, moved, filled, inserted.
     Refused,    ///< Left out, removed, discarded.
     Unchanged,  ///< Not taken, and nothing removed: start or end stays, the point is in no test.
@@ -26,9 +26,10 @@ constexpr bool isAgainst(Outcome outcome) {
 /// One verdict.
 struct VerdictRow {
     Verdict id;
-    std::string_view text;              ///< "inside sphere", as shown to users.
+    std::string_view text;  ///< "inside sphere", as shown to users.
     Outcome outcome;
-    std::optional<WhatIfKind> inverse;  ///< The what-if with the other outcome; none if there is none.
+    std::optional<WhatIfKind>
+        inverse;  ///< The what-if with the other outcome; none if there is none.
 };
 
 /// All verdicts, in the order of the enum.

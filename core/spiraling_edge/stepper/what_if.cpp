@@ -60,14 +60,14 @@ bool readList(const std::vector<std::string_view>& parts, std::vector<Index>& ou
     return true;
 }
 
-/// A test can be decided at these stages.
+/// True for the stages with tests that a what-if can override.
 bool decides(Stage stage) {
     constexpr std::array kStages{Stage::Sort, Stage::Limits, Stage::Convex,   Stage::Reciprocal,
                                  Stage::Hole, Stage::Sphere, Stage::TwoPoint, Stage::Guard};
     return std::find(kStages.begin(), kStages.end(), stage) != kStages.end();
 }
 
-/// What stands behind the verb, and does the place go with it?
+/// Reads the words after the verb; false if they or the place do not fit it.
 bool readRest(const std::vector<std::string_view>& parts, Stage stage, WhatIf& out) {
     switch (out.kind) {
         case WhatIfKind::Keep:
@@ -111,7 +111,7 @@ std::string describe(const WhatIf& what) {
             if (what.stage == Stage::Limits)
                 return "At " + pivot + " start or end advances to " + pointText(what) + ".";
             if (what.stage == Stage::Guard)
-                return "At " + pivot + " the rules on fans are not heard on " + pointText(what) +
+                return "At " + pivot + " the rules on fans do not apply to " + pointText(what) +
                        ".";
             return "At " + pivot + ", " + stage + ": " + pointText(what) + " is kept.";
         case WhatIfKind::Drop:
@@ -120,7 +120,7 @@ std::string describe(const WhatIf& what) {
             return "At " + pivot + ", " + stage + ": " + pointText(what) +
                    (what.stage == Stage::Limits ? " is not advanced to." : " is dropped.");
         case WhatIfKind::Pivot:
-            return "Behind " + pivot + " the run goes on at " + pointText(what) + ".";
+            return "After " + pivot + " the run continues at " + pointText(what) + ".";
         case WhatIfKind::Move:
             return "From " + pivot + " on " + pointText(what) + " is elsewhere.";
         case WhatIfKind::List:

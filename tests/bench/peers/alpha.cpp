@@ -1,6 +1,6 @@
 // Three-dimensional alpha shape: H. Edelsbrunner and E. P. Muecke, ACM TOG 1994; CGAL. The radius
-// is twice the mean distance to the nearest point. The surface is what bounds the shape: triangles
-// with nothing on one side (regular) or on both (singular).
+// is twice the mean distance to the nearest point. The surface is the boundary of the shape:
+// triangles with no cell on one side (regular) or on both (singular).
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Fixed_alpha_shape_3.h>

@@ -1,5 +1,5 @@
 // Ball pivoting: F. Bernardini and others, IEEE TVCG 1999; Open3D. Balls of 1.5 and 3 times the
-// mean distance to the nearest point, as Open3D's tutorial takes them.
+// mean distance to the nearest point, as in Open3D's tutorial.
 #include <open3d/geometry/PointCloud.h>
 #include <open3d/geometry/TriangleMesh.h>
 

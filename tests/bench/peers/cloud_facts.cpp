@@ -11,7 +11,7 @@
 namespace se::peers {
 namespace {
 
-/// The root of p's tree; halves the path on its way.
+/// The root of p's tree, with path halving.
 Index rootOf(std::vector<Index>& parent, Index p) {
     while (parent[p] != p) p = parent[p] = parent[parent[p]];
     return p;

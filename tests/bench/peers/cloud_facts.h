@@ -1,4 +1,4 @@
-/// What several methods need to know about the input, and how their triangles are turned so that
+/// Measures of the input that several methods need, and the orientation of their triangles, so that
 /// the same checks apply to all.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace se::peers {
 
-/// The mean distance to the nearest other point. Methods that ask for a length get a multiple.
+/// The mean distance to the nearest other point. Methods that need a length get a multiple.
 double meanSpacing(const PointFile& points);
 /// The sides of the bounding box.
 Vec3 extent(const PointFile& points);

@@ -1,7 +1,7 @@
 // Crust: N. Amenta, M. Bern and M. Kamvysselis, A New Voronoi-Based Surface Reconstruction
 // Algorithm, SIGGRAPH 1998, sections 3.2 (poles and crust) and 3.3 (filtering by normals), written
-// here on CGAL's Delaunay triangulation. Left out is the paper's last step, which trims what is
-// left down to a manifold: where points are flat or crowded, slivers leave both their sides.
+// here on CGAL's Delaunay triangulation. The paper's last step, which trims the result to a
+// manifold, is left out: slivers of flat or crowded points keep both their sides.
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
@@ -24,8 +24,8 @@ using Delaunay = CGAL::Delaunay_triangulation_3<
                                          CGAL::Delaunay_triangulation_cell_base_3<Kernel>>>;
 using Numbered = std::vector<std::pair<Kernel::Point_3, Index>>;
 
-// The paper's theta: the most that a triangle's normal and the direction to a pole may be apart at
-// the corner of the triangle's largest angle; half as much again at the others.
+// The paper's theta: the largest angle allowed between a triangle's normal and the direction to a
+// pole at the corner of the triangle's largest angle; 1.5 times that at the others.
 constexpr double kTheta = 45.0 * std::numbers::pi / 180.0;
 
 /// The two poles of a sample, as directions; a zero vector is none.

@@ -19,9 +19,9 @@ using Cloud = pcl::PointCloud<pcl::PointNormal>;
 using Tree = pcl::search::KdTree<pcl::PointNormal>;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kMu = 2.5;  // how much farther than the nearest a neighbor may be
+constexpr double kMu = 2.5;  // largest distance of a neighbor, in distances of the nearest
 
-/// A "tree" that has found everything already.
+/// A search that returns the precomputed lists.
 class FoundLists : public pcl::search::Search<pcl::PointNormal> {
   public:
     FoundLists(const Cloud::Ptr& cloud, int count) : Search("found", true) {
@@ -49,7 +49,7 @@ class FoundLists : public pcl::search::Search<pcl::PointNormal> {
                      unsigned) const override {
         return 0;
     }
-    /// The mean distance to the first that is not at the same place.
+    /// The mean distance to the first neighbor at another place.
     double meanSpacing() const {
         double sum = 0.0;
         for (const auto& list : distances_)

@@ -1,5 +1,5 @@
 // spiraling-edge-peer METHOD IN.ply -o OUT.ply [--neighbors K] [--repeat N] [--json]: runs another
-// method on the same points, read and written by our own code, and says how long each stage took.
+// method on the same points, read and written by our own code, and reports the time of each stage.
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
@@ -59,7 +59,7 @@ bool readCount(const char* text, std::size_t& count) {
     return error == std::errc() && end == word.data() + word.size() && count > 0;
 }
 
-/// False if the words make no sense.
+/// False if the words are not understood.
 bool readOptions(char** word, Options& options) {
     std::vector<std::string> names;
     for (++word; *word != nullptr; ++word) {

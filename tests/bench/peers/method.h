@@ -1,4 +1,4 @@
-/// What every peer offers: a name, what it is, the Debian package it comes from, one function.
+/// The interface of every peer: its name and title, its Debian package, and one function.
 #pragma once
 
 #include <chrono>
@@ -16,8 +16,8 @@ struct Outcome {
     std::vector<Triangle> triangles;
     /// For methods that make points of their own; empty: the triangles are over the input points.
     std::optional<PointFile> ownPoints;
-    /// Neighbor lists, spacing or the Delaunay triangulation: what is known before the method's own
-    /// work begins.
+    /// Time of neighbor lists, spacing or the Delaunay triangulation, before the method's own work
+    /// begins.
     double searchSeconds = 0.0;
     double reconstructSeconds = 0.0;
 };
@@ -29,9 +29,9 @@ using Reconstruct = Outcome (*)(const PointFile& points, std::size_t neighbors);
 /// One row of the table.
 struct Method {
     std::string_view name;     ///< As on the command line.
-    std::string_view title;    ///< What it is, and whose.
-    std::string_view package;  ///< The Debian package that brings it.
-    std::size_t neighbors;     ///< How many if none are given; 0: the method takes no such number.
+    std::string_view title;    ///< The method and its origin.
+    std::string_view package;  ///< The Debian package that contains it.
+    std::size_t neighbors;     ///< Default number of neighbors; 0: the method takes no such number.
     Reconstruct run;           ///< Null if the library was absent when this was configured.
 };
 
@@ -46,7 +46,7 @@ Outcome crust(const PointFile& points, std::size_t neighbors);
 Outcome hoppe(const PointFile& points, std::size_t neighbors);
 Outcome poisson(const PointFile& points, std::size_t neighbors);
 
-/// Seconds since it was made or last asked.
+/// A stop watch for seconds since construction or the last call.
 class StopWatch {
   public:
     double lap() {

@@ -91,7 +91,7 @@ TEST_CASE("Write: a file that is open under /dev/fd is appended to") {
     ::close(log);
 }
 
-TEST_CASE("Write: no folder, a folder in the way, a full disk are told apart") {
+TEST_CASE("Write: no folder, a folder in the way, a full disk have their own errors") {
     const TemporaryFolder folder;
     const auto error = [](const fs::path& path) {
         const Status status = writeFileAtomically(path, "bytes");
@@ -155,7 +155,7 @@ TEST_CASE("Write: the mode of a file is kept, and a new one obeys the umask") {
     ::umask(before);
 }
 
-TEST_CASE("Write: a write-protected file stays, whoever asks") {
+TEST_CASE("Write: a write-protected file stays, also for root") {
     const TemporaryFolder folder;
     REQUIRE(writeFileAtomically(folder / "a", "old").ok());
     fs::permissions(folder / "a", fs::perms(0444));

@@ -4,7 +4,7 @@
 
 using namespace se;
 
-TEST_CASE("shell words: what a shell would read otherwise stands between single quotes") {
+TEST_CASE("shell words: text that a shell would expand is put in single quotes") {
     CHECK(shellQuoted("/a/b-c_1.ply") == "/a/b-c_1.ply");
     CHECK(shellQuoted("$(touch pwned)") == "'$(touch pwned)'");
     CHECK(shellQuoted("a\nb") == "'a\nb'");

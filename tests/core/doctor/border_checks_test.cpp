@@ -1,4 +1,4 @@
-/// The doctor's check of openings that no wall and no type explains.
+/// The doctor's check of openings without walls or types.
 #include "doctor_support.h"
 #include "support/open_surfaces.h"
 
@@ -17,7 +17,7 @@ TEST_CASE("doctor: open_border notes the rims of an open surface, until they hav
               std::string::npos);
         for (const Index p : finding->points)
             CHECK(open.toRim(open.file.position[p]) < 1.5 * open.spacing);
-        // What helps is what the advice says: --derive-rim.
+        // The advised remedy works: --derive-rim.
         CHECK(finding->check->remedy.find("--derive-rim") != std::string_view::npos);
         PrepareOptions options;
         options.rim = true;
@@ -27,12 +27,12 @@ TEST_CASE("doctor: open_border notes the rims of an open surface, until they hav
     }
 }
 
-TEST_CASE("doctor: open_border says nothing of closed surfaces, nor of what walls cut") {
+TEST_CASE("doctor: open_border finds nothing on closed surfaces, nor at walls") {
     for (const Family& family : closedFamilies(1.5))
         CHECK_MESSAGE(findingOf(examined(family.sample(1)), "open_border") == nullptr, family.name);
     PointFile file = sampleSheet(wavySheet(), 12, 160, 1);  // typed
     CHECK(findingOf(examined(file), "open_border") == nullptr);
-    // The same sheet without its walls ends nowhere known.
+    // The same sheet without its types has no known border.
     file.type.clear();
     CHECK(findingOf(examined(file), "open_border") != nullptr);
     // Sides that are wrong, or unknown, make no border.

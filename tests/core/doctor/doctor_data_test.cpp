@@ -1,4 +1,5 @@
-/// The doctor on the data sets: every planted fault is found, and no clean set is accused.
+/// The doctor on the data sets: every planted fault is found, and no problem is found in a clean
+/// set.
 #include <algorithm>
 #include <filesystem>
 #include <map>

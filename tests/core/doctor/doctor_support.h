@@ -1,4 +1,4 @@
-/// What the tests of the doctor share.
+/// Helpers of the doctor's tests.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -18,7 +18,7 @@ inline Diagnosis examined(const PointFile& file) {
     return std::move(diagnosis.value());
 }
 
-/// The names of the findings that accuse, with a blank behind each.
+/// The names of the problems found, each followed by a blank.
 inline std::string accusations(const Diagnosis& diagnosis) {
     std::string names;
     for (const Finding& finding : diagnosis) {
@@ -35,7 +35,7 @@ inline const Finding* findingOf(const Diagnosis& diagnosis, const std::string& n
     return nullptr;
 }
 
-/// The finding of this name is there with these points, and nothing else accuses.
+/// Checks that the finding of this name has these points, and that there is no other problem.
 inline void checkAlone(const PointFile& file, const std::string& name,
                        const std::vector<Index>& points, Severity severity) {
     const Diagnosis diagnosis = examined(file);
@@ -93,7 +93,7 @@ inline PointFile flatLattice(int side, double jitter, std::uint64_t seed = 1) {
     return file;
 }
 
-/// The same with the lists of the `k` nearest.
+/// The file with the lists of the `k` nearest.
 inline PointFile withLists(PointFile file, std::size_t k = 12) {
     const std::vector<bool> usable(file.position.size(), true);
     file.neighbors = findNeighbors(file.position, {}, usable, reach(k, false)).value();

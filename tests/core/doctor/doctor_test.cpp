@@ -1,4 +1,5 @@
-/// Each check of the doctor: planted alone it is found, where it was planted, and no other accuses.
+/// Each check of the doctor: a problem planted alone is found, where it was planted, and no other
+/// is found.
 #include "spiraling_edge/doctor/doctor.h"
 
 #include <algorithm>
@@ -56,7 +57,7 @@ TEST_CASE("doctor: noise, rough normals and missing points are no faults") {
     }
 }
 
-TEST_CASE("doctor: it goes by shape, not by size or place") {
+TEST_CASE("doctor: findings depend on shape, not on size or place") {
     for (const double scale : {1e-6, 1.0, 1e6}) {
         CHECK(accusations(moved(ball(), Vec3(0.0), scale)) == "");
         CHECK(accusations(moved(ball(), 100.0 * scale * Vec3(1, 2, 3), scale)) == "");
@@ -102,7 +103,7 @@ TEST_CASE("doctor: near_duplicates are nearer than a thousandth of the spacing")
     }
 }
 
-TEST_CASE("doctor: too_few_points tells no triangle from one triangle") {
+TEST_CASE("doctor: too_few_points distinguishes no triangle and one triangle") {
     for (const std::size_t count : {0U, 1U, 2U, 3U, 4U}) {
         PointFile file;
         const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1.3, 1.1, 0.2}};
@@ -253,7 +254,7 @@ TEST_CASE("doctor: sharp edges, thin sheets and the end of a sheet flip nothing"
     CHECK(accusations(cube) == "");
 }
 
-TEST_CASE("doctor: inside_out finds closed components that look in") {
+TEST_CASE("doctor: inside_out finds closed components with normals inward") {
     PointFile file = ball();
     const auto all = turn(file, [](Index) { return true; });
     checkAlone(file, "inside_out", all, Severity::Warning);
@@ -265,7 +266,7 @@ TEST_CASE("doctor: inside_out finds closed components that look in") {
     checkAlone(file, "inside_out", second, Severity::Warning);
 }
 
-TEST_CASE("doctor: cavities and open sheets may look in") {
+TEST_CASE("doctor: cavities and open sheets may have normals inward") {
     PointFile file = ball();
     const auto first = static_cast<Index>(file.position.size());
     append(file, moved(ball(2), Vec3(0.1, 0, 0), 0.6));
@@ -349,7 +350,7 @@ TEST_CASE("doctor: lists that point outside, repeat, are unsorted or short") {
     checkAlone(file, "short_lists", {30, 31}, Severity::Warning);
 }
 
-TEST_CASE("doctor: equal distances may stand in any order") {
+TEST_CASE("doctor: equal distances may be in any order") {
     PointFile file = withLists(flatLattice(12, 0.0), 8);
     for (Index p = 0; p < file.position.size(); ++p) {
         std::vector<Index> list = listOf(file, p);
@@ -406,7 +407,7 @@ TEST_CASE("doctor: a surface may touch a wall without ending there") {
     checkAlone(file, "types_off_box", {top}, Severity::Warning);
 }
 
-TEST_CASE("doctor: corner_bits must say whether there are two walls") {
+TEST_CASE("doctor: corner_bits must be set exactly at two walls") {
     PointFile file = sheet();
     const Index corner = firstOfType(file, kPositiveX | kPositiveY | kCorner);
     const Index wall = firstOfType(file, kPositiveX);

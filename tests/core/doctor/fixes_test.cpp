@@ -1,4 +1,4 @@
-/// What the doctor mends without guessing.
+/// The repairs of the doctor that need no guess.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,7 +18,7 @@ std::map<std::string, std::size_t> repairsOf(const Treatment& treatment) {
     return counts;
 }
 
-/// Everything that can be mended, at once.
+/// A file with everything that can be repaired.
 PointFile patient() {
     PointFile file = withLists(ball());
     file.type.assign(file.position.size(), kInterior);
@@ -49,7 +49,7 @@ TEST_CASE("doctor: a healthy file is left as it is") {
     }
 }
 
-TEST_CASE("doctor: what was mended is listed, and gone") {
+TEST_CASE("doctor: repairs are listed, and the problems gone") {
     const Treatment treatment = treat(patient());
     const auto counts = repairsOf(treatment);
     CHECK(counts.at("non_finite") == 1);
@@ -78,7 +78,7 @@ TEST_CASE("doctor: points keep their order and everything that belongs to them")
     for (Index p = 0; p < kept.size(); ++p) {
         const auto old = static_cast<Index>(kept[p]);
         CHECK(after.position[p] == before.position[old]);
-        // Every list names the same points as before, but for those that are gone.
+        // Every list names the same points as before, except those that were dropped.
         std::vector<Index> names;
         for (const Index q : listOf(after, p)) names.push_back(static_cast<Index>(kept[q]));
         std::vector<Index> wanted;
@@ -135,7 +135,7 @@ TEST_CASE("doctor: normals that are all zero are taken out, not the points") {
     CHECK(repairsOf(treatment).at("zero_normals") == file.position.size());
 }
 
-TEST_CASE("doctor: what is guessing is left to the user, who may name points to drop") {
+TEST_CASE("doctor: guesses are left to the user, by a list of points to drop") {
     PointFile file = ball();
     file.position.push_back(Vec3(40, 0, 0));
     file.normal.push_back(Vec3(1, 0, 0));

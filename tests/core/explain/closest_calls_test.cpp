@@ -72,7 +72,7 @@ TEST_CASE("closest calls: by margin, and the moves are as small as the margins")
 }
 
 TEST_CASE("closest calls: a lattice decides at the very limit") {
-    // In a square grid neighbors stand at 0, 45, 90 ... degrees: first and last among them.
+    // In a square grid neighbors are at 0, 45, 90 ... degrees: first and last among them.
     PointFile file;
     for (int y = 0; y < 6; ++y) {
         for (int x = 0; x < 6; ++x) file.position.emplace_back(x, y, 0.0);
@@ -83,7 +83,7 @@ TEST_CASE("closest calls: a lattice decides at the very limit") {
     CHECK(std::abs(calls.calls[0].reading.margin) < 1e-9);
 }
 
-TEST_CASE("closest calls: none asked for, none given; cancelled says so") {
+TEST_CASE("closest calls: zero requested; cancelled") {
     const PointSet points = prepared(closedFamilies()[0].sample(2));
     CHECK(callsOf(points, paper(), 0).calls.empty());
     CHECK_FALSE(closestCalls(points, paper(), 5, [](double) { return false; }).ok());

@@ -83,7 +83,7 @@ TEST_CASE("moments: the hole of four was made by the point that was kept behind 
     }
 }
 
-TEST_CASE("moments: a failure of another mesh, and a reader who cancels") {
+TEST_CASE("moments: a failure of another mesh, and a cancelled search") {
     const PointSet points = prepared(failureScenes()[0].scene.build());
     const Run run = runAll(points, paper());
     const auto failures = inspectMesh(points, run.state.mesh());

@@ -39,7 +39,7 @@ TEST_CASE("proof: turning the decision called unavoidable makes the failure go a
             const FailureProof& proof = proofs.value()[i];
             CAPTURE(describe(failure.failure));
             CHECK((isGone(proof) || !proof.reason.empty()));
-            // What the scene is about.
+            // The subject of the scene.
             if (failure.failure.kind->name == each.failure &&
                 toString(failure.moments.unavoidable.event.address) == each.address)
                 CHECK(proof.proof != Proof::Stays);
@@ -54,7 +54,7 @@ TEST_CASE("proof: turning the decision called unavoidable makes the failure go a
     CHECK(stays * 50 < all);
 }
 
-TEST_CASE("proof: the hole of four takes the point behind it wherever it is asked") {
+TEST_CASE("proof: the hole of four takes the point behind it at every test") {
     const PointSet points = prepared(findScene("four-edge-hole")->build());
     const std::vector<RunFailure> failures = failuresIn(points);
     for (const RunFailure& each : failures) {
@@ -88,7 +88,7 @@ TEST_CASE("proof: with a decision that is not the cause the failure stays") {
     CHECK_FALSE(proofs.value()[0].reason.empty());
 }
 
-TEST_CASE("proof: where two triangles cross, the earlier one may be what should not be there") {
+TEST_CASE("proof: where two triangles cross, the earlier one may be wrong") {
     const PointSet points = prepared(findScene("close-sheets")->build());
     const std::vector<RunFailure> failures = failuresIn(points);
     const auto chosen = sampleOfEach(failures, 20);
@@ -113,7 +113,7 @@ TEST_CASE("proof: where two triangles cross, the earlier one may be what should 
     CHECK(looked > 0);
 }
 
-TEST_CASE("proof: a point that no sector ever held cannot be kept, and the reason is told") {
+TEST_CASE("proof: a point outside all sectors cannot be kept, and there is a reason") {
     const PointSet points = prepared(findScene("flipped-patch")->build());
     const std::vector<RunFailure> failures = failuresIn(points);
     const auto proofs = proveCauses(points, paper(), failures, sampleOfEach(failures, 100));
@@ -141,7 +141,7 @@ TEST_CASE("proof: a sample is spread over each class") {
     }
 }
 
-TEST_CASE("proof: a reader who cancels") {
+TEST_CASE("proof: cancelled") {
     const PointSet points = prepared(findScene("four-edge-hole")->build());
     const std::vector<RunFailure> failures = failuresIn(points);
     CHECK_FALSE(proveCauses(points, paper(), failures, sampleOfEach(failures, 1), [](double) {

@@ -1,4 +1,4 @@
-// What is asked most: why is this point, this edge, this triangle not there?
+// The most frequent queries: why a point, an edge or a triangle is missing.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ class Missing {
         }
     }
 
-    /// Nothing if every point is used.
+    /// A random unused point; nothing if every point is used.
     std::optional<Subject> point() {
         if (unused_.empty()) return {};
         return Subject::point(unused_[random_.below(unused_.size())]);
@@ -58,7 +58,7 @@ class Missing {
 
   private:
     Index any() { return static_cast<Index>(random_.below(points_.size())); }
-    /// A neighbor as a rule: nobody asks about others, but may.
+    /// Usually a neighbor, as in most queries.
     Index near(Index p) {
         const auto list = points_.neighbors[p];
         return list.empty() || random_.below(6) == 0 ? any() : list[random_.below(list.size())];
@@ -71,7 +71,7 @@ class Missing {
     std::vector<Index> unused_;
 };
 
-/// True if there was something to ask about.
+/// Checks the answer about `subject`. False without a subject.
 bool answered(const PointSet& points, const Params& params, const std::optional<Subject>& subject) {
     if (!subject) return false;
     CAPTURE(nameOf(*subject));

@@ -30,8 +30,8 @@ bool inMesh(const std::vector<Triangle>& mesh, const Subject& subject) {
     });
 }
 
-/// What an answer must be for any subject: it says what the mesh says, its cause is a decision of
-/// that run, found again at its address, and it is about the subject.
+/// Checks of an answer for any subject: it agrees with the mesh, and its cause is a decision of
+/// that run at its address and about the subject.
 void checkAnswer(Timeline& timeline, const std::vector<Triangle>& mesh, const Ledger& ledger) {
     CAPTURE(ledger.answer);
     CHECK(ledger.present == inMesh(mesh, ledger.subject));
@@ -47,8 +47,8 @@ void checkAnswer(Timeline& timeline, const std::vector<Triangle>& mesh, const Le
     CHECK(ledger.present == (cause.role == LineRole::Made));
 }
 
-/// `count` random points, edges and triangles; edges and triangles of near points for the most
-/// part, for no one asks about others.
+/// `count` random points, edges and triangles; edges and triangles mostly of near points, as in
+/// most queries.
 void checkRandomSubjects(const PointSet& points, const Params& params, std::size_t count) {
     Timeline timeline(points, params);
     timeline.seek(0xffffffffU);
@@ -95,7 +95,7 @@ TEST_CASE("ledger: the same on points that no surface gave, with and without the
 }
 
 TEST_CASE("ledger: a point in no triangle was refused by a test, and the ledger names the last") {
-    // Every tenth point has a twin a little above it: one of the two is left over as a rule.
+    // Every tenth point has a twin a little above it: one of the two is usually left over.
     PointFile file = closedFamilies()[0].sample(3);
     for (std::size_t p = 0, count = file.position.size(); p < count; p += 10) {
         file.position.push_back(1.02 * file.position[p] + Vec3(0.02, 0.01, 0.0));
@@ -112,7 +112,7 @@ TEST_CASE("ledger: a point in no triangle was refused by a test, and the ledger 
         const LedgerLine& cause = ledger.lines[ledger.cause];
         CHECK(cause.role == LineRole::Refused);
         CHECK((testedPoint(cause.event) == p || testedPoint(cause.event) == kNone));
-        // Nothing refused it later but that it was DONE by then.
+        // Later refusals are only that it was DONE.
         for (std::size_t i = ledger.cause + 1; i < ledger.lines.size(); ++i) {
             if (ledger.lines[i].role != LineRole::Refused) continue;
             const auto* sort = std::get_if<SortEvidence>(&ledger.lines[i].event.evidence);
@@ -151,7 +151,7 @@ TEST_CASE("ledger: a triangle of the mesh names the step that made it") {
     }
 }
 
-TEST_CASE("ledger: an edge that was flipped away says so") {
+TEST_CASE("ledger: the answer for an edge that was flipped away") {
     const PointSet points = sceneNamed("linked-tori");
     const Params robust = *paramsByName("robust");
     EventLog log;
@@ -169,7 +169,7 @@ TEST_CASE("ledger: an edge that was flipped away says so") {
     }
 }
 
-TEST_CASE("ledger: the lines of an isolated point say that nothing lists it") {
+TEST_CASE("ledger: the answer for an isolated point is that nothing lists it") {
     PointFile file = findScene("sphere")->build();
     file.neighbors = {};
     PointSet points = prepared(file);
@@ -187,7 +187,7 @@ TEST_CASE("ledger: the lines of an isolated point say that nothing lists it") {
     CHECK(ledger.lines[ledger.cause].event.address.stage == Stage::Strand);
 }
 
-TEST_CASE("ledger: what cannot be asked") {
+TEST_CASE("ledger: invalid subjects") {
     const PointSet points = sceneNamed("grid");
     CHECK_FALSE(why(points, paper(), Subject::point(100000)).ok());
     CHECK_FALSE(why(points, paper(), Subject::edge(3, 3)).ok());

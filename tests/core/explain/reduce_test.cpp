@@ -13,7 +13,7 @@ using namespace se::test;
 
 namespace {
 
-/// Does a run over the points end with a failure of this class?
+/// True for points whose run ends with a failure of this class.
 std::function<bool(const PointFile&)> failsBy(std::string_view name) {
     return [name](const PointFile& file) {
         const PointSet points = prepared(file);
@@ -48,7 +48,7 @@ TEST_CASE("reduce: what stays still fails, and no single point of it can go") {
     }
 }
 
-TEST_CASE("reduce: an input that does not fail, and a reader who cancels") {
+TEST_CASE("reduce: an input that does not fail, and a cancelled one") {
     const PointFile file = closedFamilies()[0].sample(1);
     CHECK_FALSE(reduceInput(file, Vec3(0.0), [](const PointFile&) { return false; }).ok());
     const auto always = [](const PointFile&) { return true; };
@@ -60,7 +60,7 @@ TEST_CASE("reduce: an input that does not fail, and a reader who cancels") {
 
 TEST_CASE("reduce: it ends when the effort is used up, with the best so far") {
     const PointFile file = closedFamilies()[0].sample(1);
-    // Whatever holds the first point and the last one fails.
+    // Any part with the first and the last point fails.
     const auto fails = [&](const PointFile& part) {
         const auto has = [&](const Vec3& x) {
             return std::find(part.position.begin(), part.position.end(), x) != part.position.end();

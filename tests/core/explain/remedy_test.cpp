@@ -61,7 +61,7 @@ TEST_CASE("remedy: every rule that robust has beyond the paper is tried, and bot
         REQUIRE(remedy != nullptr);
         CHECK(remedy->rule == nullptr);
     }
-    // The gallery says that it helps.
+    // The gallery names it as a remedy.
     CHECK(remedyNamed(four.remedies, "corrected")->prevents);
 }
 
@@ -85,7 +85,7 @@ TEST_CASE("remedy: a run with the rule that prevents it is without the failure")
     }
 }
 
-TEST_CASE("remedy: what prevents it comes first, single rules before sets, the fewest failures") {
+TEST_CASE("remedy: preventing rules come first, single rules before sets, the fewest failures") {
     const Tried t = tried("four-edge-hole");
     const auto rank = [](const Remedy& r) {
         return std::tuple(!r.prevents, r.rule == nullptr, r.all);
@@ -123,7 +123,7 @@ TEST_CASE("remedy: a hole that has become smaller is still there") {
     CHECK_FALSE(isStillThere(unused, {hole}));
 }
 
-TEST_CASE("remedy: a reader who cancels") {
+TEST_CASE("remedy: cancelled") {
     const PointSet points = prepared(findScene("four-edge-hole")->build());
     MeshFailure failure;
     failure.kind = findFailureClass("holes");

@@ -46,7 +46,7 @@ TEST_CASE("ring: places are written and read") {
     CHECK(nameOf(RingPlace{{137, Stage::Ring, 4}, 2}) == "ring #2 at 137.ring.4");
 }
 
-TEST_CASE("ring: the first ring comes of its seed alone, before and after it grows") {
+TEST_CASE("ring: the first ring has its seed as only ancestor, before and after it grows") {
     const PointSet points = prepared(findScene("torus")->build());
     for (const std::uint32_t pivot : {1U, 5U}) {
         const RingHistory history = historyOf(points, {{pivot, Stage::Pivot, 0}, 0});

@@ -81,7 +81,7 @@ using Corners = std::array<Grid, 3>;
 
 bool hasArea(const Corners& t) { return !isZero(cross(minus(t[1], t[0]), minus(t[2], t[0]))); }
 
-/// Is there a gap between the triangles along the axis?
+/// True if there is a gap between the triangles along the axis.
 bool separates(const WideVec& axis, const Corners& a, const Corners& b) {
     const auto range = [&](const Corners& t) {
         std::array<Wide, 3> at{};
@@ -95,7 +95,8 @@ bool separates(const WideVec& axis, const Corners& a, const Corners& b) {
 }
 
 /// Separating axes: two triangles with an area have no point in common exactly if one of their
-/// normals, of the products of their edges, or of the normals in their planes at edges, parts them.
+/// normals, of the products of their edges, or of the normals in their planes at edges, separates
+/// them.
 bool meetBySeparation(const Corners& a, const Corners& b) {
     const auto edge = [](const Corners& t, std::size_t i) { return minus(t[(i + 1) % 3], t[i]); };
     const WideVec na = cross(edge(a, 0), edge(a, 1));
@@ -111,7 +112,8 @@ bool meetBySeparation(const Corners& a, const Corners& b) {
     return true;
 }
 
-/// Do the two triangles of five points share more than corners? All orders must say the same.
+/// True if the two triangles of five points share more than corners; empty if the result depends on
+/// their order.
 std::optional<bool> shareMore(const std::vector<Vec3>& x, const Triangle& a, const Triangle& b) {
     const auto turned = [](const Triangle& t, int turn) {
         switch (turn) {
@@ -189,7 +191,7 @@ TEST_CASE("exact: orient2d has the sign of integer arithmetic, in and near lines
 }
 
 TEST_CASE("exact: signs do not change when everything is moved far away and made small") {
-    // 2^20 + i 2^-20 is a double as long as it is.
+    // 2^20 + i 2^-20 is exactly a double.
     const auto far = [](const Grid& p) {
         return p.vec() * 0x1p-20 + Vec3(0x1p20, -0x1p20, 0x1p19);
     };
@@ -227,7 +229,7 @@ TEST_CASE("exact: what a floating-point determinant gets wrong is still right") 
     CHECK(orient3d(a, b, c, d - Vec3(0, 0, tiny)) == -up);
 }
 
-TEST_CASE("exact: triangles meet where separating axes say so, on small lattices") {
+TEST_CASE("exact: triangles meet exactly where no separating axis exists, on small lattices") {
     for (const std::int64_t reach : {1, 2, 4, 50}) {
         GridRandom random(static_cast<std::uint64_t>(reach) + 2);
         std::size_t wrong = 0;

@@ -1,4 +1,4 @@
-/// Positions out of written STL and GLB, by what the specifications of the formats say.
+/// Positions from written STL and GLB, read by the specifications of the formats.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -51,7 +51,7 @@ inline std::vector<Vec3> stlCorners(const std::string& stl) {
     return corners;
 }
 
-/// The first `count` positions of a GLB file: those of its buffer, about the place of the node.
+/// The first `count` positions of a GLB file: those of its buffer plus the translation of the node.
 inline std::vector<Vec3> glbPositions(const std::string& glb, std::size_t count) {
     const std::size_t json = wordAt(glb, 12);
     const std::string text = glb.substr(20, json);

@@ -36,7 +36,7 @@ FarMesh torusAt(const Vec3& middle, double size) {
     return mesh;
 }
 
-/// Every position that a file holds, beside the one that was meant.
+/// Every position of a file with the intended one.
 struct Pairs {
     std::vector<Vec3> found;
     std::vector<Vec3> meant;
@@ -86,7 +86,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("STL: the shift is a round number, said by its header and by shiftOf()") {
+TEST_CASE("STL: the shift is a round number, given by its header and by shiftOf()") {
     const FarMesh mesh = torusAt({500001, 5400001, 301}, 2.0);
     const MeshFormat& stl = *meshFormatOf("far.stl");
     const auto shift = shiftOf(stl, mesh.points, mesh.triangles);
@@ -118,7 +118,7 @@ TEST_CASE("STL: a mesh that no shift helps, or without size, is written without 
     PointFile points;
     const MeshFormat& stl = *meshFormatOf("a.stl");
     CHECK_FALSE(shiftOf(stl, points, {}).has_value());
-    // All corners in one place, and small triangles at both ends of a long way.
+    // All corners in one place, and small triangles far apart.
     points.position.assign(3, Vec3(1e7 + 0.1));
     const std::vector<Triangle> one{{0, 1, 2}};
     CHECK_FALSE(shiftOf(stl, points, one).has_value());
@@ -128,7 +128,7 @@ TEST_CASE("STL: a mesh that no shift helps, or without size, is written without 
     CHECK_FALSE(shiftOf(stl, points, two).has_value());
 }
 
-TEST_CASE("OFF: plain unless normals are asked for; STL has no place for them") {
+TEST_CASE("OFF: plain unless normals are requested; STL has no place for them") {
     const TemporaryFolder folder;
     const FarMesh mesh = torusAt({0, 0, 0}, 2.0);
     const auto plain = folder / "a.off";

@@ -1,4 +1,4 @@
-/// PCD, ascii and binary: what is read, and what is refused with which words.
+/// PCD, ascii and binary: valid files, and the errors of invalid ones.
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -96,7 +96,7 @@ TEST_CASE("PCD: the kind is found by the content, whatever the name") {
     CHECK(readPoints(kHead + "DATA ascii\n" + kRows, "a.txt").ok());
 }
 
-TEST_CASE("PCD: what is wrong is told with line or byte, and what to do") {
+TEST_CASE("PCD: errors name the line or byte, and what to do") {
     CHECK(errorOf(kHead + "DATA ascii\n1 2 3 0 0 1 0\n").find("1 of 2 points") !=
           std::string::npos);
     CHECK(errorOf(kHead + "DATA ascii\n" + kRows + "7 7 7 7 7 7 7\n").find("goes on") !=

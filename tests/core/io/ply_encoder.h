@@ -14,7 +14,7 @@
 
 namespace se::test {
 
-/// Encodes text PLY as binary: an independent, naive way from one form to the other.
+/// Encodes text PLY as binary: an independent, naive conversion.
 class BinaryEncoder {
   public:
     BinaryEncoder(const std::string& ascii, bool bigEndian) : big_(bigEndian) {

@@ -10,7 +10,7 @@ using namespace se::test;
 
 namespace {
 
-/// Five points with everything that a PLY file can bring, written by hand as text.
+/// Five points with all features of a PLY file, written by hand as text.
 const char* const kFull =
     "ply\n"
     "format ascii 1.0\n"
@@ -56,13 +56,13 @@ const std::string kTwo =
     "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
     "property float z\nend_header\n0 0 0\n1 2 3\n";
 
-/// The same with longer numbers, so that there seems to be room for more rows.
+/// Two points with longer numbers, so that there seems to be room for more rows.
 const std::string kLongTwo =
     kTwo.substr(0, kTwo.find("0 0 0")) + "0.000 0.000 0.000\n1.5 2.5 3.5\n";
 
 }  // namespace
 
-TEST_CASE("PLY: everything that a file holds is read as it stands there") {
+TEST_CASE("PLY: everything in a file is read unchanged") {
     const PointFile file = mustRead(kFull);
     REQUIRE(file.position.size() == 5);
     CHECK(file.position[1] == Vec3(1e-3, 0, 0));
@@ -207,7 +207,7 @@ TEST_CASE("PLY: an element without properties has rows of nothing") {
     checkSame(mustRead(replaced(littleEndian(kTwo), "end_header", none)), mustRead(kTwo));
 }
 
-TEST_CASE("PLY: a text row must hold as many values as the header says") {
+TEST_CASE("PLY: a text row must hold as many values as the header announces") {
     CHECK(contains(errorOf(replaced(kLongTwo, "1.5 2.5 3.5", "1.5 2.5")),
                    "line 9: expected a value of type float for property \"z\", found the end"));
     CHECK(contains(errorOf(replaced(kLongTwo, "1.5 2.5 3.5", "1.5 2.5 3.5 4")),
@@ -283,7 +283,7 @@ TEST_CASE("PLY: values that a type cannot hold are written as the nearest") {
     CHECK(again.attributes[1].values == std::vector<double>{0, -32768});
 }
 
-TEST_CASE("PLY: attributes whose name cannot stand in a header are left out") {
+TEST_CASE("PLY: attributes whose name is not allowed in a header are left out") {
     PointFile file = mustRead(kTwo);
     file.attributes = {{"x", ScalarType::Float, {1, 1}},   {"", ScalarType::Float, {1, 1}},
                        {"a b", ScalarType::Float, {1, 1}}, {"ok", ScalarType::Float, {1, 1}},

@@ -33,7 +33,7 @@ bool parses(std::string_view field, double& value) {
     double other = 0.0;
     const bool good = io::parseDouble(field, value);
     CHECK(io::parseDoubleByStrtod(field, other) ==
-          good);  // the way of libraries without from_chars
+          good);  // the code path of libraries without from_chars
     if (good) CHECK(sameNumber(value, other));
     return good;
 }
@@ -112,7 +112,7 @@ TEST_CASE("OBJ: points, faces and the normals that faces refer to") {
     CHECK(file.normal == std::vector<Vec3>{{0, 0, 1}, {0, 0, 1}, {0, 1, 0}, {0, 0, 1}});
 }
 
-TEST_CASE("OBJ: as many normals as points belong to them in order, fewer to nobody") {
+TEST_CASE("OBJ: as many normals as points belong to them in order, fewer to none") {
     CHECK(mustRead("v 0 0 0\nv 1 0 0\nvn 0 0 1\nvn 0 1 0\n").normal ==
           std::vector<Vec3>{{0, 0, 1}, {0, 1, 0}});
     CHECK_FALSE(mustRead("v 0 0 0\nv 1 0 0\nvn 0 0 1\n").hasNormals());
@@ -157,7 +157,7 @@ TEST_CASE("OFF: points, normals, polygons with colors") {
     CHECK(file.faces == std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}});
 }
 
-TEST_CASE("OFF: counts may stand beside the keyword, and by extension the keyword may be missing") {
+TEST_CASE("OFF: counts may follow the keyword, and by extension the keyword may be missing") {
     const char* const body = "1 0 0\n1 2 3\n";
     CHECK(mustRead(std::string("OFF ") + body).position.at(0) == Vec3(1, 2, 3));
     CHECK(mustRead(body, "a.OFF").position.size() == 1);
@@ -200,7 +200,7 @@ TEST_CASE("Files: what is none of the known kinds is refused with a list of thos
     CHECK(contains(errorOf(std::string(100, '\0')), "no known kind"));
 }
 
-TEST_CASE("Files: missing, empty and folders are told apart") {
+TEST_CASE("Files: missing, empty and folders have their own errors") {
     const TemporaryFolder folder;
     CHECK(contains(readPoints(folder / "none").error().message, "there is no such file"));
     CHECK(contains(readPoints(folder / "").error().message, "is a folder"));

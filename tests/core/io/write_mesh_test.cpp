@@ -1,5 +1,5 @@
 /// Meshes written for other programs (write_mesh.h): read back by our own readers where there is
-/// one, and by what the formats' specifications say where there is none.
+/// one, else by the formats' specifications.
 #include "spiraling_edge/io/write_mesh.h"
 
 #include <doctest/doctest.h>
@@ -105,7 +105,7 @@ TEST_CASE("GLB: chunks of the right length, and places that keep their digits fa
     CHECK(head + 8 + binary == bytes.size());
     const std::size_t count = mesh.points.position.size();
     CHECK(binary == 24 * count + 12 * mesh.triangles.size());
-    // Distances between points survive, which floats at 1e6 would not carry.
+    // Distances between points are preserved, which floats at 1e6 would not do.
     const std::size_t first = head + 8;
     for (const Triangle& t : mesh.triangles) {
         const Vec3 found = vectorAt(bytes, first + 12 * t.b) - vectorAt(bytes, first + 12 * t.a);

@@ -1,4 +1,4 @@
-/// XYZ: which columns are colors, normals or an intensity, and what commas are.
+/// XYZ: recognition of colors, normals and intensities, and the meaning of commas.
 #include <cmath>
 
 #include "support/io_support.h"
@@ -38,7 +38,7 @@ TEST_CASE("XYZ: whole numbers from 0 to 255 after the position are colors, no no
     checkColors(file, {255, 200, 0}, {0, 100, 0}, {17, 0, 0});
     CHECK(file.columns.names == "x y z red green blue");
     CHECK(contains(file.columns.reason, "columns 4 to 6 are whole numbers from 0 to 255"));
-    // They come out as the columns that every program knows, and the normals are derived.
+    // They are written as the usual columns, and the normals are derived.
     const std::string bytes = meshPlyBytes(file, {});
     for (const char* name : {"red", "green", "blue"})
         CHECK(contains(bytes, std::string("property uchar ") + name + "\n"));
@@ -53,7 +53,7 @@ TEST_CASE("XYZ: one number that no color can be makes the three columns normals 
     CHECK(axes.normal == std::vector<Vec3>{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}});
     CHECK(axes.columns.names == "x y z nx ny nz");
     CHECK(axes.attributes.empty());
-    // Other lengths with a sign are normals still, and that is said.
+    // Other lengths with a sign are still normals, and the reason is given.
     const PointFile scaled = mustRead("0 0 0 0 0 2.5\n1 0 0 0 -3 0\n");
     CHECK(scaled.normal[0] == Vec3(0, 0, 2.5));
     CHECK(contains(scaled.columns.reason, "length is not 1"));
@@ -75,7 +75,7 @@ TEST_CASE("XYZ: columns of zeros as whole numbers are colors, else missing norma
     CHECK(mustRead("0 0 0 nan nan nan\n1 0 0 nan nan nan\n").hasNormals());
 }
 
-TEST_CASE("XYZ: colors and normals in either order, told by their numbers") {
+TEST_CASE("XYZ: colors and normals in either order, recognized by their numbers") {
     for (const char* text : {"1 2 3 0 0.6 0.8 9 8 7\n4 5 6 0 0 1 255 0 1\n",
                              "1 2 3 9 8 7 0 0.6 0.8\n4 5 6 255 0 1 0 0 1\n"}) {
         const PointFile file = mustRead(text);
@@ -121,7 +121,7 @@ TEST_CASE("XYZ: a comment that names the columns decides") {
     CHECK(column(seven, "intensity", ScalarType::Double) == std::vector<double>{4});
     checkColors(seven, {5}, {6}, {7});
     checkColors(mustRead("# x y z r g b\n1 2 3 4.0 5.0 255.0\n"), {4}, {5}, {255});
-    // The position may stand elsewhere, and colors from 0 to 1 stay what they are.
+    // The position may be in other columns, and colors from 0 to 1 stay unchanged.
     const PointFile turned = mustRead("# Red Green Blue Z Y X\n0.5 0 1 3 2 1\n");
     CHECK(turned.position == std::vector<Vec3>{{1, 2, 3}});
     CHECK(column(turned, "red", ScalarType::Double) == std::vector<double>{0.5});

@@ -164,7 +164,7 @@ TEST_CASE("faults: the grid finds the intersections that trying every pair finds
         const double size = random.between(0.05, 0.6);
         const Vec3 move = seed % 3 == 0 ? Vec3(1e6, -1e6, 1e5) : Vec3(0);
         for (Index i = 0; i < 150; ++i) {
-            // Now and then one that spans everything, or in one plane with others.
+            // Some span everything, or lie in one plane with others.
             const double reach = i % 40 == 0 ? 4.0 : size;
             const Vec3 center = random.inCube();
             for (int k = 0; k < 3; ++k) {
@@ -203,7 +203,7 @@ TEST_CASE("faults: names are those of the report") {
     CHECK(faultName(FaultKind::Folded) == "folded");
 }
 
-TEST_CASE("faults: the search for pairs ends after its work, and says so") {
+TEST_CASE("faults: the search for pairs ends at its work limit and is marked incomplete") {
     // Slanted and parallel: all boxes meet, no two triangles do.
     const auto slanted = [](Index count) {
         PointSet points = pointsAt({});

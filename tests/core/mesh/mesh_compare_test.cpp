@@ -167,14 +167,14 @@ TEST_CASE("mesh comparison: of points at one place, that of the same number is t
     file.faces = {{0, 1, 2}, {0, 3, 2}};
     const MatchedMesh matched = matchMesh(file.position, file);
     CHECK(matched.triangles == file.faces);
-    // Without as many points the lower number is taken.
+    // With fewer points the lower number is used.
     PointFile shorter = file;
     shorter.position = {{1, 0, 0}, {0, 0, 0}, {0, 1, 0}};
     shorter.faces = {{1, 0, 2}};
     CHECK(matchMesh(file.position, shorter).triangles == std::vector<Triangle>{{0, 1, 2}});
 }
 
-TEST_CASE("mesh comparison: a set says of each triangle what it has in its place") {
+TEST_CASE("mesh comparison: a set gives the counterpart of each triangle") {
     const TriangleSet set(std::vector<Triangle>{{3, 1, 2}, {4, 5, 6}});
     CHECK(set.find({1, 2, 3}) == Standing::Both);
     CHECK(set.find({2, 1, 3}) == Standing::Turned);

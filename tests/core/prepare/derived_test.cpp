@@ -1,4 +1,4 @@
-/// What prepare() derives: normals, their sides, wall types.
+/// The pieces that prepare() derives: normals, their sides, wall types.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ Prepared prepareOrFail(const PointFile& file) {
 
 }  // namespace
 
-TEST_CASE("prepare: points without normals get derived ones, and the report says so") {
+TEST_CASE("prepare: points without normals get derived ones, with a report") {
     for (const Family& family : closedFamilies(6.0)) {
         PointFile file = family.sample(1);
         const std::vector<Vec3> truth = file.normal;
@@ -87,7 +87,8 @@ TEST_CASE("prepare: wall types from a box replace those of the file") {
     const Prepared prepared = prepare(sheet, options).value();
     CHECK(prepared.points.type == truth);
     CHECK(prepared.report.derived.types);
-    // The box around the points finds the same walls: what it only touches above and below is none.
+    // The box around the points finds the same walls; the faces above and below, which are only
+    // touched, are none.
     options.walls = boxAround(sheet.position);
     CHECK(prepare(sheet, options).value().points.type == truth);
 }

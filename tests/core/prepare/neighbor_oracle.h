@@ -1,4 +1,4 @@
-/// OraclePoints for the tests of the neighbor search, and lists found by looking at all pairs.
+/// OraclePoints for the tests of the neighbor search, and lists found by comparing all pairs.
 #pragma once
 
 #include <algorithm>
@@ -66,7 +66,7 @@ inline NeighborOptions within(double radius, bool dropOpposing) {
     return {WithinRadius{radius}, dropOpposing, false};
 }
 
-/// What the header of findNeighbors() promises, by looking at all pairs.
+/// The result specified for findNeighbors(), by comparing all pairs.
 inline Lists bruteForce(const OraclePoints& points, const NeighborOptions& options) {
     Lists lists;
     for (Index p = 0; p < points.position.size(); ++p) {

@@ -1,5 +1,5 @@
 /// Noise along the normal (docs/robust.md, "Before the run"): where it is as wide as the spacing,
-/// points over and under others are set aside, and what is left is a surface; elsewhere nothing is.
+/// points over and under others are set aside, and the rest is a surface; elsewhere no point is.
 #include "spiraling_edge/prepare/noise.h"
 
 #include <doctest/doctest.h>
@@ -15,7 +15,7 @@ using namespace se::test;
 
 namespace {
 
-/// As `spiraling-edge run` with these rules prepares them.
+/// The points as prepared by `spiraling-edge run` with these rules.
 Prepared prepareFor(const char* rules, const PointFile& file) {
     PrepareOptions options;
     options.setNoiseAside = paramsByName(rules)->setNoiseAside;
@@ -82,7 +82,7 @@ TEST_CASE("noise: long lists do not make a surface noisy") {
     }
 }
 
-TEST_CASE("noise: a sphere in noise wider than its spacing comes out whole and sound") {
+TEST_CASE("noise: a sphere in noise wider than its spacing gets a whole and sound mesh") {
     for (const double width : {1.0, 1.5, 2.0}) {
         for (std::uint64_t seed = 1; seed <= 3; ++seed) {
             const PointFile file = noisySphere(6000, width, seed);
@@ -126,7 +126,8 @@ TEST_CASE("noise: lists from the file are taken as they are") {
 }
 
 TEST_CASE(
-    "noise: the noisy sphere of the shared data comes out whole and sound, all others whole") {
+    "noise: the noisy sphere of the shared data gets a whole and sound mesh, all others a whole "
+    "one") {
     for (const char* name : {"sphere_noisy", "fin90", "oni", "elephant", "hippo"}) {
         const auto file = sharedPoints(std::string("points/") + name + ".ply");
         if (!file) return;
@@ -142,7 +143,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("noise: all of the work tells how far it is, and can be cancelled at any time") {
+TEST_CASE("noise: all of the work reports progress, and can be cancelled at any time") {
     PointFile file = noisySphere(6000, 1.0, 5);
     file.normal.clear();
     PrepareOptions options;
@@ -162,7 +163,7 @@ TEST_CASE("noise: all of the work tells how far it is, and can be cancelled at a
     CHECK(whole.value().report.noise > kNoisy);
     CHECK(std::is_sorted(shares.begin(), shares.end()));
     CHECK(shares.back() == 1.0);
-    // Planes, sides, and each of the searches after the first have a say of their own.
+    // Planes, sides, and each of the searches after the first report their progress.
     const auto between = [&](double low, double high) {
         return std::count_if(shares.begin(), shares.end(),
                              [=](double share) { return share > low && share < high; });
@@ -175,6 +176,6 @@ TEST_CASE("noise: all of the work tells how far it is, and can be cancelled at a
     for (std::size_t most = 1; most < beforeEnd; ++most) {
         CAPTURE(most);
         CHECK_FALSE(run(most).ok());
-        CHECK(shares.size() <= most + 2);  // the end of a piece of work asks nobody
+        CHECK(shares.size() <= most + 2);  // the end of a part of the work does not report
     }
 }

@@ -1,4 +1,4 @@
-/// Normals for points that come without, and a common side for normals that disagree.
+/// Estimation of missing normals, and orientation of normals to a common side.
 #include "spiraling_edge/prepare/normals.h"
 
 #include <doctest/doctest.h>
@@ -14,7 +14,7 @@ using namespace se::test;
 
 namespace {
 
-/// The k nearest of each point, whatever the normals.
+/// The k nearest of each point, regardless of normals.
 NeighborLists nearest(const std::vector<Vec3>& position, std::size_t k = 12) {
     const std::vector<bool> usable(position.size(), true);
     return findNeighbors(position, {}, usable, reach(k, false)).value();
@@ -84,7 +84,7 @@ TEST_CASE("normals: points without neighbors, or all in line, have none") {
     CHECK(estimateNormals({}, NeighborLists{}).empty());
 }
 
-TEST_CASE("orientation: closed surfaces look out, each component by itself") {
+TEST_CASE("orientation: normals of closed surfaces point outward, in each component") {
     for (const Family& family : closedFamilies(1.0)) {
         for (std::uint64_t seed = 1; seed <= 3; ++seed) {
             const PointFile file = family.sample(seed);
@@ -99,7 +99,7 @@ TEST_CASE("orientation: closed surfaces look out, each component by itself") {
     }
 }
 
-TEST_CASE("orientation: derived normals of closed surfaces look out as well") {
+TEST_CASE("orientation: derived normals of closed surfaces point outward as well") {
     for (const Family& family : closedFamilies(kDense)) {
         const PointFile file = family.sample(2);
         const NeighborLists lists = nearest(file.position);
@@ -109,7 +109,7 @@ TEST_CASE("orientation: derived normals of closed surfaces look out as well") {
     }
 }
 
-TEST_CASE("orientation: it holds round the edges of a cube, where the plain cosine says nothing") {
+TEST_CASE("orientation: it holds around the edges of a cube, where the plain cosine is zero") {
     PointFile cube;
     constexpr int kSide = 9;
     for (int face = 0; face < 6; ++face) {
@@ -133,8 +133,8 @@ TEST_CASE("orientation: it holds round the edges of a cube, where the plain cosi
     CHECK(against(normal, cube.normal) == 0);
 }
 
-TEST_CASE("orientation: the two sides of a thin sheet look apart") {
-    // Each point has its twin below nearer than its neighbors beside.
+TEST_CASE("orientation: normals on the two sides of a thin sheet point apart") {
+    // Each point has a twin below it that is nearer than its neighbors.
     std::vector<Vec3> position;
     std::vector<Vec3> truth;
     for (int i = 0; i < 12; ++i) {

@@ -47,7 +47,7 @@ std::string errorOf(const PointFile& file, const NeighborOptions& options = {}) 
     return prepared.ok() ? "none" : prepared.error().message;
 }
 
-/// Whether point p has an empty list and stands in no list.
+/// True if point p has an empty list and is in no list.
 bool isSetAside(const PointSet& points, Index p) {
     const auto& ids = points.neighbors.ids;
     return points.neighbors[p].empty() && std::count(ids.begin(), ids.end(), p) == 0;
@@ -72,7 +72,7 @@ TEST_CASE("findNeighbors: ties on a lattice fall to the lower index") {
     CHECK(find(points, nearest(3, false))[0] == std::vector<Index>{1, 8, 64});
 }
 
-TEST_CASE("symmetricLists: who lists a point is listed by it, nearest first, and nobody is lost") {
+TEST_CASE("symmetricLists: every entry has its inverse, nearest first, and none is lost") {
     // Dense on one side, sparse on the other: sparse points list dense ones that do not list them.
     OraclePoints points = makeRandom(400);
     for (Vec3& x : points.position) x.x = x.x * x.x * x.x;
@@ -185,7 +185,7 @@ TEST_CASE("findNeighbors: the order of the points changes names only") {
     }
 }
 
-TEST_CASE("findNeighbors: a flipped normal among many looks at the 8 k + 64 nearest only") {
+TEST_CASE("findNeighbors: the search at a flipped normal examines the 8 k + 64 nearest only") {
     OraclePoints points = makeRandom(500);
     points.usable.assign(500, true);
     points.normal.assign(500, Vec3(0, 0, 1));
@@ -315,7 +315,7 @@ TEST_CASE("prepare: normals are scaled to unit length once") {
     file.normal[0] *= 100.0;
     file.normal[1] *= 1e-310;
     file.normal[2] *= 1e300;
-    file.normal[3] *= 1.0 + 1e-7;  // as rounded to float: mended, not reported
+    file.normal[3] *= 1.0 + 1e-7;  // as rounded to float: corrected, not reported
     const Prepared prepared = mustPrepare(file);
     CHECK(prepared.report.unscaledNormals == 3);
     for (const Vec3& normal : prepared.points.normal) {

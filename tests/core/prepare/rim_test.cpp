@@ -36,7 +36,7 @@ Score scoreOf(const Open& open, const PointSet& points, double from, double with
             flagged > 0 ? static_cast<double>(right) / static_cast<double>(flagged) : 1.0};
 }
 
-/// Every step of every chain is one to a point that stands in a list with it, and no point comes
+/// True if every step of every chain joins two points of which one lists the other, and no point is
 /// twice on a chain.
 bool areClosed(const Rim& rim, const PointSet& points) {
     bool closed = true;
@@ -57,7 +57,7 @@ bool areClosed(const Rim& rim, const PointSet& points) {
 
 }  // namespace
 
-// ---- what is found ------------------------------------------------------------------------------
+// ---- results ------------------------------------------------------------------------------------
 
 TEST_CASE("rim: one closed chain for each rim of an open surface, and only points beside rims") {
     for (const Open& open : openSurfaces()) {
@@ -99,7 +99,7 @@ TEST_CASE("rim: the surface lies to the left of a chain") {
         const Vec3& y = points.position[chain[(i + 1) % chain.size()]];
         area += 0.5 * (x.x * y.y - x.y * y.x);
     }
-    CHECK(area > 150.0);  // Counterclockwise round the disc, whose area is 211.
+    CHECK(area > 150.0);  // Counterclockwise around the disc, whose area is 211.
     for (Index p = 0; p < points.size(); ++p) {
         if (!rim.gap[p].known()) continue;
         // The middle of the disc is not in the gap.
@@ -186,7 +186,7 @@ TEST_CASE("rim: progress ascends over all of preparing, and no ends the search a
     CHECK_FALSE(symmetricLists(points.position, points.neighbors, 2, never).ok());
 }
 
-TEST_CASE("rim: rim points of a file keep their type, and get the gap that they look out through") {
+TEST_CASE("rim: rim points of a file keep their type, and get their gap") {
     const Prepared found = withRim(cylinder().file);
     PointFile file = cylinder().file;
     file.type = found.points.type;
@@ -195,7 +195,7 @@ TEST_CASE("rim: rim points of a file keep their type, and get the gap that they 
     for (Index p = 0; p < given.size(); ++p) {
         CHECK(given.gapAt(p).known() == isRimPoint(given.type[p]));
     }
-    // On request they are found anew.
+    // On request they are recomputed.
     file.type.assign(file.type.size(), kRimPoint);
     CHECK(withRim(file).points.type == found.points.type);
     file.type.assign(file.type.size(), kInterior);

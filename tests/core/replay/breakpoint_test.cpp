@@ -17,7 +17,7 @@ using namespace se::test;
 
 namespace {
 
-/// One line for each kind of breakpoint, with points that the run deals with.
+/// One line for each kind of breakpoint, with points that occur in the run.
 std::vector<std::string> kindsFor(const PointSet& points) {
     const Run run = runAll(points, paper());
     const Triangle t = run.state.triangles.at(run.state.triangles.size() / 2);
@@ -72,7 +72,7 @@ std::vector<Hit> backward(std::span<const ArmedBreakpoint> armed, RunPlace end) 
 }
 constexpr RunPlace kBehindAll{0xffffffffU, 0};
 
-/// Whatever the run says of its points, they are looked for in the log itself.
+/// The matches of a line, searched in the log itself.
 std::vector<Hit> matching(const PointSet& points, const std::string& line) {
     std::vector<Hit> found;
     const auto query = DecisionQuery::parse(line);
@@ -141,18 +141,18 @@ TEST_CASE("breakpoints: from any place, forward goes to the next hit and back to
         };
         const auto ahead =
             std::find_if(all.begin() + static_cast<std::ptrdiff_t>(i) + 1, all.end(), isHit);
-        const auto behind = std::find_if(all.rbegin() + static_cast<std::ptrdiff_t>(all.size() - i),
+        const auto earlier = std::find_if(all.rbegin() + static_cast<std::ptrdiff_t>(all.size() - i),
                                          all.rend(), isHit);
         const auto next = nextStop({&armed, 1}, all[i].place);
         const auto previous = previousStop({&armed, 1}, all[i].place);
         REQUIRE(next.has_value() == (ahead != all.end()));
-        REQUIRE(previous.has_value() == (behind != all.rend()));
+        REQUIRE(previous.has_value() == (earlier != all.rend()));
         if (next) CHECK(next->hit == *ahead);
-        if (previous) CHECK(previous->hit == *behind);
+        if (previous) CHECK(previous->hit == *earlier);
     }
 }
 
-TEST_CASE("breakpoints: hit counts run from the start, whichever way one goes") {
+TEST_CASE("breakpoints: hit counts run from the start, in both directions") {
     const PointSet points = sceneOf("torus");
     const HitList list = hitsOf(points, "stage=sort refused");
     REQUIRE(list.total > 100);
@@ -216,7 +216,7 @@ TEST_CASE("breakpoints: places number the events of a pivot as the timeline list
     }
 }
 
-TEST_CASE("query: used and done hold exactly where a status says so") {
+TEST_CASE("query: used and done hold exactly where a status changes") {
     for (const char* id : {"sheet", "figure-14", "stranded-point", "torus"}) {
         CAPTURE(id);
         const PointSet points = sceneOf(id);
@@ -295,8 +295,8 @@ TEST_CASE("query: what is wrong with triangles appears in the run just if the me
         const PointSet points = sceneOf(id);
         const auto failures = inspectMesh(points, runAll(points, paper()).state.mesh());
         for (const FailureClass& kind : failureClasses()) {
-            // Points and loops are looked at before the run is over: what is left may differ.
-            // What only a run has is in no mesh.
+            // Points and loops are examined before the end of the run: the final result may differ.
+            // Classes that only a run has occur in no mesh.
             const bool ofTriangles = kind.name != "holes" && kind.name != "unused_points";
             if (!ofTriangles || !appearsInRun(kind) || kind.find == nullptr) continue;
             CAPTURE(id);
@@ -309,8 +309,7 @@ TEST_CASE("query: what is wrong with triangles appears in the run just if the me
     }
 }
 
-TEST_CASE(
-    "query: failures that only a finished mesh shows cannot be stopped at, and the line says so") {
+TEST_CASE("query: failures that only a finished mesh shows are an error") {
     for (const char* bad : {"failure=small_components", "failure=dragons", "failure="}) {
         const auto query = DecisionQuery::parse(bad);
         REQUIRE_FALSE(query.ok());
@@ -319,7 +318,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("query: of a class that is known only at the end the line says just that") {
+TEST_CASE("query: the error for a class that is known only at the end") {
     for (const FailureClass& kind : failureClasses()) {
         const std::string line = "failure=" + std::string(kind.name);
         CAPTURE(line);

@@ -37,7 +37,7 @@ TEST_CASE("query: an empty line finds every event of the run") {
     CHECK(found(points, "  ", 5).lines.size() == 5);
 }
 
-TEST_CASE("query: every term keeps what it says, and nothing else") {
+TEST_CASE("query: every term matches exactly its decisions") {
     const PointSet points = prepared(closedFamilies()[1].sample(1));
     const FoundDecisions all = found(points, "");
     const auto count = [&](auto&& holds) {
@@ -119,7 +119,7 @@ TEST_CASE("query: a point that the set has not got is named, wherever a line nam
         CHECK(missingPointIn(line, 10).empty());
 }
 
-TEST_CASE("query: a mistake has its word, and says whether there is such a term at all") {
+TEST_CASE("query: a mistake has its word, and whether such a term exists") {
     CHECK_FALSE(mistakeIn("").has_value());
     CHECK_FALSE(mistakeIn(" stage=sphere  kept margin<1e-4 point=812 ").has_value());
     const auto unknown = mistakeIn("kept dragons margin<x");
@@ -147,7 +147,7 @@ TEST_CASE("query: terms about the pivot as a whole hold for all of its decisions
           count([&](const LedgerLine& line) { return ring(line) >= 10 && ring(line) <= 19; }));
     CHECK(found(points, "stage=pivot ring=4").total ==
           count([&](const LedgerLine& line) { return ring(line) == 4; }));
-    // A pivot without tests has one decision, that it is the pivot.
+    // A pivot without tests has one event: that it is the pivot.
     const std::size_t some = found(points, "stage=sort kept candidates=3").total;
     CHECK(some == 3 * found(points, "stage=pivot candidates=3").total);
     CHECK(found(points, "stage=pivot tests=0..5").total +

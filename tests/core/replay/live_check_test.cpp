@@ -31,7 +31,7 @@ Watched watch(const PointSet& points, const Params& params) {
     return result;
 }
 
-/// The classes that are there with a triangle or a point, as soon as it is.
+/// True for a class that a single triangle or point decides.
 bool isLive(const MeshFailure& failure) {
     constexpr std::array<std::string_view, 8> kLive{
         "non_manifold_edges",   "inconsistent_edges",     "duplicate_triangles",
@@ -40,7 +40,7 @@ bool isLive(const MeshFailure& failure) {
     return std::find(kLive.begin(), kLive.end(), failure.kind->name) != kLive.end();
 }
 
-/// Triangles by hand, as a run would make them.
+/// The failures of given triangles, as if made by a run.
 std::vector<LiveFailure> seeAll(const PointSet& points, const std::vector<Triangle>& triangles) {
     LiveCheck check(points);
     std::vector<LiveFailure> all;
@@ -96,7 +96,7 @@ TEST_CASE("live: what is noticed is still there at the end, if no rule mends") {
         const Watched run = watch(points, paper());
         const auto failures = inspectMesh(points, run.mesh);
         for (const LiveFailure& live : run.failures) {
-            // A fold is one of an edge of two triangles, which a third may join.
+            // A fold is at an edge of two triangles, which a third may join later.
             if (live.kind->name == "folded_edges" || live.triangle == kNone) continue;
             CAPTURE(describe(live));
             CHECK(std::any_of(failures.begin(), failures.end(), [&](const MeshFailure& failure) {
@@ -129,7 +129,7 @@ TEST_CASE("live: a point whose triangles are more than one fan is noticed when i
     CHECK(looked > 0);
 }
 
-TEST_CASE("live: a sound run has nothing to tell") {
+TEST_CASE("live: a sound run has no failures") {
     const PointSet points = prepared(findScene("sphere")->build());
     CHECK(watch(points, *paramsByName("robust")).failures.empty());
 }
@@ -146,7 +146,7 @@ TEST_CASE("live: the third triangle at an edge, not the fourth") {
     CHECK(describe(first) == "Triangle 2 is the third at the edge 0, 1: non-manifold.");
 }
 
-TEST_CASE("live: a crossing is told of the later triangle, however far apart they began") {
+TEST_CASE("live: a crossing is reported for the later triangle, at any distance in the run") {
     // The large one lies over more cells than are kept.
     const PointSet points =
         flat({{0, 0, 0}, {1e-3, 0, 0}, {0, 1e-3, 0}, {-9, -9, 1e-4}, {9, -9, 1e-4}, {0, 9, -2e-4}});

@@ -137,7 +137,7 @@ TEST_CASE("reconstruct: many scattered points give the state of a plain run") {
     CHECK(made.state.status == plain.state().status);
 }
 
-TEST_CASE("reconstruct: ends when the condition says so, and not before") {
+TEST_CASE("reconstruct: ends when the condition holds, and not before") {
     const PointSet points = scatteredSquare(20);
     const auto ended =
         reconstruct(points, Params{}, [](const State& s) { return s.counters.pivots == 7; });

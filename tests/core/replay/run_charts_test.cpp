@@ -78,7 +78,7 @@ TEST_CASE("charts: a pivot's numbers are those of its own events") {
     });
 }
 
-TEST_CASE("charts: cancelled, they say so") {
+TEST_CASE("charts: cancelled") {
     const PointSet points = prepared(findScene("torus")->build());
     CHECK_FALSE(runCharts(points, paper(), [](double) { return false; }).ok());
 }

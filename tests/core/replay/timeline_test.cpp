@@ -84,7 +84,7 @@ TEST_CASE("Going back restores all that a State holds, not only what its hash co
     }
 }
 
-TEST_CASE("Keyframes stay within their budget, and their size goes with the rings") {
+TEST_CASE("Keyframes stay within their budget, and their size is that of the rings") {
     const PointSet points = pointsOf("torus");
     constexpr std::size_t kBudget = 100'000;
     Timeline timeline(points, Params{}, kBudget);
@@ -107,7 +107,7 @@ TEST_CASE("Jumping about gives the same states, triangles and alerts included") 
     }
 }
 
-TEST_CASE("The events of a pivot are those of a straight run, and the cursor stands before it") {
+TEST_CASE("The events of a pivot are those of a straight run, and the cursor is before it") {
     const PointSet points = pointsOf("sphere");
     EventLog log;
     Stepper stepper(points, Params{}, &log);
@@ -131,8 +131,8 @@ TEST_CASE("The events of a pivot are those of a straight run, and the cursor sta
     CHECK(timeline.eventsOf(timeline.lastPivot() + 1).empty());
 }
 
-TEST_CASE("What happens behind the last pivot has a number of its own") {
-    // Two points that list each other, and one that lists nobody and is stranded at the end.
+TEST_CASE("Events after the last pivot have a number of their own") {
+    // Two points that list each other, and one that has an empty list and is stranded at the end.
     PointSet points;
     points.position = {{0, 0, 0}, {1, 0, 0}, {9, 9, 9}};
     points.normal = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}};
@@ -154,7 +154,7 @@ TEST_CASE("What happens behind the last pivot has a number of its own") {
     CHECK(timeline.state().finished());
 }
 
-TEST_CASE("A seek stops when it is told to, and can be taken up again") {
+TEST_CASE("A seek can be stopped and resumed") {
     const PointSet points = pointsOf("torus");
     std::uint64_t end = 0;
     const auto hashes = straightHashes(points, end);

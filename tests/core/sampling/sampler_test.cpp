@@ -49,7 +49,7 @@ struct Spacing {
     double mean = 0.0;
     double variation = 0.0;  ///< Standard deviation over mean.
 };
-/// Of the points inside.
+/// Spacing of the interior points.
 Spacing spacingOf(const PointFile& file) {
     const std::vector<double> all = nearest(file);
     double sum = 0.0;
@@ -79,7 +79,7 @@ bool inBox(const Field& field, const Vec3& x) { return glm::clamp(x, field.low, 
 
 }  // namespace
 
-TEST_CASE("particles are as many as asked, on the surface, even and in the box") {
+TEST_CASE("particles have the requested number, on the surface, even and in the box") {
     for (const Shape& shape : shapes()) {
         CAPTURE(shape.id);
         const Field field = fieldOf(shape);
@@ -152,7 +152,7 @@ TEST_CASE("curves on the walls are divided like the surface, with a point at eve
     }
 }
 
-TEST_CASE("no particle inside stands on a wall or next to it") {
+TEST_CASE("no interior particle is on a wall or next to it") {
     const Field field = fieldOf(*findShape("monkey-saddle"));
     const PointFile file = sampled(field, points(800));
     const double spacing = spacingOf(file).mean;
@@ -244,7 +244,7 @@ TEST_CASE("with influence of the curvature particles crowd where the surface ben
     CHECK(spacingOf(even).variation < 0.5 * spacingOf(file).variation);
 }
 
-TEST_CASE("the sampler goes on by single steps that can be looked at") {
+TEST_CASE("the sampler advances by single steps with visible states") {
     const Field field = fieldOf(*findShape("torus"));
     Result<Sampler> begun = Sampler::begin(field, points(500));
     REQUIRE(begun.ok());
@@ -284,7 +284,7 @@ TEST_CASE(
                 return true;
             }).ok());
     CHECK(last > 0.95);
-    // Scattered by several thousands at a time, and no more than that after a no.
+    // Scattered in batches of several thousand, and at most one batch after a cancellation.
     std::size_t calls = 0;
     REQUIRE(Sampler::begin(field, points(60000), [&](double) { return ++calls > 0; }).ok());
     CHECK(calls > 12);

@@ -18,7 +18,7 @@ PointFile sampled(const Field& field) {
     return std::move(file.value());
 }
 
-/// A shape cut by three walls more than its own.
+/// A shape cut by three additional walls.
 Field cut(const char* shape) {
     Field field = fieldOf(*findShape(shape));
     field.low.y = -0.77;
@@ -51,7 +51,7 @@ std::array<double, 2> gapsAt(const PointFile& file, std::size_t p) {
 struct Chains {
     double variation = 0.0;  ///< Standard deviation of the gaps over their mean.
     std::size_t points = 0;
-    bool exact = true;  ///< Each stands on its walls to the bit.
+    bool exact = true;  ///< Each lies exactly on its walls.
 };
 Chains chainsOf(const Field& field, const PointFile& file) {
     Chains chains;
@@ -82,7 +82,7 @@ Chains chainsOf(const Field& field, const PointFile& file) {
 
 }  // namespace
 
-TEST_CASE("chains of particles on walls are evenly spaced, and stand on them to the bit") {
+TEST_CASE("chains of particles on walls are evenly spaced, and lie exactly on them") {
     for (const Field& field : {cut("sphere"), cut("torus"), fieldOf(*findShape("gyroid")),
                                fieldOf(*findShape("monkey-saddle")),
                                fieldOf(*findShape("hyperboloid")), fieldOf(*findShape("plane"))}) {
@@ -109,7 +109,7 @@ TEST_CASE("particles on walls spread along them: an uneven beginning does not st
     CHECK(chainsOf(field, first).variation > 0.08);
     CHECK(chainsOf(field, last).variation < 0.04);
     CHECK(chainsOf(field, last).exact);
-    // Corners stay, and nobody comes or goes on the walls.
+    // Corners stay, and the points on the walls keep their number.
     const auto cornersOf = [](const PointFile& file) {
         std::vector<Vec3> corners;
         for (std::size_t p = 0; p < file.position.size(); ++p) {

@@ -111,7 +111,7 @@ Volume ball(std::size_t n) {
 
 }  // namespace
 
-TEST_CASE("NRRD: header and samples are read as they stand there") {
+TEST_CASE("NRRD: header and samples are read unchanged") {
     const Volume volume = readGood(kHeader + numbers<std::uint8_t>(24, false));
     CHECK(volume.size == std::array<std::size_t, 3>{2, 3, 4});
     CHECK(volume.spacing == Vec3(1, 2, 0.5));
@@ -150,7 +150,7 @@ TEST_CASE("NRRD: space directions, cell centers and skipped bytes") {
               .value[0] == 0.0F);
     const std::string packed = replaced(kHeader, "encoding: raw", "byte skip: 3\nencoding: gzip");
     CHECK(readGood(packed + gzipped("abc" + data)).value[23] == 23.0F);
-    // Two streams, one behind the other, are one file for gzip.
+    // Two consecutive streams are one file for gzip.
     CHECK(readGood(replaced(kHeader, "raw", "gz") + gzipped(data.substr(0, 9)) +
                    gzipped(data.substr(9)))
               .value[23] == 23.0F);

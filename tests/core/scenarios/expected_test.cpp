@@ -1,5 +1,5 @@
-/// What the algorithm is known to do: the numbers of Table 1 and those of the reading in
-/// docs/choices.md, on the shared data where it is at hand and on sampled surfaces everywhere.
+/// Known results of the algorithm: the numbers of Table 1 and those of the reading in
+/// docs/choices.md, on the shared data where available and on sampled surfaces everywhere.
 #include <doctest/doctest.h>
 
 #include "support/clouds.h"

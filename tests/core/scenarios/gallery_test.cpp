@@ -52,7 +52,7 @@ E evidenceAt(const char* scene) {
     return std::get<E>(event.evidence);
 }
 
-/// How many failures of its class are left with other rules or another input.
+/// The number of failures of its class with other rules or another input.
 std::size_t leftIn(const char* scene, const char* rules,
                    const std::function<void(PointFile&)>& treat = {},
                    const PrepareOptions& options = {}) {
@@ -109,7 +109,7 @@ TEST_CASE("gallery: what helps, helps") {
     CHECK(leftIn("near-duplicates", "paper", dropCopies) <= 1);
 }
 
-TEST_CASE("gallery: the decisions are what the scenes say") {
+TEST_CASE("gallery: the decisions match the scenes") {
     CHECK(evidenceAt<TwoPointEvidence>("sparse-spot").verdict == Verdict::Discarded);
     CHECK(evidenceAt<LimitEvidence>("uneven-density").verdict == Verdict::Moved);
     CHECK(evidenceAt<LimitEvidence>("tee-at-wall").verdict == Verdict::Moved);

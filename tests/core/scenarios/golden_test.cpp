@@ -56,7 +56,7 @@ void checkGolden(const std::string& name, const std::string& log) {
     CHECK_FALSE(std::getline(now, line));
 }
 
-/// Nine points in rows of three, a little askew; the eight outer ones on walls.
+/// Nine points in rows of three, slightly irregular; the eight outer ones on walls.
 PointSet nine() {
     PointFile file;
     for (int y = 0; y < 3; ++y) {

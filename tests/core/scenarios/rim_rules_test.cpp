@@ -1,4 +1,4 @@
-/// What the rules make of rim points: section 7 and `fill`, for boundary points without wall bits.
+/// Rim points under the rules: section 7 and `fill`, for boundary points without wall bits.
 #include <doctest/doctest.h>
 
 #include "spiraling_edge/stepper/rules.h"
@@ -56,7 +56,7 @@ TEST_CASE("rim: openings stay open, without an alert, by the rules of the paper 
     for (const std::string rules : {"paper", "corrected"}) {
         std::size_t faulty = 0;
         for (const Open& open : openSurfaces()) {
-            if (open.spacing == 1.0) continue;  // Lattices tie, and only robust copes with that.
+            if (open.spacing == 1.0) continue;  // Lattices have ties, which only robust handles.
             CAPTURE(rules);
             CAPTURE(open.name);
             const RimRun outcome = runWithRim(open.file, rules);

@@ -11,7 +11,7 @@ using namespace se::test;
 
 namespace {
 
-/// What a mesh of a whole surface must amount to.
+/// The topology of a mesh of a whole surface.
 struct Topology {
     long long euler;
     std::size_t components, loops;
@@ -22,7 +22,7 @@ struct LeastAngles {
     double least = 180.0;
 };
 
-/// Over the triangles, in degrees.
+/// Least angles of the triangles, in degrees.
 LeastAngles leastAngles(const PointSet& points, const std::vector<Triangle>& triangles) {
     const auto angleAt = [&](Index p, Index q, Index r) {
         const Vec3 u = points.position[q] - points.position[p];
@@ -117,7 +117,7 @@ TEST_CASE("robust: even closed surfaces come out sound, whole, and of the ideal 
     for (std::size_t i = 0; i < closedFamilies().size(); ++i) {
         for (const double size : {215.0, 1400.0}) {
             const std::string name = closedFamilies()[i].name;
-            // Fewer points than that do not tell the tubes of these apart.
+            // Fewer points do not separate the tubes of these.
             if (size < 400 && (name == "linked tori" || name == "genus 2")) continue;
             const Family family = closedFamilies(scaleFor(closedFamilies()[i], size))[i];
             for (std::uint64_t seed = 1; seed <= 3; ++seed) {

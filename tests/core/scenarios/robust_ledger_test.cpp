@@ -1,4 +1,4 @@
-// What the rules beyond the paper decide stands in the ledger of the points that it is about.
+// Decisions of the rules beyond the paper are in the ledgers of their points.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using namespace se::test;
 
 namespace {
 
-/// A rule, and how one knows its decision.
+/// A rule and the test for its decision.
 struct Sign {
     std::string_view rule;
     std::function<bool(const Event&)> is;
@@ -62,7 +62,7 @@ std::vector<Sign> signs() {
     };
 }
 
-/// What one would ask about.
+/// The subject of a likely query.
 Subject subjectOf(const Event& event) {
     if (const auto* flip = std::get_if<FlipEvidence>(&event.evidence))
         return Subject::edge(flip->x, flip->y);
@@ -115,7 +115,7 @@ TEST_CASE("robust: what each rule decides is a line of the ledger of what it is 
         params.rules.*row->member = true;
         Found found = firstDecision(all, params, sign);
         if (found.points == nullptr) {
-            // Some have work to do only beside the others.
+            // Some take effect only together with the others.
             params = *paramsByName("robust");
             found = firstDecision(all, params, sign);
         }

@@ -12,7 +12,7 @@ using namespace se::test;
 
 namespace {
 
-/// The shared points, or none, saying so.
+/// The shared points; nothing, with a message, where they are absent.
 std::optional<PointSet> shared(const std::string& name) {
     const auto file = sharedPoints("points/" + name + ".ply");
     if (!file) return std::nullopt;
@@ -23,7 +23,7 @@ std::optional<PointSet> shared(const std::string& name) {
     return std::move(result.value().points);
 }
 
-/// Of the large ones, which take minutes with sanitizers.
+/// The large shared points, which take minutes with sanitizers.
 std::optional<PointSet> sharedLarge(const std::string& name) {
     if (!kSanitized) return shared(name);
     MESSAGE("skipped: ", name, " is too large for a build with sanitizers");
@@ -158,7 +158,7 @@ TEST_CASE("robust: the mannequin is open at its neck, and no hole is left elsewh
     const Run run = runAll(*points, robust());
     CHECK(isOrientedManifold(run.mesh));
     CHECK(run.state.counters.holes == 0);
-    // Besides the neck there is one border: that of a patch of eleven triangles by a tooth.
+    // Besides the neck there is one border, of a patch of eleven triangles at a tooth.
     CHECK(run.mesh.components == 2);
     CHECK(run.mesh.boundaryLoops == 2);
     CHECK(run.mesh.boundaryEdges == 82 + 7);
@@ -168,7 +168,7 @@ TEST_CASE("robust: the mannequin is open at its neck, and no hole is left elsewh
 
 namespace {
 
-/// Inputs that make every rule beyond the paper speak.
+/// Inputs on which every rule beyond the paper takes effect.
 std::vector<PointSet> eventful() {
     std::vector<PointSet> sets;
     sets.push_back(prepared(closedFamilies(0.5)[3].sample(1)));
@@ -201,7 +201,7 @@ TEST_CASE("robust: a log changes nothing, and the same steps come twice") {
     }
 }
 
-TEST_CASE("robust: a state that is put back goes on to the same end, mending included") {
+TEST_CASE("robust: a restored state continues to the same end, including repair") {
     constexpr int kEvery = 5;
     for (const PointSet& points : eventful()) {
         Stepper stepper(points, robust());
@@ -211,7 +211,8 @@ TEST_CASE("robust: a state that is put back goes on to the same end, mending inc
         }
         const std::uint64_t hash = stateHash(stepper.state());
         const Triangles mesh = stepper.state().mesh();
-        // From each to the next, and from some to the end: what only a long run would show.
+        // From each to the next, and from some to the end, for errors that only a long run would
+        // show.
         const std::size_t every = kept.size() / 8 + 1;
         bool equal = true;
         for (std::size_t k = 0; k < kept.size(); ++k) {
@@ -269,7 +270,7 @@ TEST_CASE("robust: each step after the last pivot has a number and leaves the tr
     CHECK(stepper.state().mesh() != emitted);
 }
 
-TEST_CASE("paper: knows none of the rules beyond it, and looks at no finished triangle") {
+TEST_CASE("paper: has none of the rules beyond it, and keeps no edge table") {
     const Rules rules = paper().rules;
     CHECK_FALSE(rules.looksAtFan());
     CHECK_FALSE(rules.needsEdges());

@@ -24,7 +24,7 @@ Watched watch(std::string_view id, const Params& params = paper()) {
     return watched;
 }
 
-/// Is there evidence of one kind, in one pivot, that fits?
+/// True if a pivot has fitting evidence of one kind.
 template <typename E, typename Fits>
 bool happens(const Watched& watched, std::uint32_t pivot, Fits&& fits) {
     for (const Event& event : watched.log.events()) {
@@ -141,7 +141,7 @@ TEST_CASE("5 Figure 2: the first five pivots add the points of the figure") {
           Points{5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15});
 }
 
-TEST_CASE("figure scenes show what they say, at the pivot they name") {
+TEST_CASE("figure scenes show their figures at the pivots they name") {
     const auto moved = [](Side side) {
         return [side](const LimitEvidence& e) {
             return e.side == side && e.verdict == Verdict::Moved;

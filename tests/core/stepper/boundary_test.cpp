@@ -74,7 +74,7 @@ TEST_CASE("7.1 out means positive on a maximum wall and negative on a minimum wa
     }
 }
 
-TEST_CASE("7.1 Figure 16: the third point goes where the sector lies inside the box") {
+TEST_CASE("7.1 Figure 16: the third point is inserted where the sector lies inside the box") {
     Random random(6);
     for (const Wall& wall : kWalls) {
         for (int i = 0; i < 40; ++i) {
@@ -119,7 +119,7 @@ TEST_CASE("7.1 Figure 14: a ring of two boundary points gets a third one, and no
     CHECK(rig.activeRing() == Points{2, 1, 3});
 }
 
-TEST_CASE("7.1 Figure 15: the third point becomes first where it goes before p") {
+TEST_CASE("7.1 Figure 15: the third point becomes first where it is inserted before p") {
     std::vector<Vec3> mirror = onWall();
     for (Vec3& x : mirror) x.x = -x.x;
     Rig rig(mirror);
@@ -178,7 +178,7 @@ TEST_CASE("7.1 one boundary point and one interior point need no third") {
 
 // ---- 7.2 ----------------------------------------------------------------------------------------
 
-TEST_CASE("7.2 Figure 18: entering a corner, the third point goes before p") {
+TEST_CASE("7.2 Figure 18: entering a corner, the third point is inserted before p") {
     Rig rig(inCorner());
     typedCorner(rig).listAll().ring({0, 1, 5, 4, 3}).pivot();
     CHECK(rig.triangles() == Triangles{{0, 2, 1}});
@@ -190,7 +190,7 @@ TEST_CASE("7.2 Figure 18: entering a corner, the third point goes before p") {
     CHECK(rings.open(rings.firstEntryOf(3)));
 }
 
-TEST_CASE("7.2 Figure 19: exiting a corner, the third point goes behind p") {
+TEST_CASE("7.2 Figure 19: exiting a corner, the third point is inserted after p") {
     std::vector<Vec3> mirror = inCorner();
     for (Vec3& x : mirror) x = {x.y, x.x, 0};
     Rig rig(mirror);
@@ -231,10 +231,10 @@ TEST_CASE("7.2 the third point is UNUSED, on a wall of p, and its sector stays i
 }
 
 TEST_CASE("bothwalls: no third point beside a pivot whose other ring neighbor is off its walls") {
-    // 0 on the wall +x; 1 round the corner on +y; the ring comes from 3, on the wall or inside.
-    const auto run = [](std::uint8_t behind, const Params& params) {
+    // 0 on the wall +x; 1 around the corner on +y; the ring comes from 3, on the wall or inside.
+    const auto run = [](std::uint8_t after, const Params& params) {
         Rig rig(inCorner(), params);
-        typedCorner(rig).type(3, behind).listAll().ring({0, 1, 5, 4, 3}).pivot();
+        typedCorner(rig).type(3, after).listAll().ring({0, 1, 5, 4, 3}).pivot();
         return std::pair(rig.all<InsertEvidence>().at(0).verdict, rig.triangles());
     };
     const Triangles made{{0, 2, 1}};
@@ -283,7 +283,7 @@ TEST_CASE("7 boundary points go when a complete circuit adds no triangle, not be
     CHECK(rig.state().rings.active() == kNone);
 }
 
-TEST_CASE("7 a triangle begins the circuit anew") {
+TEST_CASE("7 a triangle restarts the circuit") {
     Rig rig({{0, 1, 0}, {1, 2, 0}, {2, 1, 0}, {2, 0, 0}, {0, 0, 0}});
     rig.type(3, kNegativeY).type(4, kNegativeY).list(0, {1, 4}).ring({3, 4, 0, 1, 2});
     rig.pivot().pivot();

@@ -17,7 +17,7 @@ std::vector<Vec3> fan(double lastDegrees, std::vector<Vec3> more) {
 }
 const Points kRingOfFive{0, 2, 3, 4, 1};
 
-/// What 6.3 leaves of the candidates.
+/// The candidates that 6.3 keeps.
 Points thinned(double lastDegrees, const std::vector<Vec3>& more, const Params& params = paper()) {
     Rig rig(fan(lastDegrees, more), params);
     rig.listAll().ring(kRingOfFive).runTo(Phase::TwoPoint);
@@ -100,7 +100,7 @@ TEST_CASE("6.3 Figure 8: after a removal the evaluation moves on, with the last 
 }
 
 TEST_CASE("6.3 one pass: a point is not looked at again when its neighbor went") {
-    // 5 is inside the wide sphere with 6; 6 goes; with last instead, 5 would be outside.
+    // 5 is inside the wide sphere with 6; 6 is removed; with last instead, 5 would be outside.
     const std::vector<Vec3> more{polar(40, 1.7), polar(70, 5)};
     CHECK(thinned(100, more) == Points{5});
     CHECK(thinned(100, {more[0]}).empty());
@@ -135,7 +135,7 @@ TEST_CASE("6.4 180 degrees are not greater than 180") {
 }
 
 TEST_CASE("6.4 the test is for rings of two points only") {
-    // 5 behind first is the new start: three points, 190 degrees in all.
+    // 5 beyond first is the new start: three points, 190 degrees in all.
     Rig rig({{0, 0, 0}, {1, 0, 0}, polar(190), {-9, -9, 0}, {9, -9, 0}, {1.2, 1.2, 0}});
     rig.list(0, {1, 2, 5}).ring({0, 2, 3, 4, 5, 1}).pivot();
     CHECK(rig.triangles() == Triangles{{0, 1, 5}, {0, 5, 2}});

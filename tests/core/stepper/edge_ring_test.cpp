@@ -52,7 +52,7 @@ bool same(const EdgeRings& rings, Index ring, const PlainRing& plain) {
     return e == plain[0].entry;
 }
 
-/// Compares all of the two: order, marks, active ring, stack, chains of entries.
+/// Compares the rings with the model: order, marks, active ring, stack, chains of entries.
 bool same(const EdgeRings& rings, const Model& model) {
     if ((rings.active() != kNone) != model.hasActive) return false;
     const std::size_t stacked = model.rings.size() - (model.hasActive ? 1 : 0);
@@ -79,7 +79,7 @@ bool same(const EdgeRings& rings, const Model& model) {
     return true;
 }
 
-/// Does one random thing to both.
+/// Makes one random change to both.
 class Player {
   public:
     explicit Player(std::uint64_t seed) : random_(seed), rings_(kPoints) {}
@@ -182,7 +182,7 @@ class Player {
         PlainRing partX(at + 1, ring.end());
         partX.insert(partX.begin(), {ring[0].entry, ring[0].point, at->open});
         partY.back().open = ring[0].open;
-        // One part keeps the role of the ring; the other gets one: the top of the stack.
+        // One part keeps the role of the ring; the other becomes the top of the stack.
         const Index keeper = rings_.active() != kNone && r == 0 && model_.hasActive
                                  ? rings_.active()
                                  : keptOnStack(r);

@@ -9,7 +9,7 @@
 using namespace se;
 using namespace se::test;
 
-// ---- where the angles come from -----------------------------------------------------------------
+// ---- angles -------------------------------------------------------------------------------------
 
 TEST_CASE("tangent: a point far below the tangent plane is sorted by its direction in the plane") {
     // 30 degrees in the plane, 74 between the vectors; the sector ends at 60.
@@ -57,7 +57,7 @@ TEST_CASE("unblocked: start does not advance over an UNUSED point in the triangl
     Rig on(bayPoints(), paperBut(&Rules::unblocked));
     bay(on);
     CHECK(on.startPoint() == 1);
-    CHECK(on.endPoint() == 6);  // Nothing is in the way there.
+    CHECK(on.endPoint() == 6);  // Nothing blocks it there.
     CHECK(on.verdictOn<LimitEvidence>(5) == Verdict::Blocked);
     CHECK(on.candidates() == Points{7});
 }
@@ -68,8 +68,8 @@ TEST_CASE("unblocked: a DONE point in the triangle is not in the way") {
     CHECK(rig.startPoint() == 5);
 }
 
-TEST_CASE("stepback: a point is looked at again when the one behind it has gone") {
-    // 5 is inside the wide sphere with 6; 6 goes; with last instead, 5 is outside.
+TEST_CASE("stepback: a point is tested again when the one after it is removed") {
+    // 5 is inside the wide sphere with 6; 6 is removed; with last instead, 5 is outside.
     const auto triangles = [](const Params& params) {
         Rig rig({{0, 0, 0},
                  polar(0),
@@ -87,7 +87,7 @@ TEST_CASE("stepback: a point is looked at again when the one behind it has gone"
 }
 
 TEST_CASE("wallsdone: a wall point whose ring neighbors share its wall is no candidate") {
-    const auto candidates = [](unsigned behind, const Params& params) {
+    const auto candidates = [](unsigned after, const Params& params) {
         Rig rig({{0, 0, 0},
                  {1, 0, 0},
                  {-1, 0, 0},
@@ -97,13 +97,13 @@ TEST_CASE("wallsdone: a wall point whose ring neighbors share its wall is no can
                  {-0.7, 1.7, 0},
                  {0.7, 1.7, 0}},
                 params);
-        rig.type(5, kPositiveX).type(6, kPositiveX).type(7, behind);
+        rig.type(5, kPositiveX).type(6, kPositiveX).type(7, after);
         rig.list(0, {5}).ring({0, 2, 3, 6, 5, 7, 4, 1}).runTo(Phase::Hole);
         return rig.candidates();
     };
     CHECK(candidates(kPositiveX, paper()) == Points{5});
     CHECK(candidates(kPositiveX, paperBut(&Rules::wallsDone)).empty());
-    // Not complete: behind it the ring leaves the wall.
+    // Not complete: after it the ring leaves the wall.
     CHECK(candidates(kInterior, paperBut(&Rules::wallsDone)) == Points{5});
     CHECK(candidates(kNegativeY, paperBut(&Rules::wallsDone)) == Points{5});
 }
@@ -111,7 +111,7 @@ TEST_CASE("wallsdone: a wall point whose ring neighbors share its wall is no can
 // ---- guard --------------------------------------------------------------------------------------
 
 TEST_CASE("guard: a candidate that would use an edge twice is dropped") {
-    // 5 stands on a ring opposite to p; a triangle far off has the edge 0 -> 5 already.
+    // 5 is on a ring opposite to p; a distant triangle already has the edge 0 -> 5.
     const std::vector<Vec3> more{{0, 1, 0}, {-0.7, 1.7, 0}, {0.7, 1.7, 0}, {0, 9, 0}};
     for (const Triangle& old : {Triangle{0, 5, 8}, Triangle{5, 0, 8}}) {
         Rig off(underHalf(more));
@@ -153,7 +153,7 @@ TEST_CASE("guard: the ring steps at the pivot are no edges that are taken") {
 
 namespace {
 
-/// 5 and 6 stand on rings of their own, opposite to p; `old` is there between them.
+/// 5 and 6 are on rings of their own, opposite to p; `old` exists between them.
 Rig& twoOpposite(Rig& rig, const Triangle& old) {
     return rig.mesh({old})
         .list(0, {5, 6})
@@ -180,7 +180,7 @@ TEST_CASE("guard: an edge closed away from its ring entries is not made") {
     CHECK(off.newTriangles() == kWith5And6);
     Rig on(twoOppositePoints(), paperBut(&Rules::guard));
     twoOpposite(on, {6, 5, 11});
-    CHECK(on.newTriangles() == kWith5);  // The farther of the two went.
+    CHECK(on.newTriangles() == kWith5);  // The farther of the two was dropped.
     CHECK(objections(on) == Verdicts{Verdict::EntryMissed});
     CHECK(on.all<GuardEvidence>()[0].a == 5);
     CHECK(on.all<GuardEvidence>()[0].b == 6);

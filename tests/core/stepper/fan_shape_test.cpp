@@ -1,5 +1,5 @@
-/// Rules beyond the paper on the shape of a fan and on what else is where it would be. Each on the
-/// least input that needs it: with the rule, and without.
+/// Rules beyond the paper on the shape of a fan and on other parts of the mesh in its place. Each
+/// on the least input that needs it: with the rule, and without.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -68,7 +68,8 @@ TEST_CASE("nofold: a triangle against the normal of a corner is not made") {
 }
 
 TEST_CASE("nofold: a triangle within 30 degrees of the old one across an edge is not made") {
-    // The old triangle has the ring step 1 -> 0; seen along it, the two are `degrees` apart.
+    // The old triangle has the ring step 1 -> 0; in projection along it, the two are `degrees`
+    // apart.
     const auto made = [](double degrees, const Params& params) {
         const Vec3 in = polar(101.3);  // Across the step, towards 5.
         const double angle = degrees * kPi / 180;
@@ -108,7 +109,7 @@ TEST_CASE("nomeet: a triangle that meets a finished one nearby is not made") {
     const auto [made, said] = run(side, true, paperBut(&Rules::noMeet));
     CHECK(made == kWithout5);
     CHECK(said == Verdicts{Verdict::Meets});
-    // It looks only at what is listed, and only where the surface bends.
+    // It tests only listed points, and only where the surface bends.
     CHECK(run(side, false, paperBut(&Rules::noMeet)).first == kWith5);
     CHECK(run(up, true, paperBut(&Rules::noMeet)).first == kWith5);
 }
@@ -178,7 +179,7 @@ TEST_CASE("rim: the surface ends where neighbors leave a gap of more than 120 de
         Points all;
         for (const double d : degrees) {
             all.push_back(static_cast<Index>(position.size()));
-            // However far up or down they are.
+            // At any height.
             position.push_back(polar(d) + Vec3(0, 0, all.size() % 2 == 0 ? 0.7 : -0.7));
         }
         Rig rig(position);

@@ -19,7 +19,7 @@ Params fillWith(std::initializer_list<bool Rules::*> rules = {}) {
     return params;
 }
 
-/// A hole: points at these angles of the unit circle, which the ring goes round clockwise.
+/// A hole: points at these angles of the unit circle; the ring is clockwise around it.
 std::vector<Vec3> hole(const std::vector<double>& degrees) {
     std::vector<Vec3> position;
     for (const double d : degrees) position.push_back(polar(-d));
@@ -38,7 +38,7 @@ Points upTo(std::size_t count) {
     return all;
 }
 
-/// Every directed edge of the new triangles once, and round the hole none twice.
+/// True if the new triangles use no directed edge twice and close the hole.
 bool closesHole(const Triangles& triangles, std::size_t count) {
     EdgeTable table(count);
     for (const Triangle& t : triangles) {
@@ -71,7 +71,7 @@ TEST_CASE("fill: a ring that would be freed is closed, one ear at each step") {
 namespace {
 
 /// A square of four points that lie where the surface ends, each with six finished points close
-/// behind it: Rules::rim makes no triangle of them, for they are too large.
+/// behind it: Rules::rim makes no triangle of them, since it would be too large.
 Rig& rimSquare(Rig& rig) {
     Index next = 4;
     for (Index p = 0; p < 4; ++p) {

@@ -75,7 +75,7 @@ TEST_CASE("6.2 holes of more than three points are not recognized") {
 }
 
 TEST_CASE("6.2 after the limits moved, start and end are first and last of the hole") {
-    // 5 is behind first, listed: p, 5 and last = 2 are the hole.
+    // 5 is beyond first, and listed: p, 5 and last = 2 are the hole.
     Rig rig({{0, 0, 0}, {1, 0.2, 0}, {-1, 1, 0}, {0, 0.7, 0}, {0.2, 2, 0}, {1, 1.2, 0}});
     rig.list(0, {3, 4, 5}).ring({0, 2, 5, 1}).runTo(Phase::Sphere);
     CHECK(rig.startPoint() == 5);

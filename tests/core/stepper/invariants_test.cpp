@@ -77,7 +77,7 @@ TEST_CASE("invariant 2: no ring of one, none of two finished edges, each ring in
                      }
                  }),
                  "2:"));
-    CHECK(begins(found([](State& s) {  // A part of the ring that is nowhere.
+    CHECK(begins(found([](State& s) {  // A detached part of the ring.
                      const Index x = anyEntry(s);
                      s.rings.exchangeSuccessors(x, s.rings.next(s.rings.next(x)));
                  }),

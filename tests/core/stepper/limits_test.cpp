@@ -10,7 +10,7 @@ using namespace se::test;
 namespace {
 
 /// Figure 4: p = 0 at the bottom of a bay of the ring 5 -> 1 -> 0 -> 2 -> 6; first 1, last 2, the
-/// points behind them q = 5 and t = 6; r = 9 and s = 8 lie behind the new limits, 7 lies between.
+/// points beyond them q = 5 and t = 6; r = 9 and s = 8 lie beyond the new limits, 7 lies between.
 std::vector<Vec3> bay() {
     return {{0, 0, 0},     {1, 0.2, 0},    {-1, 0.2, 0}, {-9, -9, 0},   {9, -9, 0},
             {1.1, 1.2, 0}, {-1.1, 1.2, 0}, {0, 1.3, 0},  {1.3, 0.8, 0}, {-1.3, 0.8, 0}};
@@ -32,7 +32,7 @@ TEST_CASE("6.1 concave means a free angle below 180 degrees") {
     }
 }
 
-TEST_CASE("6.1 Figure 4: start and end advance where the ring is concave, points behind are out") {
+TEST_CASE("6.1 Figure 4: start and end advance where the ring is concave, points beyond are out") {
     Rig rig(bay());
     rig.list(0, {1, 2, 5, 6, 7, 8, 9}).ring(kBayRing);
     REQUIRE(rig.runTo(Phase::Convex));
@@ -53,7 +53,7 @@ TEST_CASE("6.1 Figure 4: z stays the reference vector when start advances") {
     CHECK(rig.state().pivot.frame.z.x == doctest::Approx(1 / std::sqrt(1.04)));
 }
 
-TEST_CASE("6.1 start and end stay where the ring point behind is not among p's neighbors") {
+TEST_CASE("6.1 start and end stay where the next ring point is not among p's neighbors") {
     Rig rig(bay());
     rig.list(0, {1, 2, 7}).ring(kBayRing).runTo(Phase::Convex);
     CHECK(rig.startPoint() == 1);
@@ -62,7 +62,7 @@ TEST_CASE("6.1 start and end stay where the ring point behind is not among p's n
 }
 
 TEST_CASE("6.1 start and end stay where the ring is convex") {
-    // A pivot with 300 degrees free; 5 is listed, inside the limits, and behind first.
+    // A pivot with 300 degrees free; 5 is listed, inside the limits, and beyond first.
     Rig rig({Vec3(0), polar(0), polar(300), {9, -9, 0}, {9, 9, 0}, {-0.2, -1, 0}, polar(90)});
     rig.list(0, {1, 2, 5, 6}).ring({0, 2, 3, 4, 5, 1}).runTo(Phase::Convex);
     CHECK(rig.startPoint() == 1);
@@ -80,7 +80,7 @@ TEST_CASE("6.1 start does not advance to a point beyond last, nor end to one bef
     CHECK(other.verdictOn<LimitEvidence>(5) == Verdict::Outside);
 }
 
-TEST_CASE("6.1 start and end advance as far as the ring is concave") {
+TEST_CASE("6.1 start and end advance while the ring is concave") {
     const std::vector<Vec3> deep{{0, 0, 0}, {1, 0.1, 0},   {-1, 0.2, 0},  {-9, 9, 0},
                                  {9, 9, 0}, {1.3, 0.6, 0}, {1.2, 1.2, 0}, {0, 1.2, 0}};
     Rig rig(deep);
@@ -132,14 +132,14 @@ TEST_CASE("6.1 a ring of four is filled by two triangles, and nothing is left") 
     CHECK(rig.state().rings.active() == kNone);
 }
 
-TEST_CASE("6.1 Figure 5: the point behind a convex start or end is dropped") {
+TEST_CASE("6.1 Figure 5: the point beyond a convex start or end is dropped") {
     const std::vector<Vec3> position{Vec3(0),   polar(0),      polar(300), {9, -9, 0},
                                      {9, 9, 0}, {-0.2, -1, 0}, polar(90),  {-0.05, -0.74, 0}};
     Rig rig(position);
     rig.list(0, {1, 2, 5, 6}).ring({0, 2, 3, 4, 7, 5, 1}).runTo(Phase::Reciprocal);
     CHECK(rig.candidates() == Points{6});
     CHECK(rig.verdictOn<DropEvidence>(5) == Verdict::BehindConvex);
-    // The mirror image: behind the end.
+    // The mirror image: beyond the end.
     std::vector<Vec3> mirror = position;
     for (Vec3& x : mirror) x.x = -x.x;
     Rig other(mirror);
@@ -148,8 +148,8 @@ TEST_CASE("6.1 Figure 5: the point behind a convex start or end is dropped") {
     CHECK(other.verdictOn<DropEvidence>(5) == Verdict::BehindConvex);
 }
 
-TEST_CASE("6.1 the convexity test looks only at the points adjacent to start and end") {
-    // As above, but 5 is two steps behind first: it could be the other side of a hole.
+TEST_CASE("6.1 the convexity test applies only to the points adjacent to start and end") {
+    // As above, but 5 is two steps beyond first: it could be the other side of a hole.
     Rig rig({Vec3(0),
              polar(0),
              polar(300),
@@ -204,7 +204,7 @@ TEST_CASE("6.1 Figure 6: UNUSED points need no second look") {
 }
 
 TEST_CASE("6.1, 6.5 of several entries the one whose sector holds p is the other instance") {
-    const Points facing{5, 7, 6};  // 6 before, 7 behind: the free sector holds p.
+    const Points facing{5, 7, 6};  // 6 before, 7 after: the free sector holds p.
     const Points away{5, 6, 7};
     const Points activeFacing{0, 2, 3, 6, 5, 7, 4, 1};
     const Points activeAway{0, 2, 3, 7, 5, 6, 4, 1};

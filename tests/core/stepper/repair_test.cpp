@@ -37,7 +37,7 @@ PointSet flatPoints(std::vector<Vec3> position) {
     return points;
 }
 
-/// What is wrong with the neighbor relation of the triangles, empty if nothing is.
+/// The first fault in the neighbor relation of the triangles; empty if there is none.
 std::string adjacencyFault(const MendState& m) {
     if (m.twin.size() != 3 * m.triangles.size()) return "sides and triangles do not match";
     std::vector<std::set<HalfEdge>> leaving(m.sideOf.size());
@@ -66,7 +66,7 @@ std::string adjacencyFault(const MendState& m) {
     }
     return {};
 }
-/// Also that a manifold has stayed one: a side without a twin is at a border.
+/// As adjacencyFault(), and that a side without a twin is at a border.
 std::string manifoldFault(const MendState& m) {
     std::set<std::pair<Index, Index>> sides;
     for (HalfEdge h = 0; h < m.twin.size(); ++h) {
@@ -92,7 +92,7 @@ std::set<std::array<Index, 3>> asSet(const Triangles& triangles) {
     return set;
 }
 
-/// All points that go in, in order; the state is checked after each.
+/// All points that are inserted, in order; the state is checked after each.
 Points reinsertAll(const PointSet& points, MendState& m) {
     Points in;
     Index point = kNone;
@@ -292,7 +292,7 @@ TEST_CASE("flip: never makes an edge that is there already") {
 }
 
 TEST_CASE("flip: no edge at a point of two fans") {
-    // The rhombus that would be flipped, with a triangle hanging at one of its points.
+    // The rhombus that would be flipped, with a triangle attached at one of its points.
     PointSet points =
         flatPoints({{-3, 0, 0}, {0, -1, 0}, {3, 0, 0}, {0, 1, 0}, {1, 5, 0}, {-1, 5, 0}});
     MendState m = beginMending(6, {{0, 1, 2}, {0, 2, 3}, {3, 4, 5}});
@@ -377,7 +377,7 @@ TEST_CASE("reseat: a point at a flipped triangle is taken out, and the hole clos
     CHECK(m.takenOut == 1);
     while (reseatNext(input.points, m, point)) CHECK(manifoldFault(m) == "");
     CHECK(flippedIn(input.points, m.triangles) == 0);
-    // And it goes back in where it lies.
+    // And it is reinserted where it lies.
     m.nextPoint = 0;
     CHECK_FALSE(reinsertAll(input.points, m).empty());
     CHECK(flippedIn(input.points, m.triangles) == 0);
@@ -424,8 +424,8 @@ TEST_CASE("reseat: with the rule, fewer flipped triangles are left in a run than
 
 namespace {
 
-/// The first fault of the neighbor relation after any step of mending in a run, empty if there is
-/// none. Counts the steps.
+/// The first fault of the neighbor relation after any repair step in a run; empty if there is none.
+/// Counts the steps.
 std::string faultWhileMending(const PointSet& points, std::size_t& steps) {
     Stepper stepper(points, *paramsByName("robust"));
     std::string fault;

@@ -9,7 +9,7 @@ using namespace se::test;
 
 namespace {
 
-/// Figure 11: as Figure 4, p = 0 in a bay; first = 1 also stands in a stacked ring with 10 and 11.
+/// Figure 11: as Figure 4, p = 0 in a bay; first = 1 is also on a stacked ring with 10 and 11.
 std::vector<Vec3> doubledBay() {
     return {{0, 0, 0},      {1, 0.2, 0},   {-1, 0.2, 0},   {-9, -9, 0}, {9, -9, 0}, {1.1, 1.2, 0},
             {-1.1, 1.2, 0}, {0.3, 1.2, 0}, {-0.3, 1.2, 0}, {0, 20, 0},  {20, 1, 0}, {20, 2, 0}};
@@ -18,7 +18,7 @@ Rig& figure11(Rig& rig) {
     return rig.list(0, {5, 6, 7, 8}).stacked({1, 10, 11}).ring({0, 2, 6, 3, 4, 5, 1}).pivot();
 }
 
-/// p = 0 looks north; e = 5 stands there between 6 (before) and 7, p in its free sector.
+/// p = 0 faces north; e = 5 is there between 6 (before) and 7, with p in its free sector.
 std::vector<Vec3> oppositeEntry() {
     return {{0, 0, 0}, {1, 0, 0},      {-1, 0, 0},    {-9, -9, 0}, {9, -9, 0},
             {0, 1, 0}, {-0.7, 1.7, 0}, {0.7, 1.7, 0}, {0, 3, 0}};
@@ -33,7 +33,7 @@ TEST_CASE("6.5 the pivot leaves the ring: DONE if it stood there once") {
     CHECK(rig.state().rings.firstEntryOf(0) == kNone);
 }
 
-TEST_CASE("6.5 a pivot that stands on rings twice loses one entry and stays USED") {
+TEST_CASE("6.5 a pivot with two entries loses one and stays USED") {
     Rig rig(doubledBay());
     rig.list(0, {7}).stacked({0, 10, 11}).ring({0, 2, 6, 3, 4, 5, 1}).pivot();
     CHECK(rig.triangles() == Triangles{{0, 1, 7}, {0, 7, 2}});
@@ -44,7 +44,7 @@ TEST_CASE("6.5 a pivot that stands on rings twice loses one entry and stays USED
 TEST_CASE("6.5 Figure 11: points before start and after end leave, one step down each") {
     Rig rig(doubledBay());
     figure11(rig);
-    CHECK(rig.status(1) == 1);      // first: it stood on two rings.
+    CHECK(rig.status(1) == 1);      // first: it was on two rings.
     CHECK(rig.status(2) == kDone);  // last: now surrounded.
     CHECK(rig.stackedRing() == Points{1, 10, 11});
 }
@@ -113,7 +113,7 @@ TEST_CASE("6.5 a joined ring leaves the stack wherever it was") {
 }
 
 TEST_CASE("6.5 a ring of two finished edges is closed: it is one edge inside the surface") {
-    // 5 is behind 1 on the ring, but too far around to be a limit: the point 1 and 5 both close.
+    // 5 is beyond 1 on the ring, but too far around to be a limit: the point 1 and 5 both close.
     Rig rig({{0, 0, 0}, {1, 1, 0}, {-1, 1, 0}, {0, 2.2, 0}});
     rig.listAll().ring({0, 2, 3, 1}).pivot();
     CHECK(rig.state().counters.closedRings >= 1);
@@ -135,8 +135,8 @@ TEST_CASE("7, 6.5 a ring of two with an open step is not finished") {
     CHECK(rig.status(1) == 1);
 }
 
-TEST_CASE("6.5 where end went with a closed ring, the last inserted point goes on") {
-    // 5 follows last = 2 on the ring, where it is convex; its other entry spares it there.
+TEST_CASE("6.5 where end is removed with a closed ring, the last inserted point is next") {
+    // 5 follows last = 2 on the ring, where it is convex; its other entry keeps it there.
     const Vec3 e(1.5, 0.5, 0);
     Rig rig({{0, 0, 0},
              polar(0),

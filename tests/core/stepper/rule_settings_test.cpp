@@ -1,4 +1,4 @@
-/// The table of everything about the rules that can be set, and what each of them is for.
+/// The table of all settings of the rules, and the effect of each.
 #include "spiraling_edge/stepper/rule_settings.h"
 
 #include <doctest/doctest.h>
@@ -43,7 +43,7 @@ Params with(std::string_view text, std::string_view set = "paper") {
     return params;
 }
 
-/// How many events of a run are as `matches` says.
+/// The number of events of a run that match.
 template <typename Matches>
 std::size_t count(const PointSet& points, const Params& params, const Matches& matches) {
     std::size_t found = 0;
@@ -219,7 +219,7 @@ TEST_CASE("the other sign of n makes the mirror image: triangles that turn the o
 }
 
 TEST_CASE("6.1 a tie keeps the nearest, the farthest or both") {
-    // Seen from point 0 with point 1 as reference, 3 and 4 lie in one direction.
+    // From point 0 with point 1 as reference, 3 and 4 lie in one direction.
     const auto sorted = [](TieRule tie) {
         Params params;
         params.paper.tie = tie;
@@ -287,7 +287,7 @@ TEST_CASE("the robust rules keep the mesh a manifold, whatever their limits") {
     }
 }
 
-TEST_CASE("sentences say what the rule in force did") {
+TEST_CASE("sentences state what the rule in force did") {
     const PointSet points = closedPoints();
     const PointSet uneven = prepared(findScene("figure-7")->build());
     const auto saysOf = [&](const PointSet& on, const char* rule, std::string_view words) {

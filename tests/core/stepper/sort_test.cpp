@@ -11,7 +11,7 @@ namespace {
 
 const Vec3 kUp(0, 0, 1);
 
-/// p = 0 at the origin; first = 1 in the east, last = 2 at an angle; the ring goes on far away.
+/// p = 0 at the origin; first = 1 in the east, last = 2 at an angle; the ring continues far away.
 /// Further points from 5 on.
 std::vector<Vec3> around(double lastDegrees, std::vector<Vec3> more) {
     std::vector<Vec3> position{Vec3(0), polar(0), polar(lastDegrees), {-9, -9, 0}, {9, -9, 0}};
@@ -53,7 +53,7 @@ TEST_CASE("6.1 the two sides of the slicing plane: n.v = 0 belongs to the first 
     CHECK(angleOf(frame, Vec3(-1, -1e-6, 0)).key > kHalfTurnKey);
 }
 
-TEST_CASE("6.1 keys order angles as degrees do, and tell differences over a limit") {
+TEST_CASE("6.1 keys order angles as degrees do, and decide differences over a limit") {
     Random random(2);
     const auto at = [](double degrees) {
         return angleOf(makeFrame(Vec3(0), kUp, Vec3(1, 0, 0)), polar(degrees));

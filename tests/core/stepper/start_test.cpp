@@ -42,7 +42,7 @@ TEST_CASE("4 DONE points are neither first nor nearest neighbor of a new ring") 
     CHECK(rig.activeRing() == Points{3, 4});
 }
 
-TEST_CASE("4 a point without neighbors is noise: DONE, and the search goes on") {
+TEST_CASE("4 a point without neighbors is noise: DONE, and the search continues") {
     Rig rig(hexagon());
     rig.list(2, {3}).runTo(Phase::Pivot);
     CHECK(rig.status(0) == kDone);
@@ -52,7 +52,7 @@ TEST_CASE("4 a point without neighbors is noise: DONE, and the search goes on") 
     CHECK(rig.all<StrandEvidence>()[0].isolated);
 }
 
-TEST_CASE("4 a point whose neighbors are all DONE is stranded: DONE, and the search goes on") {
+TEST_CASE("4 a point whose neighbors are all DONE is stranded: DONE, and the search continues") {
     Rig rig(hexagon());
     rig.list(0, {5, 6}).list(1, {2}).done({5, 6}).runTo(Phase::Pivot);
     CHECK(rig.status(0) == kDone);
@@ -117,7 +117,7 @@ TEST_CASE("3 when the run ends no point is UNUSED") {
     }
 }
 
-TEST_CASE("5 first and last are the points before and behind the pivot on the ring") {
+TEST_CASE("5 first and last are the points before and after the pivot on the ring") {
     Rig rig(hexagon());
     rig.listAll().ring({0, 3, 4, 5, 2}).runTo(Phase::Sort);
     const NeighborRing& n = rig.state().pivot;

@@ -102,7 +102,7 @@ TEST_CASE("a copy of a State, taken anywhere, continues as the original does") {
     }
 }
 
-TEST_CASE("the hash tells states apart at every phase") {
+TEST_CASE("the hash differs between states at every phase") {
     const PointSet points = scenePoints("figure-4");
     Stepper stepper(points, paper());
     std::vector<std::uint64_t> seen;
@@ -122,7 +122,7 @@ TEST_CASE("takeState gives the run away and starts over") {
     CHECK(stateHash(stepper.state()) == stateHash(State(points.size())));
 }
 
-TEST_CASE("a run that makes too many triangles is stopped and says so") {
+TEST_CASE("a run that makes too many triangles is stopped with an alert") {
     const PointSet points = scenePoints("figure-4");
     Params params = paper();
     params.maxTrianglesPerPoint = 1;

@@ -1,4 +1,4 @@
-/// Forks: what a person lets happen at one place instead of what the rules say.
+/// Forks: overrides of the rules at one place of a run.
 #include "spiraling_edge/stepper/what_if.h"
 #include "spiraling_edge/stepper/edited_points.h"
 
@@ -75,7 +75,7 @@ std::uint64_t hashOf(const PointSet& points, const Params& params) {
     return runHash(runAll(points, params).state, params);
 }
 
-/// Any what-if about an event, sensible or not.
+/// A random what-if about an event, valid or not.
 WhatIf anyWhatIf(const PointSet& points, const Event& event, std::mt19937& random) {
     const auto number = [&](std::size_t below) { return static_cast<Index>(random() % below); };
     WhatIf what{static_cast<WhatIfKind>(number(5)),
@@ -171,7 +171,7 @@ TEST_CASE("start and end do not advance to a point that is held off") {
     }));
 }
 
-TEST_CASE("the traversal goes on where it was told to") {
+TEST_CASE("the traversal continues at the given point") {
     const PointSet points = sphere();
     Stepper stepper(points, Params{});
     for (int i = 0; i < 5; ++i) stepper.stepPivot();
@@ -184,7 +184,7 @@ TEST_CASE("the traversal goes on where it was told to") {
     for (int i = 0; i < 5; ++i) forked.stepPivot();
     CHECK(forked.state().rings.point(forked.state().pivot.pivot) == point);
     CHECK(firstBreach(points, fork, Level::AnyInput) == "");
-    // A point that is DONE stands on no ring.
+    // A point that is DONE is on no ring.
     const Index done = state.done.front();
     const Status refused =
         answer(points, withWhatIfs({said("5.advance pivot " + std::to_string(done))}));
@@ -198,14 +198,14 @@ TEST_CASE("moved from the first pivot on, a point is as if it had been there") {
     moved.position[20] += 0.3 * (points.position[points.neighbors[20][0]] - points.position[20]);
     WhatIf what{WhatIfKind::Move, 1, Stage::Pivot, 20, moved.position[20], {}};
     CHECK(said(lineOf(what)) == what);
-    // Its list, and those it stands in, are by distance again.
+    // Its list, and those that hold it, are by distance again.
     const auto edited = editedPoints(points, withWhatIfs({what}));
     REQUIRE(edited.size() == 1);
     CHECK(validate(edited[0].points).ok());
     moved.neighbors = edited[0].points.neighbors;
     CHECK(stateHash(runAll(points, withWhatIfs({what})).state) ==
           stateHash(runAll(moved, Params{}).state));
-    // Later on, what came before stays as it was.
+    // Later, all events before are unchanged.
     what.pivot = 30;
     Stepper plain(points, Params{});
     Stepper fork(points, withWhatIfs({what}));
@@ -255,7 +255,7 @@ Index pivotOf(const std::vector<Event>& events) {
 
 }  // namespace
 
-TEST_CASE("a pivot makes no triangle where a person wants none, by any rules") {
+TEST_CASE("a pivot makes no triangle where a what-if drops it, under any rules") {
     const PointSet points = sphere();
     for (const char* set : {"paper", "robust"}) {
         const Params usual = *paramsByName(set);
@@ -275,7 +275,7 @@ TEST_CASE("a pivot makes no triangle where a person wants none, by any rules") {
     }
 }
 
-TEST_CASE("start or end advances against a convex ring if a person wants it") {
+TEST_CASE("start or end advances against a convex ring by a what-if") {
     const PointSet points = sphere();
     std::size_t advanced = 0;
     for (const Event& event : eventsOf(points, Params{})) {
@@ -345,7 +345,7 @@ TEST_CASE("what would break an invariant is refused, and it is said which") {
     CHECK_FALSE(requireWhatIfs(points, withWhatIfs({onto})).ok());
 }
 
-TEST_CASE("forks are the same with a log and without, stepped, run, and gone back to") {
+TEST_CASE("forks are the same with a log and without, stepped, run, and revisited") {
     const PointSet points = sphere();
     const Event removed = firstEvent(points, Params{}, verdictIs<SphereEvidence>(Verdict::Removed));
     WhatIf moved{WhatIfKind::Move, 12, Stage::Pivot, 20, points.position[20] * 1.01, {}};

@@ -12,38 +12,39 @@
 
 namespace se {
 
-/// On which side of an isosurface the outside is, where normals point to.
+/// The side of an isosurface that counts as outside, to which normals point.
 enum class Outside : std::uint8_t {
-    LowerValues,   ///< As of a density: normals are minus the gradient.
-    HigherValues,  ///< As of a distance: normals follow the gradient.
+    LowerValues,   ///< For a density: normals are minus the gradient.
+    HigherValues,  ///< For a distance: normals follow the gradient.
 };
 
-/// A continuous function in a box and the isovalue of the surface that is meant.
+/// A continuous function in a box and the isovalue of its surface.
 struct Field {
     /// Defined everywhere in the box.
     std::function<double(const Vec3&)> value;
-    /// Of that value, or of a smoothed one: normals follow it. Never asked outside of the box.
+    /// Gradient of the value, or of a smoothed one: normals follow it. Never called outside the
+    /// box.
     std::function<Vec3(const Vec3&)> gradient;
     /// The domain. Its faces are the walls that cut the surface (§7).
     Vec3 low{0.0}, high{0.0};
     double isovalue = 0.0;
     Outside outside = Outside::LowerValues;
-    /// Cells along each axis among which the surface is looked for: one that hides in a single
-    /// cell, with all corners on one side, may be missed.
+    /// Cells along each axis in the search for the surface: a part within a single cell, with all
+    /// corners on one side, may be missed.
     glm::ivec3 cells{96};
 
     /// Unit normal on the outer side; zero where the gradient has no direction.
     Vec3 normal(const Vec3& x) const;
 };
 
-/// The same in the box from `low` to `high`, with cells as small as before, at most 1024 along an
-/// axis. Requires low < high, and that the field is defined in all of that box.
+/// `field` restricted to the box from `low` to `high`, with cells as small as before, at most 1024
+/// along an axis. Requires low < high, and that the field is defined in all of that box.
 Field inBox(Field field, const Vec3& low, const Vec3& high);
 
 /// A named implicit surface.
 struct Shape {
     std::string_view id;     ///< As on the command line: `two-tori`.
-    std::string_view title;  ///< For people.
+    std::string_view title;  ///< For display.
     double (*value)(const Vec3&);
     Vec3 (*gradient)(const Vec3&);
     Vec3 low, high;

@@ -1,3 +1,5 @@
+/// The built-in scalar fields: formulas with their gradients, one row each in the table at the end.
+/// A new shape is a value, a gradient and a row.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,7 +26,7 @@ double twoSheetsValue(const Vec3& x) { return x.x * x.x + x.y * x.y - x.z * x.z 
 Vec3 coneGradient(const Vec3& x) { return {2.0 * x.x, 2.0 * x.y, -2.0 * x.z}; }
 
 /// The hyperboloid of Table 1: minus 4 (y - 1)^2 + 2 (x - z)^2 - 2 (x + z - 3)^2 + 1, the function
-/// that the authors' page on their particles shows, after Wilhelms and Van Gelder.
+/// on the authors' page on their particles, after Wilhelms and Van Gelder.
 double hyperboloidValue(const Vec3& x) {
     const double across = x.x - x.z;
     const double along = x.x + x.z - 3.0;
@@ -39,11 +41,11 @@ Vec3 hyperboloidGradient(const Vec3& x) {
 
 // ---- densities ----
 
-/// Samples along a side of the authors' grid; the orbital stands in the middle.
+/// Samples along a side of the authors' grid; the orbital is in its center.
 constexpr double kHydrogenGrid = 64.0;
 constexpr double kHydrogenMiddle = 0.5 * (kHydrogenGrid - 1.0);
 constexpr double kBohrRadius = 1.5;  ///< In grid steps.
-/// Makes values those of volumes that are cut off at 1, as the one that VTK comes with.
+/// Scales values to those of volumes clamped to 1, such as the one distributed with VTK.
 constexpr double kHydrogenScale = 0.00231;
 
 /// Probability density of the 3d orbital with m = 0: (3 z^2 - r^2)^2 exp(-2 r / 3 a).
@@ -63,8 +65,8 @@ Vec3 hydrogenGradient(const Vec3& x) {
     return scale * (ofLobes - lobes * decay / r * v);
 }
 
-/// A burst on the ground: pressure rises outwards to a steep front and falls to nothing there.
-/// Behind the front it never drops to the isovalue, so that the surface is the front alone; lower
+/// A burst on the ground: pressure rises outward to a steep front and falls to zero there. Inside
+/// the front it never drops to the isovalue, so that the surface is the front alone; lower
 /// isovalues are later, larger shells.
 constexpr double kFront = 31.36;
 constexpr double kFrontWidth = 1.2;
@@ -76,10 +78,10 @@ struct Blast {
 };
 Blast blastAt(double radius) {
     const double s = radius / kFront;
-    const double behind = kRestPressure + (1.0 - kRestPressure) * s * s * s;
+    const double inside = kRestPressure + (1.0 - kRestPressure) * s * s * s;
     const double front = 1.0 / (1.0 + std::exp((radius - kFront) / kFrontWidth));
     const double rise = 3.0 * (1.0 - kRestPressure) * s * s / kFront;
-    return {behind * front, rise * front - behind * front * (1.0 - front) / kFrontWidth};
+    return {inside * front, rise * front - inside * front * (1.0 - front) / kFrontWidth};
 }
 double blastValue(const Vec3& x) {
     const Vec3 v = kFlattened * x;

@@ -1,3 +1,5 @@
+/// Decompression of gzip and zlib streams by zlib, with the size known beforehand. A stream expands
+/// to at most 1032 times its size, so that memory is bounded by the input.
 #include "spiraling_edge/sampling/inflate.h"
 
 #include <zlib.h>
@@ -9,7 +11,7 @@ namespace {
 
 /// No byte of a stream unpacks to more than this many (zlib's own documentation).
 constexpr std::size_t kMostPerByte = 1032;
-/// What one call of zlib takes or gives at most; its counters have 32 bits.
+/// Maximum size of the input or output of one call of zlib; its counters have 32 bits.
 constexpr std::size_t kPiece = 1U << 30U;
 
 /// Owns the state of zlib.
@@ -25,14 +27,14 @@ class Inflater {
     Inflater(const Inflater&) = delete;
     Inflater& operator=(const Inflater&) = delete;
 
-    /// Fills `out`; returns how much of it. Ends before only at the end of the stream, or with
-    /// damaged() true.
+    /// Fills `out` and returns the number of bytes. Fewer than `size` only at the end of the
+    /// stream, or with damaged() true.
     std::size_t fill(char* out, std::size_t size) {
         std::size_t filled = 0;
         while (good_ && !damaged_ && filled < size) {
             const std::size_t in = std::min(packed_.size(), kPiece);
             const std::size_t room = std::min(size - filled, kPiece);
-            // zlib does not write to its input, though it does not say so.
+            // zlib does not write to its input, though its type is not const.
             stream_.next_in =
                 reinterpret_cast<Bytef*>(const_cast<char*>(packed_.data()));  // NOLINT
             stream_.avail_in = static_cast<uInt>(in);
@@ -43,7 +45,7 @@ class Inflater {
             const std::size_t made = room - stream_.avail_out;
             filled += made;
             if (code == Z_STREAM_END) {
-                // A file may hold several streams, one behind the other.
+                // A file may hold several consecutive streams.
                 ended_ = packed_.empty();
                 if (ended_ || inflateReset(&stream_) != Z_OK) break;
             } else if (code != Z_OK || (made == 0 && packed_.empty())) {
@@ -53,7 +55,7 @@ class Inflater {
         }
         return filled;
     }
-    /// The last stream came to its end, with the right check sum.
+    /// True if the last stream has ended, with a correct checksum.
     bool ended() const { return ended_; }
     bool damaged() const { return damaged_ || !good_; }
     const char* reason() const { return stream_.msg != nullptr ? stream_.msg : "not gzip"; }

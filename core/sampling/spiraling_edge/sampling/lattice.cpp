@@ -1,3 +1,6 @@
+/// Marching over a lattice: the field is evaluated once per corner, layer by layer, and each edge
+/// whose ends differ in sign gives one crossing by the Illinois variant of regula falsi. Curves on
+/// the walls come from marching squares. O(cells) evaluations, in parallel by layers.
 #include "spiraling_edge/sampling/lattice.h"
 
 #include <algorithm>
@@ -16,7 +19,7 @@ class Lattice {
         : surface_(surface), cells_(surface.field().cells), cell_(surface.cell()) {}
 
     const glm::ivec3& cells() const { return cells_; }
-    /// Of a corner; exactly on the walls at both ends.
+    /// Position of a corner; exactly on the walls at both ends.
     Vec3 place(const glm::ivec3& at) const {
         Vec3 x = surface_.field().low + cell_ * Vec3(at);
         for (int axis = 0; axis < 3; ++axis) {
@@ -25,7 +28,8 @@ class Lattice {
         return x;
     }
     double value(const glm::ivec3& at) const { return surface_.value(place(at)); }
-    /// Where the surface crosses the edge from `at` along `axis`, whose ends have these values.
+    /// The crossing of the surface with the edge from `at` along `axis`, whose ends have these
+    /// values.
     Vec3 crossing(glm::ivec3 at, int axis, double here, double there) const {
         const Vec3 from = place(at);
         at[axis] += 1;
@@ -102,7 +106,8 @@ class Layers {
         if (at.y < lattice_.cells().y) meet(1, here[slot(at.x, at.y + 1)]);
         if (!above.empty()) meet(2, above[slot(at.x, at.y)]);
     }
-    /// Edges in a wall have only half their surroundings within the box, those in two a quarter.
+    /// Edges in one wall have half of their surroundings within the box, those in two walls a
+    /// quarter.
     void add(const glm::ivec3& at, int axis, const Vec3& x) {
         const Vec3 cell = surface_.cell();
         double area = std::abs(surface_.field().normal(x)[axis]);
@@ -119,7 +124,8 @@ class Layers {
     std::vector<Crossing> found_;
 };
 
-/// Marching squares (after Lorensen and Cline 1987) on one wall, and the curves put together.
+/// Marching squares (after Lorensen and Cline 1987) on one wall, and the curves joined from their
+/// pieces.
 class Wall {
   public:
     Wall(const Lattice& lattice, int axis, bool high)
@@ -190,8 +196,8 @@ class Wall {
         const Index top = flat_[slot(i, j + 1)];
         const Index left = upright_[slot(i, j)];
         const Index right = upright_[slot(i + 1, j)];
-        // Two curves pass if all four edges are crossed: the corners on the side of the middle hang
-        // together.
+        // Two curves pass if all four edges are crossed: corners with the sign of the middle are
+        // connected.
         const double middle = value(i, j) + value(i + 1, j) + value(i, j + 1) + value(i + 1, j + 1);
         const bool aroundFirst = differ(middle, value(i, j));
         const std::array<Index, 4> around = aroundFirst ? std::array{bottom, left, top, right}

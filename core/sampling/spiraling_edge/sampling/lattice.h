@@ -1,5 +1,5 @@
-/// Where a surface is: its crossings with the edges of a lattice over the box, and its curves on
-/// the walls. Every part of the surface that separates two corners of a cell is met.
+/// Search for a surface: its crossings with the edges of a lattice over the box, and its curves on
+/// the walls. Finds every part of the surface that separates two corners of a cell.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace se::sampling {
 
-/// A place on the surface, and the area that it stands for: the sum of the areas is an unbiased
+/// A place on the surface, and the area that it represents: the sum of the areas is an unbiased
 /// estimate of the whole. Along an axis, lines `a` apart in both directions meet a patch of area A
 /// whose unit normal has the component n A |n| / a^2 times; weighted with |n| a^2 and summed over
 /// the three axes, that gives A (n_x^2 + n_y^2 + n_z^2) = A.

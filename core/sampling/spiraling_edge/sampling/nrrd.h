@@ -1,4 +1,4 @@
-/// The two halves of reading NRRD: what the header says, and the numbers that it describes.
+/// The two halves of reading NRRD: the header, and the numbers that it describes.
 #pragma once
 
 #include <cstdint>
@@ -17,21 +17,21 @@ struct NrrdHeader {
     NrrdType type = NrrdType::UInt8;
     bool bigEndian = false;
     bool gzip = false;
-    std::string dataFile;  ///< As it stands there; empty if the data follow the header.
+    std::string dataFile;  ///< As in the header; empty if the data follow the header.
     std::size_t dataFileLine = 0;
     std::size_t lineSkip = 0;
     std::int64_t byteSkip = 0;   ///< -1: the data are the last bytes of the file.
-    std::size_t dataOffset = 0;  ///< Where the header ends.
+    std::size_t dataOffset = 0;  ///< End of the header.
     Volume volume;               ///< Without its values.
 
     std::size_t samples() const { return volume.size[0] * volume.size[1] * volume.size[2]; }
 };
 
-/// samples() times bytesOf(type) fits a size_t.
+/// Parses the header. In the result, samples() times bytesOf(type) fits a size_t.
 Result<NrrdHeader> parseNrrdHeader(std::string_view bytes, const std::string& name);
 
-/// The values, from the bytes that follow the header or those of the data file. `name` is that of
-/// the file that holds them.
+/// The values, from the bytes that follow the header or those of the data file. `name` is the file
+/// that holds them.
 Result<Volume> decodeNrrd(const NrrdHeader& header, std::string_view data, const std::string& name);
 
 }  // namespace se::io

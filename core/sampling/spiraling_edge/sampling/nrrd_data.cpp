@@ -79,7 +79,7 @@ Result<Volume> decodeNrrd(const NrrdHeader& header, std::string_view data,
     std::string unpacked;
     Result<std::string_view> bytes = std::string_view{};
     if (header.gzip) {
-        // Skipped bytes are within the stream.
+        // The skipped bytes are part of the stream.
         const auto skip = static_cast<std::size_t>(header.byteSkip);
         if (skip > std::numeric_limits<std::size_t>::max() - expected)
             return Error{name + ": `byte skip` passes over more than any file holds"};

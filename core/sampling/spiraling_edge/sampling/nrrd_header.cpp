@@ -1,3 +1,5 @@
+/// The header of NRRD: fields line by line, each with its own checks, then the fields together.
+/// Sizes are checked against the machine before any sample is read.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -46,7 +48,7 @@ constexpr std::array<std::pair<std::string_view, NrrdType>, 32> kTypes{{
     {"float64_t", NrrdType::Double},
 }};
 
-/// Fields of the format that say nothing about where a sample lies or what it is worth.
+/// Fields of the format that affect neither the place nor the value of a sample.
 constexpr std::array<std::string_view, 23> kIgnored{"content",
                                                     "number",
                                                     "min",
@@ -150,7 +152,7 @@ class HeaderParser {
         if (key == "byte skip" || key == "byteskip") return takeByteSkip(text);
         if (std::find(kIgnored.begin(), kIgnored.end(), key) != kIgnored.end()) return success();
         return wrong("NRRD has no field " + inQuotes(key) +
-                     "; own fields are written with := behind the name");
+                     "; own fields are written with := after the name");
     }
 
     Status takeType(std::string_view text) {
@@ -195,7 +197,7 @@ class HeaderParser {
         return success();
     }
 
-    /// Three numbers that are no infinities; brackets and commas count as blanks.
+    /// Reads `count` finite numbers; brackets and commas count as blanks.
     bool takeNumbers(std::string_view text, double* numbers, std::size_t count) const {
         std::string plain(text);
         for (char& c : plain) {

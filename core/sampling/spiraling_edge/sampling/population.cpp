@@ -1,3 +1,7 @@
+/// Birth and death of particles. The crowding at a place is the sum of the repulsion around it;
+/// crowded particles are removed and new ones added at the least crowded places, a few percent at a
+/// time, so that the number reaches its target and the spacing becomes even. Deterministic: ties by
+/// index. O(n log n) for n particles.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,29 +13,31 @@
 namespace se::sampling {
 namespace {
 
-/// A place for a birth, or a particle that may die, with how crowded it is there.
+/// A place for a new particle, or a particle that may be removed, with the crowding there.
 struct Candidate {
     double crowd;
     std::size_t particle;
     Vec3 place;
 };
 
-/// The crowd where the surface has no place at all.
+/// The crowding where there is no place on the surface.
 constexpr double kNowhere = 1e9;
-/// Less crowd than this is on another sheet or a speck, where less than three of this one are near.
+/// Crowding below which a place is on another sheet or a speck, with fewer than three particles
+/// near.
 constexpr double kElsewhere = 0.6;
-/// In the hole that one particle left in even triangles it is 1, in the middle of a triangle 1.6.
+/// Crowding below which a particle is added: it is 1 in the gap of one particle in even triangles,
+/// 1.6 in the middle of a triangle.
 constexpr double kRoom = 1.2;
 constexpr double kCrowded = 1.35;
-/// What a pair that is too near adds to the crowd, in units of squeeze().
+/// Weight of a pair that is too near in the crowding, in units of squeeze().
 constexpr double kPair = 4.0;
-/// One without another within so many spacings has no neighbors to make triangles with.
+/// A particle without another within this many spacings has no neighbors for triangles.
 constexpr double kLonely = 1.3;
-/// On parts too small for so many.
+/// Crowding above which a particle is exchanged even where there is little room elsewhere.
 constexpr double kSqueezed = 2.0;
 
-/// Looks at the particles as they are. The crowd at a place is the sum of push() of all around, 1
-/// among equilateral triangles of the wanted size, and more where some are too near.
+/// Measures the crowding. At a place it is the sum of push() over the particles around, scaled to 1
+/// among equilateral triangles of the target size, and more where some are too near.
 class Census {
   public:
     Census(const Surface& surface, double flatSpacing, const Particles& particles)
@@ -43,7 +49,7 @@ class Census {
         for (const Vec3& x : particles.position) grid_.add(x);
     }
 
-    /// Of a place with this normal, not counting particle `self`.
+    /// Crowding at a place with this normal, without particle `self`.
     double crowdAt(const Vec3& x, const Vec3& n, double spacing, std::size_t self) const {
         double sum = 0.0;
         grid_.near(x, [&](Index j) {
@@ -58,8 +64,8 @@ class Census {
         return crowdAt(particles_.position[i], particles_.normal[i], particles_.spacing[i], i);
     }
 
-    /// Has fewer than three others around it that face its way, or none near: on a speck too small
-    /// for triangles.
+    /// True if fewer than three others around face the same way, or none is near: on a speck too
+    /// small for triangles.
     bool isAlone(std::size_t i) const {
         const Vec3 x = particles_.position[i];
         const double spacing = particles_.spacing[i];
@@ -75,7 +81,7 @@ class Census {
         return others < 3 || nearest > kLonely * spacing;
     }
 
-    /// The emptiest place at the distance of a neighbor from particle i.
+    /// The place with the least crowding at one spacing from particle i.
     Candidate gapAt(std::size_t i) const {
         constexpr int kDirections = 12;
         const Vec3 x = particles_.position[i];
@@ -114,7 +120,7 @@ bool emptier(const Candidate& a, const Candidate& b) {
     return a.crowd < b.crowd || (a.crowd == b.crowd && a.particle < b.particle);
 }
 
-/// The first of `candidates` that are not near one another, at most `most`.
+/// The first of `candidates`, at most `most`, that are not near one another.
 std::vector<Candidate> apart(const std::vector<Candidate>& candidates, std::size_t most,
                              const Particles& particles) {
     std::vector<Candidate> taken;
@@ -129,7 +135,7 @@ std::vector<Candidate> apart(const std::vector<Candidate>& candidates, std::size
     return taken;
 }
 
-/// The emptiest places beside the particles with the most room around them.
+/// The places with the least crowding next to the least crowded particles.
 std::vector<Candidate> roomiest(const Census& census, std::vector<Candidate> all,
                                 std::size_t wanted) {
     std::sort(all.begin(), all.end(), emptier);
@@ -143,7 +149,7 @@ std::vector<Candidate> roomiest(const Census& census, std::vector<Candidate> all
     return gaps;
 }
 
-/// Takes particles off specks, unless that is most of the surface. False if cancelled.
+/// Removes particles on specks, unless those are most of the surface. False if cancelled.
 bool leaveSpecks(const Surface& surface, double flatSpacing, unsigned threads,
                  const Progress& progress, Particles& particles) {
     const Census census(surface, flatSpacing, particles);
@@ -161,7 +167,7 @@ bool leaveSpecks(const Surface& surface, double flatSpacing, unsigned threads,
     return true;
 }
 
-/// Empty if cancelled.
+/// The crowding of every particle; empty if cancelled.
 std::vector<Candidate> crowds(const Census& census, unsigned threads, const Progress& progress,
                               const Particles& particles) {
     std::vector<Candidate> all(particles.size());
@@ -191,7 +197,7 @@ bool balance(const Surface& surface, std::size_t count, double flatSpacing, std:
         return std::min(most, static_cast<std::size_t>(end - dying.begin()));
     };
 
-    // Some must be born, others are if there is room.
+    // Missing particles must be added, others are added where there is room.
     const std::size_t missing = count - std::min(count, particles.size());
     const std::size_t needed = missing + moreCrowdedThan(kSqueezed);
     const std::size_t wanted = missing + moreCrowdedThan(kCrowded);

@@ -1,3 +1,7 @@
+/// One step of relaxation: every particle moves against the repulsion of its neighbors by a damped
+/// Newton step of its own (Jacobi), plus a part of its last move, and is projected back onto the
+/// surface along the gradient. Particles on walls move along their curve only. All moves start from
+/// the old positions, so that the result does not depend on threads. O(n) for n particles.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -11,7 +15,7 @@
 namespace se::sampling {
 namespace {
 
-/// One step for all, from their common places: the order of the particles does not matter.
+/// One step for all particles from their old positions: their order does not matter.
 class Relaxation {
   public:
     Relaxation(const Surface& surface, const Particles& particles, double flatSpacing,
@@ -30,7 +34,7 @@ class Relaxation {
         const double length = lengthOf(step);
         if (length > kLongest * spacing) step *= kLongest * spacing / length;
         const Vec3 from = old_.position[i];
-        // Around a sharp bend or onto another sheet is too far for one step; a part of it may do.
+        // A step around a sharp bend or onto another sheet fails; a part of it may succeed.
         for (int attempt = 0; attempt < kAttempts; ++attempt, step *= 0.5) {
             const std::optional<Vec3> to = place(i, step);
             if (!to || *to == from) continue;
@@ -52,28 +56,28 @@ class Relaxation {
     static constexpr double kLeastCosine = 0.3;
     /// The whole step, its half, ...
     static constexpr int kAttempts = 4;
-    /// Damping of the Newton step, each particle for itself (Jacobi).
+    /// Damping of the Newton step, which is computed per particle (Jacobi).
     static constexpr double kDamping = 0.6;
-    /// How hard pairs that are too near push, in units of squeeze().
+    /// Weight of the repulsion of pairs that are too near, in units of squeeze().
     static constexpr double kSqueeze = 2.0;
-    /// Of the distance to the surface, in units of the reach, until the last step.
+    /// Tolerance of the distance to the surface, in units of the reach, until the last step.
     static constexpr double kTolerance = 1e-6;
-    /// Of the angle between surface and wall.
+    /// Least sine of the angle between surface and wall.
     static constexpr double kLeastSine = 0.05;
-    /// Particles inside keep this many spacings from the walls, where the surface allows.
+    /// Distance of interior particles from the walls in spacings, where the surface allows.
     static constexpr double kMargin = 0.3;
 
     double relaxedSpacing(std::size_t i, const Vec3& x) const {
         return 0.5 * (old_.spacing[i] + flat_ * surface_.relativeSpacing(x));
     }
 
-    /// Where the push of the neighbors and their stiffness would move it.
+    /// The move of a particle by the push of its neighbors and their stiffness.
     Vec3 shove(std::size_t i) const {
         return isBoundary(old_.type[i]) ? shoveAlongWall(i) : shoveInside(i);
     }
 
-    /// Calls see(j, d, distance, reach) for all j that push particle i: the way from it, the length
-    /// of that, and the length at which the push ends.
+    /// Calls see(j, d, distance, reach) for all j that push particle i: the vector from j to i, its
+    /// length, and the length at which the push ends.
     template <typename See>
     void pushers(std::size_t i, See&& see) const {
         const Vec3 x = old_.position[i];
@@ -104,15 +108,16 @@ class Relaxation {
         return kDamping / std::max(stiffness, 0.4 / old_.spacing[i]) * force;
     }
 
-    /// Those of the same curve push each other along it; those inside have no say, so that the
-    /// chain is even whatever lies beside it.
+    /// The move of a particle on a wall: those of the same curve push each other along it. Interior
+    /// particles have no influence, so that the chain is even regardless of its surroundings.
     Vec3 shoveAlongWall(std::size_t i) const {
         Vec3 wall(0.0);
         for (int axis = 0; axis < 3; ++axis)
             wall[axis] = heldBy(old_.type[i]) >> static_cast<unsigned>(axis) & 1U;
         const Vec3 across = glm::cross(old_.normal[i], wall);
         const double sine = lengthOf(across);
-        if (!(sine > kLeastSine)) return Vec3(0.0);  // touches the wall: no way is the curve's
+        if (!(sine > kLeastSine))
+            return Vec3(0.0);  // touches the wall: no direction along the curve
         const Vec3 along = across / sine;
         double force = 0.0;
         double stiffness = 0.0;
@@ -130,8 +135,8 @@ class Relaxation {
         const Field& field = surface_.field();
         return x[axis] < field.low[axis] + margin || x[axis] > field.high[axis] - margin;
     }
-    /// On the surface again, off the walls that it is not on if that can be; nothing if there is no
-    /// way.
+    /// The new place on the surface, away from walls that the particle is not on where possible;
+    /// nothing if there is none.
     std::optional<Vec3> place(std::size_t i, const Vec3& step) const {
         const Field& field = surface_.field();
         const double reach = kLongest * old_.spacing[i];
@@ -147,7 +152,7 @@ class Relaxation {
             if ((own >> static_cast<unsigned>(axis) & 1U) != 0 || !inMargin(*to, axis, margin))
                 continue;
             axes |= 1U << static_cast<unsigned>(axis);
-            // One that is in the margin already comes no nearer.
+            // A particle already in the margin does not move nearer.
             held[axis] = std::clamp(held[axis], std::min(field.low[axis] + margin, from[axis]),
                                     std::max(field.high[axis] - margin, from[axis]));
         }

@@ -1,4 +1,4 @@
-/// What sampled points (sampler.h) are judged by.
+/// Quality measures of sampled points (sampler.h).
 #pragma once
 
 #include "spiraling_edge/base/progress.h"
@@ -8,14 +8,14 @@ namespace se {
 
 struct Field;
 
-/// How even particles are, and how near to the surface.
+/// Evenness of particles, and their distance to the surface.
 struct SampleQuality {
-    double spacing = 0.0;    ///< Mean distance of a point inside to its nearest; 0: there is none.
-    double variation = 0.0;  ///< Standard deviation of that over the mean.
+    double spacing = 0.0;  ///< Mean distance of an interior point to its nearest; 0: there is none.
+    double variation = 0.0;  ///< Standard deviation of that distance over the mean.
     double off = 0.0;        ///< The largest distance to the surface, in spacings.
 };
-/// Of points with normals and types, as Sampler::points() has them. Boundary points do not count
-/// for spacing and variation. All 0 if cancelled.
+/// The quality of points with normals and types, as from Sampler::points(). Boundary points do not
+/// count for spacing and variation. All 0 if cancelled.
 SampleQuality measureSample(const Field& field, const PointFile& points,
                             const Progress& progress = {});
 

@@ -12,15 +12,15 @@ namespace se {
 namespace {
 
 constexpr int kAllSteps = 160;
-/// Particles split and die every so many steps, but not in the last of them.
+/// Steps between two balances; the last steps have none.
 constexpr int kBalanceEvery = 10;
 constexpr int kLastExchange = 150;
 /// Share of the particles that may be exchanged at a time.
 constexpr double kMostExchanged = 0.02;
 constexpr std::size_t kMostExchangedAtOnce = 2000;
-/// Of a step, the relaxation; the rest is for those that split and die.
+/// Share of the relaxation in a step with balance.
 constexpr double kRelaxShare = 0.5;
-/// Of all work, finding the surface.
+/// Share of the search for the surface in all work.
 constexpr double kBeginShare = 0.05;
 
 }  // namespace
@@ -73,7 +73,7 @@ bool Sampler::step(const Progress& progress) {
     }
     if (!done()) return true;
     if (!sampling::settleAll(c.surface, c.options.threads, rest, particles)) return false;
-    // What is near in space is near in memory, for all who come after.
+    // Neighbors in space become neighbors in memory, for all later work.
     particles.arrange(zCurveOrder(particles.position));
     return true;
 }

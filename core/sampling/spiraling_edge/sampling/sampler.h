@@ -1,9 +1,9 @@
 /// Even points on an isosurface: the particles that the paper's inputs come from (§3, §8; Crossno
 /// and Angel, "Isosurface Extraction Using Particle Systems", Visualization 1997, in the spirit of
 /// Witkin and Heckbert 1994). They repel each other, are pulled back onto the surface along the
-/// gradient, split and die until they are as many as wanted and evenly spread. Those that start
-/// where the walls of the domain cut the surface spread along these curves, never leave them, and
-/// carry the bits of their walls; corners stay.
+/// gradient, split and die until they have the requested number and are evenly spread. Those that
+/// start where the walls of the domain cut the surface spread along these curves, never leave them,
+/// and carry the bits of their walls; corners stay.
 #pragma once
 
 #include <cstddef>
@@ -19,23 +19,23 @@
 
 namespace se {
 
-/// More particles are refused: these take about 2.2 GB while they spread, and a run on them as much
+/// Maximum number of particles: they take about 2.2 GB while they spread, and a run on them as much
 /// again.
 inline constexpr std::size_t kMostParticles = 10'000'000;
 
-/// How many particles, and where they crowd.
+/// Number and density of particles.
 struct SamplerOptions {
-    /// Exactly this many; 0: as many as `spacing` gives.
+    /// Exact number; 0: determined by `spacing`.
     std::size_t count = 0;
     /// Distance between neighbors, in units of the field; used if `count` is 0. With `curvature`
     /// it holds where the surface is flat.
     double spacing = 0.0;
     /// Equal seeds give equal particles, whatever the number of threads.
     std::uint64_t seed = 1;
-    /// 0: evenly. Else the spacing is divided by 1 + curvature * c, where c is the curvature of the
-    /// surface in units of its mean, but at most by 5. In [0, 100].
+    /// 0: even spacing. Else the spacing is divided by 1 + curvature * c, where c is the curvature
+    /// of the surface in units of its mean, but at most by 5. In [0, 100].
     double curvature = 0.0;
-    /// Threads that work at once; 0: as many as the machine has.
+    /// Number of threads; 0: as many as the machine has.
     unsigned threads = 0;
 };
 
@@ -55,24 +55,24 @@ class Sampler {
     Sampler(Sampler&& other) noexcept;
     Sampler& operator=(Sampler&& other) noexcept;
 
-    /// True after the last step: all particles are on the surface and as even as they will be.
+    /// True after the last step: all particles are on the surface and evenly spread.
     bool done() const;
     /// One step of relaxation; now and then particles split and die in it. No effect when done.
-    /// False if `progress`, which gets the share of this step, cancelled: then the particles are
-    /// no longer of use.
+    /// False if `progress`, which gets the share of this step, cancelled: then the particles are no
+    /// longer valid.
     bool step(const Progress& progress = {});
-    /// Share of the steps that is over, in [0, 1].
+    /// Share of the steps done, in [0, 1].
     double share() const;
-    /// Steps that are over, and all of them.
+    /// Steps done, and all steps.
     int steps() const;
     static int allSteps();
 
-    /// All of them, anew after every step. Their number and order may change until done; then they
-    /// stand in the order of a Z-curve.
+    /// The positions of all particles; invalidated by step(). Their number and order may change
+    /// until done; then they are in the order of a Z-curve.
     std::span<const Vec3> positions() const;
     /// TypeBits of each.
     std::span<const std::uint8_t> types() const;
-    /// The spacing that they are heading for (where the surface is flat).
+    /// The target spacing (where the surface is flat).
     double spacing() const;
     /// The particles as they are now, with unit normals to the outer side and types.
     PointFile points() const;
@@ -83,7 +83,7 @@ class Sampler {
     std::unique_ptr<Content> content_;
 };
 
-/// All steps at once.
+/// Runs all steps.
 Result<PointFile> sample(const Field& field, const SamplerOptions& options,
                          const Progress& progress = {});
 

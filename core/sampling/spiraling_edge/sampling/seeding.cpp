@@ -1,3 +1,6 @@
+/// The first particles: corners, then the curves on the walls divided evenly, then the area, one
+/// particle for each equal share of it along a Z-curve. The count follows from area and lengths, or
+/// the spacing from the count. O(crossings log crossings).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,7 +19,7 @@ namespace {
 
 Error cancelled() { return Error{"sampling was cancelled"}; }
 
-/// As many digits as anybody writes.
+/// A number with the digits of usual input.
 std::string shortNumber(double value) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.6g", value);
@@ -33,7 +36,7 @@ std::uint8_t facesAt(const Field& field, const Vec3& x) {
     return withCornerBit(static_cast<std::uint8_t>(faces));
 }
 
-/// A curve on a wall with its length up to every place, in wanted spacings.
+/// A curve on a wall with its length up to every place, in target spacings.
 struct Measured {
     WallCurve curve;
     std::vector<double> reached;
@@ -50,9 +53,9 @@ Measured measure(const Surface& surface, WallCurve curve) {
     return measured;
 }
 
-/// Everything that is known of the surface before the first particle.
+/// The measures of the surface before the first particle.
 struct Extent {
-    std::vector<Crossing> crossings;  ///< Areas in squares of the wanted spacing.
+    std::vector<Crossing> crossings;  ///< Areas in squares of the target spacing.
     std::vector<Measured> curves;
     std::vector<Vec3> corners;
     double area = 0.0;
@@ -115,8 +118,8 @@ Result<Extent> explore(Surface& surface, unsigned threads, const Progress& progr
 }
 
 // Among equilateral triangles a point on a wall covers half of what one inside covers, and one in a
-// square corner a quarter. The L / h points on the walls, corners among them, hence stand for
-// L / 2 h inside: count = A / (kHexagonal h^2) + L / 2 h + corners / 4.
+// square corner a quarter. The L / h points on the walls, including corners, hence replace L / 2 h
+// inside: count = A / (kHexagonal h^2) + L / 2 h + corners / 4.
 double countFor(const Extent& extent, double spacing) {
     return extent.area / (kHexagonal * spacing * spacing) + 0.5 * extent.length / spacing +
            0.25 * static_cast<double>(extent.corners.size());
@@ -130,13 +133,12 @@ double spacingFor(const Extent& extent, std::size_t count) {
     return 2.0 * a / (std::sqrt(b * b - 4.0 * a * c) - b);
 }
 
-/// `owed` is what rounding left over from the curves before, so that all have the right number
-/// together.
+/// `owed` is the rounding error of the curves before, so that the total number is right.
 void addAlong(const Surface& surface, const Measured& m, double spacing, double& owed,
               Particles& particles) {
     const std::vector<Vec3>& line = m.curve.line;
     const bool closed = m.curve.closed();
-    // Loops less than half a spacing around are specks that no triangle fits into.
+    // Loops shorter than half a spacing are specks that no triangle fits into.
     if (closed && m.length() < 0.5 * spacing) return;
     const double wanted = m.length() / spacing + owed;
     const int count = static_cast<int>(std::max(std::round(wanted), closed ? 3.0 : 1.0));
@@ -154,7 +156,7 @@ void addAlong(const Surface& surface, const Measured& m, double spacing, double&
     }
 }
 
-/// Answers how near the curves on the walls are.
+/// Distance queries to the curves on the walls.
 class NearWalls {
   public:
     NearWalls(const Extent& extent, const Field& field, double spacing)
@@ -184,7 +186,7 @@ class NearWalls {
     std::vector<Vec3> place_;
 };
 
-/// A random place around a crossing, in the patch that it stands for.
+/// A random place around a crossing, in the patch that it represents.
 Vec3 around(const Surface& surface, const Vec3& x, SplitMix& random) {
     const Vec3 cell = surface.cell();
     const double reach = 0.5 * std::max({cell.x, cell.y, cell.z});
@@ -196,9 +198,8 @@ Vec3 around(const Surface& surface, const Vec3& x, SplitMix& random) {
     return settled ? *settled : x;
 }
 
-/// Along a Z-curve, one particle whenever another share of the area has gone by: even to begin
-/// with, over large distances exactly so.
-/// False if cancelled.
+/// Adds one particle per share of the area along a Z-curve: roughly even, and exactly so over large
+/// distances. False if cancelled.
 bool addInside(const Surface& surface, const Extent& extent, double spacing, std::size_t count,
                std::uint64_t seed, const Progress& progress, Particles& particles) {
     const NearWalls walls(extent, surface.field(), spacing);

@@ -1,3 +1,5 @@
+/// Projection onto the surface along the gradient: a bracket from the Newton step, then the
+/// Illinois variant of regula falsi. Curvature by differences of the unit normal.
 #include "spiraling_edge/sampling/surface.h"
 
 #include <algorithm>
@@ -19,7 +21,7 @@ std::optional<Vec3> Surface::settle(const Vec3& x, HeldAxes held, double reach,
     if (!(steepness > 0.0)) return std::nullopt;
     const Vec3 along = (here > 0.0 ? -1.0 : 1.0) / steepness * g;
     const auto at = [&](double t) { return x + t * along; };
-    // Brackets: the Newton step, a little overdone, then ever further.
+    // Bracket: the Newton step, slightly enlarged, then ever farther.
     double from = 0.0;
     double to = std::min(1.05 * std::abs(here) / steepness + 1e-12 * reach, reach);
     double there = value(at(to));

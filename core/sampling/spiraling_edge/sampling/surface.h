@@ -1,5 +1,5 @@
-/// The part of a surface that particles may be on: bringing them back to it, and how dense they
-/// should stand there. Shared by the parts of the sampler.
+/// A surface for particles: projection onto it, and the target density there. Shared by the parts
+/// of the sampler.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ inline constexpr double kHexagonal = 0.86602540378443865;
 
 /// Axes along which a particle may not move: bits 1, 2 and 4, as in TypeBits.
 using HeldAxes = unsigned;
-/// Of a particle on the walls of `type`.
+/// The held axes of a particle on the walls of `type`.
 constexpr HeldAxes heldBy(std::uint8_t type) { return (type | type >> 3U) & 7U; }
 
 inline double lengthOf(const Vec3& v) { return std::sqrt(glm::dot(v, v)); }
@@ -26,7 +26,7 @@ inline Vec3 without(Vec3 v, HeldAxes held) {
     return v;
 }
 
-/// A field together with the density that is wanted on its surface.
+/// A field together with the target density on its surface.
 class Surface {
   public:
     /// `curvature` as in SamplerOptions.
@@ -34,23 +34,23 @@ class Surface {
 
     const Field& field() const { return field_; }
     double value(const Vec3& x) const { return field_.value(x) - field_.isovalue; }
-    /// Edges of a cell of the lattice in which the surface is looked for.
+    /// Edges of a cell of the lattice in the search for the surface.
     Vec3 cell() const { return (field_.high - field_.low) / Vec3(field_.cells); }
     bool inside(const Vec3& x) const;
 
-    /// The place on the surface along the gradient, if there is one within `reach` and the box,
-    /// to `tolerance` times `reach`.
+    /// The place on the surface along the gradient, accurate to `tolerance` times `reach`; nothing
+    /// if there is none within `reach` and the box.
     std::optional<Vec3> settle(const Vec3& x, HeldAxes held, double reach,
                                double tolerance = 1e-13) const;
 
-    /// How much the unit normal turns per length: root of the sum of the squares of both principal
+    /// Turn of the unit normal per length: the root of the sum of the squares of both principal
     /// curvatures.
     double curvature(const Vec3& x) const;
-    /// From now on spacing() is relative to this mean.
+    /// Sets the mean that relativeSpacing() refers to.
     void setMeanCurvature(double mean) { meanCurvature_ = mean; }
     bool followsCurvature() const { return influence_ > 0.0; }
-    /// Wanted spacing in units of that where the surface is flat: 1 without influence of the
-    /// curvature, never below a fifth.
+    /// Target spacing relative to that on flat parts: 1 without influence of the curvature, never
+    /// below a fifth.
     double relativeSpacing(const Vec3& x) const;
 
   private:

@@ -1,3 +1,5 @@
+/// Trilinear interpolation of samples on a grid, and the reader of NRRD files around it
+/// (nrrd_header.cpp, nrrd_data.cpp).
 #include "spiraling_edge/sampling/volume.h"
 
 #include <algorithm>
@@ -20,7 +22,7 @@ Vec3 Volume::high() const {
 
 namespace {
 
-/// The eight samples around a place, x fastest, and where it lies between them, in 0 .. 1.
+/// The eight samples around a place, x fastest, and its position between them, in 0 .. 1.
 struct Cell {
     std::array<double, 8> corner{};
     Vec3 t{0.0};
@@ -80,7 +82,7 @@ Result<Volume> readVolume(const fs::path& path) {
     const io::NrrdHeader& header = parsed.value();
     if (header.dataFile.empty()) return readVolume(bytes.value(), name);
     const fs::path dataPath = path.parent_path() / header.dataFile;
-    // The header may come from elsewhere: a device or a pipe has no end.
+    // A device or a pipe has no end, so the size must be checked.
     std::error_code ignored;
     const fs::file_status status = fs::status(dataPath, ignored);
     if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {

@@ -19,20 +19,20 @@ namespace se {
 struct Volume {
     std::array<std::size_t, 3> size{};  ///< Along x, y and z; at least 2 each.
     Vec3 spacing{1.0};                  ///< Between samples; above 0.
-    Vec3 origin{0.0};                   ///< Place of the first sample.
+    Vec3 origin{0.0};                   ///< Position of the first sample.
     std::vector<float> value;           ///< Finite; x fastest. Doubles of a file are rounded.
-    /// The key `isovalue` of the file.
+    /// Value of the key `isovalue` of the file.
     std::optional<double> isovalue;
 
-    Vec3 high() const;  ///< Place of the last sample.
+    Vec3 high() const;  ///< Position of the last sample.
     float at(std::size_t i, std::size_t j, std::size_t k) const {
         return value[(k * size[1] + j) * size[0] + i];
     }
-    /// Trilinear; outside of the grid as at the nearest place of it.
+    /// Trilinear interpolation; outside the grid the value at its nearest place.
     double valueAt(const Vec3& x) const;
-    /// Differences of these values over half a spacing to either side: the slope, averaged over the
-    /// width of a cell. Continuous; central differences of the samples would be smoother, but on
-    /// parts as thin as a spacing they point anywhere.
+    /// Differences of valueAt() over half a spacing to both sides: the slope, averaged over the
+    /// width of a cell. Continuous; central differences of the samples would be smoother, but have
+    /// arbitrary directions on parts as thin as a spacing.
     Vec3 gradientAt(const Vec3& x) const;
 };
 
@@ -41,7 +41,7 @@ struct Volume {
 /// byte order, raw or gzip, axis-aligned spacings or space directions. Errors name the file and
 /// the line, what was expected and what to do. Nothing is allocated that the file cannot fill.
 Result<Volume> readVolume(const std::filesystem::path& path);
-/// The same from memory, attached data only; `name` is what errors call it.
+/// Reads a volume from memory, attached data only; `name` is its name in errors.
 Result<Volume> readVolume(std::string_view bytes, const std::string& name);
 
 /// The field of a volume in the box of its samples: higher values are inside. Requires 2 samples

@@ -1,18 +1,20 @@
-/// §7: when a boundary point may be a pivot.
+/// §7: decides whether a boundary point may be a pivot, and inserts the third point of §7.1 and
+/// §7.2. Rim points follow the same rules, with the end of their gap in place of a wall's point.
+/// O(list).
 #include "spiraling_edge/stepper/step_context.h"
 
 namespace se {
 namespace {
 
-/// Puts `third` on the ring beside the pivot; both steps at it are open, for they are no mesh
+/// Puts `third` on the ring next to the pivot; both steps at it are open, since they are no mesh
 /// edges.
 void putOnRing(StepContext& context, Index third, bool before) {
     State& s = context.state;
     const Index pivot = s.pivot.pivot;
-    const Index behind = before ? s.rings.prev(pivot) : pivot;
-    s.third.stepBeforeWasOpen = s.rings.open(behind);
-    s.third.entry = s.rings.insertAfter(behind, third);
-    s.rings.setOpen(behind, true);
+    const Index previous = before ? s.rings.prev(pivot) : pivot;
+    s.third.stepBeforeWasOpen = s.rings.open(previous);
+    s.third.entry = s.rings.insertAfter(previous, third);
+    s.rings.setOpen(previous, true);
     s.rings.setOpen(s.third.entry, true);
     s.status[third] = 1;
 }
@@ -41,7 +43,7 @@ bool insertOnRim(AnyContext auto& context, InsertEvidence evidence, Index third,
 }
 
 /// §7.1 for a rim point: the end of its gap goes before it, the beginning after it, so that the
-/// sector that is left runs over the surface.
+/// remaining sector lies on the surface.
 bool insertOnRimOfTwo(AnyContext auto& context, Index p, Index second) {
     const RimGap gap = context.points.gapAt(p);
     const auto isFree = [&](Index x) {
@@ -56,8 +58,8 @@ bool insertOnRimOfTwo(AnyContext auto& context, Index p, Index second) {
 }
 
 /// A rim point on a longer ring: a pivot like an interior point while the surface does not end in
-/// its free sector, no pivot once all beside the gap is meshed. In between, §7.2: what is left at
-/// one side of the gap is meshed with the end of the gap as third point.
+/// its free sector, no pivot once both sides of the gap are meshed. In between, as in §7.2, the
+/// rest on one side of the gap is meshed with the end of the gap as third point.
 bool admitRimPivot(AnyContext auto& context, const OnRing& at) {
     const PointSet& points = context.points;
     const RimGap gap = points.gapAt(at.p);
@@ -143,7 +145,7 @@ bool admitBoundaryPivot(AnyContext auto& context) {
     const bool onRim = isRimPoint(type[at.p]);
     if (s.rings.length(s.rings.active()) == 2) {
         if (!isBoundary(type[at.next])) return false;
-        // Fig. 14: what the unmodified neighbor ring makes of it.
+        // Fig. 14: the result of the unmodified neighbor ring.
         if (!paperOf(context).thirdPoint) return true;
         return onRim ? insertOnRimOfTwo(context, at.p, at.next)
                      : insertOnRingOfTwo(context, at.p, at.next);
@@ -157,10 +159,10 @@ bool admitBoundaryPivot(AnyContext auto& context) {
 void withdrawThirdPoint(StepContext& context) {
     State& s = context.state;
     if (s.third.entry == kNone) return;
-    const Index behind = s.rings.prev(s.third.entry);
+    const Index previous = s.rings.prev(s.third.entry);
     s.status[s.rings.point(s.third.entry)] = kUnused;
     s.rings.erase(s.third.entry);
-    s.rings.setOpen(behind, s.third.stepBeforeWasOpen);
+    s.rings.setOpen(previous, s.third.stepBeforeWasOpen);
     s.third = {};
 }
 

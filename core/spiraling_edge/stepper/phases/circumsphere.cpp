@@ -1,11 +1,15 @@
-/// §6.3: the circumsphere test, which removes candidates from the neighbor ring.
+/// §6.3: the circumsphere test with the 120-degree rule, which removes candidates from the neighbor
+/// ring. The equator of the sphere is the circle through the pivot and the two neighbors of a
+/// candidate; a candidate inside it stays, and so does one whose removal would leave a gap over 120
+/// degrees. One pass, O(candidates); with Rules::stepBack a removal tests the candidate before it
+/// again.
 #include "spiraling_edge/stepper/step_context.h"
 
 namespace se {
 
 namespace {
 
-/// start or end, in the form of its neighbors in the ring.
+/// start or end, as a candidate.
 Candidate limitAt(const StepContext& context, Index entry, const Angle& angle) {
     const Vec3 offset = context.positionAt(entry) - context.state.pivot.frame.origin;
     return {context.state.rings.point(entry), entry, angle, offset, glm::dot(offset, offset)};
@@ -15,7 +19,7 @@ SphereTest testOf(const Candidate& t, const Candidate& q, const Candidate& s) {
     return testSphere(t.offset, t.lengthSq, s.offset, s.lengthSq, q.offset, q.lengthSq);
 }
 
-/// Does the test anew: kept in memory for who may want to see it, it would cost everyone time.
+/// Recomputes the test for the log; storing it would slow every run.
 SphereEvidence explain(const Candidate& t, const Candidate& q, const Candidate& s, const Vec3& p,
                        Verdict verdict) {
     const SphereTest test = testOf(t, q, s);
@@ -53,7 +57,7 @@ bool isRemoved(AnyContext auto& context, const Candidate& t, const Candidate& q,
     return verdict == Verdict::Removed || verdict == Verdict::WhatIfDropped;
 }
 
-/// §6.3: one pass over the candidates, each looked at once.
+/// §6.3: one pass over the candidates, each tested once.
 void thinOnce(AnyContext auto& context) {
     NeighborRing& n = context.state.pivot;
     std::vector<Candidate>& all = n.candidates;
@@ -70,13 +74,13 @@ void thinOnce(AnyContext auto& context) {
     all.resize(kept);
 }
 
-/// Rules::stepBack: after a removal, the point before is looked at again with its new neighbor.
+/// Rules::stepBack: after a removal, the point before it is tested again with its new neighbor.
 void thinWithStepBack(AnyContext auto& context) {
     NeighborRing& n = context.state.pivot;
     std::vector<Candidate>& all = n.candidates;
     const Candidate start = limitAt(context, n.start, n.startAngle);
     const Candidate end = limitAt(context, n.end, n.endAngle);
-    std::size_t kept = 0;  // all[0 .. kept) passed with their present neighbors.
+    std::size_t kept = 0;  // all[0 .. kept) passed with their current neighbors.
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (kept != i) all[kept] = all[i];
         ++kept;

@@ -1,4 +1,5 @@
-/// §6.4: the fan of triangles.
+/// §6.4: the fan of triangles from first to last, and the two-point rings over 180 degrees that are
+/// discarded. Triangles are only appended. O(fan).
 #include <cassert>
 #include <span>
 
@@ -10,7 +11,7 @@ namespace se {
 
 namespace {
 
-/// §6.4, Fig. 9: is a neighbor ring of first and last alone discarded?
+/// §6.4, Fig. 9: true if a neighbor ring of first and last alone is discarded.
 bool isDiscarded(const AnyContext auto& context) {
     const NeighborRing& n = context.state.pivot;
     switch (paperOf(context).twoPoint) {
@@ -34,7 +35,7 @@ void phaseTwoPoint(AnyContext auto& context) {
     s.phase = context.params.rules.looksAtFan() || unwanted ? Phase::Guard : Phase::Emit;
     if (!n.candidates.empty() || n.start != n.first || n.end != n.last) return;
     const bool overlaps = isDiscarded(context);
-    // The full turn has no triangle that could be wished for.
+    // The full turn has no triangle that a what-if could keep.
     const auto wish = n.fullTurn() ? std::nullopt : said(context, Stage::TwoPoint, p);
     note(context, Stage::TwoPoint, [&] {
         return TwoPointEvidence{
@@ -49,8 +50,8 @@ void phaseTwoPoint(AnyContext auto& context) {
 namespace {
 
 /// Calls `entry`, with its side, for the entries among the spokes of the fan and `candidate` for
-/// the others, in order from first to last. Between first and start, and end and last, stand the
-/// points that were passed (Fig. 4).
+/// the others, in order from first to last. Between first and start, and between end and last, lie
+/// the points that were passed (Fig. 4).
 template <typename OnEntry, typename OnCandidate>
 void forEachSpoke(const State& s, OnEntry&& entry, OnCandidate&& candidate) {
     const NeighborRing& n = s.pivot;
@@ -87,7 +88,7 @@ void layOutFan(StepContext& context) {
 
 namespace {
 
-/// The points of the fan's spokes, from first to last.
+/// Lists the points of the fan's spokes, from first to last.
 void listSpokes(State& s) {
     std::vector<Index>& spokes = s.pivot.spokes;
     spokes.clear();
@@ -96,7 +97,7 @@ void listSpokes(State& s) {
         [&](const Candidate& c) { spokes.push_back(c.point); });
 }
 
-/// The triangles from number `from` on.
+/// Logs the triangles from number `from` on.
 void noteTriangles(AnyContext auto& context, std::size_t from) {
     const State& s = context.state;
     for (std::size_t i = from; i < s.triangles.size(); ++i) {

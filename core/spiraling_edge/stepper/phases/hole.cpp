@@ -1,4 +1,5 @@
-/// §6.2: candidates on the far side of a hole are removed.
+/// §6.2: where p, start and end close a hole of three edges, candidates on the far side of the
+/// plane through start and end along the mean normal are removed. O(candidates).
 #include <algorithm>
 
 #include "spiraling_edge/stepper/step_context.h"
@@ -7,8 +8,8 @@ namespace se {
 
 namespace {
 
-/// The edges of the hole that p, start and end form, if it has three, or up to as many as
-/// PaperRules::holeSize says; 0 if they form none.
+/// The number of edges of the hole that p, start and end form, at most PaperRules::holeSize (by
+/// default three); 0 if they form none.
 Index edgesOfHole(const AnyContext auto& context) {
     const State& s = context.state;
     const NeighborRing& n = s.pivot;
@@ -18,7 +19,7 @@ Index edgesOfHole(const AnyContext auto& context) {
         return length >= 3 && length <= size ? length : 0;
     }
     if (!(n.endAngle.key - n.startAngle.key < kHalfTurnKey)) return 0;
-    // p, start and end are two edges; so many lead back from end to start.
+    // p to start and end are two edges; the others lead back from end to start.
     Index e = n.end;
     for (Index edges = 3; edges <= size; ++edges) {
         if (context.openStep(e)) return 0;

@@ -1,4 +1,7 @@
-/// §6.1, Figs. 4 to 6: start and end advance, and USED candidates are tested.
+/// §6.1, Figs. 4 to 6: start and end advance while the ring is concave (Fig. 4), and candidates
+/// outside are dropped; USED candidates must then pass the convexity test (Fig. 5) and, at one of
+/// their entries, the reciprocal test (Fig. 6). O(list) for each move, plus the entries of USED
+/// candidates.
 #include <algorithm>
 
 #include "spiraling_edge/stepper/step_context.h"
@@ -9,14 +12,15 @@ namespace se {
 
 namespace {
 
-/// The entry behind start (its predecessor) or behind end (its successor).
+/// The entry beyond start (its predecessor) or beyond end (its successor).
 Index beyond(const State& s, Side side) {
     return side == Side::Start ? s.rings.prev(s.pivot.start) : s.rings.next(s.pivot.end);
 }
 
-/// Rules::unblocked: does a candidate lie in the circumsphere of the triangle that a move of start
-/// or end to `to` would make? UNUSED ones count in the triangle's sector, where they would be
-/// enclosed; USED ones outside it if nearer than `to`, for the new spoke would run close by them.
+/// Rules::unblocked: true if a candidate lies in the circumsphere of the triangle that a move of
+/// start or end to `to` would make. UNUSED ones count in the triangle's sector, where they would be
+/// enclosed; USED ones outside it if nearer than `to`, since the new spoke would pass close to
+/// them.
 bool isBlocked(const StepContext& context, Side side, const Angle& toAngle, const Vec3& to) {
     const State& s = context.state;
     const NeighborRing& n = s.pivot;
@@ -35,11 +39,11 @@ bool isBlocked(const StepContext& context, Side side, const Angle& toAngle, cons
     });
 }
 
-/// What a look at the point beyond start or end found.
+/// The result of a test of the point beyond start or end.
 struct LimitTest {
     Verdict verdict;
     Index to = kNone;  ///< Entry.
-    Angle angle{};     ///< Of `to`, where it was needed.
+    Angle angle{};     ///< Angle of `to`, where it was needed.
     double turn = 0.0;
 };
 
@@ -57,9 +61,9 @@ LimitTest testLimit(const StepContext& context, Side side) {
     ConcaveTest concave = testConcave(context.positionAt(limit), context.normalAt(limit),
                                       atStart ? position : p, atStart ? p : position);
     if (kEveryTest && context.clockwise()) concave.turn = -concave.turn;
-    // Without a log the paper's rules are as usual (paperOf()).
+    // Without a log the paper's rules have their defaults (paperOf()).
     const bool mayMove = concave.concave() || (kEveryTest && !context.params.paper.concave);
-    // The cheap test that fails most often comes first, unless someone wants to see the others.
+    // The cheap test that fails most often comes first, unless the log needs the others.
     if (!kEveryTest && !mayMove) return {Verdict::NotConcave, to};
     const auto list = context.points.neighbors[s.rings.point(n.pivot)];
     if (std::find(list.begin(), list.end(), s.rings.point(to)) == list.end()) {
@@ -76,7 +80,7 @@ LimitTest testLimit(const StepContext& context, Side side) {
     return test;
 }
 
-/// Does the test anew, as explain() in circumsphere.cpp does.
+/// Recomputes the test for the log.
 LimitEvidence explainLimit(const StepContext& context, Side side) {
     const State& s = context.state;
     const bool atStart = side == Side::Start;
@@ -90,7 +94,7 @@ LimitEvidence explainLimit(const StepContext& context, Side side) {
             test.verdict};
 }
 
-/// Advances start or end by one entry if §6.1 (Fig. 4) says so.
+/// Advances start or end by one entry if §6.1 (Fig. 4) allows it.
 template <AnyContext Context>
 bool moveLimit(Context& context, Side side) {
     State& s = context.state;
@@ -98,7 +102,7 @@ bool moveLimit(Context& context, Side side) {
     Index& limit = side == Side::Start ? n.start : n.end;
     Angle& angle = side == Side::Start ? n.startAngle : n.endAngle;
     const LimitTest test = testLimit<kListening<Context>>(context, side);
-    // Where it may not be for another reason than these two, nobody can wish for it.
+    // A what-if can override only these verdicts.
     const bool open = test.verdict == Verdict::Moved || test.verdict == Verdict::NotConcave ||
                       test.verdict == Verdict::Blocked;
     const auto wish =
@@ -115,7 +119,7 @@ bool moveLimit(Context& context, Side side) {
     return true;
 }
 
-/// Rules::limitsFirst off: each listed neighbor is looked at once, as it comes.
+/// Rules::limitsFirst off: each listed neighbor is tested once, in list order.
 void moveLimitsAsNeighborsCome(AnyContext auto& context) {
     const State& s = context.state;
     for (const Index x : context.points.neighbors[s.rings.point(s.pivot.pivot)]) {
@@ -235,8 +239,8 @@ Index firstInstance(const EdgeRings& rings, Index point) {
 
 namespace {
 
-/// Rules::wallsDone: both ring neighbors of a boundary point share a wall with it, so that what its
-/// sector spans is outside the box.
+/// Rules::wallsDone: both ring neighbors of a boundary point share a wall with it, so that its
+/// sector lies outside the box.
 bool completeAlongWalls(const StepContext& context, Index entry) {
     const EdgeRings& rings = context.state.rings;
     const auto type = [&](Index e) { return context.points.type[rings.point(e)]; };

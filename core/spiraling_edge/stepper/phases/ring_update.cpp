@@ -1,4 +1,7 @@
-/// §6.5: the edge ring after a pivot, and the way to the next one.
+/// §6.5: the edge ring after a pivot: passed entries are released, candidates inserted, and points
+/// met again split or join rings (one exchange of successors). Then the traversal continues, pops a
+/// ring or ends the component; finished rings of two and rings freed by §7 are closed here, too.
+/// O(fan) per pivot, plus relabeling of the shorter ring.
 #include <algorithm>
 
 #include "spiraling_edge/stepper/step_context.h"
@@ -10,7 +13,7 @@ void noteRing(AnyContext auto& context, Stage stage, Index x, bool inserted) {
     note(context, stage, [&] { return RingEvidence{x, inserted, context.state.status[x]}; });
 }
 
-/// Takes an entry out and counts its point's status down (§4): the last one makes it DONE.
+/// Removes an entry and decrements its point's status (§4): at the last one the point becomes DONE.
 void release(AnyContext auto& context, Index entry, Stage stage) {
     State& s = context.state;
     const Index x = s.rings.point(entry);
@@ -25,11 +28,11 @@ void release(AnyContext auto& context, Index entry, Stage stage) {
 
 void insertCandidates(AnyContext auto& context) {
     State& s = context.state;
-    Index behind = s.pivot.start;
+    Index previous = s.pivot.start;
     for (const Candidate& c : s.pivot.candidates) {
-        behind = s.rings.insertAfter(behind, c.point);
+        previous = s.rings.insertAfter(previous, c.point);
         s.status[c.point] = s.status[c.point] + 1;
-        s.insertedEntries.push_back(behind);
+        s.insertedEntries.push_back(previous);
         s.instances.push_back(c.instance);
         noteRing(context, Stage::Ring, c.point, true);
     }
@@ -51,7 +54,7 @@ void phaseRing(AnyContext auto& context) {
         release(context, e, Stage::Ring);
         e = following;
     }
-    // From start to end there now runs the rim of the new fan: mesh edges all.
+    // The steps from start to end are now the rim of the new fan, all of them mesh edges.
     s.rings.setOpen(n.start, false);
     insertCandidates(context);
     if (s.third.entry != kNone) ++s.counters.inserted;
@@ -62,8 +65,8 @@ void phaseRing(AnyContext auto& context) {
 
 namespace {
 
-/// The entry that the traversal goes on from: end; if that went with a closed ring, the last
-/// inserted entry that is left, else start. kNone if nothing is left.
+/// The entry at which the traversal continues: end; if that was removed with a closed ring, the
+/// last inserted entry that is left, else start. kNone if nothing is left.
 Index goOnFrom(const AnyContext auto& context) {
     const State& s = context.state;
     if (paperOf(context).next == NextRule::Start && s.rings.alive(s.pivot.start)) {
@@ -94,8 +97,8 @@ void closeIfFinished(AnyContext auto& context, Index ring) {
     if (!lone) release(context, b, Stage::Ring);
 }
 
-/// §6.5: is it the part with x that goes on the stack? The other holds end, unless
-/// PaperRules::active says otherwise.
+/// §6.5: true if the part with x is pushed. The other holds end, unless PaperRules::active chooses
+/// differently.
 bool pushesX(const AnyContext auto& context, const Exchange& exchange) {
     const EdgeRings& rings = context.state.rings;
     const bool endIsElsewhere = rings.ringOf(goOnFrom(context)) != exchange.ringOfX;
@@ -114,7 +117,7 @@ bool pushesX(const AnyContext auto& context, const Exchange& exchange) {
     return endIsElsewhere;
 }
 
-/// §6.5: the part that holds end stays active, the other goes on the stack.
+/// §6.5: the part that holds end stays active, the other is pushed.
 void placeSplitRings(AnyContext auto& context, const Exchange& exchange, Index x, Index y) {
     State& s = context.state;
     ++s.counters.splits;
@@ -134,7 +137,8 @@ void placeSplitRings(AnyContext auto& context, const Exchange& exchange, Index x
     });
 }
 
-/// An inserted point that already stood on a ring: exchange successors with that entry.
+/// Links an inserted point that already has an entry on a ring: exchanges successors with that
+/// entry.
 void link(AnyContext auto& context, Index x, Index y) {
     State& s = context.state;
     const Index depth = s.rings.depthFromTop(s.rings.ringOf(y));
@@ -210,7 +214,7 @@ void freeActiveRing(AnyContext auto& context) {
     }
 }
 
-/// Takes the ring on top of the stack, or ends the component if there is none.
+/// Pops the ring on top of the stack, or ends the component if there is none.
 void popOrEnd(AnyContext auto& context) {
     State& s = context.state;
     s.circuit = 0;
@@ -242,7 +246,7 @@ void advanceAfterTriangles(AnyContext auto& context) {
     s.circuit = 0;
     s.patience = 0;
     Index entry = goOnFrom(context);
-    // Another part than that of end was to stay active.
+    // Not the part of end stays active.
     if (paperOf(context).active != ActiveRule::End && s.rings.active() != kNone &&
         s.rings.ringOf(entry) != s.rings.active()) {
         entry = s.rings.head(s.rings.active());
@@ -255,8 +259,8 @@ void advanceAfterTriangles(AnyContext auto& context) {
     goOnAt(context, entry);
 }
 
-/// What is tried, in turn, with a ring that a full circuit brought no triangle (State::patience).
-/// False: nothing is left to try.
+/// Relaxes the next rule for a ring without a triangle in a full circuit (State::patience). False
+/// if there is none left to relax.
 bool tryHarder(AnyContext auto& context) {
     State& s = context.state;
     if (context.params.rules.delay && s.patience < kCornerAllowed) {
@@ -296,7 +300,7 @@ void phaseAdvance(AnyContext auto& context) {
         advanceWithoutTriangles(context);
     }
     if constexpr (kListening<std::remove_reference_t<decltype(context)>>) redirect(context);
-    // The paper's own rules need not end on tangled input; this does.
+    // The paper's own rules need not terminate on tangled input; the cap does.
     const std::size_t cap =
         std::size_t{context.params.maxTrianglesPerPoint} * context.points.size();
     if (s.triangles.size() > cap) {

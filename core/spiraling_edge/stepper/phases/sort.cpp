@@ -1,4 +1,6 @@
-/// §6.1, Fig. 3: the neighbors of the pivot, sorted by angle.
+/// §6.1, Fig. 3: the listed neighbors between start and end, sorted by angle. Angles are keys
+/// without an arccosine, and the inner loops avoid branches that could not be predicted. O(list),
+/// plus the sort.
 #include <algorithm>
 #include <array>
 
@@ -7,12 +9,11 @@
 namespace se {
 namespace {
 
-/// Lists are worked on in pieces of this length, in arrays on the stack.
+/// Lists are processed in pieces of this length, in arrays on the stack.
 constexpr std::size_t kPieceOfList = 32;
 
 /// Stable sort by angle: lists come nearest first, so points of the same angle stay in order of
-/// distance. The places in a short list are counted, which needs no branch that could be guessed
-/// wrong.
+/// distance. Short lists are sorted by counting, without branches to mispredict.
 void sortByAngle(const std::vector<Candidate>& listed, std::vector<Candidate>& sorted) {
     const std::size_t count = listed.size();
     if (count > kPieceOfList) {
@@ -28,9 +29,9 @@ void sortByAngle(const std::vector<Candidate>& listed, std::vector<Candidate>& s
         key[i] = listed[i].angle.key;
         unsigned before = 0;
         for (std::size_t j = 0; j < i; ++j) {
-            const unsigned behind = key[j] > key[i] ? 1U : 0U;
-            place[j] += behind;
-            before += 1U - behind;
+            const unsigned after = key[j] > key[i] ? 1U : 0U;
+            place[j] += after;
+            before += 1U - after;
         }
         place[i] = before;
     }
@@ -78,7 +79,7 @@ const Angle& endOf(const AnyContext auto& context) {
     return paperOf(context).maxAngle ? context.state.pivot.endAngle : kFullTurn;
 }
 
-/// Why a listed neighbor does not enter the neighbor ring; Kept if it does.
+/// The verdict on a listed neighbor: Kept if it enters the neighbor ring.
 Verdict explainNeighbor(const AnyContext auto& context, Index x, const Angle& angle) {
     const State& s = context.state;
     const NeighborRing& n = s.pivot;
@@ -90,14 +91,14 @@ Verdict explainNeighbor(const AnyContext auto& context, Index x, const Angle& an
                : Verdict::NotBeforeEnd;
 }
 
-/// ... and what a person says of it: one that is left out by its angle can not be let in.
+/// The verdict on a listed neighbor after what-ifs: a point left out by its angle cannot be kept.
 Verdict verdictOn(const AnyContext auto& context, Index x, const Angle& angle) {
     const Verdict verdict = explainNeighbor(context, x, angle);
     const bool dropped = verdict == Verdict::Kept && saidOf(context, Stage::Sort, x) == false;
     return dropped ? Verdict::WhatIfDropped : verdict;
 }
 
-/// Takes out the candidates that a person wants gone.
+/// Removes the candidates that a what-if drops.
 void dropUnwanted(LoggedContext& context) {
     std::erase_if(context.state.pivot.candidates, [&](const Candidate& c) {
         return saidOf(context, Stage::Sort, c.point) == false;
@@ -121,7 +122,7 @@ void explainNeighbors(AnyContext auto& context, std::span<const Index> list) {
 }
 
 /// The points of `list` that are not DONE and at neither end of the sector, moved to the front of
-/// `free`; how many. Which ones they are cannot be guessed: hence no branch.
+/// `free`; returns their number. No branch, since it would be unpredictable.
 std::size_t freePoints(const State& s, std::span<const Index> list,
                        std::array<Index, kPieceOfList>& free) {
     const Index first = s.rings.point(s.pivot.first);

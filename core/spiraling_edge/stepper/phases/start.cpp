@@ -1,4 +1,4 @@
-/// §4: finding where to begin, and taking up the next pivot.
+/// §4: the seed of a new component, and the set-up of the next pivot with its frame and sector.
 #include <algorithm>
 
 #include "spiraling_edge/base/prefetch.h"
@@ -32,8 +32,8 @@ void beginRing(AnyContext auto& context, Index p, Index q) {
 }
 
 /// Points lie in memory in any order, so that waiting for them would take a third of the time. The
-/// next pivots are known from the ring: what the next one reads is asked for now, and where to find
-/// it for those behind.
+/// next pivots are known from the ring: the data of the next one are prefetched now, and their
+/// addresses for those after it.
 [[gnu::always_inline]] inline void fetchAhead(const StepContext& context) {
     const EdgeRings& rings = context.state.rings;
     const NeighborLists& lists = context.points.neighbors;
@@ -71,7 +71,7 @@ void phaseSeed(AnyContext auto& context) {
 
 namespace {
 
-/// The frame of an entry, and the angle of the entry behind it.
+/// The frame of an entry, and the angle of the entry after it.
 struct Sector {
     Frame frame;
     Angle last;
@@ -86,7 +86,7 @@ Sector sectorAt(const StepContext& context, Index entry) {
             first == last ? kFullTurn : angleOf(frame, context.positionAt(last) - frame.origin)};
 }
 
-/// The same with angles that grow clockwise (PaperRules::turn).
+/// The sector with angles that grow clockwise (PaperRules::turn).
 Sector mirrored(const StepContext& context, Index entry, Sector sector) {
     sector.frame.n = -sector.frame.n;
     const Index last = context.state.rings.next(entry);
@@ -94,7 +94,7 @@ Sector mirrored(const StepContext& context, Index entry, Sector sector) {
     return {sector.frame, angleOf(sector.frame, context.positionAt(last) - sector.frame.origin)};
 }
 
-/// As the turn is set.
+/// The sector under the turn that is set.
 Sector sectorSeen(const StepContext& context, Index entry) {
     const Sector sector = sectorAt(context, entry);
     return context.clockwise() ? mirrored(context, entry, sector) : sector;
@@ -116,7 +116,7 @@ void setPivot(StepContext& context, Index entry) {
 
 namespace {
 
-/// The pivot as it is before §7 may put a third point beside it.
+/// Logs the pivot before §7 may insert a third point next to it.
 void notePivot(AnyContext auto& context) {
     note(context, Stage::Pivot, [&] {
         const EdgeRings& rings = context.state.rings;

@@ -1,4 +1,4 @@
-/// What a person lets happen instead of what the rules say (what_if.h).
+/// What-ifs in the stepper: overrides of single decisions by the user (what_if.h).
 #include <algorithm>
 
 #include "spiraling_edge/stepper/step_context.h"
@@ -6,7 +6,7 @@
 namespace se {
 namespace {
 
-/// The lists that a moved point stands in, and its own, nearest first again.
+/// Sorts the lists with a moved point, and its own, nearest first.
 void sortLists(PointSet& points, Index moved) {
     for (Index p = 0; p < points.size(); ++p) {
         const auto begin = points.neighbors.ids.begin();
@@ -31,7 +31,7 @@ void replaceList(PointSet& points, Index p, const std::vector<Index>& list) {
     sortLists(points, p);
 }
 
-/// What cannot be done is not done: checkWhatIfs() says so.
+/// True if a what-if can edit the points. Others are skipped; checkWhatIfs() reports them.
 bool edits(const WhatIf& what, std::size_t count) {
     if (what.point >= count) return false;
     if (what.kind == WhatIfKind::Move) return true;
@@ -66,7 +66,7 @@ void redirect(LoggedContext& context) {
             s.rings.activate(ring);
             s.rings.push(active, s.pivot.pivot);
         }
-        // A circuit of its own begins here.
+        // A new circuit begins here.
         s.circuit = 0;
         s.patience = 0;
         s.pivot.pivot = entry;

@@ -1,4 +1,6 @@
-/// Rules on what else is where a fan would be: nocross, nomeet.
+/// Rules on other parts of the mesh in the place of a fan: nocross, nomeet. Both search only around
+/// the points that the pivot lists: the cost of a fan is its length times the ring steps or
+/// triangles there.
 #include <algorithm>
 
 #include "spiraling_edge/geometry/box.h"
@@ -18,7 +20,7 @@ double turn(const Spot& a, const Spot& b, const Spot& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// In line but for rounding.
+/// True if the three are collinear up to rounding.
 bool inLine(const Spot& a, const Spot& b, const Spot& c) {
     const double t = turn(a, b, c);
     const Spot u{b.x - a.x, b.y - a.y};
@@ -26,13 +28,14 @@ bool inLine(const Spot& a, const Spot& b, const Spot& c) {
     return t * t <= 1e-24 * (u.x * u.x + u.y * u.y) * (v.x * v.x + v.y * v.y);
 }
 
-/// Along a straight border all four points are in line, and the signs those of rounding errors.
+/// True if a b and c d cross. Along a straight border all four points are collinear, and signs
+/// would be those of rounding errors.
 bool properlyCross(const Spot& a, const Spot& b, const Spot& c, const Spot& d) {
     return turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0 &&
            !(inLine(a, b, c) && inLine(a, b, d));
 }
 
-/// Looks for ring steps near the pivot that a new edge crosses, in the pivot's tangent plane.
+/// Finds ring steps near the pivot that a new edge crosses, in the pivot's tangent plane.
 class CrossingSearch {
   public:
     explicit CrossingSearch(const StepContext& context)
@@ -72,7 +75,8 @@ class CrossingSearch {
         for (std::size_t i = 0; i < fan.size(); ++i) {
             if (fan[i].point == u || fan[i].point == v) continue;
             const Spot a = flat(fan[i].offset);
-            // Also to ring points that start and end have passed: they may have left out one.
+            // Also to ring points that start and end have passed, since points between may have
+            // been left out.
             const bool isNew = i > 0 && i + 1 < fan.size();
             if (isNew && properlyCross({0.0, 0.0}, a, fu, fv)) {
                 return {Verdict::Crosses, i, false};

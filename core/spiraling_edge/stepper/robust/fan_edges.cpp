@@ -18,8 +18,8 @@ namespace {
 
 // ---- guard --------------------------------------------------------------------------------------
 
-/// A point twice on the fan, other than as first and last (pinched rings): its spoke would be used
-/// twice in one direction.
+/// Objects to a point twice in the fan, other than as first and last (pinched rings): its spoke
+/// would be used twice in one direction.
 Objection repeatedSpoke(const Fan& fan) {
     for (std::size_t i = 0; i < fan.size(); ++i) {
         for (std::size_t j = i + 1; j < fan.size(); ++j) {
@@ -30,13 +30,13 @@ Objection repeatedSpoke(const Fan& fan) {
     return {};
 }
 
-/// The spokes: those inside the fan are new edges, used in both directions.
+/// Objects to a spoke that is taken. Spokes inside the fan are new edges, used in both directions.
 Objection takenSpoke(const StepContext& context) {
     const State& s = context.state;
     const Fan& fan = s.pivot.fan;
     const Index p = s.rings.point(s.pivot.pivot);
     const auto isNewOrStep = [&](Index u, Index v, bool open) {
-        // u -> v is about to be made; v -> u may only be there as the ring step at the pivot.
+        // u -> v would be made; v -> u may exist only as the ring step at the pivot.
         return !s.edges.has(u, v) && !(open && s.edges.has(v, u));
     };
     if (!isNewOrStep(p, fan.front().point, s.rings.open(s.pivot.first))) {
@@ -46,7 +46,7 @@ Objection takenSpoke(const StepContext& context) {
         return {Verdict::EdgeTaken, fan.size() - 1, false};
     }
     for (std::size_t i = 1; i + 1 < fan.size(); ++i) {
-        if (fan[i].entry == kNone) continue;  // UNUSED: no edge can be there.
+        if (fan[i].entry == kNone) continue;  // UNUSED: it has no edges.
         if (s.edges.has(p, fan[i].point) || s.edges.has(fan[i].point, p)) {
             return {Verdict::EdgeTaken, i, false};
         }
@@ -54,7 +54,8 @@ Objection takenSpoke(const StepContext& context) {
     return {};
 }
 
-/// The rim: an edge that exists the other way round must be the ring step between these entries.
+/// Objects to a rim edge that is taken. One that exists in the reverse direction must be the ring
+/// step between these entries.
 Objection takenRim(const StepContext& context) {
     const State& s = context.state;
     const Fan& fan = s.pivot.fan;

@@ -1,12 +1,12 @@
-/// Beyond the paper (docs/robust.md): rules that look at the whole fan before it is made. Each
-/// names the spoke or triangle it objects to. guard.cpp has their table.
+/// Beyond the paper (docs/robust.md): rules that examine the whole fan before it is made. Each
+/// returns the spoke or triangle it objects to. guard.cpp has their table.
 #pragma once
 
 #include "spiraling_edge/stepper/step_context.h"
 
 namespace se {
 
-/// What a rule objects to: spoke `at` of the fan, or its triangle `at`, `at + 1`.
+/// The objection of a rule to spoke `at` of the fan, or to its triangle `at`, `at + 1`.
 struct Objection {
     Verdict verdict = Verdict::Kept;
     std::size_t at = 0;
@@ -29,7 +29,7 @@ Objection pillow(const StepContext& context);
 Objection fold(const StepContext& context);
 /// A wide triangle between points where the surface ends (Rules::rim).
 Objection overRim(const StepContext& context);
-/// A steep triangle, as long as such wait (Rules::delay).
+/// A steep triangle, while such are delayed (Rules::delay).
 Objection steep(const StepContext& context);
 // fan_crossings.cpp
 /// A new edge across a ring step nearby, in the tangent plane (Rules::noCross).

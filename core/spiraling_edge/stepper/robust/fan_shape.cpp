@@ -10,7 +10,7 @@ namespace {
 
 // ---- nofold -------------------------------------------------------------------------------------
 
-/// Is the old triangle across u -> v folded onto one with the area vector `area`?
+/// True if the old triangle across u -> v is folded onto one with the area vector `area`.
 bool foldsOver(const StepContext& context, Index u, Index v, const Vec3& area) {
     const State& s = context.state;
     const HalfEdge h = s.edges.find(u, v);
@@ -20,8 +20,8 @@ bool foldsOver(const StepContext& context, Index u, Index v, const Vec3& area) {
     return encloseMore(old, area, context.params.limits.foldCosine);
 }
 
-/// Is a triangle of the pivot, a and b against the normal of a corner, or, once that is allowed, of
-/// all three together?
+/// True if a triangle of the pivot, a and b is against the normal of a corner or, once that is
+/// allowed, only against the sum of all three.
 bool isAgainstNormals(const StepContext& context, const Vec3& area, Index a, Index b) {
     const double atPivot = glm::dot(area, context.state.pivot.frame.normal);
     const double atA = glm::dot(area, context.points.normal[a]);
@@ -57,7 +57,7 @@ Objection fold(const StepContext& context) {
 namespace {
 
 /// The spacing at p: the squared distance of its sixth neighbor, or of the last if there are fewer.
-/// On an even surface a point has six others about it.
+/// On an even surface a point has six neighbors around it.
 double spacingSq(const PointSet& points, Index p) {
     const auto list = points.neighbors[p];
     const Index sixth = list[std::min<std::size_t>(5, list.size() - 1)];
@@ -65,7 +65,7 @@ double spacingSq(const PointSet& points, Index p) {
     return glm::dot(d, d);
 }
 
-/// Is the circle through the pivot, a and b larger, by its radius, than the spacing?
+/// True if the radius of the circle through the pivot, a and b exceeds the spacing.
 bool isLarge(const FanPoint& a, const FanPoint& b, double spacingSquared) {
     const Vec3 area = glm::cross(a.offset, b.offset);
     const Vec3 side = a.offset - b.offset;

@@ -29,17 +29,17 @@ struct Ear {
     }
 };
 
-/// Narrower than this, which way it turns says nothing.
+/// Least width at which the sense of rotation is significant.
 constexpr double kClosed = 1.0;
 
-/// Does the ring run round the whole component, of so many triangles, instead of round a hole in
-/// it? A round patch has 0.18 per square of its border's length; one of more than 1 would lie in
-/// folds.
+/// True if the ring runs around the whole component, of `triangles` triangles, instead of around a
+/// hole in it. A round patch has 0.18 per square of its border's length; one of more than 1 would
+/// be folded.
 bool runsRoundPatch(const RingShape& shape, std::size_t triangles) {
     return shape.turnsRoundPatch && triangles <= std::size_t{shape.length} * shape.length;
 }
 
-/// Does the active ring hold a boundary point, of a wall or of a rim?
+/// True if the active ring holds a boundary point, of a wall or of a rim.
 bool touchesBoundary(const StepContext& context) {
     const EdgeRings& rings = context.state.rings;
     const Index ring = rings.active();
@@ -50,12 +50,12 @@ bool touchesBoundary(const StepContext& context) {
     return false;
 }
 
-/// Is it known anywhere that the surface ends, by the rule or by rim points?
+/// True if the surface may end anywhere, by the rule or by rim points.
 bool mayEnd(const StepContext& context) {
     return context.params.rules.rim || !context.points.rim.empty();
 }
 
-/// The active ring, of this shape, is one at which the surface may end.
+/// True if the surface may end at the active ring, which has this shape.
 bool isOpening(const StepContext& context, const RingShape& shape) {
     if (!mayEnd(context)) return false;
     const EdgeRings& rings = context.state.rings;
@@ -80,8 +80,8 @@ bool isOpening(const StepContext& context, const RingShape& shape) {
            (most(rim) && shape.widthInEdges() >= context.params.limits.openingWidth);
 }
 
-/// May an ear have a fault? Not where the surface may end, nor where a wide ring turns as if it ran
-/// round a patch: there sheets touch, and one fault leads to more.
+/// True if an ear may have a fault: not where the surface may end, nor where a wide ring turns as
+/// around a patch, since sheets touch there and one fault leads to more.
 bool mayForce(const StepContext& context) {
     if (touchesBoundary(context)) return false;
     const RingShape shape = shapeOfRing(context);
@@ -90,7 +90,7 @@ bool mayForce(const StepContext& context) {
            shape.widthInEdges() < kClosed;
 }
 
-/// The best ear of the active ring, no entry if the guard refuses all.
+/// The best ear of the active ring; no entry if the guard refuses all. O(ring).
 Ear bestEar(StepContext& context) {
     State& s = context.state;
     const Index ring = s.rings.active();
@@ -122,7 +122,7 @@ bool isOpening(const StepContext& context) {
 
 namespace {
 
-/// Is the hole too wide to be one that missing points left, measured by the points about it?
+/// True if the hole is too wide to be left by missing points, in spacings of the points around it.
 bool isTooWide(const StepContext& context, const RingShape& shape) {
     const EdgeRings& rings = context.state.rings;
     const Index ring = rings.active();

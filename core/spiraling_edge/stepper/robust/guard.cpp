@@ -1,6 +1,6 @@
-/// Beyond the paper (docs/robust.md): the table of the rules that look at the whole fan. A
-/// candidate that one objects to is dropped and §6.3 done again without it, else the fan is
-/// refused.
+/// Beyond the paper (docs/robust.md): the table of the rules that examine the whole fan. A
+/// candidate that a rule objects to is dropped and §6.3 repeated without it; if there is none to
+/// drop, the fan is refused.
 #include <algorithm>
 #include <array>
 
@@ -9,9 +9,9 @@
 namespace se {
 namespace {
 
-/// What follows an objection.
+/// Consequence of an objection.
 enum class Relief : std::uint8_t {
-    Drop,    ///< The candidate at fault goes; without one the fan is refused.
+    Drop,    ///< The candidate at fault is dropped; without one the fan is refused.
     Refuse,  ///< The fan is refused.
 };
 
@@ -58,7 +58,7 @@ std::size_t culprit(const Fan& fan, const Objection& objection) {
     return fan[i + 1].candidate ? i + 1 : kNone;
 }
 
-/// What a rule objects to, and what follows.
+/// The evidence of an objection and its consequence.
 GuardEvidence evidenceOf(const Fan& fan, const FanRule& rule, const Objection& objection) {
     const std::size_t drop = rule.remedy == Relief::Refuse ? kNone : culprit(fan, objection);
     return {objection.verdict, fan[objection.at].point,
@@ -66,8 +66,8 @@ GuardEvidence evidenceOf(const Fan& fan, const FanRule& rule, const Objection& o
             drop == kNone ? kNone : fan[drop].point};
 }
 
-/// The first finding that counts: a rule that a person overrules for the point that would go, or
-/// for the pivot if the fan would be refused, is silent on this fan.
+/// The first objection that is not overridden. A what-if for the point to be dropped, or for the
+/// pivot if the fan would be refused, overrides the rule for this fan.
 template <AnyContext Context, std::size_t N>
 std::optional<GuardEvidence> firstHeard(Context& context, const std::array<FanRule, N>& rules) {
     const NeighborRing& n = context.state.pivot;

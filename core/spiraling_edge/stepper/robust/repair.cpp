@@ -1,3 +1,6 @@
+/// The half-edge structure of the repair: twins are found in a table of directed edges, sides of
+/// edges with more than two triangles get none, and points with more than one fan are marked. O(t)
+/// for t triangles.
 #include "spiraling_edge/stepper/repair.h"
 
 #include <array>

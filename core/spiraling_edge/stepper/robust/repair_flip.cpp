@@ -1,4 +1,6 @@
-/// Rules::flip: edges that are better the other way round.
+/// Rules::flip: flips edges where that leaves fewer faults or better angles, one edge at a time; a
+/// flip queues the four edges around it. An edge costs O(triangles at its four points), and with a
+/// search for meetings also those at their neighbors.
 #include <algorithm>
 #include <array>
 
@@ -60,7 +62,7 @@ class FlipScore {
         }
         return count;
     }
-    /// Do the two given ones meet any triangle at a neighbor?
+    /// True if one of the two given triangles meets a triangle at a neighbor.
     bool meetNearby(const Triangle& a, const Triangle& b) const {
         bool found = false;
         for (const Index p : {quad_.u, quad_.v, quad_.x, quad_.y}) {
@@ -93,18 +95,19 @@ class FlipScore {
     Quad quad_;
 };
 
-/// Largest cosine of an angle of the two: the smaller, the larger their least angle.
+/// Cosine of the least angle of the two triangles.
 double worstCosine(const PointSet& points, const Triangle& a, const Triangle& b) {
     return std::max(leastAngleCosine(points, a), leastAngleCosine(points, b));
 }
 
-/// The two triangles lie nearly in one plane.
+/// True if the two triangles lie nearly in one plane.
 bool isFlat(const PointSet& points, const RobustLimits& limits, const Quad& q) {
     return normalsCosine(points, q.left(), q.right()) > limits.flipFlatCosine;
 }
 
-/// One of the triangles is so narrow, three points almost in line, that it may stand on a flat
-/// surface like a wall. The surface is flat there if the normals of the four points say so.
+/// True if one of the triangles is so narrow, with three points almost collinear, that it may stand
+/// on a flat surface like a wall. The surface is flat there if the normals of the four points
+/// agree.
 bool standsOnFlat(const PointSet& points, const RobustLimits& limits, const Quad& q) {
     if (worstCosine(points, q.left(), q.right()) < limits.flipNarrowCosine) return false;
     const std::array corners{q.u, q.v, q.x, q.y};
@@ -137,7 +140,7 @@ bool givesFewerFaults(const FlipScore& score) {
 
 bool isBetterFlipped(const PointSet& points, const RobustLimits& limits, const MendState& m,
                      HalfEdge h) {
-    // Rules::reseat makes the list shorter, so that a side in the queue may be gone.
+    // Rules::reseat shortens the list, so that a side in the queue may no longer exist.
     if (h >= m.twin.size() || m.twin[h] == kNone) return false;
     const FlipScore score(points, m, h);
     const Quad& q = score.quad();

@@ -1,5 +1,5 @@
 /// Beyond the paper: the steps after the last pivot (repair.h), each with a number like a pivot.
-/// Each kind runs until nothing is left for it, in the order reinsert, flip, reseat, kMendRounds
+/// Each kind runs until it finds nothing more, in the order reinsert, flip, reseat, kMendRounds
 /// times; the last round takes no point out, since none could be put back.
 #include "spiraling_edge/stepper/step_context.h"
 
@@ -16,7 +16,7 @@ constexpr MendPhase kOrder[] = {
     {Phase::Reseat, &Rules::reseat},
 };
 
-/// Goes to the first phase at place `from` of the order or behind it whose rule is on.
+/// Goes to the first phase at or after position `from` of the order whose rule is on.
 bool enterFrom(StepContext& context, std::size_t from) {
     for (std::size_t i = from; i < std::size(kOrder); ++i) {
         if (!(context.params.rules.*kOrder[i].on)) continue;
@@ -28,7 +28,7 @@ bool enterFrom(StepContext& context, std::size_t from) {
     return false;
 }
 
-/// The present phase has nothing left to do.
+/// Goes to the phase after the current one, which has nothing left to do.
 void enterNext(StepContext& context) {
     State& s = context.state;
     std::size_t place = 0;

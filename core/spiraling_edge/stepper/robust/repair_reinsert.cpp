@@ -12,14 +12,15 @@ namespace {
 
 enum class Way : std::uint8_t { SplitTriangle, SplitEdge, JoinBorder };
 
-/// A place for the point, and how good its triangles would be.
+/// A place for the point, and the quality of its triangles.
 struct Place {
     Way way = Way::SplitTriangle;
     HalfEdge side = kNone;
-    double cosine = 2.0;  ///< Of the least angle of the new triangles: the smaller, the better.
+    double cosine =
+        2.0;  ///< Cosine of the least angle of the new triangles: the smaller, the better.
 };
 
-/// The new triangles of one way, and the old ones that go.
+/// The new triangles of one way, and the old ones that they replace.
 struct Change {
     std::array<Triangle, 4> made{};
     std::array<HalfEdge, 4> outer{};  ///< Side of each one's old edge, as the old triangle has it.
@@ -56,7 +57,7 @@ Change changeFor(const MendState& m, Way way, HalfEdge h, Index x) {
     return c;
 }
 
-/// Do the new triangles meet any other one nearby?
+/// True if the new triangles meet any other one nearby.
 bool meetsOthers(const PointSet& points, const MendState& m, const Change& change, Index x) {
     bool found = false;
     const auto test = [&](Index t) {
@@ -83,12 +84,12 @@ double judge(const PointSet& points, const Change& change, const MendState& m) {
         if (outer != kNone && folded(points, t, m.triangles[outer / 3])) return 2.0;
         worst = std::max(worst, leastAngleCosine(points, t));
     }
-    // Triangles without any width are worse than a point that is left out.
+    // Triangles almost without width are worse than a point that is left out.
     constexpr double kThin = 0.9998;  // 1.1 degrees.
     return worst < kThin ? worst : 2.0;
 }
 
-/// Tries one way; keeps it if it is better than what was found so far.
+/// Tries one way; keeps it if it is better than the best so far.
 void consider(const PointSet& points, const MendState& m, Way way, HalfEdge side, Index x,
               Place& best) {
     const Change change = changeFor(m, way, side, x);
@@ -111,7 +112,7 @@ Place findPlace(const PointSet& points, const MendState& m, Index x) {
     return best;
 }
 
-/// Puts the new triangles in the place of the old ones and behind them.
+/// Stores the new triangles in the places of the old ones and at the end of the list.
 void apply(MendState& m, const Change& change, Index x) {
     std::array<HalfEdge, 4> base{};
     for (std::size_t i = 0; i < change.count; ++i) {

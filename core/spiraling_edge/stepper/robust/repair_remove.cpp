@@ -34,7 +34,7 @@ Star starOf(const MendState& m, Index x) {
     return star;
 }
 
-/// One triangle of a filling: places on the ring, ascending.
+/// One triangle of a filling: positions on the ring, ascending.
 using RingTriangle = std::array<std::size_t, 3>;
 using Filling = std::vector<RingTriangle>;
 
@@ -45,7 +45,7 @@ class RingFill {
     RingFill(const PointSet& points, const MendState& m, const Star& star)
         : points_(points), m_(m), ring_(star.ring), count_(star.ring.size()) {}
 
-    /// Empty if there is no way.
+    /// The best filling; empty if there is none.
     Filling find() {
         for (std::size_t span = 2; span < count_; ++span) {
             for (std::size_t i = 0; i + span < count_; ++i) fillSpan(i, i + span);
@@ -93,7 +93,7 @@ Triangle triangleOf(const Star& star, const RingTriangle& t) {
     return {star.ring[t[0]], star.ring[t[1]], star.ring[t[2]]};
 }
 
-/// Two triangles of a filling at a common edge, one folded onto the other.
+/// True if two triangles of the filling at a common edge are folded onto one another.
 bool foldsInside(const PointSet& points, const Star& star, const Filling& filling) {
     for (const RingTriangle& t : filling) {
         for (const RingTriangle& other : filling) {
@@ -108,7 +108,7 @@ bool foldsInside(const PointSet& points, const Star& star, const Filling& fillin
     return false;
 }
 
-/// A triangle of the filling folded onto a neighbor of the star.
+/// True if a triangle of the filling is folded onto a neighbor of the star.
 bool foldsOutside(const PointSet& points, const MendState& m, const Star& star,
                   const Filling& filling) {
     for (const RingTriangle& t : filling) {
@@ -123,7 +123,7 @@ bool foldsOutside(const PointSet& points, const MendState& m, const Star& star,
     return false;
 }
 
-/// A triangle of the filling that meets one near the ring which is not of the star.
+/// True if a triangle of the filling meets one near the ring that is not of the star.
 bool meetsOthers(const PointSet& points, const MendState& m, const Star& star,
                  const Filling& filling) {
     bool meets = false;

@@ -1,4 +1,4 @@
-/// Going round in a MendState: sides, corners, twins.
+/// Navigation in a MendState: sides, corners, twins.
 #pragma once
 
 #include "spiraling_edge/stepper/repair.h"
@@ -13,7 +13,8 @@ inline Index cornerOf(const MendState& m, HalfEdge h) {
     return h % 3 == 0 ? t.a : (h % 3 == 1 ? t.b : t.c);
 }
 
-/// Calls visit(side) for every side that leaves the point, going round it both ways from sideOf.
+/// Calls visit(side) for every side that leaves the point, around it in both directions from
+/// sideOf.
 template <typename Visit>
 void forEachSideOf(const MendState& m, Index point, Visit&& visit) {
     const HalfEdge begin = m.sideOf[point];

@@ -7,7 +7,7 @@
 namespace se {
 
 using RingShape = LoopShape;
-/// Of the active ring.
+/// The shape of the active ring. Requires one. O(ring).
 RingShape shapeOfRing(const StepContext& context);
 
 }  // namespace se
