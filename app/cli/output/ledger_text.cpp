@@ -213,9 +213,8 @@ std::string_view effectOf(const Remedy& remedy) {
 }
 
 std::string remediesText(const Remedies& remedies) {
-    std::string text =
-        fmt::format("\n  As run: {} of this class, {} in all. With one more rule:\n",
-                    remedies.ofClass, remedies.all);
+    std::string text = fmt::format("\n  As run: {} of this class, {} in all. With one more rule:\n",
+                                   remedies.ofClass, remedies.all);
     const bool any = std::any_of(remedies.tried.begin(), remedies.tried.end(),
                                  [](const Remedy& each) { return each.prevents; });
     if (!any) text += "  no rule of --rules robust prevents it\n";

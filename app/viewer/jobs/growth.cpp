@@ -1,6 +1,6 @@
 // The sampler runs in a thread that is paced by the window: `due` counts the steps to make, and
 // the thread sleeps between them while it is played. Only the newest picture is kept, so a slow
-// window skips pictures instead of falling behind. Quality measures are costly and get a fixed
+// window skips pictures instead of lagging. Quality measures are costly and get a fixed
 // share of the time, except at rest, where the figures must belong to the picture.
 #include "growth.h"
 
