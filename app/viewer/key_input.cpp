@@ -3,7 +3,7 @@
 #include <imgui_internal.h>
 
 #include "application.h"
-#include "commands/growth_commands.h"
+#include "commands/commands.h"
 #include "input/key_routing.h"
 #include "session/view_position.h"
 

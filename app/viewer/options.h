@@ -1,19 +1,10 @@
 /// The command line of the viewer.
 #pragma once
 
-#include <chrono>
-#include <filesystem>
-#include <glm/vec2.hpp>
 #include <optional>
 #include <string>
 
-#include "run/model.h"
-#include "scene/mesh_style.h"
-#include "scene/palette.h"
-#include "scene/point_tint.h"
-#include "session/layout_preset.h"
-#include "session/session_file.h"
-#include "session/view_position.h"
+#include "controllers/start_options.h"
 
 namespace se::view {
 
@@ -24,42 +15,6 @@ enum ExitCode : int {
     kExitInput = 3,
     kExitNoDisplay = 4,
     kExitInternal = 5,
-};
-
-struct Options {
-    /// Start of the program, from which the time to the first frame is counted.
-    std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
-    InputSpec input;  ///< An empty source: begin with the start page.
-    bool rulesGiven = false;
-    bool reachGiven = false;             ///< --neighbors or --radius.
-    bool normalsGiven = false;           ///< --orient or --derive-normals.
-    bool wallsGiven = false;             ///< --box, without --new.
-    std::optional<SampleSpec> grow;      ///< --new: begin with these particles spreading.
-    std::optional<SessionFile> session;  ///< The session in FILE, if it is one.
-    std::string sessionPath;
-    std::string goTo;
-    std::string
-        alert;  ///< Class and number of the alert to open on, or "first"; empty: none named.
-    bool atDifference = false;  ///< --goto difference.
-    std::string withText;       ///< Text of --with.
-    std::optional<CompareWith> with;
-    std::optional<CameraPose> camera;  ///< Camera of --place.
-    bool resetLayout = false;
-    std::optional<glm::ivec2> size;
-    std::filesystem::path screenshot;  ///< Empty: open a window.
-    int frames = 0;                    ///< Quit after that number of frames; 0: when closed.
-    double uiScale = 0.0;              ///< 0: not given.
-    std::optional<Theme> theme;
-    std::optional<MeshStyle> meshStyle;
-    std::optional<PointTint> pointTint;
-    std::optional<Arrangement> layout;
-    std::filesystem::path shaders;  ///< Folder to read shaders from; empty: the built-in ones.
-    bool focus = false;             ///< Begin with the pivot framed.
-    bool noConfig = false;
-    bool narrate = false;             ///< Print every sentence to stdout as well.
-    std::filesystem::path stateDump;  ///< Write the state there as JSON when it changes.
-    int benchFrames = 0;              ///< Step through that number of frames and print their times.
-    bool cheatSheet = false;          ///< Open with the list of keys.
 };
 
 /// Result of parsing: options to go on with, or an exit code.

@@ -371,4 +371,9 @@ std::string listActions() {
     return text;
 }
 
+void runCommand(const Command& command, CommandContext& context) {
+    if (context.ui.growth.open && runOnGrowthPage(command, context)) return;
+    command.run(context);
+}
+
 }  // namespace se::view

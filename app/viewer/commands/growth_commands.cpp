@@ -77,9 +77,4 @@ bool runOnGrowthPage(const Command& command, CommandContext& context) {
     return isAside(command);
 }
 
-void runCommand(const Command& command, CommandContext& context) {
-    if (context.ui.growth.open && runOnGrowthPage(command, context)) return;
-    command.run(context);
-}
-
 }  // namespace se::view

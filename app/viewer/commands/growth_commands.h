@@ -9,7 +9,5 @@ namespace se::view {
 void openGrowthPage(CommandContext& context, GrowthSource from);
 /// Carries out the meaning of `command` on that page. False: it has its usual meaning.
 bool runOnGrowthPage(const Command& command, CommandContext& context);
-/// Runs a command, from a key, a menu or the list of actions.
-void runCommand(const Command& command, CommandContext& context);
 
 }  // namespace se::view

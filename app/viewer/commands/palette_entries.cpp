@@ -4,7 +4,6 @@
 #include <array>
 
 #include "command_actions.h"
-#include "growth_commands.h"
 #include "run/model.h"
 #include "run/strings.h"
 #include "spiraling_edge/scenes/scenes.h"

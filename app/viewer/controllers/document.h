@@ -7,12 +7,12 @@
 #include <optional>
 #include <string>
 
-#include "options.h"
 #include "panel_state/recent.h"
 #include "panel_state/ui_state.h"
 #include "session/annotations.h"
 #include "session/session.h"
 #include "session/undo.h"
+#include "start_options.h"
 
 namespace se::view {
 

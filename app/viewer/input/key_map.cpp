@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "commands/commands.h"
+#include "command.h"
 #include "run/strings.h"
 
 namespace se::view {

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "commands/growth_commands.h"
+#include "commands/commands.h"
 #include "fonts.h"
 #include "layout/panel_rects.h"
 #include "panel_state/ui_state.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "commands/break_commands.h"
-#include "commands/growth_commands.h"
+#include "commands/commands.h"
 #include "headless_app.h"
 
 using namespace se;

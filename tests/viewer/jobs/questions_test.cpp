@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "commands/ask_actions.h"
-#include "commands/growth_commands.h"
+#include "commands/commands.h"
 #include "layers/layer.h"
 #include "open_session.h"
 #include "rows/line_text.h"
