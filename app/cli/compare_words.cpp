@@ -50,7 +50,7 @@ bool overrides(const GivenOption& mine, const GivenOption& theirs) {
 
 }  // namespace
 
-ComparedWords partedAtWith(const Arguments& words) {
+ComparedWords splitAtWith(const Arguments& words) {
     ComparedWords parted;
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (words[i] == "--with") {
@@ -76,7 +76,7 @@ ParsedInput::ParsedInput(const Arguments& words) : app_("", "spiraling-edge comp
     (void)parseArguments(app_, words);
 }
 
-Arguments wordsOfB(const InputArguments& a, const Arguments& with) {
+Arguments optionsOfB(const InputArguments& a, const Arguments& with) {
     Arguments words{a.input()};
     words.insert(words.end(), with.begin(), with.end());
     const ParsedInput change(words);

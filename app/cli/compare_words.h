@@ -14,7 +14,7 @@ struct ComparedWords {
     Arguments with;  ///< After --with; a single quoted word is split at its blanks.
     bool hasWith = false;
 };
-ComparedWords partedAtWith(const Arguments& words);
+ComparedWords splitAtWith(const Arguments& words);
 
 /// Options of one run, parsed from their own list of words.
 class ParsedInput {
@@ -32,7 +32,7 @@ class ParsedInput {
 
 /// The words of B: those of A, changed by `with`. A rule set there replaces the rules of A, a
 /// number of neighbors the radius of A.
-Arguments wordsOfB(const InputArguments& a, const Arguments& with);
+Arguments optionsOfB(const InputArguments& a, const Arguments& with);
 
 /// "--rules robust"; "the paper's rules" if no option was given.
 std::string titleOf(const InputArguments& input);

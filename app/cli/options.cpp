@@ -47,7 +47,7 @@ void NeighborArguments::addTo(CLI::App& app) {
     auto* count = app.add_option("-k,--neighbors", count_,
                                  "Neighbors of a point: the K nearest (default: the lists in the "
                                  "file, or else 12)");
-    count->type_name("K")->check(CLI::Range(1LL, kMostNeighbors));
+    count->type_name("K")->check(CLI::Range(1LL, kMaxNeighbors));
     auto* radius =
         app.add_option("-r,--radius", radius_, "Neighbors of a point: all within R, in scene units")
             ->type_name("R")

@@ -15,7 +15,7 @@
 namespace se::cli {
 
 /// Largest K; a larger number is taken for a typing error.
-inline constexpr long long kMostNeighbors = 1'000'000;
+inline constexpr long long kMaxNeighbors = 1'000'000;
 
 /// Parses `arguments` into what `app` binds. Empty if the verb should continue; otherwise the code
 /// to exit with, after the help was printed. Throws Failure on wrong usage.

@@ -59,7 +59,7 @@ PreparedInput InputArguments::prepare(ProgressLine& line) const {
 
 PreparedInput InputArguments::prepare(PointFile file, ProgressLine& line) const {
     const PrepareOptions options = prepareOptions(file);
-    Prepared prepared = workedOut("preparing", input_, line, [&](const Progress& progress) {
+    Prepared prepared = runWithProgress("preparing", input_, line, [&](const Progress& progress) {
         return se::prepare(file, options, progress);
     });
     const Params rules = params();

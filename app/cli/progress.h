@@ -45,7 +45,8 @@ class ProgressLine {
 /// Runs `work`, which takes a Progress and returns a Result, while the progress line shows `what`
 /// and the share done. Throws Failure if it fails or is interrupted; `input` begins the message.
 template <typename Work>
-auto workedOut(const std::string& what, const std::string& input, ProgressLine& line, Work&& work) {
+auto runWithProgress(const std::string& what, const std::string& input, ProgressLine& line,
+                     Work&& work) {
     auto result = work([&](double share) {
         if (line.due()) line.write(what, share);
         return !interrupted();

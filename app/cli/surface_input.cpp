@@ -59,8 +59,9 @@ void cutBy(const WallBox& box, const std::string& input, Field& field) {
 
 PointFile samplePoints(const Field& field, const SamplerOptions& options, const std::string& input,
                        ProgressLine& line) {
-    return workedOut("sampling", input, line,
-                     [&](const Progress& progress) { return sample(field, options, progress); });
+    return runWithProgress("sampling", input, line, [&](const Progress& progress) {
+        return sample(field, options, progress);
+    });
 }
 
 }  // namespace se::cli

@@ -29,16 +29,16 @@ constexpr const char* kViewWindow = "##view";
 Application::Application(const Options& options, const ViewSettings& settings)
     : options_(options),
       commands_{session_, playback_, camera_, ui_},
-      filing_(commands_),
-      alerting_(commands_, filing_),
-      growing_(commands_),
-      comparing_(commands_),
-      meshSaving_(commands_) {
-    comparing_.setShaders(options.shaders);
-    if (options.with) comparing_.beginWith(*options.with);
+      document_(commands_),
+      alerts_(commands_, document_),
+      sampling_(commands_),
+      compare_(commands_),
+      mesh_(commands_) {
+    compare_.setShaders(options.shaders);
+    if (options.with) compare_.beginWith(*options.with);
     ui_.settings = settings;
     ui_.cheatSheet = options.cheatSheet;
-    ui_.arrangement = options.layout.value_or(Arrangement::Debug);
+    ui_.layoutPreset = options.layout.value_or(LayoutPreset::Debug);
     playback_.setRate(settings.playRate);
     camera_.home();
 }
@@ -49,10 +49,10 @@ Status Application::start(float contentScale) {
     contentScale_ = contentScale;
     imgui_ = std::make_unique<Ui>();
     if (const Status status = painter_.start(options_.shaders); !status) return status;
-    filing_.begin(options_);
-    alerting_.begin(options_);
-    growing_.setUsual(options_.input);
-    if (options_.grow) growing_.begin(*options_.grow);
+    document_.begin(options_);
+    alerts_.begin(options_);
+    sampling_.setUsual(options_.input);
+    if (options_.grow) sampling_.begin(*options_.grow);
     std::string complaints;
     for (const std::string& each : std::exchange(ui_.settings.complaints, {})) {
         complaints += (complaints.empty() ? "" : " ") + each;
@@ -64,60 +64,59 @@ Status Application::start(float contentScale) {
 void Application::drop(const std::vector<std::string>& paths) {
     if (ui_.leaving.asked || paths.empty()) return;
     ui_.fileBrowser = false;
-    filing_.drop(paths);
+    document_.drop(paths);
 }
 
 bool Application::poll() {
     const bool opened = session_.poll();
-    const bool saved = meshSaving_.poll();
-    const bool changed = growing_.poll() || opened || saved;
-    filing_.poll();
-    alerting_.poll();
-    if (auto with = filing_.takeComparison()) comparing_.beginWith(std::move(*with));
-    const bool compared = comparing_.poll();
-    const Compared* found = comparing_.comparison().result();
+    const bool saved = mesh_.poll();
+    const bool changed = sampling_.poll() || opened || saved;
+    document_.poll();
+    alerts_.poll();
+    if (auto with = document_.takeComparison()) compare_.beginWith(std::move(*with));
+    const bool compared = compare_.poll();
+    const Compared* found = compare_.comparison().result();
     if (options_.atDifference && found != nullptr && !session_.busy() &&
         !std::exchange(differenceAsked_, true)) {
         options_.atDifference = !found->meshes.same() || found->runs.first.has_value();
         actions::askForDifference(commands_);
     }
-    if (session_.takeAccusation()) ui_.wantedTab = kDoctorTab;
+    if (session_.takeProblemFound()) ui_.wantedTab = kDoctorTab;
     const bool notice = !session_.notice().empty();
     return std::exchange(noticed_, notice) != notice || changed || compared;
 }
 
-Status Application::settle() {
-    growing_.settle();
+Status Application::waitUntilDone() {
+    sampling_.waitUntilDone();
     if (ui_.growth.phase == GrowthPhase::Failed) return Error{ui_.growth.complaint};
-    session_.settle();
+    session_.waitUntilDone();
     if (inputFailed()) return Error{session_.error()};
-    filing_.poll();
-    session_.settle();
-    alerting_.poll();
-    session_.settle();
-    if (!alerting_.status()) return alerting_.status();
-    if (!filing_.placeStatus()) return filing_.placeStatus();
+    document_.poll();
+    session_.waitUntilDone();
+    alerts_.poll();
+    session_.waitUntilDone();
+    if (!alerts_.status()) return alerts_.status();
+    if (!document_.placeStatus()) return document_.placeStatus();
     if (!options_.goTo.empty() && session_.missed()) return Error{session_.message()};
-    if (auto with = filing_.takeComparison()) comparing_.beginWith(std::move(*with));
-    comparing_.settle();
-    if (const std::string& wrong = comparing_.comparison().complaint(); !wrong.empty())
+    if (auto with = document_.takeComparison()) compare_.beginWith(std::move(*with));
+    compare_.waitUntilDone();
+    if (const std::string& wrong = compare_.comparison().complaint(); !wrong.empty())
         return Error{wrong};
     // First the jump, then the compared run.
     for (int i = 0; i < 2; ++i) {
         poll();
-        comparing_.carryOut();
-        session_.settle();
-        comparing_.settle();
+        compare_.carryOut();
+        session_.waitUntilDone();
+        compare_.waitUntilDone();
     }
-    filing_.warn();
+    document_.warn();
     return success();
 }
 
 bool Application::animating() const {
     return session_.busy() || playback_.playing() || painter_.moving() || ui_.look.blinking() ||
-           ui_.click.waiting() || comparing_.moving() ||
-           session_.phase() == SessionPhase::Loading || growing_.moving() ||
-           session_.questions().busy() || meshSaving_.busy();
+           ui_.click.waiting() || compare_.moving() || session_.phase() == SessionPhase::Loading ||
+           sampling_.moving() || session_.questions().busy() || mesh_.busy();
 }
 
 std::string Application::title() const {
@@ -151,19 +150,19 @@ void Application::play(double seconds) {
 }
 
 /// Places the camera for a newly opened input.
-void Application::placeCamera(const Layout& layout) {
+void Application::placeCamera(const PanelRects& rects) {
     if (!session_.ready()) return;
     if (std::exchange(placedGeneration_, session_.generation()) != session_.generation()) {
         // Another input resets the camera; reloading the same one keeps it.
         if (std::exchange(homeOf_, session_.model().name) != session_.model().name) {
-            camera_.setUp(filing_.openedSession() ? UpAxis::Z : actions::usualUp(commands_));
+            camera_.setUp(document_.openedSession() ? UpAxis::Z : actions::usualUp(commands_));
             camera_.home(session_.model().beginning, session_.model().sample, ui_.viewAspect);
         }
-        if (const auto pose = filing_.takeCamera()) camera_.setPose(*pose);
+        if (const auto pose = document_.takeCamera()) camera_.setPose(*pose);
     }
     if (std::exchange(ui_.requests.frameAlert, false)) frameAlert(commands_);
     // The undo stack begins here: the user has not changed anything yet.
-    if (alerting_.takeOpened()) undo_.begin(captureEdits(commands_));
+    if (alerts_.takeOpened()) undo_.begin(captureEdits(commands_));
     const bool atDifference = differenceAsked_ && ui_.compare.ask == CompareAsk::Nothing &&
                               session_.event() != nullptr && !session_.busy() &&
                               std::exchange(options_.atDifference, false);
@@ -172,23 +171,23 @@ void Application::placeCamera(const Layout& layout) {
     const bool pivot = session_.picture().pivot != kNone;
     if (wish != FrameWish::None)
         wish == FrameWish::Pivot&& pivot ? framePivot(commands_) : frameFocus(commands_);
-    if (!(filing_.takeFocus() || (atDifference && options_.focus))) return;
+    if (!(document_.takeFocus() || (atDifference && options_.focus))) return;
     frameFocus(commands_);
-    closeUp(session_, camera_, layout.view.size / imgui_->em());
+    closeUp(session_, camera_, rects.view.size / imgui_->em());
 }
 
-void Application::drawUserInterface(const Layout& layout) {
+void Application::drawUserInterface(const PanelRects& rects) {
     const StatusCounts& counts = session_.picture().status.counts();
-    Session* other = comparing_.other();
+    Session* other = compare_.other();
     CommandContext beside{other != nullptr ? *other : session_, playback_, camera_, ui_};
     std::optional<OtherView> view;
-    if (comparing_.shows())
-        view.emplace(OtherView{other != nullptr ? &beside : nullptr, comparing_.list(),
-                               beside.session.picture().status.counts(), comparing_.texture()});
+    if (compare_.shows())
+        view.emplace(OtherView{other != nullptr ? &beside : nullptr, compare_.list(),
+                               beside.session.picture().status.counts(), compare_.texture()});
     const PanelContext context{commands_,
                                palette(),
                                imgui_->fonts(),
-                               layout,
+                               rects,
                                painter_.list(),
                                counts,
                                imgui_->em(),
@@ -232,25 +231,26 @@ void Application::frame(glm::ivec2 size, double seconds) {
     io.DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
     io.DeltaTime = static_cast<float>(seconds);
     imgui_->beginFrame();
-    const Layout layout = ui_.growth.open ? computePageLayout(glm::vec2(size), imgui_->em())
-                                          : computeLayout(glm::vec2(size), imgui_->em(),
-                                                          ui_.arrangement, ui_.navigation.drawer);
-    ui_.navigation.drawerFolded = layout.drawerFolded;
-    ui_.viewAspect = layout.view.size.x / std::max(1.0F, layout.view.size.y);
+    const PanelRects rects = ui_.growth.open
+                                 ? computePageRects(glm::vec2(size), imgui_->em())
+                                 : computePanelRects(glm::vec2(size), imgui_->em(),
+                                                     ui_.layoutPreset, ui_.navigation.drawer);
+    ui_.navigation.drawerFolded = rects.drawerFolded;
+    ui_.viewAspect = rects.view.size.x / std::max(1.0F, rects.view.size.y);
     if (ui_.growth.open) {
-        painter_.fillParticles(growing_, ui_.settings.theme);
+        painter_.fillParticles(sampling_, ui_.settings.theme);
     } else {
-        placeCamera(layout);
+        placeCamera(rects);
         if (session_.ready() && ui_.settings.pointTint == PointTint::Margin)
             session_.questions().wantClosest();
         const bool onPaper = ui_.requests.screenshot || !options_.screenshot.empty();
-        painter_.fill(commands_, onPaper, comparing_.look());
-        comparing_.fill(onPaper);
+        painter_.fill(commands_, onPaper, compare_.look());
+        compare_.fill(onPaper);
     }
-    drawUserInterface(layout);
+    drawUserInterface(rects);
     const auto built = std::chrono::steady_clock::now();
-    painter_.draw(commands_, glm::ivec2(layout.view.size), imgui_->em());
-    comparing_.draw(glm::ivec2(layout.otherView.size), imgui_->em());
+    painter_.draw(commands_, glm::ivec2(rects.view.size), imgui_->em());
+    compare_.draw(glm::ivec2(rects.otherView.size), imgui_->em());
     clearFrame(size, palette().panel);
     imgui_->endFrame();
     uiSeconds_ = std::chrono::duration<double>(built - began).count();
@@ -260,11 +260,11 @@ void Application::frame(glm::ivec2 size, double seconds) {
     ui_.typing.see(ui_.typedFields());
     observeEdits();
     undoOrRedo();
-    growing_.carryOut();
-    comparing_.carryOut();
-    meshSaving_.carryOut();
-    filing_.carryOut(ui_.requests);
-    ui_.unsaved = filing_.unsaved();
+    sampling_.carryOut();
+    compare_.carryOut();
+    mesh_.carryOut();
+    document_.carryOut(ui_.requests);
+    ui_.unsaved = document_.unsaved();
     const std::string copied = std::exchange(ui_.requests.copyText, {});
     if (!copied.empty()) ImGui::SetClipboardText(copied.c_str());
     if (std::exchange(ui_.requests.copyPlace, false)) copyPlace();
@@ -307,9 +307,9 @@ void Application::observeEdits() {
     if (std::exchange(undoGeneration_, session_.generation()) != session_.generation()) {
         const InputSpec& spec = session_.spec();
         const bool same = std::exchange(undoSource_, spec.source) == spec.source;
-        const bool cured = std::exchange(undoCures_, spec.cures) != spec.cures;
+        const bool fixed = std::exchange(undoFixes_, spec.fixes) != spec.fixes;
         const bool ruled = std::exchange(undoRules_, now.rules) != now.rules;
-        if (!same || (!cured && !ruled)) return undo_.begin(now);
+        if (!same || (!fixed && !ruled)) return undo_.begin(now);
     }
     const bool changing = ImGui::IsAnyMouseDown() || ImGui::GetIO().WantTextInput;
     const auto sinceStart = std::chrono::steady_clock::now().time_since_epoch();
@@ -330,7 +330,7 @@ void Application::undoOrRedo() {
     applyEdits(step->edits, commands_);
     Edits made = captureEdits(commands_);
     // An input that was opened again has no selection.
-    if (std::exchange(made.cures, step->edits.cures) != step->edits.cures) made.selected = {};
+    if (std::exchange(made.fixes, step->edits.fixes) != step->edits.fixes) made.selected = {};
     made.rules = step->edits.rules;
     undo_.accept(made);
     session_.say((undo ? "Undone: " : "Redone: ") + step->change + ".");

@@ -63,7 +63,7 @@ class Application {
     double longestOpeningSeconds() const { return longestOpeningSeconds_; }
     Session& session() { return session_; }
     /// Blocks until everything that the command line requests is visible.
-    Status settle();
+    Status waitUntilDone();
 
     /// The next frame differs from this one even without new input.
     bool animating() const;
@@ -75,7 +75,7 @@ class Application {
     std::string title() const;
     /// Reads recent files and layout from that file and keeps them there; to be called before
     /// start().
-    void keepIn(const std::filesystem::path& path) { filing_.keepIn(path, options_.resetLayout); }
+    void keepIn(const std::filesystem::path& path) { document_.keepIn(path, options_.resetLayout); }
     const ViewSettings& settings() const { return ui_.settings; }
     void rememberSize(glm::ivec2 size);
 
@@ -87,8 +87,8 @@ class Application {
     void observeEdits();
     bool holdsLook(const Command& command, int key);
     void play(double seconds);
-    void placeCamera(const Layout& layout);
-    void drawUserInterface(const Layout& layout);
+    void placeCamera(const PanelRects& rects);
+    void drawUserInterface(const PanelRects& rects);
     void saveWindowPicture(glm::ivec2 size);
     void copyPlace();
     void pastePlace();
@@ -105,15 +105,15 @@ class Application {
     ScenePainter painter_;
     std::uint32_t placedGeneration_ = 0;  ///< Generation that the camera was placed for.
     float contentScale_ = 1.0F;
-    Filing filing_;
-    Alerting alerting_;
-    Growing growing_;
-    Comparing comparing_;
-    MeshSaving meshSaving_;
+    DocumentController document_;
+    AlertController alerts_;
+    SamplingController sampling_;
+    CompareController compare_;
+    MeshController mesh_;
     UndoStack undo_;
     std::uint32_t undoGeneration_ = 0xffffffffU;  ///< Source of the entries in the undo stack.
     std::string undoSource_;
-    Cures undoCures_;
+    Fixes undoFixes_;
     RuleSet undoRules_;
     bool differenceAsked_ = false;   ///< --goto difference is in progress, or done.
     bool noticed_ = false;           ///< A notice is visible.

@@ -32,7 +32,7 @@ bool Application::goToBoxTakes(const KeyChord& chord) {
     GoToBox& box = ui_.goTo;
     if (chord == KeyChord{'V', kCtrl}) {
         const std::string text = clipboard();
-        const Result<Place> place = placeFromText(text);
+        const Result<ViewPosition> place = viewPositionFromText(text);
         box.paste(place ? place.value().address : text);
         return true;
     }
@@ -81,7 +81,7 @@ bool Application::key(const KeyChord& chord, bool repeated) {
     const bool reaches = reachesActions(chord, keyboard);
     if (reaches && !holdsLook(*command, chord.key)) runCommand(*command, commands_);
     // Handled at once, since two keys may come within a frame.
-    growing_.carryOut();
+    sampling_.carryOut();
     ui_.typing.see(ui_.typedFields());
     // Dear ImGui's own navigation is not used.
     return reaches && chord.key == key::kTab;
@@ -104,12 +104,12 @@ void Application::keyReleased(const KeyChord& chord) {
 void Application::copyPlace() {
     if (!session_.ready()) return;
     const std::string address = session_.event() != nullptr ? toString(session_.address()) : "0";
-    ImGui::SetClipboardText(toText(Place{address, camera_.pose()}).c_str());
+    ImGui::SetClipboardText(toText(ViewPosition{address, camera_.pose()}).c_str());
     session_.say("Copied: " + address + " and the camera.");
 }
 
 void Application::pastePlace() {
-    const Result<Place> place = placeFromText(clipboard());
+    const Result<ViewPosition> place = viewPositionFromText(clipboard());
     if (!place) return session_.say(place.error().message);
     playback_.pause();
     if (place.value().camera) camera_.setPose(*place.value().camera);

@@ -57,8 +57,8 @@ ViewSettings settingsToKeep(const Options& options, const Application& applicati
 }
 
 /// Waits until the requested view can be drawn.
-int settle(Application& application) {
-    const auto status = application.settle();
+int waitUntilDone(Application& application) {
+    const auto status = application.waitUntilDone();
     if (status) return kExitGood;
     return fail(application.inputFailed() ? kExitInput : kExitUsage, status.error().message);
 }
@@ -68,7 +68,7 @@ int prepareOffscreen(Application& application) {
     if (const auto status = application.start(1.0F); !status) {
         return fail(kExitNoDisplay, status.error().message);
     }
-    return settle(application);
+    return waitUntilDone(application);
 }
 
 int dumpState(Application& application) {
@@ -142,7 +142,7 @@ int runBench(const Options& options) {
         std::this_thread::sleep_for(std::chrono::milliseconds(15));
     }
     draw();
-    if (const int code = settle(application); code != kExitGood) return code;
+    if (const int code = waitUntilDone(application); code != kExitGood) return code;
     std::printf("%zu points at %dx%d; first frame %.3f s after the start\n",
                 application.session().model().points.size(), size.x, size.y,
                 application.firstFrameSeconds());
@@ -160,7 +160,7 @@ int runBench(const Options& options) {
         Camera camera;
         camera.home(session.model().beginning, session.model().sample);
         const PickScene scene{session.model(), true, session.shownTriangles(),
-                              session.picture().mended ? nullptr : &session.meshIndex(),
+                              session.picture().repaired ? nullptr : &session.meshIndex(),
                               session.picture().rings};
         session.select(pick(scene, {camera.matrices(1.6F), {1280, 800}, {640, 400}, 9.6F}).what);
     });

@@ -251,7 +251,7 @@ void takeOver(const RawOptions& raw, Options& o) {
         o.input.choices.push_back(choice.value());
     }
     if (!raw.place.empty()) {
-        const Result<Place> place = placeFromText(raw.place);
+        const Result<ViewPosition> place = viewPositionFromText(raw.place);
         if (!place) throw CLI::ValidationError("--place", place.error().message);
         o.camera = place.value().camera;
         if (o.goTo.empty()) o.goTo = place.value().address;
@@ -340,7 +340,7 @@ Status adoptSession(Options& o) {
     o.input.source = kept.source;
     const bool symmetric = o.input.neighbors.symmetric || kept.neighbors.symmetric;
     if (!o.reachGiven) o.input.neighbors = kept.neighbors;
-    o.input.cures = kept.cures;
+    o.input.fixes = kept.fixes;
     o.input.neighbors.symmetric = symmetric;
     if (!o.normalsGiven) o.input.normals = kept.normals;
     if (!o.wallsGiven) o.input.walls = kept.walls;
@@ -401,7 +401,7 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
     o.theme = themeFromName(raw.theme);
     o.meshStyle = meshStyleFromName(raw.meshStyle);
     o.pointTint = pointTintFromName(raw.pointTint);
-    o.layout = arrangementFromName(raw.layout);
+    o.layout = layoutPresetFromName(raw.layout);
     o.screenshot = raw.screenshot;
     o.shaders = raw.shaders;
     o.stateDump = raw.stateDump;

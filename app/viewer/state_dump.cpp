@@ -106,18 +106,18 @@ void dumpRun(json& out, const Session& session) {
     if (!corners.empty()) {
         out["selection_present"] = factsOf(session, session.selection()).present;
     }
-    const Checkup& checkup = session.checkup();
-    out["doctor"] = checkup.done() ? "done" : checkup.busy() ? "busy" : "waiting";
+    const DoctorJob& doctorJob = session.doctorJob();
+    out["doctor"] = doctorJob.done() ? "done" : doctorJob.busy() ? "busy" : "waiting";
     out["findings"] = json::array();
-    for (const Finding& finding : checkup.findings())
+    for (const Finding& finding : doctorJob.findings())
         out["findings"].push_back(finding.check->name);
-    out["cures"] = session.spec().cures;
+    out["cures"] = session.spec().fixes;
     out["rules"] = session.spec().rules;
     out["choices"] = json::array();
     for (const RuleValue& each : session.spec().choices) out["choices"].push_back(lineOf(each));
     out["what_if"] = json::array();
     for (const WhatIf& each : session.spec().whatIf) out["what_if"].push_back(lineOf(each));
-    out["mended"] = session.model().mended;
+    out["mended"] = session.model().fixesDone;
     out["marked"] = session.marked().size();
     const AlertSearch& alerts = session.alerts();
     out["alert_search"] = alerts.done()                 ? "done"
@@ -256,7 +256,7 @@ std::string Application::stateDump() const {
              {"unit", std::string(unitName(playback_.unit()))},
              {"rate", playback_.rate()},
              {"theme", std::string(themeName(ui_.settings.theme))},
-             {"layout", std::string(rowOf(ui_.arrangement).name)},
+             {"layout", std::string(rowOf(ui_.layoutPreset).name)},
              {"first_frame_seconds", firstFrameSeconds_},
              {"first_window_seconds", firstWindowSeconds_},
              {"longest_opening_seconds", longestOpeningSeconds_},
@@ -307,8 +307,8 @@ std::string Application::stateDump() const {
     }
     for (const Bookmark& each : ui_.bookmarks) out["bookmarks"].push_back(toString(each.address));
     dumpStops(out, ui_, session_);
-    const Place place{session_.event() != nullptr ? toString(session_.address()) : "",
-                      camera_.pose()};
+    const ViewPosition place{session_.event() != nullptr ? toString(session_.address()) : "",
+                             camera_.pose()};
     out.update(json::parse(toText(place)));
     if (session_.ready()) {
         dumpRun(out, session_);

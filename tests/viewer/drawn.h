@@ -16,7 +16,7 @@ namespace se::view::test {
 inline DrawList drawn(OpenSession& open, const Address& address, std::initializer_list<LayerId> ids,
                       Index selected = kNone) {
     open.session.goTo(address);
-    open.session.settle();
+    open.session.waitUntilDone();
     LayerSwitches on;
     for (const LayerId id : ids) on.set(static_cast<std::size_t>(id));
     const LayerInput in{open.session.model(), open.session.picture(), paletteOf(Theme::Dark),

@@ -7,27 +7,27 @@
 namespace se::view::test {
 
 /// Has a folder of its own that is removed after the test.
-struct Desk {
+struct HeadlessApp {
     Session session;
     Playback playback;
     Camera camera;
     UiState ui;
     CommandContext context{session, playback, camera, ui};
-    Filing filing{context};
+    DocumentController document{context};
     std::filesystem::path folder;
 
-    explicit Desk(const std::string& name) : folder(ownPlace(name)) {
+    explicit HeadlessApp(const std::string& name) : folder(ownPlace(name)) {
         std::filesystem::remove_all(folder);
         std::filesystem::create_directories(folder);
     }
-    ~Desk() { std::filesystem::remove_all(folder); }
-    Desk(const Desk&) = delete;
-    Desk& operator=(const Desk&) = delete;
+    ~HeadlessApp() { std::filesystem::remove_all(folder); }
+    HeadlessApp(const HeadlessApp&) = delete;
+    HeadlessApp& operator=(const HeadlessApp&) = delete;
 
-    void settle() {
-        session.settle();
-        filing.poll();
-        session.settle();
+    void waitUntilDone() {
+        session.waitUntilDone();
+        document.poll();
+        session.waitUntilDone();
     }
 };
 

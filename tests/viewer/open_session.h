@@ -30,11 +30,11 @@ struct OpenSession {
 
     explicit OpenSession(const char* source = "scene:sphere", const char* rules = "paper") {
         session.open({source, {}, rules});
-        session.settle();
+        session.waitUntilDone();
     }
     /// Position of the cursor once all moves are done.
     std::string place() {
-        session.settle();
+        session.waitUntilDone();
         return session.event() == nullptr ? "start" : toString(session.address());
     }
 };

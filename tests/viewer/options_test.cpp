@@ -23,7 +23,7 @@ struct KeptSession {
         SessionFile s;
         s.input = {"scene:torus", {KNearest{16}, true, 0, true}, "printed", {{"fill", true}}};
         s.place.address = "12.sort.2";
-        s.layout = Arrangement::Learn;
+        s.layout = LayoutPreset::Learn;
         REQUIRE(writeSessionFile(path, s).ok());
     }
     ~KeptSession() { std::filesystem::remove(path); }
@@ -50,7 +50,7 @@ TEST_CASE("Rules, layout and place are read; invalid ones are wrong usage") {
     CHECK(o.input.rules == "printed");
     REQUIRE(o.input.choices.size() == 2);
     CHECK(o.input.choices[1] == RuleValue{"closetwo", false});
-    CHECK(o.layout == Arrangement::Present);
+    CHECK(o.layout == LayoutPreset::Present);
     CHECK(o.goTo == "12.sort.2");
     REQUIRE(o.camera.has_value());
     CHECK(o.camera->distance == 2.0F);

@@ -57,19 +57,19 @@ std::string runsText(const RunComparison& runs) {
     return text;
 }
 
-std::string regionsText(const Comparison& c, std::size_t most) {
+std::string regionsText(const Comparison& c, std::size_t limit) {
     const auto& regions = c.meshes.regions;
     if (regions.empty()) return "";
     std::string text =
         "\n" + counted(regions.size(), "region") + " of difference, largest first:\n";
-    for (std::size_t i = 0; i < std::min(most, regions.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(limit, regions.size()); ++i) {
         const DifferenceRegion& r = regions[i];
         text += fmt::format(
             "{:>4}  A {:<14} B {:<14} {} in A, {} in B, at ({:.6g}, {:.6g}, {:.6g})\n", i + 1,
             addressText(firstMade(c.a.mesh, r.inA)), addressText(firstMade(c.b.mesh, r.inB)),
             counted(r.inA.size(), "triangle"), r.inB.size(), r.place.x, r.place.y, r.place.z);
     }
-    if (regions.size() > most) text += "      ... all of them by --json\n";
+    if (regions.size() > limit) text += "      ... all of them by --json\n";
     return text;
 }
 
@@ -130,7 +130,7 @@ Json regionJson(const Comparison& c, const DifferenceRegion& r) {
 
 }  // namespace
 
-std::string comparisonText(const Comparison& c, std::size_t most) {
+std::string comparisonText(const Comparison& c, std::size_t limit) {
     const auto side = [](char name, const ComparedSide& s) {
         return fmt::format("{}  {}: {}\n", name, s.title,
                            counted(s.mesh.triangles.size(), "triangle"));
@@ -142,7 +142,7 @@ std::string comparisonText(const Comparison& c, std::size_t most) {
                             c.strangers.front());
     }
     if (c.runs) text += runsText(*c.runs);
-    return text + regionsText(c, most) + nextQuestion(c);
+    return text + regionsText(c, limit) + nextQuestion(c);
 }
 
 std::string comparisonJson(const Comparison& c) {

@@ -26,7 +26,7 @@ struct Comparison {
 };
 
 /// Text with at most `most` regions.
-std::string comparisonText(const Comparison& comparison, std::size_t most);
+std::string comparisonText(const Comparison& comparison, std::size_t limit);
 std::string comparisonJson(const Comparison& comparison);
 
 }  // namespace se::cli

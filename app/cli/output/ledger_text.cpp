@@ -91,11 +91,11 @@ std::string chartsText(const std::vector<RunChart>& charts) {
     std::string text;
     for (const RunChart& chart : charts) {
         text += fmt::format("{}{} ({})\n", text.empty() ? "" : "\n", chart.title, chart.unit);
-        std::uint64_t most = 1;
-        for (const ChartBar& bar : chart.bars) most = std::max(most, bar.count);
+        std::uint64_t limit = 1;
+        for (const ChartBar& bar : chart.bars) limit = std::max(limit, bar.count);
         for (const ChartBar& bar : chart.bars) {
             const std::size_t length =
-                (static_cast<std::size_t>(bar.count) * kWidest + most - 1) / most;
+                (static_cast<std::size_t>(bar.count) * kWidest + limit - 1) / limit;
             text += fmt::format("  {:<12} {:<30} {:>9}  {}\n", bar.label, std::string(length, '#'),
                                 bar.count, bar.query);
         }
@@ -227,7 +227,7 @@ std::string remediesText(const Remedies& remedies) {
     return text;
 }
 
-std::string failuresText(const RunFailureSearch& found, std::size_t most) {
+std::string failuresText(const RunFailureSearch& found, std::size_t limit) {
     if (found.failures.empty()) return "No failures found.\n";
     std::string text;
     for (std::size_t i = 0; i < found.totals.size(); ++i) {
@@ -236,7 +236,7 @@ std::string failuresText(const RunFailureSearch& found, std::size_t most) {
         text += fmt::format("{:>7} {}\n", amountText(found.totals[i]), kind.name);
         std::size_t shown = 0;
         for (const RunFailure& each : found.failures) {
-            if (each.failure.kind == &kind && shown++ < most) text += momentsText(each);
+            if (each.failure.kind == &kind && shown++ < limit) text += momentsText(each);
         }
     }
     return text;

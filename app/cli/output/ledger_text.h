@@ -35,7 +35,7 @@ std::string momentsJson(const std::string& input, const RunFailure& failure,
                         const Remedies* remedies = nullptr);
 std::string remediesText(const Remedies& remedies);
 /// All failures of a run, by class; of each class the first `most` with their moments.
-std::string failuresText(const RunFailureSearch& found, std::size_t most);
+std::string failuresText(const RunFailureSearch& found, std::size_t limit);
 std::string failuresJson(const std::string& input, const RunFailureSearch& found);
 std::string momentsJson(const std::string& input, const MeshFailure& failure,
                         const FailureMoments& moments);

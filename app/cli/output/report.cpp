@@ -15,8 +15,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostAlerts = 100;
-constexpr std::size_t kMostFaults = 100;
+constexpr std::size_t kMaxAlerts = 100;
+constexpr std::size_t kMaxFaults = 100;
 
 std::string_view endingName(Ending ending) {
     switch (ending) {
@@ -54,7 +54,7 @@ void addCounters(const Counters& counters, Json& json) {
 }
 
 /// Counters of the steps after the last pivot.
-void addMending(const MendState& mend, Json& json) {
+void addRepairs(const MendState& mend, Json& json) {
     json["mended"] = {{"reinserted_points", mend.reinserted},
                       {"points_taken_out", mend.takenOut},
                       {"flipped_edges", mend.flipped}};
@@ -83,7 +83,7 @@ void addFaults(const RunOutcome& outcome, Json& json) {
     if (!outcome.allFaults) json["faults_at_least"] = true;
     json["sound"] = outcome.faults->empty();
     Json list = Json::array();
-    for (std::size_t i = 0; i < std::min(outcome.faults->size(), kMostFaults); ++i) {
+    for (std::size_t i = 0; i < std::min(outcome.faults->size(), kMaxFaults); ++i) {
         const Fault& fault = (*outcome.faults)[i];
         const Vec3& at = outcome.faultPlaces[i];
         Json row = {{"class", faultName(fault.kind)}, {"triangle", fault.triangle}};
@@ -133,7 +133,7 @@ void addRules(const RunOutcome& outcome, Json& json) {
 
 void addAlerts(const std::vector<Alert>& alerts, Json& json) {
     Json list = Json::array();
-    for (std::size_t i = 0; i < std::min(alerts.size(), kMostAlerts); ++i) {
+    for (std::size_t i = 0; i < std::min(alerts.size(), kMaxAlerts); ++i) {
         Json row = {{"kind", alertName(alerts[i].kind)}, {"pivot", alerts[i].pivot}};
         row["point"] = alerts[i].point == kNone ? Json() : Json(alerts[i].point);
         list.push_back(row);
@@ -231,7 +231,7 @@ std::string reportJson(const RunOutcome& outcome) {
     json["triangles"] = outcome.mesh.triangles;
     json["components"] = outcome.mesh.components;
     addCounters(outcome.state.counters, json);
-    addMending(outcome.state.mend, json);
+    addRepairs(outcome.state.mend, json);
     addMesh(outcome.mesh, json);
     addFaults(outcome, json);
     addPreparation(outcome.prepared, json);

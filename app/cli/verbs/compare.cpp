@@ -15,7 +15,7 @@ namespace {
 struct CompareArguments {
     InputArguments input;
     std::string mesh;
-    std::size_t most = 10;
+    std::size_t limit = 10;
     bool json = false;
     bool quiet = false;
 
@@ -30,7 +30,7 @@ struct CompareArguments {
                        "Instead of another run: a mesh (PLY, OBJ or OFF) made from the "
                        "same points; its vertices are matched by position")
             ->type_name("FILE");
-        app.add_option("--most", most, "List N regions of difference")
+        app.add_option("--most", limit, "List N regions of difference")
             ->type_name("N")
             ->capture_default_str();
         app.add_flag("--json", json, "As JSON, with all triangles that only one of the two has");
@@ -50,7 +50,7 @@ Comparison compareTwoRuns(const CompareArguments& arguments, const ParsedInput& 
     const PointFile file = readInput(input);
     const PreparedInput a = arguments.input.prepare(file, line);
     const PreparedInput b = other.input().prepare(file, line);
-    RunComparison runs = workedOut("comparing", input, line, [&](const Progress& progress) {
+    RunComparison runs = runWithProgress("comparing", input, line, [&](const Progress& progress) {
         return compareRuns({a.points, a.params}, {b.points, b.params}, progress);
     });
     MeshDifference meshes = compareMeshes(a.points.position, runs.a.triangles, runs.b.triangles);
@@ -72,7 +72,7 @@ Comparison compareWithMesh(const CompareArguments& arguments, ProgressLine& line
     const PreparedInput a = arguments.input.prepare(line);
     MatchedMesh matched = matchMesh(a.points.position, file);
     // The run without B, to know where each triangle was made.
-    MadeMesh run = workedOut("running", input, line, [&](const Progress& progress) {
+    MadeMesh run = runWithProgress("running", input, line, [&](const Progress& progress) {
         return makeMesh({a.points, a.params}, progress);
     });
     std::vector<Vec3> position = a.points.position;
@@ -92,7 +92,7 @@ Comparison compareWithMesh(const CompareArguments& arguments, ProgressLine& line
 }  // namespace
 
 ExitCode compareVerb(const Arguments& words) {
-    const ComparedWords parted = partedAtWith(words);
+    const ComparedWords parted = splitAtWith(words);
     CompareArguments arguments;
     CLI::App app("Compares two runs on the same points, or a run and the mesh of another program.",
                  "spiraling-edge compare");
@@ -103,14 +103,14 @@ ExitCode compareVerb(const Arguments& words) {
     if (arguments.input.input() == kStandardInput && arguments.mesh == kStandardInput)
         throw Failure(ExitCode::Usage, "--mesh -: standard input is IN already; name a file");
     // Mistakes in B are reported before the long work.
-    const ParsedInput other(wordsOfB(arguments.input, parted.with));
+    const ParsedInput other(optionsOfB(arguments.input, parted.with));
     catchInterrupts();
     ProgressLine line(!arguments.quiet);
     const Comparison found =
         parted.hasWith ? compareTwoRuns(arguments, other, line) : compareWithMesh(arguments, line);
     if (!arguments.quiet) {
-        writeOutput("-",
-                    arguments.json ? comparisonJson(found) : comparisonText(found, arguments.most));
+        writeOutput(
+            "-", arguments.json ? comparisonJson(found) : comparisonText(found, arguments.limit));
     }
     return found.meshes.same() ? ExitCode::Good : ExitCode::CheckFailed;
 }

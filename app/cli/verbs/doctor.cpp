@@ -76,8 +76,8 @@ struct Visit {
 };
 
 Diagnosis examineInput(const PointFile& file, const std::string& name, ProgressLine& line) {
-    return workedOut("examining", name, line,
-                     [&](const Progress& progress) { return examine(file, progress); });
+    return runWithProgress("examining", name, line,
+                           [&](const Progress& progress) { return examine(file, progress); });
 }
 
 /// Points found by the checks whose findings are to be dropped.

@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::uint64_t kTestsPerEffort = 1'000'000;
 constexpr std::uint64_t kUsualEffort = 3000;
-constexpr std::uint64_t kMostEffort = 1'000'000'000;
+constexpr std::uint64_t kMaxEffort = 1'000'000'000;
 
 struct ReduceArguments {
     InputArguments input;
@@ -53,7 +53,7 @@ struct ReduceArguments {
                "runs get tangled")
             ->type_name("N")
             ->capture_default_str()
-            ->check(CLI::Range(std::uint64_t{1}, kMostEffort));
+            ->check(CLI::Range(std::uint64_t{1}, kMaxEffort));
         app.add_flag("-q,--quiet", quiet, "Print errors only");
     }
 };
@@ -198,9 +198,9 @@ void writeReduced(const ReduceArguments& arguments, const FailureChoice& wanted,
     if (reduced.complete) return;
     fmt::print(stderr, "stopped early, after {} million tests: fewer points may be possible",
                arguments.effort);
-    if (arguments.effort < kMostEffort)
+    if (arguments.effort < kMaxEffort)
         fmt::print(stderr, "; use --effort {} to continue",
-                   std::min(10 * arguments.effort, kMostEffort));
+                   std::min(10 * arguments.effort, kMaxEffort));
     fmt::print(stderr, "\n");
 }
 
@@ -248,7 +248,7 @@ ExitCode reduceVerb(const Arguments& words) {
         return {still, workOf(points, end, found)};
     };
     const Reduced reduced =
-        workedOut("reducing", arguments.input.input(), line, [&](const Progress& progress) {
+        runWithProgress("reducing", arguments.input.input(), line, [&](const Progress& progress) {
             return reduceInput(run.file, failure.place, fails, kTestsPerEffort * arguments.effort,
                                progress);
         });

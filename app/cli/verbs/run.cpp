@@ -22,7 +22,7 @@
 namespace se::cli {
 namespace {
 
-constexpr long long kMostPivots = 0xffffffffLL;
+constexpr long long kMaxPivots = 0xffffffffLL;
 
 struct RunArguments {
     std::string input;
@@ -56,7 +56,7 @@ struct RunArguments {
         derived.addTo(app);
         app.add_option("--max-pivots", maxPivots, "Stop after N pivots and write what there is")
             ->type_name("N")
-            ->check(CLI::Range(0LL, kMostPivots));
+            ->check(CLI::Range(0LL, kMaxPivots));
         addOutputOption(app, "--report", report,
                         "Write counts and times as JSON to this file, or -")
             ->type_name("FILE");
@@ -103,7 +103,7 @@ double shareDone(const State& state) {
 }
 
 /// Called between pivots: updates the progress line now and then; true if the run should end.
-bool lookUp(const State& state, ProgressLine& line) {
+bool reportProgress(const State& state, ProgressLine& line) {
     constexpr std::uint32_t kAskEvery = 64;
     if (state.counters.pivots % kAskEvery != 0) return false;
     if (line.due()) line.write("points done", shareDone(state));
@@ -114,7 +114,7 @@ bool lookUp(const State& state, ProgressLine& line) {
 Ending triangulateAtOnce(const PointSet& points, const Params& params, ProgressLine& line,
                          State& state) {
     Reconstruction made =
-        reconstruct(points, params, [&](const State& s) { return lookUp(s, line); });
+        reconstruct(points, params, [&](const State& s) { return reportProgress(s, line); });
     state = std::move(made.state);
     line.clear();
     // A run that ended just before Ctrl+C writes nothing either.
@@ -138,7 +138,7 @@ Ending triangulate(Stepper& stepper, std::optional<std::uint32_t> maxPivots, Tra
     const StopReason reason = stepper.runUntil([&](const State&) {
         flush();
         if (maxPivots && state.counters.pivots >= *maxPivots) ending = Ending::MaxPivots;
-        if (lookUp(state, line)) ending = Ending::Interrupted;
+        if (reportProgress(state, line)) ending = Ending::Interrupted;
         return ending != Ending::Finished;
     });
     flush();
@@ -244,7 +244,7 @@ ExitCode runVerb(const Arguments& words) {
                       nameOfInput(arguments.input) + ": holds no points to triangulate");
     const PrepareOptions prepareOptions =
         prepareOptionsFrom(outcome.params, arguments.neighbors, arguments.derived, file);
-    const Prepared prepared = workedOut(
+    const Prepared prepared = runWithProgress(
         "preparing", arguments.input, line,
         [&](const Progress& progress) { return prepare(file, prepareOptions, progress); });
     requirePossible(prepared.points, outcome.params);

@@ -59,7 +59,7 @@ struct SampleArguments {
             ->check(CLI::Range(0.0, 100.0));
         app.add_option("-k,--neighbors", neighbors, "Also write the lists of the K nearest points")
             ->type_name("K")
-            ->check(CLI::Range(1LL, kMostNeighbors));
+            ->check(CLI::Range(1LL, kMaxNeighbors));
         app.add_flag("--list", list, "List the shapes");
         app.add_flag("--json", json, "With --list: as JSON");
         app.add_flag("-q,--quiet", quiet, "Print errors only");

@@ -60,7 +60,7 @@ struct WhyArguments {
     bool remedy = false;
     bool prove = false;
     std::size_t closest = 0;
-    std::size_t most = 100;
+    std::size_t limit = 100;
     bool json = false;
     bool quiet = false;
 
@@ -105,7 +105,7 @@ struct WhyArguments {
             "--prove", prove,
             "With --failures: inverts the decision that made each of them unavoidable, and "
             "shows which failures disappear");
-        app.add_option("--most", most,
+        app.add_option("--most", limit,
                        "With --find and --failures: list N, of each class; with --prove "
                        "try N of each, spread over all")
             ->type_name("N");
@@ -130,7 +130,7 @@ struct WhyArguments {
 /// Answer about one subject.
 std::string askWhy(const WhyArguments& arguments, const PreparedInput& run, ProgressLine& line) {
     const std::string& input = arguments.input.input();
-    const Ledger ledger = workedOut("asking", input, line, [&](const Progress& progress) {
+    const Ledger ledger = runWithProgress("asking", input, line, [&](const Progress& progress) {
         return why(run.points, run.params, arguments.subject(), progress);
     });
     return arguments.json ? ledgerJson(input, ledger) : ledgerText(ledger);
@@ -139,16 +139,17 @@ std::string askWhy(const WhyArguments& arguments, const PreparedInput& run, Prog
 std::string askQuery(const WhyArguments& arguments, const DecisionQuery& query,
                      const PreparedInput& run, ProgressLine& line) {
     const std::string& input = arguments.input.input();
-    const FoundDecisions found = workedOut("asking", input, line, [&](const Progress& progress) {
-        return findDecisions(run.points, run.params, query, arguments.most, progress);
-    });
+    const FoundDecisions found =
+        runWithProgress("asking", input, line, [&](const Progress& progress) {
+            return findDecisions(run.points, run.params, query, arguments.limit, progress);
+        });
     return arguments.json ? foundJson(input, found) : foundText(found);
 }
 
 /// Answer about all failures of the run.
 RunFailureSearch failuresIn(const WhyArguments& arguments, const PreparedInput& run,
                             ProgressLine& line) {
-    return workedOut("asking", arguments.input.input(), line, [&](const Progress& progress) {
+    return runWithProgress("asking", arguments.input.input(), line, [&](const Progress& progress) {
         return searchFailures(run.points, run.params, progress);
     });
 }
@@ -161,7 +162,7 @@ std::string askFailure(const WhyArguments& arguments, const FailureChoice& choic
     const RunFailure failure = pickFailure(found, choice, input);
     if (!arguments.remedy)
         return arguments.json ? momentsJson(input, failure) : momentsText(failure);
-    const Remedies remedies = workedOut("trying", input, line, [&](const Progress& progress) {
+    const Remedies remedies = runWithProgress("trying", input, line, [&](const Progress& progress) {
         return findRemedies(run.points, run.params, failure.failure, progress);
     });
     return arguments.json ? momentsJson(input, failure, &remedies)
@@ -172,8 +173,8 @@ std::string askFailure(const WhyArguments& arguments, const FailureChoice& choic
 std::string askProofs(const WhyArguments& arguments, const PreparedInput& run,
                       const std::vector<RunFailure>& all, ProgressLine& line) {
     const std::string& input = arguments.input.input();
-    const std::vector<std::size_t> chosen = sampleOfEach(all, arguments.most);
-    const auto proofs = workedOut("turning", input, line, [&](const Progress& progress) {
+    const std::vector<std::size_t> chosen = sampleOfEach(all, arguments.limit);
+    const auto proofs = runWithProgress("turning", input, line, [&](const Progress& progress) {
         return proveCauses(run.points, run.params, all, chosen, progress);
     });
     std::vector<ProvenFailure> proven;
@@ -193,21 +194,21 @@ std::string askFailures(const WhyArguments& arguments, const PreparedInput& run,
     const RunFailureSearch found = failuresIn(arguments, run, line);
     if (arguments.prove) return askProofs(arguments, run, found.failures, line);
     return arguments.json ? failuresJson(arguments.input.input(), found)
-                          : failuresText(found, arguments.most);
+                          : failuresText(found, arguments.limit);
 }
 
 std::string askRing(const WhyArguments& arguments, const RingPlace& ring, const PreparedInput& run,
                     ProgressLine& line) {
     const std::string& input = arguments.input.input();
-    const RingHistory history = workedOut("asking", input, line, [&](const Progress& progress) {
-        return whyRing(run.points, run.params, ring, progress);
-    });
+    const RingHistory history = runWithProgress(
+        "asking", input, line,
+        [&](const Progress& progress) { return whyRing(run.points, run.params, ring, progress); });
     return arguments.json ? historyJson(input, history) : historyText(history);
 }
 
 std::string askCharts(const WhyArguments& arguments, const PreparedInput& run, ProgressLine& line) {
     const std::string& input = arguments.input.input();
-    const auto charts = workedOut("asking", input, line, [&](const Progress& progress) {
+    const auto charts = runWithProgress("asking", input, line, [&](const Progress& progress) {
         return runCharts(run.points, run.params, progress);
     });
     return arguments.json ? chartsJson(input, charts) : chartsText(charts);
@@ -216,9 +217,10 @@ std::string askCharts(const WhyArguments& arguments, const PreparedInput& run, P
 std::string askClosest(const WhyArguments& arguments, const PreparedInput& run,
                        ProgressLine& line) {
     const std::string& input = arguments.input.input();
-    const ClosestCalls calls = workedOut("asking", input, line, [&](const Progress& progress) {
-        return closestCalls(run.points, run.params, arguments.closest, progress);
-    });
+    const ClosestCalls calls =
+        runWithProgress("asking", input, line, [&](const Progress& progress) {
+            return closestCalls(run.points, run.params, arguments.closest, progress);
+        });
     return arguments.json ? callsJson(input, calls) : callsText(calls);
 }
 

@@ -38,7 +38,7 @@ void frameAlert(CommandContext& context) {
     const Model& model = context.session.model();
     const std::vector<Index> points = placesOf(model, *alert);
     if (points.empty()) return;
-    const MarkedPlace place = placeOf(model, points);
+    const MarkedSphere place = sphereAround(model, points);
     if (place.normal != glm::vec3(0.0F)) context.camera.face(place.normal);
     context.camera.frame(place.center, place.radius);
 }
@@ -82,21 +82,21 @@ std::string titleOf(const FailureClass& kind) {
     return title;
 }
 
-std::string pointsText(const MeshFailure& failure, std::size_t most) {
+std::string pointsText(const MeshFailure& failure, std::size_t limit) {
     std::string text;
-    for (std::size_t i = 0; i < std::min(most, failure.points.size()); ++i)
+    for (std::size_t i = 0; i < std::min(limit, failure.points.size()); ++i)
         text += (i == 0 ? "" : ", ") + std::to_string(failure.points[i]);
-    if (failure.points.size() > most)
+    if (failure.points.size() > limit)
         text += ", ... (" + std::to_string(failure.points.size()) + ")";
     return text;
 }
 
 std::string watchNote(std::size_t points, std::size_t noticed) {
-    if (points > kMostWatched)
-        return "Runs on more than " + grouped(kMostWatched) +
+    if (points > kMaxWatched)
+        return "Runs on more than " + grouped(kMaxWatched) +
                " points are not checked during stepping: their failures are listed only here.";
-    if (noticed >= kMostNoticed)
-        return "During stepping only the first " + grouped(kMostNoticed) +
+    if (noticed >= kMaxNoticed)
+        return "During stepping only the first " + grouped(kMaxNoticed) +
                " failures are reported: the others are listed only here.";
     return {};
 }
@@ -155,7 +155,7 @@ void switchOn(CommandContext& context, const Remedy& remedy) {
 void showBeside(CommandContext& context, const Remedy& remedy) {
     const InputSpec& spec = context.session.spec();
     actions::pause(context);
-    actions::arrange(context, Arrangement::Compare);
+    actions::applyLayoutPreset(context, LayoutPreset::Compare);
     context.ui.compare.begin =
         CompareWith::otherRun(withRules(spec, rulesWith(rulesOf(spec), remedy)));
 }
@@ -166,7 +166,7 @@ bool openOnFirstAlert(CommandContext& context) {
     const bool untouched =
         session.event() == nullptr && !session.busy() && !context.playback.playing() &&
         session.selection().kind == SelectionKind::None && session.marked().empty();
-    if (order.empty() || !untouched || context.ui.arrangement != Arrangement::Debug) return false;
+    if (order.empty() || !untouched || context.ui.layoutPreset != LayoutPreset::Debug) return false;
     // The notice about the input stays.
     const std::string said = session.notice();
     showAlert(context, order.front(), AlertMoment::Created);

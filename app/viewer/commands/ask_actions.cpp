@@ -24,7 +24,7 @@ using actions::openTab;
 void askWhy(CommandContext& c, const Selection& what) {
     if (!c.session.ready() || what.kind == SelectionKind::None) return;
     c.session.select(what);
-    if (c.ui.arrangement == Arrangement::Compare) {
+    if (c.ui.layoutPreset == LayoutPreset::Compare) {
         // About both runs; the column beside the views has the answers.
         c.ui.compare.wantsWhy = what;
         return;
@@ -84,7 +84,7 @@ namespace actions {
 void askWhySelected(CommandContext& c) {
     if (!c.session.ready()) return c.session.say("There is nothing open to ask about.");
     if (c.session.selection().kind != SelectionKind::None) return askWhy(c, c.session.selection());
-    if (c.ui.arrangement == Arrangement::Compare)
+    if (c.ui.layoutPreset == LayoutPreset::Compare)
         return c.session.say("Select a point, an edge or a triangle to ask both runs about.");
     openTab(c, kLedgerTab);
     c.ui.ledger.wantsKeyboard = true;
@@ -94,7 +94,7 @@ void toLedgerLine(CommandContext& c, int direction) {
     if (!c.session.ready()) return;
     const WhyAnswer* ledger = c.session.questions().ledger().answer();
     if (ledger == nullptr) return askWhySelected(c);
-    const auto line = placeAmong(ledger->lines, c.session).step(direction, ledger->lines.size());
+    const auto line = positionAmong(ledger->lines, c.session).step(direction, ledger->lines.size());
     const std::string& name = ledger->name;
     if (!line) {
         return c.session.say(direction > 0 ? "Nothing more happens to " + name + "."
@@ -129,7 +129,7 @@ void toHit(CommandContext& c, int direction) {
     if (!c.session.ready()) return;
     const FoundDecisions* found = c.session.questions().found().answer();
     if (found == nullptr) return openQuery(c);
-    const LinePlace place = placeAmong(found->lines, c.session);
+    const LinePosition place = positionAmong(found->lines, c.session);
     const auto hit = place.step(direction, found->lines.size());
     const bool cut = found->total > found->lines.size();
     if (!hit) {

@@ -57,7 +57,8 @@ void escape(C& c) {
     c.session.select(Selection{});
     c.session.mark({});
     c.session.chooseAlert({});
-    if (!picked && ui.arrangement == Arrangement::Present) arrange(c, Arrangement::Debug);
+    if (!picked && ui.layoutPreset == LayoutPreset::Present)
+        applyLayoutPreset(c, LayoutPreset::Debug);
 }
 
 void nextMeshStyle(C& c) {
@@ -226,16 +227,16 @@ void setLoopEnd(C& c) {
     c.session.say("Loop end: " + toString(c.session.address()) + ".");
 }
 
-void arrange(C& c, Arrangement arrangement) {
-    c.ui.arrangement = arrangement;
-    const ArrangementRow& row = rowOf(arrangement);
+void applyLayoutPreset(C& c, LayoutPreset layoutPreset) {
+    c.ui.layoutPreset = layoutPreset;
+    const LayoutPresetRow& row = rowOf(layoutPreset);
     c.session.say("Layout " + std::string(row.title) + ". " + std::string(row.help));
 }
 
 void openTab(C& c, std::string_view tab) {
     const bool none =
-        c.ui.arrangement == Arrangement::Present || c.ui.arrangement == Arrangement::Compare;
-    if (none) arrange(c, Arrangement::Debug);
+        c.ui.layoutPreset == LayoutPreset::Present || c.ui.layoutPreset == LayoutPreset::Compare;
+    if (none) applyLayoutPreset(c, LayoutPreset::Debug);
     c.ui.wantedTab = tab;
 }
 

@@ -52,7 +52,7 @@ void playOrPause(CommandContext& c);
 void stepByUnit(CommandContext& c, int direction);
 void setLoopStart(CommandContext& c);
 void setLoopEnd(CommandContext& c);
-void arrange(CommandContext& c, Arrangement arrangement);
+void applyLayoutPreset(CommandContext& c, LayoutPreset layoutPreset);
 /// Opens a panel; if no panels are shown, in the layout that has all of them.
 void openTab(CommandContext& c, std::string_view tab);
 /// To the decision that made the selected edge or triangle.
@@ -95,9 +95,9 @@ void goToBookmark(CommandContext& c) {
     toBookmark(c, place);
 }
 
-template <Arrangement arrangement>
-void setArrangement(CommandContext& c) {
-    arrange(c, arrangement);
+template <LayoutPreset layoutPreset>
+void setLayoutPreset(CommandContext& c) {
+    applyLayoutPreset(c, layoutPreset);
 }
 
 }  // namespace se::view::actions

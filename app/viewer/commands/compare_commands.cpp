@@ -5,21 +5,21 @@
 namespace se::view::actions {
 
 void toggleCompare(CommandContext& c) {
-    const bool on = c.ui.arrangement == Arrangement::Compare;
-    arrange(c, on ? Arrangement::Debug : Arrangement::Compare);
+    const bool on = c.ui.layoutPreset == LayoutPreset::Compare;
+    applyLayoutPreset(c, on ? LayoutPreset::Debug : LayoutPreset::Compare);
 }
 
 void compareUsual(CommandContext& c) {
     if (!c.session.ready()) return c.session.say("There is nothing open to compare.");
     pause(c);
-    arrange(c, Arrangement::Compare);
+    applyLayoutPreset(c, LayoutPreset::Compare);
     c.ui.compare.ask = CompareAsk::Usual;
 }
 
 void compareMesh(CommandContext& c) {
     if (!c.session.ready()) return c.session.say("There is nothing open to compare.");
     pause(c);
-    arrange(c, Arrangement::Compare);
+    applyLayoutPreset(c, LayoutPreset::Compare);
     c.ui.browser = BrowserTask::Mesh;
     c.ui.fileBrowser = true;
 }

@@ -79,8 +79,8 @@ Fit fitOf(const PaletteEntry& entry, std::string_view filter,
 void showPanel(CommandContext& context, std::string_view title) {
     // Learn lacks these two.
     const bool debugOnly = title == "Steps" || title == "Rings";
-    if (debugOnly && context.ui.arrangement == Arrangement::Learn)
-        actions::arrange(context, Arrangement::Debug);
+    if (debugOnly && context.ui.layoutPreset == LayoutPreset::Learn)
+        actions::applyLayoutPreset(context, LayoutPreset::Debug);
     actions::openTab(context, title);
 }
 

@@ -29,23 +29,23 @@ std::string whyNone(const AlertSearch& alerts, const std::string& name) {
 
 }  // namespace
 
-void Alerting::begin(const Options& options) {
+void AlertController::begin(const Options& options) {
     asked_ = options.alert;
     interactive_ = options.screenshot.empty() && options.benchFrames == 0;
 }
 
-void Alerting::poll() {
+void AlertController::poll() {
     Session& session = c_.session;
     if (!session.takeAlertNews()) return;
     const std::string& source = session.spec().source;
     const bool fresh = std::exchange(source_, source) != source;
     if (!asked_.empty()) return showAsked();
-    if (const std::string kept = filing_.takeAlert(); !kept.empty())
+    if (const std::string kept = document_.takeAlert(); !kept.empty())
         session.chooseAlert(alertNamed(session.alerts(), kept));
     if (fresh) chooseOfGallery();
     // Scenes and sampled points are opened to watch the run, so they open at the start.
     const bool file = !isScene(source) && !isSample(source);
-    if (!fresh || !file || !interactive_ || filing_.placed()) return;
+    if (!fresh || !file || !interactive_ || document_.placed()) return;
     opened_ = openOnFirstAlert(c_);
     // Problems of the input come first: the doctor has the tab.
     if (opened_ && c_.ui.wantedTab.empty() && c_.ui.openTab != kDoctorTab)
@@ -53,7 +53,7 @@ void Alerting::poll() {
 }
 
 /// For a scene that fails, the alert that it demonstrates; its story is beside the paper's rule.
-void Alerting::chooseOfGallery() {
+void AlertController::chooseOfGallery() {
     Session& session = c_.session;
     const FailureScene* failing = galleryScene(session.spec().source);
     if (failing == nullptr || session.chosenAlert()) return;
@@ -72,14 +72,14 @@ void Alerting::chooseOfGallery() {
     if (c_.ui.wantedTab.empty()) c_.ui.wantedTab = "Paper";
 }
 
-void Alerting::showAsked() {
+void AlertController::showAsked() {
     Session& session = c_.session;
     const std::string name = std::exchange(asked_, {});
     const auto alert = alertNamed(session.alerts(), name);
     c_.ui.wantedTab = kAlertsTab;
     // At the position that was named, if one was.
     std::optional<AlertMoment> moment;
-    if (!filing_.placed()) moment = AlertMoment::Created;
+    if (!document_.placed()) moment = AlertMoment::Created;
     if (alert) return showAlert(c_, *alert, moment);
     status_ = Error{"--alert " + name + ": " + whyNone(session.alerts(), name)};
     session.say(status_.error().message);

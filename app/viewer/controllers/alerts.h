@@ -9,9 +9,10 @@
 
 namespace se::view {
 
-class Alerting {
+class AlertController {
   public:
-    Alerting(CommandContext& context, Filing& filing) : c_(context), filing_(filing) {}
+    AlertController(CommandContext& context, DocumentController& document)
+        : c_(context), document_(document) {}
 
     /// Takes the alert of the command line. Pictures without a user open where their options say.
     void begin(const Options& options);
@@ -27,7 +28,7 @@ class Alerting {
     void showAsked();
 
     CommandContext& c_;
-    Filing& filing_;
+    DocumentController& document_;
     std::string asked_;        ///< By the command line, until it was shown.
     std::string source_;       ///< The input of the last known alerts.
     bool interactive_ = true;  ///< A user is present.

@@ -11,19 +11,21 @@ namespace se::view {
 namespace {
 
 /// Maximum number of outlines; more would hide the region itself.
-constexpr std::size_t kMostGhosts = 600;
+constexpr std::size_t kMaxGhosts = 600;
 
 }  // namespace
 
-Comparing::Comparing(CommandContext& context) : c_(context) { c_.ui.compare.now = &comparison_; }
+CompareController::CompareController(CommandContext& context) : c_(context) {
+    c_.ui.compare.now = &comparison_;
+}
 
-bool Comparing::otherBusy() const {
+bool CompareController::otherBusy() const {
     const Session* other = comparison_.other();
     return other != nullptr && (other->busy() || other->questions().busy());
 }
 
 /// The same input opened again with other options: its previous state can be compared with.
-void Comparing::rememberBefore() {
+void CompareController::rememberBefore() {
     const Session& run = c_.session;
     if (!run.ready() || std::exchange(generation_, run.generation()) == run.generation()) return;
     ComparePage& page = c_.ui.compare;
@@ -39,7 +41,7 @@ void Comparing::rememberBefore() {
     spec_ = run.spec();
 }
 
-bool Comparing::poll() {
+bool CompareController::poll() {
     rememberBefore();
     if (waiting_ && c_.session.ready() && c_.session.phase() != SessionPhase::Loading)
         begin(*std::exchange(waiting_, std::nullopt));
@@ -49,14 +51,14 @@ bool Comparing::poll() {
     return changed;
 }
 
-void Comparing::settle() {
+void CompareController::waitUntilDone() {
     poll();
-    comparison_.settle(c_.session);
+    comparison_.waitUntilDone(c_.session);
     poll();
 }
 
 /// Copies selection and hover from one view to the other: points have the same numbers.
-void Comparing::shareSelection() {
+void CompareController::shareSelection() {
     Session* other = comparison_.other();
     if (other == nullptr || !c_.session.ready()) return;
     const bool there = !(other->selection() == selected_);
@@ -66,7 +68,7 @@ void Comparing::shareSelection() {
     other->hover(c_.session.hovered());
 }
 
-void Comparing::makeShades() {
+void CompareController::makeShades() {
     shaded_ = comparison_.result();
     shades_ = {};
     ghosts_ = {};
@@ -80,7 +82,7 @@ void Comparing::makeShades() {
         DifferenceShade(runs.b.inOrder(), std::make_shared<const TriangleSet>(shaded_->setA));
 }
 
-const DifferenceLook* Comparing::look() {
+const DifferenceLook* CompareController::look() {
     if (!inLayout() || shaded_ == nullptr) return nullptr;
     const Theme theme = c_.ui.settings.theme;
     if (std::exchange(theme_, theme) != theme) ++lookRevision_;
@@ -92,7 +94,7 @@ const DifferenceLook* Comparing::look() {
     return &looks_[0];
 }
 
-void Comparing::fill(bool onPaper) {
+void CompareController::fill(bool onPaper) {
     shown_ = false;
     if (!inLayout() || !comparison_.chosen() || failed_) return;
     Session* other = comparison_.other();
@@ -115,7 +117,7 @@ void Comparing::fill(bool onPaper) {
     shown_ = true;
 }
 
-void Comparing::draw(glm::ivec2 size, float em) {
+void CompareController::draw(glm::ivec2 size, float em) {
     if (!shown_) return;
     Session* other = comparison_.other();
     const CommandContext context{other != nullptr ? *other : c_.session, c_.playback, c_.camera,
@@ -124,19 +126,19 @@ void Comparing::draw(glm::ivec2 size, float em) {
 }
 
 /// Points have the same numbers in both.
-void Comparing::askWhy(const Selection& what) {
+void CompareController::askWhy(const Selection& what) {
     c_.ui.compare.why = what;
     c_.session.questions().askWhy(what);
     if (Session* other = comparison_.other()) other->questions().askWhy(what);
 }
 
-void Comparing::begin(CompareWith with) {
+void CompareController::begin(CompareWith with) {
     c_.ui.compare.choosing = false;
     c_.ui.compare.why.reset();
     comparison_.begin(c_.session, std::move(with));
 }
 
-void Comparing::carryOut() {
+void CompareController::carryOut() {
     ComparePage& page = c_.ui.compare;
     if (page.begin) begin(*std::exchange(page.begin, std::nullopt));
     if (const CompareAsk ask = std::exchange(page.ask, CompareAsk::Nothing);
@@ -147,7 +149,7 @@ void Comparing::carryOut() {
     if (page.show) showRegion(*std::exchange(page.show, std::nullopt));
 }
 
-void Comparing::carryOut(CompareAsk ask) {
+void CompareController::carryOut(CompareAsk ask) {
     if (ask == CompareAsk::Stop) return comparison_.stop();
     if (ask == CompareAsk::Usual)
         return begin(CompareWith::otherRun(usualOther(c_.session.spec())));
@@ -171,7 +173,7 @@ void Comparing::carryOut(CompareAsk ask) {
     }
 }
 
-void Comparing::goTo(const std::optional<RunDifference>& difference, const char* nothing) {
+void CompareController::goTo(const std::optional<RunDifference>& difference, const char* nothing) {
     if (comparison_.with().kind == CompareWith::Kind::Mesh) {
         // A mesh has no decisions: go to the first triangle of the run that it lacks.
         const MadeMesh& run = shaded_->runs.a;
@@ -192,17 +194,17 @@ void Comparing::goTo(const std::optional<RunDifference>& difference, const char*
     comparison_.goTo(c_.session, {addressOf(difference->a), addressOf(difference->b)});
 }
 
-std::vector<Triangle> Comparing::ghostsOf(const std::vector<Index>& region,
-                                          const std::vector<Triangle>& mesh) const {
+std::vector<Triangle> CompareController::ghostsOf(const std::vector<Index>& region,
+                                                  const std::vector<Triangle>& mesh) const {
     std::vector<Triangle> ghosts;
-    if (region.size() > kMostGhosts) return ghosts;
+    if (region.size() > kMaxGhosts) return ghosts;
     ghosts.reserve(region.size());
     for (const Index i : region) ghosts.push_back(mesh[i]);
     return ghosts;
 }
 
 /// Shows both meshes at the end of their runs, with the region in the middle.
-void Comparing::showRegion(std::size_t number) {
+void CompareController::showRegion(std::size_t number) {
     if (shaded_ == nullptr || number >= shaded_->meshes.regions.size()) return;
     const DifferenceRegion& region = shaded_->meshes.regions[number];
     c_.ui.compare.region = number;
@@ -214,13 +216,13 @@ void Comparing::showRegion(std::size_t number) {
     });
     ghosts_[1] = ghostsOf(region.inA, shaded_->runs.a.triangles);
     ++lookRevision_;
-    const MarkedPlace place = placeOf(*shaded_->b, region.points);
+    const MarkedSphere place = sphereAround(*shaded_->b, region.points);
     if (place.normal != glm::vec3(0.0F)) c_.camera.face(place.normal);
     c_.camera.frame(place.center, place.radius);
     if (!c_.session.atEnd()) c_.session.toEnd();
 }
 
-void Comparing::swap() {
+void CompareController::swap() {
     const Session* other = comparison_.other();
     if (other == nullptr) return c_.session.say("A mesh has no decisions to step through.");
     waiting_ = CompareWith::otherRun(c_.session.spec());

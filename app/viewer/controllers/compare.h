@@ -11,9 +11,9 @@
 
 namespace se::view {
 
-class Comparing {
+class CompareController {
   public:
-    explicit Comparing(CommandContext& context);
+    explicit CompareController(CommandContext& context);
 
     /// Sets the folder with the shaders of the second view; empty: the built-in ones.
     void setShaders(const std::filesystem::path& folder) { shaders_ = folder; }
@@ -22,7 +22,7 @@ class Comparing {
     /// Takes the results of the threads. True if there is something new to draw.
     bool poll();
     /// Blocks until no work is in progress.
-    void settle();
+    void waitUntilDone();
     bool moving() const { return comparison_.working() || otherBusy(); }
     /// Carries out the requests of page and commands.
     void carryOut();
@@ -42,7 +42,7 @@ class Comparing {
 
   private:
     bool otherBusy() const;
-    bool inLayout() const { return c_.ui.arrangement == Arrangement::Compare; }
+    bool inLayout() const { return c_.ui.layoutPreset == LayoutPreset::Compare; }
     void rememberBefore();
     void shareSelection();
     void makeShades();

@@ -20,7 +20,7 @@ SessionFile captureSession(const CommandContext& context) {
     file.place.address = session.event() != nullptr ? toString(session.address()) : "";
     file.place.camera = context.camera.pose();
     file.layers = context.ui.settings.layers;
-    file.layout = context.ui.arrangement;
+    file.layout = context.ui.layoutPreset;
     file.selected = session.selection();
     if (session.chosenAlert()) file.alert = alertName(session.alerts(), *session.chosenAlert());
     file.bookmarks = context.ui.bookmarks;
@@ -38,14 +38,14 @@ Edits captureEdits(const CommandContext& context) {
             ui.settings.uiScale,
             ui.settings.legend,
             ui.settings.layers,
-            ui.arrangement,
+            ui.layoutPreset,
             context.camera.pose(),
             context.session.selection(),
             ui.bookmarks,
             ui.notes,
             ui.breakpoints,
             ui.watches,
-            context.session.spec().cures,
+            context.session.spec().fixes,
             rulesOf(context.session.spec())};
 }
 
@@ -55,30 +55,30 @@ void applyEdits(const Edits& edits, CommandContext& context) {
     ui.settings.uiScale = edits.uiScale;
     ui.settings.legend = edits.legend;
     ui.settings.layers = edits.layers;
-    ui.arrangement = edits.layout;
+    ui.layoutPreset = edits.layout;
     if (context.camera.pose() != edits.camera) context.camera.setPose(edits.camera);
     ui.bookmarks = edits.bookmarks;
     ui.notes = edits.notes;
     ui.breakpoints = edits.breakpoints;
     ui.watches = edits.watches;
     if (edits.rules != rulesOf(context.session.spec())) ui.requests.rules = edits.rules;
-    if (edits.cures != context.session.spec().cures) {
+    if (edits.fixes != context.session.spec().fixes) {
         // The point numbers may refer to other points there.
-        ui.requests.cures = edits.cures;
+        ui.requests.fixes = edits.fixes;
     } else {
         context.session.select(edits.selected);
     }
 }
 
-void Filing::begin(const Options& options) {
+void DocumentController::begin(const Options& options) {
     if (options.session) takeLooks(*options.session, options.sessionPath);
     if (options.with) with_ = options.with;
-    if (options.layout) c_.ui.arrangement = *options.layout;
-    keptLayout_ = c_.ui.arrangement;
+    if (options.layout) c_.ui.layoutPreset = *options.layout;
+    keptLayout_ = c_.ui.layoutPreset;
     if (options.input.source.empty()) return;
     arrival_.pending = true;
     arrival_.generation = c_.session.generation();
-    notebookOf_ = options.input.source;
+    annotatedSource_ = options.input.source;
     arrival_.focus = options.focus;
     arrival_.file = options.session ? options.sessionPath : options.input.source;
     if (!options.goTo.empty()) arrival_.goTo = options.goTo;
@@ -90,54 +90,55 @@ void Filing::begin(const Options& options) {
 }
 
 /// A scene opens at the decision that it demonstrates, framed.
-void Filing::aimAtScene(const std::string& source) {
+void DocumentController::aimAtScene(const std::string& source) {
     const std::string_view address = openingAddress(source);
     if (address.empty()) return;
     arrival_.goTo = address;
     arrival_.focus = true;
 }
 
-void Filing::keepIn(const std::filesystem::path& path, bool resetLayout) {
+void DocumentController::keepIn(const std::filesystem::path& path, bool resetLayout) {
     kept_ = path;
     const KeptState state = readKeptState(path);
     c_.ui.recent = state.recent;
     keptLayout_ = state.layout;
-    if (!resetLayout) c_.ui.arrangement = state.layout;
-    if (resetLayout && state.layout != c_.ui.arrangement) keepLayout();
+    if (!resetLayout) c_.ui.layoutPreset = state.layout;
+    if (resetLayout && state.layout != c_.ui.layoutPreset) keepLayout();
 }
 
-void Filing::changeNotebook(const std::string& source) {
+void DocumentController::switchAnnotations(const std::string& source) {
     UiState& ui = c_.ui;
-    if (source == notebookOf_) return;
-    notebooks_[std::exchange(notebookOf_, source)] = {noted(), saved_, ui.sessionPath, original_};
-    const Notebook& other = notebooks_[source];
-    putBack(other.noted);
+    if (source == annotatedSource_) return;
+    records_[std::exchange(annotatedSource_, source)] = {annotations(), saved_, ui.sessionPath,
+                                                         original_};
+    const AnnotationRecord& other = records_[source];
+    putBack(other.annotations);
     saved_ = other.saved;
     ui.sessionPath = other.sessionPath;
     original_ = other.original;
 }
 
 /// The page with new points is closed for the input that is opened.
-void Filing::openInput(InputSpec spec) {
+void DocumentController::openInput(InputSpec spec) {
     if (c_.ui.growth.open) c_.ui.growth.asked = GrowthAsk::Leave;
     c_.session.open(std::move(spec));
 }
 
 /// A volume has no points yet: they are spread over it first.
-void Filing::spreadOver(const std::string& volume) {
+void DocumentController::spreadOver(const std::string& volume) {
     c_.ui.growth.form.chooseVolume(volume);
     openGrowthPage(c_, GrowthSource::Volume);
     c_.ui.growth.asked = GrowthAsk::Begin;
 }
 
-void Filing::open(const std::string& path) {
+void DocumentController::open(const std::string& path) {
     c_.playback.pause();
     if (isVolumePath(path)) return spreadOver(path);
     const bool named = isScene(path) || isSample(path);
     if (!named && looksLikeSession(path)) return openSession(path);
     const Session& session = c_.session;
     InputSpec spec = session.ready() ? session.spec() : session.opening();
-    spec.cures.clear();
+    spec.fixes.clear();
     if (std::exchange(spec.source, path) != path) {
         // These options were chosen for another input.
         spec.normals = NormalSource::AsGiven;
@@ -154,7 +155,7 @@ void Filing::open(const std::string& path) {
     openInput(std::move(spec));
 }
 
-void Filing::openSpec(InputSpec spec) {
+void DocumentController::openSpec(InputSpec spec) {
     c_.playback.pause();
     const Session& session = c_.session;
     arrival_ = {};
@@ -167,7 +168,7 @@ void Filing::openSpec(InputSpec spec) {
     openInput(std::move(spec));
 }
 
-void Filing::openSession(const std::string& path) {
+void DocumentController::openSession(const std::string& path) {
     const Result<SessionFile> read = readSessionFile(path);
     if (!read) return c_.session.say(read.error().message);
     arrival_ = {};
@@ -179,10 +180,10 @@ void Filing::openSession(const std::string& path) {
     openInput(read.value().input);
 }
 
-void Filing::takeLooks(const SessionFile& file, const std::string& path) {
+void DocumentController::takeLooks(const SessionFile& file, const std::string& path) {
     UiState& ui = c_.ui;
     if (file.layers) ui.settings.layers = *file.layers;
-    if (file.layout) ui.arrangement = keptLayout_ = *file.layout;
+    if (file.layout) ui.layoutPreset = keptLayout_ = *file.layout;
     putBack({file.bookmarks, file.notes, file.breakpoints, file.watches});
     ui.query.typed = file.query;
     ui.sessionPath = path;
@@ -198,7 +199,7 @@ void Filing::takeLooks(const SessionFile& file, const std::string& path) {
     arrival_.expectedHash = file.inputHash;
 }
 
-void Filing::poll() {
+void DocumentController::poll() {
     const SessionPhase phase = c_.session.phase();
     if (arrival_.pending && phase != SessionPhase::Loading) {
         const bool opened = c_.session.generation() != arrival_.generation;
@@ -206,19 +207,19 @@ void Filing::poll() {
         if (!opened) arrival_ = {};
         if (opened && phase == SessionPhase::Ready) arrive();
     }
-    if (c_.ui.arrangement != keptLayout_) keepLayout();
+    if (c_.ui.layoutPreset != keptLayout_) keepLayout();
     if (!arrival_.pending && !c_.session.busy()) warn();
 }
 
 /// Switches to the annotations and looks of the input that is open now.
-void Filing::takeUp() {
+void DocumentController::takeUp() {
     const std::optional<SessionFile> session = std::exchange(arrival_.session, std::nullopt);
-    changeNotebook(c_.session.spec().source);
+    switchAnnotations(c_.session.spec().source);
     if (session) takeLooks(*session, arrival_.sessionPath);
     if (!arrival_.notice.empty()) sayLater(std::exchange(arrival_.notice, {}));
 }
 
-void Filing::arrive() {
+void DocumentController::arrive() {
     takeUp();
     arrival_.pending = false;
     alert_ = std::exchange(arrival_.alert, {});
@@ -243,20 +244,20 @@ void Filing::arrive() {
     if (!placeStatus_) c_.session.say(placeStatus_.error().message);
 }
 
-void Filing::warnLater(const std::string& warning) {
+void DocumentController::warnLater(const std::string& warning) {
     std::fprintf(stderr, "spiraling-edge-viewer: warning: %s\n", warning.c_str());
     sayLater(warning);
 }
 
-void Filing::sayLater(const std::string& sentence) {
+void DocumentController::sayLater(const std::string& sentence) {
     said_ += (said_.empty() ? "" : " ") + sentence;
 }
 
-void Filing::warn() {
+void DocumentController::warn() {
     if (!said_.empty()) c_.session.say(std::exchange(said_, {}));
 }
 
-void Filing::carryOut(UiRequests& requests) {
+void DocumentController::carryOut(UiRequests& requests) {
     answer();
     if (std::exchange(requests.saveSession, false)) save();
     if (!requests.saveSessionAs.empty()) saveAs(std::exchange(requests.saveSessionAs, {}));
@@ -268,8 +269,8 @@ void Filing::carryOut(UiRequests& requests) {
     if (!requests.open.empty()) {
         leave({LeaveFor::Open, std::exchange(requests.open, {}), {}});
     }
-    if (requests.cures) takeCures(*std::exchange(requests.cures, std::nullopt));
-    const Resume resume = std::exchange(requests.resume, Resume::SamePlace);
+    if (requests.fixes) takeFixes(*std::exchange(requests.fixes, std::nullopt));
+    const Resume resume = std::exchange(requests.resume, Resume::SamePosition);
     if (requests.rules) takeRules(*std::exchange(requests.rules, std::nullopt), resume);
     if (requests.openSpec) {
         const InputSpec spec = *std::exchange(requests.openSpec, std::nullopt);
@@ -280,7 +281,7 @@ void Filing::carryOut(UiRequests& requests) {
     if (std::exchange(requests.quit, false)) leave({LeaveFor::Quit, {}, {}});
 }
 
-void Filing::leave(Leave to) {
+void DocumentController::leave(Leave to) {
     if (c_.ui.leaving.asked) return;
     const bool stays = to.what == LeaveFor::Open && !to.spec && isVolumePath(to.path);
     const std::string atStake = unsaved();
@@ -289,7 +290,7 @@ void Filing::leave(Leave to) {
     c_.ui.leaving.ask(std::move(to), atStake);
 }
 
-void Filing::go(const Leave& to) {
+void DocumentController::go(const Leave& to) {
     if (to.spec) return openSpec(*to.spec);
     switch (to.what) {
         case LeaveFor::Quit:
@@ -305,7 +306,7 @@ void Filing::go(const Leave& to) {
     }
 }
 
-void Filing::reload() {
+void DocumentController::reload() {
     const Session& session = c_.session;
     const bool failed = session.phase() == SessionPhase::Failed || !session.ready();
     const InputSpec spec = failed ? session.opening() : session.spec();
@@ -313,22 +314,22 @@ void Filing::reload() {
 }
 
 /// Opens the input again, with or without fixes; bookmarks and notes stay.
-void Filing::takeCures(Cures cures) {
+void DocumentController::takeFixes(Fixes fixes) {
     if (!c_.session.ready() || c_.session.phase() == SessionPhase::Loading) return;
     c_.playback.pause();
     InputSpec spec = c_.session.spec();
-    spec.cures = std::move(cures);
+    spec.fixes = std::move(fixes);
     openInput(std::move(spec));
 }
 
 /// Re-runs the input; all annotations stay.
-void Filing::takeRules(const RuleSet& rules, Resume resume) {
+void DocumentController::takeRules(const RuleSet& rules, Resume resume) {
     if (!c_.session.ready() || rules == c_.session.rules()) return;
     c_.playback.pause();
     c_.session.runAnew(rules, resume);
 }
 
-void Filing::answer() {
+void DocumentController::answer() {
     LeaveQuestion& question = c_.ui.leaving;
     const LeaveAnswer answer = std::exchange(question.answer, LeaveAnswer::None);
     if (!question.asked || answer == LeaveAnswer::None) return;
@@ -338,12 +339,12 @@ void Filing::answer() {
         save();
     }
     if (answer == LeaveAnswer::Discard) {
-        putBack(Noted(saved_));
+        putBack(Annotations(saved_));
         go(question.leave);
     }
 }
 
-void Filing::drop(const std::vector<std::string>& paths) {
+void DocumentController::drop(const std::vector<std::string>& paths) {
     Leave to{LeaveFor::Open, paths.front(), {}};
     if (paths.size() > 1) {
         to.notice = std::to_string(paths.size()) +
@@ -353,7 +354,7 @@ void Filing::drop(const std::vector<std::string>& paths) {
     leave(std::move(to));
 }
 
-void Filing::save() {
+void DocumentController::save() {
     if (!c_.session.ready()) return c_.session.say("There is nothing open to save.");
     if (isStandardInput(c_.session.spec().source))
         return c_.session.say(
@@ -368,7 +369,7 @@ void Filing::save() {
     }
 }
 
-void Filing::saveAs(const std::string& path) {
+void DocumentController::saveAs(const std::string& path) {
     if (!c_.session.ready()) return;
     SessionFile file = captureSession(c_);
     file.original = original_;
@@ -381,22 +382,22 @@ void Filing::saveAs(const std::string& path) {
     c_.session.say("Saved " + path + ".");
 }
 
-Noted Filing::noted() const {
+Annotations DocumentController::annotations() const {
     return {c_.ui.bookmarks, c_.ui.notes, c_.ui.breakpoints, c_.ui.watches};
 }
 
-void Filing::putBack(const Noted& noted) {
-    c_.ui.bookmarks = noted.bookmarks;
-    c_.ui.notes = noted.notes;
-    c_.ui.breakpoints = noted.breakpoints;
-    c_.ui.watches = noted.watches;
+void DocumentController::putBack(const Annotations& annotations) {
+    c_.ui.bookmarks = annotations.bookmarks;
+    c_.ui.notes = annotations.notes;
+    c_.ui.breakpoints = annotations.breakpoints;
+    c_.ui.watches = annotations.watches;
 }
 
-void Filing::noteSaved() { saved_ = noted(); }
+void DocumentController::noteSaved() { saved_ = annotations(); }
 
-std::string Filing::unsaved() const { return differenceOf(noted(), saved_); }
+std::string DocumentController::unsaved() const { return differenceOf(annotations(), saved_); }
 
-void Filing::note(const std::string& file) {
+void DocumentController::note(const std::string& file) {
     if (kept_.empty() || file.empty() || isStandardInput(file)) return;
     // Another window may have stored something since.
     KeptState state = readKeptState(kept_);
@@ -405,8 +406,8 @@ void Filing::note(const std::string& file) {
     if (const Status s = writeKeptState(kept_, state); !s) c_.session.say(s.error().message);
 }
 
-void Filing::keepLayout() {
-    keptLayout_ = c_.ui.arrangement;
+void DocumentController::keepLayout() {
+    keptLayout_ = c_.ui.layoutPreset;
     if (kept_.empty()) return;
     KeptState state = readKeptState(kept_);
     state.layout = keptLayout_;

@@ -22,9 +22,9 @@ SessionFile captureSession(const CommandContext& context);
 Edits captureEdits(const CommandContext& context);
 void applyEdits(const Edits& edits, CommandContext& context);
 
-class Filing {
+class DocumentController {
   public:
-    explicit Filing(CommandContext& context) : c_(context) {}
+    explicit DocumentController(CommandContext& context) : c_(context) {}
 
     /// Opens the input of the command line; without one the start page stays.
     void begin(const Options& options);
@@ -78,21 +78,21 @@ class Filing {
         bool ofSession = false;
     };
     /// The user's annotations of an input, and the session file that they belong to.
-    struct Notebook {
-        Noted noted;
-        Noted saved;
+    struct AnnotationRecord {
+        Annotations annotations;
+        Annotations saved;
         std::string sessionPath;
         std::string original;
     };
 
-    Noted noted() const;
-    void putBack(const Noted& noted);
+    Annotations annotations() const;
+    void putBack(const Annotations& annotations);
 
     /// Leaves at once, or asks first if something would be lost.
     void leave(Leave to);
     void go(const Leave& to);
     void reload();
-    void takeCures(Cures cures);
+    void takeFixes(Fixes fixes);
     void takeRules(const RuleSet& rules, Resume resume);
     void openInput(InputSpec spec);
     void aimAtScene(const std::string& source);
@@ -104,7 +104,7 @@ class Filing {
     void openSession(const std::string& path);
     void takeLooks(const SessionFile& file, const std::string& path);
     /// Stores the annotations of the open input, and restores those of `source`.
-    void changeNotebook(const std::string& source);
+    void switchAnnotations(const std::string& source);
     void takeUp();
     void arrive();
     void save();
@@ -119,10 +119,10 @@ class Filing {
 
     CommandContext& c_;
     Arrival arrival_;
-    std::map<std::string, Notebook> notebooks_;
-    std::string notebookOf_;            ///< The source of the current annotations.
+    std::map<std::string, AnnotationRecord> records_;
+    std::string annotatedSource_;       ///< The source of the current annotations.
     std::string original_;              ///< The open session file, as it was read.
-    Noted saved_;                       ///< Annotations in the session file.
+    Annotations saved_;                 ///< Annotations in the session file.
     std::string said_;                  ///< Waits until the input is open.
     std::optional<Leave> afterSaving_;  ///< Destination after the session is saved.
     std::optional<CompareWith> with_;
@@ -132,7 +132,7 @@ class Filing {
     std::string alert_;
     Status placeStatus_ = success();
     std::filesystem::path kept_;  ///< Empty: nothing is kept.
-    Arrangement keptLayout_ = Arrangement::Debug;
+    LayoutPreset keptLayout_ = LayoutPreset::Debug;
 };
 
 }  // namespace se::view

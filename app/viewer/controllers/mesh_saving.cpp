@@ -15,18 +15,18 @@ constexpr const char* kNoTriangle = "This run makes no triangles: there is no me
 
 }  // namespace
 
-bool MeshSaving::dialogOpen() const {
+bool MeshController::dialogOpen() const {
     return c_.ui.fileBrowser && c_.ui.browser == BrowserTask::SaveMesh && c_.session.ready();
 }
 
-bool MeshSaving::poll() {
+bool MeshController::poll() {
     const bool news = export_.poll();
     if (auto outcome = export_.takeOutcome()) takeOutcome(*outcome);
     publish();
     return news;
 }
 
-void MeshSaving::publish() {
+void MeshController::publish() {
     MeshForm& form = c_.ui.mesh;
     form.saving = export_.saving();
     form.writing = export_.writing();
@@ -38,7 +38,7 @@ void MeshSaving::publish() {
     }
 }
 
-void MeshSaving::takeOutcome(const Result<SavedMesh>& outcome) {
+void MeshController::takeOutcome(const Result<SavedMesh>& outcome) {
     MeshForm& form = c_.ui.mesh;
     if (!outcome) {
         form.complaint = outcome.error().message;
@@ -52,7 +52,7 @@ void MeshSaving::takeOutcome(const Result<SavedMesh>& outcome) {
     c_.session.say(savedText(saved));
 }
 
-void MeshSaving::carryOut() {
+void MeshController::carryOut() {
     const MeshAsk ask = std::exchange(c_.ui.mesh.ask, MeshAsk::None);
     // Another run may have been opened.
     if (dialogOpen() && !export_.saving())
@@ -65,7 +65,7 @@ void MeshSaving::carryOut() {
     publish();
 }
 
-void MeshSaving::answer(MeshAsk ask) {
+void MeshController::answer(MeshAsk ask) {
     MeshForm& form = c_.ui.mesh;
     form.complaint.clear();
     form.note.clear();
@@ -78,7 +78,7 @@ void MeshSaving::answer(MeshAsk ask) {
     form.complaint = "Cancelled: nothing was saved.";
 }
 
-void MeshSaving::save(const std::string& path, bool replace) {
+void MeshController::save(const std::string& path, bool replace) {
     MeshForm& form = c_.ui.mesh;
     if (path.empty() || export_.saving()) return;
     if (form.size && form.size->triangles == 0) {
@@ -94,7 +94,7 @@ void MeshSaving::save(const std::string& path, bool replace) {
     export_.save({path, form.usedOnly});
 }
 
-void MeshSaving::copyCommand(const std::string& path) {
+void MeshController::copyCommand(const std::string& path) {
     MeshForm& form = c_.ui.mesh;
     const bool known = form.savedSource == c_.session.spec().source && !form.savedPath.empty();
     const std::string usual =
@@ -111,7 +111,7 @@ void MeshSaving::copyCommand(const std::string& path) {
     c_.session.say(form.note);
 }
 
-void MeshSaving::settle() {
+void MeshController::waitUntilDone() {
     export_.finish();
     poll();
 }

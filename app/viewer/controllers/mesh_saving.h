@@ -10,16 +10,16 @@
 
 namespace se::view {
 
-class MeshSaving {
+class MeshController {
   public:
-    explicit MeshSaving(CommandContext& context) : c_(context) {}
+    explicit MeshController(CommandContext& context) : c_(context) {}
 
     /// Takes the results of the threads. True if there is something new to draw.
     bool poll();
     /// Carries out the requests of dialog and commands in a frame.
     void carryOut();
     /// Blocks until no work is in progress: for tests.
-    void settle();
+    void waitUntilDone();
     /// Work with a visible progress is going on.
     bool busy() const { return export_.busy(); }
 

@@ -16,7 +16,7 @@ namespace {
 constexpr glm::vec2 kPoints(18.0F, 11.0F);
 /// Limits of the share of the view that the points occupy.
 constexpr float kLeastShare = 0.45F;
-constexpr float kMostShare = 0.68F;
+constexpr float kMaxShare = 0.68F;
 
 /// Obliquely, from the outer side.
 void lookDown(const glm::vec3& normal, Camera& camera) {
@@ -38,7 +38,7 @@ void closeUp(const Session& session, Camera& camera, glm::vec2 size) {
     camera.face(model.normal[pivot]);
     lookDown(model.normal[pivot], camera);
     std::vector<glm::vec3> places;
-    for (const Index point : surroundingsOf(session.picture())) {
+    for (const Index point : neighborhoodOf(session.picture())) {
         places.push_back(model.place[point]);
     }
     // Also if the point is alone: the disc and the normal.
@@ -48,7 +48,7 @@ void closeUp(const Session& session, Camera& camera, glm::vec2 size) {
     }
     const glm::vec2 share = kPoints / glm::max(size, glm::vec2(1.0F));
     camera.enclose(places, size.x / std::max(1.0F, size.y),
-                   glm::clamp(share, glm::vec2(kLeastShare), glm::vec2(kMostShare)));
+                   glm::clamp(share, glm::vec2(kLeastShare), glm::vec2(kMaxShare)));
 }
 
 }  // namespace se::view

@@ -85,7 +85,7 @@ GrowthNumbers numbersOf(const GrowthPicture& picture) {
 
 }  // namespace
 
-void Growing::begin(const SampleSpec& spec) {
+void SamplingController::begin(const SampleSpec& spec) {
     GrowthPage& page = c_.ui.growth;
     page.form.take(spec);
     page.open = true;
@@ -94,7 +94,7 @@ void Growing::begin(const SampleSpec& spec) {
     poll();
 }
 
-void Growing::start() {
+void SamplingController::start() {
     GrowthPage& page = c_.ui.growth;
     page.said.clear();
     const Result<SampleSpec> spec = page.form.spec();
@@ -102,7 +102,7 @@ void Growing::start() {
     if (spec) growth_.begin(spec.value());
 }
 
-bool Growing::poll() {
+bool SamplingController::poll() {
     GrowthPage& page = c_.ui.growth;
     page.found = growth_.found();
     if (page.open && !before_) before_ = c_.camera.pose();
@@ -114,7 +114,7 @@ bool Growing::poll() {
     return false;
 }
 
-void Growing::takePicture() {
+void SamplingController::takePicture() {
     GrowthPage& page = c_.ui.growth;
     page.phase = growth_.phase();
     page.made = growth_.spec();
@@ -135,20 +135,20 @@ void Growing::takePicture() {
     if (first && std::exchange(homeOf_, surface) != surface) home();
 }
 
-void Growing::home() {
+void SamplingController::home() {
     if (!model_) return;
     c_.camera.setUp(UpAxis::Z);
     c_.camera.home({0.5F, -0.87F, 0.4F}, model_->sample, c_.ui.viewAspect);
 }
 
-void Growing::playOrPause() {
+void SamplingController::playOrPause() {
     const GrowthPhase phase = growth_.phase();
     const bool moves = phase == GrowthPhase::Spreading || phase == GrowthPhase::Finding;
     if (moves) return growth_.pause();
     phase == GrowthPhase::Paused ? growth_.play() : start();
 }
 
-void Growing::carryOut() {
+void SamplingController::carryOut() {
     GrowthPage& page = c_.ui.growth;
     if (!page.savePath.empty()) save(std::exchange(page.savePath, {}));
     const GrowthAsk asked = std::exchange(page.asked, GrowthAsk::None);
@@ -180,7 +180,7 @@ void Growing::carryOut() {
     }
 }
 
-void Growing::use() {
+void SamplingController::use() {
     const GrowthPicture* picture = growth_.picture();
     if (picture == nullptr) return;
     growth_.pause();
@@ -194,7 +194,7 @@ void Growing::use() {
     c_.ui.requests.openSpec = std::move(spec);
 }
 
-void Growing::leave() {
+void SamplingController::leave() {
     GrowthPage& page = c_.ui.growth;
     growth_.cancel();
     page.open = false;
@@ -207,7 +207,7 @@ void Growing::leave() {
     before_.reset();
 }
 
-void Growing::save(const std::string& path) {
+void SamplingController::save(const std::string& path) {
     GrowthPage& page = c_.ui.growth;
     const GrowthPicture* picture = growth_.picture();
     std::shared_ptr<const PointFile> points = picture != nullptr ? picture->points : nullptr;
@@ -220,13 +220,13 @@ void Growing::save(const std::string& path) {
     page.complaint = written ? std::string{} : text;
 }
 
-void Growing::settle() {
+void SamplingController::waitUntilDone() {
     if (!c_.ui.growth.open) return;
-    growth_.settle();
+    growth_.waitUntilDone();
     takePicture();
 }
 
-const DrawList& Growing::drawList(const Palette& palette) {
+const DrawList& SamplingController::drawList(const Palette& palette) {
     list_ = {};
     list_.meshVisible = false;
     list_.cloudVisible = model_ != nullptr;

@@ -12,9 +12,9 @@
 
 namespace se::view {
 
-class Growing {
+class SamplingController {
   public:
-    explicit Growing(CommandContext& context) : c_(context) {}
+    explicit SamplingController(CommandContext& context) : c_(context) {}
 
     /// Opens the page with these particles; `usual` has the options for opening the points later.
     void begin(const SampleSpec& spec);
@@ -24,7 +24,7 @@ class Growing {
     /// Carries out the requests of page and commands.
     void carryOut();
     /// Blocks until nothing moves: for pictures without a user.
-    void settle();
+    void waitUntilDone();
     bool moving() const { return c_.ui.growth.open && c_.ui.growth.moving(); }
 
     /// Drawing of the view, in view space.

@@ -48,9 +48,9 @@ std::uint32_t tintOf(const Session& session, PointTint tint) {
 
 /// Colors triangles that the other mesh lacks, and outlines what it has in the shown region.
 void addDifference(const DifferenceLook& look, const Model& model, std::size_t finished,
-                   const std::shared_ptr<const std::vector<Triangle>>& mended, DrawList& out) {
+                   const std::shared_ptr<const std::vector<Triangle>>& repaired, DrawList& out) {
     if (look.shade != nullptr)
-        out.tinted = look.shade->at(finished, mended, look.only, look.turned);
+        out.tinted = look.shade->at(finished, repaired, look.only, look.turned);
     for (const Triangle& t : look.ghosts) {
         for (const auto& [u, v] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}})
             out.dashed(model.place[u], model.place[v], look.ghost, 0.1F, 0.35F);
@@ -88,15 +88,15 @@ void ScenePainter::upload(const Session& session) {
         filled_.revision = 0;
     }
     renderer_->setTriangles(session.shown(), session.triangles());
-    renderer_->setMended(session.shown(), session.picture().mended);
+    renderer_->setRepaired(session.shown(), session.picture().repaired);
 }
 
 MeshColoring ScenePainter::coloringOf(const Session& session, MeshStyle style) {
     MeshColoring mesh = meshColoring(style, session.overview(), session.triangles().size());
-    const auto& mended = session.picture().mended;
-    if (style == MeshStyle::Component && mended) {
-        mesh.mended = mendedComponents_.of(mended, session.triangles(), mesh.starts,
-                                           session.model().points.size());
+    const auto& repaired = session.picture().repaired;
+    if (style == MeshStyle::Component && repaired) {
+        mesh.repaired = repairedComponents_.of(repaired, session.triangles(), mesh.starts,
+                                               session.model().points.size());
     }
     return mesh;
 }
@@ -147,7 +147,7 @@ void ScenePainter::fill(CommandContext& context, bool onPaper, const DifferenceL
     fillDrawList(input, shownLayers_, drawList_);
     if (look != nullptr)
         addDifference(*look, session.model(), session.picture().finishedTriangles,
-                      session.picture().mended, drawList_);
+                      session.picture().repaired, drawList_);
     filled_ = std::move(now);
     ++fills_;
 }
@@ -182,17 +182,17 @@ void ScenePainter::fillStill(const std::shared_ptr<const Model>& model,
     ++fills_;
 }
 
-void ScenePainter::fillParticles(Growing& growing, Theme theme) {
+void ScenePainter::fillParticles(SamplingController& sampling, Theme theme) {
     const bool fresh = !std::exchange(particles_, true) || particleTheme_ != theme ||
-                       filledParticles_ != growing.revision();
+                       filledParticles_ != sampling.revision();
     if (!fresh) return;
     // Everything drawn for the run is made again when the page is left.
     uploadedGeneration_ = 0;
     filled_.revision = 0;
-    filledParticles_ = growing.revision();
+    filledParticles_ = sampling.revision();
     particleTheme_ = theme;
-    if (growing.model() != nullptr) renderer_->setModel(*growing.model());
-    particleList_ = growing.drawList(paletteOf(theme));
+    if (sampling.model() != nullptr) renderer_->setModel(*sampling.model());
+    particleList_ = sampling.drawList(paletteOf(theme));
     ++fills_;
 }
 

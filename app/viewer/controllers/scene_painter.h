@@ -27,7 +27,7 @@ class ScenePainter {
                    const std::vector<Triangle>& triangles, const ViewSettings& settings,
                    const DifferenceLook* look);
     /// Fills the list with new points, until fill() is called again.
-    void fillParticles(Growing& growing, Theme theme);
+    void fillParticles(SamplingController& sampling, Theme theme);
     /// Draws the list, if it, the camera or the size changed since the last time.
     void draw(const CommandContext& context, glm::ivec2 size, float em);
 
@@ -70,7 +70,7 @@ class ScenePainter {
 
     std::unique_ptr<Renderer> renderer_;
     DrawList drawList_;
-    MendedComponents mendedComponents_;
+    RepairedComponents repairedComponents_;
     Motion motion_;
     Filled filled_;
     Drawn drawn_;

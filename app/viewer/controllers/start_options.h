@@ -43,7 +43,7 @@ struct Options {
     std::optional<Theme> theme;
     std::optional<MeshStyle> meshStyle;
     std::optional<PointTint> pointTint;
-    std::optional<Arrangement> layout;
+    std::optional<LayoutPreset> layout;
     std::filesystem::path shaders;  ///< Folder to read shaders from; empty: the built-in ones.
     bool focus = false;             ///< Begin with the pivot framed.
     bool noConfig = false;

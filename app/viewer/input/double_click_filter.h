@@ -8,7 +8,7 @@
 
 namespace se::view {
 
-class ClickWait {
+class DoubleClickFilter {
   public:
     /// A click ended on `what`; it counts at `until`, in seconds, unless it is cancelled.
     void begin(const Selection& what, double until) { waiting_ = Waiting{what, until}; }

@@ -35,10 +35,10 @@ class TypingWait {
   private:
     /// Dear ImGui needs about four, another layout one more. A field that never appears, for
     /// example because nothing is open, must not block the keys.
-    static constexpr int kMostFrames = 10;
+    static constexpr int kMaxFrames = 10;
 
     void begin() {
-        frames_ = kMostFrames;
+        frames_ = kMaxFrames;
         takes_ = false;
     }
 

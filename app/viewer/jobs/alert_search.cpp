@@ -8,8 +8,8 @@
 
 namespace se::view {
 
-void AlertSearch::wait(std::shared_ptr<const Model> model) {
-    inquiry_.forget();
+void AlertSearch::enqueue(std::shared_ptr<const Model> model) {
+    query_.forget();
     model_ = std::move(model);
     begun_ = stopped_ = false;
     groups_.clear();
@@ -19,13 +19,13 @@ void AlertSearch::wait(std::shared_ptr<const Model> model) {
 void AlertSearch::begin() {
     if (!model_ || begun_ || stopped_) return;
     begun_ = true;
-    inquiry_.ask([model = model_](const Progress& progress) {
+    query_.ask([model = model_](const Progress& progress) {
         return searchFailures(model->points, model->params, progress);
     });
 }
 
 void AlertSearch::stop() {
-    inquiry_.stop();
+    query_.stop();
     stopped_ = true;
     begun_ = false;
 }
@@ -36,7 +36,7 @@ void AlertSearch::resume() {
 }
 
 bool AlertSearch::poll() {
-    if (!inquiry_.poll()) return false;
+    if (!query_.poll()) return false;
     if (done()) sortOut();
     return true;
 }
@@ -45,7 +45,7 @@ void AlertSearch::sortOut() {
     const std::span<const RunFailure> all = failures();
     std::size_t first = 0;
     for (std::size_t i = 0; i < failureClasses().size(); ++i) {
-        const ClassTotal& total = inquiry_.answer()->totals[i];
+        const ClassTotal& total = query_.answer()->totals[i];
         if (total.listed == 0) continue;
         groups_.push_back({&failureClasses()[i], first, total.listed, total});
         first += total.listed;

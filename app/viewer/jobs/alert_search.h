@@ -24,7 +24,7 @@ struct AlertGroup {
 class AlertSearch {
   public:
     /// Sets the run to search, which starts at begin(); a search in progress is cancelled.
-    void wait(std::shared_ptr<const Model> model);
+    void enqueue(std::shared_ptr<const Model> model);
     /// Starts the search, unless it was done or the user has stopped it.
     void begin();
     /// Stops the search at the user's request.
@@ -34,22 +34,22 @@ class AlertSearch {
     /// Takes the results, or the complaint. True if there was anything new.
     bool poll();
     /// Blocks until there is a result to take, or nothing was started.
-    void finish() { inquiry_.finish(); }
+    void waitUntilDone() { query_.waitUntilDone(); }
 
-    bool busy() const { return inquiry_.busy(); }
-    bool done() const { return inquiry_.answer() != nullptr; }
+    bool busy() const { return query_.busy(); }
+    bool done() const { return query_.answer() != nullptr; }
     bool stopped() const { return stopped_; }
     /// A sentence why the search failed; then it is never done. Empty if it did not.
-    const std::string& complaint() const { return inquiry_.complaint(); }
+    const std::string& complaint() const { return query_.complaint(); }
     /// In [0, 1], while busy.
-    double share() const { return inquiry_.share(); }
+    double share() const { return query_.share(); }
     /// Results by class; empty before the search is done.
     std::span<const RunFailure> failures() const {
-        return done() ? std::span<const RunFailure>(inquiry_.answer()->failures)
+        return done() ? std::span<const RunFailure>(query_.answer()->failures)
                       : std::span<const RunFailure>{};
     }
     /// All failures of the run are listed, or it is not done.
-    bool complete() const { return !done() || isComplete(inquiry_.answer()->totals); }
+    bool complete() const { return !done() || isComplete(query_.answer()->totals); }
     std::span<const AlertGroup> groups() const { return groups_; }
     /// Positions in failures(), by the moment at which each was created.
     std::span<const std::size_t> inOrder() const { return inOrder_; }
@@ -62,7 +62,7 @@ class AlertSearch {
     bool stopped_ = false;
     std::vector<AlertGroup> groups_;
     std::vector<std::size_t> inOrder_;
-    Inquiry<RunFailureSearch> inquiry_;
+    BackgroundQuery<RunFailureSearch> query_;
 };
 
 /// "intersecting_triangles:2": the class and the number in it from 1, as on the command line.

@@ -17,11 +17,11 @@
 
 namespace se::view {
 
-template <typename Found>
-class RunErrand {
+template <typename Item>
+class BackgroundJob {
     struct Job {
         std::mutex mutex;
-        std::vector<Found> handed;  ///< Not yet taken; guarded.
+        std::vector<Item> pending;  ///< Not yet taken; guarded.
         std::atomic<double> share = 0.0;
         std::string complaint;         ///< Valid once the job has ended.
         std::optional<Thread> thread;  // last: it uses all members above
@@ -29,15 +29,15 @@ class RunErrand {
 
   public:
     /// Collector of the results of the work.
-    class Basket {
+    class Results {
       public:
-        Basket(Job& job, const CancelFlag& cancelled) : job_(job), cancelled_(cancelled) {}
-        void add(Found found) { fresh_.push_back(std::move(found)); }
+        Results(Job& job, const CancelFlag& cancelled) : job_(job), cancelled_(cancelled) {}
+        void add(Item item) { fresh_.push_back(std::move(item)); }
         /// Delivers the results; to be called now and then. False if the job was cancelled.
         bool report(double share) {
             job_.share = share;
             const std::lock_guard lock(job_.mutex);
-            std::move(fresh_.begin(), fresh_.end(), std::back_inserter(job_.handed));
+            std::move(fresh_.begin(), fresh_.end(), std::back_inserter(job_.pending));
             fresh_.clear();
             return !cancelled_.isSet();
         }
@@ -45,46 +45,46 @@ class RunErrand {
       private:
         Job& job_;
         const CancelFlag& cancelled_;
-        std::vector<Found> fresh_;
+        std::vector<Item> fresh_;
     };
 
-    RunErrand() = default;
+    BackgroundJob() = default;
     /// Cancels, and waits until the threads have ended.
-    ~RunErrand() {
-        drop();
+    ~BackgroundJob() {
+        cancel();
         // Cancel all threads before joining the first.
-        dropped_.clear();
+        cancelled_.clear();
     }
-    RunErrand(const RunErrand&) = delete;
-    RunErrand& operator=(const RunErrand&) = delete;
+    BackgroundJob(const BackgroundJob&) = delete;
+    BackgroundJob& operator=(const BackgroundJob&) = delete;
 
     /// Starts `work`, which may use nothing that it may outlive. A job in progress is cancelled.
-    void begin(std::function<void(Basket&)> work) {
-        drop();
+    void begin(std::function<void(Results&)> work) {
+        cancel();
         job_ = std::make_unique<Job>();
         job_->thread.emplace([&job = *job_, work = std::move(work)](const CancelFlag& cancelled) {
             const Status good = guarded([&] {
-                Basket basket(job, cancelled);
-                work(basket);
-                basket.report(1.0);
+                Results results(job, cancelled);
+                work(results);
+                results.report(1.0);
             });
             if (!good) job.complaint = good.error().message;
         });
     }
-    void drop() {
-        std::erase_if(dropped_, [](const auto& job) { return job->thread->ended(); });
+    void cancel() {
+        std::erase_if(cancelled_, [](const auto& job) { return job->thread->ended(); });
         if (!job_) return;
         job_->thread->cancel();
-        dropped_.push_back(std::move(job_));
+        cancelled_.push_back(std::move(job_));
     }
 
     bool busy() const { return job_ != nullptr; }
     /// In [0, 1], while busy.
     double share() const { return job_ ? job_->share.load() : 0.0; }
     /// Results since the last call, in order.
-    std::vector<Found> take() {
+    std::vector<Item> take() {
         const std::lock_guard lock(job_->mutex);
-        return std::exchange(job_->handed, {});
+        return std::exchange(job_->pending, {});
     }
     /// The job is complete; to be checked before take(), then close().
     bool ended() const { return job_ && job_->thread->ended(); }
@@ -92,13 +92,13 @@ class RunErrand {
     const std::string& complaint() const { return job_->complaint; }
     void close() { job_.reset(); }
     /// Blocks until the job is complete.
-    void wait() {
+    void waitUntilDone() {
         if (job_) job_->thread->waitUntilDone();
     }
 
   private:
     std::unique_ptr<Job> job_;
-    std::vector<std::unique_ptr<Job>> dropped_;  ///< Until they have ended.
+    std::vector<std::unique_ptr<Job>> cancelled_;  ///< Until they have ended.
 };
 
 }  // namespace se::view

@@ -14,7 +14,7 @@
 namespace se::view {
 
 template <typename Answer>
-class Inquiry {
+class BackgroundQuery {
   public:
     /// Returns an error once `progress` returns false. It must own all that it needs.
     using Work = std::function<Result<Answer>(const Progress& progress)>;
@@ -22,42 +22,42 @@ class Inquiry {
     /// Starts a query; the previous one is cancelled and its answer discarded.
     void ask(Work work) {
         forget();
-        errand_.begin([work = std::move(work)](Basket& basket) {
-            basket.add(work([&basket](double share) { return basket.report(share); }));
+        job_.begin([work = std::move(work)](Results& results) {
+            results.add(work([&results](double share) { return results.report(share); }));
         });
     }
     /// Discards query and answer.
     void forget() {
-        errand_.drop();
+        job_.cancel();
         answer_.reset();
         complaint_.clear();
     }
     /// Stops at the user's request and sets complaint().
     void stop() {
         if (!busy()) return;
-        errand_.drop();
+        job_.cancel();
         complaint_ = "Stopped.";
     }
     /// Takes the result. True if there was anything new.
     bool poll() {
-        if (!errand_.ended()) return false;
-        for (Result<Answer>& found : errand_.take()) {
+        if (!job_.ended()) return false;
+        for (Result<Answer>& found : job_.take()) {
             if (found.ok()) {
                 answer_ = std::move(found.value());
             } else {
                 complaint_ = found.error().message;
             }
         }
-        if (!errand_.complaint().empty()) complaint_ = errand_.complaint();
-        errand_.close();
+        if (!job_.complaint().empty()) complaint_ = job_.complaint();
+        job_.close();
         return true;
     }
     /// Blocks until there is a result to take, or there is no query.
-    void finish() { errand_.wait(); }
+    void waitUntilDone() { job_.waitUntilDone(); }
 
-    bool busy() const { return errand_.busy(); }
+    bool busy() const { return job_.busy(); }
     /// In [0, 1], while busy.
-    double share() const { return errand_.share(); }
+    double share() const { return job_.share(); }
     /// The answer, moved out; nothing before there is one.
     std::optional<Answer> takeAnswer() { return std::exchange(answer_, std::nullopt); }
     /// Null before there is an answer.
@@ -66,11 +66,11 @@ class Inquiry {
     const std::string& complaint() const { return complaint_; }
 
   private:
-    using Basket = typename RunErrand<Result<Answer>>::Basket;
+    using Results = typename BackgroundJob<Result<Answer>>::Results;
 
     std::optional<Answer> answer_;
     std::string complaint_;
-    RunErrand<Result<Answer>> errand_;
+    BackgroundJob<Result<Answer>> job_;
 };
 
 }  // namespace se::view

@@ -7,12 +7,12 @@
 
 namespace se::view {
 
-void Checkup::wait(std::shared_ptr<const PointFile> file) {
+void DoctorJob::enqueue(std::shared_ptr<const PointFile> file) {
     query_.forget();
     file_ = std::move(file);
 }
 
-void Checkup::begin() {
+void DoctorJob::begin() {
     if (!file_ || busy()) return;
     query_.ask([file = std::move(file_)](const Progress& progress) -> Result<Diagnosis> {
         Result<Diagnosis> found = examine(*file, progress);
@@ -22,21 +22,21 @@ void Checkup::begin() {
     file_ = nullptr;
 }
 
-std::vector<Index> pointsToMark(const Model& model, const Finding& finding, std::size_t most) {
+std::vector<Index> pointsToMark(const Model& model, const Finding& finding, std::size_t limit) {
     std::vector<Index> points;
     for (const Index p : finding.points) {
         if (p < model.drawable.size() && model.drawable[p]) points.push_back(p);
     }
-    if (points.size() <= most) return points;
-    for (std::size_t i = 0; i < most; ++i) points[i] = points[i * points.size() / most];
-    points.resize(most);
+    if (points.size() <= limit) return points;
+    for (std::size_t i = 0; i < limit; ++i) points[i] = points[i * points.size() / limit];
+    points.resize(limit);
     return points;
 }
 
-MarkedPlace placeOf(const Model& model, std::span<const Index> points) {
+MarkedSphere sphereAround(const Model& model, std::span<const Index> points) {
     glm::vec3 low = model.place[points.front()];
     glm::vec3 high = low;
-    MarkedPlace place;
+    MarkedSphere place;
     for (const Index p : points) {
         low = glm::min(low, model.place[p]);
         high = glm::max(high, model.place[p]);

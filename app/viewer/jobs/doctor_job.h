@@ -12,16 +12,16 @@
 
 namespace se::view {
 
-class Checkup {
+class DoctorJob {
   public:
     /// Sets the input to examine, which starts at begin(); an examination in progress is cancelled.
-    void wait(std::shared_ptr<const PointFile> file);
+    void enqueue(std::shared_ptr<const PointFile> file);
     /// Starts the examination, unless it was done.
     void begin();
     /// Takes the result. True if there was anything new.
     bool poll() { return query_.poll(); }
     /// Blocks until there is a result to take, or nothing was started.
-    void finish() { query_.finish(); }
+    void waitUntilDone() { query_.waitUntilDone(); }
 
     bool busy() const { return query_.busy(); }
     bool done() const { return query_.answer() != nullptr; }
@@ -36,21 +36,21 @@ class Checkup {
 
   private:
     std::shared_ptr<const PointFile> file_;  ///< Null once it is examined.
-    Inquiry<Diagnosis> query_;
+    BackgroundQuery<Diagnosis> query_;
 };
 
 /// Points of a finding that are highlighted: all, or evenly chosen ones if there are more than
 /// `most`; none that cannot be drawn.
 std::vector<Index> pointsToMark(const Model& model, const Finding& finding,
-                                std::size_t most = 2000);
+                                std::size_t limit = 2000);
 
 /// A sphere for the camera to frame, in view space.
-struct MarkedPlace {
+struct MarkedSphere {
     glm::vec3 center{0.0F};
     float radius = 1.0F;
     glm::vec3 normal{0.0F};  ///< The side to look from; zero if there is none.
 };
 /// Around all of the points, with some of their surroundings. Requires at least one point.
-MarkedPlace placeOf(const Model& model, std::span<const Index> points);
+MarkedSphere sphereAround(const Model& model, std::span<const Index> points);
 
 }  // namespace se::view

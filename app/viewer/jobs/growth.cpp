@@ -164,7 +164,7 @@ bool Growth::poll() {
     return changed;
 }
 
-void Growth::settle() {
+void Growth::waitUntilDone() {
     if (!job_) return;
     {
         std::unique_lock lock(job_->mutex);

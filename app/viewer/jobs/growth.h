@@ -58,7 +58,7 @@ class Growth {
     /// Collects the results of the thread. True if there is something new to draw.
     bool poll();
     /// Blocks until nothing moves: paused, done or failed.
-    void settle();
+    void waitUntilDone();
 
     GrowthPhase phase() const { return phase_; }
     /// Null until the surface is found, and after a failure or cancel().

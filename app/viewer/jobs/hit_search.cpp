@@ -40,7 +40,7 @@ std::vector<std::uint32_t> stopPivots(const Breakpoint& breakpoint, const HitLis
 }
 
 void HitSearch::open(std::shared_ptr<const Model> model) {
-    errand_.drop();
+    job_.cancel();
     model_ = std::move(model);
     known_.clear();
     givenUp_ = false;
@@ -57,7 +57,7 @@ void HitSearch::want(std::span<const Breakpoint> breakpoints) {
 void HitSearch::cancel() {
     if (!busy()) return;
     for (const Line& line : sought_) known_.erase(line.text);
-    errand_.drop();
+    job_.cancel();
     givenUp_ = true;
 }
 
@@ -98,32 +98,33 @@ void HitSearch::beginNext() {
     if (busy() && std::all_of(lines.begin(), lines.end(),
                               [&](const Line& line) { return among(sought_, line); }))
         return;
-    errand_.drop();
+    job_.cancel();
     if (lines.empty()) return;
     for (const Line& line : lines) known_[line.text] = {};
     sought_ = lines;
-    errand_.begin(
-        [model = model_, lines = std::move(lines)](auto& basket) { work(*model, lines, basket); });
+    job_.begin([model = model_, lines = std::move(lines)](auto& results) {
+        work(*model, lines, results);
+    });
 }
 
 void HitSearch::work(const Model& model, const std::vector<Line>& lines,
-                     RunErrand<Found>::Basket& basket) {
+                     BackgroundJob<Found>::Results& results) {
     std::vector<DecisionQuery> queries;
     queries.reserve(lines.size());
     for (const Line& line : lines) queries.push_back(line.query);
     std::vector<std::size_t> told(lines.size(), 0);
     const auto found = [&](std::size_t line, const se::Hit& hit, const Decision& decision) {
-        const bool tells = lines[line].listed && told[line] < kMostLogged;
+        const bool tells = lines[line].listed && told[line] < kMaxLogged;
         if (tells) ++told[line];
-        basket.add({line, hit, tells ? describe(decision.event) : std::string()});
+        results.add({line, hit, tells ? describe(decision.event) : std::string()});
     };
     scanHits(model.points, model.params, queries, found,
-             [&](double share) { return basket.report(share); });
+             [&](double share) { return results.report(share); });
 }
 
 /// Takes the results of the thread so far.
 bool HitSearch::take() {
-    std::vector<Found> found = errand_.take();
+    std::vector<Found> found = job_.take();
     for (Found& each : found) {
         LineHits& line = known_[sought_[each.line].text];
         line.list.add(each.hit);
@@ -138,11 +139,11 @@ bool HitSearch::take() {
 
 bool HitSearch::poll() {
     if (!busy()) return false;
-    const bool ended = errand_.ended();
+    const bool ended = job_.ended();
     const bool news = take();
     if (!ended) return news;
-    if (!errand_.complaint().empty()) {
-        complaint_ = errand_.complaint();
+    if (!job_.complaint().empty()) {
+        complaint_ = job_.complaint();
         cancel();
         return true;
     }
@@ -150,14 +151,14 @@ bool HitSearch::poll() {
         known_[line.text].knownTo = std::numeric_limits<std::uint32_t>::max();
         known_[line.text].complete = true;
     }
-    errand_.close();
+    job_.close();
     beginNext();
     return true;
 }
 
-void HitSearch::finish() {
+void HitSearch::waitUntilDone() {
     while (busy()) {
-        errand_.wait();
+        job_.waitUntilDone();
         poll();
     }
 }

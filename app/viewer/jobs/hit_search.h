@@ -17,7 +17,7 @@
 namespace se::view {
 
 /// Maximum number of hits of a log-only line that keep their sentences.
-inline constexpr std::size_t kMostLogged = 10000;
+inline constexpr std::size_t kMaxLogged = 10000;
 
 /// Results for a line.
 struct LineHits {
@@ -43,18 +43,18 @@ class HitSearch {
     /// Takes the results. True if there was anything new.
     bool poll();
     /// Blocks until all wanted lines are known.
-    void finish();
+    void waitUntilDone();
     /// Cancels the search, until something else is wanted or resume() is called.
     void cancel();
     void resume();
 
-    bool busy() const { return errand_.busy(); }
+    bool busy() const { return job_.busy(); }
     /// Cancelled before all was known, or ended by a failure.
     bool cancelled() const { return givenUp_; }
     /// Why a search failed: a sentence, once; empty if none has failed since.
     std::string takeComplaint() { return std::exchange(complaint_, {}); }
     /// In [0, 1], while busy.
-    double share() const { return errand_.share(); }
+    double share() const { return job_.share(); }
     /// Null if the line was never searched, or is not understood.
     const LineHits* of(const std::string& line) const;
 
@@ -80,7 +80,7 @@ class HitSearch {
         std::string sentence;
     };
     static void work(const Model& model, const std::vector<Line>& lines,
-                     RunErrand<Found>::Basket& basket);
+                     BackgroundJob<Found>::Results& results);
     std::vector<Line> missing() const;
     void beginNext();
     bool take();
@@ -91,7 +91,7 @@ class HitSearch {
     bool givenUp_ = false;
     std::string complaint_;
     std::vector<Line> sought_;  ///< Current search.
-    RunErrand<Found> errand_;
+    BackgroundJob<Found> job_;
 };
 
 }  // namespace se::view

@@ -75,14 +75,14 @@ Result<Opened> openRun(const InputSpec& spec, const std::optional<RunAnew>& anew
     opened.moved = movedModels(*opened.model);
     if (anew) {
         const Model& before = *anew->model;
-        opened.place = findSamePlace({before.points, before.params}, anew->cursor,
-                                     {opened.model->points, opened.model->params},
-                                     [&progress] { return !progress.cancelled.load(); });
+        opened.place = findSamePosition({before.points, before.params}, anew->cursor,
+                                        {opened.model->points, opened.model->params},
+                                        [&progress] { return !progress.cancelled.load(); });
         if (!opened.place) return openingCancelled();
     }
     opened.runner = std::make_unique<Runner>(opened.model);
     opened.runner->request(opened.place ? opened.place->pivot : 0);
-    while (!opened.runner->wait(std::chrono::milliseconds(50))) {
+    while (!opened.runner->waitFor(std::chrono::milliseconds(50))) {
         if (progress.cancelled) return openingCancelled();
     }
     if (const std::string why = opened.runner->complaint(); !why.empty()) return Error{why};

@@ -29,7 +29,7 @@ struct Opened {
     /// Models with the points moved by what-ifs, each from a pivot on; for drawing.
     std::vector<MovedModel> moved = {};
     /// Cursor position after a re-run of an open run. The runner has moved there.
-    std::optional<SamePlace> place = std::nullopt;
+    std::optional<SamePosition> place = std::nullopt;
     std::shared_ptr<const PointFile> given = nullptr;  ///< See Loaded; null: unchanged.
 };
 
@@ -37,7 +37,7 @@ struct Opened {
 struct RunAnew {
     std::shared_ptr<const Model> model;
     InputSpec spec;
-    CursorPlace cursor;
+    CursorPosition cursor;
 };
 
 class Loader {
@@ -55,13 +55,13 @@ class Loader {
     /// The opened input or the error; once.
     std::optional<Result<Opened>> take();
     /// Blocks until there is a result to take.
-    void finish() { query_.finish(); }
+    void waitUntilDone() { query_.waitUntilDone(); }
 
   private:
     void begin(const InputSpec& spec, std::optional<RunAnew> anew);
 
     std::shared_ptr<LoadProgress> progress_;  ///< Shared with the thread.
-    Inquiry<Opened> query_;
+    BackgroundQuery<Opened> query_;
 };
 
 }  // namespace se::view

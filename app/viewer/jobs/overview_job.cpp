@@ -24,7 +24,7 @@ class Observer {
   public:
     explicit Observer(const Model& model)
         : model_(model), stepper_(model.points, model.params, &log_) {
-        if (model.points.size() <= kMostWatched) live_.emplace(model.points);
+        if (model.points.size() <= kMaxWatched) live_.emplace(model.points);
     }
 
     const State& state() const { return stepper_.state(); }
@@ -102,7 +102,7 @@ class Observer {
     void noteFailures(RunOverview& run) {
         if (!live_) return;
         for (LiveFailure& each : live_->see(log_.events())) {
-            if (noticed_++ == kMostNoticed) live_.reset();
+            if (noticed_++ == kMaxNoticed) live_.reset();
             if (!live_) return;
             run.failures.push_back(std::move(each));
         }
@@ -134,7 +134,7 @@ class Observer {
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 
-void watchRun(const Model& model, RunErrand<RunOverview>::Basket& basket) {
+void watchRun(const Model& model, BackgroundJob<RunOverview>::Results& results) {
     Observer observer(model);
     RunOverview fresh;
     auto handed = std::chrono::steady_clock::now();
@@ -142,19 +142,19 @@ void watchRun(const Model& model, RunErrand<RunOverview>::Basket& basket) {
     while (observer.step(fresh)) {
         if (++steps % kLookEvery != 0) continue;
         if (std::chrono::steady_clock::now() - handed > kHandOver) {
-            basket.add(std::exchange(fresh, {}));
+            results.add(std::exchange(fresh, {}));
             handed = std::chrono::steady_clock::now();
         }
-        if (!basket.report(0.0)) return;
+        if (!results.report(0.0)) return;
     }
     fresh.complete = observer.state().finished();
-    basket.add(std::move(fresh));
+    results.add(std::move(fresh));
 }
 
 }  // namespace
 
 OverviewJob::OverviewJob(std::shared_ptr<const Model> model) {
-    job_.begin([model = std::move(model)](auto& basket) { watchRun(*model, basket); });
+    job_.begin([model = std::move(model)](auto& results) { watchRun(*model, results); });
 }
 
 bool OverviewJob::update(RunOverview& overview) {

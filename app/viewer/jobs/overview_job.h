@@ -22,11 +22,11 @@ class OverviewJob {
     /// Once done(): a sentence why the run ended early, once; empty if it was complete.
     std::string takeComplaint();
     /// Blocks until the run is complete.
-    void finish() { job_.wait(); }
+    void waitUntilDone() { job_.waitUntilDone(); }
 
   private:
     bool hasComplaint_ = true;  ///< Not taken yet.
-    RunErrand<RunOverview> job_;
+    BackgroundJob<RunOverview> job_;
 };
 
 }  // namespace se::view

@@ -26,11 +26,11 @@ bool Questions::poll() {
     return charts_.poll() || news;
 }
 
-void Questions::finish() {
-    ledger_.finish();
-    found_.finish();
-    closest_.finish();
-    charts_.finish();
+void Questions::waitUntilDone() {
+    ledger_.waitUntilDone();
+    found_.waitUntilDone();
+    closest_.waitUntilDone();
+    charts_.waitUntilDone();
     poll();
 }
 
@@ -73,7 +73,7 @@ Status Questions::find(const std::string& line) {
     if (!query) return query.error();
     line_ = line;
     found_.ask([model = model_, query = std::move(query.value())](const Progress& progress) {
-        return findDecisions(model->points, model->params, query, kMostFound, progress);
+        return findDecisions(model->points, model->params, query, kMaxFound, progress);
     });
     return success();
 }
@@ -81,8 +81,8 @@ Status Questions::find(const std::string& line) {
 namespace {
 
 template <typename Answer>
-bool isNew(const Inquiry<Answer>& inquiry) {
-    return !inquiry.busy() && inquiry.answer() == nullptr && inquiry.complaint().empty();
+bool isNew(const BackgroundQuery<Answer>& query) {
+    return !query.busy() && query.answer() == nullptr && query.complaint().empty();
 }
 
 LedgerLine lineOf(const ClosestCall& call) {

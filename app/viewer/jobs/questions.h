@@ -33,7 +33,7 @@ struct ClosestAnswer {
 class Questions {
   public:
     /// Maximum number of decisions of a query that are listed.
-    static constexpr std::size_t kMostFound = 10'000;
+    static constexpr std::size_t kMaxFound = 10'000;
     static constexpr std::size_t kClosest = 200;
 
     /// Sets another run, without queries and answers.
@@ -41,7 +41,7 @@ class Questions {
     /// Takes the results. True if there was anything new.
     bool poll();
     /// Blocks until all queries are answered.
-    void finish();
+    void waitUntilDone();
     bool busy() const;
 
     // Everything below requires a run.
@@ -56,28 +56,28 @@ class Questions {
     const Selection& subject() const { return subject_; }
     /// The last query of askWhy() in words; empty if there was none.
     const std::string& subjectName() const { return subjectName_; }
-    Inquiry<WhyAnswer>& ledger() { return ledger_; }
-    const Inquiry<WhyAnswer>& ledger() const { return ledger_; }
+    BackgroundQuery<WhyAnswer>& ledger() { return ledger_; }
+    const BackgroundQuery<WhyAnswer>& ledger() const { return ledger_; }
 
     /// Starts the query for the decisions that match a line. Fails with a sentence, and changes
     /// nothing then.
     Status find(const std::string& line);
     /// The last line given to find().
     const std::string& line() const { return line_; }
-    Inquiry<FoundDecisions>& found() { return found_; }
-    const Inquiry<FoundDecisions>& found() const { return found_; }
+    BackgroundQuery<FoundDecisions>& found() { return found_; }
+    const BackgroundQuery<FoundDecisions>& found() const { return found_; }
 
     /// Starts the query for the closest decisions, unless it was started in this run.
     void wantClosest();
-    Inquiry<ClosestAnswer>& closest() { return closest_; }
-    const Inquiry<ClosestAnswer>& closest() const { return closest_; }
+    BackgroundQuery<ClosestAnswer>& closest() { return closest_; }
+    const BackgroundQuery<ClosestAnswer>& closest() const { return closest_; }
     /// Least margin per point; empty before it is known.
     std::span<const double> leastMargin() const;
 
     /// Starts the query for the charts, unless it was started in this run.
     void wantCharts();
-    Inquiry<std::vector<RunChart>>& charts() { return charts_; }
-    const Inquiry<std::vector<RunChart>>& charts() const { return charts_; }
+    BackgroundQuery<std::vector<RunChart>>& charts() { return charts_; }
+    const BackgroundQuery<std::vector<RunChart>>& charts() const { return charts_; }
 
   private:
     std::shared_ptr<const Model> model_;
@@ -85,10 +85,10 @@ class Questions {
     RingPlace ring_;
     std::string subjectName_;
     std::string line_;
-    Inquiry<WhyAnswer> ledger_;
-    Inquiry<FoundDecisions> found_;
-    Inquiry<ClosestAnswer> closest_;
-    Inquiry<std::vector<RunChart>> charts_;
+    BackgroundQuery<WhyAnswer> ledger_;
+    BackgroundQuery<FoundDecisions> found_;
+    BackgroundQuery<ClosestAnswer> closest_;
+    BackgroundQuery<std::vector<RunChart>> charts_;
 };
 
 /// The subject in core's terms. Requires a selection that is not empty.

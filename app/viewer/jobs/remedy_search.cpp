@@ -6,13 +6,13 @@ namespace se::view {
 
 void RemedySearch::forget() {
     about_.reset();
-    inquiry_.forget();
+    query_.forget();
 }
 
 void RemedySearch::begin(std::shared_ptr<const Model> model, std::size_t alert,
                          const MeshFailure& failure) {
     about_ = alert;
-    inquiry_.ask([model = std::move(model), failure](const Progress& progress) {
+    query_.ask([model = std::move(model), failure](const Progress& progress) {
         return findRemedies(model->points, model->params, failure, progress);
     });
 }

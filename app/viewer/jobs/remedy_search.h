@@ -17,23 +17,23 @@ class RemedySearch {
     /// Tries all rules for the alert at that position of the list; a search in progress is
     /// cancelled.
     void begin(std::shared_ptr<const Model> model, std::size_t alert, const MeshFailure& failure);
-    void stop() { inquiry_.stop(); }
+    void stop() { query_.stop(); }
     /// Takes the result. True if there was anything new.
-    bool poll() { return inquiry_.poll(); }
-    void finish() { inquiry_.finish(); }
+    bool poll() { return query_.poll(); }
+    void waitUntilDone() { query_.waitUntilDone(); }
 
-    bool busy() const { return inquiry_.busy(); }
-    double share() const { return inquiry_.share(); }
+    bool busy() const { return query_.busy(); }
+    double share() const { return query_.share(); }
     /// The alert of the current or last search.
     std::optional<std::size_t> about() const { return about_; }
     /// A sentence why nothing was found; empty if nothing failed.
-    const std::string& complaint() const { return inquiry_.complaint(); }
+    const std::string& complaint() const { return query_.complaint(); }
     /// The result; null before there is one.
-    const Remedies* found() const { return inquiry_.answer(); }
+    const Remedies* found() const { return query_.answer(); }
 
   private:
     std::optional<std::size_t> about_;
-    Inquiry<Remedies> inquiry_;
+    BackgroundQuery<Remedies> query_;
 };
 
 }  // namespace se::view

@@ -45,7 +45,7 @@ void Runner::ask(const Request& request) {
     changed_.notify_all();
 }
 
-bool Runner::wait(std::chrono::milliseconds patience) {
+bool Runner::waitFor(std::chrono::milliseconds patience) {
     std::unique_lock lock(mutex_);
     return changed_.wait_for(lock, patience, [&] { return answer_ && answer_->final; });
 }

@@ -40,7 +40,7 @@ class Runner {
     /// Ends the open request at its current pivot; its final answer still arrives.
     void cancel() { cancelled_ = true; }
     /// Waits up to `patience` for the final answer. True if it has arrived.
-    bool wait(std::chrono::milliseconds patience);
+    bool waitFor(std::chrono::milliseconds patience);
     /// Results since the last call.
     std::optional<RunnerAnswer> take();
     /// Complaint of the answer that take() has not taken yet, if there is one.

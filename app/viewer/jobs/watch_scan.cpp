@@ -6,7 +6,7 @@
 namespace se::view {
 
 void WatchScan::open(std::shared_ptr<const Model> model) {
-    errand_.drop();
+    job_.cancel();
     model_ = std::move(model);
     known_.clear();
     givenUp_ = false;
@@ -25,7 +25,7 @@ void WatchScan::cancel() {
     poll();
     // The scan may just have ended.
     if (!busy()) return;
-    errand_.drop();
+    job_.cancel();
     givenUp_ = true;
 }
 
@@ -47,43 +47,43 @@ void WatchScan::beginNext() {
         expressions.push_back(expression.value());
     }
     if (sought_.empty()) return;
-    errand_.begin([model = model_, expressions](auto& basket) {
+    job_.begin([model = model_, expressions](auto& results) {
         scanWatches(
             model->points, model->params, expressions,
             [&](std::uint32_t pivot, std::span<const double> values) {
-                basket.add({pivot, {values.begin(), values.end()}});
+                results.add({pivot, {values.begin(), values.end()}});
             },
-            [&](double share) { return basket.report(share); });
+            [&](double share) { return results.report(share); });
     });
 }
 
 bool WatchScan::poll() {
     if (!busy()) return false;
-    const bool ended = errand_.ended();
-    const std::vector<Values> found = errand_.take();
+    const bool ended = job_.ended();
+    const std::vector<Values> found = job_.take();
     for (std::size_t i = 0; i < sought_.size(); ++i) {
         WatchSeries& series = known_[sought_[i]];
         for (const Values& each : found) {
             series.values.resize(each.pivot + std::size_t{1}, each.values[i]);
             series.values.back() = each.values[i];
         }
-        series.complete = ended && errand_.complaint().empty();
+        series.complete = ended && job_.complaint().empty();
     }
     if (!ended) return !found.empty();
-    if (!errand_.complaint().empty()) {
-        complaint_ = errand_.complaint();
+    if (!job_.complaint().empty()) {
+        complaint_ = job_.complaint();
         givenUp_ = true;
-        errand_.close();
+        job_.close();
         return true;
     }
-    errand_.close();
+    job_.close();
     beginNext();
     return true;
 }
 
-void WatchScan::finish() {
+void WatchScan::waitUntilDone() {
     while (busy()) {
-        errand_.wait();
+        job_.waitUntilDone();
         poll();
     }
 }

@@ -30,7 +30,7 @@ class WatchScan {
     /// Takes the results. True if there was anything new.
     bool poll();
     /// Blocks until all wanted values are known.
-    void finish();
+    void waitUntilDone();
     /// Cancels, until something else is wanted or resume() is called. Known values stay.
     void cancel();
     void resume();
@@ -39,8 +39,8 @@ class WatchScan {
     bool cancelled() const { return givenUp_; }
     /// Why a scan failed: a sentence, once; empty if none has failed since.
     std::string takeComplaint() { return std::exchange(complaint_, {}); }
-    bool busy() const { return errand_.busy(); }
-    double share() const { return errand_.share(); }
+    bool busy() const { return job_.busy(); }
+    double share() const { return job_.share(); }
     /// Null if the expression is not understood.
     const WatchSeries* of(const std::string& expression) const;
 
@@ -57,7 +57,7 @@ class WatchScan {
     bool givenUp_ = false;
     std::string complaint_;
     std::vector<std::string> sought_;  ///< Current scan.
-    RunErrand<Values> errand_;
+    BackgroundJob<Values> job_;
 };
 
 }  // namespace se::view

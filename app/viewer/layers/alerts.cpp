@@ -9,10 +9,10 @@ namespace {
 
 constexpr float kTint = 0.5F;
 /// Limit of marks on the points of a large failure.
-constexpr std::size_t kMostMarks = 400;
+constexpr std::size_t kMaxMarks = 400;
 
 bool isThere(const LayerInput& in, Index number) {
-    if (in.picture.mended) return true;
+    if (in.picture.repaired) return true;
     return number < in.picture.finishedTriangles + in.picture.newTriangles.size();
 }
 
@@ -30,7 +30,7 @@ void addTriangle(const LayerInput& in, const Triangle& t, bool there, DrawList& 
 }
 
 void addMarkedPoints(const LayerInput& in, std::span<const Index> points, DrawList& out) {
-    for (const Index p : points.first(std::min(points.size(), kMostMarks))) {
+    for (const Index p : points.first(std::min(points.size(), kMaxMarks))) {
         if (in.model.drawable[p])
             out.mark(in.at(p), Shape::OpenDiamond, in.palette.rejected, 0.95F);
     }

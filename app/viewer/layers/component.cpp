@@ -37,7 +37,7 @@ void addComponent(const LayerInput& in, DrawList& out) {
     if (e == nullptr) return;
     const std::size_t end = e->triangles;
     // Where colors show components, or the creation order, it has its color.
-    if (in.mesh.style < MeshStyle::BirthOrder && in.picture.mended == nullptr) {
+    if (in.mesh.style < MeshStyle::BirthOrder && in.picture.repaired == nullptr) {
         const Color tint = mix(in.palette.mesh, in.palette.used, 0.55F);
         out.meshStretches.push_back({std::min(in.componentBegin, end), tint});
         out.meshStretches.push_back({end, out.meshColor});

@@ -32,7 +32,7 @@ void addLabels(const LayerInput& in, DrawList& out) {
     labels.add(p.pivot, "p", c.pivot, true);
     const bool stranded = p.event && p.event->address.stage == Stage::Strand;
     // Seeds and the steps after the last pivot label their points themselves.
-    const bool named = p.mended || (p.event && p.event->address.stage == Stage::Seed);
+    const bool named = p.repaired || (p.event && p.event->address.stage == Stage::Seed);
     if (p.pivot == kNone && !named) {
         labels.add(p.underTest, "", stranded ? c.rejected : c.test, true);
     }

@@ -93,7 +93,7 @@ void addReseat(const LayerInput& in, const ReseatEvidence& e, DrawList& out) {
 
 void addMending(const LayerInput& in, DrawList& out) {
     const Picture& p = in.picture;
-    if (p.mended) {
+    if (p.repaired) {
         for (const Triangle& t : p.newTriangles)
             out.faces.push_back({{in.at(t.a), in.at(t.b), in.at(t.c)}, in.palette.test, true});
     }

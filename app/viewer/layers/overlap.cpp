@@ -56,7 +56,7 @@ Flat flatten(const LayerInput& in, const Disc& disc, const Triangle& t) {
 /// The finished triangles around the corners of a triangle.
 std::set<std::uint32_t> finishedAbout(const LayerInput& in, const Triangle& t) {
     std::set<std::uint32_t> found;
-    if (in.meshIndex == nullptr || in.picture.mended) return found;
+    if (in.meshIndex == nullptr || in.picture.repaired) return found;
     const std::size_t count = std::min(in.picture.finishedTriangles, in.triangles.size());
     const auto look = [&](Index point) {
         in.meshIndex->forEachAt(point, [&](std::uint32_t triangle) {

@@ -34,8 +34,8 @@ void addFadingFan(const LayerInput& in, DrawList& out) {
 
 /// One stretch per component; in the repaired mesh they alternate.
 void addComponentColors(const LayerInput& in, DrawList& out) {
-    if (in.picture.mended) {
-        for (const ComponentStretch& stretch : in.mesh.mended) {
+    if (in.picture.repaired) {
+        for (const ComponentStretch& stretch : in.mesh.repaired) {
             out.meshStretches.push_back({stretch.first, componentColor(stretch.component)});
             out.components = std::max(out.components, stretch.component + 1);
         }
@@ -55,13 +55,13 @@ void addTriangles(const LayerInput& in, DrawList& out) {
     out.meshColor = in.palette.mesh;
     out.meshEdgeColor = in.mesh.style == MeshStyle::Wire ? in.palette.done : in.palette.meshEdge;
     // The repaired mesh has no creation order, but its triangles have their components.
-    const bool ordered = in.picture.mended == nullptr;
+    const bool ordered = in.picture.repaired == nullptr;
     const bool byBirth = in.mesh.style == MeshStyle::BirthOrder;
     out.meshStyle = ordered || !byBirth ? in.mesh.style : MeshStyle::Flat;
     out.birthEnd = in.mesh.birthEnd;
     addComponentColors(in, out);
     // New triangles are among them; those drawn below cover them.
-    out.mended = in.picture.mended;
+    out.repaired = in.picture.repaired;
     if (ordered && in.mesh.style < MeshStyle::Wire) addFadingFan(in, out);
     // Triangles of the repair steps are drawn in mending.cpp.
     if (!ordered) return;

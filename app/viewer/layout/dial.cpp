@@ -38,7 +38,7 @@ constexpr float kTouch = 0.4F;
 
 class NamePlacer {
   public:
-    NamePlacer(const DialPlace& disc, const NameRoom& room) : disc_(disc), room_(room) {
+    NamePlacer(const DialCircle& disc, const NameRoom& room) : disc_(disc), room_(room) {
         taken_.assign(room.taken.begin(), room.taken.end());
     }
 
@@ -77,7 +77,7 @@ class NamePlacer {
         return rect;
     }
 
-    const DialPlace& disc_;
+    const DialCircle& disc_;
     const NameRoom& room_;
     std::vector<Rect> taken_;
 };
@@ -90,7 +90,7 @@ glm::vec2 nameCorner(glm::vec2 rim, const DialName& name, float gap) {
             rim.y - gap * std::sin(a) - 0.5F * name.extent.y * (std::sin(a) + 1.0F)};
 }
 
-DialPlace fitDial(const Rect& room, std::span<const DialName> names, float gap, float margin) {
+DialCircle fitDial(const Rect& room, std::span<const DialName> names, float gap, float margin) {
     float least = 0.0F;
     float most = 0.5F * std::min(room.size.x, room.size.y);
     // The bounds grow with the radius.
@@ -104,7 +104,7 @@ DialPlace fitDial(const Rect& room, std::span<const DialName> names, float gap, 
     return {room.min + 0.5F * (room.size - bounds.size) - bounds.min, least};
 }
 
-std::vector<PlacedName> placeNames(const DialPlace& disc, const NameRoom& room,
+std::vector<PlacedName> placeNames(const DialCircle& disc, const NameRoom& room,
                                    std::span<const DialName> names) {
     NamePlacer placer(disc, room);
     std::vector<PlacedName> placed;

@@ -17,7 +17,7 @@ struct DialName {
     glm::vec2 extent{0.0F};
 };
 
-struct DialPlace {
+struct DialCircle {
     glm::vec2 center{0.0F};
     float radius = 0.0F;
 };
@@ -25,7 +25,7 @@ struct DialPlace {
 /// Position of the near corner of a name, for a rim point: at `gap` from it, away from the center.
 glm::vec2 nameCorner(glm::vec2 rim, const DialName& name, float gap);
 /// `margin` is left free around the disc in any case.
-DialPlace fitDial(const Rect& room, std::span<const DialName> names, float gap, float margin);
+DialCircle fitDial(const Rect& room, std::span<const DialName> names, float gap, float margin);
 
 struct NameRoom {
     Rect area;                      ///< All names lie within it.
@@ -43,7 +43,7 @@ struct PlacedName {
 
 /// Earlier names in the list get closer positions; a name without a free position nearby is left
 /// out.
-std::vector<PlacedName> placeNames(const DialPlace& disc, const NameRoom& room,
+std::vector<PlacedName> placeNames(const DialCircle& disc, const NameRoom& room,
                                    std::span<const DialName> names);
 
 }  // namespace se::view

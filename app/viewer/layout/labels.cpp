@@ -1,7 +1,7 @@
 // Greedy placement: labels are placed by rank, each at the cheapest free position among eight
 // directions at growing distances from its point. The cost weighs distance, the amount of drawing
-// that the label covers (occupancy_grid.h), the habit of reading right above a point, and pointing toward
-// the pivot. The search of a label ends as soon as distance alone costs more than its best
+// that the label covers (occupancy_grid.h), the habit of reading right above a point, and pointing
+// toward the pivot. The search of a label ends as soon as distance alone costs more than its best
 // position.
 #include "labels.h"
 
@@ -103,7 +103,7 @@ class Placer {
         const float length = glm::length(outward);
         // At the pivot itself every direction leads outward.
         const float turn = length > 0.5F * room_.em ? glm::dot(outward / length, way.to) : 1.0F;
-        const float ink = room_.clutter != nullptr ? room_.clutter->under(plate) : 0.0F;
+        const float ink = room_.occupancy != nullptr ? room_.occupancy->under(plate) : 0.0F;
         return kPerEm * far + kUnusual * way.unusual + kInward * (1.0F - turn) + kPerInk * ink;
     }
 

@@ -34,8 +34,8 @@ struct LabelRoom {
     Rect area;                      ///< All plates lie within it.
     std::span<const Rect> taken{};  ///< Areas covered by overlays other than labels.
     std::span<const LabelMark> marks{};
-    const Clutter* clutter = nullptr;  ///< Density of the drawing; null: unknown.
-    glm::vec2 middle{0.0F};            ///< Labels prefer to be away from here: the pivot.
+    const OccupancyGrid* occupancy = nullptr;  ///< Density of the drawing; null: unknown.
+    glm::vec2 middle{0.0F};                    ///< Labels prefer to be away from here: the pivot.
     float em = 16.0F;
 };
 

@@ -28,34 +28,34 @@ void clipAxis(float from, float way, float low, float high, float& begin, float&
 
 }  // namespace
 
-Clutter::Clutter(const Rect& area, float cell)
+OccupancyGrid::OccupancyGrid(const Rect& area, float cell)
     : area_(area),
       cell_(cell),
       width_(std::max(1, static_cast<int>(std::ceil(area.size.x / cell)))),
       height_(std::max(1, static_cast<int>(std::ceil(area.size.y / cell)))),
       sums_(static_cast<std::size_t>(width_ + 1) * static_cast<std::size_t>(height_ + 1)) {}
 
-int Clutter::column(float x) const {
+int OccupancyGrid::column(float x) const {
     const float place = std::floor((x - area_.min.x) / cell_);
     return static_cast<int>(std::clamp(place, 0.0F, static_cast<float>(width_ - 1)));
 }
 
-int Clutter::row(float y) const {
+int OccupancyGrid::row(float y) const {
     const float place = std::floor((y - area_.min.y) / cell_);
     return static_cast<int>(std::clamp(place, 0.0F, static_cast<float>(height_ - 1)));
 }
 
-glm::vec2 Clutter::middle(int x, int y) const {
+glm::vec2 OccupancyGrid::middle(int x, int y) const {
     return area_.min + cell_ * (glm::vec2(static_cast<float>(x), static_cast<float>(y)) + 0.5F);
 }
 
-float& Clutter::at(int x, int y) {
+float& OccupancyGrid::at(int x, int y) {
     // The first row and column stay zero.
     const auto line = static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(width_ + 1);
     return sums_[line + static_cast<std::size_t>(x + 1)];
 }
 
-void Clutter::addLine(glm::vec2 from, glm::vec2 to, float weight) {
+void OccupancyGrid::addLine(glm::vec2 from, glm::vec2 to, float weight) {
     const glm::vec2 way = to - from;
     float begin = 0.0F;
     float end = 1.0F;
@@ -72,7 +72,7 @@ void Clutter::addLine(glm::vec2 from, glm::vec2 to, float weight) {
     }
 }
 
-void Clutter::addSpot(glm::vec2 center, float radius, float weight) {
+void OccupancyGrid::addSpot(glm::vec2 center, float radius, float weight) {
     if (!area_.contains(center)) return;
     at(column(center.x), row(center.y)) += weight;
     for (int y = row(center.y - radius); y <= row(center.y + radius); ++y) {
@@ -83,7 +83,7 @@ void Clutter::addSpot(glm::vec2 center, float radius, float weight) {
     }
 }
 
-void Clutter::addTriangle(glm::vec2 a, glm::vec2 b, glm::vec2 c, float weight) {
+void OccupancyGrid::addTriangle(glm::vec2 a, glm::vec2 b, glm::vec2 c, float weight) {
     const float turn = crossOf(b - a, c - a);
     if (turn == 0.0F) return;
     const glm::vec2 low = glm::min(a, glm::min(b, c));
@@ -104,7 +104,7 @@ void Clutter::addTriangle(glm::vec2 a, glm::vec2 b, glm::vec2 c, float weight) {
     }
 }
 
-void Clutter::finish() {
+void OccupancyGrid::finish() {
     for (int y = 0; y < height_; ++y) {
         for (int x = 0; x < width_; ++x) {
             at(x, y) += at(x - 1, y) + at(x, y - 1) - at(x - 1, y - 1);
@@ -112,7 +112,7 @@ void Clutter::finish() {
     }
 }
 
-float Clutter::under(const Rect& rect) const {
+float OccupancyGrid::under(const Rect& rect) const {
     const glm::vec2 low = glm::max(rect.min, area_.min);
     const glm::vec2 high = glm::min(rect.max(), area_.max());
     if (!(low.x < high.x && low.y < high.y)) return 0.0F;

@@ -8,10 +8,10 @@
 
 namespace se::view {
 
-class Clutter {
+class OccupancyGrid {
   public:
     /// An empty grid. `cell`: size of a cell of the grid, in pixels, > 0.
-    Clutter(const Rect& area, float cell);
+    OccupancyGrid(const Rect& area, float cell);
 
     /// Adds a line of `weight` per length of a cell. Parts outside of the area do not count.
     void addLine(glm::vec2 from, glm::vec2 to, float weight);

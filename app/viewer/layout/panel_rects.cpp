@@ -20,10 +20,10 @@ constexpr float kNarrationNarrow = 4.7F;
 /// Narration below half of a view: sentences take three lines there.
 constexpr float kNarrationHalf = 5.6F;
 /// ... but no more than this share of the height: titles take some of it as well.
-constexpr float kMostHalf = 0.42F;
+constexpr float kMaxHalf = 0.42F;
 constexpr float kWideView = 40.0F;
 /// In a low window the view comes first: a large caption gets this share of the height at most.
-constexpr float kMostNarration = 0.5F;
+constexpr float kMaxNarration = 0.5F;
 /// Line above it, where nothing else shows the address.
 constexpr float kAddressLine = 1.4F;
 /// Heights of the strips: RUN in a folded drawer, in an open one, in an open one of a high window.
@@ -60,10 +60,11 @@ struct Columns {
     float right = 0.0F;
 };
 
-Columns columnsFor(Arrangement arrangement, float width, bool narrow) {
-    if (arrangement == Arrangement::Present) return {};
-    if (arrangement == Arrangement::Learn) return {std::clamp(0.32F * width, 14.0F, 28.0F), 0.0F};
-    if (arrangement == Arrangement::Compare) return {std::clamp(0.28F * width, 13.0F, 24.0F), 0.0F};
+Columns columnsFor(LayoutPreset layoutPreset, float width, bool narrow) {
+    if (layoutPreset == LayoutPreset::Present) return {};
+    if (layoutPreset == LayoutPreset::Learn) return {std::clamp(0.32F * width, 14.0F, 28.0F), 0.0F};
+    if (layoutPreset == LayoutPreset::Compare)
+        return {std::clamp(0.28F * width, 13.0F, 24.0F), 0.0F};
     if (narrow) return {0.0F, std::clamp(0.48F * width, 12.0F, 20.0F)};
     return {std::clamp(0.225F * width, 15.0F, 22.0F), std::clamp(0.24F * width, 17.0F, 26.0F)};
 }
@@ -74,7 +75,7 @@ bool isFolded(float emsHigh, DrawerWish wish) {
 }
 
 /// Divides the drawer into its strips, which are `run` and `pivot` high; the rest is the stage's.
-void layOutStrips(Layout& l, float run, float pivot) {
+void layOutStrips(PanelRects& l, float run, float pivot) {
     const Rect& d = l.drawer;
     const auto part = [&](float from, float to) {
         return Rect{{d.min.x, d.min.y + from}, {d.size.x, std::max(0.0F, to - from)}};
@@ -86,7 +87,7 @@ void layOutStrips(Layout& l, float run, float pivot) {
 }
 
 /// Divides view and narration into two, each view with its title.
-void splitInTwo(Layout& l, float title) {
+void splitInTwo(PanelRects& l, float title) {
     const Rect both = l.view;
     const glm::vec2 half = glm::floor(0.5F * both.size);
     const bool beside = std::min(half.x, both.size.y) >= std::min(both.size.x, half.y);
@@ -113,10 +114,10 @@ void splitInTwo(Layout& l, float title) {
 
 }  // namespace
 
-Layout computePageLayout(glm::vec2 size, float em) {
+PanelRects computePageRects(glm::vec2 size, float em) {
     const glm::vec2 ems = size / em;
     const auto px = [em](float length) { return std::round(length * em); };
-    Layout l;
+    PanelRects l;
     const float top = px(kMenu);
     const float column = px(std::clamp(0.3F * ems.x, kPageColumn, kPageColumnWide));
     const float left = std::min(column, 0.5F * size.x);
@@ -131,19 +132,19 @@ Layout computePageLayout(glm::vec2 size, float em) {
     return l;
 }
 
-Layout computeLayout(glm::vec2 size, float em, Arrangement arrangement, DrawerWish wish) {
+PanelRects computePanelRects(glm::vec2 size, float em, LayoutPreset layoutPreset, DrawerWish wish) {
     const glm::vec2 ems = size / em;
-    const bool present = arrangement == Arrangement::Present;
-    const bool debug = arrangement == Arrangement::Debug;
-    const bool compare = arrangement == Arrangement::Compare;
+    const bool present = layoutPreset == LayoutPreset::Present;
+    const bool debug = layoutPreset == LayoutPreset::Debug;
+    const bool compare = layoutPreset == LayoutPreset::Compare;
     if (compare && wish == DrawerWish::Auto) wish = DrawerWish::Folded;
-    Layout l;
-    l.arrangement = arrangement;
+    PanelRects l;
+    l.layoutPreset = layoutPreset;
     l.caption = debug || compare ? 1.0F : kLargeCaption;
     l.narrow = debug && ems.x < kNarrowBelow;
     l.drawerFolded = present || isFolded(ems.y, wish);
     const auto px = [em](float length) { return std::round(length * em); };
-    const Columns columns = columnsFor(arrangement, ems.x, l.narrow);
+    const Columns columns = columnsFor(layoutPreset, ems.x, l.narrow);
     const float left = px(columns.left);
     const float right = px(columns.right);
     const float run = px(l.drawerFolded ? kRunFolded : ems.y < kHighFrom ? kRunOpen : kRunHigh);
@@ -168,7 +169,7 @@ Layout computeLayout(glm::vec2 size, float em, Arrangement arrangement, DrawerWi
     const float middle = std::max(0.0F, bottom - y);
     const float narration =
         std::min(wished, std::max(l.addressLine + px(kNarration),
-                                  std::round((compare ? kMostHalf : kMostNarration) * middle)));
+                                  std::round((compare ? kMaxHalf : kMaxNarration) * middle)));
     l.left = {{0.0F, y}, {left, middle}};
     l.dialApart = debug && !l.narrow && ems.x >= kDialFrom && middle >= px(kDialRoom);
     const float dial = l.dialApart ? std::min(right + px(1.0F), 0.45F * middle) : 0.0F;

@@ -21,7 +21,7 @@ struct Rect {
 /// The drawer with the strips under the view. Auto: folded in a low window.
 enum class DrawerWish : std::uint8_t { Auto, Folded, Open };
 
-struct Layout {
+struct PanelRects {
     Rect menu;
     Rect transport;
     Rect left;  ///< Empty in a narrow window: then the right column holds everything, as tabs.
@@ -34,7 +34,7 @@ struct Layout {
     bool dialApart = false;     ///< The dial has an area of its own.
     bool narrow = false;        ///< One side column only.
     bool drawerFolded = false;  ///< It holds the RUN strip alone.
-    Arrangement arrangement = Arrangement::Debug;
+    LayoutPreset layoutPreset = LayoutPreset::Debug;
     /// Height of the line with the address at the top of the narration; 0: the status bar has it.
     float addressLine = 0.0F;
     float caption =
@@ -54,12 +54,13 @@ struct Layout {
 
 /// A page with a form and controls of its own: menu, left column, view, and below it the narration
 /// as the area of the controls. No other area has a size.
-Layout computePageLayout(glm::vec2 size, float em);
+PanelRects computePageRects(glm::vec2 size, float em);
 
 /// The view never gets less than 40 % of the width. Learn has all side panels in the left column;
 /// Present has no panel but view, caption and the strip of the run: the other areas are empty.
 /// Compare has two views, beside or above each other, whichever gives them more room.
-Layout computeLayout(glm::vec2 size, float em, Arrangement arrangement = Arrangement::Debug,
-                     DrawerWish drawer = DrawerWish::Auto);
+PanelRects computePanelRects(glm::vec2 size, float em,
+                             LayoutPreset layoutPreset = LayoutPreset::Debug,
+                             DrawerWish drawer = DrawerWish::Auto);
 
 }  // namespace se::view

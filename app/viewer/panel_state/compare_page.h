@@ -29,7 +29,7 @@ struct ComparePage {
     std::optional<CompareWith> begin;
     std::optional<std::size_t> show;    ///< The region to be shown.
     std::optional<std::size_t> region;  ///< The region that is shown.
-    std::optional<ComparedPlace> goTo;
+    std::optional<ComparedAddresses> goTo;
     std::optional<Selection> wantsWhy;  ///< Subject of a query to both runs.
     std::optional<Selection> why;       ///< Subject of the last query.
     /// The run as it was before it was opened again with other options.

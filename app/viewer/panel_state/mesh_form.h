@@ -34,7 +34,7 @@ struct MeshForm {
     MeshAsk ask = MeshAsk::None;
     std::string path;  ///< The file that `ask` names.
 
-    // Set by MeshSaving.
+    // Set by MeshController.
     std::optional<MeshSize> size;  ///< Empty until the run has ended.
     double share = 0.0;            ///< Of the run, in [0, 1].
     bool saving = false;

@@ -10,7 +10,7 @@ namespace se::view {
 
 namespace {
 
-constexpr std::uint64_t kMostNeighbors = 1000;
+constexpr std::uint64_t kMaxNeighbors = 1000;
 /// Default radius, which includes about as many points as the 12 nearest.
 constexpr double kRadiusInSpacings = 2.1;
 
@@ -68,11 +68,11 @@ void PrepareForm::take(const InputSpec& spec, const Model& model) {
         radius = exact(std::get<WithinRadius>(lists.reach).radius);
         if (lists.recompute) reach = Reach::Radius;
     }
-    showCures(spec.cures);
+    showFixes(spec.fixes);
 }
 
-void PrepareForm::showCures(const Cures& cures) {
-    for (const std::string& name : cures) {
+void PrepareForm::showFixes(const Fixes& fixes) {
+    for (const std::string& name : fixes) {
         const DoctorCheck* check = findDoctorCheck(name);
         if (check == nullptr) continue;
         if (check->cure == Cure::Orient) normals = NormalSource::Oriented;
@@ -111,7 +111,7 @@ Status PrepareForm::setReach(NeighborOptions& neighbors) const {
     neighbors.recompute = reach != Reach::File;
     if (reach == Reach::Nearest) {
         const auto number = wholeFromText(count);
-        if (!number || *number == 0 || *number > kMostNeighbors) {
+        if (!number || *number == 0 || *number > kMaxNeighbors) {
             return Error{"Nearest: expected a whole number from 1 to 1000."};
         }
         neighbors.reach = KNearest{static_cast<std::size_t>(*number)};
@@ -142,7 +142,7 @@ Result<InputSpec> PrepareForm::spec(InputSpec base) const {
     base.keepNoise = keepNoise;
     base.rim = rim;
     // The choice made here replaces the one of a fix.
-    std::erase_if(base.cures, [this](const std::string& name) {
+    std::erase_if(base.fixes, [this](const std::string& name) {
         const DoctorCheck* check = findDoctorCheck(name);
         return check != nullptr && !agreesWith(check->cure);
     });

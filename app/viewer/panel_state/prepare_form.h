@@ -34,7 +34,7 @@ struct PrepareForm {
 
   private:
     Status setReach(NeighborOptions& neighbors) const;
-    void showCures(const Cures& cures);
+    void showFixes(const Fixes& fixes);
     bool agreesWith(Cure cure) const;
 };
 

@@ -42,7 +42,7 @@ void remember(KeptState& state, const std::string& path) {
     std::vector<std::string>& list = state.recent;
     std::erase(list, whole);
     list.insert(list.begin(), whole);
-    if (list.size() > kMostRecent) list.resize(kMostRecent);
+    if (list.size() > kMaxRecent) list.resize(kMaxRecent);
 }
 
 std::string recentName(const std::string& path) {
@@ -65,12 +65,12 @@ KeptState keptStateFromJson(std::string_view text) {
     const json object = json::parse(text, nullptr, false);
     if (!object.is_object()) return state;
     if (const auto layout = object.find("layout"); layout != object.end() && layout->is_string()) {
-        state.layout = arrangementFromName(layout->get<std::string>()).value_or(state.layout);
+        state.layout = layoutPresetFromName(layout->get<std::string>()).value_or(state.layout);
     }
     const auto recent = object.find("recent");
     if (recent == object.end() || !recent->is_array()) return state;
     for (const json& each : *recent) {
-        if (each.is_string() && state.recent.size() < kMostRecent) {
+        if (each.is_string() && state.recent.size() < kMaxRecent) {
             state.recent.push_back(each.get<std::string>());
         }
     }

@@ -12,10 +12,10 @@
 
 namespace se::view {
 
-inline constexpr std::size_t kMostRecent = 10;
+inline constexpr std::size_t kMaxRecent = 10;
 
 struct KeptState {
-    Arrangement layout = Arrangement::Debug;
+    LayoutPreset layout = LayoutPreset::Debug;
     std::vector<std::string> recent;  ///< Absolute paths, the latest first.
     friend bool operator==(const KeptState&, const KeptState&) = default;
 };

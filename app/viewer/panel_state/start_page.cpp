@@ -36,11 +36,11 @@ TileFrame viewFrame() {
 
 }  // namespace
 
-std::vector<ThumbnailDot> thumbnail(const PointFile& points, std::size_t most) {
+std::vector<ThumbnailDot> thumbnail(const PointFile& points, std::size_t limit) {
     const TileFrame frame = viewFrame();
     const std::size_t count = points.position.size();
-    if (count == 0 || most == 0) return {};
-    const std::size_t stride = (count + most - 1) / most;
+    if (count == 0 || limit == 0) return {};
+    const std::size_t stride = (count + limit - 1) / limit;
     std::vector<Seen> seen;
     glm::dvec2 low(INFINITY);
     glm::dvec2 high(-INFINITY);

@@ -25,7 +25,7 @@ struct SceneTile {
 };
 
 /// The picture of some points, of at most `most` of them.
-std::vector<ThumbnailDot> thumbnail(const PointFile& points, std::size_t most);
+std::vector<ThumbnailDot> thumbnail(const PointFile& points, std::size_t limit);
 
 /// Made on first use.
 struct StartPage {

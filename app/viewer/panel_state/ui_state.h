@@ -78,12 +78,12 @@ struct UiRequests {
     FrameWish frame = FrameWish::None;
     bool undo = false;
     bool redo = false;
-    std::optional<Cures> cures;  ///< Fixes to open the input with again; empty: the file as it is.
-    std::optional<RuleSet> rules;       ///< Rules to re-run with; see withRule().
-    Resume resume = Resume::SamePlace;  ///< With `rules`.
-    std::string open;                   ///< A path or `scene:ID`; empty: nothing.
-    std::string saveSessionAs;          ///< A path; empty: nothing.
-    std::string copyText;               ///< Text for the clipboard; empty: nothing.
+    std::optional<Fixes> fixes;  ///< Fixes to open the input with again; empty: the file as it is.
+    std::optional<RuleSet> rules;          ///< Rules to re-run with; see withRule().
+    Resume resume = Resume::SamePosition;  ///< With `rules`.
+    std::string open;                      ///< A path or `scene:ID`; empty: nothing.
+    std::string saveSessionAs;             ///< A path; empty: nothing.
+    std::string copyText;                  ///< Text for the clipboard; empty: nothing.
     /// An input with its options: prepared in another way, or sampled points.
     std::optional<InputSpec> openSpec;
 };
@@ -150,7 +150,7 @@ struct UiState {
     ComparePage compare;
     LeaveQuestion leaving;
     bool quitting = false;  ///< No unsaved work: the window closes.
-    Arrangement arrangement = Arrangement::Debug;
+    LayoutPreset layoutPreset = LayoutPreset::Debug;
     Bookmarks bookmarks;
     std::vector<Breakpoint> breakpoints;
     std::vector<std::string> watches;  ///< Expressions, see core's watch.h.
@@ -165,7 +165,8 @@ struct UiState {
     bool popupOpen = false;   ///< Overlays, such as a menu, as last drawn.
     std::string notes;        ///< Free text by the user, stored in the session file.
     std::string sessionPath;  ///< File written by Ctrl+S; empty: not known yet.
-    std::string unsaved;      ///< Annotations in no session file yet, see Filing::unsaved().
+    std::string
+        unsaved;  ///< Annotations in no session file yet, see DocumentController::unsaved().
     std::vector<std::string> recent;  ///< Files opened lately, the latest first.
     StartPage startPage;
     float scale = 1.0F;       ///< Of text and panels, as drawn.
@@ -184,7 +185,7 @@ struct UiState {
     LookBack look;             ///< Whether the state before the decision is shown.
     double clock = 0.0;        ///< Seconds, summed over the frames.
     FactsCache facts;          ///< Of the selection.
-    ClickWait click;           ///< In the view; it may be the first half of a double click.
+    DoubleClickFilter click;   ///< In the view; it may be the first half of a double click.
     Index pointedAt = kNone;   ///< The point under the pointer, determined again in every frame.
     std::array<char, 64> ruleFilter{};
     WhatIfForm whatIf;

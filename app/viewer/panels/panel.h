@@ -25,7 +25,7 @@ struct PanelContext {
     CommandContext& commands;
     const Palette& palette;
     const Fonts& fonts;
-    const Layout& layout;
+    const PanelRects& rects;
     const DrawList& drawList;  ///< For labels over the view.
     const StatusCounts& counts;
     float em;

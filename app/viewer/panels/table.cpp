@@ -36,15 +36,15 @@ void markShown(const PanelContext& context, std::string_view title) {
 }
 
 void drawLeftColumn(const PanelContext& context) {
-    Rect rest = context.layout.left;
+    Rect rest = context.rects.left;
     for (const SidePanel& panel : kSidePanels) {
         if (!panel.left) continue;
         Rect area = rest;
-        area.size.y = panel.share * context.layout.left.size.y;
+        area.size.y = panel.share * context.rects.left.size.y;
         rest.min.y += area.size.y;
         markShown(context, panel.title);
         if (beginRegion(panel.title, area)) {
-            if (area.min.y > context.layout.left.min.y) {
+            if (area.min.y > context.rects.left.min.y) {
                 ImGui::GetWindowDrawList()->AddLine(toVec2(area.min), {area.max().x, area.min.y},
                                                     toU32(context.palette.border));
             }
@@ -56,8 +56,8 @@ void drawLeftColumn(const PanelContext& context) {
 
 /// In a narrow window all panels are tabs of the right column.
 bool isTab(const PanelContext& context, const SidePanel& panel) {
-    if (panel.left) return context.layout.narrow;
-    return panel.draw != drawDial || !context.layout.dialApart;
+    if (panel.left) return context.rects.narrow;
+    return panel.draw != drawDial || !context.rects.dialApart;
 }
 
 /// Whether the names of the right column's tabs fit beside each other in the current type.
@@ -137,12 +137,12 @@ void drawRowsOfTabs(const PanelContext& context, ColumnTabs tabs) {
 
 /// Learn has the panels as tabs on the left, the rule first; no list of steps.
 void drawLearnColumn(const PanelContext& context) {
-    if (beginRegion("##learn", context.layout.left)) drawRowsOfTabs(context, learnTabs());
+    if (beginRegion("##learn", context.rects.left)) drawRowsOfTabs(context, learnTabs());
     ImGui::End();
 }
 
 void drawDialColumn(const PanelContext& context) {
-    if (beginRegion("##dialColumn", context.layout.dial, ImGuiWindowFlags_NoScrollWithMouse)) {
+    if (beginRegion("##dialColumn", context.rects.dial, ImGuiWindowFlags_NoScrollWithMouse)) {
         markShown(context, "Dial");
         drawDial(context);
     }
@@ -150,7 +150,7 @@ void drawDialColumn(const PanelContext& context) {
 }
 
 void drawRightColumn(const PanelContext& context) {
-    if (beginRegion("##right", context.layout.right)) {
+    if (beginRegion("##right", context.rects.right)) {
         if (!tabNamesFit(context)) {
             drawRowsOfTabs(context, rightTabs(context));
         } else if (ImGui::BeginTabBar("##tabs")) {
@@ -163,21 +163,21 @@ void drawRightColumn(const PanelContext& context) {
 
 /// Panels around the view; Present has none of them.
 void drawColumns(const PanelContext& context) {
-    if (context.layout.arrangement == Arrangement::Present) return;
+    if (context.rects.layoutPreset == LayoutPreset::Present) return;
     drawMenuBar(context);
     drawTransport(context);
     drawStatusBar(context);
-    if (context.layout.arrangement == Arrangement::Learn) return drawLearnColumn(context);
-    if (context.layout.arrangement == Arrangement::Compare) return drawCompareColumn(context);
-    if (!context.layout.narrow) drawLeftColumn(context);
-    if (context.layout.dialApart) drawDialColumn(context);
+    if (context.rects.layoutPreset == LayoutPreset::Learn) return drawLearnColumn(context);
+    if (context.rects.layoutPreset == LayoutPreset::Compare) return drawCompareColumn(context);
+    if (!context.rects.narrow) drawLeftColumn(context);
+    if (context.rects.dialApart) drawDialColumn(context);
     drawRightColumn(context);
 }
 
 /// A window above those of the regions and below menus and tooltips, which takes no input.
 ImDrawList* beginOverRegions(const PanelContext& context) {
     ImGui::SetNextWindowPos({0.0F, 0.0F});
-    ImGui::SetNextWindowSize({context.layout.menu.size.x, context.layout.status.max().y});
+    ImGui::SetNextWindowSize({context.rects.menu.size.x, context.rects.status.max().y});
     ImGui::Begin("##borders", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
                      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoSavedSettings |
@@ -187,7 +187,7 @@ ImDrawList* beginOverRegions(const PanelContext& context) {
 
 /// Hairlines between the regions.
 void drawBorders(const PanelContext& context) {
-    const Layout& l = context.layout;
+    const PanelRects& l = context.rects;
     const ImU32 color = toU32(context.palette.border);
     ImDrawList* list = beginOverRegions(context);
     const auto horizontal = [&](float y) {
@@ -221,9 +221,9 @@ void drawPanels(const PanelContext& context) {
     context.ui().walk.begin();
     context.ui().navigation.pointedRing = kNone;
     context.ui().where = {
-        {"region view", context.layout.view},           {"region left", context.layout.left},
-        {"region dial", context.layout.dial},           {"region right", context.layout.right},
-        {"region narration", context.layout.narration}, {"region drawer", context.layout.drawer}};
+        {"region view", context.rects.view},           {"region left", context.rects.left},
+        {"region dial", context.rects.dial},           {"region right", context.rects.right},
+        {"region narration", context.rects.narration}, {"region drawer", context.rects.drawer}};
     keepSteps(context);
     const bool growth = context.ui().growth.open;
     const bool startPage = context.session().startPage() && !growth;
@@ -236,7 +236,7 @@ void drawPanels(const PanelContext& context) {
     } else {
         drawColumns(context);
         drawView(context);
-        if (context.layout.arrangement == Arrangement::Compare) drawComparedViews(context);
+        if (context.rects.layoutPreset == LayoutPreset::Compare) drawComparedViews(context);
         drawNarration(context);
         drawDrawer(context);
     }

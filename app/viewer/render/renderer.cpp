@@ -161,7 +161,7 @@ void Renderer::setModel(const Model& model) {
     cloudCount_ = vertices.size();
     meshTriangles_ = 0;
     uploadedStyles_ = {};
-    uploadedMended_ = nullptr;
+    uploadedRepaired_ = nullptr;
     uploadedTinted_ = {};
     spacing_ = model.spacing;
 }
@@ -172,21 +172,21 @@ void Renderer::setTriangles(const Model& model, std::span<const Triangle> triang
     meshTriangles_ = triangles.size();
 }
 
-void Renderer::setMended(const Model& model,
-                         std::shared_ptr<const std::vector<Triangle>> triangles) {
-    if (!triangles || triangles == uploadedMended_) return;
+void Renderer::setRepaired(const Model& model,
+                           std::shared_ptr<const std::vector<Triangle>> triangles) {
+    if (!triangles || triangles == uploadedRepaired_) return;
     static const std::vector<Triangle> kNothing;
-    const std::vector<Triangle>& before = uploadedMended_ ? *uploadedMended_ : kNothing;
+    const std::vector<Triangle>& before = uploadedRepaired_ ? *uploadedRepaired_ : kNothing;
     const std::size_t common = std::min(before.size(), triangles->size());
     for (std::size_t i = 0; i < common; ++i) {
         const std::size_t first = i;
         while (i < common && !((*triangles)[i] == before[i])) ++i;
-        if (i > first) uploadCorners(mended_, model, *triangles, first, i);
+        if (i > first) uploadCorners(repaired_, model, *triangles, first, i);
     }
     if (common < triangles->size()) {
-        uploadCorners(mended_, model, *triangles, common, triangles->size());
+        uploadCorners(repaired_, model, *triangles, common, triangles->size());
     }
-    uploadedMended_ = std::move(triangles);
+    uploadedRepaired_ = std::move(triangles);
 }
 
 void Renderer::setTinted(const Model& model, const DrawList& list) {
@@ -261,11 +261,11 @@ void Renderer::drawMesh(const DrawList& list, const CameraMatrices& camera) {
     meshShader_.set("uHatch", 0.55F * em_);
     meshShader_.set("uEdgeWidth", std::max(1.0F, 0.07F * em_));
     meshShader_.set("uEdgeColor", vec(list.meshEdgeColor.withAlpha(list.meshEdges ? 0.85F : 0.0F)));
-    const bool mended = list.mended != nullptr && list.mended == uploadedMended_;
+    const bool repaired = list.repaired != nullptr && list.repaired == uploadedRepaired_;
     const std::size_t count =
-        mended ? list.mended->size() : std::min(list.finishedTriangles, meshTriangles_);
+        repaired ? list.repaired->size() : std::min(list.finishedTriangles, meshTriangles_);
     if (list.meshVisible && count > 0) {
-        mended ? mended_.bind() : mesh_.bind();
+        repaired ? repaired_.bind() : mesh_.bind();
         drawStretches(list, count);
         drawTinted(list);
     }

@@ -25,7 +25,7 @@ class Renderer {
     /// Uploads the triangles after those that are uploaded already.
     void setTriangles(const Model& model, std::span<const Triangle> triangles);
     /// Uploads the triangles that differ from the uploaded repaired mesh; null is allowed.
-    void setMended(const Model& model, std::shared_ptr<const std::vector<Triangle>> triangles);
+    void setRepaired(const Model& model, std::shared_ptr<const std::vector<Triangle>> triangles);
 
     /// Uploads the parts of the list that are not uploaded already.
     void setTinted(const Model& model, const DrawList& list);
@@ -64,14 +64,14 @@ class Renderer {
     Batch sprites_;
     Batch lines_;
     Batch mesh_;
-    Batch mended_;
+    Batch repaired_;
     std::array<Batch, 2> tinted_;
     Batch faces_;
     Batch shell_;
     Target target_;
     std::size_t cloudCount_ = 0;
     BlockList<std::uint8_t> uploadedStyles_;
-    std::shared_ptr<const std::vector<Triangle>> uploadedMended_;
+    std::shared_ptr<const std::vector<Triangle>> uploadedRepaired_;
     std::array<std::shared_ptr<const std::vector<Triangle>>, 2> uploadedTinted_;
     std::size_t meshTriangles_ = 0;
     std::size_t shellVertices_ = 0;

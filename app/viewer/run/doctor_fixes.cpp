@@ -12,8 +12,8 @@ namespace {
 /// Number of nearest points in the doctor's advice.
 constexpr std::size_t kAdvisedNeighbors = 12;
 
-bool has(const Cures& cures, Cure kind) {
-    return std::any_of(cures.begin(), cures.end(), [kind](const std::string& name) {
+bool has(const Fixes& fixes, Cure kind) {
+    return std::any_of(fixes.begin(), fixes.end(), [kind](const std::string& name) {
         const DoctorCheck* check = findDoctorCheck(name);
         return check != nullptr && check->cure == kind;
     });
@@ -39,9 +39,9 @@ PointFile asWritten(PointFile file) {
 
 }  // namespace
 
-bool canCure(const DoctorCheck& check) { return check.cure != Cure::None; }
+bool canFix(const DoctorCheck& check) { return check.cure != Cure::None; }
 
-std::string_view cureText(Cure cure) {
+std::string_view fixText(Cure cure) {
     switch (cure) {
         case Cure::None:
             return "";
@@ -63,27 +63,27 @@ std::string_view cureText(Cure cure) {
     return "";
 }
 
-Cures plainCures(std::span<const Finding> findings) {
-    Cures cures;
+Fixes safeFixes(std::span<const Finding> findings) {
+    Fixes fixes;
     for (const Cure kind : {Cure::Mend, Cure::Orient}) {
         const auto found = std::find_if(findings.begin(), findings.end(),
                                         [kind](const Finding& f) { return f.check->cure == kind; });
-        if (found != findings.end()) cures.emplace_back(found->check->name);
+        if (found != findings.end()) fixes.emplace_back(found->check->name);
     }
-    return cures;
+    return fixes;
 }
 
-Result<std::vector<std::string>> cure(PointFile& file, const Cures& cures, PrepareOptions& options,
-                                      const Progress& progress) {
+Result<std::vector<std::string>> fixInput(PointFile& file, const Fixes& fixes,
+                                          PrepareOptions& options, const Progress& progress) {
     std::vector<std::string> done;
     const auto mend = [&](std::span<const Index> drop) {
         Treatment treatment = treat(file, drop);
         file = asWritten(std::move(treatment.file));
         for (const Repair& repair : treatment.repairs) done.push_back(repair.text);
     };
-    for (const std::string& name : cures) {
+    for (const std::string& name : fixes) {
         const DoctorCheck* check = findDoctorCheck(name);
-        if (check == nullptr || !canCure(*check))
+        if (check == nullptr || !canFix(*check))
             return Error{"The doctor has no fix called \"" + name + "\"."};
         if (check->cure == Cure::Mend) mend({});
         if (check->cure != Cure::Drop) continue;
@@ -91,37 +91,37 @@ Result<std::vector<std::string>> cure(PointFile& file, const Cures& cures, Prepa
         if (!points) return points.error();
         mend(points.value());
     }
-    if (has(cures, Cure::Orient)) options.normals = NormalSource::Oriented;
-    if (has(cures, Cure::NewLists)) {
+    if (has(fixes, Cure::Orient)) options.normals = NormalSource::Oriented;
+    if (has(fixes, Cure::NewLists)) {
         options.neighbors.reach = KNearest{kAdvisedNeighbors};
         options.neighbors.recompute = true;
     }
-    if (has(cures, Cure::Symmetric)) options.neighbors.symmetric = true;
-    if (has(cures, Cure::Walls)) options.walls = boxAround(file.position);
-    if (has(cures, Cure::Rim)) options.rim = true;
+    if (has(fixes, Cure::Symmetric)) options.neighbors.symmetric = true;
+    if (has(fixes, Cure::Walls)) options.walls = boxAround(file.position);
+    if (has(fixes, Cure::Rim)) options.rim = true;
     return done;
 }
 
-std::vector<std::string> takeOverCured(const Prepared& prepared, const PrepareOptions& options,
-                                       const Cures& cures, PointFile& file) {
+std::vector<std::string> storeFixed(const Prepared& prepared, const PrepareOptions& options,
+                                    const Fixes& fixes, PointFile& file) {
     std::vector<std::string> done;
     const PointSet& points = prepared.points;
-    if (has(cures, Cure::Orient) && options.normals == NormalSource::Oriented) {
+    if (has(fixes, Cure::Orient) && options.normals == NormalSource::Oriented) {
         file.normal = points.normal;
         done.push_back(
             counted(prepared.report.derived.turnedNormals, "normal flipped", "normals flipped"));
     }
-    if (has(cures, Cure::Walls)) {
+    if (has(fixes, Cure::Walls)) {
         file.type = points.type;
         done.emplace_back("types taken from the box around all points");
     }
-    if (has(cures, Cure::Rim)) {
+    if (has(fixes, Cure::Rim)) {
         file.type = points.type;
         done.push_back(counted(prepared.report.derived.rimChains, "rim", "rims") +
                        " taken as boundaries");
     }
-    const bool newLists = has(cures, Cure::NewLists);
-    if (!newLists && !has(cures, Cure::Symmetric)) return done;
+    const bool newLists = has(fixes, Cure::NewLists);
+    if (!newLists && !has(fixes, Cure::Symmetric)) return done;
     file.neighbors = points.neighbors;
     done.emplace_back(newLists ? "lists of the 12 nearest points" : "lists made symmetric");
     return done;

@@ -11,24 +11,24 @@
 namespace se::view {
 
 /// Names of checks (doctor.h) whose fixes are applied, one after the other.
-using Cures = std::vector<std::string>;
+using Fixes = std::vector<std::string>;
 
 /// True if the viewer can apply the fix of a finding.
-bool canCure(const DoctorCheck& check);
+bool canFix(const DoctorCheck& check);
 /// Effect of a fix, as a sentence for the user.
-std::string_view cureText(Cure cure);
+std::string_view fixText(Cure cure);
 /// The fixes of all findings that need no decision: repairs without guessing, and normals to be
 /// flipped. Each kind once.
-Cures plainCures(std::span<const Finding> findings);
+Fixes safeFixes(std::span<const Finding> findings);
 
 /// Applies the fixes: repairs `file`, and sets in `options` what preparing is to do. Returns one
 /// sentence for each change of the file. Fails if there is no such check, if it has no
 /// fix, or if cancelled. Deterministic.
-Result<std::vector<std::string>> cure(PointFile& file, const Cures& cures, PrepareOptions& options,
-                                      const Progress& progress = {});
+Result<std::vector<std::string>> fixInput(PointFile& file, const Fixes& fixes,
+                                          PrepareOptions& options, const Progress& progress = {});
 /// Copies derived data back into the file after preparing, so that the doctor examines the input
 /// of the run. Returns one sentence for each change.
-std::vector<std::string> takeOverCured(const Prepared& prepared, const PrepareOptions& options,
-                                       const Cures& cures, PointFile& file);
+std::vector<std::string> storeFixed(const Prepared& prepared, const PrepareOptions& options,
+                                    const Fixes& fixes, PointFile& file);
 
 }  // namespace se::view

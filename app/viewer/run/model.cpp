@@ -127,10 +127,10 @@ float medianSpacing(const Model& model) {
 
 Error openingCancelled() { return Error{"Opening was cancelled."}; }
 
-std::string mendedText(const Model& model) {
-    if (model.cured && model.mended.empty()) return "nothing to repair";
+std::string fixesText(const Model& model) {
+    if (model.fixed && model.fixesDone.empty()) return "nothing to repair";
     std::string text;
-    for (const std::string& each : model.mended) text += (text.empty() ? "" : "; ") + each;
+    for (const std::string& each : model.fixesDone) text += (text.empty() ? "" : "; ") + each;
     return text;
 }
 
@@ -195,11 +195,11 @@ Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress) {
     progress.part = LoadPart::Preparing;
     progress.share = kParsedShare;
     PrepareOptions options = prepareOptions(spec, model->params, file.value());
-    Result<std::vector<std::string>> mended =
-        cure(file.value(), spec.cures, options,
-             [&progress](double) { return !progress.cancelled.load(); });
+    Result<std::vector<std::string>> fixesDone =
+        fixInput(file.value(), spec.fixes, options,
+                 [&progress](double) { return !progress.cancelled.load(); });
     if (progress.cancelled) return openingCancelled();
-    if (!mended) return mended.error();
+    if (!fixesDone) return fixesDone.error();
     // Around the points that are left, like the file that the doctor writes.
     if (spec.walls.from == WallChoice::From::Around)
         options.walls = boxAround(file.value().position);
@@ -209,12 +209,12 @@ Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress) {
     });
     if (progress.cancelled) return openingCancelled();
     if (!prepared) return prepared.error();
-    model->cured = !spec.cures.empty();
+    model->fixed = !spec.fixes.empty();
     std::shared_ptr<const PointFile> given;
-    if (model->cured) given = std::make_shared<const PointFile>(file.value());
-    model->mended = std::move(mended.value());
-    for (std::string& each : takeOverCured(prepared.value(), options, spec.cures, file.value()))
-        model->mended.push_back(std::move(each));
+    if (model->fixed) given = std::make_shared<const PointFile>(file.value());
+    model->fixesDone = std::move(fixesDone.value());
+    for (std::string& each : storeFixed(prepared.value(), options, spec.fixes, file.value()))
+        model->fixesDone.push_back(std::move(each));
     progress.part = LoadPart::Placing;
     progress.share = kPreparedShare;
     if (const Status status = validate(prepared.value().points); !status) return status.error();

@@ -54,7 +54,7 @@ struct InputSpec {
     NeighborOptions neighbors;
     std::string rules = "paper";          ///< A name that paramsByName() knows.
     std::vector<RuleValue> choices = {};  ///< Single rules that differ from that set.
-    Cures cures = {};                     ///< Checks whose fixes the user has applied.
+    Fixes fixes = {};                     ///< Checks whose fixes the user has applied.
     NormalSource normals = NormalSource::AsGiven;
     WallChoice walls = {};
     bool rim = false;           ///< Find where the surface ends without a wall (rim.h).
@@ -75,8 +75,8 @@ struct Model {
     PointSet points;
     Params params;
     PrepareReport report;
-    bool cured = false;               ///< The input has fixes.
-    std::vector<std::string> mended;  ///< Effects of the fixes, each a piece of a sentence.
+    bool fixed = false;                  ///< The input has fixes.
+    std::vector<std::string> fixesDone;  ///< Effects of the fixes, each a piece of a sentence.
     std::vector<glm::vec3> place;  ///< View space position of each point; zero if it is not finite.
     std::vector<glm::vec3> normal;
     std::vector<bool> drawable;  ///< False for positions that are not finite.
@@ -114,7 +114,7 @@ Result<Loaded> loadInput(const InputSpec& spec, LoadProgress& progress);
 Result<std::shared_ptr<const Model>> loadModel(const InputSpec& spec, LoadProgress& progress);
 
 /// Effects of the fixes, as one piece of a sentence; empty if there were none.
-std::string mendedText(const Model& model);
+std::string fixesText(const Model& model);
 /// Computes all drawing data from `points`.
 void placeModel(Model& model);
 

@@ -58,10 +58,10 @@ struct ComponentSummary {
 };
 
 /// Maximum number of failures that are kept.
-inline constexpr std::size_t kMostNoticed = 100000;
+inline constexpr std::size_t kMaxNoticed = 100000;
 /// Runs on more points than this are not watched for failures while they proceed: the tables of all
 /// edges and cells would need as much memory as the run.
-inline constexpr std::size_t kMostWatched = 300000;
+inline constexpr std::size_t kMaxWatched = 300000;
 
 /// Lists of the whole run; those with one element per pivot begin with the first pivot.
 struct RunOverview {
@@ -75,7 +75,7 @@ struct RunOverview {
     std::vector<ComponentShape> shapes;  ///< Of the complete components.
     std::vector<LaneChange> laneChanges;
     /// Failures at the decisions that caused them, in the order of the run; of a very
-    /// tangled run the first kMostNoticed.
+    /// tangled run the first kMaxNoticed.
     std::vector<LiveFailure> failures;
     std::uint32_t lanes = 0;  ///< Maximum at one time.
     std::uint32_t longestRing = 0;

@@ -178,14 +178,14 @@ void addMended(Picture& picture, const PivotRecord& record) {
             const Stage stage = e.address.stage;
             return stage == Stage::Reinsert || stage == Stage::Flip || stage == Stage::Reseat;
         });
-    if (!mends || record.after.mended == nullptr) return;
-    picture.mended = record.after.mended;
-    const auto& before = record.before.mended ? record.before.mended : record.unmended;
+    if (!mends || record.after.repaired == nullptr) return;
+    picture.repaired = record.after.repaired;
+    const auto& before = record.before.repaired ? record.before.repaired : record.unrepaired;
     if (before) {
-        picture.newTriangles = freshTriangles(*before, *record.after.mended);
-        picture.goneTriangles = freshTriangles(*record.after.mended, *before);
+        picture.newTriangles = freshTriangles(*before, *record.after.repaired);
+        picture.goneTriangles = freshTriangles(*record.after.repaired, *before);
     }
-    picture.finishedTriangles = picture.mended->size() - picture.newTriangles.size();
+    picture.finishedTriangles = picture.repaired->size() - picture.newTriangles.size();
 }
 
 Picture pictureBefore(const PivotRecord& record) {
@@ -193,7 +193,7 @@ Picture pictureBefore(const PivotRecord& record) {
     picture.status = record.before.status;
     picture.rings = ringPaths(record.before.rings);
     picture.finishedTriangles = record.before.triangleCount;
-    picture.mended = record.before.mended;
+    picture.repaired = record.before.repaired;
     return picture;
 }
 

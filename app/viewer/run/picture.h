@@ -51,7 +51,7 @@ struct Picture {
     std::vector<Triangle> goneTriangles;  ///< Triangles removed by a step after the last pivot.
     std::size_t finishedTriangles = 0;    ///< Number of triangles of earlier pivots.
     /// If not null: drawn instead of the finished triangles.
-    std::shared_ptr<const std::vector<Triangle>> mended;
+    std::shared_ptr<const std::vector<Triangle>> repaired;
     std::vector<RingPath> rings;  ///< The active one first, then the stack from the top.
     /// The rings before §6.5 changed them; empty before that.
     std::vector<RingPath> oldRings;

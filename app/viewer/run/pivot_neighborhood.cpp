@@ -29,7 +29,7 @@ class Collector {
 
 }  // namespace
 
-std::vector<Index> surroundingsOf(const Picture& picture) {
+std::vector<Index> neighborhoodOf(const Picture& picture) {
     Collector all;
     for (const Index point : {picture.pivot, picture.start, picture.end, picture.first,
                               picture.last, picture.underTest, picture.nextPivot}) {

@@ -9,6 +9,6 @@ namespace se::view {
 
 /// The pivot, its ends, the candidates that are left, and other points named by the event at the
 /// cursor; in order, none twice. Without a pivot: the point under test, if there is one.
-std::vector<Index> surroundingsOf(const Picture& picture);
+std::vector<Index> neighborhoodOf(const Picture& picture);
 
 }  // namespace se::view

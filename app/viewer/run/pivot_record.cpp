@@ -18,7 +18,7 @@ RunState withoutTriangles(const State& state, StatusList& last) {
                   state.finished(),
                   nullptr};
     if (!state.mend.empty()) {
-        copy.mended = std::make_shared<const std::vector<Triangle>>(state.mend.triangles);
+        copy.repaired = std::make_shared<const std::vector<Triangle>>(state.mend.triangles);
     }
     return copy;
 }
@@ -59,9 +59,9 @@ std::shared_ptr<const PivotRecord> recordPivot(Timeline& timeline, std::uint32_t
     record->before = withoutTriangles(timeline.state(), last);
     timeline.stepPivot();
     record->after = withoutTriangles(timeline.state(), last);
-    if (record->after.mended && !record->before.mended) {
+    if (record->after.repaired && !record->before.repaired) {
         // The list of emitted triangles stays unchanged while a copy of it is edited.
-        record->unmended =
+        record->unrepaired =
             std::make_shared<const std::vector<Triangle>>(timeline.state().triangles);
     }
     record->isLast = timeline.endKnown() && pivot == timeline.lastPivot();

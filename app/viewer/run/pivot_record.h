@@ -18,7 +18,7 @@ struct RunState {
     Counters counters;
     bool finished = false;
     /// Beyond the paper: the mesh that the steps after the last pivot edit; null before them.
-    std::shared_ptr<const std::vector<Triangle>> mended;
+    std::shared_ptr<const std::vector<Triangle>> repaired;
 };
 
 /// Everything about pivot number `pivot`. 0 is the beginning of the run and has no events.
@@ -29,7 +29,7 @@ struct PivotRecord {
     RunState after;
     /// For the first step after the last pivot: the triangles of the run, which it is the first to
     /// edit. Otherwise null.
-    std::shared_ptr<const std::vector<Triangle>> unmended;
+    std::shared_ptr<const std::vector<Triangle>> unrepaired;
     bool isLast = false;  ///< No event of the run follows.
 
     /// Position of the event with that address, or of the first event of its stage if n is 0.

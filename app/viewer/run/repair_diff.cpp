@@ -61,7 +61,7 @@ MeshEdges edgesOf(std::span<const Triangle> gone, std::span<const Triangle> made
     return edges;
 }
 
-std::vector<ComponentStretch> componentsOf(std::span<const Triangle> mended,
+std::vector<ComponentStretch> componentsOf(std::span<const Triangle> repaired,
                                            std::span<const Triangle> emitted,
                                            std::span<const std::size_t> starts,
                                            std::size_t points) {
@@ -75,11 +75,11 @@ std::vector<ComponentStretch> componentsOf(std::span<const Triangle> mended,
         }
     }
     std::vector<ComponentStretch> stretches;
-    for (std::size_t i = 0; i < mended.size(); ++i) {
+    for (std::size_t i = 0; i < repaired.size(); ++i) {
         // The latest of its corners: a corner shared by two components belongs to the earlier one.
         // A point that was put in has none yet, and takes that of its triangle.
         std::size_t mine = 0;
-        const std::array corners = {mended[i].a, mended[i].b, mended[i].c};
+        const std::array corners = {repaired[i].a, repaired[i].b, repaired[i].c};
         for (const Index p : corners) mine = of[p] == kUnknown ? mine : std::max(mine, of[p]);
         for (const Index p : corners) of[p] = of[p] == kUnknown ? mine : of[p];
         if (stretches.empty() || stretches.back().component != mine) {
@@ -89,15 +89,15 @@ std::vector<ComponentStretch> componentsOf(std::span<const Triangle> mended,
     return stretches;
 }
 
-const std::vector<ComponentStretch>& MendedComponents::of(
-    const std::shared_ptr<const std::vector<Triangle>>& mended, std::span<const Triangle> emitted,
+const std::vector<ComponentStretch>& RepairedComponents::of(
+    const std::shared_ptr<const std::vector<Triangle>>& repaired, std::span<const Triangle> emitted,
     std::span<const std::size_t> starts, std::size_t points) {
-    if (mended_ != mended ||
+    if (repaired_ != repaired ||
         !std::equal(starts.begin(), starts.end(), starts_.begin(), starts_.end())) {
-        mended_ = mended;
+        repaired_ = repaired;
         starts_.assign(starts.begin(), starts.end());
-        stretches_ = mended ? componentsOf(*mended, emitted, starts, points)
-                            : std::vector<ComponentStretch>{};
+        stretches_ = repaired ? componentsOf(*repaired, emitted, starts, points)
+                              : std::vector<ComponentStretch>{};
     }
     return stretches_;
 }

@@ -37,20 +37,20 @@ struct ComponentStretch {
 /// Components of a repaired mesh. A flip, or a point that is put in, joins no two of them, so
 /// a triangle belongs to the component that its corners had when they were first used.
 /// `emitted`: the triangles of the run; `starts`: the first triangle of each component in them.
-std::vector<ComponentStretch> componentsOf(std::span<const Triangle> mended,
+std::vector<ComponentStretch> componentsOf(std::span<const Triangle> repaired,
                                            std::span<const Triangle> emitted,
                                            std::span<const std::size_t> starts, std::size_t points);
 
 /// Cache of the components of a repaired mesh, recomputed only for another mesh or other
 /// components.
-class MendedComponents {
+class RepairedComponents {
   public:
     const std::vector<ComponentStretch>& of(
-        const std::shared_ptr<const std::vector<Triangle>>& mended,
+        const std::shared_ptr<const std::vector<Triangle>>& repaired,
         std::span<const Triangle> emitted, std::span<const std::size_t> starts, std::size_t points);
 
   private:
-    std::shared_ptr<const std::vector<Triangle>> mended_;
+    std::shared_ptr<const std::vector<Triangle>> repaired_;
     std::vector<std::size_t> starts_;
     std::vector<ComponentStretch> stretches_;
 };

@@ -88,16 +88,16 @@ class Search {
         : old_(before), new_(after), keepGoing_(keepGoing) {}
 
     /// False if it was stopped.
-    bool run(SamePlace& place) {
+    bool run(SamePosition& place) {
         const std::uint32_t wanted = place.from.address.pivot;
         if (!together(wanted) || !oldAlone(wanted)) return false;
         place.part = part_;
         place.pivot = shared_;
-        place.kind = SamePlace::Kind::Earlier;
+        place.kind = SamePosition::Kind::Earlier;
         place.point = old_.point();
         if (place.point == kNone || old_.pivot() != wanted) return true;
         if (part_ == 0) {
-            place.kind = SamePlace::Kind::Same;
+            place.kind = SamePosition::Kind::Same;
             place.pivot = wanted;
             return true;
         }
@@ -139,7 +139,7 @@ class Search {
                new_.times() <= old_.times();
     }
     /// The new run alone: the pivot with the same point, for the same number of times.
-    bool find(SamePlace& place) {
+    bool find(SamePosition& place) {
         bool more = found_ == 0;
         while (more) {
             if (!goOn()) return false;
@@ -148,7 +148,7 @@ class Search {
             more = new_.next();
         }
         if (found_ == 0) return true;
-        place.kind = SamePlace::Kind::Same;
+        place.kind = SamePosition::Kind::Same;
         place.pivot = found_;
         return true;
     }
@@ -163,13 +163,13 @@ class Search {
 
 }  // namespace
 
-std::optional<SamePlace> findSamePlace(const RunInput& before, const CursorPlace& from,
-                                       const RunInput& after,
-                                       const std::function<bool()>& keepGoing) {
-    SamePlace place;
+std::optional<SamePosition> findSamePosition(const RunInput& before, const CursorPosition& from,
+                                             const RunInput& after,
+                                             const std::function<bool()>& keepGoing) {
+    SamePosition place;
     place.from = from;
     if (from.atEnd) {
-        place.kind = SamePlace::Kind::End;
+        place.kind = SamePosition::Kind::End;
         place.pivot = std::numeric_limits<std::uint32_t>::max();
         return place;
     }
@@ -178,10 +178,10 @@ std::optional<SamePlace> findSamePlace(const RunInput& before, const CursorPlace
     return place;
 }
 
-std::size_t sameStep(const PivotRecord& record, const SamePlace& place) {
+std::size_t sameStep(const PivotRecord& record, const SamePosition& place) {
     const std::vector<Event>& events = record.events;
     if (events.empty()) return 0;
-    if (place.kind != SamePlace::Kind::Same) return events.size() - 1;
+    if (place.kind != SamePosition::Kind::Same) return events.size() - 1;
     const Address& wanted = place.from.address;
     std::size_t best = events.size() - 1;
     int bestRank = -1;
@@ -203,22 +203,22 @@ std::size_t sameStep(const PivotRecord& record, const SamePlace& place) {
     return best;
 }
 
-std::string describe(const SamePlace& place, const Address& landed) {
+std::string describe(const SamePosition& place, const Address& landed) {
     const std::string was = toString(place.from.address);
     const std::string now = toString(landed);
     switch (place.kind) {
-        case SamePlace::Kind::Start:
+        case SamePosition::Kind::Start:
             return "At the start of the new run.";
-        case SamePlace::Kind::End:
+        case SamePosition::Kind::End:
             return "At the end of the new run.";
-        case SamePlace::Kind::Same:
+        case SamePosition::Kind::Same:
             if (was == now && place.part == 0) return "Same place: no difference before it.";
             if (was == now) {
                 return "Same place; the runs diverge at pivot " + std::to_string(place.part) + ".";
             }
             return "Same pivot, point " + std::to_string(place.point) + ": " + was + " is now " +
                    now + "; the runs diverge at pivot " + std::to_string(place.part) + ".";
-        case SamePlace::Kind::Earlier:
+        case SamePosition::Kind::Earlier:
             break;
     }
     const std::string part = std::to_string(place.part);

@@ -29,19 +29,19 @@ std::array<DifferenceShade::Part, 2> DifferenceShade::partsOf(std::span<const Tr
 }
 
 std::array<TintedTriangles, 2> DifferenceShade::at(
-    std::size_t finished, const std::shared_ptr<const std::vector<Triangle>>& mended,
+    std::size_t finished, const std::shared_ptr<const std::vector<Triangle>>& repaired,
     const Color& only, const Color& turned) const {
     if (!other_) return {};
-    if (mended && mended_ != mended) {
-        mendedParts_ = partsOf(*mended, *other_);
-        mended_ = mended;
+    if (repaired && repaired_ != repaired) {
+        repairedParts_ = partsOf(*repaired, *other_);
+        repaired_ = repaired;
     }
-    const std::array<Part, 2>& parts = mended ? mendedParts_ : parts_;
+    const std::array<Part, 2>& parts = repaired ? repairedParts_ : parts_;
     std::array<TintedTriangles, 2> tinted;
     for (std::size_t kind = 0; kind < 2; ++kind) {
         const auto& places = parts[kind].places;
         const auto end =
-            mended ? places.end() : std::lower_bound(places.begin(), places.end(), finished);
+            repaired ? places.end() : std::lower_bound(places.begin(), places.end(), finished);
         tinted[kind] = {parts[kind].triangles, static_cast<std::size_t>(end - places.begin()),
                         kind == 0 ? only : turned};
     }

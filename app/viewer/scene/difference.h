@@ -20,7 +20,7 @@ class DifferenceShade {
 
     /// Those among the first `finished` triangles; or those of the repaired mesh, if there is one.
     std::array<TintedTriangles, 2> at(std::size_t finished,
-                                      const std::shared_ptr<const std::vector<Triangle>>& mended,
+                                      const std::shared_ptr<const std::vector<Triangle>>& repaired,
                                       const Color& only, const Color& turned) const;
 
   private:
@@ -34,8 +34,8 @@ class DifferenceShade {
 
     std::shared_ptr<const TriangleSet> other_;
     std::array<Part, 2> parts_{};
-    mutable std::shared_ptr<const std::vector<Triangle>> mended_;  ///< Mesh of mendedParts_.
-    mutable std::array<Part, 2> mendedParts_{};
+    mutable std::shared_ptr<const std::vector<Triangle>> repaired_;  ///< Mesh of repairedParts_.
+    mutable std::array<Part, 2> repairedParts_{};
 };
 
 /// Style of a difference in one view.

@@ -129,7 +129,7 @@ struct DrawList {
     bool meshEdges = true;
 
     /// Triangles to draw instead of the finished ones, if not null.
-    std::shared_ptr<const std::vector<Triangle>> mended;
+    std::shared_ptr<const std::vector<Triangle>> repaired;
 
     std::array<TintedTriangles, 2> tinted{};
 

@@ -38,7 +38,7 @@ struct MeshColoring {
     MeshStyle style = MeshStyle::Flat;
     std::size_t birthEnd = 1;         ///< Triangles of the whole run, as far as known.
     std::vector<std::size_t> starts;  ///< The first triangle of each component.
-    std::vector<ComponentStretch> mended =
+    std::vector<ComponentStretch> repaired =
         {};  ///< Components of the repaired mesh, where it is shown.
     friend bool operator==(const MeshColoring&, const MeshColoring&) = default;
 };

@@ -60,11 +60,11 @@ double motionSeconds(const Picture& picture) {
     const Stage stage = picture.event->address.stage;
     if (stage == Stage::Seed) return kBlinkSeconds;
     const bool fan = stage == Stage::Emit || picture.complete;
-    if (fan && !picture.newTriangles.empty() && !picture.mended) return kFadeSeconds;
+    if (fan && !picture.newTriangles.empty() && !picture.repaired) return kFadeSeconds;
     return stage == Stage::Ring ? kFadeSeconds : 0.0;
 }
 
-const Moment& Motion::look(const Place& place, double seconds, double now) {
+const Moment& Motion::look(const Instant& place, double seconds, double now) {
     if (!(place == place_)) {
         moment_.single = place.generation == place_.generation && place.pivot == place_.pivot &&
                          place.cursor == place_.cursor + 1;

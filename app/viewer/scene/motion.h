@@ -36,20 +36,20 @@ double motionSeconds(const Picture& picture);
 class Motion {
   public:
     /// Position of the cursor.
-    struct Place {
+    struct Instant {
         std::uint32_t generation = 0;
         std::uint32_t pivot = 0;
         std::size_t cursor = 0;
-        friend bool operator==(const Place&, const Place&) = default;
+        friend bool operator==(const Instant&, const Instant&) = default;
     };
 
     /// The moment to draw. `seconds`: result of motionSeconds(), 0 if the step is not to be
     /// animated.
-    const Moment& look(const Place& place, double seconds, double now);
+    const Moment& look(const Instant& place, double seconds, double now);
     bool moving() const { return moment_.kind == Moment::Kind::Moving; }
 
   private:
-    Place place_;
+    Instant place_;
     Moment moment_;
     double began_ = 0.0;
     double seconds_ = 0.0;

@@ -134,7 +134,7 @@ struct NearEdge {
 
 class ScenePicker {
   public:
-    ScenePicker(const PickScene& scene, const PickPlace& at)
+    ScenePicker(const PickScene& scene, const PickPoint& at)
         : scene_(scene),
           model_(scene.model),
           at_(at),
@@ -329,7 +329,7 @@ class ScenePicker {
 
     const PickScene& scene_;
     const Model& model_;
-    const PickPlace& at_;
+    const PickPoint& at_;
     Projector project_;
     Ray ray_;
 };
@@ -350,6 +350,6 @@ Index pickAmong(const Model& model, std::span<const Index> points, const CameraM
     return picker.best();
 }
 
-Pick pick(const PickScene& scene, const PickPlace& at) { return ScenePicker(scene, at).pick(); }
+Pick pick(const PickScene& scene, const PickPoint& at) { return ScenePicker(scene, at).pick(); }
 
 }  // namespace se::view

@@ -32,7 +32,7 @@ struct PickScene {
 };
 
 /// Position of the pointer. `radius`: tolerance in pixels.
-struct PickPlace {
+struct PickPoint {
     CameraMatrices camera;
     glm::vec2 size{1.0F};
     glm::vec2 pixel{0.0F};
@@ -46,6 +46,6 @@ struct Pick {
 
 /// The foremost thing under the pointer: a point if one is close, otherwise an edge of the mesh or
 /// a ring, otherwise a triangle. Nothing behind the front surface is found.
-Pick pick(const PickScene& scene, const PickPlace& at);
+Pick pick(const PickScene& scene, const PickPoint& at);
 
 }  // namespace se::view

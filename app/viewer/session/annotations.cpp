@@ -53,7 +53,7 @@ void insertBookmark(Bookmarks& bookmarks, Bookmark bookmark) {
     }
 }
 
-std::string differenceOf(const Noted& a, const Noted& b) {
+std::string differenceOf(const Annotations& a, const Annotations& b) {
     std::vector<const char*> kinds;
     if (a.bookmarks != b.bookmarks) kinds.push_back("bookmarks");
     if (a.notes != b.notes) kinds.push_back("notes");

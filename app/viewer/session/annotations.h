@@ -37,16 +37,16 @@ const Bookmark* nextBookmark(const Bookmarks& bookmarks, const Address& address,
 /// Inserts a bookmark in order; it replaces an older one at the same address.
 void insertBookmark(Bookmarks& bookmarks, Bookmark bookmark);
 
-struct Noted {
+struct Annotations {
     Bookmarks bookmarks;
     std::string notes;
     std::vector<Breakpoint> breakpoints;
     std::vector<std::string> watches;
 
-    bool operator==(const Noted&) const = default;
+    bool operator==(const Annotations&) const = default;
 };
 
 /// Differences in words: "bookmarks and watches". Empty if there are none.
-std::string differenceOf(const Noted& a, const Noted& b);
+std::string differenceOf(const Annotations& a, const Annotations& b);
 
 }  // namespace se::view

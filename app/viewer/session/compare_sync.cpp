@@ -7,20 +7,20 @@
 
 namespace se::view {
 
-bool inStep(const TwinTimes& times, std::uint32_t pivot) {
-    return !times.parted || pivot <= times.alike + 1;
+bool inStep(const RunAlignment& alignment, std::uint32_t pivot) {
+    return !alignment.parted || pivot <= alignment.alike + 1;
 }
 
-std::uint32_t twinPivot(const TwinTimes& times, std::uint32_t pivot) {
-    if (inStep(times, pivot)) return pivot;
-    const std::uint32_t from = times.alike + 1;
-    if (times.endA <= from || times.endB <= from) return std::max(from, times.endB);
-    const std::uint64_t gone = std::min(pivot, times.endA) - from;
-    const std::uint64_t left = times.endA - from;
-    return from + static_cast<std::uint32_t>(gone * (times.endB - from) / left);
+std::uint32_t matchingPivot(const RunAlignment& alignment, std::uint32_t pivot) {
+    if (inStep(alignment, pivot)) return pivot;
+    const std::uint32_t from = alignment.alike + 1;
+    if (alignment.endA <= from || alignment.endB <= from) return std::max(from, alignment.endB);
+    const std::uint64_t gone = std::min(pivot, alignment.endA) - from;
+    const std::uint64_t left = alignment.endA - from;
+    return from + static_cast<std::uint32_t>(gone * (alignment.endB - from) / left);
 }
 
-std::size_t twinCursor(std::span<const Event> a, std::size_t cursor, std::span<const Event> b) {
+std::size_t matchingEvent(std::span<const Event> a, std::size_t cursor, std::span<const Event> b) {
     const std::size_t last = b.size() - 1;
     if (cursor >= a.size() || cursor + 1 == a.size()) return last;
     const Address& here = a[cursor].address;

@@ -10,7 +10,7 @@
 namespace se::view {
 
 /// The common part of the timelines of two runs A and B.
-struct TwinTimes {
+struct RunAlignment {
     std::uint32_t alike = 0;  ///< Number of equal pivots at the start.
     bool parted = false;      ///< The runs are not equal to the end.
     std::uint32_t endA = 0;   ///< Number of pivots of each.
@@ -19,12 +19,12 @@ struct TwinTimes {
 
 /// The pivot of B that matches one of A: the same one up to that of the first difference; after
 /// it the same share of what is left, so that both ends match. Monotonic in `pivot`.
-std::uint32_t twinPivot(const TwinTimes& times, std::uint32_t pivot);
+std::uint32_t matchingPivot(const RunAlignment& alignment, std::uint32_t pivot);
 /// True if both are in the same pivot: then B follows stage by stage, otherwise by whole pivots.
-bool inStep(const TwinTimes& times, std::uint32_t pivot);
+bool inStep(const RunAlignment& alignment, std::uint32_t pivot);
 
 /// The event of B that matches A's event at `cursor`, in the same pivot: that of the same
 /// address, otherwise the last one of no later stage. Requires that B has events.
-std::size_t twinCursor(std::span<const Event> a, std::size_t cursor, std::span<const Event> b);
+std::size_t matchingEvent(std::span<const Event> a, std::size_t cursor, std::span<const Event> b);
 
 }  // namespace se::view

@@ -85,7 +85,7 @@ std::string differenceText(const InputSpec& a, const InputSpec& b) {
     added(a.rim, b.rim, "rims found", "no rims");
     added(a.keepOpposing, b.keepOpposing, "opposing normals kept", "opposing normals dropped");
     added(a.keepNoise, b.keepNoise, "noise kept", "noise set aside");
-    if (a.cures != b.cures) append(text, b.cures.empty() ? "not repaired" : "repaired");
+    if (a.fixes != b.fixes) append(text, b.fixes.empty() ? "not repaired" : "repaired");
     return text.empty() ? "the same" : text;
 }
 

@@ -162,16 +162,16 @@ bool Comparison::poll(const Session& run) {
     return changed;
 }
 
-void Comparison::settle(Session& run) {
+void Comparison::waitUntilDone(Session& run) {
     if (!chosen()) return;
     poll(run);
-    if (runs()) other_->settle();
+    if (runs()) other_->waitUntilDone();
     poll(run);
     query_.finish();
     // Two moves: to the pivot, and to the event in it.
     for (int i = 0; i < 3; ++i) {
         poll(run);
-        if (runs()) other_->settle();
+        if (runs()) other_->waitUntilDone();
     }
 }
 
@@ -205,8 +205,8 @@ void Comparison::follow(const Session& run) {
         asked_ = kNowhere;
         return other.atEnd() ? void() : other.toEnd();
     }
-    const TwinTimes times = result_ ? result_->times() : TwinTimes{};
-    const std::uint32_t pivot = wanted ? wanted->pivot : twinPivot(times, here.pivot);
+    const RunAlignment alignment = result_ ? result_->alignment() : RunAlignment{};
+    const std::uint32_t pivot = wanted ? wanted->pivot : matchingPivot(alignment, here.pivot);
     if (other.record().pivot != pivot && asked_ != pivot) {
         asked_ = pivot;
         other.playTo({pivot, Stage::Pivot, 0});
@@ -220,13 +220,13 @@ void Comparison::follow(const Session& run) {
     std::size_t cursor = events.size() - 1;
     if (wanted) {
         cursor = other.record().find(*wanted).value_or(cursor);
-    } else if (inStep(times, here.pivot) && other.record().pivot == here.pivot) {
-        cursor = twinCursor(run.record().events, run.cursor(), events);
+    } else if (inStep(alignment, here.pivot) && other.record().pivot == here.pivot) {
+        cursor = matchingEvent(run.record().events, run.cursor(), events);
     }
     if (cursor != other.cursor()) other.goToEvent(cursor);
 }
 
-void Comparison::goTo(Session& run, const ComparedPlace& place) {
+void Comparison::goTo(Session& run, const ComparedAddresses& place) {
     held_ = place.b;
     heldBy_.reset();
     followed_.reset();

@@ -26,13 +26,13 @@ struct Compared {
     TriangleSet setA, setB;
     std::vector<Index> strangers;  ///< Vertices of the file that lie on no point.
 
-    TwinTimes times() const {
+    RunAlignment alignment() const {
         return {runs.pivotsAlike, runs.first.has_value(), runs.a.pivots, runs.b.pivots};
     }
 };
 
 /// Targets for the cursor of the run and that of the other one.
-struct ComparedPlace {
+struct ComparedAddresses {
     std::optional<Address> a;  ///< Empty: that run has ended by then.
     std::optional<Address> b;
 };
@@ -47,7 +47,7 @@ class Comparison {
     /// something new to draw.
     bool poll(const Session& run);
     /// Blocks until no work is in progress.
-    void settle(Session& run);
+    void waitUntilDone(Session& run);
 
     const CompareWith& with() const { return with_; }
     bool chosen() const { return with_.kind != CompareWith::Kind::Nothing; }
@@ -66,7 +66,7 @@ class Comparison {
     const Session* other() const { return runs() && other_->ready() ? other_.get() : nullptr; }
 
     /// Moves both, and holds the other one there until `run` moves.
-    void goTo(Session& run, const ComparedPlace& place);
+    void goTo(Session& run, const ComparedAddresses& place);
 
   private:
     /// Cursor position of a run.
@@ -87,7 +87,7 @@ class Comparison {
 
     CompareWith with_;
     std::unique_ptr<Session> other_;
-    Inquiry<std::shared_ptr<const Compared>> query_;
+    BackgroundQuery<std::shared_ptr<const Compared>> query_;
     std::shared_ptr<const Compared> result_;
     std::shared_ptr<const Model> comparedA_;  ///< Key of the job, or of the result.
     std::shared_ptr<const Model> comparedB_;

@@ -8,7 +8,7 @@ void History::leave(std::string place) {
     after_.clear();
     if (!before_.empty() && before_.back() == place) return;
     before_.push_back(std::move(place));
-    if (before_.size() > kMost) before_.erase(before_.begin());
+    if (before_.size() > kMax) before_.erase(before_.begin());
 }
 
 namespace {

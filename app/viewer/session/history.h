@@ -19,7 +19,7 @@ class History {
     bool canGoForward() const { return !after_.empty(); }
 
   private:
-    static constexpr std::size_t kMost = 200;
+    static constexpr std::size_t kMax = 200;
     std::vector<std::string> before_;  // the last element is the nearest
     std::vector<std::string> after_;
 };

@@ -7,35 +7,35 @@ namespace se::view {
 
 namespace {
 
-constexpr std::array<ArrangementRow, 4> kArrangements = {{
-    {Arrangement::Debug, "debug", "Debug", "All panels."},
-    {Arrangement::Learn, "learn", "Learn",
+constexpr std::array<LayoutPresetRow, 4> kLayoutPresets = {{
+    {LayoutPreset::Debug, "debug", "Debug", "All panels."},
+    {LayoutPreset::Learn, "learn", "Learn",
      "The rule beside a large view, the decision in large type. F2: next layout."},
-    {Arrangement::Present, "present", "Present",
+    {LayoutPreset::Present, "present", "Present",
      "Only view, caption and run. F2 brings the panels back; all keys work."},
-    {Arrangement::Compare, "compare", "Compare",
+    {LayoutPreset::Compare, "compare", "Compare",
      "Two views on one timeline. D: first difference. Ctrl+D, F2: back."},
 }};
 
 }  // namespace
 
-std::span<const ArrangementRow> arrangements() { return kArrangements; }
+std::span<const LayoutPresetRow> layoutPresets() { return kLayoutPresets; }
 
-const ArrangementRow& rowOf(Arrangement arrangement) {
-    return kArrangements[static_cast<std::size_t>(arrangement)];
+const LayoutPresetRow& rowOf(LayoutPreset layoutPreset) {
+    return kLayoutPresets[static_cast<std::size_t>(layoutPreset)];
 }
 
-std::optional<Arrangement> arrangementFromName(std::string_view name) {
-    const auto found = std::find_if(kArrangements.begin(), kArrangements.end(),
-                                    [&](const ArrangementRow& row) { return row.name == name; });
-    if (found == kArrangements.end()) return std::nullopt;
+std::optional<LayoutPreset> layoutPresetFromName(std::string_view name) {
+    const auto found = std::find_if(kLayoutPresets.begin(), kLayoutPresets.end(),
+                                    [&](const LayoutPresetRow& row) { return row.name == name; });
+    if (found == kLayoutPresets.end()) return std::nullopt;
     return found->id;
 }
 
-Arrangement following(Arrangement arrangement) {
+LayoutPreset following(LayoutPreset layoutPreset) {
     constexpr std::size_t kOnKey = 3;
-    const std::size_t next = static_cast<std::size_t>(arrangement) + 1;
-    return kArrangements[next < kOnKey ? next : 0].id;
+    const std::size_t next = static_cast<std::size_t>(layoutPreset) + 1;
+    return kLayoutPresets[next < kOnKey ? next : 0].id;
 }
 
 }  // namespace se::view

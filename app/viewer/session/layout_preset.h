@@ -8,7 +8,7 @@
 
 namespace se::view {
 
-enum class Arrangement : std::uint8_t {
+enum class LayoutPreset : std::uint8_t {
     Debug,    ///< Everything.
     Learn,    ///< The paper's rule on the left, a large view and a large caption.
     Present,  ///< View, caption and the strip of the run.
@@ -16,19 +16,19 @@ enum class Arrangement : std::uint8_t {
 };
 
 /// One row of the table of layouts.
-struct ArrangementRow {
-    Arrangement id;
+struct LayoutPresetRow {
+    LayoutPreset id;
     std::string_view name;   ///< Name for --layout.
     std::string_view title;  ///< Name for the user.
     std::string_view help;   ///< Content of the layout, and how to leave it.
 };
 
 /// All layouts; F2 cycles through the first three in this order.
-std::span<const ArrangementRow> arrangements();
-const ArrangementRow& rowOf(Arrangement arrangement);
+std::span<const LayoutPresetRow> layoutPresets();
+const LayoutPresetRow& rowOf(LayoutPreset layoutPreset);
 /// Empty if there is none of that name.
-std::optional<Arrangement> arrangementFromName(std::string_view name);
+std::optional<LayoutPreset> layoutPresetFromName(std::string_view name);
 /// The next layout for F2; after the last, and from Compare, the first.
-Arrangement following(Arrangement arrangement);
+LayoutPreset following(LayoutPreset layoutPreset);
 
 }  // namespace se::view

@@ -10,7 +10,7 @@
 
 namespace se::view {
 
-struct LinePlace {
+struct LinePosition {
     std::optional<std::size_t> here;  ///< The decision at the cursor.
     std::size_t before = 0;  ///< Number of decisions before the cursor; it is on the next or above.
 
@@ -19,6 +19,6 @@ struct LinePlace {
 };
 
 /// Requires session.ready(). `lines` are in the order of the run. O(log lines + events of a pivot).
-LinePlace placeAmong(std::span<const LedgerLine> lines, const Session& session);
+LinePosition positionAmong(std::span<const LedgerLine> lines, const Session& session);
 
 }  // namespace se::view

@@ -79,7 +79,7 @@ Steps stepsToSource(const std::string& source, const MeshTarget& target) {
 void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
     const std::string stem = stemOf(spec.source.empty() ? steps.input : spec.source, 0);
     int files = 0;
-    for (const std::string& name : spec.cures) {
+    for (const std::string& name : spec.fixes) {
         const DoctorCheck* check = findDoctorCheck(name);
         if (check == nullptr) continue;
         const bool drops = check->cure == Cure::Drop;
@@ -89,14 +89,14 @@ void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
         std::string file = stem;
         file.append("-mended");
         if (files > 1) file.append("-").append(std::to_string(files));
-        std::string mended = besideMesh(target, file.append(".ply"));
+        std::string repaired = besideMesh(target, file.append(".ply"));
         steps.before.append("{ ").append(kProgram);
         for (const std::string& word : {std::string("doctor"), shellQuoted(steps.input),
-                                        std::string("-q --fix"), shellQuoted(mended)})
+                                        std::string("-q --fix"), shellQuoted(repaired)})
             steps.before.append(" ").append(word);
         if (drops) steps.before.append(" --drop ").append(name);
         steps.before += "; [ $? -le 1 ]; } && ";
-        steps.input = std::move(mended);
+        steps.input = std::move(repaired);
     }
     if (files == 0) return;
     if (!steps.note.empty()) steps.note += ' ';
@@ -106,8 +106,8 @@ void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
 }
 
 /// `spec` with the options that the other fixes choose.
-InputSpec withCuresChosen(InputSpec spec) {
-    for (const std::string& name : spec.cures) {
+InputSpec withFixesChosen(InputSpec spec) {
+    for (const std::string& name : spec.fixes) {
         const DoctorCheck* check = findDoctorCheck(name);
         if (check == nullptr) continue;
         if (check->cure == Cure::Orient) spec.normals = NormalSource::Oriented;
@@ -163,7 +163,7 @@ MeshCommand meshCommand(const InputSpec& spec, const MeshTarget& target) {
     if (steps.input.empty()) return {{}, steps.note};
     addDoctor(spec, target, steps);
     MeshCommand command{steps.before + kProgram + " run " + shellQuoted(steps.input), steps.note};
-    command.text += runOptions(withCuresChosen(spec));
+    command.text += runOptions(withFixesChosen(spec));
     if (target.usedOnly) command.text += " --used-points";
     command.text += " -o " + shellQuoted(target.path);
     return command;

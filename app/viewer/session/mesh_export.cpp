@@ -89,10 +89,10 @@ bool MeshExport::poll() {
     return news;
 }
 
-void MeshExport::finish() {
-    mesh_.finish();
+void MeshExport::waitUntilDone() {
+    mesh_.waitUntilDone();
     poll();
-    file_.finish();
+    file_.waitUntilDone();
     poll();
 }
 

@@ -49,7 +49,7 @@ class MeshExport {
     /// Takes the results of the threads. True if there was anything new.
     bool poll();
     /// Blocks until no work is in progress.
-    void finish();
+    void waitUntilDone();
 
     /// Null before the mesh is made.
     const FinishedMesh* mesh() const { return mesh_.answer(); }
@@ -67,8 +67,8 @@ class MeshExport {
     void begin();
 
     std::shared_ptr<const Model> model_;  ///< Model of the mesh; null: none.
-    Inquiry<FinishedMesh> mesh_;
-    Inquiry<SavedMesh> file_;
+    BackgroundQuery<FinishedMesh> mesh_;
+    BackgroundQuery<SavedMesh> file_;
     std::optional<MeshTarget> order_;  ///< Waits for the mesh.
     std::optional<Result<SavedMesh>> outcome_;
 };

@@ -9,7 +9,7 @@ namespace se::view {
 namespace {
 
 constexpr std::array kNotches = {0.5, 1.0, 2.0, 4.0, 8.0, 15.0, 30.0, 60.0};
-constexpr int kMostAtOnce = 8;
+constexpr int kMaxAtOnce = 8;
 
 }  // namespace
 
@@ -59,7 +59,7 @@ int Playback::due(double seconds) {
     if (!playing_) return 0;
     if (unlimited_) return 1;
     owed_ += seconds * rate_;
-    const int steps = std::min(static_cast<int>(std::floor(owed_)), kMostAtOnce);
+    const int steps = std::min(static_cast<int>(std::floor(owed_)), kMaxAtOnce);
     owed_ = std::min(owed_ - steps, 1.0);
     return steps;
 }

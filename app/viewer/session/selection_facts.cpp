@@ -38,7 +38,7 @@ void addEdge(const Session& session, const Selection& edge, SelectionFacts& fact
     facts.triangles = session.meshIndex().atEdge(session.triangles(), a, b);
     const std::span<const Triangle> shown = session.shownTriangles();
     facts.trianglesPresent = static_cast<std::size_t>(
-        session.picture().mended
+        session.picture().repaired
             ? std::count_if(shown.begin(), shown.end(),
                             [&](const Triangle& t) { return hasCorner(t, a) && hasCorner(t, b); })
             : std::count_if(facts.triangles.begin(), facts.triangles.end(),
@@ -52,9 +52,9 @@ void addTriangle(const Session& session, const Selection& triangle, SelectionFac
     facts.degrees = cornerDegrees(points, triangle.triangle());
     facts.area = triangleArea(points, triangle.triangle());
     facts.number = session.meshIndex().find(session.triangles(), triangle.triangle());
-    const auto& mended = session.picture().mended;
-    facts.present = mended ? hasTriangle(*mended, triangle)
-                           : facts.number && *facts.number < session.shownTriangles().size();
+    const auto& repaired = session.picture().repaired;
+    facts.present = repaired ? hasTriangle(*repaired, triangle)
+                             : facts.number && *facts.number < session.shownTriangles().size();
 }
 
 }  // namespace

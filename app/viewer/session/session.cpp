@@ -92,13 +92,13 @@ void Session::adopt(Opened opened) {
     }
     if (opened.given) file_ = std::move(opened.given);
     if (opened.file) {
-        accused_ = false;
-        checkup_.wait(std::move(opened.file));
+        problemFound_ = false;
+        doctorJob_.enqueue(std::move(opened.file));
     }
     questions_->begin(model_);
     hits_.open(model_);
     watches_.open(model_);
-    alerts_.wait(model_);
+    alerts_.enqueue(model_);
     alert_.reset();
     remedies_.forget();
     alertNews_ = false;
@@ -108,16 +108,16 @@ void Session::adopt(Opened opened) {
     phase_ = SessionPhase::Ready;
     overviewJob_ = std::make_unique<OverviewJob>(model_);
     const std::string said = notice();
-    say(model_->cured ? "Repaired: " + mendedText(*model_) + "." : model_->watch);
+    say(model_->fixed ? "Repaired: " + fixesText(*model_) + "." : model_->watch);
     missed_ = false;
     // The loader has requested the start of the run, and has waited for the answer.
-    landing_ = opened.place ? Landing::AtSamePlace : Landing::Last;
-    if (opened.place) samePlace_ = *opened.place;
+    landing_ = opened.place ? Landing::AtSamePosition : Landing::Last;
+    if (opened.place) samePosition_ = *opened.place;
     target_ = {};
     takeAnswer();
     if (opened.place) {
         const bool undone = said.starts_with("Undone:") || said.starts_with("Redone:");
-        say((undone ? said + " " : "") + describe(samePlace_, address()));
+        say((undone ? said + " " : "") + describe(samePosition_, address()));
     }
 }
 
@@ -145,40 +145,40 @@ bool Session::poll() {
     sayIfAny(hits_.takeComplaint());
     sayIfAny(watches_.takeComplaint());
     goToAwaitedStop();
-    return pollCheckup() || changed;
+    return pollDoctor() || changed;
 }
 
 /// Doctor and alerts come last: neither the first picture nor the run waits for them.
-bool Session::pollCheckup() {
+bool Session::pollDoctor() {
     if (!ready() || !overviewJob_ || !overviewJob_->done()) return false;
-    checkup_.begin();
+    doctorJob_.begin();
     alerts_.begin();
     const bool alerted = alerts_.poll();
     alertNews_ = alertNews_ || alerted;
     const bool tried = remedies_.poll();
-    if (!checkup_.poll()) return alerted || tried;
-    const auto found = checkup_.findings();
-    accused_ =
+    if (!doctorJob_.poll()) return alerted || tried;
+    const auto found = doctorJob_.findings();
+    problemFound_ =
         std::any_of(found.begin(), found.end(), [](const Finding& f) { return f.accuses(); });
     return true;
 }
 
-void Session::settle() {
-    loader_.finish();
+void Session::waitUntilDone() {
+    loader_.waitUntilDone();
     poll();
-    if (overviewJob_) overviewJob_->finish();
-    hits_.finish();
-    watches_.finish();
+    if (overviewJob_) overviewJob_->waitUntilDone();
+    hits_.waitUntilDone();
+    watches_.waitUntilDone();
     poll();
     while (busy()) {
-        if (waiting_) runner_->wait(std::chrono::milliseconds(200));
-        if (awaitsStop()) hits_.finish();
+        if (waiting_) runner_->waitFor(std::chrono::milliseconds(200));
+        if (awaitsStop()) hits_.waitUntilDone();
         poll();
     }
-    checkup_.finish();
-    questions_->finish();
-    alerts_.finish();
-    remedies_.finish();
+    doctorJob_.waitUntilDone();
+    questions_->waitUntilDone();
+    alerts_.waitUntilDone();
+    remedies_.waitUntilDone();
     poll();
 }
 
@@ -249,7 +249,7 @@ std::string Session::noticedText() const {
 }
 
 std::span<const Triangle> Session::shownTriangles() const {
-    if (picture_.mended) return *picture_.mended;
+    if (picture_.repaired) return *picture_.repaired;
     const std::size_t shown = picture_.finishedTriangles + picture_.newTriangles.size();
     return std::span(triangles_).first(std::min(shown, triangles_.size()));
 }

@@ -53,7 +53,7 @@ class Session {
     /// Runs the open input again, with other rules or what-ifs, in a thread. message() reports the
     /// new cursor position and the reason for it; the selection stays. If the change is refused,
     /// the reason is reported and all stays as it is. Requires ready().
-    void runAnew(const RuleSet& rules, Resume resume = Resume::SamePlace);
+    void runAnew(const RuleSet& rules, Resume resume = Resume::SamePosition);
     /// The open input is being re-run.
     bool runsAnew() const { return anew_ && phase_ == SessionPhase::Loading; }
     /// Seconds since the re-run began.
@@ -71,7 +71,7 @@ class Session {
     /// Takes the results of the threads. True if there is something new to draw.
     bool poll();
     /// Blocks until no work is in progress: for pictures without a user, and tests.
-    void settle();
+    void waitUntilDone();
 
     SessionPhase phase() const { return phase_; }
     double loadShare() const { return loader_.share(); }
@@ -97,12 +97,12 @@ class Session {
     const Picture& picture() const { return picture_; }
     const RunOverview& overview() const { return overview_; }
     /// The doctor's examination of the input; it starts once the run is complete.
-    const Checkup& checkup() const { return checkup_; }
+    const DoctorJob& doctorJob() const { return doctorJob_; }
     /// The user's queries about the run.
     Questions& questions() { return *questions_; }
     const Questions& questions() const { return *questions_; }
     /// True once, when the doctor has found a problem.
-    bool takeAccusation() { return std::exchange(accused_, false); }
+    bool takeProblemFound() { return std::exchange(problemFound_, false); }
     /// Search for all failures of the run; it starts once the run is complete.
     const AlertSearch& alerts() const { return alerts_; }
     void stopAlerts() { alerts_.stop(); }
@@ -242,7 +242,7 @@ class Session {
     std::string notice(Clock::time_point now = Clock::now()) const;
 
   private:
-    enum class Landing : std::uint8_t { First, Last, AtAddress, AtPoint, AtSamePlace };
+    enum class Landing : std::uint8_t { First, Last, AtAddress, AtPoint, AtSamePosition };
     struct Move {
         enum class Kind : std::uint8_t { Events, Pivots, Finish, Go, Point } kind = Kind::Go;
         int delta = 0;
@@ -269,7 +269,7 @@ class Session {
     void setCursor(std::size_t cursor);
     void adopt(Opened opened);
     void fail(std::string why);
-    bool pollCheckup();
+    bool pollDoctor();
 
     InputSpec spec_;
     InputSpec opening_;
@@ -315,13 +315,13 @@ class Session {
     bool anew_ = false;  ///< The last opening is a re-run.
     std::vector<std::string> whatIfProblems_;
     std::vector<MovedModel> moved_;
-    SamePlace samePlace_;
-    Checkup checkup_;
+    SamePosition samePosition_;
+    DoctorJob doctorJob_;
     AlertSearch alerts_;
     std::optional<std::size_t> alert_;
     bool alertNews_ = false;
     RemedySearch remedies_;
-    bool accused_ = false;
+    bool problemFound_ = false;
     std::vector<Index> marked_;
     std::unique_ptr<Questions> questions_;
 

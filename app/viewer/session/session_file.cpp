@@ -90,7 +90,7 @@ Complaint readPlace(const json& object, SessionFile& out) {
     const json* address = find(object, "address");
     json place{{"address", address != nullptr ? *address : json("0")}};
     if (const json* camera = find(object, "camera"); camera != nullptr) place["camera"] = *camera;
-    const Result<Place> read = placeFromText(place.dump());
+    const Result<ViewPosition> read = viewPositionFromText(place.dump());
     if (read) {
         out.place = read.value();
         return std::nullopt;
@@ -129,7 +129,7 @@ Complaint readLooks(const json& object, SessionFile& out) {
         out.leftOut = read.complaint();
     }
     if (const json* layout = find(object, "layout"); layout != nullptr) {
-        if (layout->is_string()) out.layout = arrangementFromName(layout->get<std::string>());
+        if (layout->is_string()) out.layout = layoutPresetFromName(layout->get<std::string>());
         if (!out.layout)
             return expected("layout", "\"debug\", \"learn\", \"present\" or \"compare\"");
     }

@@ -24,9 +24,9 @@ inline constexpr std::string_view kSessionExtension = ".sesession";
 struct SessionFile {
     InputSpec input;        ///< With a path relative to the working directory.
     std::string inputHash;  ///< Hash of the input when it was saved; empty if unknown.
-    Place place;
+    ViewPosition place;
     std::optional<LayerModes> layers;
-    std::optional<Arrangement> layout;
+    std::optional<LayoutPreset> layout;
     Selection selected;
     std::string alert;  ///< Alert that was shown, see alertName(); empty: none.
     CompareWith with;   ///< What the run is compared with.

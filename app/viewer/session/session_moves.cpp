@@ -46,7 +46,7 @@ bool Session::takeAnswer() {
 void Session::land() {
     std::size_t cursor = record_->events.empty() ? 0 : record_->events.size() - 1;
     if (landing_ == Landing::First) cursor = 0;
-    if (landing_ == Landing::AtSamePlace) cursor = sameStep(*record_, samePlace_);
+    if (landing_ == Landing::AtSamePosition) cursor = sameStep(*record_, samePosition_);
     if (landing_ == Landing::AtPoint) {
         const auto found =
             std::find_if(record_->events.begin(), record_->events.end(),
@@ -266,7 +266,7 @@ void Session::await(std::uint32_t pivot) {
     requested_ = pivot;
     waiting_ = true;
     waitingSince_ = std::chrono::steady_clock::now();
-    runner_->wait(kPatience);
+    runner_->waitFor(kPatience);
     takeAnswer();
 }
 

@@ -30,15 +30,15 @@ Complaint readReach(const json& options, NeighborOptions& out) {
     return std::nullopt;
 }
 
-Complaint readCures(const json& options, Cures& out) {
-    const json* cures = find(options, "doctor");
-    if (cures == nullptr) return std::nullopt;
+Complaint readCures(const json& options, Fixes& out) {
+    const json* fixes = find(options, "doctor");
+    if (fixes == nullptr) return std::nullopt;
     const Complaint wrong = expected("options.doctor", "a list of doctor checks that have a fix");
-    if (!cures->is_array()) return wrong;
-    for (const json& name : *cures) {
+    if (!fixes->is_array()) return wrong;
+    for (const json& name : *fixes) {
         const DoctorCheck* check =
             name.is_string() ? findDoctorCheck(name.get<std::string>()) : nullptr;
-        if (check == nullptr || !canCure(*check)) return wrong;
+        if (check == nullptr || !canFix(*check)) return wrong;
         out.push_back(name.get<std::string>());
     }
     return std::nullopt;
@@ -136,7 +136,7 @@ Complaint readOptions(const json& object, InputSpec& out) {
         }
     }
     if (Complaint c = readWhatIfs(*options, out.whatIf)) return c;
-    if (Complaint c = readCures(*options, out.cures)) return c;
+    if (Complaint c = readCures(*options, out.fixes)) return c;
     if (Complaint c = readReach(*options, out.neighbors)) return c;
     return readPreparing(*options, out);
 }
@@ -178,7 +178,7 @@ json optionsToJson(const InputSpec& input, json options) {
     options.erase("radius");
     options.erase("reach");
     options.erase("doctor");
-    if (!input.cures.empty()) options["doctor"] = input.cures;
+    if (!input.fixes.empty()) options["doctor"] = input.fixes;
     preparingToJson(input, options);
     for (const RuleValue& each : input.choices) options["switches"][each.name] = ruleToJson(each);
     options.erase("what_if");

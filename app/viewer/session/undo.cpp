@@ -51,7 +51,7 @@ std::string describeChange(const Edits& from, const Edits& to) {
     if (from.breakpoints != to.breakpoints) add(text, "breakpoints");
     if (from.watches != to.watches) add(text, "watches");
     // The other changes are consequences of this one.
-    if (from.cures != to.cures) return "the doctor's fix";
+    if (from.fixes != to.fixes) return "the doctor's fix";
     if (from.rules != to.rules) add(text, describeChange(from.rules, to.rules));
     return text;
 }

@@ -23,14 +23,14 @@ struct Edits {
     double uiScale = 0.0;
     bool legend = true;
     LayerModes layers{};
-    Arrangement layout = Arrangement::Debug;
+    LayoutPreset layout = LayoutPreset::Debug;
     CameraPose camera;
     Selection selected;
     Bookmarks bookmarks;
     std::string notes;
     std::vector<Breakpoint> breakpoints;
     std::vector<std::string> watches;
-    Cures cures;    ///< Fixes of the input: a change opens it again.
+    Fixes fixes;    ///< Fixes of the input: a change opens it again.
     RuleSet rules;  ///< A change re-runs the input.
     friend bool operator==(const Edits&, const Edits&) = default;
 };

@@ -45,7 +45,7 @@ std::optional<CameraPose> poseFrom(const json& object) {
 
 }  // namespace
 
-std::string toText(const Place& place) {
+std::string toText(const ViewPosition& place) {
     json object{{"address", place.address}};
     if (place.camera) {
         const CameraPose& c = *place.camera;
@@ -59,7 +59,7 @@ std::string toText(const Place& place) {
     return object.dump();
 }
 
-Result<Place> placeFromText(std::string_view text) {
+Result<ViewPosition> viewPositionFromText(std::string_view text) {
     const Error unknown{
         "Not a position. Expected an address such as 137.sphere.3, or a position copied by "
         "Ctrl+C."};
@@ -70,11 +70,11 @@ Result<Place> placeFromText(std::string_view text) {
         if (first == std::string_view::npos) return unknown;
         text = text.substr(first, last - first + 1);
         if (!addressFromString(text)) return unknown;
-        return Place{std::string(text), std::nullopt};
+        return ViewPosition{std::string(text), std::nullopt};
     }
     const auto address = object.find("address");
     if (address == object.end() || !address->is_string()) return unknown;
-    Place place{address->get<std::string>(), std::nullopt};
+    ViewPosition place{address->get<std::string>(), std::nullopt};
     if (!place.address.empty() && !addressFromString(place.address)) return unknown;
     if (const auto camera = object.find("camera"); camera != object.end()) {
         place.camera = poseFrom(*camera);

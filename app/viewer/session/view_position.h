@@ -10,14 +10,14 @@
 
 namespace se::view {
 
-struct Place {
+struct ViewPosition {
     std::string address;  ///< As accepted by the go-to box; empty at the start of the run.
     std::optional<CameraPose> camera;
 };
 
 /// One line of JSON.
-std::string toText(const Place& place);
+std::string toText(const ViewPosition& place);
 /// Parses the result of toText(), or a bare address. Fails with a sentence.
-Result<Place> placeFromText(std::string_view text);
+Result<ViewPosition> viewPositionFromText(std::string_view text);
 
 }  // namespace se::view

@@ -12,14 +12,14 @@ using namespace se::view;
 namespace {
 
 /// Opens a scene and waits for all work.
-struct Bench : test::Desk {
-    explicit Bench(const char* source = "scene:figure-12") : Desk("breakpoints") {
+struct Bench : test::HeadlessApp {
+    explicit Bench(const char* source = "scene:figure-12") : HeadlessApp("breakpoints") {
         session.open({source, {}, "paper"});
-        settle();
+        waitUntilDone();
     }
     void press(const char* key) { runCommand(*commandForKey(*keyFromString(key)), context); }
     std::string place() {
-        session.settle();
+        session.waitUntilDone();
         return session.event() == nullptr ? "start" : toString(session.address());
     }
     void set(const char* line) {
@@ -44,7 +44,7 @@ std::string playOn(Bench& b, int count) {
     b.playback.play();
     for (int i = 0; i < 100000 && b.playback.playing() && !b.session.atEnd(); ++i) {
         if (!heldByBreakpoint(b.context, count)) playSteps(b.context, count);
-        b.session.settle();
+        b.session.waitUntilDone();
     }
     return b.place();
 }
@@ -54,7 +54,7 @@ std::string playOn(Bench& b, int count) {
 TEST_CASE("F5 and Shift+F5 stop at the same positions, for every preset") {
     Bench b;
     b.session.goTo({30, Stage::Sphere, 1});
-    b.session.settle();
+    b.session.waitUntilDone();
     b.session.select(Index{40});
     std::vector<std::string> lines;
     for (const BreakPreset& preset : breakPresets()) {
@@ -104,7 +104,7 @@ TEST_CASE("F9 breaks on the selection, otherwise on this kind of decision; again
     b.press("F9");
     CHECK(b.ui.breakpoints.empty());
     b.session.goTo({35, Stage::Split, 1});
-    b.session.settle();
+    b.session.waitUntilDone();
     b.press("F9");
     REQUIRE(b.ui.breakpoints.size() == 1);
     CHECK(b.ui.breakpoints[0].line == "stage=split");
@@ -153,7 +153,7 @@ TEST_CASE("Playing ignores breakpoints that are off or log-only") {
     const LineHits* log = b.session.hits().of("stage=sort");
     REQUIRE(log != nullptr);
     CHECK(log->complete);
-    CHECK(log->sentences.size() == std::min<std::size_t>(log->list.total, kMostLogged));
+    CHECK(log->sentences.size() == std::min<std::size_t>(log->list.total, kMaxLogged));
     CHECK(b.session.hits().of("stage=sphere") == nullptr);
 }
 
@@ -162,7 +162,7 @@ TEST_CASE("An empty line stops nothing") {
     b.set("stage=dragon");
     b.set(" ");
     b.press("F5");
-    b.session.settle();
+    b.session.waitUntilDone();
     CHECK(b.session.atEnd());
 }
 
@@ -180,10 +180,10 @@ TEST_CASE("A search can be stopped, and resumes when it is needed") {
 TEST_CASE("Another input is searched from the start") {
     Bench b;
     b.set("stage=split");
-    b.session.settle();
+    b.session.waitUntilDone();
     const std::uint64_t before = b.session.hits().of("stage=split")->list.total;
     b.session.open({"scene:sphere", {}, "paper"});
-    b.session.settle();
+    b.session.waitUntilDone();
     CHECK(before > 0);
     CHECK(b.session.hits().of("stage=split")->list.total != before);
 }
@@ -191,7 +191,7 @@ TEST_CASE("Another input is searched from the start") {
 TEST_CASE("Marks of hits: each pivot once, and at most as many as fit") {
     Bench b;
     b.set("stage=sort");
-    b.session.settle();
+    b.session.waitUntilDone();
     const HitList& list = b.session.hits().of("stage=sort")->list;
     const Breakpoint& breakpoint = b.ui.breakpoints[0];
     const auto all = stopPivots(breakpoint, list, {0.0, 122.0}, 5000);
@@ -216,7 +216,7 @@ TEST_CASE("A watched number is that of the state, at every pivot") {
     Bench b;
     b.ui.watches = {"ring", "triangles", "status=40", "dragons"};
     b.session.watch(b.ui.watches);
-    b.session.settle();
+    b.session.waitUntilDone();
     CHECK(b.session.watches().of("dragons") == nullptr);
     const RunOverview& run = b.session.overview();
     for (std::uint32_t pivot = 1; pivot <= run.ringLength.size(); ++pivot) {
@@ -240,10 +240,10 @@ TEST_CASE("The scan for a watch can be stopped, and resumes on request") {
     const bool complete = scan.of("ring") != nullptr && scan.of("ring")->complete;
     CHECK(scan.cancelled() == !complete);
     CHECK_FALSE(scan.busy());
-    b.settle();
+    b.waitUntilDone();
     CHECK(scan.cancelled() == !complete);
     scan.resume();
-    b.settle();
+    b.waitUntilDone();
     CHECK_FALSE(scan.cancelled());
     CHECK(scan.of("ring")->complete);
     // Another expression is scanned at once, and so is the cancelled one.
@@ -252,7 +252,7 @@ TEST_CASE("The scan for a watch can be stopped, and resumes on request") {
     scan.cancel();
     b.ui.watches = {"ring", "stack", "used"};
     b.session.watch(b.ui.watches);
-    b.settle();
+    b.waitUntilDone();
     for (const std::string& each : b.ui.watches) CHECK(scan.of(each)->complete);
 }
 

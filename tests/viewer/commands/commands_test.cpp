@@ -85,71 +85,71 @@ TEST_CASE("Texts that are no keys are refused") {
 }
 
 TEST_CASE("The conventional keys have their usual effect") {
-    CommandDesk desk;
-    desk.press("F10");
-    desk.press(".");
-    CHECK(desk.open.place() == "2.advance.1");
-    desk.press("Shift+F10");
-    CHECK(desk.open.place() == "1.advance.1");
-    desk.press("Right");
-    CHECK(desk.open.place() == "2.pivot.1");
-    desk.press("Shift+F11");
-    CHECK(desk.open.place() == "2.advance.1");
-    desk.press("Home");
-    CHECK(desk.open.place() == "start");
-    desk.press("F5");
-    desk.open.session.settle();
-    CHECK(desk.open.session.atEnd());
+    CommandDesk app;
+    app.press("F10");
+    app.press(".");
+    CHECK(app.open.place() == "2.advance.1");
+    app.press("Shift+F10");
+    CHECK(app.open.place() == "1.advance.1");
+    app.press("Right");
+    CHECK(app.open.place() == "2.pivot.1");
+    app.press("Shift+F11");
+    CHECK(app.open.place() == "2.advance.1");
+    app.press("Home");
+    CHECK(app.open.place() == "start");
+    app.press("F5");
+    app.open.session.waitUntilDone();
+    CHECK(app.open.session.atEnd());
 }
 
 TEST_CASE("Stepping by hand pauses playing") {
-    CommandDesk desk;
-    desk.press("Space");
-    CHECK(desk.playback.playing());
-    desk.press("F11");
-    CHECK_FALSE(desk.playback.playing());
+    CommandDesk app;
+    app.press("Space");
+    CHECK(app.playback.playing());
+    app.press("F11");
+    CHECK_FALSE(app.playback.playing());
 }
 
 TEST_CASE("Esc closes, then clears, then leaves Present, and never quits") {
-    CommandDesk desk;
-    desk.press("F1");
-    CHECK(desk.ui.cheatSheet);
-    desk.open.session.select(3);
-    desk.press("Esc");
-    CHECK_FALSE(desk.ui.cheatSheet);
-    CHECK(desk.open.session.selected() == 3);
-    desk.ui.arrangement = Arrangement::Present;
-    desk.press("Esc");
-    CHECK(desk.open.session.selected() == kNone);
-    CHECK(desk.ui.arrangement == Arrangement::Present);
-    desk.press("Esc");
-    CHECK(desk.ui.arrangement == Arrangement::Debug);
-    desk.press("Esc");
-    CHECK_FALSE(desk.ui.requests.quit);
-    desk.press("Ctrl+Q");
-    CHECK(desk.ui.requests.quit);
+    CommandDesk app;
+    app.press("F1");
+    CHECK(app.ui.cheatSheet);
+    app.open.session.select(3);
+    app.press("Esc");
+    CHECK_FALSE(app.ui.cheatSheet);
+    CHECK(app.open.session.selected() == 3);
+    app.ui.layoutPreset = LayoutPreset::Present;
+    app.press("Esc");
+    CHECK(app.open.session.selected() == kNone);
+    CHECK(app.ui.layoutPreset == LayoutPreset::Present);
+    app.press("Esc");
+    CHECK(app.ui.layoutPreset == LayoutPreset::Debug);
+    app.press("Esc");
+    CHECK_FALSE(app.ui.requests.quit);
+    app.press("Ctrl+Q");
+    CHECK(app.ui.requests.quit);
 }
 
 TEST_CASE("Layer keys switch their layer") {
-    CommandDesk desk;
-    const auto shown = [&] { return shownLayers(desk.ui.settings.layers, std::nullopt); };
+    CommandDesk app;
+    const auto shown = [&] { return shownLayers(app.ui.settings.layers, std::nullopt); };
     const LayerSwitches before = shown();
-    for (const char* key : {"N", "L", "E", "S", "G", "K"}) desk.press(key);
+    for (const char* key : {"N", "L", "E", "S", "G", "K"}) app.press(key);
     CHECK((before ^ shown()).count() == 6);
-    for (const char* key : {"N", "L", "E", "S", "G", "K"}) desk.press(key);
-    CHECK(desk.ui.settings.layers == LayerModes{});
+    for (const char* key : {"N", "L", "E", "S", "G", "K"}) app.press(key);
+    CHECK(app.ui.settings.layers == LayerModes{});
 }
 
 TEST_CASE("Framing moves the camera to the selection or the pivot; stepping does not") {
-    CommandDesk desk;
-    const Camera before = desk.camera;
-    desk.press("F10");
-    CHECK(desk.camera == before);
-    desk.open.session.select(9);
-    desk.press("F");
-    CHECK(desk.camera.target() == desk.open.session.model().place[9]);
-    desk.press("Shift+F");
-    CHECK(desk.camera.target() == glm::vec3(0.0F));
+    CommandDesk app;
+    const Camera before = app.camera;
+    app.press("F10");
+    CHECK(app.camera == before);
+    app.open.session.select(9);
+    app.press("F");
+    CHECK(app.camera.target() == app.open.session.model().place[9]);
+    app.press("Shift+F");
+    CHECK(app.camera.target() == glm::vec3(0.0F));
 }
 
 TEST_CASE("The list of actions names each one once") {
@@ -206,35 +206,35 @@ TEST_CASE("The palette finds by synonyms") {
 }
 
 TEST_CASE("The palette shows panels, and opens scenes and figures") {
-    CommandDesk desk;
+    CommandDesk app;
     const auto choosing = [&](const char* words, PaletteEntry::Kind kind) {
         const auto all = found(words);
         REQUIRE_FALSE(all.empty());
         CHECK(all.front().kind == kind);
-        choose(all.front(), desk.context);
+        choose(all.front(), app.context);
     };
     choosing("dial", PaletteEntry::Kind::Panel);
-    CHECK(desk.ui.wantedTab == "Dial");
-    desk.ui.arrangement = Arrangement::Learn;
+    CHECK(app.ui.wantedTab == "Dial");
+    app.ui.layoutPreset = LayoutPreset::Learn;
     choosing("steps", PaletteEntry::Kind::Panel);
-    CHECK(desk.ui.arrangement == Arrangement::Debug);
+    CHECK(app.ui.layoutPreset == LayoutPreset::Debug);
     choosing("figure 12", PaletteEntry::Kind::Scene);
-    CHECK(desk.ui.requests.open == "scene:figure-12");
+    CHECK(app.ui.requests.open == "scene:figure-12");
     choosing("hole of four", PaletteEntry::Kind::Scene);
-    CHECK(desk.ui.requests.open == "scene:four-edge-hole");
+    CHECK(app.ui.requests.open == "scene:four-edge-hole");
     // A panel opened by an action is listed once.
     const auto rules = found("rules");
     CHECK(std::count_if(rules.begin(), rules.end(),
                         [](const PaletteEntry& each) { return each.title == "Rules"; }) == 1);
     // The others are chosen as before.
     choosing("dark or light", PaletteEntry::Kind::Action);
-    CHECK(desk.ui.settings.theme == Theme::Light);
+    CHECK(app.ui.settings.theme == Theme::Light);
 }
 
 TEST_CASE("Ctrl+P opens the palette, and Esc closes it") {
-    CommandDesk desk;
-    desk.press("Ctrl+P");
-    CHECK(desk.ui.palette.open);
-    desk.press("Esc");
-    CHECK_FALSE(desk.ui.palette.open);
+    CommandDesk app;
+    app.press("Ctrl+P");
+    CHECK(app.ui.palette.open);
+    app.press("Esc");
+    CHECK_FALSE(app.ui.palette.open);
 }

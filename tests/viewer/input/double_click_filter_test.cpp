@@ -5,7 +5,7 @@
 using namespace se::view;
 
 TEST_CASE("A click counts once the time of a double click is over, and then once") {
-    ClickWait click;
+    DoubleClickFilter click;
     CHECK_FALSE(click.waiting());
     click.begin(Selection::ofPoint(7), 10.3);
     CHECK(click.waiting());
@@ -16,14 +16,14 @@ TEST_CASE("A click counts once the time of a double click is over, and then once
 }
 
 TEST_CASE("The first half of a double click never counts") {
-    ClickWait click;
+    DoubleClickFilter click;
     click.begin(Selection::ofPoint(7), 10.3);
     click.takeBack();
     CHECK_FALSE(click.due(20.0).has_value());
 }
 
 TEST_CASE("A click elsewhere replaces one that waits") {
-    ClickWait click;
+    DoubleClickFilter click;
     click.begin(Selection::ofPoint(7), 10.3);
     click.begin(Selection{}, 10.5);
     CHECK_FALSE(click.due(10.4).has_value());

@@ -45,37 +45,37 @@ struct FlawedFile {
 }  // namespace
 
 TEST_CASE("The doctor starts only on request, and its findings come once") {
-    Checkup checkup;
-    checkup.begin();
-    CHECK_FALSE(checkup.busy());
-    checkup.wait(sphere());
-    CHECK_FALSE(checkup.busy());
-    checkup.begin();
-    CHECK(checkup.busy());
-    checkup.finish();
-    CHECK(checkup.poll());
-    CHECK_FALSE(checkup.poll());
-    CHECK(checkup.done());
-    CHECK(checkup.findings().empty());
-    checkup.begin();
-    CHECK_FALSE(checkup.busy());
+    DoctorJob doctorJob;
+    doctorJob.begin();
+    CHECK_FALSE(doctorJob.busy());
+    doctorJob.enqueue(sphere());
+    CHECK_FALSE(doctorJob.busy());
+    doctorJob.begin();
+    CHECK(doctorJob.busy());
+    doctorJob.waitUntilDone();
+    CHECK(doctorJob.poll());
+    CHECK_FALSE(doctorJob.poll());
+    CHECK(doctorJob.done());
+    CHECK(doctorJob.findings().empty());
+    doctorJob.begin();
+    CHECK_FALSE(doctorJob.busy());
 }
 
 TEST_CASE("Another input cancels the examination of the last one") {
-    Checkup checkup;
+    DoctorJob doctorJob;
     for (int i = 0; i < 5; ++i) {
-        checkup.wait(sphere());
-        checkup.begin();
+        doctorJob.enqueue(sphere());
+        doctorJob.begin();
     }
-    checkup.wait(nullptr);
-    CHECK_FALSE(checkup.busy());
-    CHECK_FALSE(checkup.done());
-    checkup.wait(std::make_shared<const PointFile>(findScene("grid")->build()));
-    checkup.begin();
-    checkup.finish();
-    REQUIRE(checkup.poll());
-    REQUIRE(checkup.findings().size() == 1);
-    CHECK(checkup.findings()[0].check->name == "ties");
+    doctorJob.enqueue(nullptr);
+    CHECK_FALSE(doctorJob.busy());
+    CHECK_FALSE(doctorJob.done());
+    doctorJob.enqueue(std::make_shared<const PointFile>(findScene("grid")->build()));
+    doctorJob.begin();
+    doctorJob.waitUntilDone();
+    REQUIRE(doctorJob.poll());
+    REQUIRE(doctorJob.findings().size() == 1);
+    CHECK(doctorJob.findings()[0].check->name == "ties");
 }
 
 TEST_CASE("An input is examined once the run is complete, and problems are reported once") {
@@ -83,19 +83,19 @@ TEST_CASE("An input is examined once the run is complete, and problems are repor
     OpenSession open(file.path.c_str());
     REQUIRE(open.session.ready());
     CHECK(open.session.overview().complete);
-    REQUIRE(open.session.checkup().done());
-    REQUIRE(open.session.checkup().findings().size() == 1);
-    const Finding& finding = open.session.checkup().findings()[0];
+    REQUIRE(open.session.doctorJob().done());
+    REQUIRE(open.session.doctorJob().findings().size() == 1);
+    const Finding& finding = open.session.doctorJob().findings()[0];
     CHECK(finding.check->name == "zero_normals");
     CHECK(finding.points == std::vector<Index>{7, 9});
-    CHECK(open.session.takeAccusation());
-    CHECK_FALSE(open.session.takeAccusation());
+    CHECK(open.session.takeProblemFound());
+    CHECK_FALSE(open.session.takeProblemFound());
     open.session.mark(finding.points);
     open.session.open({"scene:figure-4", {}, "paper"});
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK(open.session.marked().empty());
-    REQUIRE(open.session.checkup().findings().size() == 1);  // A note is no problem.
-    CHECK_FALSE(open.session.takeAccusation());
+    REQUIRE(open.session.doctorJob().findings().size() == 1);  // A note is no problem.
+    CHECK_FALSE(open.session.takeProblemFound());
 }
 
 TEST_CASE("Of a large finding evenly chosen points are marked, and none without a position") {
@@ -126,13 +126,13 @@ TEST_CASE(
         if (model->normal[p].z > 0.8F) cap.push_back(p);
     }
     for (const auto& points : {all, cap, std::vector<Index>{5}}) {
-        const MarkedPlace place = placeOf(*model, points);
+        const MarkedSphere place = sphereAround(*model, points);
         for (const Index p : points)
             CHECK(glm::distance(place.center, model->place[p]) <= place.radius);
     }
-    CHECK(placeOf(*model, all).normal == glm::vec3(0.0F));
-    CHECK(placeOf(*model, cap).normal.z > 0.9F);
-    CHECK(placeOf(*model, std::vector<Index>{5}).radius > model->spacing);
+    CHECK(sphereAround(*model, all).normal == glm::vec3(0.0F));
+    CHECK(sphereAround(*model, cap).normal.z > 0.9F);
+    CHECK(sphereAround(*model, std::vector<Index>{5}).radius > model->spacing);
 }
 
 TEST_CASE("Marked points get a diamond each, over everything else") {

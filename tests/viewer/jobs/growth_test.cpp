@@ -26,7 +26,7 @@ TEST_CASE("Particles that have spread are, byte for byte, those of the sampler a
     Growth growth;
     growth.begin(torus(400));
     growth.finish();
-    growth.settle();
+    growth.waitUntilDone();
     REQUIRE(growth.phase() == GrowthPhase::Done);
     REQUIRE(growth.picture() != nullptr);
     CHECK(growth.picture()->step == Sampler::allSteps());
@@ -43,7 +43,7 @@ TEST_CASE("One step at a time: each moves the particles, and the line names the 
     SampleSpec spec = torus(300);
     spec.steps = 5;
     growth.begin(spec);
-    growth.settle();
+    growth.waitUntilDone();
     REQUIRE(growth.phase() == GrowthPhase::Paused);
     REQUIRE(growth.picture() != nullptr);
     CHECK(growth.picture()->step == 5);
@@ -53,14 +53,14 @@ TEST_CASE("One step at a time: each moves the particles, and the line names the 
     REQUIRE(same.ok());
     CHECK(same.value().position == before->position);
     growth.step();
-    growth.settle();
+    growth.waitUntilDone();
     CHECK(growth.picture()->step == 6);
     CHECK(growth.picture()->points->position != before->position);
     growth.finish();
-    growth.settle();
+    growth.waitUntilDone();
     CHECK(growth.phase() == GrowthPhase::Done);
     growth.step();
-    growth.settle();
+    growth.waitUntilDone();
     CHECK(growth.picture()->step == Sampler::allSteps());
 }
 
@@ -76,7 +76,7 @@ TEST_CASE("Played particles are shown on their way, and stop on request") {
     }
     CHECK(seen);
     growth.pause();
-    growth.settle();
+    growth.waitUntilDone();
     REQUIRE(growth.phase() == GrowthPhase::Paused);
     const int step = growth.picture()->step;
     std::this_thread::sleep_for(std::chrono::milliseconds(120));
@@ -89,7 +89,7 @@ TEST_CASE("Played particles are shown on their way, and stop on request") {
     CHECK(growth.phase() == GrowthPhase::Idle);
     growth.begin(torus(100));
     growth.finish();
-    growth.settle();
+    growth.waitUntilDone();
     CHECK(growth.picture()->points->position.size() == 100);
 }
 
@@ -98,13 +98,13 @@ TEST_CASE("A missing surface and an invalid volume are reported in core's words"
     SampleSpec spec = torus(100);
     spec.isovalue = 1000.0;
     growth.begin(spec);
-    growth.settle();
+    growth.waitUntilDone();
     CHECK(growth.phase() == GrowthPhase::Failed);
     CHECK(growth.picture() == nullptr);
     CHECK(growth.error().find("no surface") != std::string::npos);
     spec.surface = "/nowhere/none.nrrd";
     growth.begin(spec);
-    growth.settle();
+    growth.waitUntilDone();
     CHECK(growth.phase() == GrowthPhase::Failed);
     CHECK(growth.error().find("none.nrrd") != std::string::npos);
 }

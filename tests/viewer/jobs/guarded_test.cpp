@@ -40,12 +40,12 @@ TEST_CASE("Without memory an input is not opened, and the program continues") {
     {
         const ScarceMemory scarce(4096);
         session.open({"scene:torus", {}, "paper"});
-        session.settle();
+        session.waitUntilDone();
         CHECK(session.phase() == SessionPhase::Failed);
         CHECK(saysOutOfMemory(session.error()));
     }
     session.open({"scene:torus", {}, "paper"});
-    session.settle();
+    session.waitUntilDone();
     CHECK(session.ready());
 }
 
@@ -60,12 +60,12 @@ TEST_CASE("Without memory a move ends where it began, with a reason") {
     CHECK(saysOutOfMemory(open.session.message()));
     CHECK(open.session.record().pivot == 0);
     open.session.toEnd();
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK(saysOutOfMemory(open.session.message()));
     open.session.open({"scene:sphere", {}, "paper"});
-    open.session.settle();
+    open.session.waitUntilDone();
     open.session.toEnd();
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK(open.session.atEnd());
 }
 
@@ -73,7 +73,7 @@ TEST_CASE("Without memory the overview ends, with a reason") {
     const auto model = test::sphereModel();
     const ScarceMemory scarce;
     OverviewJob thread(model);
-    thread.finish();
+    thread.waitUntilDone();
     CHECK(thread.done());
     CHECK(saysOutOfMemory(thread.takeComplaint()));
     CHECK(thread.takeComplaint().empty());
@@ -83,17 +83,17 @@ TEST_CASE("Without memory the doctor gives the reason for no result") {
     LoadProgress progress;
     const auto loaded = loadInput({"scene:torus", {}, "paper"}, progress);
     REQUIRE(loaded.ok());
-    Checkup checkup;
-    checkup.wait(loaded.value().file);
+    DoctorJob doctorJob;
+    doctorJob.enqueue(loaded.value().file);
     {
         const ScarceMemory scarce;
-        checkup.begin();
-        checkup.finish();
+        doctorJob.begin();
+        doctorJob.waitUntilDone();
     }
-    CHECK(checkup.poll());
-    CHECK_FALSE(checkup.done());
-    CHECK_FALSE(checkup.busy());
-    CHECK(saysOutOfMemory(checkup.complaint()));
+    CHECK(doctorJob.poll());
+    CHECK_FALSE(doctorJob.done());
+    CHECK_FALSE(doctorJob.busy());
+    CHECK(saysOutOfMemory(doctorJob.complaint()));
 }
 
 TEST_CASE("Without memory a comparison gives the reason for no result") {
@@ -102,24 +102,24 @@ TEST_CASE("Without memory a comparison gives the reason for no result") {
     {
         const ScarceMemory scarce(512);
         comparison.begin(open.session, CompareWith::otherMesh("/dev/null"));
-        comparison.settle(open.session);
+        comparison.waitUntilDone(open.session);
     }
     CHECK_FALSE(comparison.working());
     CHECK(saysOutOfMemory(comparison.complaint()));
 }
 
 TEST_CASE("An exception in a query is its complaint") {
-    Inquiry<int> inquiry;
-    inquiry.ask([](const Progress&) -> Result<int> { throw std::runtime_error("it broke"); });
-    inquiry.finish();
-    CHECK(inquiry.poll());
-    CHECK(inquiry.answer() == nullptr);
-    CHECK(inquiry.complaint() == "Internal error: it broke.");
-    inquiry.ask([](const Progress&) -> Result<int> { return 5; });
-    inquiry.finish();
-    CHECK(inquiry.poll());
-    REQUIRE(inquiry.answer() != nullptr);
-    CHECK(inquiry.complaint().empty());
+    BackgroundQuery<int> query;
+    query.ask([](const Progress&) -> Result<int> { throw std::runtime_error("it broke"); });
+    query.waitUntilDone();
+    CHECK(query.poll());
+    CHECK(query.answer() == nullptr);
+    CHECK(query.complaint() == "Internal error: it broke.");
+    query.ask([](const Progress&) -> Result<int> { return 5; });
+    query.waitUntilDone();
+    CHECK(query.poll());
+    REQUIRE(query.answer() != nullptr);
+    CHECK(query.complaint().empty());
 }
 
 TEST_CASE("Without memory breakpoints and watches are cancelled, with a reason") {
@@ -130,17 +130,17 @@ TEST_CASE("Without memory breakpoints and watches are cancelled, with a reason")
         const ScarceMemory scarce;
         hits.open(model);
         hits.want(std::vector<Breakpoint>{{"", "stage=sphere", 0, 1, true, false}});
-        hits.finish();
+        hits.waitUntilDone();
         watches.open(model);
         watches.want(std::vector<std::string>{"ring"});
-        watches.finish();
+        watches.waitUntilDone();
     }
     CHECK(hits.cancelled());
     CHECK(saysOutOfMemory(hits.takeComplaint()));
     CHECK(watches.cancelled());
     CHECK(saysOutOfMemory(watches.takeComplaint()));
     watches.resume();
-    watches.finish();
+    watches.waitUntilDone();
     CHECK(watches.of("ring")->complete);
 }
 
@@ -149,7 +149,7 @@ TEST_CASE("Without memory new points fail, with a reason") {
     {
         const ScarceMemory scarce;
         growth.begin(sampleFromSource("sample:torus,n=400").value());
-        growth.settle();
+        growth.waitUntilDone();
     }
     CHECK(growth.phase() == GrowthPhase::Failed);
     CHECK(saysOutOfMemory(growth.error()));

@@ -23,7 +23,7 @@ TEST_CASE("An opened input comes once, with the start of its run") {
     CHECK_FALSE(loader.busy());
     loader.begin(scene("scene:sphere"));
     CHECK(loader.busy());
-    loader.finish();
+    loader.waitUntilDone();
     auto opened = loader.take();
     REQUIRE(opened.has_value());
     REQUIRE(opened->ok());
@@ -41,7 +41,7 @@ TEST_CASE("The last of several inputs is the one that is opened") {
     for (const char* source : {"scene:sphere", "scene:torus", "scene:grid"}) {
         loader.begin(scene(source));
     }
-    loader.finish();
+    loader.waitUntilDone();
     const auto opened = loader.take();
     REQUIRE(opened.has_value());
     REQUIRE(opened->ok());
@@ -53,7 +53,7 @@ TEST_CASE("A cancelled opening is not waited for") {
     loader.begin(scene("scene:torus"));
     loader.cancel();
     CHECK_FALSE(loader.busy());
-    loader.finish();
+    loader.waitUntilDone();
     CHECK_FALSE(loader.take().has_value());
 }
 
@@ -66,7 +66,7 @@ TEST_CASE("A session whose opening is cancelled continues with the open input, a
     CHECK(open.session.opening().source == "scene:torus");
     open.session.cancelOpening();
     CHECK(open.session.phase() == SessionPhase::Ready);
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK(open.session.generation() == before);
     CHECK(open.session.spec().source == "scene:sphere");
 

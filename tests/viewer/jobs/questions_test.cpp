@@ -30,7 +30,7 @@ struct AskDesk {
     explicit AskDesk(const char* scene = "scene:stranded-point") : open(scene) {}
     Session& session() { return open.session; }
     const WhyAnswer* ledger() {
-        open.session.settle();
+        open.session.waitUntilDone();
         return open.session.questions().ledger().answer();
     }
     void run(const char* command) { runCommand(*findCommand(command), context); }
@@ -59,15 +59,15 @@ TEST_CASE(
 }
 
 TEST_CASE("W queries the selection, and the answer is that of the library") {
-    AskDesk desk;
-    CHECK(desk.ledger() == nullptr);
-    desk.session().select(32);
-    desk.run("ask.why");
-    CHECK(desk.ui.wantedTab == kLedgerTab);
-    CHECK(desk.session().questions().busy());
-    const WhyAnswer* ledger = desk.ledger();
+    AskDesk app;
+    CHECK(app.ledger() == nullptr);
+    app.session().select(32);
+    app.run("ask.why");
+    CHECK(app.ui.wantedTab == kLedgerTab);
+    CHECK(app.session().questions().busy());
+    const WhyAnswer* ledger = app.ledger();
     REQUIRE(ledger != nullptr);
-    const Model& model = desk.session().model();
+    const Model& model = app.session().model();
     const Ledger expected = why(model.points, model.params, Subject::point(32)).value();
     CHECK(ledger->answer == expected.answer);
     CHECK(ledger->lines.size() == expected.lines.size());
@@ -76,59 +76,59 @@ TEST_CASE("W queries the selection, and the answer is that of the library") {
 }
 
 TEST_CASE("Without a selection W waits for input") {
-    AskDesk desk;
-    desk.run("ask.why");
-    CHECK(desk.ui.wantedTab == kLedgerTab);
-    CHECK(desk.ui.ledger.wantsKeyboard);
-    CHECK_FALSE(desk.session().questions().busy());
+    AskDesk app;
+    app.run("ask.why");
+    CHECK(app.ui.wantedTab == kLedgerTab);
+    CHECK(app.ui.ledger.wantsKeyboard);
+    CHECK_FALSE(app.session().questions().busy());
 }
 
 TEST_CASE("An edge that is not present can be queried") {
-    AskDesk desk("scene:sphere");
-    const Index far = static_cast<Index>(desk.session().model().points.size() - 1);
-    askWhy(desk.context, Selection::ofEdge(0, far));
-    REQUIRE(desk.ledger() != nullptr);
-    CHECK_FALSE(desk.ledger()->present);
-    CHECK(desk.session().selection() == Selection::ofEdge(0, far));
+    AskDesk app("scene:sphere");
+    const Index far = static_cast<Index>(app.session().model().points.size() - 1);
+    askWhy(app.context, Selection::ofEdge(0, far));
+    REQUIRE(app.ledger() != nullptr);
+    CHECK_FALSE(app.ledger()->present);
+    CHECK(app.session().selection() == Selection::ofEdge(0, far));
 }
 
 TEST_CASE("The lines are walked in both directions of time, from any cursor position") {
-    AskDesk desk;
-    askWhy(desk.context, Selection::ofPoint(32));
-    const WhyAnswer ledger = *desk.ledger();
+    AskDesk app;
+    askWhy(app.context, Selection::ofPoint(32));
+    const WhyAnswer ledger = *app.ledger();
     std::vector<std::string> forward;
     for (std::size_t i = 0; i < ledger.lines.size(); ++i) {
-        desk.run("ask.line.next");
-        forward.push_back(desk.open.place());
+        app.run("ask.line.next");
+        forward.push_back(app.open.place());
         CHECK(forward.back() == toString(ledger.lines[i].event.address));
-        CHECK(placeAmong(ledger.lines, desk.session()).here == i);
+        CHECK(positionAmong(ledger.lines, app.session()).here == i);
     }
-    desk.run("ask.line.next");
-    CHECK(desk.open.place() == forward.back());
-    CHECK(desk.session().message() == "Nothing more happens to point 32.");
-    desk.session().stepEvent(1);
+    app.run("ask.line.next");
+    CHECK(app.open.place() == forward.back());
+    CHECK(app.session().message() == "Nothing more happens to point 32.");
+    app.session().stepEvent(1);
     for (std::size_t i = ledger.lines.size(); i-- > 0;) {
-        if (desk.open.place() != forward.back() || i + 1 < ledger.lines.size())
-            desk.run("ask.line.previous");
-        CHECK(desk.open.place() == forward[i]);
+        if (app.open.place() != forward.back() || i + 1 < ledger.lines.size())
+            app.run("ask.line.previous");
+        CHECK(app.open.place() == forward[i]);
     }
-    desk.run("ask.line.previous");
-    CHECK(desk.session().message() == "Nothing happened to point 32 before.");
-    desk.run("ask.cause");
-    CHECK(desk.open.place() == toString(ledger.lines[ledger.cause].event.address));
+    app.run("ask.line.previous");
+    CHECK(app.session().message() == "Nothing happened to point 32 before.");
+    app.run("ask.cause");
+    CHECK(app.open.place() == toString(ledger.lines[ledger.cause].event.address));
 }
 
 TEST_CASE("Between two lines the cursor is before the next one") {
-    AskDesk desk;
-    askWhy(desk.context, Selection::ofPoint(32));
-    const WhyAnswer ledger = *desk.ledger();
-    desk.session().toStart();
-    desk.session().settle();
-    CHECK(placeAmong(ledger.lines, desk.session()).before == 0);
-    CHECK_FALSE(placeAmong(ledger.lines, desk.session()).here);
-    desk.session().goToPivot(ledger.lines.back().event.address.pivot - 1);
-    desk.session().settle();
-    const LinePlace place = placeAmong(ledger.lines, desk.session());
+    AskDesk app;
+    askWhy(app.context, Selection::ofPoint(32));
+    const WhyAnswer ledger = *app.ledger();
+    app.session().toStart();
+    app.session().waitUntilDone();
+    CHECK(positionAmong(ledger.lines, app.session()).before == 0);
+    CHECK_FALSE(positionAmong(ledger.lines, app.session()).here);
+    app.session().goToPivot(ledger.lines.back().event.address.pivot - 1);
+    app.session().waitUntilDone();
+    const LinePosition place = positionAmong(ledger.lines, app.session());
     CHECK_FALSE(place.here);
     CHECK(place.before > 0);
     CHECK(place.before < ledger.lines.size());
@@ -137,31 +137,31 @@ TEST_CASE("Between two lines the cursor is before the next one") {
 }
 
 TEST_CASE("Another subject cancels the last query, another run discards all answers") {
-    AskDesk desk;
-    for (Index p = 0; p < 20; ++p) askWhy(desk.context, Selection::ofPoint(p));
-    REQUIRE(desk.ledger() != nullptr);
-    CHECK(desk.ledger()->name == "point 19");
-    askWhy(desk.context, Selection::ofPoint(3));
-    desk.session().open({"scene:sphere", {}, "paper"});
-    desk.session().settle();
-    CHECK(desk.ledger() == nullptr);
-    CHECK(desk.session().questions().subject().kind == SelectionKind::None);
+    AskDesk app;
+    for (Index p = 0; p < 20; ++p) askWhy(app.context, Selection::ofPoint(p));
+    REQUIRE(app.ledger() != nullptr);
+    CHECK(app.ledger()->name == "point 19");
+    askWhy(app.context, Selection::ofPoint(3));
+    app.session().open({"scene:sphere", {}, "paper"});
+    app.session().waitUntilDone();
+    CHECK(app.ledger() == nullptr);
+    CHECK(app.session().questions().subject().kind == SelectionKind::None);
 }
 
 TEST_CASE("A query can be stopped, and repeated") {
-    AskDesk desk;
-    askWhy(desk.context, Selection::ofPoint(32));
-    desk.session().questions().ledger().stop();
-    CHECK(desk.ledger() == nullptr);
-    CHECK(desk.session().questions().ledger().complaint() == "Stopped.");
-    askWhy(desk.context, Selection::ofPoint(32));
-    CHECK(desk.ledger() != nullptr);
+    AskDesk app;
+    askWhy(app.context, Selection::ofPoint(32));
+    app.session().questions().ledger().stop();
+    CHECK(app.ledger() == nullptr);
+    CHECK(app.session().questions().ledger().complaint() == "Stopped.");
+    askWhy(app.context, Selection::ofPoint(32));
+    CHECK(app.ledger() != nullptr);
 }
 
 TEST_CASE("The copied text has the answer, every address and a mark at the cause") {
-    AskDesk desk;
-    askWhy(desk.context, Selection::ofPoint(32));
-    const WhyAnswer& ledger = *desk.ledger();
+    AskDesk app;
+    askWhy(app.context, Selection::ofPoint(32));
+    const WhyAnswer& ledger = *app.ledger();
     const std::string text = ledgerText(ledger.answer, ledger.lines, ledger.cause);
     CHECK(text.starts_with(ledger.answer));
     for (const LedgerLine& line : ledger.lines)
@@ -171,67 +171,67 @@ TEST_CASE("The copied text has the answer, every address and a mark at the cause
 }
 
 TEST_CASE("A query line finds what the library finds, and keys step through its decisions") {
-    AskDesk desk;
-    desk.ui.query.typed = "stage=sphere refused";
-    findTyped(desk.context);
-    desk.session().settle();
-    const FoundDecisions* found = desk.session().questions().found().answer();
+    AskDesk app;
+    app.ui.query.typed = "stage=sphere refused";
+    findTyped(app.context);
+    app.session().waitUntilDone();
+    const FoundDecisions* found = app.session().questions().found().answer();
     REQUIRE(found != nullptr);
-    const Model& model = desk.session().model();
+    const Model& model = app.session().model();
     const DecisionQuery query = DecisionQuery::parse("stage=sphere refused").value();
     CHECK(found->total == findDecisions(model.points, model.params, query, 1).value().total);
     REQUIRE(found->total > 2);
-    desk.run("ask.hit.next");
-    CHECK(desk.open.place() == toString(found->lines[0].event.address));
-    desk.run("ask.hit.next");
-    CHECK(desk.open.place() == toString(found->lines[1].event.address));
-    desk.run("ask.hit.previous");
-    desk.run("ask.hit.previous");
-    CHECK(desk.open.place() == toString(found->lines[0].event.address));
-    CHECK(desk.session().message() == "No earlier decision matches.");
+    app.run("ask.hit.next");
+    CHECK(app.open.place() == toString(found->lines[0].event.address));
+    app.run("ask.hit.next");
+    CHECK(app.open.place() == toString(found->lines[1].event.address));
+    app.run("ask.hit.previous");
+    app.run("ask.hit.previous");
+    CHECK(app.open.place() == toString(found->lines[0].event.address));
+    CHECK(app.session().message() == "No earlier decision matches.");
 }
 
 TEST_CASE(
     "Where the list of hits ends before the run does, F3 says so, and which line has the rest") {
-    AskDesk desk("scene:torus");
-    REQUIRE(desk.session().questions().find("at=1..99999").ok());
-    desk.session().settle();
-    const FoundDecisions* found = desk.session().questions().found().answer();
+    AskDesk app("scene:torus");
+    REQUIRE(app.session().questions().find("at=1..99999").ok());
+    app.session().waitUntilDone();
+    const FoundDecisions* found = app.session().questions().found().answer();
     REQUIRE(found != nullptr);
-    REQUIRE(found->lines.size() == Questions::kMostFound);
+    REQUIRE(found->lines.size() == Questions::kMaxFound);
     REQUIRE(found->total > found->lines.size());
     const Address last = found->lines.back().event.address;
-    desk.session().goTo(last);
-    desk.session().settle();
-    desk.run("ask.hit.next");
-    desk.session().settle();
-    CHECK(toString(desk.session().address()) == toString(last));
+    app.session().goTo(last);
+    app.session().waitUntilDone();
+    app.run("ask.hit.next");
+    app.session().waitUntilDone();
+    CHECK(toString(app.session().address()) == toString(last));
     const std::string rest = "at=" + std::to_string(last.pivot) + ".." +
-                             std::to_string(desk.session().overview().lastPivot);
-    CHECK(desk.session().message().find(rest) != std::string::npos);
+                             std::to_string(app.session().overview().lastPivot);
+    CHECK(app.session().message().find(rest) != std::string::npos);
     CHECK(DecisionQuery::parse(rest).ok());
     // Coming back from after the end of the list is no step to the previous one, and a message says
     // so.
-    desk.session().toEnd();
-    desk.session().settle();
-    desk.run("ask.hit.previous");
-    desk.session().settle();
-    CHECK(toString(desk.session().address()) == toString(last));
-    CHECK(desk.session().message().find(rest) != std::string::npos);
+    app.session().toEnd();
+    app.session().waitUntilDone();
+    app.run("ask.hit.previous");
+    app.session().waitUntilDone();
+    CHECK(toString(app.session().address()) == toString(last));
+    CHECK(app.session().message().find(rest) != std::string::npos);
     // Within the list there is no message.
-    desk.session().say("");
-    desk.run("ask.hit.previous");
-    desk.session().settle();
-    CHECK(desk.session().message().empty());
+    app.session().say("");
+    app.run("ask.hit.previous");
+    app.session().waitUntilDone();
+    CHECK(app.session().message().empty());
 }
 
 TEST_CASE("A line with a mistake starts no query, and the old results stay") {
-    AskDesk desk;
-    CHECK(desk.session().questions().find("stage=split").ok());
-    CHECK_FALSE(desk.session().questions().find("stage=dragon").ok());
-    CHECK(desk.session().questions().line() == "stage=split");
-    desk.session().settle();
-    CHECK(desk.session().questions().found().answer() != nullptr);
+    AskDesk app;
+    CHECK(app.session().questions().find("stage=split").ok());
+    CHECK_FALSE(app.session().questions().find("stage=dragon").ok());
+    CHECK(app.session().questions().line() == "stage=split");
+    app.session().waitUntilDone();
+    CHECK(app.session().questions().found().answer() != nullptr);
 }
 
 TEST_CASE("The last word of a line is completed by the terms that begin with it") {
@@ -247,23 +247,23 @@ TEST_CASE("The last word of a line is completed by the terms that begin with it"
 }
 
 TEST_CASE("Closest decisions and charts are queried once in a run, and are void in the next") {
-    AskDesk desk;
-    Questions& questions = desk.session().questions();
+    AskDesk app;
+    Questions& questions = app.session().questions();
     CHECK(questions.leastMargin().empty());
     questions.wantClosest();
     questions.wantCharts();
-    desk.session().settle();
+    app.session().waitUntilDone();
     REQUIRE(questions.closest().answer() != nullptr);
     REQUIRE(questions.charts().answer() != nullptr);
     const auto& lines = questions.closest().answer()->lines;
     REQUIRE(lines.size() > 10);
     for (std::size_t i = 1; i < lines.size(); ++i)
         CHECK(std::abs(lines[i - 1].reading->margin) <= std::abs(lines[i].reading->margin));
-    CHECK(questions.leastMargin().size() == desk.session().model().points.size());
+    CHECK(questions.leastMargin().size() == app.session().model().points.size());
     questions.wantClosest();
     CHECK_FALSE(questions.busy());
-    desk.session().open({"scene:sphere", {}, "paper"});
-    desk.session().settle();
+    app.session().open({"scene:sphere", {}, "paper"});
+    app.session().waitUntilDone();
     CHECK(questions.closest().answer() == nullptr);
     CHECK(questions.charts().answer() == nullptr);
 }
@@ -275,15 +275,15 @@ TEST_CASE("A ring is queried by its address, or as the one at the cursor") {
     CHECK(ringFromText(" ring #2", here)->value() == RingPlace{here, 2});
     CHECK(ringFromText("ring 30#1", here)->value() == RingPlace{{30, Stage::Pivot, 0}, 1});
     CHECK_FALSE(ringFromText("ring dragon", here)->ok());
-    AskDesk desk;
-    desk.session().goToPivot(25);
-    desk.session().settle();
-    desk.ui.ledger.typed = "ring";
-    askTyped(desk.context);
-    REQUIRE(desk.ledger() != nullptr);
-    CHECK(desk.ledger()->name == "active ring at " + toString(desk.session().address()));
-    CHECK(toString(desk.ledger()->lines.front().event.address) == "1.seed.1");
-    CHECK(desk.session().questions().subject().kind == SelectionKind::None);
+    AskDesk app;
+    app.session().goToPivot(25);
+    app.session().waitUntilDone();
+    app.ui.ledger.typed = "ring";
+    askTyped(app.context);
+    REQUIRE(app.ledger() != nullptr);
+    CHECK(app.ledger()->name == "active ring at " + toString(app.session().address()));
+    CHECK(toString(app.ledger()->lines.front().event.address) == "1.seed.1");
+    CHECK(app.session().questions().subject().kind == SelectionKind::None);
 }
 
 TEST_CASE("Margins have steps by decades; the least contrasts most with the background") {
@@ -307,9 +307,9 @@ TEST_CASE("Margins have steps by decades; the least contrasts most with the back
 TEST_CASE("A point keeps its shape when tinted, and gets its plain color back") {
     OpenSession open("scene:stranded-point");
     open.session.goToPivot(40);
-    open.session.settle();
+    open.session.waitUntilDone();
     open.session.questions().wantClosest();
-    open.session.settle();
+    open.session.waitUntilDone();
     const std::span<const double> margins = open.session.questions().leastMargin();
     LayerInput in{open.session.model(), open.session.picture(), paletteOf(Theme::Dark)};
     DrawList list;

@@ -29,18 +29,18 @@ struct SetPlace {
         bool (*wanted)(const Kind&) = [](const Kind&) { return true; }) {
         auto place = std::make_unique<SetPlace>();
         place->session.open(input);
-        place->session.settle();
+        place->session.waitUntilDone();
         const std::vector<PivotSummary> pivots = place->session.overview().pivots;
         for (std::uint32_t i = 0; i < pivots.size(); ++i) {
             if ((pivots[i].found & findingOf(stage)) == 0) continue;
             place->session.goTo({i + 1, stage, 0});
-            place->session.settle();
+            place->session.waitUntilDone();
             const std::vector<Event> events = place->session.record().events;
             for (std::size_t e = 0; e < events.size(); ++e) {
                 const auto* kind = std::get_if<Kind>(&events[e].evidence);
                 if (kind == nullptr || !wanted(*kind)) continue;
                 place->session.goToEvent(e);
-                place->session.settle();
+                place->session.waitUntilDone();
                 return place;
             }
         }
@@ -50,7 +50,7 @@ struct SetPlace {
     LayerInput input() const {
         LayerInput in{session.model(), session.picture(), paletteOf(Theme::Dark)};
         in.triangles = session.triangles();
-        in.meshIndex = session.picture().mended ? nullptr : &session.meshIndex();
+        in.meshIndex = session.picture().repaired ? nullptr : &session.meshIndex();
         return in;
     }
     DrawList drawn(void (*add)(const LayerInput&, DrawList&)) const {
@@ -129,7 +129,7 @@ TEST_CASE("Drawn for reinsert: the point, its new edges and the triangles it is 
     const PivotRecord& record = place->session.record();
     REQUIRE(record.events.size() == 2);
     CHECK(makePicture(record, 0).newTriangles.empty());
-    CHECK(makePicture(record, 0).mended == record.before.mended);
+    CHECK(makePicture(record, 0).repaired == record.before.repaired);
     CHECK(list.sheets.size() == picture.goneTriangles.size());
     REQUIRE_FALSE(picture.newTriangles.empty());
     for (const Triangle& t : picture.newTriangles) {
@@ -235,14 +235,14 @@ TEST_CASE("Drawn for a ring that is freed on a wall: bold in the color of the en
 TEST_CASE("A repaired mesh has a color for each component as well") {
     Session session;
     session.open(spec("scene:linked-tori", "robust"));
-    session.settle();
+    session.waitUntilDone();
     session.toEnd();
-    session.settle();
-    REQUIRE(session.picture().mended != nullptr);
+    session.waitUntilDone();
+    REQUIRE(session.picture().repaired != nullptr);
     MeshColoring mesh = meshColoring(MeshStyle::Component, session.overview(), 0);
-    MendedComponents components;
-    mesh.mended = components.of(session.picture().mended, session.triangles(), mesh.starts,
-                                session.model().points.size());
+    RepairedComponents components;
+    mesh.repaired = components.of(session.picture().repaired, session.triangles(), mesh.starts,
+                                  session.model().points.size());
     LayerInput in{session.model(), session.picture(), kColors};
     in.mesh = mesh;
     DrawList list;

@@ -211,7 +211,7 @@ TEST_CASE("Drawn for seed, advance and done") {
     CHECK(std::any_of(advance.lines.begin(), advance.lines.end(),
                       [&](const Line& l) { return l.to == place[picture.nextPivot]; }));
     open.session.goTo({536, Stage::Done, 1});
-    open.session.settle();
+    open.session.waitUntilDone();
     LayerInput in{open.session.model(), open.session.picture(), paletteOf(Theme::Dark)};
     in.component = shapeAt(open.session.overview().shapes, 536);
     REQUIRE(in.component != nullptr);
@@ -228,7 +228,7 @@ TEST_CASE("Drawn for seed, advance and done") {
 TEST_CASE("A point that cannot begin a ring is crossed, with the reason") {
     OpenSession open;
     open.session.goTo({425, Stage::Strand, 1});
-    open.session.settle();
+    open.session.waitUntilDone();
     const DrawList list = drawnAt(open, Moment{}, addSeed);
     CHECK(count(list, view::Shape::Cross) == 1);
     CHECK(says(list, "no neighbor left"));
@@ -253,7 +253,7 @@ TEST_CASE("The overlap of a refused triangle is filled, and it alone") {
         return 0.5F * glm::length(glm::cross(place[b] - place[a], place[c] - place[a]));
     };
     open.session.goTo({42, Stage::Reciprocal, 1});
-    open.session.settle();
+    open.session.waitUntilDone();
     const Picture& p = open.session.picture();
     const float whole =
         areaOfPicture(p.pivot, p.underTest, p.start) + areaOfPicture(p.pivot, p.underTest, p.end);
@@ -262,11 +262,11 @@ TEST_CASE("The overlap of a refused triangle is filled, and it alone") {
     CHECK(covered < 0.9F * whole);
 
     open.session.goTo({87, Stage::TwoPoint, 1});
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK(hatched(addTwoPoint) > 0.5F * areaOfPicture(p.pivot, p.first, p.last));
     // A hole covers nothing.
     open.session.goTo({15, Stage::TwoPoint, 1});
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK(hatched(addTwoPoint) == 0.0F);
 }
 
@@ -276,6 +276,6 @@ TEST_CASE("A triangle that the reciprocal test keeps covers next to nothing") {
         open, [](const ReciprocalEvidence& e) { return e.verdict == Verdict::Kept; });
     REQUIRE(kept.pivot > 0);
     open.session.goTo(kept);
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK_FALSE(says(drawnAt(open, Moment{}, addReciprocal), "overlap"));
 }

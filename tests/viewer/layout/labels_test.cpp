@@ -127,45 +127,45 @@ TEST_CASE("A label whose point is not visible is not shown") {
 
 TEST_CASE("Of two positions a label takes the one that covers less of the picture") {
     const glm::vec2 at(400.0F, 250.0F);
-    Clutter clutter(kView, 0.5F * kEm);
+    OccupancyGrid occupancy(kView, 0.5F * kEm);
     // Spokes to the right above, where a label usually goes.
     for (int i = 0; i < 12; ++i) {
-        clutter.addLine(at, at + glm::vec2(90.0F, -8.0F * static_cast<float>(i)), 1.0F);
+        occupancy.addLine(at, at + glm::vec2(90.0F, -8.0F * static_cast<float>(i)), 1.0F);
     }
-    clutter.finish();
+    occupancy.finish();
     const std::vector<LabelWish> one = {{at, {60.0F, 20.0F}, LabelRank::Strong}};
     const std::vector<PlacedLabel> without = placeLabels({kView, {}, {}, nullptr, at, kEm}, one);
-    const std::vector<PlacedLabel> with = placeLabels({kView, {}, {}, &clutter, at, kEm}, one);
+    const std::vector<PlacedLabel> with = placeLabels({kView, {}, {}, &occupancy, at, kEm}, one);
     REQUIRE(without.size() == 1);
     REQUIRE(with.size() == 1);
-    CHECK(clutter.under(without[0].plate) > 0.0F);
-    CHECK(clutter.under(with[0].plate) < clutter.under(without[0].plate));
+    CHECK(occupancy.under(without[0].plate) > 0.0F);
+    CHECK(occupancy.under(with[0].plate) < occupancy.under(without[0].plate));
 }
 
 TEST_CASE("Clutter is the length of lines and the area of faces, in cells") {
     const Rect area{{10.0F, 20.0F}, {100.0F, 100.0F}};
-    Clutter clutter(area, 10.0F);
-    clutter.addLine({10.0F, 25.0F}, {60.0F, 25.0F}, 2.0F);
-    clutter.addSpot({95.0F, 105.0F}, 1.0F, 3.0F);
+    OccupancyGrid occupancy(area, 10.0F);
+    occupancy.addLine({10.0F, 25.0F}, {60.0F, 25.0F}, 2.0F);
+    occupancy.addSpot({95.0F, 105.0F}, 1.0F, 3.0F);
     // Parts outside do not count.
-    clutter.addLine({-500.0F, -10.0F}, {500.0F, -10.0F}, 1.0F);
-    clutter.addSpot({300.0F, 300.0F}, 5.0F, 1.0F);
-    clutter.finish();
-    CHECK(clutter.under(area) == doctest::Approx(13.0));
-    CHECK(clutter.under({{10.0F, 20.0F}, {50.0F, 10.0F}}) == doctest::Approx(10.0));
-    CHECK(clutter.under({{10.0F, 30.0F}, {50.0F, 10.0F}}) == doctest::Approx(0.0));
-    CHECK(clutter.under({{90.0F, 100.0F}, {10.0F, 10.0F}}) == doctest::Approx(3.0));
-    CHECK(clutter.under({{500.0F, 500.0F}, {10.0F, 10.0F}}) == doctest::Approx(0.0));
+    occupancy.addLine({-500.0F, -10.0F}, {500.0F, -10.0F}, 1.0F);
+    occupancy.addSpot({300.0F, 300.0F}, 5.0F, 1.0F);
+    occupancy.finish();
+    CHECK(occupancy.under(area) == doctest::Approx(13.0));
+    CHECK(occupancy.under({{10.0F, 20.0F}, {50.0F, 10.0F}}) == doctest::Approx(10.0));
+    CHECK(occupancy.under({{10.0F, 30.0F}, {50.0F, 10.0F}}) == doctest::Approx(0.0));
+    CHECK(occupancy.under({{90.0F, 100.0F}, {10.0F, 10.0F}}) == doctest::Approx(3.0));
+    CHECK(occupancy.under({{500.0F, 500.0F}, {10.0F, 10.0F}}) == doctest::Approx(0.0));
 
-    Clutter face(area, 2.0F);
+    OccupancyGrid face(area, 2.0F);
     face.addTriangle({10.0F, 20.0F}, {110.0F, 20.0F}, {10.0F, 120.0F}, 1.0F);
     face.finish();
     CHECK(face.under(area) == doctest::Approx(1250.0).epsilon(0.05));
 }
 
 TEST_CASE("A line that crosses the area counts only within it") {
-    Clutter clutter({{0.0F, 0.0F}, {100.0F, 100.0F}}, 10.0F);
-    clutter.addLine({-100.0F, 55.0F}, {300.0F, 55.0F}, 1.0F);
-    clutter.finish();
-    CHECK(clutter.under({{0.0F, 0.0F}, {100.0F, 100.0F}}) == doctest::Approx(10.0));
+    OccupancyGrid occupancy({{0.0F, 0.0F}, {100.0F, 100.0F}}, 10.0F);
+    occupancy.addLine({-100.0F, 55.0F}, {300.0F, 55.0F}, 1.0F);
+    occupancy.finish();
+    CHECK(occupancy.under({{0.0F, 0.0F}, {100.0F, 100.0F}}) == doctest::Approx(10.0));
 }

@@ -19,13 +19,13 @@ constexpr Screen kScreens[] = {{{1280, 800}, 16}, {{1600, 900}, 16},  {{1024, 64
 
 struct Case {
     Screen screen;
-    Arrangement arrangement;
+    LayoutPreset layoutPreset;
 };
 
 std::vector<Case> allCases() {
     std::vector<Case> all;
     for (const Screen& screen : kScreens) {
-        for (const ArrangementRow& row : arrangements()) all.push_back({screen, row.id});
+        for (const LayoutPresetRow& row : layoutPresets()) all.push_back({screen, row.id});
     }
     return all;
 }
@@ -41,8 +41,8 @@ TEST_CASE("Panels fill the window without overlap, at every size") {
         const Screen& screen = each.screen;
         CAPTURE(screen.size.x);
         CAPTURE(screen.em);
-        CAPTURE(rowOf(each.arrangement).name);
-        const Layout l = computeLayout(screen.size, screen.em, each.arrangement);
+        CAPTURE(rowOf(each.layoutPreset).name);
+        const PanelRects l = computePanelRects(screen.size, screen.em, each.layoutPreset);
         const Rect all[] = {l.menu,      l.transport,  l.left,          l.dial,   l.right,
                             l.view,      l.narration,  l.drawer,        l.status, l.title,
                             l.otherView, l.otherTitle, l.otherNarration};
@@ -59,10 +59,10 @@ TEST_CASE("Panels fill the window without overlap, at every size") {
 }
 
 TEST_CASE("The view never has less than 40 percent of the width") {
-    for (const auto& [screen, arrangement] : allCases()) {
+    for (const auto& [screen, layoutPreset] : allCases()) {
         CAPTURE(screen.size.x);
-        CAPTURE(rowOf(arrangement).name);
-        const Layout l = computeLayout(screen.size, screen.em, arrangement);
+        CAPTURE(rowOf(layoutPreset).name);
+        const PanelRects l = computePanelRects(screen.size, screen.em, layoutPreset);
         // Where there are two, both together.
         const bool beside = l.otherView.min.y == l.view.min.y;
         CHECK(l.view.size.x + (beside ? l.otherView.size.x : 0.0F) >= 0.4F * screen.size.x);
@@ -71,30 +71,32 @@ TEST_CASE("The view never has less than 40 percent of the width") {
 }
 
 TEST_CASE("Small windows have one column, low ones one strip") {
-    CHECK_FALSE(computeLayout({1280, 800}, 16).narrow);
-    CHECK(computeLayout({1280, 800}, 32).narrow);
-    CHECK_FALSE(computeLayout({1280, 800}, 16).drawerFolded);
-    CHECK_FALSE(computeLayout({1280, 700}, 16).drawerFolded);
-    CHECK(computeLayout({1280, 699}, 16).drawerFolded);
-    CHECK(computeLayout({1280, 800}, 32).drawerFolded);
+    CHECK_FALSE(computePanelRects({1280, 800}, 16).narrow);
+    CHECK(computePanelRects({1280, 800}, 32).narrow);
+    CHECK_FALSE(computePanelRects({1280, 800}, 16).drawerFolded);
+    CHECK_FALSE(computePanelRects({1280, 700}, 16).drawerFolded);
+    CHECK(computePanelRects({1280, 699}, 16).drawerFolded);
+    CHECK(computePanelRects({1280, 800}, 32).drawerFolded);
 }
 
 TEST_CASE("The drawer can be folded to three em by hand, and opened in a low window") {
-    const Layout folded = computeLayout({1280, 800}, 16, Arrangement::Debug, DrawerWish::Folded);
+    const PanelRects folded =
+        computePanelRects({1280, 800}, 16, LayoutPreset::Debug, DrawerWish::Folded);
     CHECK(folded.drawerFolded);
     CHECK(folded.drawer.size.y == doctest::Approx(3.0F * 16.0F));
     CHECK(folded.stageStrip.size.y == 0.0F);
-    const Layout open = computeLayout({1024, 640}, 16, Arrangement::Debug, DrawerWish::Open);
+    const PanelRects open =
+        computePanelRects({1024, 640}, 16, LayoutPreset::Debug, DrawerWish::Open);
     CHECK_FALSE(open.drawerFolded);
     CHECK(open.view.size.y >= 0.3F * 640.0F);
     // There is a limit: some of the view must be left.
-    CHECK(computeLayout({640, 400}, 16, Arrangement::Debug, DrawerWish::Open).drawerFolded);
+    CHECK(computePanelRects({640, 400}, 16, LayoutPreset::Debug, DrawerWish::Open).drawerFolded);
 }
 
 TEST_CASE("The strips fill the drawer without overlap") {
     for (const Screen& screen : kScreens) {
         CAPTURE(screen.size.x);
-        const Layout l = computeLayout(screen.size, screen.em);
+        const PanelRects l = computePanelRects(screen.size, screen.em);
         CHECK(l.runStrip.min.y == l.drawer.min.y);
         CHECK(l.runStrip.size.y + l.pivotStrip.size.y + l.stageStrip.size.y ==
               doctest::Approx(l.drawer.size.y));
@@ -106,9 +108,9 @@ TEST_CASE("The strips fill the drawer without overlap") {
 }
 
 TEST_CASE("Learn has one column, Present none, and both a larger caption") {
-    const Layout debug = computeLayout({1280, 800}, 16);
-    const Layout learn = computeLayout({1280, 800}, 16, Arrangement::Learn);
-    const Layout present = computeLayout({1280, 800}, 16, Arrangement::Present);
+    const PanelRects debug = computePanelRects({1280, 800}, 16);
+    const PanelRects learn = computePanelRects({1280, 800}, 16, LayoutPreset::Learn);
+    const PanelRects present = computePanelRects({1280, 800}, 16, LayoutPreset::Present);
     CHECK(learn.left.size.x > 0.0F);
     CHECK(learn.right.size.x == 0.0F);
     CHECK(learn.view.size.x > debug.view.size.x);
@@ -120,28 +122,28 @@ TEST_CASE("Learn has one column, Present none, and both a larger caption") {
 }
 
 TEST_CASE("Layouts are found by name, and the cycle reaches all of them") {
-    for (const ArrangementRow& row : arrangements()) {
-        CHECK(arrangementFromName(row.name) == row.id);
+    for (const LayoutPresetRow& row : layoutPresets()) {
+        CHECK(layoutPresetFromName(row.name) == row.id);
         CHECK(&rowOf(row.id) == &row);
     }
-    CHECK(arrangementFromName("wide") == std::nullopt);
+    CHECK(layoutPresetFromName("wide") == std::nullopt);
     // Compare has a key of its own.
-    Arrangement at = Arrangement::Debug;
+    LayoutPreset at = LayoutPreset::Debug;
     std::size_t seen = 0;
     do {
-        CHECK(at != Arrangement::Compare);
+        CHECK(at != LayoutPreset::Compare);
         at = following(at);
         ++seen;
-    } while (at != Arrangement::Debug);
-    CHECK(seen == arrangements().size() - 1);
-    CHECK(following(Arrangement::Compare) == Arrangement::Debug);
+    } while (at != LayoutPreset::Debug);
+    CHECK(seen == layoutPresets().size() - 1);
+    CHECK(following(LayoutPreset::Compare) == LayoutPreset::Debug);
 }
 
 TEST_CASE("Compare has two views of the same size, with the column beside them") {
     for (const Screen& screen : kScreens) {
         CAPTURE(screen.size.x);
         CAPTURE(screen.em);
-        const Layout l = computeLayout(screen.size, screen.em, Arrangement::Compare);
+        const PanelRects l = computePanelRects(screen.size, screen.em, LayoutPreset::Compare);
         CHECK(std::abs(l.view.size.x - l.otherView.size.x) <= 1.0F);
         CHECK(std::abs(l.view.size.y - l.otherView.size.y) <= 1.0F);
         CHECK(l.title.size.y == l.otherTitle.size.y);
@@ -152,16 +154,16 @@ TEST_CASE("Compare has two views of the same size, with the column beside them")
         const glm::vec2 both(l.status.size.x - l.left.size.x, l.narration.min.y - l.title.min.y);
         CHECK(beside == (std::min(0.5F * both.x, both.y) >= std::min(both.x, 0.5F * both.y)));
     }
-    const Layout debug = computeLayout({1280, 800}, 16);
+    const PanelRects debug = computePanelRects({1280, 800}, 16);
     CHECK(debug.otherView.size == glm::vec2(0.0F));
     CHECK(debug.title.size == glm::vec2(0.0F));
 }
 
 TEST_CASE("If no status bar has the address, a line above the caption has it") {
-    for (const auto& [screen, arrangement] : allCases()) {
+    for (const auto& [screen, layoutPreset] : allCases()) {
         CAPTURE(screen.size.x);
-        CAPTURE(rowOf(arrangement).name);
-        const Layout l = computeLayout(screen.size, screen.em, arrangement);
+        CAPTURE(rowOf(layoutPreset).name);
+        const PanelRects l = computePanelRects(screen.size, screen.em, layoutPreset);
         CHECK((l.addressLine > 0.0F) == (l.status.size.y == 0.0F));
         // The caption keeps two lines.
         CHECK(l.narration.size.y - l.addressLine >= 2.0F * l.caption * screen.em);
@@ -169,8 +171,8 @@ TEST_CASE("If no status bar has the address, a line above the caption has it") {
 }
 
 TEST_CASE("In a low window a large caption leaves the view half of the height") {
-    for (const Arrangement arrangement : {Arrangement::Learn, Arrangement::Present}) {
-        const Layout l = computeLayout({1024, 640}, 32, arrangement);
+    for (const LayoutPreset layoutPreset : {LayoutPreset::Learn, LayoutPreset::Present}) {
+        const PanelRects l = computePanelRects({1024, 640}, 32, layoutPreset);
         CHECK(l.view.size.y >= 0.49F * (l.view.size.y + l.narration.size.y));
     }
 }
@@ -179,7 +181,7 @@ TEST_CASE("A page has its form, its view and its controls beside each other, non
     for (const glm::vec2 size :
          {glm::vec2(1280, 800), glm::vec2(640, 400), glm::vec2(2560, 1440)}) {
         for (const float em : {12.0F, 16.0F, 32.0F}) {
-            const Layout l = computePageLayout(size, em);
+            const PanelRects l = computePageRects(size, em);
             CHECK(l.left.min.y == l.menu.max().y);
             CHECK(l.view.min.x == l.left.max().x);
             CHECK(l.view.max().x == size.x);

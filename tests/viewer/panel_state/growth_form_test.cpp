@@ -57,18 +57,18 @@ TEST_CASE("A field that is wrong is named") {
 }
 
 TEST_CASE("On the page with new points keys act on them; keys of the run have no effect") {
-    test::Desk desk("growth-keys");
-    UiState& ui = desk.ui;
-    openGrowthPage(desk.context, GrowthSource::Shape);
+    test::HeadlessApp app("growth-keys");
+    UiState& ui = app.ui;
+    openGrowthPage(app.context, GrowthSource::Shape);
     CHECK(ui.growth.open);
     CHECK(ui.growth.asked == GrowthAsk::Begin);
     const auto asks = [&](const char* id) {
         ui.growth.asked = GrowthAsk::None;
-        runCommand(*findCommand(id), desk.context);
+        runCommand(*findCommand(id), app.context);
         return ui.growth.asked;
     };
     CHECK(asks("run.play") == GrowthAsk::PlayOrPause);
-    CHECK_FALSE(desk.playback.playing());
+    CHECK_FALSE(app.playback.playing());
     CHECK(asks("step.event.next") == GrowthAsk::Step);
     CHECK(asks("run.end") == GrowthAsk::Finish);
     CHECK(asks("view.home") == GrowthAsk::Home);
@@ -79,29 +79,29 @@ TEST_CASE("On the page with new points keys act on them; keys of the run have no
     CHECK(asks("view.theme") == GrowthAsk::None);
     CHECK(ui.settings.theme == Theme::Light);
     ui.growth.open = false;
-    runCommand(*findCommand("layer.normals"), desk.context);
+    runCommand(*findCommand("layer.normals"), app.context);
     CHECK(ui.settings.layers != before);
 }
 
 TEST_CASE("A volume is chosen in a browser, and starts at once") {
-    test::Desk desk("growth-volume");
-    openGrowthPage(desk.context, GrowthSource::Volume);
-    CHECK(desk.ui.fileBrowser);
-    CHECK(desk.ui.browser == BrowserTask::Volume);
-    CHECK(desk.ui.growth.asked == GrowthAsk::None);
+    test::HeadlessApp app("growth-volume");
+    openGrowthPage(app.context, GrowthSource::Volume);
+    CHECK(app.ui.fileBrowser);
+    CHECK(app.ui.browser == BrowserTask::Volume);
+    CHECK(app.ui.growth.asked == GrowthAsk::None);
     CHECK(isListed("a.nhdr", BrowserTask::Volume));
     CHECK_FALSE(isListed("a.ply", BrowserTask::Volume));
     CHECK(isListed("a.ply", BrowserTask::SavePoints));
     // Opened like any file it leads there as well, and the open input stays.
-    desk.ui.growth = {};
-    desk.ui.fileBrowser = false;
-    desk.ui.notes = "not saved";
-    desk.filing.drop({"/data/scan.nhdr"});
-    CHECK_FALSE(desk.ui.leaving.asked);
-    CHECK(desk.ui.growth.open);
-    CHECK(desk.ui.growth.form.volume == "/data/scan.nhdr");
-    CHECK(desk.ui.growth.asked == GrowthAsk::Begin);
-    CHECK(desk.session.phase() == SessionPhase::Empty);
+    app.ui.growth = {};
+    app.ui.fileBrowser = false;
+    app.ui.notes = "not saved";
+    app.document.drop({"/data/scan.nhdr"});
+    CHECK_FALSE(app.ui.leaving.asked);
+    CHECK(app.ui.growth.open);
+    CHECK(app.ui.growth.form.volume == "/data/scan.nhdr");
+    CHECK(app.ui.growth.asked == GrowthAsk::Begin);
+    CHECK(app.session.phase() == SessionPhase::Empty);
 }
 
 TEST_CASE("Other preparation opens the input in another way, and the form undoes it") {
@@ -148,11 +148,11 @@ TEST_CASE("Other preparation opens the input in another way, and the form undoes
 TEST_CASE("The form shows the choices of fixes; other choices there take precedence") {
     const auto model = test::sphereModel();
     REQUIRE(model != nullptr);
-    InputSpec cured{"scene:sphere", {}, "paper"};
-    cured.cures = {"zero_normals",  "flipped_normals",   "short_lists",
+    InputSpec fixed{"scene:sphere", {}, "paper"};
+    fixed.fixes = {"zero_normals",  "flipped_normals",   "short_lists",
                    "types_off_box", "unsymmetric_lists", "open_border"};
     PrepareForm form;
-    form.take(cured, *model);
+    form.take(fixed, *model);
     CHECK(form.normals == NormalSource::Oriented);
     CHECK(form.reach == PrepareForm::Reach::Nearest);
     CHECK(form.count == "12");
@@ -160,19 +160,19 @@ TEST_CASE("The form shows the choices of fixes; other choices there take precede
     CHECK(form.symmetric);
     CHECK(form.rim);
     // Unchanged, all of them stay.
-    CHECK(form.spec(cured).value().cures == cured.cures);
+    CHECK(form.spec(fixed).value().fixes == fixed.fixes);
     form.reach = PrepareForm::Reach::Spacings;
     form.spacings = "1.5";
     form.normals = NormalSource::AsGiven;
-    const InputSpec chosen = form.spec(cured).value();
+    const InputSpec chosen = form.spec(fixed).value();
     CHECK(std::get<WithinSpacings>(chosen.neighbors.reach).spacings == 1.5);
-    CHECK(chosen.cures ==
-          Cures{"zero_normals", "types_off_box", "unsymmetric_lists", "open_border"});
+    CHECK(chosen.fixes ==
+          Fixes{"zero_normals", "types_off_box", "unsymmetric_lists", "open_border"});
     form.walls = WallChoice::From::File;
     form.symmetric = form.rim = false;
-    CHECK(form.spec(cured).value().cures == Cures{"zero_normals"});
+    CHECK(form.spec(fixed).value().fixes == Fixes{"zero_normals"});
     form.spacings = "-1";
-    CHECK(form.spec(cured).error().message.starts_with("Spacings:"));
+    CHECK(form.spec(fixed).error().message.starts_with("Spacings:"));
 }
 
 TEST_CASE("The proposed box has as few digits as a wall's tolerance allows") {
@@ -207,27 +207,27 @@ TEST_CASE("7 the walls of a given box make boundary points of a sphere cut in ha
 }
 
 TEST_CASE("Sampled points are opened at the camera's position; others discard the box") {
-    test::Desk desk("growth-open");
+    test::HeadlessApp app("growth-open");
     const Result<PointFile> points =
         samplePoints(sampleFromSource("sample:torus,n=300").value(), {});
     REQUIRE(points.ok());
-    desk.ui.growth.open = true;
+    app.ui.growth.open = true;
     CameraPose pose;
     pose.distance = 2.5F;
-    desk.camera.setPose(pose);
+    app.camera.setPose(pose);
     InputSpec spec;
     spec.source = "sample:torus,n=300";
     spec.points = std::make_shared<const PointFile>(points.value());
     spec.walls = {WallChoice::From::Around, {}};
-    desk.ui.requests.openSpec = spec;
-    desk.filing.carryOut(desk.ui.requests);
-    desk.settle();
-    REQUIRE(desk.session.ready());
-    CHECK(desk.session.model().name == "torus, 300 points");
-    CHECK(desk.filing.takeCamera()->distance == 2.5F);
-    desk.filing.open("scene:sphere");
-    desk.settle();
-    CHECK(desk.session.model().name == "scene:sphere");
-    CHECK(desk.session.spec().points == nullptr);
-    CHECK(desk.session.spec().walls == WallChoice{});
+    app.ui.requests.openSpec = spec;
+    app.document.carryOut(app.ui.requests);
+    app.waitUntilDone();
+    REQUIRE(app.session.ready());
+    CHECK(app.session.model().name == "torus, 300 points");
+    CHECK(app.document.takeCamera()->distance == 2.5F);
+    app.document.open("scene:sphere");
+    app.waitUntilDone();
+    CHECK(app.session.model().name == "scene:sphere");
+    CHECK(app.session.spec().points == nullptr);
+    CHECK(app.session.spec().walls == WallChoice{});
 }

@@ -13,7 +13,7 @@ TEST_CASE("The latest file is first and listed once, and the oldest ones are dro
     for (int i = 0; i < 14; ++i) remember(state, "/data/" + std::to_string(i) + ".ply");
     remember(state, "/data/9.ply");
     remember(state, "/data/sub/../9.ply");
-    REQUIRE(state.recent.size() == kMostRecent);
+    REQUIRE(state.recent.size() == kMaxRecent);
     CHECK(state.recent[0] == "/data/9.ply");
     CHECK(state.recent[1] == "/data/13.ply");
     CHECK(state.recent.back() == "/data/4.ply");
@@ -48,7 +48,7 @@ TEST_CASE("Sampled points are recorded by their specification, with a readable n
 }
 
 TEST_CASE("Layout and recent files are read back as written") {
-    KeptState state{Arrangement::Present, {"/a.ply", "/b \"c\".sesession"}};
+    KeptState state{LayoutPreset::Present, {"/a.ply", "/b \"c\".sesession"}};
     CHECK(keptStateFromJson(keptStateToJson(state)) == state);
     for (const char* bad : {"", "[]", "{", R"({"layout": 3, "recent": [1, {}]})"}) {
         CAPTURE(bad);
@@ -62,7 +62,7 @@ TEST_CASE("The state file is in the XDG folder, which is made with it") {
     setenv("XDG_STATE_HOME", folder.c_str(), 1);
     CHECK(statePath() == folder / "spiraling-edge" / "state.json");
     CHECK(readKeptState(statePath()) == KeptState{});
-    const KeptState state{Arrangement::Learn, {"/a.ply"}};
+    const KeptState state{LayoutPreset::Learn, {"/a.ply"}};
     REQUIRE(writeKeptState(statePath(), state).ok());
     CHECK(readKeptState(statePath()) == state);
     CHECK(writeKeptState({}, state).ok());

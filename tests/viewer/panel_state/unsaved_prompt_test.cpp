@@ -11,14 +11,14 @@ namespace fs = std::filesystem;
 namespace {
 
 /// A program with an open scene.
-struct LeavingDesk : test::Desk {
-    LeavingDesk() : test::Desk("leaving-test") {
-        filing.open("scene:sphere");
+struct LeavingDesk : test::HeadlessApp {
+    LeavingDesk() : test::HeadlessApp("leaving-test") {
+        document.open("scene:sphere");
         frame();
     }
     void frame() {
-        filing.carryOut(ui.requests);
-        settle();
+        document.carryOut(ui.requests);
+        waitUntilDone();
     }
     void quit() {
         ui.requests.quit = true;
@@ -37,152 +37,152 @@ struct LeavingDesk : test::Desk {
 }  // namespace
 
 TEST_CASE("There is no question without annotations, or after they were undone") {
-    LeavingDesk desk;
-    desk.open("scene:grid");
-    CHECK(desk.session.spec().source == "scene:grid");
+    LeavingDesk app;
+    app.open("scene:grid");
+    CHECK(app.session.spec().source == "scene:grid");
     const Address here{3, Stage::Sort, 1};
-    toggleBookmark(desk.ui.bookmarks, here);
-    toggleBookmark(desk.ui.bookmarks, here);
-    desk.ui.requests.reload = true;
-    desk.frame();
-    CHECK_FALSE(desk.ui.leaving.asked);
-    desk.quit();
-    CHECK_FALSE(desk.ui.leaving.asked);
-    CHECK(desk.ui.quitting);
+    toggleBookmark(app.ui.bookmarks, here);
+    toggleBookmark(app.ui.bookmarks, here);
+    app.ui.requests.reload = true;
+    app.frame();
+    CHECK_FALSE(app.ui.leaving.asked);
+    app.quit();
+    CHECK_FALSE(app.ui.leaving.asked);
+    CHECK(app.ui.quitting);
 }
 
 TEST_CASE("Quitting with notes asks; cancelling stays, discarding quits") {
-    LeavingDesk desk;
-    desk.ui.notes = "odd";
-    desk.quit();
-    CHECK(desk.ui.leaving.asked);
-    CHECK_FALSE(desk.ui.quitting);
-    desk.answer(LeaveAnswer::Cancel);
-    CHECK_FALSE(desk.ui.leaving.asked);
-    CHECK_FALSE(desk.ui.quitting);
-    CHECK(desk.ui.notes == "odd");
-    desk.quit();
-    desk.answer(LeaveAnswer::Discard);
-    CHECK(desk.ui.quitting);
+    LeavingDesk app;
+    app.ui.notes = "odd";
+    app.quit();
+    CHECK(app.ui.leaving.asked);
+    CHECK_FALSE(app.ui.quitting);
+    app.answer(LeaveAnswer::Cancel);
+    CHECK_FALSE(app.ui.leaving.asked);
+    CHECK_FALSE(app.ui.quitting);
+    CHECK(app.ui.notes == "odd");
+    app.quit();
+    app.answer(LeaveAnswer::Discard);
+    CHECK(app.ui.quitting);
 }
 
 TEST_CASE("Unsaved breakpoints and watches raise the question like notes, by name") {
-    LeavingDesk desk;
-    desk.ui.breakpoints.push_back({"", "stage=split"});
-    desk.ui.watches = {"ring"};
-    desk.quit();
-    REQUIRE(desk.ui.leaving.asked);
-    CHECK(desk.ui.leaving.atStake == "breakpoints and watches");
-    desk.answer(LeaveAnswer::Cancel);
-    CHECK(desk.ui.breakpoints.size() == 1);
-    desk.ui.requests.saveSessionAs = (desk.folder / "a.sesession").string();
-    desk.frame();
-    CHECK(desk.filing.unsaved().empty());
+    LeavingDesk app;
+    app.ui.breakpoints.push_back({"", "stage=split"});
+    app.ui.watches = {"ring"};
+    app.quit();
+    REQUIRE(app.ui.leaving.asked);
+    CHECK(app.ui.leaving.atStake == "breakpoints and watches");
+    app.answer(LeaveAnswer::Cancel);
+    CHECK(app.ui.breakpoints.size() == 1);
+    app.ui.requests.saveSessionAs = (app.folder / "a.sesession").string();
+    app.frame();
+    CHECK(app.document.unsaved().empty());
 
     // Discarding returns to the content of the file.
-    desk.ui.breakpoints.front().logOnly = true;
-    desk.ui.watches.clear();
-    desk.ui.notes = "odd";
-    desk.ui.requests.reload = true;
-    desk.frame();
-    REQUIRE(desk.ui.leaving.asked);
-    CHECK(desk.ui.leaving.atStake == "notes, breakpoints and watches");
-    desk.answer(LeaveAnswer::Discard);
-    REQUIRE(desk.ui.breakpoints.size() == 1);
-    CHECK_FALSE(desk.ui.breakpoints.front().logOnly);
-    CHECK(desk.ui.watches == std::vector<std::string>{"ring"});
-    CHECK(desk.ui.notes.empty());
+    app.ui.breakpoints.front().logOnly = true;
+    app.ui.watches.clear();
+    app.ui.notes = "odd";
+    app.ui.requests.reload = true;
+    app.frame();
+    REQUIRE(app.ui.leaving.asked);
+    CHECK(app.ui.leaving.atStake == "notes, breakpoints and watches");
+    app.answer(LeaveAnswer::Discard);
+    REQUIRE(app.ui.breakpoints.size() == 1);
+    CHECK_FALSE(app.ui.breakpoints.front().logOnly);
+    CHECK(app.ui.watches == std::vector<std::string>{"ring"});
+    CHECK(app.ui.notes.empty());
 }
 
 TEST_CASE("Opening and reloading ask as well; discarding restores the content of the file") {
-    LeavingDesk desk;
-    desk.ui.notes = "saved";
-    desk.ui.requests.saveSessionAs = (desk.folder / "a.sesession").string();
-    desk.frame();
-    desk.ui.notes = "changed";
-    desk.open("scene:grid");
-    CHECK(desk.session.spec().source == "scene:sphere");
-    REQUIRE(desk.ui.leaving.asked);
-    desk.answer(LeaveAnswer::Discard);
-    CHECK(desk.session.spec().source == "scene:grid");
-    CHECK(desk.ui.notes.empty());
-    desk.open("scene:sphere");
-    CHECK_FALSE(desk.ui.leaving.asked);
-    CHECK(desk.ui.notes == "saved");
-    desk.ui.notes = "changed again";
-    const std::uint32_t before = desk.session.generation();
-    desk.ui.requests.reload = true;
-    desk.frame();
-    REQUIRE(desk.ui.leaving.asked);
-    CHECK(desk.session.generation() == before);
-    desk.answer(LeaveAnswer::Discard);
-    CHECK(desk.session.generation() > before);
-    CHECK(desk.ui.notes == "saved");
+    LeavingDesk app;
+    app.ui.notes = "saved";
+    app.ui.requests.saveSessionAs = (app.folder / "a.sesession").string();
+    app.frame();
+    app.ui.notes = "changed";
+    app.open("scene:grid");
+    CHECK(app.session.spec().source == "scene:sphere");
+    REQUIRE(app.ui.leaving.asked);
+    app.answer(LeaveAnswer::Discard);
+    CHECK(app.session.spec().source == "scene:grid");
+    CHECK(app.ui.notes.empty());
+    app.open("scene:sphere");
+    CHECK_FALSE(app.ui.leaving.asked);
+    CHECK(app.ui.notes == "saved");
+    app.ui.notes = "changed again";
+    const std::uint32_t before = app.session.generation();
+    app.ui.requests.reload = true;
+    app.frame();
+    REQUIRE(app.ui.leaving.asked);
+    CHECK(app.session.generation() == before);
+    app.answer(LeaveAnswer::Discard);
+    CHECK(app.session.generation() > before);
+    CHECK(app.ui.notes == "saved");
 }
 
 TEST_CASE("Saving first continues when the file is written, and stays if no name is given") {
-    LeavingDesk desk;
-    desk.ui.notes = "odd";
-    desk.open("scene:grid");
-    desk.answer(LeaveAnswer::Save);
-    REQUIRE(desk.ui.fileBrowser);
-    CHECK(desk.session.spec().source == "scene:sphere");
-    desk.ui.fileBrowser = false;  // no file is named
-    desk.frame();
-    desk.frame();
-    CHECK(desk.session.spec().source == "scene:sphere");
+    LeavingDesk app;
+    app.ui.notes = "odd";
+    app.open("scene:grid");
+    app.answer(LeaveAnswer::Save);
+    REQUIRE(app.ui.fileBrowser);
+    CHECK(app.session.spec().source == "scene:sphere");
+    app.ui.fileBrowser = false;  // no file is named
+    app.frame();
+    app.frame();
+    CHECK(app.session.spec().source == "scene:sphere");
 
-    desk.open("scene:grid");
-    desk.answer(LeaveAnswer::Save);
-    const fs::path path = desk.folder / "a.sesession";
-    desk.ui.requests.saveSessionAs = path.string();
-    desk.ui.fileBrowser = false;
-    desk.frame();
-    CHECK(desk.session.spec().source == "scene:grid");
+    app.open("scene:grid");
+    app.answer(LeaveAnswer::Save);
+    const fs::path path = app.folder / "a.sesession";
+    app.ui.requests.saveSessionAs = path.string();
+    app.ui.fileBrowser = false;
+    app.frame();
+    CHECK(app.session.spec().source == "scene:grid");
     CHECK(readSessionFile(path).value().notes == "odd");
 
     // The file has a name now.
-    desk.open("scene:sphere");
-    desk.ui.notes = "odder";
-    desk.quit();
-    desk.answer(LeaveAnswer::Save);
-    CHECK_FALSE(desk.ui.fileBrowser);
-    CHECK(desk.ui.quitting);
+    app.open("scene:sphere");
+    app.ui.notes = "odder";
+    app.quit();
+    app.answer(LeaveAnswer::Save);
+    CHECK_FALSE(app.ui.fileBrowser);
+    CHECK(app.ui.quitting);
     CHECK(readSessionFile(path).value().notes == "odder");
 }
 
 TEST_CASE("A session that cannot be saved is not left") {
-    LeavingDesk desk;
-    desk.ui.notes = "odd";
-    desk.quit();
-    desk.answer(LeaveAnswer::Save);
-    desk.ui.requests.saveSessionAs = (desk.folder / "no" / "a.sesession").string();
-    desk.ui.fileBrowser = false;
-    desk.frame();
-    CHECK_FALSE(desk.ui.quitting);
-    CHECK(desk.ui.notes == "odd");
+    LeavingDesk app;
+    app.ui.notes = "odd";
+    app.quit();
+    app.answer(LeaveAnswer::Save);
+    app.ui.requests.saveSessionAs = (app.folder / "no" / "a.sesession").string();
+    app.ui.fileBrowser = false;
+    app.frame();
+    CHECK_FALSE(app.ui.quitting);
+    CHECK(app.ui.notes == "odd");
 }
 
 TEST_CASE("A file that cannot be opened leaves notes and input unchanged") {
-    LeavingDesk desk;
-    desk.ui.notes = "odd";
-    desk.filing.open("missing.ply");
-    desk.frame();
-    CHECK(desk.session.phase() == SessionPhase::Failed);
-    desk.session.dismissError();
-    CHECK(desk.session.spec().source == "scene:sphere");
-    CHECK(desk.ui.notes == "odd");
+    LeavingDesk app;
+    app.ui.notes = "odd";
+    app.document.open("missing.ply");
+    app.frame();
+    CHECK(app.session.phase() == SessionPhase::Failed);
+    app.session.dismissError();
+    CHECK(app.session.spec().source == "scene:sphere");
+    CHECK(app.ui.notes == "odd");
 }
 
 TEST_CASE("Of several files that are dropped the first is opened, and a sentence reports it") {
-    LeavingDesk desk;
-    desk.filing.drop({"scene:grid", "scene:torus"});
-    desk.frame();
-    desk.filing.poll();
-    CHECK(desk.session.spec().source == "scene:grid");
-    CHECK(desk.session.message().find("2 files") != std::string::npos);
-    CHECK(desk.session.message().find("scene:grid") != std::string::npos);
-    desk.ui.notes = "odd";
-    desk.filing.drop({"scene:torus"});
-    CHECK(desk.ui.leaving.asked);
+    LeavingDesk app;
+    app.document.drop({"scene:grid", "scene:torus"});
+    app.frame();
+    app.document.poll();
+    CHECK(app.session.spec().source == "scene:grid");
+    CHECK(app.session.message().find("2 files") != std::string::npos);
+    CHECK(app.session.message().find("scene:grid") != std::string::npos);
+    app.ui.notes = "odd";
+    app.document.drop({"scene:torus"});
+    CHECK(app.ui.leaving.asked);
 }

@@ -219,7 +219,7 @@ TEST_CASE("Inspect: a complete component counts its triangles, points, loops and
         const RunOverview& run = open.session.overview();
         REQUIRE_FALSE(run.shapes.empty());
         open.session.goTo({run.shapes.back().pivot, Stage::Done, 0});
-        open.session.settle();
+        open.session.waitUntilDone();
         const PivotRecord& record = open.session.record();
         const Event& event = record.events.back();
         REQUIRE(std::holds_alternative<ComponentEvidence>(event.evidence));

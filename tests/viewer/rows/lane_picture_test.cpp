@@ -86,7 +86,7 @@ TEST_CASE("The overview has the lanes at any pivot") {
     const auto model = modelOf("scene:torus", "paper");
     REQUIRE(model != nullptr);
     OverviewJob thread(model);
-    thread.finish();
+    thread.waitUntilDone();
     RunOverview run;
     REQUIRE(thread.update(run));
     CHECK(run.lanes >= 2);

@@ -78,7 +78,7 @@ TEST_CASE("The strip shows the chosen ring, otherwise the active one") {
 TEST_CASE("A ring is highlighted under the pointer, and stays so when chosen") {
     OpenSession open;
     open.session.goToPivot(30);
-    open.session.settle();
+    open.session.waitUntilDone();
     Session& session = open.session;
     const std::uint32_t before = session.revision();
     session.hoverRing(3);

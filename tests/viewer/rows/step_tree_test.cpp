@@ -163,7 +163,7 @@ TEST_CASE("A million pivots are ordinary rows") {
 TEST_CASE("In a session every event has a row") {
     OpenSession open("scene:torus");
     open.session.goToPivot(137);
-    open.session.settle();
+    open.session.waitUntilDone();
     StepTree tree;
     for (std::size_t cursor = 0; cursor < open.session.record().events.size(); ++cursor) {
         open.session.goToEvent(cursor);

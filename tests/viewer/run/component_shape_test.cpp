@@ -14,7 +14,7 @@ RunOverview wholeRun(const char* scene) {
     const auto model = loadModel({scene, {}, "paper"}, progress);
     REQUIRE(model.ok());
     OverviewJob thread(model.value());
-    thread.finish();
+    thread.waitUntilDone();
     RunOverview run;
     thread.update(run);
     return run;

@@ -49,23 +49,23 @@ void write(const fs::path& path, const PointFile& file) {
 }
 
 /// A flawed sphere is open.
-struct CureDesk : test::Desk {
+struct FixApp : test::HeadlessApp {
     std::string path;
 
-    explicit CureDesk(const std::string& name)
-        : test::Desk(name), path((folder / "f.xyz").string()) {
+    explicit FixApp(const std::string& name)
+        : test::HeadlessApp(name), path((folder / "f.xyz").string()) {
         write(path, flawed());
-        filing.open(path);
-        settle();
+        document.open(path);
+        waitUntilDone();
         REQUIRE(session.ready());
     }
-    void follow(const Cures& cures) {
-        ui.requests.cures = cures;
-        filing.carryOut(ui.requests);
-        settle();
+    void follow(const Fixes& fixes) {
+        ui.requests.fixes = fixes;
+        document.carryOut(ui.requests);
+        waitUntilDone();
     }
     std::vector<std::string> findings() const {
-        const auto found = session.checkup().findings();
+        const auto found = session.doctorJob().findings();
         return names({found.begin(), found.end()});
     }
     bool finds(const char* name) const {
@@ -79,102 +79,102 @@ struct CureDesk : test::Desk {
 TEST_CASE("Each doctor check that has a fix here has a command as well") {
     for (const DoctorCheck& check : doctorChecks()) {
         CAPTURE(check.name);
-        CHECK((!canCure(check) || !check.remedy.empty()));
-        CHECK(canCure(check) == !cureText(check.cure).empty());
+        CHECK((!canFix(check) || !check.remedy.empty()));
+        CHECK(canFix(check) == !fixText(check.cure).empty());
     }
 }
 
 TEST_CASE("Safe fixes are applied at once: repairs, and normals to be flipped") {
     const Result<Diagnosis> found = examine(flawed());
     REQUIRE(found);
-    const Cures cures = plainCures(found.value());
-    REQUIRE(cures.size() == 2);
-    CHECK(findDoctorCheck(cures[0])->cure == Cure::Mend);
-    CHECK(findDoctorCheck(cures[1])->cure == Cure::Orient);
-    CHECK(plainCures({}).empty());
+    const Fixes fixes = safeFixes(found.value());
+    REQUIRE(fixes.size() == 2);
+    CHECK(findDoctorCheck(fixes[0])->cure == Cure::Mend);
+    CHECK(findDoctorCheck(fixes[1])->cure == Cure::Orient);
+    CHECK(safeFixes({}).empty());
 }
 
 TEST_CASE("A fix that does not exist, or a check without one, is refused") {
     for (const char* name : {"no_such_check", "ties"}) {
         PointFile file = sphere();
         PrepareOptions options;
-        CHECK_FALSE(cure(file, {name}, options));
+        CHECK_FALSE(fixInput(file, {name}, options));
     }
 }
 
 TEST_CASE("The input is opened again with its fixes, and unchanged without them") {
-    CureDesk desk("cure-test");
-    const std::size_t all = desk.session.model().points.size();
-    CHECK(desk.finds("duplicates"));
-    CHECK(desk.finds("zero_normals"));
-    CHECK(desk.finds("flipped_normals"));
-    CHECK(desk.session.model().mended.empty());
+    FixApp app("cure-test");
+    const std::size_t all = app.session.model().points.size();
+    CHECK(app.finds("duplicates"));
+    CHECK(app.finds("zero_normals"));
+    CHECK(app.finds("flipped_normals"));
+    CHECK(app.session.model().fixesDone.empty());
 
-    desk.follow(plainCures(desk.session.checkup().findings()));
-    CHECK(desk.session.spec().cures.size() == 2);
-    CHECK(desk.findings().empty());
-    CHECK(desk.session.model().points.size() == all - 3);
-    CHECK(desk.session.model().mended.size() == 3);  // copies, zero normals, flipped ones
+    app.follow(safeFixes(app.session.doctorJob().findings()));
+    CHECK(app.session.spec().fixes.size() == 2);
+    CHECK(app.findings().empty());
+    CHECK(app.session.model().points.size() == all - 3);
+    CHECK(app.session.model().fixesDone.size() == 3);  // copies, zero normals, flipped ones
     // The normals point outwards: the sphere is about the origin of its own box.
-    for (std::size_t p = 0; p < desk.session.model().points.size(); ++p)
-        CHECK(glm::dot(desk.session.model().normal[p], desk.session.model().place[p]) > 0.0F);
+    for (std::size_t p = 0; p < app.session.model().points.size(); ++p)
+        CHECK(glm::dot(app.session.model().normal[p], app.session.model().place[p]) > 0.0F);
 
-    desk.follow({});
-    CHECK(desk.session.model().points.size() == all);
-    CHECK(desk.finds("flipped_normals"));
-    CHECK(desk.session.model().mended.empty());
+    app.follow({});
+    CHECK(app.session.model().points.size() == all);
+    CHECK(app.finds("flipped_normals"));
+    CHECK(app.session.model().fixesDone.empty());
 }
 
 TEST_CASE("Bookmarks and notes stay when the input is repaired, and another input is not") {
-    CureDesk desk("cure-notes-test");
-    desk.ui.notes = "kept";
-    desk.follow({"zero_normals"});
-    CHECK(desk.ui.notes == "kept");
-    CHECK_FALSE(desk.ui.leaving.asked);
-    desk.filing.open("scene:torus");
-    desk.settle();
-    CHECK(desk.session.spec().cures.empty());
-    CHECK(desk.session.model().mended.empty());
+    FixApp app("cure-notes-test");
+    app.ui.notes = "kept";
+    app.follow({"zero_normals"});
+    CHECK(app.ui.notes == "kept");
+    CHECK_FALSE(app.ui.leaving.asked);
+    app.document.open("scene:torus");
+    app.waitUntilDone();
+    CHECK(app.session.spec().fixes.empty());
+    CHECK(app.session.model().fixesDone.empty());
 }
 
 TEST_CASE("A session keeps the fixes of its input") {
-    CureDesk desk("cure-session-test");
-    desk.follow({"zero_normals", "flipped_normals"});
-    desk.ui.requests.saveSessionAs = (desk.folder / "a.sesession").string();
-    desk.filing.carryOut(desk.ui.requests);
-    desk.follow({});
-    CHECK(desk.finds("flipped_normals"));
-    desk.filing.open((desk.folder / "a.sesession").string());
-    desk.settle();
-    CHECK(desk.session.spec().cures == Cures{"zero_normals", "flipped_normals"});
-    CHECK(desk.findings().empty());
-    const std::string text = *readText(desk.folder / "a.sesession");
+    FixApp app("cure-session-test");
+    app.follow({"zero_normals", "flipped_normals"});
+    app.ui.requests.saveSessionAs = (app.folder / "a.sesession").string();
+    app.document.carryOut(app.ui.requests);
+    app.follow({});
+    CHECK(app.finds("flipped_normals"));
+    app.document.open((app.folder / "a.sesession").string());
+    app.waitUntilDone();
+    CHECK(app.session.spec().fixes == Fixes{"zero_normals", "flipped_normals"});
+    CHECK(app.findings().empty());
+    const std::string text = *readText(app.folder / "a.sesession");
     CHECK(text.find("\"doctor\": [") != std::string::npos);
     for (const char* wrong : {"\"zero_normals\"", "[\"ties\"]", "[1]"}) {
         std::string broken = text;
         const auto from = broken.find("\"doctor\": ") + 10;
         broken.replace(from, broken.find(']', from) + 1 - from, wrong);
-        const auto read = sessionFromJson(broken, "b", desk.folder);
+        const auto read = sessionFromJson(broken, "b", app.folder);
         REQUIRE_FALSE(read);
         CHECK(read.error().message.find("options.doctor") != std::string::npos);
     }
 }
 
 TEST_CASE("Undo restores the fixes, and selects no point of the other input") {
-    CureDesk desk("cure-undo-test");
-    desk.session.select(5);
-    const Edits before = captureEdits(desk.context);
-    desk.follow({"zero_normals"});
-    const Edits after = captureEdits(desk.context);
+    FixApp app("cure-undo-test");
+    app.session.select(5);
+    const Edits before = captureEdits(app.context);
+    app.follow({"zero_normals"});
+    const Edits after = captureEdits(app.context);
     CHECK(after.selected.kind == SelectionKind::None);
     CHECK(describeChange(before, after) == "the doctor's fix");
-    applyEdits(before, desk.context);
-    CHECK(desk.session.selection().kind == SelectionKind::None);
-    REQUIRE(desk.ui.requests.cures);
-    CHECK(desk.ui.requests.cures->empty());
-    desk.filing.carryOut(desk.ui.requests);
-    desk.settle();
-    CHECK(desk.finds("zero_normals"));
+    applyEdits(before, app.context);
+    CHECK(app.session.selection().kind == SelectionKind::None);
+    REQUIRE(app.ui.requests.fixes);
+    CHECK(app.ui.requests.fixes->empty());
+    app.document.carryOut(app.ui.requests);
+    app.waitUntilDone();
+    CHECK(app.finds("zero_normals"));
 }
 
 TEST_CASE("A path is one word of a command line, with any characters") {

@@ -14,7 +14,7 @@ TEST_CASE("The overview has the counts of a plain run") {
     const auto model = test::sphereModel();
     REQUIRE(model != nullptr);
     OverviewJob thread(model);
-    thread.finish();
+    thread.waitUntilDone();
     RunOverview run;
     CHECK(thread.update(run));
     CHECK_FALSE(thread.update(run));

@@ -45,8 +45,8 @@ TEST_CASE("Repair: triangles keep their component after flips and points that we
     CHECK(componentsOf(emitted, emitted, starts, 8) ==
           std::vector<ComponentStretch>{{0, 0}, {2, 1}});
     // An edge of each flipped; point 7 put into a triangle of the first, at the end of the list.
-    const std::vector<Triangle> mended = {{0, 1, 3}, {0, 3, 2}, {3, 4, 6},
-                                          {3, 6, 5}, {0, 1, 7}, {7, 1, 3}};
-    CHECK(componentsOf(mended, emitted, starts, 8) ==
+    const std::vector<Triangle> repaired = {{0, 1, 3}, {0, 3, 2}, {3, 4, 6},
+                                            {3, 6, 5}, {0, 1, 7}, {7, 1, 3}};
+    CHECK(componentsOf(repaired, emitted, starts, 8) ==
           std::vector<ComponentStretch>{{0, 0}, {2, 1}, {4, 0}});
 }

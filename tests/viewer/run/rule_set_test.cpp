@@ -10,16 +10,16 @@
 
 using namespace se;
 using namespace se::view;
-using test::Desk;
+using test::HeadlessApp;
 using test::OpenSession;
 
 namespace {
 
 /// Re-runs as a panel does, up to the end.
-void ask(Desk& desk, const RuleSet& rules) {
-    desk.ui.requests.rules = rules;
-    desk.filing.carryOut(desk.ui.requests);
-    desk.settle();
+void ask(HeadlessApp& app, const RuleSet& rules) {
+    app.ui.requests.rules = rules;
+    app.document.carryOut(app.ui.requests);
+    app.waitUntilDone();
 }
 
 std::uint64_t hashAtEnd(const Session& session) {
@@ -30,7 +30,7 @@ std::uint64_t hashAtEnd(const Session& session) {
 
 WhatIf offeredAt(Session& session, const char* address) {
     REQUIRE(session.goToText(address).ok());
-    session.settle();
+    session.waitUntilDone();
     REQUIRE(session.event() != nullptr);
     const auto offers = offersAt(*session.event(), session.picture().pivot);
     REQUIRE(offers.size() == 1);
@@ -111,12 +111,12 @@ TEST_CASE("Where the runs diverge the cursor stays at the same pivot of the same
     OpenSession open("scene:torus");
     for (const std::uint32_t pivot : {40U, 90U, 200U}) {
         open.session.runAnew({});
-        open.session.settle();
+        open.session.waitUntilDone();
         open.session.goToPivot(pivot);
-        open.session.settle();
+        open.session.waitUntilDone();
         const Index point = open.session.picture().pivot;
         open.session.runAnew(withRule({}, "maxgap", 100.0));
-        open.session.settle();
+        open.session.waitUntilDone();
         CHECK_FALSE(open.session.message().empty());
         const bool same = open.session.message().starts_with("Same");
         if (same) CHECK(open.session.picture().pivot == point);
@@ -129,50 +129,50 @@ TEST_CASE("At the start and at the end of a run the cursor stays there") {
     open.session.runAnew(withRule({}, "maxgap", 90.0));
     CHECK(open.place() == "start");
     open.session.toEnd();
-    open.session.settle();
+    open.session.waitUntilDone();
     REQUIRE(open.session.atEnd());
     open.session.runAnew({});
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK(open.session.atEnd());
     CHECK(open.session.message() == "At the end of the new run.");
 }
 
 TEST_CASE("Rules are undone and redone, and kept in the session file") {
-    Desk desk("rules");
-    desk.filing.open("scene:sphere");
-    desk.settle();
+    HeadlessApp app("rules");
+    app.document.open("scene:sphere");
+    app.waitUntilDone();
     UndoStack undo;
-    undo.begin(captureEdits(desk.context));
-    ask(desk, withRule(desk.session.rules(), "tie", 1.0));
-    CHECK(desk.session.model().params.paper.tie == TieRule::Farthest);
-    undo.observe(captureEdits(desk.context), 10.0, false);
-    const auto step = undo.undo(captureEdits(desk.context));
+    undo.begin(captureEdits(app.context));
+    ask(app, withRule(app.session.rules(), "tie", 1.0));
+    CHECK(app.session.model().params.paper.tie == TieRule::Farthest);
+    undo.observe(captureEdits(app.context), 10.0, false);
+    const auto step = undo.undo(captureEdits(app.context));
     REQUIRE(step.has_value());
     CHECK(step->change == "rule tie");
-    applyEdits(step->edits, desk.context);
-    desk.filing.carryOut(desk.ui.requests);
-    desk.settle();
-    CHECK(desk.session.model().params == Params{});
-    ask(desk, withRule(withRule({}, "maxgap", 100.0), "walls", 0.0));
-    const std::string path = (desk.folder / "a.sesession").string();
-    desk.ui.requests.saveSessionAs = path;
-    desk.filing.carryOut(desk.ui.requests);
-    ask(desk, {});
-    desk.filing.open(path);
-    desk.settle();
-    CHECK(rulesOf(desk.session.spec()) == withRule(withRule({}, "maxgap", 100.0), "walls", 0.0));
+    applyEdits(step->edits, app.context);
+    app.document.carryOut(app.ui.requests);
+    app.waitUntilDone();
+    CHECK(app.session.model().params == Params{});
+    ask(app, withRule(withRule({}, "maxgap", 100.0), "walls", 0.0));
+    const std::string path = (app.folder / "a.sesession").string();
+    app.ui.requests.saveSessionAs = path;
+    app.document.carryOut(app.ui.requests);
+    ask(app, {});
+    app.document.open(path);
+    app.waitUntilDone();
+    CHECK(rulesOf(app.session.spec()) == withRule(withRule({}, "maxgap", 100.0), "walls", 0.0));
 }
 
 TEST_CASE("A fork at a test, and the way back to the same run") {
-    Desk desk("forks");
-    desk.filing.open("scene:sphere");
-    desk.settle();
-    Session& session = desk.session;
+    HeadlessApp app("forks");
+    app.document.open("scene:sphere");
+    app.waitUntilDone();
+    Session& session = app.session;
     const std::uint64_t before = hashAtEnd(session);
     const std::string address = firstAddress(session, Verdict::Removed);
     const WhatIf what = offeredAt(session, address.c_str());
     CHECK(what.kind == WhatIfKind::Keep);
-    ask(desk, withWhatIf(session.rules(), what));
+    ask(app, withWhatIf(session.rules(), what));
     CHECK(session.spec().whatIf == std::vector<WhatIf>{what});
     CHECK(session.whatIfProblem(0).empty());
     CHECK(toString(session.address()) == address);
@@ -180,15 +180,15 @@ TEST_CASE("A fork at a test, and the way back to the same run") {
     REQUIRE(sphere != nullptr);
     CHECK(sphere->verdict == Verdict::WhatIfKept);
     CHECK(hashAtEnd(session) != before);
-    const std::string path = (desk.folder / "fork.sesession").string();
-    desk.ui.requests.saveSessionAs = path;
-    desk.filing.carryOut(desk.ui.requests);
-    ask(desk, withoutWhatIf(session.rules(), 0));
+    const std::string path = (app.folder / "fork.sesession").string();
+    app.ui.requests.saveSessionAs = path;
+    app.document.carryOut(app.ui.requests);
+    ask(app, withoutWhatIf(session.rules(), 0));
     CHECK(session.spec().whatIf.empty());
     CHECK(hashAtEnd(session) == before);
     CHECK(toString(session.address()) == address);
-    desk.filing.open(path);
-    desk.settle();
+    app.document.open(path);
+    app.waitUntilDone();
     CHECK(session.spec().whatIf == std::vector<WhatIf>{what});
     CHECK(toString(session.address()) == address);
 }
@@ -196,11 +196,11 @@ TEST_CASE("A fork at a test, and the way back to the same run") {
 TEST_CASE("A fork that would break an invariant is refused without any change") {
     OpenSession open;
     open.session.goToPivot(20);
-    open.session.settle();
+    open.session.waitUntilDone();
     const std::string place = open.place();
     const std::uint32_t generation = open.session.generation();
     open.session.runAnew(withWhatIf({}, whatIfFromText("5 list 7 7").value()));
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK(open.session.phase() == SessionPhase::Ready);
     CHECK(open.session.generation() == generation);
     CHECK(open.place() == place);
@@ -218,15 +218,15 @@ TEST_CASE("A moved point is drawn at its new position from its pivot on, and not
     REQUIRE(what.ok());
     CHECK(what.value().to == Vec3(0.25, old.y, old.z));
     open.session.runAnew(withWhatIf({}, what.value()));
-    open.session.settle();
+    open.session.waitUntilDone();
     const glm::vec3 before = open.session.shown().place[20];
     CHECK(before == open.session.model().place[20]);
     open.session.goToPivot(10);
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK(open.session.shown().place[20] != before);
     CHECK(open.session.shown().points.position[20].x == 0.25);
     open.session.goToPivot(9);
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK(open.session.shown().place[20] == before);
     // The run begins with the points of the input.
     CHECK(open.session.model().points.position[20] == old);
@@ -239,7 +239,7 @@ TEST_CASE("Every what-if offered at a test has its effect in the run") {
     std::size_t offered = 0;
     for (std::uint32_t pivot = 3; pivot < 40; pivot += 4) {
         open.session.goToPivot(pivot);
-        open.session.settle();
+        open.session.waitUntilDone();
         const std::vector<Event> events = open.session.record().events;
         for (const Event& event : events) {
             for (const WhatIfOffer& each : offersAt(event, open.session.picture().pivot)) {

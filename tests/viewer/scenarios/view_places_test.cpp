@@ -86,7 +86,7 @@ TEST_CASE("Every arrow lies on the rectangle at the inset, in any direction") {
 TEST_CASE("A click on the arrow brings the pivot into the view, with any selection") {
     OpenSession open;
     open.session.goToText("40.sort.1");
-    open.session.settle();
+    open.session.waitUntilDone();
     Playback playback;
     Camera camera;
     UiState ui;
@@ -127,7 +127,7 @@ TEST_CASE("The legend leaves the corner where it would hide the pivot") {
 
 TEST_CASE("Dial: names of points at nearly the same angle are side by side") {
     const Rect area{{0, 0}, {300, 240}};
-    const DialPlace disc{{150, 120}, 70};
+    const DialCircle disc{{150, 120}, 70};
     const glm::vec2 extent(44, 14);
     for (const double at : {0.0, 45.0, 90.0, 180.0, 200.0, 270.0}) {
         CAPTURE(at);
@@ -153,7 +153,7 @@ TEST_CASE("Dial: names of points at nearly the same angle are side by side") {
 
 TEST_CASE("Dial: a name without room is left out, the last first") {
     const Rect area{{0, 0}, {300, 240}};
-    const DialPlace disc{{150, 120}, 70};
+    const DialCircle disc{{150, 120}, 70};
     std::vector<DialName> names(40, DialName{0.0, {60, 14}});
     const std::vector<PlacedName> placed = placeNames(disc, {area, {}, 5, 15}, names);
     CHECK(placed.size() < names.size());
@@ -168,9 +168,9 @@ TEST_CASE("Dial: a name without room is left out, the last first") {
 TEST_CASE("Points of a decision: pivot, ends, candidates, and others that it names, once each") {
     OpenSession open("scene:figure-9");
     open.session.goToText("42.reciprocal.1");
-    open.session.settle();
+    open.session.waitUntilDone();
     const Picture& picture = open.session.picture();
-    const std::vector<Index> points = surroundingsOf(picture);
+    const std::vector<Index> points = neighborhoodOf(picture);
     const auto has = [&](Index point) {
         return std::count(points.begin(), points.end(), point) == 1;
     };
@@ -184,7 +184,7 @@ TEST_CASE("Points of a decision: pivot, ends, candidates, and others that it nam
     for (const Index point : {e->pred, e->succ, e->point, picture.start, picture.end}) {
         CHECK(has(point));
     }
-    CHECK(surroundingsOf(Picture{}).empty());
+    CHECK(neighborhoodOf(Picture{}).empty());
 }
 
 TEST_CASE("A close-up shows all points of a decision, with room for names") {
@@ -194,12 +194,12 @@ TEST_CASE("A close-up shows all points of a decision, with room for names") {
             CAPTURE(address);
             OpenSession open("scene:figure-9");
             open.session.goToText(address);
-            open.session.settle();
+            open.session.waitUntilDone();
             Camera camera;
             closeUp(open.session, camera, size);
             const CameraMatrices matrices = camera.matrices(size.x / size.y);
             glm::vec2 farthest(0.0F);
-            for (const Index point : surroundingsOf(open.session.picture())) {
+            for (const Index point : neighborhoodOf(open.session.picture())) {
                 const glm::vec3 seen = project(matrices, open.session.model().place[point], size);
                 REQUIRE(seen.z > 0.0F);
                 farthest = glm::max(farthest, glm::abs(glm::vec2(seen) - 0.5F * size));

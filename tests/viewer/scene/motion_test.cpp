@@ -86,7 +86,7 @@ TEST_CASE("Only an animated picture keeps the window drawing") {
     test::OpenSession open;
     const auto seconds = [&](const Address& address) {
         open.session.goTo(address);
-        open.session.settle();
+        open.session.waitUntilDone();
         return motionSeconds(open.session.picture());
     };
     CHECK(seconds({1, Stage::Seed, 1}) == doctest::Approx(0.6));

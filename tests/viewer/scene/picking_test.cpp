@@ -79,7 +79,7 @@ struct WholeSphere {
 
     WholeSphere() {
         open.session.toEnd();
-        open.session.settle();
+        open.session.waitUntilDone();
     }
     const Model& model() const { return open.session.model(); }
     const glm::vec3& at(Index p) const { return model().place[p]; }
@@ -166,7 +166,7 @@ TEST_CASE("The index of triangles finds the same as a search of all of them") {
 TEST_CASE("Only things present at the cursor are picked; steps of rings are edges as well") {
     test::OpenSession open;
     open.session.goToPivot(40);
-    open.session.settle();
+    open.session.waitUntilDone();
     const CameraMatrices camera = front();
     const PickScene scene{open.session.model(), false, open.session.shownTriangles(),
                           &open.session.meshIndex(), open.session.picture().rings};
@@ -185,7 +185,7 @@ TEST_CASE("Only things present at the cursor are picked; steps of rings are edge
     }
     const std::size_t shown = open.session.shownTriangles().size();
     open.session.toEnd();
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK(open.session.triangles().size() > shown);
 }
 
@@ -198,7 +198,7 @@ TEST_CASE("The selection is a value: sides and corners in any order, it survives
     test::OpenSession open;
     open.session.select(Selection::ofEdge(3, 7));
     open.session.goToPivot(20);
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK(open.session.selection() == Selection::ofEdge(3, 7));
     CHECK(open.session.selected() == kNone);
     open.session.select(7);
@@ -209,7 +209,7 @@ TEST_CASE("The selection is a value: sides and corners in any order, it survives
 TEST_CASE("Facts of a triangle: its number, its pivot, its angles, and its presence") {
     test::OpenSession open;
     open.session.toEnd();
-    open.session.settle();
+    open.session.waitUntilDone();
     const RunOverview& run = open.session.overview();
     for (const std::size_t number : {0UL, 17UL, 100UL}) {
         const Triangle t = open.session.triangles()[number];
@@ -218,14 +218,14 @@ TEST_CASE("Facts of a triangle: its number, its pivot, its angles, and its prese
         CHECK(run.triangles[*pivot - 1] > number);
         if (*pivot > 1) CHECK(run.triangles[*pivot - 2] <= number);
         open.session.goToPivot(*pivot - 1);
-        open.session.settle();
+        open.session.waitUntilDone();
         SelectionFacts facts = factsOf(open.session, Selection::ofTriangle(t));
         CHECK_FALSE(facts.present);
         CHECK(facts.number == number);
         CHECK(facts.degrees[0] + facts.degrees[1] + facts.degrees[2] == doctest::Approx(180.0));
         CHECK(facts.area > 0.0);
         open.session.goToPivot(*pivot);
-        open.session.settle();
+        open.session.waitUntilDone();
         facts = factsOf(open.session, Selection::ofTriangle(t));
         CHECK(facts.present);
         const SelectionFacts edge = factsOf(open.session, Selection::ofEdge(t.a, t.b));
@@ -239,7 +239,7 @@ TEST_CASE("Facts of a triangle: its number, its pivot, its angles, and its prese
 TEST_CASE("An edge of the ring is reported as such; an edge of nothing is not present") {
     test::OpenSession open;
     open.session.goToPivot(30);
-    open.session.settle();
+    open.session.waitUntilDone();
     const RingPath ring = open.session.picture().rings.front();
     const Selection edge = Selection::ofEdge(ring.points[0], ring.points[1]);
     CHECK(factsOf(open.session, edge).ring == "active ring");
@@ -257,7 +257,7 @@ TEST_CASE("Creation: every triangle was made by its decision emit") {
         const RunOverview& run = open.session.overview();
         for (std::uint32_t pivot = 1; pivot <= std::min(60U, run.lastPivot); ++pivot) {
             open.session.goToPivot(pivot);
-            open.session.settle();
+            open.session.waitUntilDone();
             for (const Event& event : open.session.record().events) {
                 const auto* emit = std::get_if<EmitEvidence>(&event.evidence);
                 if (emit == nullptr) continue;

@@ -23,11 +23,11 @@ struct Pair {
         spec.rules = rules;
         spec.choices = std::move(choices);
         comparison.begin(run, CompareWith::otherRun(spec));
-        settle();
+        waitUntilDone();
     }
-    void settle() {
-        run.settle();
-        comparison.settle(run);
+    void waitUntilDone() {
+        run.waitUntilDone();
+        comparison.waitUntilDone(run);
     }
     std::string there() { return toString(comparison.other()->address()); }
 };
@@ -35,22 +35,22 @@ struct Pair {
 }  // namespace
 
 TEST_CASE("Two timelines: equal up to the first difference, then by shares of the rest") {
-    const TwinTimes times{99, true, 500, 300};
-    CHECK(twinPivot(times, 0) == 0);
-    CHECK(twinPivot(times, 100) == 100);
-    CHECK(twinPivot(times, 500) == 300);
-    CHECK(twinPivot(times, 300) == 200);
-    CHECK(inStep(times, 100));
-    CHECK_FALSE(inStep(times, 101));
+    const RunAlignment alignment{99, true, 500, 300};
+    CHECK(matchingPivot(alignment, 0) == 0);
+    CHECK(matchingPivot(alignment, 100) == 100);
+    CHECK(matchingPivot(alignment, 500) == 300);
+    CHECK(matchingPivot(alignment, 300) == 200);
+    CHECK(inStep(alignment, 100));
+    CHECK_FALSE(inStep(alignment, 101));
     std::uint32_t last = 0;
     for (std::uint32_t pivot = 0; pivot <= 500; ++pivot) {
-        CHECK(twinPivot(times, pivot) >= last);
-        last = twinPivot(times, pivot);
+        CHECK(matchingPivot(alignment, pivot) >= last);
+        last = matchingPivot(alignment, pivot);
     }
     // Equal runs have the same pivots; one that ends where they diverge stays there.
-    CHECK(twinPivot({700, false, 700, 700}, 650) == 650);
-    CHECK(twinPivot({99, true, 500, 100}, 400) == 100);
-    CHECK(twinPivot({99, true, 100, 300}, 101) == 300);
+    CHECK(matchingPivot({700, false, 700, 700}, 650) == 650);
+    CHECK(matchingPivot({99, true, 500, 100}, 400) == 100);
+    CHECK(matchingPivot({99, true, 100, 300}, 101) == 300);
 }
 
 TEST_CASE("The other run follows: decision by decision, then pivot by pivot, to its own end") {
@@ -61,16 +61,16 @@ TEST_CASE("The other run follows: decision by decision, then pivot by pivot, to 
     REQUIRE(found->runs.first);
     CHECK(found->runs.pivotsAlike == 199);
     pair.run.goTo({50, Stage::Sort, 2});
-    pair.settle();
+    pair.waitUntilDone();
     CHECK(pair.there() == "50.sort.2");
     pair.run.stepEvent(1);
-    pair.settle();
+    pair.waitUntilDone();
     CHECK(pair.there() == "50.sort.3");
     pair.run.toEnd();
-    pair.settle();
+    pair.waitUntilDone();
     CHECK(pair.comparison.other()->atEnd());
     pair.run.toStart();
-    pair.settle();
+    pair.waitUntilDone();
     CHECK(pair.comparison.other()->atStart());
 }
 
@@ -79,17 +79,17 @@ TEST_CASE("The first difference brings both runs to their own decision") {
     pair.beside("paper", {{"stepback", 1.0}});
     const RunDifference first = *pair.comparison.result()->runs.first;
     pair.comparison.goTo(pair.run, {first.a.line->event.address, first.b.line->event.address});
-    pair.settle();
+    pair.waitUntilDone();
     CHECK(toString(pair.run.address()) == toString(first.a.line->event.address));
     CHECK(pair.there() == toString(first.b.line->event.address));
     CHECK(pair.run.address().n != pair.comparison.other()->address().n);
     // After a move the other one follows again.
     pair.run.goTo({3, Stage::Sort, 1});
-    pair.settle();
+    pair.waitUntilDone();
     CHECK(pair.there() == "3.sort.1");
     // Reaching the same decision by steps has the same effect as the jump.
     pair.run.goTo(first.a.line->event.address);
-    pair.settle();
+    pair.waitUntilDone();
     CHECK(pair.there() == toString(first.b.line->event.address));
 }
 
@@ -101,12 +101,12 @@ TEST_CASE("A comparison is repeated with the run, and ends with its input") {
     InputSpec spec = pair.run.spec();
     spec.rules = "robust";
     pair.run.open(spec);
-    pair.settle();
+    pair.waitUntilDone();
     CHECK(pair.comparison.revision() != revision);
     REQUIRE(pair.comparison.result() != nullptr);
     CHECK(pair.comparison.result()->meshes.same());
     pair.run.open({"scene:sphere", {}, "paper"});
-    pair.settle();
+    pair.waitUntilDone();
     CHECK_FALSE(pair.comparison.chosen());
     CHECK(pair.comparison.other() == nullptr);
 }
@@ -114,7 +114,7 @@ TEST_CASE("A comparison is repeated with the run, and ends with its input") {
 TEST_CASE("A mesh of another program is matched with the points; one without triangles is not") {
     Pair pair;
     pair.run.toEnd();
-    pair.settle();
+    pair.waitUntilDone();
     PointFile file;
     const auto& position = pair.run.model().points.position;
     file.position.assign(position.rbegin(), position.rend());
@@ -125,14 +125,14 @@ TEST_CASE("A mesh of another program is matched with the points; one without tri
     const std::filesystem::path path = test::ownPlace("other.ply");
     REQUIRE(writeMeshPly(path, file, file.faces).ok());
     pair.comparison.begin(pair.run, CompareWith::otherMesh(path.string()));
-    pair.settle();
+    pair.waitUntilDone();
     REQUIRE(pair.comparison.result() != nullptr);
     CHECK(pair.comparison.result()->meshes.onlyA == 1);
     CHECK(pair.comparison.result()->meshes.onlyB == 0);
     CHECK(pair.comparison.other() == nullptr);
     REQUIRE(writeMeshPly(path, file, {}).ok());
     pair.comparison.begin(pair.run, CompareWith::otherMesh(path.string()));
-    pair.settle();
+    pair.waitUntilDone();
     CHECK(pair.comparison.result() == nullptr);
     CHECK(pair.comparison.complaint().find("no triangles") != std::string::npos);
     std::filesystem::remove(path);
@@ -156,9 +156,9 @@ TEST_CASE(
     CHECK(shade.at(2, nullptr, only, turned)[0].count == 0);
     CHECK(shade.at(3, nullptr, only, turned)[0].count == 1);
     CHECK(shade.at(1, nullptr, only, turned)[1].count == 0);
-    const auto mended = std::make_shared<const std::vector<Triangle>>(
+    const auto repaired = std::make_shared<const std::vector<Triangle>>(
         std::vector<Triangle>{{0, 1, 2}, {7, 8, 9}, {6, 7, 8}});
-    CHECK(shade.at(1, mended, only, turned)[0].count == 2);
+    CHECK(shade.at(1, repaired, only, turned)[0].count == 2);
     CHECK(shade.at(3, nullptr, only, turned)[0].count == 1);
 }
 

@@ -80,7 +80,7 @@ TEST_CASE("Sampled points are written first, beside the mesh") {
 
 TEST_CASE("A repair by the doctor is a command before, an option chosen by it an option") {
     InputSpec spec = specOf("/in/a.ply");
-    spec.cures = {"flipped_normals", "duplicates", "unscaled_normals", "near_duplicates",
+    spec.fixes = {"flipped_normals", "duplicates", "unscaled_normals", "near_duplicates",
                   "short_lists"};
     const MeshCommand command = meshCommand(spec, {"/out/m.ply", false});
     CHECK(command.text ==
@@ -98,26 +98,26 @@ TEST_CASE("Points from standard input have no command: a sentence names the step
 }
 
 TEST_CASE("A what-if without effect is refused by the command line, with a sentence") {
-    test::Desk desk("refused-test");
+    test::HeadlessApp app("refused-test");
     InputSpec spec = specOf(kSphere);
     spec.whatIf = {whatIfFromText("99999.sphere keep 1").value()};
-    desk.session.open(spec);
-    desk.session.settle();
-    REQUIRE(desk.session.ready());
-    const MeshCommand command = meshCommand(desk.session, {"m.ply", false});
+    app.session.open(spec);
+    app.session.waitUntilDone();
+    REQUIRE(app.session.ready());
+    const MeshCommand command = meshCommand(app.session, {"m.ply", false});
     CHECK(command.text.empty());
     CHECK(command.note.find("99999.sphere keep 1") != std::string::npos);
 }
 
 TEST_CASE("The command is copied without the dialog as well: for a file named after the input") {
-    test::Desk desk("copied-test");
-    MeshSaving saving(desk.context);
-    desk.session.open(specOf(kSphere));
-    desk.session.settle();
-    desk.ui.mesh.ask = MeshAsk::CopyCommand;
+    test::HeadlessApp app("copied-test");
+    MeshController saving(app.context);
+    app.session.open(specOf(kSphere));
+    app.session.waitUntilDone();
+    app.ui.mesh.ask = MeshAsk::CopyCommand;
     saving.carryOut();
-    CHECK(desk.ui.requests.copyText == "spiraling-edge run scene:sphere -o sphere-mesh.ply");
-    CHECK(desk.session.message() == "Copied the command.");
+    CHECK(app.ui.requests.copyText == "spiraling-edge run scene:sphere -o sphere-mesh.ply");
+    CHECK(app.session.message() == "Copied the command.");
 }
 
 #ifdef SPIRALING_EDGE_CLI
@@ -150,18 +150,18 @@ WhatIf turnedTest(const InputSpec& spec) {
 
 /// Compares the file saved by the viewer with that of the copied command; they must be equal.
 void checkReproduced(const InputSpec& spec, const char* name = "m.ply", bool usedOnly = false) {
-    test::Desk desk("reproduced test");  // a space in the path
-    MeshSaving saving(desk.context);
-    desk.session.open(spec);
-    desk.session.settle();
-    REQUIRE_MESSAGE(desk.session.ready(), desk.session.error());
-    const MeshTarget target{(desk.folder / name).string(), usedOnly};
-    const auto mesh = finishMesh(desk.session.model(), *desk.session.sharedFile());
+    test::HeadlessApp app("reproduced test");  // a space in the path
+    MeshController saving(app.context);
+    app.session.open(spec);
+    app.session.waitUntilDone();
+    REQUIRE_MESSAGE(app.session.ready(), app.session.error());
+    const MeshTarget target{(app.folder / name).string(), usedOnly};
+    const auto mesh = finishMesh(app.session.model(), *app.session.sharedFile());
     REQUIRE(!mesh.value().triangles->empty());
     REQUIRE(saveMesh(mesh.value(), target).ok());
     const std::optional<std::string> saved = readText(target.path);
     fs::remove(target.path);
-    const MeshCommand command = meshCommand(desk.session, target);
+    const MeshCommand command = meshCommand(app.session, target);
     CAPTURE(command.text);
     REQUIRE(!command.text.empty());
     CHECK(runInShell(command.text) == 0);
@@ -247,11 +247,11 @@ TEST_CASE("The copied command writes the same bytes: sampled points, and repaire
         if (file.hasTypes()) file.type.push_back(0);
     });
     InputSpec spec = flawed.spec();
-    for (const Cures& cures :
-         {Cures{"duplicates"}, Cures{"unscaled_normals", "flipped_normals"},
-          Cures{"near_duplicates", "short_lists", "unsymmetric_lists"}, Cures{"open_border"},
-          Cures{"unscaled_normals", "in_line", "types_off_box"}}) {
-        spec.cures = cures;
+    for (const Fixes& fixes :
+         {Fixes{"duplicates"}, Fixes{"unscaled_normals", "flipped_normals"},
+          Fixes{"near_duplicates", "short_lists", "unsymmetric_lists"}, Fixes{"open_border"},
+          Fixes{"unscaled_normals", "in_line", "types_off_box"}}) {
+        spec.fixes = fixes;
         checkReproduced(spec);
         checkReproduced(spec, "all-digits.obj");
     }
@@ -266,7 +266,7 @@ TEST_CASE("The copied command writes the same bytes: the box around the remainin
     });
     InputSpec spec = stray.spec();
     spec.walls.from = WallChoice::From::Around;
-    spec.cures = {"isolated_points"};
+    spec.fixes = {"isolated_points"};
     checkReproduced(spec);
 }
 

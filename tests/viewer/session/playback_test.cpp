@@ -98,7 +98,7 @@ struct Player {
 TEST_CASE("A step is a sub-step, a pivot or an event, forward and back") {
     Player player;
     player.open.session.goToPivot(10);
-    player.open.session.settle();
+    player.open.session.waitUntilDone();
     const std::string here = player.open.place();
     CHECK(player.step(PlayUnit::SubStep) == "11.pivot.1");
     CHECK(player.step(PlayUnit::SubStep, -1) == here);
@@ -115,7 +115,7 @@ TEST_CASE("A step is a sub-step, a pivot or an event, forward and back") {
 TEST_CASE("Playing from event to event pauses after the last one") {
     Player player;
     player.open.session.toEnd();
-    player.open.session.settle();
+    player.open.session.waitUntilDone();
     player.playback.play();
     player.step(PlayUnit::Event);
     CHECK_FALSE(player.playback.playing());
@@ -127,7 +127,7 @@ TEST_CASE("Pivots are not played beyond the end of the loop") {
     player.playback.loop.setFrom({10, se::Stage::Pivot, 0});
     player.playback.loop.setTo({15, se::Stage::Pivot, 0});
     player.open.session.goToPivot(12);
-    player.open.session.settle();
+    player.open.session.waitUntilDone();
     CHECK_FALSE(player.open.session.reached(*player.playback.loop.to));
     CHECK(player.step(PlayUnit::Pivot, 8).starts_with("15."));
     CHECK(player.open.session.reached(*player.playback.loop.to));

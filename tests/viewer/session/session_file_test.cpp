@@ -43,7 +43,7 @@ SessionFile fullSession() {
     s.layers = LayerModes{};
     modeOf(*s.layers, LayerId::Labels) = LayerMode::PinnedOff;
     modeOf(*s.layers, LayerId::Normals) = LayerMode::PinnedOn;
-    s.layout = Arrangement::Learn;
+    s.layout = LayoutPreset::Learn;
     s.selected = Selection::ofPoint(812);
     insertBookmark(s.bookmarks, {*addressFromString("12.sort.2"), "the first \"odd\" one"});
     insertBookmark(s.bookmarks, {*addressFromString("40.sphere.1"), ""});

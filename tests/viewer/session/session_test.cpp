@@ -19,7 +19,7 @@ TEST_CASE("A session begins at the start of the first scene") {
 TEST_CASE("Opening what does not exist fails with a sentence and keeps the open input") {
     OpenSession open;
     open.session.open({"no-such-file.ply", {}, "paper"});
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK(open.session.phase() == SessionPhase::Failed);
     CHECK(open.session.error().find("no-such-file.ply") != std::string::npos);
     CHECK(open.session.ready());
@@ -32,7 +32,7 @@ TEST_CASE("An unknown scene or rule set is named in the error") {
     CHECK(open.session.error().find("nothing") != std::string::npos);
     CHECK_FALSE(open.session.ready());
     open.session.open({"scene:sphere", {}, "wrong"});
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK(open.session.error().find("wrong") != std::string::npos);
 }
 
@@ -106,10 +106,10 @@ TEST_CASE("The end of the run is reached, and nothing comes after it") {
 TEST_CASE("All triangles of the run are known at its end, in the order they were made") {
     OpenSession open;
     open.session.goToPivot(30);
-    open.session.settle();
+    open.session.waitUntilDone();
     const std::vector<Triangle> some = open.session.triangles();
     open.session.toEnd();
-    open.session.settle();
+    open.session.waitUntilDone();
     const std::vector<Triangle>& all = open.session.triangles();
     CHECK(all.size() == open.session.record().after.triangleCount);
     REQUIRE(all.size() > some.size());
@@ -149,7 +149,7 @@ TEST_CASE("The go-to box takes addresses, relative moves, shares and points") {
     CHECK(session.goToText("0%").ok());
     CHECK(open.place() == "start");
     CHECK(session.goToText("100%").ok());
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK(session.atEnd());
     CHECK(session.goToText("p12").ok());
     CHECK(session.selected() == 12);
@@ -178,10 +178,10 @@ TEST_CASE("The selection survives every move, and goes with another input") {
     OpenSession open;
     open.session.select(5);
     open.session.goToPivot(40);
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK(open.session.selected() == 5);
     open.session.open({"scene:grid", {}, "paper"});
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK(open.session.selected() == kNone);
     CHECK(open.place() == "start");
 }
@@ -190,7 +190,7 @@ TEST_CASE("A run that was cancelled is at some position on the way and continues
     OpenSession open("scene:genus-2");
     open.session.toEnd();
     open.session.cancelMove();
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK_FALSE(open.session.busy());
     open.session.toStart();
     CHECK(open.place() == "start");
@@ -202,34 +202,34 @@ TEST_CASE(
     // All addresses about point 12, found by stepping through the run.
     std::vector<std::string> expected;
     open.session.toEnd();
-    open.session.settle();
+    open.session.waitUntilDone();
     const std::uint32_t last = open.session.record().pivot;
     for (std::uint32_t pivot = 1; pivot <= last; ++pivot) {
         open.session.goToPivot(pivot);
-        open.session.settle();
+        open.session.waitUntilDone();
         for (const Event& event : open.session.record().events) {
             if (subjectOf(event) == 12) expected.push_back(toString(event.address));
         }
     }
     REQUIRE(expected.size() > 3);
     open.session.toStart();
-    open.session.settle();
+    open.session.waitUntilDone();
     for (const std::string& address : expected) {
         CHECK(open.session.goToText("p12").ok());
-        open.session.settle();
+        open.session.waitUntilDone();
         CHECK(open.place() == address);
         CHECK(open.session.message().empty());
     }
     CHECK(open.session.selected() == 12);
     CHECK(open.session.goToText("p12").ok());
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK(open.place() == expected.back());
     CHECK(open.session.message().find("Nothing more happens to point 12") != std::string::npos);
     // Back leads through them, since each was a jump.
     open.session.goBack();
-    open.session.settle();
+    open.session.waitUntilDone();
     open.session.goBack();
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK(open.place() != expected.back());
 }
 
@@ -237,18 +237,18 @@ TEST_CASE("A position beyond the end of the run is missed, with a sentence") {
     OpenSession open;
     CHECK_FALSE(open.session.missed());
     REQUIRE(open.session.goToText("999999").ok());
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK(open.session.missed());
     CHECK(open.session.message().find("There is no pivot 999999") == 0);
     CHECK(open.session.atEnd());
     open.session.toEnd();
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK_FALSE(open.session.missed());
     REQUIRE(open.session.goToText("p12").ok());
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK_FALSE(open.session.missed());
     REQUIRE(open.session.goToText("12.sort.9999").ok());
-    open.session.settle();
+    open.session.waitUntilDone();
     CHECK(open.session.missed());
 }
 
@@ -276,11 +276,11 @@ TEST_CASE("A share of the run means the whole run, also before it is complete") 
     REQUIRE(session.goToText("50%").ok());
     // Known by now or not: the share is of the whole run, not of the known part.
     CHECK(session.awaitsLength() == !session.overview().complete);
-    session.settle();
+    session.waitUntilDone();
     CHECK_FALSE(session.awaitsLength());
     CHECK(session.record().pivot == (last + 1) / 2);
     REQUIRE(session.goToText("100%").ok());
-    session.settle();
+    session.waitUntilDone();
     CHECK(session.record().pivot == last);
     CHECK_FALSE(session.goToText("101%").ok());
 }
@@ -294,7 +294,7 @@ TEST_CASE("Waiting for the length of the run can be stopped, and ends with anoth
         const bool waits = session.awaitsLength();
         stopped ? session.cancelMove() : session.stepPivot(1);
         CHECK_FALSE(session.awaitsLength());
-        session.settle();
+        session.waitUntilDone();
         if (waits) CHECK(session.record().pivot == (stopped ? 0U : 1U));
     }
 }

@@ -12,8 +12,8 @@ TEST_CASE("A position is read back from its text") {
     Camera camera;
     camera.orbit({120.0F, -40.0F}, 600.0F);
     camera.toggleOrthographic();
-    const Place place{"137.sphere.3", camera.pose()};
-    const Result<Place> read = placeFromText(toText(place));
+    const ViewPosition place{"137.sphere.3", camera.pose()};
+    const Result<ViewPosition> read = viewPositionFromText(toText(place));
     REQUIRE(read.ok());
     CHECK(read.value().address == place.address);
     CHECK(read.value().camera == place.camera);
@@ -24,7 +24,7 @@ TEST_CASE("A position is read back from its text") {
 }
 
 TEST_CASE("A bare address is a position without a camera, and anything else is refused") {
-    const Result<Place> bare = placeFromText("  20.sort.4\n");
+    const Result<ViewPosition> bare = viewPositionFromText("  20.sort.4\n");
     REQUIRE(bare.ok());
     CHECK(bare.value().address == "20.sort.4");
     CHECK_FALSE(bare.value().camera.has_value());
@@ -35,7 +35,7 @@ TEST_CASE("A bare address is a position without a camera, and anything else is r
          R"({"address": "1", "camera": {"target": [0, 0], "distance": 1, "yaw": 0, "pitch": 0}})",
          R"({"address": "1", "camera": {"target": [0, 0, 0], "distance": -1, "yaw": 0, "pitch": 0}})"}) {
         CAPTURE(std::string(wrong));
-        CHECK_FALSE(placeFromText(wrong).ok());
+        CHECK_FALSE(viewPositionFromText(wrong).ok());
     }
 }
 
@@ -100,7 +100,7 @@ TEST_CASE("A jump to an alert lands on the alert, and not on an earlier event of
     for (const char* scene : {"scene:torus", "scene:figure-9"}) {
         test::OpenSession open(scene);
         open.session.open({scene, {}, "printed"});
-        open.session.settle();
+        open.session.waitUntilDone();
         std::size_t alerts = 0;
         for (const RunMark& mark : open.session.overview().marks) {
             if (mark.kind != MarkKind::Alert) continue;
@@ -117,14 +117,14 @@ TEST_CASE("A jump to an alert lands on the alert, and not on an earlier event of
 TEST_CASE("The axis that is up is part of a position; a position without it has z up") {
     Camera camera;
     camera.setUp(UpAxis::Y);
-    const auto read = placeFromText(toText(Place{"1", camera.pose()}));
+    const auto read = viewPositionFromText(toText(ViewPosition{"1", camera.pose()}));
     REQUIRE(read.ok());
     CHECK(read.value().camera->up == UpAxis::Y);
     const std::string old =
         R"({"address": "1", "camera": {"target": [0, 0, 0], "distance": 1, "yaw": 0, "pitch": 0)";
-    const auto before = placeFromText(old + "}}");
+    const auto before = viewPositionFromText(old + "}}");
     REQUIRE(before.ok());
     CHECK(before.value().camera->up == UpAxis::Z);
-    CHECK_FALSE(placeFromText(old + R"(, "up": "w"}})").ok());
-    CHECK_FALSE(placeFromText(old + R"(, "up": 1}})").ok());
+    CHECK_FALSE(viewPositionFromText(old + R"(, "up": "w"}})").ok());
+    CHECK_FALSE(viewPositionFromText(old + R"(, "up": 1}})").ok());
 }

@@ -101,7 +101,7 @@ void drawAnswer(const PanelContext& context, const char* letter, const Color& co
     ImGui::PopFont();
     ImGui::SameLine();
     if (run == nullptr) return dimText("a finished mesh, without decisions");
-    const Inquiry<WhyAnswer>& asked = run->questions().ledger();
+    const BackgroundQuery<WhyAnswer>& asked = run->questions().ledger();
     if (asked.answer() != nullptr) return wrappedText(asked.answer()->answer);
     dimText(asked.busy() ? "searching ..." : "no query");
 }
@@ -126,7 +126,7 @@ void drawWhy(const PanelContext& context) {
     if (a && compareButton(
                  context, "Go there", "cause",
                  other == nullptr ? "To the decisive line in A" : "Both to their decisive lines"))
-        page.goTo = ComparedPlace{a, b};
+        page.goTo = ComparedAddresses{a, b};
     if (a) ImGui::SameLine();
     if (compareButton(context, "Close", "why close", "Close the answers")) page.why.reset();
     ImGui::Spacing();
@@ -152,7 +152,7 @@ void drawRegion(const PanelContext& context, const Compared& found, std::size_t 
     if (shown) {
         const auto a = firstMade(found.runs.a, region.inA);
         const auto b = firstMade(found.runs.b, region.inB);
-        if ((a || b) && ImGui::SmallButton("Where it began")) page.goTo = ComparedPlace{a, b};
+        if ((a || b) && ImGui::SmallButton("Where it began")) page.goTo = ComparedAddresses{a, b};
         tooltip("To its first triangle in A (" + addressOrDash(a) + ") and in B (" +
                 addressOrDash(b) + ")");
     }
@@ -171,9 +171,9 @@ void drawRegions(const PanelContext& context, const Compared& found) {
     if (compareButton(context, "Next", "next",
                       "Show the next region (" + context.key("step.region.next") + ")"))
         page.ask = CompareAsk::NextRegion;
-    constexpr std::size_t kMostRows = 200;
-    for (std::size_t i = 0; i < std::min(count, kMostRows); ++i) drawRegion(context, found, i);
-    if (count > kMostRows) dimText("... smaller ones by Next and Previous.");
+    constexpr std::size_t kMaxRows = 200;
+    for (std::size_t i = 0; i < std::min(count, kMaxRows); ++i) drawRegion(context, found, i);
+    if (count > kMaxRows) dimText("... smaller ones by Next and Previous.");
 }
 
 void drawWorking(const PanelContext& context) {
@@ -239,9 +239,9 @@ void drawContent(const PanelContext& context) {
 }  // namespace
 
 void drawCompareColumn(const PanelContext& context) {
-    if (beginRegion("##compareColumn", context.layout.left)) {
-        ImGui::PushFont(context.layout.left.size.x < 18.0F * context.em ? context.fonts.small
-                                                                        : context.fonts.text);
+    if (beginRegion("##compareColumn", context.rects.left)) {
+        ImGui::PushFont(context.rects.left.size.x < 18.0F * context.em ? context.fonts.small
+                                                                       : context.fonts.text);
         if (ImGui::BeginChild("##content", {0, 0}, false)) {
             if (context.ui().walk.offer(KeyStop::Content)) takeKeyboardHere();
             drawContent(context);

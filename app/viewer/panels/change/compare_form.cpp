@@ -22,7 +22,7 @@ bool beginPart(const PanelContext& context, const char* name, const std::string&
 }
 
 void drawRuleFields(const PanelContext& context, CompareForm& form) {
-    const RuleListPlace place{form.ruleFilter, "compare "};
+    const RuleListFields place{form.ruleFilter, "compare "};
     ImGui::PushID("rules");
     if (const auto set = drawRuleSets(context, form.rules, place)) form.rules = *set;
     const std::size_t differing = differingCount(form.rules);

@@ -56,7 +56,7 @@ void drawShapes(const PanelContext& context) {
     GrowthPage& page = context.ui().growth;
     const float row = ImGui::GetTextLineHeightWithSpacing();
     const auto all = static_cast<int>(shapes().size());
-    const float high = row * static_cast<float>(context.layout.left.size.y > 44.0F * context.em
+    const float high = row * static_cast<float>(context.rects.left.size.y > 44.0F * context.em
                                                     ? all
                                                     : std::min(all, kShapesShown));
     const ImGuiStyle& style = ImGui::GetStyle();

@@ -146,7 +146,7 @@ void drawBar(const PanelContext& context) {
 }
 
 void drawParticles(const PanelContext& context) {
-    const Rect& view = context.layout.view;
+    const Rect& view = context.rects.view;
     if (view.size.x < 1.0F || view.size.y < 1.0F) return;
     const auto texture =
         reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(context.viewTexture));
@@ -176,7 +176,7 @@ void drawKey(const PanelContext& context) {
                              Row{Shape::Diamond, c.last, "in a corner", n.corners > 0}};
     const float em = context.em;
     ImDrawList* list = ImGui::GetWindowDrawList();
-    glm::vec2 at = context.layout.view.min + glm::vec2(1.0F * em, 0.9F * em);
+    glm::vec2 at = context.rects.view.min + glm::vec2(1.0F * em, 0.9F * em);
     const float width = ImGui::CalcTextSize(rows[1].text).x + 2.0F * em;
     const float height = (n.corners > 0 ? 4.05F : 2.7F) * em;
     list->AddRectFilled({at.x - 0.4F * em, at.y - 0.3F * em},
@@ -194,7 +194,7 @@ void drawKey(const PanelContext& context) {
 }  // namespace
 
 void drawGrowthPage(const PanelContext& context) {
-    const Layout& l = context.layout;
+    const PanelRects& l = context.rects;
     if (beginRegion("##growthForm", l.left)) {
         if (context.ui().walk.offer(KeyStop::Content)) takeKeyboardHere();
         drawGrowthForm(context);

@@ -22,7 +22,7 @@ constexpr float kIndentWidth = 2.0F;
 struct RuleList {
     const PanelContext& context;
     const RuleSet& rules;
-    const RuleListPlace& place;
+    const RuleListFields& place;
     std::optional<RuleSet> chosen = std::nullopt;
 
     void set(const RuleSetting& setting, double value) {
@@ -119,7 +119,7 @@ void drawRow(RuleList& list, const RuleRow& row) {
 }  // namespace
 
 std::optional<RuleSet> drawRuleSets(const PanelContext& context, const RuleSet& rules,
-                                    const RuleListPlace& place) {
+                                    const RuleListFields& place) {
     RuleList list{context, rules, place};
     const float reset = ImGui::CalcTextSize("Reset all").x + 2.0F * context.em;
     ImGui::SetNextItemWidth(std::clamp(ImGui::GetContentRegionAvail().x - reset, 4.0F * context.em,
@@ -144,7 +144,7 @@ std::optional<RuleSet> drawRuleSets(const PanelContext& context, const RuleSet& 
 }
 
 std::optional<RuleSet> drawRuleList(const PanelContext& context, const RuleSet& rules,
-                                    const RuleListPlace& place) {
+                                    const RuleListFields& place) {
     RuleList list{context, rules, place};
     drawFilter(list);
     const auto groups = ruleGroups(rules, place.filter.data());

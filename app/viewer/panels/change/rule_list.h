@@ -11,16 +11,16 @@
 
 namespace se::view {
 
-struct RuleListPlace {
+struct RuleListFields {
     std::array<char, 64>& filter;
     std::string prefix;  ///< Prefix of the item names for test scripts: "", "compare ".
 };
 
 /// Choice of the rule set; empty if nothing changed in this frame.
 std::optional<RuleSet> drawRuleSets(const PanelContext& context, const RuleSet& rules,
-                                    const RuleListPlace& place);
+                                    const RuleListFields& place);
 /// The filter, and all rules that match it.
 std::optional<RuleSet> drawRuleList(const PanelContext& context, const RuleSet& rules,
-                                    const RuleListPlace& place);
+                                    const RuleListFields& place);
 
 }  // namespace se::view

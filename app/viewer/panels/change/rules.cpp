@@ -20,7 +20,7 @@ void drawRules(const PanelContext& context) {
             session.runsAnew() ? "re-running ..."
             : count == 0       ? "values of the set"
                                : std::to_string(count) + (count == 1 ? " differs" : " differ"));
-    const RuleListPlace place{context.ui().ruleFilter, ""};
+    const RuleListFields place{context.ui().ruleFilter, ""};
     std::optional<RuleSet> chosen = drawRuleSets(context, rules, place);
     if (auto single = drawRuleList(context, rules, place)) chosen = std::move(single);
     if (chosen) context.ui().requests.rules = *chosen;

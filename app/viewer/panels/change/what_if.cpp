@@ -156,10 +156,10 @@ void drawWhatIf(const PanelContext& context) {
 
 void drawWhatIfBanner(const PanelContext& context) {
     const Session& session = context.session();
-    if (!session.ready() || context.layout.arrangement == Arrangement::Present) return;
+    if (!session.ready() || context.rects.layoutPreset == LayoutPreset::Present) return;
     const std::size_t count = session.spec().whatIf.size();
     if (count == 0) return;
-    const Rect& view = context.layout.view;
+    const Rect& view = context.rects.view;
     const float em = context.em;
     ImGui::SetNextWindowPos({view.min.x + 0.5F * view.size.x, view.min.y + 0.6F * em},
                             ImGuiCond_Always, {0.5F, 0.0F});

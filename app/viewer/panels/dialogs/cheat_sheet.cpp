@@ -97,7 +97,7 @@ void drawCheatSheet(const PanelContext& context) {
     bool& open = context.ui().cheatSheet;
     if (!open) return;
     const float em = context.em;
-    const Layout& l = context.layout;
+    const PanelRects& l = context.rects;
     const glm::vec2 screen(l.status.size.x, l.status.max().y);
     const float width = std::min(84.0F * em, screen.x - 2.0F * em);
     const float height = std::min(50.0F * em, screen.y - 2.0F * em);

@@ -47,9 +47,9 @@ void drawCommandPalette(const PanelContext& context) {
     CommandPalette& palette = context.ui().palette;
     if (!palette.open) return;
     const float em = context.em;
-    const glm::vec2 screen(context.layout.status.size.x, context.layout.status.max().y);
+    const glm::vec2 screen(context.rects.status.size.x, context.rects.status.max().y);
     const float width = std::min(36.0F * em, screen.x - 2.0F * em);
-    ImGui::SetNextWindowPos({0.5F * screen.x, context.layout.view.min.y + em}, ImGuiCond_Always,
+    ImGui::SetNextWindowPos({0.5F * screen.x, context.rects.view.min.y + em}, ImGuiCond_Always,
                             {0.5F, 0.0F});
     ImGui::SetNextWindowSize({width, std::min(22.0F * em, 0.7F * screen.y)});
     ImGui::SetNextWindowFocus();

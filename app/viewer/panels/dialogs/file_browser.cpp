@@ -33,7 +33,7 @@ void openSource(const PanelContext& context, const std::string& source) {
     ui.growth.asked = GrowthAsk::Begin;
 }
 
-/// MeshSaving asks before it replaces a file.
+/// MeshController asks before it replaces a file.
 void saveMeshTo(const PanelContext& context, const std::string& typed) {
     MeshForm& form = context.ui().mesh;
     form.path = form.withFormat(typed);
@@ -260,7 +260,7 @@ void drawFileBrowser(const PanelContext& context) {
     }
     if (!state.shown || state.task != context.ui().browser) prepare(context, state);
     const float em = context.em;
-    const Layout& l = context.layout;
+    const PanelRects& l = context.rects;
     const glm::vec2 screen(l.status.size.x, l.status.max().y);
     ImGui::SetNextWindowPos({0.5F * screen.x, 0.5F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSize(

@@ -79,7 +79,7 @@ void drawKeyEditor(const PanelContext& context) {
         return;
     }
     const float em = context.em;
-    const Layout& l = context.layout;
+    const PanelRects& l = context.rects;
     const glm::vec2 screen(l.drawer.size.x, std::max(l.status.max().y, l.drawer.max().y));
     ImGui::SetNextWindowPos({0.5F * screen.x, 0.5F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSize(

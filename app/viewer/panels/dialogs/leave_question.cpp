@@ -64,7 +64,7 @@ void drawChoices(const PanelContext& context, LeaveQuestion& question) {
 void drawLeaveQuestion(const PanelContext& context) {
     LeaveQuestion& question = context.ui().leaving;
     if (question.asked && !ImGui::IsPopupOpen(kQuestionTitle)) ImGui::OpenPopup(kQuestionTitle);
-    const glm::vec2 screen(context.layout.status.size.x, context.layout.status.max().y);
+    const glm::vec2 screen(context.rects.status.size.x, context.rects.status.max().y);
     ImGui::SetNextWindowPos({0.5F * screen.x, 0.5F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSize({std::min(26.0F * context.em, screen.x - 2.0F * context.em), 0.0F});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);

@@ -32,7 +32,7 @@ void drawPrepareDialog(const PanelContext& context) {
     PrepareForm& form = context.ui().prepare;
     if (!form.open || !context.session().ready()) return;
     const float em = context.em;
-    const glm::vec2 screen(context.layout.status.size.x, context.layout.status.max().y);
+    const glm::vec2 screen(context.rects.status.size.x, context.rects.status.max().y);
     ImGui::SetNextWindowPos({0.5F * screen.x, 0.5F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSize(
         {std::min(30.0F * em, screen.x - 2.0F * em), std::min(39.3F * em, screen.y - 1.0F * em)});

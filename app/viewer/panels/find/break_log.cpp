@@ -22,7 +22,7 @@ constexpr std::size_t kLongestText = 200;
 struct LogRow {
     Hit hit;
     const Breakpoint* breakpoint;
-    const std::string* sentence;  ///< Null beyond the first kMostLogged.
+    const std::string* sentence;  ///< Null beyond the first kMaxLogged.
 };
 
 std::vector<LogRow> logRows(const PanelContext& context) {
@@ -30,7 +30,7 @@ std::vector<LogRow> logRows(const PanelContext& context) {
     for (const Breakpoint& each : context.ui().breakpoints) {
         const LineHits* known = context.session().hits().of(each.line);
         if (!each.on || !each.logOnly || known == nullptr) continue;
-        for (std::size_t i = 0; i < known->list.hits.size() && rows.size() < kMostLogged; ++i) {
+        for (std::size_t i = 0; i < known->list.hits.size() && rows.size() < kMaxLogged; ++i) {
             if (!picks(each, i + 1)) continue;
             const bool told = i < known->sentences.size();
             rows.push_back({known->list.hits[i], &each, told ? &known->sentences[i] : nullptr});

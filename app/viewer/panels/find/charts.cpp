@@ -80,7 +80,7 @@ void drawCharts(const PanelContext& context) {
         return;
     }
     Questions& questions = context.session().questions();
-    Inquiry<std::vector<RunChart>>& charts = questions.charts();
+    BackgroundQuery<std::vector<RunChart>>& charts = questions.charts();
     questions.wantCharts();
     if (charts.busy()) {
         if (drawAsking(context, "Re-running ...", charts.share())) charts.stop();

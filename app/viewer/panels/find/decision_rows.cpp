@@ -47,7 +47,7 @@ RoleLook lookOf(LineRole role) {
 /// One row, two lines of text high.
 class RowDrawer {
   public:
-    RowDrawer(const PanelContext& context, const DecisionRows& rows, const LinePlace& place)
+    RowDrawer(const PanelContext& context, const DecisionRows& rows, const LinePosition& place)
         : context_(context), rows_(rows), place_(place) {}
 
     float pitch() const { return height() + kRowGap * context_.em; }
@@ -152,13 +152,13 @@ class RowDrawer {
 
     const PanelContext& context_;
     const DecisionRows& rows_;
-    LinePlace place_;
+    LinePosition place_;
 };
 
 /// Without an order only the line at the cursor has a mark.
-LinePlace placeOfCursor(const DecisionRows& rows, const Session& session) {
-    if (rows.inOrder) return placeAmong(rows.lines, session);
-    LinePlace place;
+LinePosition positionOfCursor(const DecisionRows& rows, const Session& session) {
+    if (rows.inOrder) return positionAmong(rows.lines, session);
+    LinePosition place;
     for (std::size_t i = 0; i < rows.lines.size(); ++i) {
         if (session.event() != nullptr && rows.lines[i].event.address == session.address())
             place.here = i;
@@ -167,7 +167,7 @@ LinePlace placeOfCursor(const DecisionRows& rows, const Session& session) {
 }
 
 /// Scrolls to the line that the cursor moves to; `top` is the position of the first one.
-void follow(const PanelContext& context, const DecisionRows& rows, const LinePlace& place,
+void follow(const PanelContext& context, const DecisionRows& rows, const LinePosition& place,
             float top, float pitch) {
     const Session& session = context.session();
     const bool moved =
@@ -192,7 +192,7 @@ void follow(const PanelContext& context, const DecisionRows& rows, const LinePla
 std::optional<std::size_t> drawDecisionRows(const PanelContext& context, const DecisionRows& rows) {
     std::optional<std::size_t> chosen;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, kRowGap * context.em});
-    const LinePlace place = placeOfCursor(rows, context.session());
+    const LinePosition place = positionOfCursor(rows, context.session());
     RowDrawer drawer(context, rows, place);
     follow(context, rows, place, ImGui::GetCursorPosY(), drawer.pitch());
     ImGuiListClipper clipper;

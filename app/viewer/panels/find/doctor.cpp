@@ -34,7 +34,7 @@ void show(const PanelContext& context, const Finding& finding, bool shown) {
         return session.say(finding.points.empty() ? "This is about the file as a whole."
                                                   : "These points have no finite position.");
     }
-    const MarkedPlace place = placeOf(session.model(), points);
+    const MarkedSphere place = sphereAround(session.model(), points);
     if (place.normal != glm::vec3(0.0F)) context.camera().face(place.normal);
     context.camera().frame(place.center, place.radius);
     session.mark(std::move(points));
@@ -71,23 +71,23 @@ std::string commandFor(const PanelContext& context, const DoctorCheck& check) {
 }
 
 /// Requests to open the input again, with these fixes besides those it has.
-void follow(const PanelContext& context, const Cures& more) {
-    Cures cures = context.session().spec().cures;
-    cures.insert(cures.end(), more.begin(), more.end());
-    context.ui().requests.cures = std::move(cures);
+void follow(const PanelContext& context, const Fixes& more) {
+    Fixes fixes = context.session().spec().fixes;
+    fixes.insert(fixes.end(), more.begin(), more.end());
+    context.ui().requests.fixes = std::move(fixes);
 }
 
 void drawRemedy(const PanelContext& context, const Finding& finding) {
     const DoctorCheck& check = *finding.check;
     const std::string name(check.name);
-    if (canCure(check)) {
+    if (canFix(check)) {
         if (ImGui::SmallButton("Apply the fix")) follow(context, {name});
         context.ui().where["fix " + name] = lastItem();
-        tooltip(std::string(cureText(check.cure)) + "\nCtrl+Z undoes it.");
+        tooltip(std::string(fixText(check.cure)) + "\nCtrl+Z undoes it.");
     }
     const std::string command = commandFor(context, check);
     if (command.empty()) return;
-    if (canCure(check)) ImGui::SameLine();
+    if (canFix(check)) ImGui::SameLine();
     if (ImGui::SmallButton("Copy the command")) {
         ImGui::SetClipboardText(command.c_str());
         context.session().say("Copied the command.");
@@ -102,9 +102,9 @@ void drawRemedy(const PanelContext& context, const Finding& finding) {
 /// Fixes that were applied to the input, and a button to undo them.
 void drawMended(const PanelContext& context) {
     const Session& session = context.session();
-    if (session.spec().cures.empty()) return;
-    wrappedText("Repaired here, not in the file: " + mendedText(session.model()) + ".");
-    if (ImGui::SmallButton("Use the file as is")) context.ui().requests.cures = Cures{};
+    if (session.spec().fixes.empty()) return;
+    wrappedText("Repaired here, not in the file: " + fixesText(session.model()) + ".");
+    if (ImGui::SmallButton("Use the file as is")) context.ui().requests.fixes = Fixes{};
     context.ui().where["doctor as it is"] = lastItem();
     tooltip("Open the input without any fixes");
     ImGui::Spacing();
@@ -112,13 +112,13 @@ void drawMended(const PanelContext& context) {
 }
 
 void drawFixAll(const PanelContext& context) {
-    const Cures cures = plainCures(context.session().checkup().findings());
-    if (cures.empty()) return;
-    if (ImGui::Button("Apply all safe fixes")) follow(context, cures);
+    const Fixes fixes = safeFixes(context.session().doctorJob().findings());
+    if (fixes.empty()) return;
+    if (ImGui::Button("Apply all safe fixes")) follow(context, fixes);
     context.ui().where["doctor fix all"] = lastItem();
     std::string text;
-    for (const std::string& name : cures) {
-        text += (text.empty() ? "" : "\n") + std::string(cureText(findDoctorCheck(name)->cure));
+    for (const std::string& name : fixes) {
+        text += (text.empty() ? "" : "\n") + std::string(fixText(findDoctorCheck(name)->cure));
     }
     tooltip(text + "\nCtrl+Z undoes it.");
 }
@@ -168,23 +168,24 @@ void drawDoctor(const PanelContext& context) {
         ImGui::TextDisabled("Nothing is open.");
         return;
     }
-    const Checkup& checkup = session.checkup();
-    heading(context, "Doctor", headingNote(checkup.findings().size()));
+    const DoctorJob& doctorJob = session.doctorJob();
+    heading(context, "Doctor", headingNote(doctorJob.findings().size()));
     drawMended(context);
-    if (!checkup.complaint().empty()) return dimText(checkup.complaint());
-    if (!checkup.done()) {
-        dimText(checkup.busy() ? "Examining the input ..."
-                               : "The doctor examines the points once the run is complete.");
-        if (checkup.busy()) ImGui::ProgressBar(static_cast<float>(checkup.share()), {-1.0F, 0.0F});
+    if (!doctorJob.complaint().empty()) return dimText(doctorJob.complaint());
+    if (!doctorJob.done()) {
+        dimText(doctorJob.busy() ? "Examining the input ..."
+                                 : "The doctor examines the points once the run is complete.");
+        if (doctorJob.busy())
+            ImGui::ProgressBar(static_cast<float>(doctorJob.share()), {-1.0F, 0.0F});
         return;
     }
-    if (checkup.findings().empty()) {
+    if (doctorJob.findings().empty()) {
         dimText("Nothing found: all " + std::to_string(doctorChecks().size()) + " checks passed.");
         return;
     }
     drawFixAll(context);
     dimText("Click a finding to mark its points and frame them.");
-    for (const Finding& finding : checkup.findings()) drawFinding(context, finding);
+    for (const Finding& finding : doctorJob.findings()) drawFinding(context, finding);
 }
 
 }  // namespace se::view

@@ -97,7 +97,7 @@ void drawLedger(const PanelContext& context) {
     heading(context, "Ledger", questions.subjectName());
     drawQuestionBox(context);
     const ScrolledBody body(context, "##ledgerBody");
-    Inquiry<WhyAnswer>& ledger = questions.ledger();
+    BackgroundQuery<WhyAnswer>& ledger = questions.ledger();
     if (ledger.busy()) {
         if (drawAsking(context, "Re-running ...", ledger.share())) ledger.stop();
     } else if (!ledger.complaint().empty()) {

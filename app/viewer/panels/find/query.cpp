@@ -133,7 +133,7 @@ void drawByWords(const PanelContext& context) {
     drawLine(context);
     drawMistake(context);
     const ScrolledBody body(context, "##queryBody");
-    Inquiry<FoundDecisions>& found = questions.found();
+    BackgroundQuery<FoundDecisions>& found = questions.found();
     // While the user types, the terms are more useful than the old results.
     if (panel.typing && panel.typed != questions.line()) return drawTerms(context);
     if (found.busy()) {
@@ -180,7 +180,7 @@ void drawCalls(const PanelContext& context, const ClosestAnswer& closest) {
 
 void drawClosest(const PanelContext& context) {
     Questions& questions = context.session().questions();
-    Inquiry<ClosestAnswer>& closest = questions.closest();
+    BackgroundQuery<ClosestAnswer>& closest = questions.closest();
     questions.wantClosest();
     const ScrolledBody body(context, "##closestBody");
     if (closest.busy()) {

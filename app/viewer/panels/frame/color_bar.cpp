@@ -22,9 +22,9 @@ constexpr std::array kCorners = {Corner::BottomRight, Corner::TopLeft, Corner::T
 struct Plate {
     Plate(const PanelContext& context, std::span<const Rect> taken, glm::vec2 wanted)
         : em(context.em), size(wanted) {
-        const Rect& view = context.layout.view;
+        const Rect& view = context.rects.view;
         at = view.max() - size - glm::vec2(0.7F * em, 0.7F * em);
-        const std::vector<LabelMark> marks = Sight(context).surroundings();
+        const std::vector<LabelMark> marks = ScreenProjection(context).neighborhood();
         if (const auto free = freeCorner({view, 0.7F * em, taken, marks}, size, kCorners))
             at = free->min;
         fits = size.x < 0.6F * view.size.x && size.y < 0.3F * view.size.y;

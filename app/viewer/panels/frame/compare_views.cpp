@@ -41,7 +41,7 @@ void drawTitle(const PanelContext& context, const Rect& bar, const char* letter,
 
 /// The second view before there is anything to compare.
 void drawEmptyView(const PanelContext& context) {
-    const Rect& view = context.layout.otherView;
+    const Rect& view = context.rects.otherView;
     if (beginRegion("##otherEmpty", view)) {
         const Comparison* now = context.ui().compare.now;
         const bool chosen = now != nullptr && now->chosen();
@@ -67,7 +67,7 @@ void drawEmptyView(const PanelContext& context) {
 
 /// A mesh from a file: it can be viewed, but has no steps.
 void drawStill(const PanelContext& context) {
-    const Rect& view = context.layout.view;
+    const Rect& view = context.rects.view;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     const bool open = beginRegion(
         "##otherStill", view, ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_NoScrollWithMouse);
@@ -91,13 +91,13 @@ void drawStill(const PanelContext& context) {
 /// The panel context of the other run.
 void drawOther(const PanelContext& context) {
     const OtherView& other = *context.other;
-    Layout layout = context.layout;
-    layout.view = layout.otherView;
-    layout.narration = layout.otherNarration;
+    PanelRects rects = context.rects;
+    rects.view = rects.otherView;
+    rects.narration = rects.otherNarration;
     const PanelContext there{other.commands != nullptr ? *other.commands : context.commands,
                              context.palette,
                              context.fonts,
-                             layout,
+                             rects,
                              other.list,
                              other.counts,
                              context.em,
@@ -118,7 +118,7 @@ std::string noteOf(const Session& session, std::size_t only) {
 }
 
 void drawEmptySentence(const PanelContext& context) {
-    if (beginRegion("##otherNarration", context.layout.otherNarration)) {
+    if (beginRegion("##otherNarration", context.rects.otherNarration)) {
         const bool mesh = context.other != nullptr && context.other->commands == nullptr;
         if (mesh) ImGui::TextDisabled("A finished mesh: no decisions of its own.");
     }
@@ -128,14 +128,14 @@ void drawEmptySentence(const PanelContext& context) {
 }  // namespace
 
 void drawComparedViews(const PanelContext& context) {
-    const Layout& layout = context.layout;
+    const PanelRects& rects = context.rects;
     const Session& run = context.session();
-    context.ui().where["region other view"] = layout.otherView;
+    context.ui().where["region other view"] = rects.otherView;
     const Comparison* now = context.ui().compare.now;
     const Compared* found = context.ui().compare.result();
     const bool chosen = now != nullptr && now->chosen();
     const std::string noteA = found != nullptr ? noteOf(run, found->meshes.onlyA) : "";
-    drawTitle(context, layout.title, "A", run.ready() ? runTitle(run.spec()) : "",
+    drawTitle(context, rects.title, "A", run.ready() ? runTitle(run.spec()) : "",
               context.palette.used, noteA);
     std::string nameB = "nothing yet";
     std::string noteB;
@@ -147,7 +147,7 @@ void drawComparedViews(const PanelContext& context) {
         if (found != nullptr && now->other() != nullptr)
             noteB = noteOf(*now->other(), found->meshes.onlyB);
     }
-    drawTitle(context, layout.otherTitle, "B", nameB, context.palette.last, noteB);
+    drawTitle(context, rects.otherTitle, "B", nameB, context.palette.last, noteB);
     if (context.other == nullptr) drawEmptyView(context);
     if (context.other != nullptr) drawOther(context);
     if (context.other == nullptr || context.other->commands == nullptr) drawEmptySentence(context);

@@ -13,8 +13,8 @@ constexpr float kDrawerMargin = 0.9F;
 
 void drawFoldButton(const PanelContext& context) {
     const float em = context.em;
-    const Rect& run = context.layout.runStrip;
-    const bool folded = context.layout.drawerFolded;
+    const Rect& run = context.rects.runStrip;
+    const bool folded = context.rects.drawerFolded;
     const ImVec2 at(run.min.x + 0.4F * em, run.max().y - 1.6F * em);
     ImGui::SetCursorScreenPos(at);
     const float side = 1.3F * em;
@@ -60,12 +60,12 @@ void keepSteps(const PanelContext& context) {
 }
 
 void drawDrawer(const PanelContext& context) {
-    if (beginRegion("##drawer", context.layout.drawer,
+    if (beginRegion("##drawer", context.rects.drawer,
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
-        drawRunStrip(context, context.layout.runStrip);
-        if (!context.layout.drawerFolded) {
-            drawPivotStrip(context, context.layout.pivotStrip);
-            drawStageStrip(context, context.layout.stageStrip);
+        drawRunStrip(context, context.rects.runStrip);
+        if (!context.rects.drawerFolded) {
+            drawPivotStrip(context, context.rects.pivotStrip);
+            drawStageStrip(context, context.rects.stageStrip);
         }
         drawFoldButton(context);
     }

@@ -18,7 +18,7 @@ constexpr float kLassoStep = 0.25F;
 /// Sets a breakpoint on all events of the enclosed points, and marks them.
 void close(const PanelContext& context, Lasso& lasso) {
     Session& session = context.session();
-    const Rect& view = context.layout.view;
+    const Rect& view = context.rects.view;
     std::vector<glm::vec2> path = std::exchange(lasso.path, {});
     lasso.drawing = false;
     if (path.size() < 3) return;

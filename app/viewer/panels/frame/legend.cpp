@@ -32,13 +32,13 @@ constexpr std::array kLegendCorners = {Corner::TopRight, Corner::TopLeft, Corner
 }  // namespace
 
 std::optional<Rect> drawLegend(const PanelContext& context, std::span<const Rect> taken) {
-    const Rect& view = context.layout.view;
+    const Rect& view = context.rects.view;
     const float em = 0.84F * context.em;
     const float row = 1.32F * em;
     const glm::vec2 size(9.6F * em, row * static_cast<float>(kEntries.size()) + 0.7F * em);
     // Omitted where it would cover too much of the picture; F1 shows it as well.
     if (view.size.y < size.y + 8.0F * em || view.size.x < 3.6F * size.x) return std::nullopt;
-    const std::vector<LabelMark> marks = Sight(context).surroundings();
+    const std::vector<LabelMark> marks = ScreenProjection(context).neighborhood();
     const std::optional<Rect> place =
         freeCorner({view, 0.7F * em, taken, marks}, size, kLegendCorners);
     if (!place) return std::nullopt;

@@ -38,8 +38,8 @@ void drawSceneMenu(const PanelContext& context) {
 /// The layouts are rows of the table of commands as well, but here the current one is checked.
 void drawLayouts(const PanelContext& context) {
     if (!ImGui::BeginMenu("Layout")) return;
-    for (const ArrangementRow& row : arrangements()) {
-        const bool on = context.ui().arrangement == row.id;
+    for (const LayoutPresetRow& row : layoutPresets()) {
+        const bool on = context.ui().layoutPreset == row.id;
         const std::string command = "view.layout." + std::string(row.name);
         if (ImGui::MenuItem(std::string(row.title).c_str(), nullptr, on)) context.run(command);
     }
@@ -143,7 +143,7 @@ void drawMenuBar(const PanelContext& context) {
         drawMenuGroup(context, last);
     }
     // Aligned to the right end of the headings below.
-    const float end = context.layout.menu.max().x - 0.7F * context.em;
+    const float end = context.rects.menu.max().x - 0.7F * context.em;
     const float room = end - ImGui::GetCursorScreenPos().x;
     const std::string note = fittingNote(context, room - context.em);
     const float width = ImGui::CalcTextSize(note.c_str()).x;

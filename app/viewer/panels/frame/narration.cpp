@@ -38,7 +38,7 @@ Caption fittingCaption(const PanelContext& context, const std::string& sentence,
     const float high = room.y + ImGui::GetStyle().ItemSpacing.y;
     Caption caption;
     for (ImFont* font : {fonts.caption, fonts.large, fonts.text, fonts.small}) {
-        if (font == fonts.caption && context.layout.caption <= 1.0F) continue;
+        if (font == fonts.caption && context.rects.caption <= 1.0F) continue;
         ImGui::PushFont(font);
         caption = {font, wrapped(sentence, room.x), false};
         const std::size_t lines = std::max(caption.lines.size(), wrapped(beside, room.x).size());
@@ -62,14 +62,14 @@ std::string sentenceOf(const Session& session) {
 /// Shown where no other panel has the address.
 void drawAddressLine(const PanelContext& context) {
     context.ui().addressLine.clear();
-    const Layout& layout = context.layout;
-    if (layout.addressLine <= 0.0F || !context.session().ready()) return;
+    const PanelRects& rects = context.rects;
+    if (rects.addressLine <= 0.0F || !context.session().ready()) return;
     const std::string text = addressAndSection(context.session());
-    const glm::vec2 at = layout.narration.min + glm::vec2(1.2F, 0.42F) * context.em;
+    const glm::vec2 at = rects.narration.min + glm::vec2(1.2F, 0.42F) * context.em;
     const ImVec2 extent = context.fonts.text->CalcTextSizeA(context.em, 1e9F, 0.0F, text.c_str());
     ImGui::GetWindowDrawList()->AddText(context.fonts.text, context.em, toVec2(at),
                                         toU32(context.palette.textDim), text.c_str());
-    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + layout.addressLine);
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + rects.addressLine);
     context.ui().addressLine = text;
     context.ui().where["address line"] = {at, {extent.x, extent.y}};
 }
@@ -80,7 +80,7 @@ void drawNarration(const PanelContext& context) { drawSentence(context, "##narra
 
 void drawSentence(const PanelContext& context, const char* window) {
     const Session& session = context.session();
-    if (beginRegion(window, context.layout.narration)) {
+    if (beginRegion(window, context.rects.narration)) {
         // Other messages are shown in the view for a while: see drawNotices().
         const std::string whole = sentenceOf(session);
         const std::string sentence = withShortNumbers(whole);
@@ -89,7 +89,7 @@ void drawSentence(const PanelContext& context, const char* window) {
             color = outcomeColor(context.palette, *event).value_or(color);
             if (!session.noticedHere().empty()) color = context.palette.rejected;
         }
-        const Rect& area = context.layout.narration;
+        const Rect& area = context.rects.narration;
         ImDrawList* list = ImGui::GetWindowDrawList();
         list->PushClipRect(toVec2(area.min), toVec2(area.max()));
         list->AddRectFilled(toVec2(area.min), {area.min.x + 0.3F * context.em, area.max().y},

@@ -10,7 +10,7 @@ namespace {
 
 /// A plate in the middle of the view.
 bool beginNotice(const PanelContext& context, const char* name) {
-    const Rect& view = context.layout.view;
+    const Rect& view = context.rects.view;
     const glm::vec2 middle = view.min + 0.5F * view.size;
     ImGui::SetNextWindowPos(toVec2(middle), ImGuiCond_Always, {0.5F, 0.5F});
     ImGui::SetNextWindowSize({std::min(26.0F * context.em, 0.9F * view.size.x), 0.0F});
@@ -102,7 +102,7 @@ Progressed searched(const Session& session) {
 /// Only for moves that take a while; others are over before this is drawn.
 void drawMove(const PanelContext& context) {
     Session& session = context.session();
-    const Rect& view = context.layout.view;
+    const Rect& view = context.rects.view;
     ImGui::SetNextWindowPos({view.min.x + 0.5F * view.size.x, view.min.y + 1.0F * context.em},
                             ImGuiCond_Always, {0.5F, 0.0F});
     ImGui::SetNextWindowSize({std::min(22.0F * context.em, 0.9F * view.size.x), 0.0F});
@@ -131,7 +131,7 @@ void drawMove(const PanelContext& context) {
 /// The latest message, above the sentence of the decision and never instead of it.
 void drawSaid(const PanelContext& context) {
     const std::string text = context.session().notice();
-    const Rect& view = context.layout.view;
+    const Rect& view = context.rects.view;
     const float em = context.em;
     const float room = view.size.x - 4.0F * em;
     if (text.empty() || room < 6.0F * em) return;

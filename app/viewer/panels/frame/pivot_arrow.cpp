@@ -18,7 +18,7 @@ constexpr float kInset = 2.0F;
 std::optional<PivotArrow> offerPivotArrow(const PanelContext& context) {
     const Session& session = context.session();
     if (!session.ready() || session.picture().pivot == kNone) return std::nullopt;
-    const Rect& view = context.layout.view;
+    const Rect& view = context.rects.view;
     const Index pivot = session.picture().pivot;
     const auto arrow = edgeArrow(context.camera().matrices(view.size.x / view.size.y),
                                  session.shown().place[pivot], view.size, kInset * context.em);

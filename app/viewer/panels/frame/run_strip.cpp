@@ -308,7 +308,7 @@ void drawTotal(const RunStrip& strip) {
     const float em = strip.context.em;
     const std::string total = (run.complete ? "" : "\xE2\x89\xA5") +
                               grouped(static_cast<std::size_t>(strip.window().last()));
-    if (strip.context.layout.drawerFolded) return;
+    if (strip.context.rects.drawerFolded) return;
     ImDrawList* list = ImGui::GetWindowDrawList();
     const float size = 0.85F * em;
     const auto line = [&](float y, const std::string& text) {
@@ -323,7 +323,7 @@ void drawTotal(const RunStrip& strip) {
 void drawRunStrip(const PanelContext& context, const Rect& area) {
     const Session& session = context.session();
     const float em = context.em;
-    const bool folded = context.layout.drawerFolded;
+    const bool folded = context.rects.drawerFolded;
     const float top = 0.55F * em;
     const Rect bars = barsOf(context, area, area.size.y - top - (folded ? 0.3F : 0.2F) * em, top);
     stripName(context, "RUN", bars);

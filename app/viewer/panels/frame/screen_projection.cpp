@@ -10,10 +10,10 @@ namespace se::view {
 namespace {
 
 /// Maximum number of items: a position has to be found within a frame.
-constexpr std::size_t kMostLines = 4000;
-constexpr std::size_t kMostSprites = 400;
-constexpr std::size_t kMostFaces = 400;
-constexpr std::size_t kMostSights = 48;
+constexpr std::size_t kMaxLines = 4000;
+constexpr std::size_t kMaxSprites = 400;
+constexpr std::size_t kMaxFaces = 400;
+constexpr std::size_t kMaxSights = 48;
 /// Marks of this size, in em, belong to points that must stay visible.
 constexpr float kMarkFrom = 0.9F;
 /// Marks grow with the view: at most by this (gl/renderer.cpp).
@@ -31,21 +31,21 @@ constexpr float kAboutOthers = 0.7F;
 
 }  // namespace
 
-Sight::Sight(const PanelContext& context)
+ScreenProjection::ScreenProjection(const PanelContext& context)
     : context_(context),
-      view_(context.layout.view),
+      view_(context.rects.view),
       camera_(context.camera().matrices(view_.size.x / view_.size.y)) {}
 
-std::optional<glm::vec2> Sight::at(const glm::vec3& place) const {
+std::optional<glm::vec2> ScreenProjection::at(const glm::vec3& place) const {
     const glm::vec3 seen = project(camera_, place, view_.size);
     if (seen.z <= 0.0F) return std::nullopt;
     return view_.min + glm::vec2(seen);
 }
 
-std::vector<LabelMark> Sight::marks() const {
+std::vector<LabelMark> ScreenProjection::marks() const {
     std::vector<LabelMark> all;
     for (const Sprite& sprite : context_.drawList.sprites) {
-        if (sprite.style.size < kMarkFrom || all.size() == kMostSights) continue;
+        if (sprite.style.size < kMarkFrom || all.size() == kMaxSights) continue;
         const auto place = at(sprite.position);
         if (!place || !view_.contains(*place)) continue;
         all.push_back({*place, 0.5F * kMarkGrowth * sprite.style.size * context_.em});
@@ -53,11 +53,11 @@ std::vector<LabelMark> Sight::marks() const {
     return all;
 }
 
-std::vector<LabelMark> Sight::surroundings() const {
+std::vector<LabelMark> ScreenProjection::neighborhood() const {
     std::vector<LabelMark> all;
     if (!context_.session().ready()) return all;
     const Session& session = context_.session();
-    for (const Index point : surroundingsOf(session.picture())) {
+    for (const Index point : neighborhoodOf(session.picture())) {
         const auto place = at(session.shown().place[point]);
         if (!place) continue;
         const bool pivot = point == session.picture().pivot;
@@ -66,22 +66,22 @@ std::vector<LabelMark> Sight::surroundings() const {
     return all;
 }
 
-Clutter Sight::clutter() const {
+OccupancyGrid ScreenProjection::occupancy() const {
     const DrawList& drawn = context_.drawList;
-    Clutter all(view_, kCell * context_.em);
-    for (std::size_t i = 0; i < std::min(kMostLines, drawn.lines.size()); ++i) {
+    OccupancyGrid all(view_, kCell * context_.em);
+    for (std::size_t i = 0; i < std::min(kMaxLines, drawn.lines.size()); ++i) {
         const Line& line = drawn.lines[i];
         const auto from = at(line.from);
         const auto to = at(line.to);
         if (from && to) all.addLine(*from, *to, line.color.a);
     }
-    for (std::size_t i = 0; i < std::min(kMostSprites, drawn.sprites.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(kMaxSprites, drawn.sprites.size()); ++i) {
         const PointStyle& style = drawn.sprites[i].style;
         const auto place = at(drawn.sprites[i].position);
         const float weight = style.size >= kCandidateFrom ? kCandidateWeight : kSpotWeight;
         if (place) all.addSpot(*place, 0.5F * style.size * context_.em, weight);
     }
-    for (std::size_t i = 0; i < std::min(kMostFaces, drawn.faces.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(kMaxFaces, drawn.faces.size()); ++i) {
         const std::array<glm::vec3, 3>& corners = drawn.faces[i].corners;
         const auto a = at(corners[0]);
         const auto b = at(corners[1]);

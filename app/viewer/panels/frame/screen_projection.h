@@ -9,18 +9,18 @@
 
 namespace se::view {
 
-class Sight {
+class ScreenProjection {
   public:
-    explicit Sight(const PanelContext& context);
+    explicit ScreenProjection(const PanelContext& context);
 
     /// Empty if the point is behind the eye.
     std::optional<glm::vec2> at(const glm::vec3& place) const;
     /// The marks of the pivot, its ends, the point under test and the selection.
     std::vector<LabelMark> marks() const;
     /// The points that the decisions of the pivot involve, also those without a mark.
-    std::vector<LabelMark> surroundings() const;
+    std::vector<LabelMark> neighborhood() const;
     /// Everything that is drawn, apart from the finished mesh and the cloud.
-    Clutter clutter() const;
+    OccupancyGrid occupancy() const;
 
   private:
     const PanelContext& context_;

@@ -25,7 +25,7 @@ std::vector<std::string> partsOf(const PanelContext& context) {
     parts.push_back("triangles " +
                     grouped(picture.finishedTriangles + picture.newTriangles.size()));
     const std::size_t alerts = noticedUpTo(session.overview(), session.address());
-    if (session.shown().points.size() > kMostWatched) {
+    if (session.shown().points.size() > kMaxWatched) {
         parts.push_back("alerts not watched");
     } else if (alerts > 0) {
         parts.push_back("alerts " + grouped(alerts));
@@ -56,7 +56,7 @@ std::string keysText(const PanelContext& context) {
 void drawStatusBar(const PanelContext& context) {
     const float em = context.em;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.7F * em, 0.3F * em});
-    const bool open = beginRegion("##status", context.layout.status, ImGuiWindowFlags_NoScrollbar);
+    const bool open = beginRegion("##status", context.rects.status, ImGuiWindowFlags_NoScrollbar);
     ImGui::PopStyleVar();
     if (open) {
         const float total = ImGui::GetContentRegionAvail().x;

@@ -189,9 +189,9 @@ TransportWidths widthsOf(const PanelContext& context, float gap) {
 }  // namespace
 
 void drawTransport(const PanelContext& context) {
-    if (beginRegion("##transport", context.layout.transport)) {
+    if (beginRegion("##transport", context.rects.transport)) {
         const Session& session = context.session();
-        const float wide = context.layout.transport.size.x / context.em;
+        const float wide = context.rects.transport.size.x / context.em;
         const float gap = wide > 50.0F ? 1.4F * context.em : 0.4F * context.em;
         const TransportParts parts =
             fitTransport(ImGui::GetContentRegionAvail().x, widthsOf(context, gap));

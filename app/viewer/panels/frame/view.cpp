@@ -25,13 +25,13 @@ bool isOn(const PanelContext& context, LayerId layer) {
 /// Only visible things can be picked.
 Pick underMouse(const PanelContext& context) {
     const Session& session = context.session();
-    const Rect& view = context.layout.view;
+    const Rect& view = context.rects.view;
     const bool mesh = isOn(context, LayerId::Triangles);
     const bool rings = isOn(context, LayerId::EdgeRing);
     const PickScene scene{
         session.shown(), isOn(context, LayerId::Points),
         mesh ? session.shownTriangles() : std::span<const Triangle>{},
-        session.picture().mended ? nullptr : &session.meshIndex(),
+        session.picture().repaired ? nullptr : &session.meshIndex(),
         rings ? std::span<const RingPath>(session.picture().rings) : std::span<const RingPath>{}};
     return pick(scene, {context.camera().matrices(view.size.x / view.size.y), view.size,
                         localMouse(view), 0.6F * context.em});
@@ -40,7 +40,7 @@ Pick underMouse(const PanelContext& context) {
 /// A click selects, a double click centers the orbit and selects nothing. So a click
 /// counts only when it can no longer become a double click.
 void handleClicks(const PanelContext& context) {
-    ClickWait& click = context.ui().click;
+    DoubleClickFilter& click = context.ui().click;
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         click.takeBack();
@@ -73,7 +73,7 @@ void hoverNeighbor(const PanelContext& context) {
     const Session& session = context.session();
     const Index pivot = session.picture().pivot;
     if (pivot == kNone) return;
-    const Rect& view = context.layout.view;
+    const Rect& view = context.rects.view;
     const CameraMatrices camera = context.camera().matrices(view.size.x / view.size.y);
     context.ui().pointedAt = pickAmong(session.shown(), session.shown().points.neighbors[pivot],
                                        camera, view.size, localMouse(view), 0.6F * context.em);
@@ -94,7 +94,7 @@ std::optional<Rect> drawShownState(const PanelContext& context) {
     if (!context.ui().look.on() || !session.ready() || session.event() == nullptr) {
         return std::nullopt;
     }
-    const Rect& view = context.layout.view;
+    const Rect& view = context.rects.view;
     const float em = context.em;
     const Color& color = session.showsBefore() ? context.palette.textDim : context.palette.test;
     const std::string text =
@@ -122,7 +122,7 @@ void drawOver(const PanelContext& context, const std::optional<PivotArrow>& arro
     note(drawAxes(context, taken));
     note(drawColorBar(context, taken));
     // In Compare the column beside the views explains the colors.
-    const bool compared = context.layout.arrangement == Arrangement::Compare;
+    const bool compared = context.rects.layoutPreset == LayoutPreset::Compare;
     if (context.ui().settings.legend && !compared) note(drawLegend(context, taken));
     drawLabels(context, taken);
     if (arrow) drawPivotArrow(context, *arrow);
@@ -133,7 +133,7 @@ void drawOver(const PanelContext& context, const std::optional<PivotArrow>& arro
 void drawView(const PanelContext& context) { drawScene(context, "##view"); }
 
 void drawScene(const PanelContext& context, const char* window) {
-    const Rect& view = context.layout.view;
+    const Rect& view = context.rects.view;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::PushStyleColor(ImGuiCol_WindowBg, toVec4(context.palette.background));
     const bool open = beginRegion(

@@ -40,26 +40,26 @@ void drawPlate(const PanelContext& context, const Label& label, const Rect& plat
 void drawLabels(const PanelContext& context, std::span<const Rect> taken) {
     const std::vector<Label>& labels = context.drawList.labels;
     if (labels.empty()) return;
-    const Sight sight(context);
+    const ScreenProjection projection(context);
     const float em = context.em;
     std::vector<const Label*> seen;
     std::vector<LabelWish> wishes;
     for (const Label& label : labels) {
-        const auto at = sight.at(label.position);
+        const auto at = projection.at(label.position);
         if (!at) continue;
         const Print print = printOf(context, label);
         const ImVec2 extent = print.font->CalcTextSizeA(print.size, 1e9F, 0.0F, label.text.c_str());
         seen.push_back(&label);
         wishes.push_back({*at, {extent.x + 0.44F * em, extent.y + 0.04F * em}, rankOf(label)});
     }
-    const Rect& view = context.layout.view;
-    const std::vector<LabelMark> marks = sight.marks();
-    const Clutter clutter = sight.clutter();
-    LabelRoom room{view, taken, marks, &clutter, view.min + 0.5F * view.size, em};
+    const Rect& view = context.rects.view;
+    const std::vector<LabelMark> marks = projection.marks();
+    const OccupancyGrid occupancy = projection.occupancy();
+    LabelRoom room{view, taken, marks, &occupancy, view.min + 0.5F * view.size, em};
     const Picture& picture = context.session().picture();
     if (context.session().ready() && picture.pivot != kNone) {
         room.middle =
-            sight.at(context.session().shown().place[picture.pivot]).value_or(room.middle);
+            projection.at(context.session().shown().place[picture.pivot]).value_or(room.middle);
     }
     const std::vector<PlacedLabel> placed = placeLabels(room, wishes);
     ImDrawList* list = ImGui::GetWindowDrawList();

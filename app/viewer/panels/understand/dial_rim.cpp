@@ -40,7 +40,7 @@ glm::vec2 rimTextSize(const PanelContext& context, const std::string& text) {
 
 DialDisc discWithTexts(const PanelContext& context, const Rect& room,
                        std::span<const RimText> texts) {
-    const DialPlace place =
+    const DialCircle place =
         fitDial(room, namesOf(context, texts), kNameGap * context.em, 0.35F * context.em);
     return {toVec2(place.center), place.radius};
 }
@@ -48,7 +48,7 @@ DialDisc discWithTexts(const PanelContext& context, const Rect& room,
 void drawRimTexts(const PanelContext& context, const DialDisc& disc, const Rect& room,
                   std::span<const Rect> taken, std::span<const RimText> texts) {
     const float size = kNameSize * context.em;
-    const DialPlace place{{disc.center.x, disc.center.y}, disc.radius};
+    const DialCircle place{{disc.center.x, disc.center.y}, disc.radius};
     const NameRoom around{room, taken, kNameGap * context.em, 1.15F * size};
     ImDrawList* list = ImGui::GetWindowDrawList();
     for (const PlacedName& each : placeNames(place, around, namesOf(context, texts))) {

@@ -22,7 +22,7 @@ bool isClick(const PanelContext& context, ImGuiMouseButton button) {
 }
 
 void moveCameraByMouse(const PanelContext& context) {
-    const Rect& view = context.layout.view;
+    const Rect& view = context.rects.view;
     const ImGuiIO& io = ImGui::GetIO();
     const glm::vec2 pointer(io.MousePos.x, io.MousePos.y);
     ViewDrag& drag = context.ui().viewDrag;
@@ -45,7 +45,7 @@ std::optional<Rect> drawAxes(const PanelContext& context, std::span<const Rect> 
     const float em = context.em;
     constexpr std::array kCorners = {Corner::BottomLeft, Corner::BottomRight, Corner::TopLeft};
     const std::optional<Rect> place =
-        freeCorner({context.layout.view, 0.4F * em, taken, {}}, glm::vec2(4.4F * em), kCorners);
+        freeCorner({context.rects.view, 0.4F * em, taken, {}}, glm::vec2(4.4F * em), kCorners);
     if (!place) return std::nullopt;
     ImDrawList* list = ImGui::GetWindowDrawList();
     const CameraMatrices camera = context.camera().matrices(1.0F);

@@ -12,10 +12,10 @@ namespace se::view {
 
 namespace {
 
-constexpr int kMostRows = 4;
+constexpr int kMaxRows = 4;
 /// Limits as shares of the height of the column: for all names, and for some of them if all do not
 /// fit.
-constexpr float kMostOfHeight = 0.3F;
+constexpr float kMaxOfHeight = 0.3F;
 constexpr float kShareOfSome = 0.2F;
 constexpr const char* kMorePopup = "##moreTabs";
 /// In em: margin beside a name, and distance between tabs.
@@ -101,8 +101,8 @@ SortedTabs sorted(const PanelContext& context, ColumnTabs tabs, const SidePanel&
     const float height = ImGui::GetContentRegionAvail().y;
     SortedTabs all = sortedAt(tabs, tabs.size(), open);
     const int needed = rowsOf(context, all);
-    if (needed <= kMostRows &&
-        static_cast<float>(needed) * tabRowHeight(context) <= kMostOfHeight * height)
+    if (needed <= kMaxRows &&
+        static_cast<float>(needed) * tabRowHeight(context) <= kMaxOfHeight * height)
         return all;
     const int rows = std::max(1, static_cast<int>(kShareOfSome * height / tabRowHeight(context)));
     std::size_t count = tabs.size();
