@@ -66,7 +66,7 @@ PreparedInput InputArguments::prepare(PointFile file, ProgressLine& line) const 
     requirePossible(prepared.points, rules);
     file.normal = prepared.points.normal;
     file.type = prepared.points.type;
-    return {treat(file).file, std::move(prepared.points), rules};
+    return {applyFixes(file).file, std::move(prepared.points), rules};
 }
 
 }  // namespace se::cli

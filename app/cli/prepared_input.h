@@ -12,7 +12,7 @@ namespace se::cli {
 
 /// A run that has not started.
 struct PreparedInput {
-    PointFile file;  ///< As read, repaired by treat(), with the normals and types of `points`.
+    PointFile file;  ///< As read, repaired by applyFixes(), with the normals and types of `points`.
     PointSet points;
     Params params;
 };

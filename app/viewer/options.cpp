@@ -120,7 +120,7 @@ void addGrowing(CLI::App& app, RawOptions& raw) {
                                 "isosurface of a volume (.nrrd, .nhdr)")
                      ->type_name("SHAPE");
     auto* count = app.add_option("-n,--points", grow.count, "With --new: exactly N points (2000)");
-    count->type_name("N")->check(CLI::Range(std::size_t{1}, kMostParticles))->needs(made);
+    count->type_name("N")->check(CLI::Range(std::size_t{1}, kMaxParticles))->needs(made);
     app.add_option("--spacing", grow.spacing, "With --new: as many points as fit at distance S")
         ->type_name("S")
         ->check(CLI::PositiveNumber)

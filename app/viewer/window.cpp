@@ -141,9 +141,9 @@ void Window::listenToKeys() {
 }
 
 void Window::deliver(Application& application) {
-    const std::size_t most = application.keysHaveToWait() ? 0 : pressesOfNextFrame(keys_);
+    const std::size_t limit = application.keysHaveToWait() ? 0 : pressesOfNextFrame(keys_);
     std::size_t now = 0;
-    for (; now < most; ++now) {
+    for (; now < limit; ++now) {
         const KeyPress& press = keys_[now];
         // A key press may open something that takes the later keys.
         if (application.keysHaveToWait() && !isSignOfKeyBefore(keys_, now)) break;

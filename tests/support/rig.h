@@ -19,9 +19,14 @@ inline Params paper() { return *paramsByName("paper"); }
 inline Params robust() { return *paramsByName("robust"); }
 inline Params printed() { return *paramsByName("printed"); }
 /// `paper` with one rule inverted.
-inline Params paperBut(bool Rules::*rule) {
+inline Params paperBut(bool Readings::*reading) {
     Params params = paper();
-    params.rules.*rule = !(params.rules.*rule);
+    params.readings.*reading = !(params.readings.*reading);
+    return params;
+}
+inline Params paperBut(bool RobustRules::*rule) {
+    Params params = paper();
+    params.robust.*rule = !(params.robust.*rule);
     return params;
 }
 
@@ -45,7 +50,7 @@ class Rig {
         points_.type.assign(points_.size(), kInterior);
         lists_.resize(points_.size());
         state_ = State(points_.size());
-        if (params.rules.needsEdges()) state_.edges = EdgeTable(points_.size());
+        if (params.robust.needsEdges()) state_.edges = EdgeTable(points_.size());
     }
     Rig(const Rig&) = delete;
     Rig& operator=(const Rig&) = delete;
@@ -116,8 +121,8 @@ class Rig {
         return *this;
     }
     /// As if some circuits, and this many pivots of the next one, had brought no triangle.
-    Rig& patience(std::uint32_t circuits, Index pivots) {
-        state_.patience = circuits;
+    Rig& retryLevel(std::uint32_t circuits, Index pivots) {
+        state_.retryLevel = circuits;
         state_.circuit = pivots;
         return *this;
     }

@@ -21,9 +21,9 @@ void* allocate(std::size_t size) {
 
 namespace se {
 
-ScarceMemory::ScarceMemory(std::size_t most) {
+ScarceMemory::ScarceMemory(std::size_t limit) {
     spared = true;
-    mostBytes = most;
+    mostBytes = limit;
 }
 
 ScarceMemory::~ScarceMemory() {

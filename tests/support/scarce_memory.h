@@ -5,11 +5,11 @@
 
 namespace se {
 
-/// While it exists, every allocation of more than `most` bytes throws std::bad_alloc in all threads
-/// but the one that created it. One at a time.
+/// While it exists, every allocation of more than `limit` bytes throws std::bad_alloc in all
+/// threads but the one that created it. One at a time.
 class ScarceMemory {
   public:
-    explicit ScarceMemory(std::size_t most = 256);
+    explicit ScarceMemory(std::size_t limit = 256);
     ~ScarceMemory();
     ScarceMemory(const ScarceMemory&) = delete;
     ScarceMemory& operator=(const ScarceMemory&) = delete;

@@ -21,7 +21,7 @@ std::string countsText(const Comparison& c) {
     std::string text = counted(m.both, "triangle") + " in both";
     appendPart(text, fmt::format("{} only in A", m.onlyA));
     appendPart(text, fmt::format("{} only in B", m.onlyB));
-    if (m.turned > 0) appendPart(text, fmt::format("{} reversed", m.turned));
+    if (m.reversed > 0) appendPart(text, fmt::format("{} reversed", m.reversed));
     return text + "\n";
 }
 
@@ -44,10 +44,10 @@ std::string runsText(const RunComparison& runs) {
     std::string text;
     if (runs.first) {
         text += fmt::format("\nFirst difference, after {} alike:\n",
-                            counted(runs.pivotsAlike, "pivot")) +
+                            counted(runs.commonPivots, "pivot")) +
                 differenceText(*runs.first);
     } else {
-        text += fmt::format("\nNo difference: {} alike.\n", counted(runs.pivotsAlike, "pivot"));
+        text += fmt::format("\nNo difference: {} alike.\n", counted(runs.commonPivots, "pivot"));
     }
     if (runs.harmless) {
         text += fmt::format("\nWithout a consequence, at {}; the first:\n",
@@ -78,7 +78,7 @@ std::string nextQuestion(const Comparison& c) {
     if (c.runs) return "";
     for (std::size_t i = 0; i < c.meshes.b.size(); ++i) {
         const Triangle& t = c.b.mesh.triangles[i];
-        if (c.meshes.b[i] != Standing::Only || std::max({t.a, t.b, t.c}) >= c.points) continue;
+        if (c.meshes.b[i] != Match::Missing || std::max({t.a, t.b, t.c}) >= c.points) continue;
         return fmt::format(
             "\nspiraling-edge why {} --triangle {},{},{} explains why the run lacks this triangle "
             "of B.\n",
@@ -136,10 +136,10 @@ std::string comparisonText(const Comparison& c, std::size_t limit) {
                            counted(s.mesh.triangles.size(), "triangle"));
     };
     std::string text = side('A', c.a) + side('B', c.b) + countsText(c);
-    if (!c.strangers.empty()) {
+    if (!c.unmatchedVertices.empty()) {
         text += fmt::format("{} of B on no point of {}, the first {}\n",
-                            counted(c.strangers.size(), "vertex", "vertices"), c.input,
-                            c.strangers.front());
+                            counted(c.unmatchedVertices.size(), "vertex", "vertices"), c.input,
+                            c.unmatchedVertices.front());
     }
     if (c.runs) text += runsText(*c.runs);
     return text + regionsText(c, limit) + nextQuestion(c);
@@ -156,14 +156,14 @@ std::string comparisonJson(const Comparison& c) {
     json["both"] = c.meshes.both;
     json["only_a"] = c.meshes.onlyA;
     json["only_b"] = c.meshes.onlyB;
-    json["turned"] = c.meshes.turned;
+    json["turned"] = c.meshes.reversed;
     if (c.runs) {
-        json["pivots_alike"] = c.runs->pivotsAlike;
+        json["pivots_alike"] = c.runs->commonPivots;
         json["first_difference"] = differenceJson(c.runs->first);
         json["harmless_pivots"] = c.runs->harmlessPivots;
         json["first_harmless"] = differenceJson(c.runs->harmless);
     } else {
-        json["unmatched_vertices"] = c.strangers;
+        json["unmatched_vertices"] = c.unmatchedVertices;
     }
     json["regions"] = Json::array();
     for (const DifferenceRegion& region : c.meshes.regions)

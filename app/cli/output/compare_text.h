@@ -22,7 +22,7 @@ struct Comparison {
     MeshDifference meshes;
     /// Course of two runs; empty for a mesh from a file.
     std::optional<RunComparison> runs;
-    std::vector<Index> strangers;  ///< Vertices of the file that lie on no point.
+    std::vector<Index> unmatchedVertices;  ///< Vertices of the file that lie on no point.
 };
 
 /// Text with at most `most` regions.

@@ -117,27 +117,27 @@ std::string chartsJson(const std::string& input, const std::vector<RunChart>& ch
     return dumped(json);
 }
 
-std::string callsText(const ClosestCalls& calls) {
+std::string nearestText(const NearestDecisions& decisions) {
     std::string text;
-    for (const ClosestCall& call : calls.calls) {
-        const Vec3& by = call.nudge.by;
+    for (const NearestDecision& decision : decisions.decisions) {
+        const Vec3& by = decision.move.by;
         text += fmt::format("{:<18} {}\n{:19}{}; moving {} by ({:.3g}, {:.3g}, {:.3g}) flips it\n",
-                            toString(call.event.address), describe(call.event), "",
-                            readingText(call.reading), call.nudge.point, by.x, by.y, by.z);
+                            toString(decision.event.address), describe(decision.event), "",
+                            readingText(decision.reading), decision.move.point, by.x, by.y, by.z);
     }
     return text;
 }
 
-std::string callsJson(const std::string& input, const ClosestCalls& calls) {
+std::string nearestJson(const std::string& input, const NearestDecisions& decisions) {
     Json json;
     json["input"] = input;
     json["closest"] = Json::array();
-    for (const ClosestCall& call : calls.calls) {
-        Json row = lineJson({call.event, call.pivot, LineRole::Fact, call.reading});
-        row["role"] =
-            roleName(outcomeOf(call.event) == Outcome::Taken ? LineRole::Taken : LineRole::Refused);
-        const Vec3& by = call.nudge.by;
-        row["nudge"] = {{"point", call.nudge.point}, {"by", {by.x, by.y, by.z}}};
+    for (const NearestDecision& decision : decisions.decisions) {
+        Json row = lineJson({decision.event, decision.pivot, LineRole::Fact, decision.reading});
+        row["role"] = roleName(outcomeOf(decision.event) == Outcome::Taken ? LineRole::Taken
+                                                                           : LineRole::Refused);
+        const Vec3& by = decision.move.by;
+        row["nudge"] = {{"point", decision.move.point}, {"by", {by.x, by.y, by.z}}};
         json["closest"].push_back(row);
     }
     return dumped(json);

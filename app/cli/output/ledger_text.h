@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "spiraling_edge/explain/closest_calls.h"
 #include "spiraling_edge/explain/failure_moments.h"
 #include "spiraling_edge/explain/ledger.h"
+#include "spiraling_edge/explain/nearest_decisions.h"
 #include "spiraling_edge/explain/remedy.h"
 #include "spiraling_edge/explain/ring_history.h"
 #include "spiraling_edge/replay/decision_query.h"
@@ -25,8 +25,8 @@ std::string historyText(const RingHistory& history);
 std::string historyJson(const std::string& input, const RingHistory& history);
 std::string chartsText(const std::vector<RunChart>& charts);
 std::string chartsJson(const std::string& input, const std::vector<RunChart>& charts);
-std::string callsText(const ClosestCalls& calls);
-std::string callsJson(const std::string& input, const ClosestCalls& calls);
+std::string nearestText(const NearestDecisions& decisions);
+std::string nearestJson(const std::string& input, const NearestDecisions& decisions);
 std::string foundText(const FoundDecisions& found);
 std::string foundJson(const std::string& input, const FoundDecisions& found);
 std::string momentsText(const RunFailure& failure);

@@ -54,10 +54,10 @@ void addCounters(const Counters& counters, Json& json) {
 }
 
 /// Counters of the steps after the last pivot.
-void addRepairs(const MendState& mend, Json& json) {
-    json["mended"] = {{"reinserted_points", mend.reinserted},
-                      {"points_taken_out", mend.takenOut},
-                      {"flipped_edges", mend.flipped}};
+void addRepairs(const RepairState& repair, Json& json) {
+    json["mended"] = {{"reinserted_points", repair.reinserted},
+                      {"points_taken_out", repair.takenOut},
+                      {"flipped_edges", repair.flipped}};
 }
 
 void addMesh(const MeshReport& mesh, Json& json) {
@@ -231,7 +231,7 @@ std::string reportJson(const RunOutcome& outcome) {
     json["triangles"] = outcome.mesh.triangles;
     json["components"] = outcome.mesh.components;
     addCounters(outcome.state.counters, json);
-    addRepairs(outcome.state.mend, json);
+    addRepairs(outcome.state.repair, json);
     addMesh(outcome.mesh, json);
     addFaults(outcome, json);
     addPreparation(outcome.prepared, json);

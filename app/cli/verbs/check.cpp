@@ -40,7 +40,7 @@ struct CheckArguments {
         app.add_flag("--json", json,
                      fmt::format("As JSON, with all indices; of intersecting triangles the first "
                                  "{}",
-                                 kMostListed));
+                                 kMaxListed));
         app.add_flag("-q,--quiet", quiet, "Only the exit code: 1 if there is a failure");
         std::string footer = "\nClasses:\n";
         for (const FailureClass& each : failureClasses()) {

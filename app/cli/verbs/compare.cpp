@@ -76,7 +76,8 @@ Comparison compareWithMesh(const CompareArguments& arguments, ProgressLine& line
         return makeMesh({a.points, a.params}, progress);
     });
     std::vector<Vec3> position = a.points.position;
-    position.insert(position.end(), matched.strangers.begin(), matched.strangers.end());
+    position.insert(position.end(), matched.unmatchedVertices.begin(),
+                    matched.unmatchedVertices.end());
     MeshDifference meshes = compareMeshes(position, run.triangles, matched.triangles);
     MadeMesh other;
     other.triangles = std::move(matched.triangles);
@@ -86,7 +87,7 @@ Comparison compareWithMesh(const CompareArguments& arguments, ProgressLine& line
             {arguments.mesh, std::move(other)},
             std::move(meshes),
             std::nullopt,
-            std::move(matched.strangerVertices)};
+            std::move(matched.unmatchedNumbers)};
 }
 
 }  // namespace

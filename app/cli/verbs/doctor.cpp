@@ -41,8 +41,8 @@ struct DoctorArguments {
         app.add_flag("-q,--quiet", quiet, "Only the exit code: 1 if something was found");
         std::string footer = "\nChecks (docs/doctor.md), * fixed by --fix:\n";
         for (const DoctorCheck& check : doctorChecks()) {
-            footer += fmt::format("{} {:<18} {:<4} {}\n", check.mended() ? "*" : " ", check.name,
-                                  check.section, check.upsets);
+            footer += fmt::format("{} {:<18} {:<4} {}\n", check.hasSafeFix() ? "*" : " ",
+                                  check.name, check.section, check.upsets);
         }
         footer.pop_back();
         app.footer(footer);
@@ -71,7 +71,7 @@ struct Visit {
     std::size_t points = 0;
     Diagnosis findings;
     std::string output;  ///< Empty if nothing was written.
-    Treatment treatment;
+    FixedFile fixed;
     Diagnosis left;  ///< Findings that the written file still has.
 };
 
@@ -122,10 +122,10 @@ std::string visitText(const Visit& visit) {
     for (const Finding& finding : visit.findings) text += findingText(finding, visit.input);
     if (visit.output.empty()) return text;
     text += fmt::format("{}: written, {}\n", visit.output,
-                        counted(visit.treatment.file.position.size(), "point"));
-    for (const Repair& repair : visit.treatment.repairs) text += "  fixed    " + repair.text + "\n";
+                        counted(visit.fixed.file.position.size(), "point"));
+    for (const AppliedFix& fix : visit.fixed.fixes) text += "  fixed    " + fix.text + "\n";
     for (const Finding& finding : visit.left) {
-        if (finding.accuses())
+        if (finding.isProblem())
             text += fmt::format("  left     {}: {}\n", finding.check->name, finding.text);
     }
     return text;
@@ -143,7 +143,7 @@ Json findingJson(const Finding& finding, const std::string& input) {
     json["section"] = finding.check->section;
     json["upsets"] = finding.check->upsets;
     json["remedy"] = remedy.empty() ? Json() : Json(remedy);
-    json["mended"] = finding.check->mended();
+    json["mended"] = finding.check->hasSafeFix();
     json["points"] = finding.points;
     return json;
 }
@@ -158,18 +158,17 @@ std::string visitJson(const Visit& visit) {
     Json json;
     json["input"] = visit.input;
     json["points"] = visit.points;
-    json["accused"] = accuses(visit.findings);
+    json["accused"] = hasProblem(visit.findings);
     json["findings"] = findingsJson(visit.findings, visit.input);
     json["fixed"] = Json();
     if (!visit.output.empty()) {
-        Json repairs = Json::array();
-        for (const Repair& repair : visit.treatment.repairs) {
-            repairs.push_back(
-                {{"name", repair.name}, {"count", repair.count}, {"text", repair.text}});
+        Json fixes = Json::array();
+        for (const AppliedFix& fix : visit.fixed.fixes) {
+            fixes.push_back({{"name", fix.name}, {"count", fix.count}, {"text", fix.text}});
         }
         json["fixed"] = {{"output", visit.output},
-                         {"points", visit.treatment.file.position.size()},
-                         {"repairs", repairs},
+                         {"points", visit.fixed.file.position.size()},
+                         {"repairs", fixes},
                          {"findings", findingsJson(visit.left, visit.output)}};
     }
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -201,8 +200,8 @@ ExitCode doctorVerb(const Arguments& words) {
                 {},
                 {}};
     if (!arguments.fixed.empty()) {
-        visit.treatment = treat(file, pointsToDrop(visit.findings, arguments.drop));
-        const PointFile& fixed = visit.treatment.file;
+        visit.fixed = applyFixes(file, pointsToDrop(visit.findings, arguments.drop));
+        const PointFile& fixed = visit.fixed.file;
         visit.left = examineInput(fixed, arguments.fixed, line);
         write(arguments.fixed, fixed);
     }
@@ -212,8 +211,8 @@ ExitCode doctorVerb(const Arguments& words) {
     } else if (!arguments.quiet) {
         writeOutput("-", arguments.json ? visitJson(visit) : visitText(visit));
     }
-    const bool accused = accuses(arguments.fixed.empty() ? visit.findings : visit.left);
-    return accused ? ExitCode::CheckFailed : ExitCode::Good;
+    const bool problemFound = hasProblem(arguments.fixed.empty() ? visit.findings : visit.left);
+    return problemFound ? ExitCode::CheckFailed : ExitCode::Good;
 }
 
 }  // namespace se::cli

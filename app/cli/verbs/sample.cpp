@@ -38,7 +38,7 @@ struct SampleArguments {
             ->type_name("OUT");
         auto* count =
             app.add_option("-n,--points", sampler.count, "Exactly N points, 10 million at most");
-        count->type_name("N")->check(CLI::Range(std::size_t{1}, kMostParticles));
+        count->type_name("N")->check(CLI::Range(std::size_t{1}, kMaxParticles));
         app.add_option("--spacing", sampler.spacing, "As many points as fit at distance S")
             ->type_name("S")
             ->excludes(count);

@@ -6,9 +6,9 @@
 #include <charconv>
 
 #include "failure_choice.h"
+#include "output/inversion_text.h"
 #include "output/ledger_text.h"
 #include "output/output.h"
-#include "output/proof_text.h"
 #include "prepared_input.h"
 #include "progress.h"
 #include "spiraling_edge/replay/decision_query.h"
@@ -170,35 +170,35 @@ std::string askFailure(const WhyArguments& arguments, const FailureChoice& choic
 }
 
 /// Answer about whether the decisions are the causes. Of large classes a sample is tried.
-std::string askProofs(const WhyArguments& arguments, const PreparedInput& run,
-                      const std::vector<RunFailure>& all, ProgressLine& line) {
+std::string askInversions(const WhyArguments& arguments, const PreparedInput& run,
+                          const std::vector<RunFailure>& all, ProgressLine& line) {
     const std::string& input = arguments.input.input();
     const std::vector<std::size_t> chosen = sampleOfEach(all, arguments.limit);
-    const auto proofs = runWithProgress("turning", input, line, [&](const Progress& progress) {
-        return proveCauses(run.points, run.params, all, chosen, progress);
+    const auto inversions = runWithProgress("turning", input, line, [&](const Progress& progress) {
+        return invertCauses(run.points, run.params, all, chosen, progress);
     });
-    std::vector<ProvenFailure> proven;
-    proven.reserve(chosen.size());
+    std::vector<InvertedFailure> inverted;
+    inverted.reserve(chosen.size());
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const auto at = all.begin() + static_cast<std::ptrdiff_t>(chosen[i]);
         const auto before = std::count_if(all.begin(), at, [&](const RunFailure& each) {
             return each.failure.kind == at->failure.kind;
         });
-        proven.push_back({&*at, static_cast<std::size_t>(before) + 1, proofs[i]});
+        inverted.push_back({&*at, static_cast<std::size_t>(before) + 1, inversions[i]});
     }
-    return arguments.json ? proofsJson(input, proven) : proofsText(proven);
+    return arguments.json ? inversionsJson(input, inverted) : inversionsText(inverted);
 }
 
 std::string askFailures(const WhyArguments& arguments, const PreparedInput& run,
                         ProgressLine& line) {
     const RunFailureSearch found = failuresIn(arguments, run, line);
-    if (arguments.prove) return askProofs(arguments, run, found.failures, line);
+    if (arguments.prove) return askInversions(arguments, run, found.failures, line);
     return arguments.json ? failuresJson(arguments.input.input(), found)
                           : failuresText(found, arguments.limit);
 }
 
-std::string askRing(const WhyArguments& arguments, const RingPlace& ring, const PreparedInput& run,
-                    ProgressLine& line) {
+std::string askRing(const WhyArguments& arguments, const RingAddress& ring,
+                    const PreparedInput& run, ProgressLine& line) {
     const std::string& input = arguments.input.input();
     const RingHistory history = runWithProgress(
         "asking", input, line,
@@ -217,11 +217,11 @@ std::string askCharts(const WhyArguments& arguments, const PreparedInput& run, P
 std::string askClosest(const WhyArguments& arguments, const PreparedInput& run,
                        ProgressLine& line) {
     const std::string& input = arguments.input.input();
-    const ClosestCalls calls =
+    const NearestDecisions decisions =
         runWithProgress("asking", input, line, [&](const Progress& progress) {
-            return closestCalls(run.points, run.params, arguments.closest, progress);
+            return nearestDecisions(run.points, run.params, arguments.closest, progress);
         });
-    return arguments.json ? callsJson(input, calls) : callsText(calls);
+    return arguments.json ? nearestJson(input, decisions) : nearestText(decisions);
 }
 
 }  // namespace
@@ -248,9 +248,9 @@ ExitCode whyVerb(const Arguments& words) {
     const bool asksSubject =
         !(arguments.point.empty() && arguments.edge.empty() && arguments.triangle.empty());
     if (asksSubject) (void)arguments.subject();
-    std::optional<RingPlace> ring;
+    std::optional<RingAddress> ring;
     if (!arguments.ring.empty()) {
-        const auto place = ringPlaceFromString(arguments.ring);
+        const auto place = ringAddressFromString(arguments.ring);
         if (!place) throw Failure(ExitCode::Usage, "--ring " + place.error().message);
         ring = place.value();
     }

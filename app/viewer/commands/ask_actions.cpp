@@ -38,7 +38,7 @@ void askWhy(CommandContext& c, const Selection& what) {
     if (!known) c.session.questions().askWhy(what);
 }
 
-void askWhy(CommandContext& c, const RingPlace& ring) {
+void askWhy(CommandContext& c, const RingAddress& ring) {
     if (!c.session.ready()) return;
     c.ui.ledger.seen = c.session.selection();
     c.ui.ledger.complaint.clear();

@@ -11,7 +11,7 @@ namespace se::view {
 /// answer.
 void askWhy(CommandContext& context, const Selection& what);
 /// Queries why a ring is there.
-void askWhy(CommandContext& context, const RingPlace& ring);
+void askWhy(CommandContext& context, const RingAddress& ring);
 /// Runs the query typed into the Ledger; a mistake stays there with a sentence.
 void askTyped(CommandContext& context);
 /// Finds the decisions that match the line of the panel Query, which reports a mistake in it.

@@ -32,8 +32,8 @@ namespace {
 /// The last pivot that `count` steps may reach, and whether they may stop before its end.
 bool passes(const CommandContext& context, const Stop& stop, int count) {
     const Session& session = context.session;
-    const RunPlace here = session.place();
-    const RunPlace there = stop.hit.place;
+    const RunPosition here = session.place();
+    const RunPosition there = stop.hit.place;
     const auto steps = static_cast<std::uint32_t>(count);
     switch (context.playback.unit()) {
         case PlayUnit::SubStep:
@@ -59,7 +59,7 @@ bool heldByBreakpoint(CommandContext& context, int count) {
     if (ahead.known == HitSearch::Known::NotYet) return true;
     if (!ahead.stop || !passes(context, *ahead.stop, count)) return false;
     const bool inLaterPivot = ahead.stop->hit.place.pivot > session.place().pivot;
-    const bool firstOfNext = ahead.stop->hit.place == RunPlace{session.place().pivot + 1, 0};
+    const bool firstOfNext = ahead.stop->hit.place == RunPosition{session.place().pivot + 1, 0};
     if (context.playback.unit() == PlayUnit::SubStep && inLaterPivot && !firstOfNext) {
         // The number of events in between is known one pivot at a time.
         session.stepEvent(1);

@@ -246,10 +246,10 @@ void goToBirth(C& c) {
         return c.session.say("Select an edge or a triangle first.");
     }
     const std::optional<std::uint32_t> number = factsOf(c.session, c.session.selection()).number;
-    const auto birth = number ? birthOfTriangle(c.session.overview(), *number) : std::nullopt;
-    if (!birth) return c.session.say("The decision that made this is not known yet.");
+    const auto origin = number ? originOfTriangle(c.session.overview(), *number) : std::nullopt;
+    if (!origin) return c.session.say("The decision that made this is not known yet.");
     pause(c);
-    c.session.goTo(*birth);
+    c.session.goTo(*origin);
 }
 
 void scaleBy(C& c, int direction) {

@@ -216,7 +216,7 @@ constexpr auto kCommands = std::to_array<Command>({
      false, setMeshStyle<MeshStyle::Wire>, "wireframe lines transparent"},
     {"view.mesh.birth", "View", "Mesh: by creation order", "",
      "Color finished triangles from the first to the last one made.", false,
-     setMeshStyle<MeshStyle::BirthOrder>, "time age birth color"},
+     setMeshStyle<MeshStyle::CreationOrder>, "time age birth color"},
     {"view.mesh.component", "View", "Mesh: by component", "",
      "Color finished triangles by component.", false, setMeshStyle<MeshStyle::Component>,
      "parts pieces color"},

@@ -180,7 +180,7 @@ void CompareController::goTo(const std::optional<RunDifference>& difference, con
         std::optional<Address> first;
         for (std::size_t i = 0; i < run.triangles.size(); ++i) {
             const Address& made = run.made[i];
-            if (shaded_->meshes.a[i] == Standing::Both) continue;
+            if (shaded_->meshes.a[i] == Match::Same) continue;
             if (!first || made.pivot < first->pivot) first = made;
         }
         if (!first) return c_.session.say("All triangles of the run are in the mesh.");

@@ -168,7 +168,7 @@ const LineHits* HitSearch::of(const std::string& line) const {
     return found == known_.end() ? nullptr : &found->second;
 }
 
-HitSearch::Answer HitSearch::stop(RunPlace here, int direction) const {
+HitSearch::Answer HitSearch::stop(RunPosition here, int direction) const {
     static const HitList kNothing;
     std::vector<ArmedBreakpoint> armed;
     std::uint32_t knownTo = std::numeric_limits<std::uint32_t>::max();

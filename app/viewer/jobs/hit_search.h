@@ -65,7 +65,7 @@ class HitSearch {
         std::optional<Stop> stop;  ///< Its breakpoint is the position in the wanted list.
     };
     /// The next (1) or previous (-1) stop from `here`.
-    Answer stop(RunPlace here, int direction) const;
+    Answer stop(RunPosition here, int direction) const;
     const std::vector<Breakpoint>& wanted() const { return wanted_; }
 
   private:

@@ -101,7 +101,7 @@ class Observer {
 
     void noteFailures(RunOverview& run) {
         if (!live_) return;
-        for (LiveFailure& each : live_->see(log_.events())) {
+        for (LiveFailure& each : live_->check(log_.events())) {
             if (noticed_++ == kMaxNoticed) live_.reset();
             if (!live_) return;
             run.failures.push_back(std::move(each));
@@ -128,7 +128,7 @@ class Observer {
     std::size_t begin_ = 0;      ///< The first triangle of the current component.
     EventLog log_;
     Stepper stepper_;
-    LaneKeeper lanes_;
+    LaneTracker lanes_;
     std::optional<LiveCheck> live_;  ///< Null for very large inputs.
     std::size_t noticed_ = 0;
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();

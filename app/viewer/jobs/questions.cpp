@@ -50,7 +50,7 @@ void Questions::askWhy(const Selection& what) {
     });
 }
 
-void Questions::askWhy(const RingPlace& ring) {
+void Questions::askWhy(const RingAddress& ring) {
     subject_ = {};
     ring_ = ring;
     subjectName_ = nameOf(ring);
@@ -65,7 +65,7 @@ void Questions::askWhy(const RingPlace& ring) {
 
 void Questions::askAgain() {
     if (subject_.kind != SelectionKind::None) return askWhy(Selection(subject_));
-    if (!subjectName_.empty()) askWhy(RingPlace(ring_));
+    if (!subjectName_.empty()) askWhy(RingAddress(ring_));
 }
 
 Status Questions::find(const std::string& line) {
@@ -85,9 +85,10 @@ bool isNew(const BackgroundQuery<Answer>& query) {
     return !query.busy() && query.answer() == nullptr && query.complaint().empty();
 }
 
-LedgerLine lineOf(const ClosestCall& call) {
-    const bool taken = outcomeOf(call.event) == Outcome::Taken;
-    return {call.event, call.pivot, taken ? LineRole::Taken : LineRole::Refused, call.reading};
+LedgerLine lineOf(const NearestDecision& decision) {
+    const bool taken = outcomeOf(decision.event) == Outcome::Taken;
+    return {decision.event, decision.pivot, taken ? LineRole::Taken : LineRole::Refused,
+            decision.reading};
 }
 
 }  // namespace
@@ -95,17 +96,19 @@ LedgerLine lineOf(const ClosestCall& call) {
 void Questions::wantClosest() {
     if (!isNew(closest_)) return;
     closest_.ask([model = model_](const Progress& progress) -> Result<ClosestAnswer> {
-        Result<ClosestCalls> calls = closestCalls(model->points, model->params, kClosest, progress);
-        if (!calls) return calls.error();
-        ClosestAnswer answer{std::move(calls.value()), {}};
-        for (const ClosestCall& call : answer.calls.calls) answer.lines.push_back(lineOf(call));
+        Result<NearestDecisions> decisions =
+            nearestDecisions(model->points, model->params, kClosest, progress);
+        if (!decisions) return decisions.error();
+        ClosestAnswer answer{std::move(decisions.value()), {}};
+        for (const NearestDecision& decision : answer.decisions.decisions)
+            answer.lines.push_back(lineOf(decision));
         return answer;
     });
 }
 
 std::span<const double> Questions::leastMargin() const {
     const ClosestAnswer* answer = closest_.answer();
-    return answer != nullptr ? std::span<const double>(answer->calls.leastMargin)
+    return answer != nullptr ? std::span<const double>(answer->decisions.leastMargin)
                              : std::span<const double>{};
 }
 
@@ -167,16 +170,16 @@ Result<Selection> selectionFromText(std::string_view text, std::size_t count) {
     return selectionOf(points);
 }
 
-std::optional<Result<RingPlace>> ringFromText(std::string_view text, const Address& here) {
+std::optional<Result<RingAddress>> ringFromText(std::string_view text, const Address& here) {
     text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
     if (!text.starts_with("ring")) return {};
     text.remove_prefix(4);
     std::string rest;
     std::copy_if(text.begin(), text.end(), std::back_inserter(rest),
                  [](char c) { return c != ' '; });
-    if (rest.empty()) return Result<RingPlace>(RingPlace{here, 0});
+    if (rest.empty()) return Result<RingAddress>(RingAddress{here, 0});
     if (rest[0] == '#') rest = toString(here) + rest;
-    return ringPlaceFromString(rest);
+    return ringAddressFromString(rest);
 }
 
 }  // namespace se::view

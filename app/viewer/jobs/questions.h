@@ -8,8 +8,8 @@
 #include "background_query.h"
 #include "run/model.h"
 #include "run/selection.h"
-#include "spiraling_edge/explain/closest_calls.h"
 #include "spiraling_edge/explain/ledger.h"
+#include "spiraling_edge/explain/nearest_decisions.h"
 #include "spiraling_edge/explain/ring_history.h"
 #include "spiraling_edge/replay/decision_query.h"
 #include "spiraling_edge/replay/run_charts.h"
@@ -26,7 +26,7 @@ struct WhyAnswer {
 };
 
 struct ClosestAnswer {
-    ClosestCalls calls;
+    NearestDecisions decisions;
     std::vector<LedgerLine> lines;  ///< The decisions as lines, in the same order.
 };
 
@@ -49,7 +49,7 @@ class Questions {
     /// not
     void askWhy(const Selection& what);
     /// empty.
-    void askWhy(const RingPlace& ring);
+    void askWhy(const RingAddress& ring);
     /// Repeats the last query of askWhy().
     void askAgain();
     /// Selection of the last query of askWhy(); empty if that was a ring.
@@ -82,7 +82,7 @@ class Questions {
   private:
     std::shared_ptr<const Model> model_;
     Selection subject_;
-    RingPlace ring_;
+    RingAddress ring_;
     std::string subjectName_;
     std::string line_;
     BackgroundQuery<WhyAnswer> ledger_;
@@ -98,6 +98,6 @@ Subject toSubject(const Selection& what);
 Result<Selection> selectionFromText(std::string_view text, std::size_t points);
 /// Parses "ring", "ring #2", "ring 137#2": a ring, at `here` if no address is given. Empty if the
 /// text is not about a ring; fails with a sentence.
-std::optional<Result<RingPlace>> ringFromText(std::string_view text, const Address& here);
+std::optional<Result<RingAddress>> ringFromText(std::string_view text, const Address& here);
 
 }  // namespace se::view

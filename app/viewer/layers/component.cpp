@@ -8,7 +8,7 @@ namespace se::view {
 namespace {
 
 /// The freed ring, bold: an open border, or in the color of errors if it should not be open.
-void addFreedRing(const LayerInput& in, const FreedRing& ring, bool named, DrawList& out) {
+void addFreedRing(const LayerInput& in, const ShownFreedRing& ring, bool named, DrawList& out) {
     const std::vector<Index>& points = ring.path.points;
     if (points.empty()) return;
     const Color& color = ring.alert ? in.palette.rejected : in.palette.last;
@@ -37,7 +37,7 @@ void addComponent(const LayerInput& in, DrawList& out) {
     if (e == nullptr) return;
     const std::size_t end = e->triangles;
     // Where colors show components, or the creation order, it has its color.
-    if (in.mesh.style < MeshStyle::BirthOrder && in.picture.repaired == nullptr) {
+    if (in.mesh.style < MeshStyle::CreationOrder && in.picture.repaired == nullptr) {
         const Color tint = mix(in.palette.mesh, in.palette.used, 0.55F);
         out.meshStretches.push_back({std::min(in.componentBegin, end), tint});
         out.meshStretches.push_back({end, out.meshColor});

@@ -67,14 +67,14 @@ void addTriangle(const LayerInput& in, const Disc& disc, const GuardEvidence& e,
     out.sheet(in.at(t.a), in.at(t.b), in.at(t.c), color.withAlpha(0.22F));
     out.hatch(in.at(t.b), in.at(t.c), in.at(t.a), color, 9);
     out.dashed(in.at(t.b), in.at(t.c), color, 0.2F, 0.35F);
-    const RobustLimits& limits = in.model.params.limits;
+    const RobustThresholds& thresholds = in.model.params.thresholds;
     switch (e.verdict) {
         case Verdict::WideGap:
             return addWidth(in, disc, e, 180.0, out);
         case Verdict::OverRim:
-            return addWidth(in, disc, e, degreesOf(limits.rimAngleCosine), out);
+            return addWidth(in, disc, e, degreesOf(thresholds.rimAngleCosine), out);
         case Verdict::Steep:
-            return addTilt(in, t, degreesOf(limits.steepCosine), out);
+            return addTilt(in, t, degreesOf(thresholds.steepCosine), out);
         case Verdict::AgainstNormal:
             return addTilt(in, t, 90.0, out);
         case Verdict::EdgeTaken:

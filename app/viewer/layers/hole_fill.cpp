@@ -1,4 +1,4 @@
-/// Beyond the paper (Rules::fill): a hole is closed by ears, the largest least angle first.
+/// Beyond the paper (RobustRules::fill): a hole is closed by ears, the largest least angle first.
 #include <algorithm>
 
 #include "layer.h"

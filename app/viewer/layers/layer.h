@@ -79,7 +79,7 @@ void addComponent(const LayerInput& in, DrawList& out);
 // Beyond the paper.
 void addGuard(const LayerInput& in, DrawList& out);
 void addHoleFill(const LayerInput& in, DrawList& out);
-void addMending(const LayerInput& in, DrawList& out);
+void addRepairs(const LayerInput& in, DrawList& out);
 // Chosen by the user.
 void addSelection(const LayerInput& in, DrawList& out);
 void addMarked(const LayerInput& in, DrawList& out);
@@ -114,7 +114,7 @@ enum class LayerId : std::uint8_t {
     Marked,
     Guard,
     HoleFill,
-    Mending,
+    Repairs,
     Alerts,
 };
 inline constexpr std::size_t kLayerCount = 30;

@@ -75,7 +75,7 @@ void addReinsert(const LayerInput& in, const ReinsertEvidence& e, DrawList& out)
     }
 }
 
-void addReseat(const LayerInput& in, const ReseatEvidence& e, DrawList& out) {
+void addRemoveFolded(const LayerInput& in, const RemoveFoldedEvidence& e, DrawList& out) {
     const Picture& p = in.picture;
     const MeshEdges edges = edgesOf(p.goneTriangles, p.newTriangles);
     addEdges(in, edges, out);
@@ -91,7 +91,7 @@ void addReseat(const LayerInput& in, const ReseatEvidence& e, DrawList& out) {
 
 }  // namespace
 
-void addMending(const LayerInput& in, DrawList& out) {
+void addRepairs(const LayerInput& in, DrawList& out) {
     const Picture& p = in.picture;
     if (p.repaired) {
         for (const Triangle& t : p.newTriangles)
@@ -99,7 +99,8 @@ void addMending(const LayerInput& in, DrawList& out) {
     }
     if (const auto* flip = p.evidence<FlipEvidence>(Stage::Flip)) addFlip(in, *flip, out);
     if (const auto* put = p.evidence<ReinsertEvidence>(Stage::Reinsert)) addReinsert(in, *put, out);
-    if (const auto* taken = p.evidence<ReseatEvidence>(Stage::Reseat)) addReseat(in, *taken, out);
+    if (const auto* taken = p.evidence<RemoveFoldedEvidence>(Stage::RemoveFolded))
+        addRemoveFolded(in, *taken, out);
 }
 
 }  // namespace se::view

@@ -56,14 +56,14 @@ void addTriangles(const LayerInput& in, DrawList& out) {
     out.meshEdgeColor = in.mesh.style == MeshStyle::Wire ? in.palette.done : in.palette.meshEdge;
     // The repaired mesh has no creation order, but its triangles have their components.
     const bool ordered = in.picture.repaired == nullptr;
-    const bool byBirth = in.mesh.style == MeshStyle::BirthOrder;
+    const bool byBirth = in.mesh.style == MeshStyle::CreationOrder;
     out.meshStyle = ordered || !byBirth ? in.mesh.style : MeshStyle::Flat;
-    out.birthEnd = in.mesh.birthEnd;
+    out.creationEnd = in.mesh.creationEnd;
     addComponentColors(in, out);
     // New triangles are among them; those drawn below cover them.
     out.repaired = in.picture.repaired;
     if (ordered && in.mesh.style < MeshStyle::Wire) addFadingFan(in, out);
-    // Triangles of the repair steps are drawn in mending.cpp.
+    // Triangles of the repair steps are drawn in repairing.cpp.
     if (!ordered) return;
     for (const Triangle& t : in.picture.newTriangles) {
         out.faces.push_back({{in.at(t.a), in.at(t.b), in.at(t.c)}, in.palette.test, true});

@@ -54,9 +54,9 @@ Result<SampleSpec> GrowthForm::spec() const {
         if (!(spec.spacing > 0.0)) return Error{"Spacing: expected a number > 0."};
     } else {
         const auto number = wholeFromText(trimmed(count));
-        if (!number || *number == 0 || *number > kMostParticles) {
+        if (!number || *number == 0 || *number > kMaxParticles) {
             return Error{"Points: expected a whole number from 1 to " +
-                         std::to_string(kMostParticles) + "."};
+                         std::to_string(kMaxParticles) + "."};
         }
         spec.count = static_cast<std::size_t>(*number);
     }

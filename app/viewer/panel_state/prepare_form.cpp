@@ -75,31 +75,31 @@ void PrepareForm::showFixes(const Fixes& fixes) {
     for (const std::string& name : fixes) {
         const DoctorCheck* check = findDoctorCheck(name);
         if (check == nullptr) continue;
-        if (check->cure == Cure::Orient) normals = NormalSource::Oriented;
-        if (check->cure == Cure::Symmetric) symmetric = true;
-        if (check->cure == Cure::Walls) walls = WallChoice::From::Around;
-        if (check->cure == Cure::Rim) rim = true;
-        if (check->cure != Cure::NewLists) continue;
+        if (check->fix == Fix::Orient) normals = NormalSource::Oriented;
+        if (check->fix == Fix::Symmetric) symmetric = true;
+        if (check->fix == Fix::Walls) walls = WallChoice::From::Around;
+        if (check->fix == Fix::Rim) rim = true;
+        if (check->fix != Fix::NewLists) continue;
         reach = Reach::Nearest;
         count = std::to_string(KNearest{}.k);
     }
 }
 
-bool PrepareForm::agreesWith(Cure cure) const {
-    switch (cure) {
-        case Cure::Orient:
+bool PrepareForm::agreesWith(Fix fix) const {
+    switch (fix) {
+        case Fix::Orient:
             return normals == NormalSource::Oriented;
-        case Cure::NewLists:
+        case Fix::NewLists:
             return reach == Reach::Nearest && count == std::to_string(KNearest{}.k);
-        case Cure::Symmetric:
+        case Fix::Symmetric:
             return symmetric;
-        case Cure::Walls:
+        case Fix::Walls:
             return walls == WallChoice::From::Around;
-        case Cure::Rim:
+        case Fix::Rim:
             return rim;
-        case Cure::None:
-        case Cure::Mend:
-        case Cure::Drop:
+        case Fix::None:
+        case Fix::Repair:
+        case Fix::Drop:
             break;
     }
     return true;
@@ -144,7 +144,7 @@ Result<InputSpec> PrepareForm::spec(InputSpec base) const {
     // The choice made here replaces the one of a fix.
     std::erase_if(base.fixes, [this](const std::string& name) {
         const DoctorCheck* check = findDoctorCheck(name);
-        return check != nullptr && !agreesWith(check->cure);
+        return check != nullptr && !agreesWith(check->fix);
     });
     return base;
 }

@@ -35,7 +35,7 @@ struct PrepareForm {
   private:
     Status setReach(NeighborOptions& neighbors) const;
     void showFixes(const Fixes& fixes);
-    bool agreesWith(Cure cure) const;
+    bool agreesWith(Fix fix) const;
 };
 
 }  // namespace se::view

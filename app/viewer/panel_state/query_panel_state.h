@@ -46,16 +46,16 @@ struct QueryPanel {
 /// Context menu of a thing in the view or in a list.
 struct SubjectMenu {
     Selection what;
-    std::optional<RingPlace> ring;  ///< Instead of a selection.
-    bool wanted = false;            ///< To be opened in this frame.
-    bool other = false;             ///< In the view of the other run (layout Compare).
+    std::optional<RingAddress> ring;  ///< Instead of a selection.
+    bool wanted = false;              ///< To be opened in this frame.
+    bool other = false;               ///< In the view of the other run (layout Compare).
 
     void open(const Selection& subject) {
         *this = {subject, std::nullopt, subject.kind != SelectionKind::None};
     }
     /// In the view of the other run, or of a finished mesh, which cannot be queried.
     void openBeside(const Selection& subject) { *this = {subject, std::nullopt, true, true}; }
-    void open(const RingPlace& place) { *this = {Selection{}, place, true}; }
+    void open(const RingAddress& place) { *this = {Selection{}, place, true}; }
 };
 
 }  // namespace se::view

@@ -130,7 +130,7 @@ std::string noOfferText(const Event& event) {
         case Stage::Fill:
         case Stage::Reinsert:
         case Stage::Flip:
-        case Stage::Reseat:
+        case Stage::RemoveFolded:
             return "Chosen as the best of the whole ring or mesh, not by a test: turn " +
                    std::string(stageName(event.address.stage)) + " off in Rules.";
         case Stage::Seed:

@@ -278,17 +278,17 @@ void Renderer::drawMesh(const DrawList& list, const CameraMatrices& camera) {
 
 /// Draws the finished triangles, each stretch in its color.
 void Renderer::drawStretches(const DrawList& list, std::size_t count) {
-    const bool data = list.meshStyle >= MeshStyle::BirthOrder;
+    const bool data = list.meshStyle >= MeshStyle::CreationOrder;
     meshShader_.set("uSmooth", list.meshStyle == MeshStyle::Shaded);
     meshShader_.set("uWire", list.meshStyle == MeshStyle::Wire);
-    meshShader_.set("uByBirth", list.meshStyle == MeshStyle::BirthOrder);
-    meshShader_.set("uBirthEnd", static_cast<float>(list.birthEnd));
+    meshShader_.set("uByBirth", list.meshStyle == MeshStyle::CreationOrder);
+    meshShader_.set("uBirthEnd", static_cast<float>(list.creationEnd));
     // Colors that are data must stay distinguishable in the shade.
     meshShader_.set("uSoft", data ? 0.6F : 0.0F);
     if (list.meshStyle == MeshStyle::Wire) {
         meshShader_.set("uEdgeColor", vec(list.meshEdgeColor));
     }
-    if (list.meshStyle == MeshStyle::BirthOrder) {
+    if (list.meshStyle == MeshStyle::CreationOrder) {
         std::array<glm::vec4, kScaleSteps> scale{};
         for (std::size_t i = 0; i < kScaleSteps; ++i) {
             scale[i] = vec(viridis(static_cast<float>(i) / static_cast<float>(kScaleSteps - 1)));

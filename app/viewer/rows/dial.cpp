@@ -20,7 +20,7 @@ class Maker {
           picture_(picture),
           gapLimit_(gapLimitDegrees(model.params)),
           frame_(makeFrame(points_.position[picture.pivot], points_.normal[picture.pivot],
-                           points_.position[picture.first], model.params.rules.tangent)) {}
+                           points_.position[picture.first], model.params.robust.tangent)) {}
 
     Dial make(const Event* event) {
         dial_.pivot = picture_.pivot;

@@ -11,17 +11,17 @@ namespace {
 /// The measure of a guard, if it is a number.
 void addMeasured(const GuardEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
     const PointSet& points = in.model.points;
-    const RobustLimits& limits = in.model.params.limits;
+    const RobustThresholds& thresholds = in.model.params.thresholds;
     const Triangle t{in.picture.pivot, e.a, e.b};
     if (e.verdict == Verdict::WideGap) {
         out.angle("gap at p", freeDegrees(points, e.a, t.a, e.b), 180.0);
     } else if (e.verdict == Verdict::Steep) {
-        out.angle("off a normal", tiltDegrees(points, t), degreesOf(limits.steepCosine), 180.0);
+        out.angle("off a normal", tiltDegrees(points, t), degreesOf(thresholds.steepCosine), 180.0);
     } else if (e.verdict == Verdict::AgainstNormal) {
         out.angle("off a normal", tiltDegrees(points, t), 90.0, 180.0);
     } else if (e.verdict == Verdict::OverRim) {
         out.angle("angle at p", freeDegrees(points, e.a, t.a, e.b),
-                  degreesOf(limits.rimAngleCosine));
+                  degreesOf(thresholds.rimAngleCosine));
         const auto list = points.neighbors[t.a];
         const Index sixth = list[std::min<std::size_t>(5, list.size() - 1)];
         const double limit = glm::length(points.position[sixth] - points.position[t.a]);
@@ -115,7 +115,7 @@ void addRows(const ReinsertEvidence& e, const EvidenceInput& in, EvidenceRows& o
     addLeastAngles(in, out);
 }
 
-void addRows(const ReseatEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
+void addRows(const RemoveFoldedEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
     out.row("point", pointsText({e.point}) + ", taken out");
     out.row("triangles", countsText(in.picture));
     addFlipped(in, out);

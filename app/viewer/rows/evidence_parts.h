@@ -59,7 +59,7 @@ void addRows(const AlertEvidence& e, const EvidenceInput& in, EvidenceRows& out)
 void addRows(const GuardEvidence& e, const EvidenceInput& in, EvidenceRows& out);
 void addRows(const FillEvidence& e, const EvidenceInput& in, EvidenceRows& out);
 void addRows(const ReinsertEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const ReseatEvidence& e, const EvidenceInput& in, EvidenceRows& out);
+void addRows(const RemoveFoldedEvidence& e, const EvidenceInput& in, EvidenceRows& out);
 void addRows(const FlipEvidence& e, const EvidenceInput& in, EvidenceRows& out);
 
 }  // namespace se::view

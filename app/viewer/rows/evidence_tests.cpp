@@ -65,7 +65,7 @@ void addRows(const LimitEvidence& e, const EvidenceInput& in, EvidenceRows& out)
     } else {
         out.row("angle of " + side, from + ", stays; next " + degreesText(e.toDegrees));
     }
-    addConditions(e, in.model.params.rules.unblocked, out);
+    addConditions(e, in.model.params.robust.unblocked, out);
     if (!isMeasured(e.verdict)) return;
     out.row("turn",
             signedText(e.turn) + (e.turn > 0.0 ? " > 0: concave" : " \xE2\x89\xA4 0: convex"));

@@ -152,7 +152,7 @@ void addRows(const AlertEvidence& e, const EvidenceInput& in, EvidenceRows& out)
                                  numberText(in.model.params.maxTrianglesPerPoint));
     }
     if (!in.picture.freed) return;
-    const FreedRing& ring = *in.picture.freed;
+    const ShownFreedRing& ring = *in.picture.freed;
     out.row("freed ring", countText(ring.path.points.size(), "point"));
     if (ring.told) out.row("interior", std::to_string(ring.told->interior));
 }

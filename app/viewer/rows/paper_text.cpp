@@ -117,7 +117,7 @@ constexpr const char* kFlipCode[] = {
     "  fewer with x y, or where it is flat",
     "  a larger least angle: flip u v to x y",
 };
-constexpr const char* kReseatCode[] = {
+constexpr const char* kRemoveFoldedCode[] = {
     "for each corner x of a flipped triangle:",
     "  close the hole that its triangles would leave",
     "  if that works without a fault: take x out",
@@ -197,10 +197,11 @@ constexpr PaperRule kFlip{Stage::Flip, "Beyond the paper: flip",
                           "After the last pivot an edge is flipped in the quadrilateral "
                           "of its two triangles, where that is better.",
                           kFlipCode};
-constexpr PaperRule kReseat{Stage::Reseat, "Beyond the paper: reseat",
-                            "After the last pivot a point at a flipped triangle is removed, so "
-                            "that it can be put in at a better position.",
-                            kReseatCode};
+constexpr PaperRule kRemoveFolded{
+    Stage::RemoveFolded, "Beyond the paper: reseat",
+    "After the last pivot a point at a flipped triangle is removed, so "
+    "that it can be put in at a better position.",
+    kRemoveFoldedCode};
 
 /// One line per kind of evidence.
 struct LineOfPaper {
@@ -246,7 +247,7 @@ struct LineOfPaper {
     std::size_t operator()(const FillEvidence& e) const { return e.forced ? 4 : 3; }
     std::size_t operator()(const ReinsertEvidence&) const { return 3; }
     std::size_t operator()(const FlipEvidence&) const { return 3; }
-    std::size_t operator()(const ReseatEvidence&) const { return 2; }
+    std::size_t operator()(const RemoveFoldedEvidence&) const { return 2; }
     std::size_t operator()(const FreeEvidence&) const { return 2; }
     std::size_t operator()(const ComponentEvidence&) const { return 3; }
     template <typename Other>
@@ -336,8 +337,8 @@ const PaperRule& paperRule(Stage stage) {
             return kReinsert;
         case Stage::Flip:
             return kFlip;
-        case Stage::Reseat:
-            return kReseat;
+        case Stage::RemoveFolded:
+            return kRemoveFolded;
     }
     return kSeed;
 }

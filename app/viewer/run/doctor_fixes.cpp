@@ -12,10 +12,10 @@ namespace {
 /// Number of nearest points in the doctor's advice.
 constexpr std::size_t kAdvisedNeighbors = 12;
 
-bool has(const Fixes& fixes, Cure kind) {
+bool has(const Fixes& fixes, Fix kind) {
     return std::any_of(fixes.begin(), fixes.end(), [kind](const std::string& name) {
         const DoctorCheck* check = findDoctorCheck(name);
-        return check != nullptr && check->cure == kind;
+        return check != nullptr && check->fix == kind;
     });
 }
 
@@ -39,25 +39,25 @@ PointFile asWritten(PointFile file) {
 
 }  // namespace
 
-bool canFix(const DoctorCheck& check) { return check.cure != Cure::None; }
+bool canFix(const DoctorCheck& check) { return check.fix != Fix::None; }
 
-std::string_view fixText(Cure cure) {
-    switch (cure) {
-        case Cure::None:
+std::string_view fixText(Fix fix) {
+    switch (fix) {
+        case Fix::None:
             return "";
-        case Cure::Mend:
+        case Fix::Repair:
             return "Repairs all that needs no guessing, and runs the result.";
-        case Cure::Drop:
+        case Fix::Drop:
             return "Drops these points, and repairs all that needs no guessing.";
-        case Cure::Orient:
+        case Fix::Orient:
             return "Flips normals so that they agree, outward on closed parts.";
-        case Cure::NewLists:
+        case Fix::NewLists:
             return "Replaces the neighbor lists of the file by the 12 nearest points.";
-        case Cure::Symmetric:
+        case Fix::Symmetric:
             return "Makes neighbor lists symmetric.";
-        case Cure::Walls:
+        case Fix::Walls:
             return "Replaces the walls of the file by the box around all points.";
-        case Cure::Rim:
+        case Fix::Rim:
             return "Marks points where the surface ends without a wall as boundary points.";
     }
     return "";
@@ -65,9 +65,9 @@ std::string_view fixText(Cure cure) {
 
 Fixes safeFixes(std::span<const Finding> findings) {
     Fixes fixes;
-    for (const Cure kind : {Cure::Mend, Cure::Orient}) {
+    for (const Fix kind : {Fix::Repair, Fix::Orient}) {
         const auto found = std::find_if(findings.begin(), findings.end(),
-                                        [kind](const Finding& f) { return f.check->cure == kind; });
+                                        [kind](const Finding& f) { return f.check->fix == kind; });
         if (found != findings.end()) fixes.emplace_back(found->check->name);
     }
     return fixes;
@@ -76,29 +76,29 @@ Fixes safeFixes(std::span<const Finding> findings) {
 Result<std::vector<std::string>> fixInput(PointFile& file, const Fixes& fixes,
                                           PrepareOptions& options, const Progress& progress) {
     std::vector<std::string> done;
-    const auto mend = [&](std::span<const Index> drop) {
-        Treatment treatment = treat(file, drop);
-        file = asWritten(std::move(treatment.file));
-        for (const Repair& repair : treatment.repairs) done.push_back(repair.text);
+    const auto repair = [&](std::span<const Index> drop) {
+        FixedFile fixed = applyFixes(file, drop);
+        file = asWritten(std::move(fixed.file));
+        for (const AppliedFix& fix : fixed.fixes) done.push_back(fix.text);
     };
     for (const std::string& name : fixes) {
         const DoctorCheck* check = findDoctorCheck(name);
         if (check == nullptr || !canFix(*check))
             return Error{"The doctor has no fix called \"" + name + "\"."};
-        if (check->cure == Cure::Mend) mend({});
-        if (check->cure != Cure::Drop) continue;
+        if (check->fix == Fix::Repair) repair({});
+        if (check->fix != Fix::Drop) continue;
         const Result<std::vector<Index>> points = pointsOf(file, *check, progress);
         if (!points) return points.error();
-        mend(points.value());
+        repair(points.value());
     }
-    if (has(fixes, Cure::Orient)) options.normals = NormalSource::Oriented;
-    if (has(fixes, Cure::NewLists)) {
+    if (has(fixes, Fix::Orient)) options.normals = NormalSource::Oriented;
+    if (has(fixes, Fix::NewLists)) {
         options.neighbors.reach = KNearest{kAdvisedNeighbors};
         options.neighbors.recompute = true;
     }
-    if (has(fixes, Cure::Symmetric)) options.neighbors.symmetric = true;
-    if (has(fixes, Cure::Walls)) options.walls = boxAround(file.position);
-    if (has(fixes, Cure::Rim)) options.rim = true;
+    if (has(fixes, Fix::Symmetric)) options.neighbors.symmetric = true;
+    if (has(fixes, Fix::Walls)) options.walls = boxAround(file.position);
+    if (has(fixes, Fix::Rim)) options.rim = true;
     return done;
 }
 
@@ -106,22 +106,22 @@ std::vector<std::string> storeFixed(const Prepared& prepared, const PrepareOptio
                                     const Fixes& fixes, PointFile& file) {
     std::vector<std::string> done;
     const PointSet& points = prepared.points;
-    if (has(fixes, Cure::Orient) && options.normals == NormalSource::Oriented) {
+    if (has(fixes, Fix::Orient) && options.normals == NormalSource::Oriented) {
         file.normal = points.normal;
         done.push_back(
             counted(prepared.report.derived.turnedNormals, "normal flipped", "normals flipped"));
     }
-    if (has(fixes, Cure::Walls)) {
+    if (has(fixes, Fix::Walls)) {
         file.type = points.type;
         done.emplace_back("types taken from the box around all points");
     }
-    if (has(fixes, Cure::Rim)) {
+    if (has(fixes, Fix::Rim)) {
         file.type = points.type;
         done.push_back(counted(prepared.report.derived.rimChains, "rim", "rims") +
                        " taken as boundaries");
     }
-    const bool newLists = has(fixes, Cure::NewLists);
-    if (!newLists && !has(fixes, Cure::Symmetric)) return done;
+    const bool newLists = has(fixes, Fix::NewLists);
+    if (!newLists && !has(fixes, Fix::Symmetric)) return done;
     file.neighbors = points.neighbors;
     done.emplace_back(newLists ? "lists of the 12 nearest points" : "lists made symmetric");
     return done;

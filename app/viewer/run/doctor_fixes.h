@@ -16,7 +16,7 @@ using Fixes = std::vector<std::string>;
 /// True if the viewer can apply the fix of a finding.
 bool canFix(const DoctorCheck& check);
 /// Effect of a fix, as a sentence for the user.
-std::string_view fixText(Cure cure);
+std::string_view fixText(Fix fix);
 /// The fixes of all findings that need no decision: repairs without guessing, and normals to be
 /// flipped. Each kind once.
 Fixes safeFixes(std::span<const Finding> findings);

@@ -3,19 +3,13 @@
 #include <algorithm>
 
 #include "repair_diff.h"
+#include "spiraling_edge/base/overloaded.h"
 #include "spiraling_edge/replay/reading.h"
 #include "spiraling_edge/stepper/verdict_table.h"
 
 namespace se::view {
 
 namespace {
-
-template <typename... Ts>
-struct Overloaded : Ts... {
-    using Ts::operator()...;
-};
-template <typename... Ts>
-Overloaded(Ts...) -> Overloaded<Ts...>;
 
 bool isRejection(Verdict verdict) { return rowOf(verdict).outcome == Outcome::Refused; }
 
@@ -138,7 +132,7 @@ void noteFreed(Picture& picture, const Event& event, const RingReplay& replay) {
     if (!picture.freed && std::holds_alternative<RingEvidence>(event.evidence)) {
         const std::vector<RingPath> rings = ringPaths(replay.rings());
         if (!rings.empty() && rings.front().active)
-            picture.freed = FreedRing{rings.front(), {}, {}};
+            picture.freed = ShownFreedRing{rings.front(), {}, {}};
     }
     if (!picture.freed) return;
     if (const auto* told = std::get_if<FreeEvidence>(&event.evidence)) picture.freed->told = *told;
@@ -172,13 +166,13 @@ void addRings(Picture& picture, const PivotRecord& record, std::size_t cursor) {
 
 /// Steps after the last pivot edit the mesh: each has one such event, which shows the new mesh.
 /// Before that event, for example at a point that was stranded, the mesh is the old one.
-void addMended(Picture& picture, const PivotRecord& record) {
-    const bool mends =
+void addRepaired(Picture& picture, const PivotRecord& record) {
+    const bool repairs =
         std::any_of(picture.latest.begin(), picture.latest.end(), [](const Event& e) {
             const Stage stage = e.address.stage;
-            return stage == Stage::Reinsert || stage == Stage::Flip || stage == Stage::Reseat;
+            return stage == Stage::Reinsert || stage == Stage::Flip || stage == Stage::RemoveFolded;
         });
-    if (!mends || record.after.repaired == nullptr) return;
+    if (!repairs || record.after.repaired == nullptr) return;
     picture.repaired = record.after.repaired;
     const auto& before = record.before.repaired ? record.before.repaired : record.unrepaired;
     if (before) {
@@ -215,7 +209,7 @@ Picture makePicture(const PivotRecord& record, std::size_t cursor) {
     if (const auto* sphere = std::get_if<SphereEvidence>(&event.evidence)) picture.sphere = *sphere;
     if (event.address.stage != Stage::Hole) picture.hole.reset();
     picture.complete = cursor + 1 == record.events.size();
-    addMended(picture, record);
+    addRepaired(picture, record);
     addRings(picture, record, cursor);
     return picture;
 }
@@ -241,7 +235,7 @@ Index subjectOf(const Event& event) {
                           [](const GuardEvidence& e) { return e.dropped; },
                           [](const FillEvidence& e) { return e.pivot; },
                           [](const ReinsertEvidence& e) { return e.point; },
-                          [](const ReseatEvidence& e) { return e.point; },
+                          [](const RemoveFoldedEvidence& e) { return e.point; },
                           [](const FlipEvidence& e) { return e.x; },
                           [](const auto&) { return kNone; },
                       },

@@ -22,7 +22,7 @@ struct CandidateMark {
 };
 
 /// A ring that was freed after a full circuit without a triangle (§7), as it was before.
-struct FreedRing {
+struct ShownFreedRing {
     RingPath path;
     std::optional<FreeEvidence> told;  ///< Empty while its points leave one by one.
     std::optional<AlertKind> alert;    ///< Problem of the ring, if any.
@@ -58,7 +58,7 @@ struct Picture {
     std::vector<RingEvidence> ringChanges;  ///< So far, in order.
     /// The loops of the last split or join so far, as they were at that moment.
     std::optional<RingExchange> exchange;
-    std::optional<FreedRing> freed;  ///< At `done`.
+    std::optional<ShownFreedRing> freed;  ///< At `done`.
     StatusList status;
 
     /// The evidence of the last event of a stage if it is of that kind, otherwise null.

@@ -17,8 +17,8 @@ RunState withoutTriangles(const State& state, StatusList& last) {
                   state.counters,
                   state.finished(),
                   nullptr};
-    if (!state.mend.empty()) {
-        copy.repaired = std::make_shared<const std::vector<Triangle>>(state.mend.triangles);
+    if (!state.repair.empty()) {
+        copy.repaired = std::make_shared<const std::vector<Triangle>>(state.repair.triangles);
     }
     return copy;
 }

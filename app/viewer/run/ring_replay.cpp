@@ -168,7 +168,7 @@ bool RingReplay::nextLink(Index point) {
     return false;
 }
 
-Index RingReplay::goOnFrom() const {
+Index RingReplay::nextEntry() const {
     if (rings_.alive(end_)) return end_;
     const auto left = std::find_if(inserted_.rbegin(), inserted_.rend(),
                                    [&](Index e) { return rings_.alive(e); });
@@ -181,7 +181,7 @@ void RingReplay::place(const Exchange& made) {
     const bool wasActive = made.ringOfX == rings_.active() || made.ringOfY == rings_.active();
     bool pushX = rings_.depthFromTop(made.ringOfX) == kNone;
     if (wasActive) {
-        const Index on = goOnFrom();
+        const Index on = nextEntry();
         pushX = on == kNone || rings_.ringOf(on) != made.ringOfX;
         rings_.activate(pushX ? made.ringOfY : made.ringOfX);
     }

@@ -65,7 +65,7 @@ class RingReplay {
     bool foundBefore(Index a, Index b) const;
     bool nextLink(Index point);
     void place(const Exchange& made);
-    Index goOnFrom() const;
+    Index nextEntry() const;
     std::vector<Index> entriesOf(Index ring) const;
     RingPath pathOf(Index ring) const;
 

@@ -21,7 +21,7 @@ std::optional<bool> takePart(std::string_view key, std::string_view value, Sampl
     const auto whole = wholeFromText(value);
     if (key == "n") {
         spec.count = static_cast<std::size_t>(whole.value_or(0));
-        return whole && *whole > 0 && *whole <= kMostParticles;
+        return whole && *whole > 0 && *whole <= kMaxParticles;
     }
     if (key == "spacing") {
         spec.spacing = number.value_or(0.0);
@@ -131,7 +131,7 @@ Result<SampleSpec> sampleFromSource(std::string_view source) {
             std::string text = name;
             text.append(": \"").append(part).append("\" is out of range");
             if (part.starts_with("n="))
-                text.append("; n is from 1 to ").append(std::to_string(kMostParticles));
+                text.append("; n is from 1 to ").append(std::to_string(kMaxParticles));
             return Error{text.append(".")};
         }
         source = source.substr(0, comma);

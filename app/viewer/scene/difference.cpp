@@ -16,9 +16,9 @@ std::array<DifferenceShade::Part, 2> DifferenceShade::partsOf(std::span<const Tr
     std::array<std::vector<Triangle>, 2> found;
     std::array<Part, 2> parts;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const Standing standing = other.find(triangles[i]);
-        if (standing == Standing::Both) continue;
-        const std::size_t kind = standing == Standing::Only ? 0 : 1;
+        const Match match = other.find(triangles[i]);
+        if (match == Match::Same) continue;
+        const std::size_t kind = match == Match::Missing ? 0 : 1;
         found[kind].push_back(triangles[i]);
         parts[kind].places.push_back(i);
     }

@@ -120,7 +120,7 @@ struct DrawList {
     Color meshColor;
     Color meshEdgeColor;
     MeshStyle meshStyle = MeshStyle::Flat;
-    std::size_t birthEnd = 1;  ///< The triangle at the light end of the scale.
+    std::size_t creationEnd = 1;  ///< The triangle at the light end of the scale.
     /// Stretches of the finished triangles with a color of their own, in order; the rest has
     /// meshColor.
     std::vector<MeshStretch> meshStretches;

@@ -11,7 +11,7 @@ constexpr std::array<MeshStyleRow, 5> kStyles = {{
     {MeshStyle::Flat, "flat", "Flat"},
     {MeshStyle::Shaded, "shaded", "Smooth"},
     {MeshStyle::Wire, "wire", "Edges only"},
-    {MeshStyle::BirthOrder, "birth", "By creation order"},
+    {MeshStyle::CreationOrder, "birth", "By creation order"},
     {MeshStyle::Component, "component", "By component"},
 }};
 
@@ -36,9 +36,9 @@ MeshColoring meshColoring(MeshStyle style, const RunOverview& run, std::size_t k
     MeshColoring mesh;
     mesh.style = style;
     // A scale that is not used must not mark the picture as changed.
-    if (style == MeshStyle::BirthOrder) {
+    if (style == MeshStyle::CreationOrder) {
         const std::size_t all = run.triangles.empty() ? 0 : run.triangles.back();
-        mesh.birthEnd = std::max({std::size_t{1}, all, known});
+        mesh.creationEnd = std::max({std::size_t{1}, all, known});
     }
     if (style != MeshStyle::Component) return mesh;
     mesh.starts.push_back(0);

@@ -15,10 +15,10 @@ namespace se::view {
 
 enum class MeshStyle : std::uint8_t {
     Flat,
-    Shaded,      ///< Smooth, by the normals of the points.
-    Wire,        ///< Only edges.
-    BirthOrder,  ///< The earlier a triangle was made, the darker.
-    Component,   ///< A color for each component.
+    Shaded,         ///< Smooth, by the normals of the points.
+    Wire,           ///< Only edges.
+    CreationOrder,  ///< The earlier a triangle was made, the darker.
+    Component,      ///< A color for each component.
 };
 
 /// One row of the table of styles.
@@ -36,7 +36,7 @@ MeshStyle following(MeshStyle style);
 /// Inputs of the mesh colors.
 struct MeshColoring {
     MeshStyle style = MeshStyle::Flat;
-    std::size_t birthEnd = 1;         ///< Triangles of the whole run, as far as known.
+    std::size_t creationEnd = 1;      ///< Triangles of the whole run, as far as known.
     std::vector<std::size_t> starts;  ///< The first triangle of each component.
     std::vector<ComponentStretch> repaired =
         {};  ///< Components of the repaired mesh, where it is shown.

@@ -34,7 +34,7 @@ std::shared_ptr<const Model> stillModel(const Model& run, const MatchedMesh& mes
     model->scale = run.scale;
     model->spacing = run.spacing;
     model->points.position = run.points.position;
-    for (const Vec3& x : mesh.strangers) {
+    for (const Vec3& x : mesh.unmatchedVertices) {
         model->points.position.push_back(x);
         model->place.push_back(model->toView(x));
         model->normal.emplace_back(0.0F);
@@ -54,7 +54,7 @@ std::string compareMesh(Compared& found, const std::string& path, const Progress
     if (!run) return run.error().message;
     found.runs.a = std::move(run.value());
     found.runs.b.triangles = std::move(matched.triangles);
-    found.strangers = std::move(matched.strangerVertices);
+    found.unmatchedVertices = std::move(matched.unmatchedNumbers);
     return {};
 }
 

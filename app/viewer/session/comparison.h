@@ -24,10 +24,10 @@ struct Compared {
     RunComparison runs;  ///< For a mesh from a file: only `meshes` is set.
     MeshDifference meshes;
     TriangleSet setA, setB;
-    std::vector<Index> strangers;  ///< Vertices of the file that lie on no point.
+    std::vector<Index> unmatchedVertices;  ///< Vertices of the file that lie on no point.
 
     RunAlignment alignment() const {
-        return {runs.pivotsAlike, runs.first.has_value(), runs.a.pivots, runs.b.pivots};
+        return {runs.commonPivots, runs.first.has_value(), runs.a.pivots, runs.b.pivots};
     }
 };
 

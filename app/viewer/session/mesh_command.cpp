@@ -82,9 +82,9 @@ void addDoctor(const InputSpec& spec, const MeshTarget& target, Steps& steps) {
     for (const std::string& name : spec.fixes) {
         const DoctorCheck* check = findDoctorCheck(name);
         if (check == nullptr) continue;
-        const bool drops = check->cure == Cure::Drop;
+        const bool drops = check->fix == Fix::Drop;
         // One command repairs everything that any of these checks finds.
-        if (!drops && (check->cure != Cure::Mend || files > 0)) continue;
+        if (!drops && (check->fix != Fix::Repair || files > 0)) continue;
         ++files;
         std::string file = stem;
         file.append("-mended");
@@ -110,11 +110,11 @@ InputSpec withFixesChosen(InputSpec spec) {
     for (const std::string& name : spec.fixes) {
         const DoctorCheck* check = findDoctorCheck(name);
         if (check == nullptr) continue;
-        if (check->cure == Cure::Orient) spec.normals = NormalSource::Oriented;
-        if (check->cure == Cure::Symmetric) spec.neighbors.symmetric = true;
-        if (check->cure == Cure::Walls) spec.walls = {WallChoice::From::Around, {}};
-        if (check->cure == Cure::Rim) spec.rim = true;
-        if (check->cure != Cure::NewLists) continue;
+        if (check->fix == Fix::Orient) spec.normals = NormalSource::Oriented;
+        if (check->fix == Fix::Symmetric) spec.neighbors.symmetric = true;
+        if (check->fix == Fix::Walls) spec.walls = {WallChoice::From::Around, {}};
+        if (check->fix == Fix::Rim) spec.rim = true;
+        if (check->fix != Fix::NewLists) continue;
         spec.neighbors.reach = KNearest{};
         spec.neighbors.recompute = true;
     }

@@ -81,7 +81,7 @@ std::optional<std::uint32_t> pivotOfTriangle(const RunOverview& run, std::size_t
     return static_cast<std::uint32_t>(found - run.triangles.begin()) + 1;
 }
 
-std::optional<Address> birthOfTriangle(const RunOverview& run, std::size_t number) {
+std::optional<Address> originOfTriangle(const RunOverview& run, std::size_t number) {
     const std::optional<std::uint32_t> pivot = pivotOfTriangle(run, number);
     if (!pivot) return std::nullopt;
     const std::size_t before = *pivot > 1 ? run.triangles[*pivot - 2] : 0;

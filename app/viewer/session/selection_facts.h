@@ -51,6 +51,6 @@ class FactsCache {
 /// The pivot that made triangle `number`, if the run is known so far.
 std::optional<std::uint32_t> pivotOfTriangle(const RunOverview& run, std::size_t number);
 /// The decision that made the triangle: `137.emit.3`.
-std::optional<Address> birthOfTriangle(const RunOverview& run, std::size_t number);
+std::optional<Address> originOfTriangle(const RunOverview& run, std::size_t number);
 
 }  // namespace se::view

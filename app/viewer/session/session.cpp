@@ -159,7 +159,7 @@ bool Session::pollDoctor() {
     if (!doctorJob_.poll()) return alerted || tried;
     const auto found = doctorJob_.findings();
     problemFound_ =
-        std::any_of(found.begin(), found.end(), [](const Finding& f) { return f.accuses(); });
+        std::any_of(found.begin(), found.end(), [](const Finding& f) { return f.isProblem(); });
     return true;
 }
 

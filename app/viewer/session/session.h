@@ -199,7 +199,7 @@ class Session {
     /// Goes to a stop and reports its name, without an entry in the history.
     void playToStop(const Stop& stop);
     /// Position of the cursor in the order of the run.
-    RunPlace place() const;
+    RunPosition place() const;
 
     /// A move waits for the runner thread, or for the overview to be complete.
     bool busy() const { return waiting_ || !moves_.empty() || awaitsLength() || awaitsStop(); }

@@ -30,7 +30,7 @@ Complaint readReach(const json& options, NeighborOptions& out) {
     return std::nullopt;
 }
 
-Complaint readCures(const json& options, Fixes& out) {
+Complaint readFixes(const json& options, Fixes& out) {
     const json* fixes = find(options, "doctor");
     if (fixes == nullptr) return std::nullopt;
     const Complaint wrong = expected("options.doctor", "a list of doctor checks that have a fix");
@@ -136,7 +136,7 @@ Complaint readOptions(const json& object, InputSpec& out) {
         }
     }
     if (Complaint c = readWhatIfs(*options, out.whatIf)) return c;
-    if (Complaint c = readCures(*options, out.fixes)) return c;
+    if (Complaint c = readFixes(*options, out.fixes)) return c;
     if (Complaint c = readReach(*options, out.neighbors)) return c;
     return readPreparing(*options, out);
 }

@@ -3,7 +3,7 @@
 
 namespace se::view {
 
-RunPlace Session::place() const {
+RunPosition Session::place() const {
     if (event() == nullptr) return {record_ ? record_->pivot : 0, 0};
     return {record_->pivot, static_cast<std::uint32_t>(cursor_)};
 }

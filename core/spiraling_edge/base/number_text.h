@@ -43,7 +43,7 @@ inline void appendPlainNumber(std::string& text, double value) {
 }
 
 /// `value` with six significant digits; the same on every machine.
-inline std::string num(double value) {
+inline std::string sixDigits(double value) {
     std::array<char, 32> out;
     std::snprintf(out.data(), out.size(), "%.6g", value == 0.0 ? 0.0 : value);
     return out.data();

@@ -53,8 +53,8 @@ void forRanges(std::size_t count, unsigned threads, std::size_t least, Work&& wo
 /// As forRanges(), but calls work(i) for each item, and `progress` at intervals from the caller's
 /// thread with the share of its range. False if it cancelled: then some items are left out.
 template <typename Work>
-bool forEachWatched(std::size_t count, unsigned threads, std::size_t least,
-                    const Progress& progress, Work&& work) {
+bool forEachWithProgress(std::size_t count, unsigned threads, std::size_t least,
+                         const Progress& progress, Work&& work) {
     std::atomic<bool> cancelled = false;
     forRanges(count, threads, least, [&](std::size_t from, std::size_t to) {
         const std::size_t between = std::clamp<std::size_t>((to - from) / 64, 1, 1024);

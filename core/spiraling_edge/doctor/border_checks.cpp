@@ -7,10 +7,10 @@ namespace se {
 namespace {
 
 /// The normals of the points, with flipped ones corrected.
-std::vector<Vec3> sidesOfPoints(const Patient& patient) {
-    std::vector<Vec3> side(patient.size(), Vec3(0.0));
-    for (Index p = 0; p < patient.size(); ++p) {
-        if (patient.hasSide(p)) side[p] = patient.side(p);
+std::vector<Vec3> sidesOfPoints(const ExaminedFile& examined) {
+    std::vector<Vec3> side(examined.size(), Vec3(0.0));
+    for (Index p = 0; p < examined.size(); ++p) {
+        if (examined.hasSide(p)) side[p] = examined.side(p);
     }
     return side;
 }
@@ -21,12 +21,12 @@ bool isMarked(const PointFile& file, Index p) {
 
 }  // namespace
 
-std::optional<Finding> findOpenBorder(const Patient& patient) {
-    const PointFile& file = patient.file;
+std::optional<Finding> findOpenBorder(const ExaminedFile& examined) {
+    const PointFile& file = examined.file;
     if (!file.hasNormals()) return std::nullopt;
-    const std::vector<Vec3> side = sidesOfPoints(patient);
-    std::vector<bool> usable(patient.size());
-    for (Index p = 0; p < patient.size(); ++p) usable[p] = patient.hasSide(p);
+    const std::vector<Vec3> side = sidesOfPoints(examined);
+    std::vector<bool> usable(examined.size());
+    for (Index p = 0; p < examined.size(); ++p) usable[p] = examined.hasSide(p);
     const Result<NeighborLists> lists = findNeighbors(file.position, side, usable, {});
     if (!lists) return std::nullopt;
     const Result<Rim> rim = findRim(file.position, side, lists.value(), file.type);
@@ -40,7 +40,7 @@ std::optional<Finding> findOpenBorder(const Patient& patient) {
         }));
     if (rims == 0) return std::nullopt;
     std::vector<Index> points;
-    for (Index p = 0; p < patient.size(); ++p) {
+    for (Index p = 0; p < examined.size(); ++p) {
         if (rim.value().gap[p].known() && !isMarked(file, p)) points.push_back(p);
     }
     const std::string text = countText(points.size(), "point") + " along " +

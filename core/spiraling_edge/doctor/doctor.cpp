@@ -16,76 +16,76 @@ constexpr std::string_view kOrient = "spiraling-edge run IN --orient -o OUT.ply"
 constexpr std::string_view kNewLists = "spiraling-edge run IN --neighbors 12 -o OUT.ply";
 
 constexpr std::array kChecks{
-    DoctorCheck{"non_finite", "3", "A point needs a place: these are set aside.", kFix, Cure::Mend,
+    DoctorCheck{"non_finite", "3", "A point needs a place: these are set aside.", kFix, Fix::Repair,
                 findNonFinite},
     DoctorCheck{"duplicates", "3",
                 "\"There is only one point at any particular location\": copies are set aside.",
-                kFix, Cure::Mend, findDuplicates},
+                kFix, Fix::Repair, findDuplicates},
     DoctorCheck{"too_few_points", "4",
-                "An edge ring begins with two points, and a triangle needs a third.", "",
-                Cure::None, findTooFewPoints},
+                "An edge ring begins with two points, and a triangle needs a third.", "", Fix::None,
+                findTooFewPoints},
     DoctorCheck{
         "near_duplicates", "6.1",
         "The direction to so near a point is chance, and so is its place in the angle sort.",
-        "spiraling-edge doctor IN --fix OUT.ply --drop near_duplicates", Cure::Drop,
+        "spiraling-edge doctor IN --fix OUT.ply --drop near_duplicates", Fix::Drop,
         findNearDuplicates},
     DoctorCheck{"isolated_points", "4",
                 "No point has them in its list, so no fan takes them: noise, as the paper says.",
-                "spiraling-edge doctor IN --fix OUT.ply --drop isolated_points", Cure::Drop,
+                "spiraling-edge doctor IN --fix OUT.ply --drop isolated_points", Fix::Drop,
                 findIsolatedPoints},
     DoctorCheck{"in_line", "6.3", "Three points in line have no circle, and no plane to sort in.",
-                "spiraling-edge doctor IN --fix OUT.ply --drop in_line", Cure::Drop, findInLine},
+                "spiraling-edge doctor IN --fix OUT.ply --drop in_line", Fix::Drop, findInLine},
     DoctorCheck{"uneven_spacing", "3",
                 "Lists of a fixed radius are too long here and empty there: take the nearest.",
-                "spiraling-edge run IN --neighbors 12 --rules robust -o OUT.ply", Cure::None,
+                "spiraling-edge run IN --neighbors 12 --rules robust -o OUT.ply", Fix::None,
                 findUnevenSpacing},
     DoctorCheck{"ties", "6.3",
                 "Points exactly on the circle of three others: which diagonal is taken depends on "
                 "the order alone.",
-                "spiraling-edge run IN --check -o OUT.ply", Cure::None, findTies},
+                "spiraling-edge run IN --check -o OUT.ply", Fix::None, findTies},
     DoctorCheck{"no_normals", "3", "The normals are derived from the positions.",
-                "spiraling-edge run IN -o OUT.ply", Cure::None, findNoNormals},
+                "spiraling-edge run IN -o OUT.ply", Fix::None, findNoNormals},
     DoctorCheck{"zero_normals", "6.1",
                 "Angles are measured about the normal: points without are set aside.", kFix,
-                Cure::Mend, findZeroNormals},
+                Fix::Repair, findZeroNormals},
     DoctorCheck{"unscaled_normals", "6.2",
                 "The plane of a hole adds up normals: long ones would outweigh the others.", kFix,
-                Cure::Mend, findUnscaledNormals},
+                Fix::Repair, findUnscaledNormals},
     DoctorCheck{"flipped_normals", "6.1",
                 "Seen from the other side the ring runs clockwise: holes and overlaps follow.",
-                kOrient, Cure::Orient, findFlippedNormals},
-    DoctorCheck{"inside_out", "3", "The triangles will face inwards.", kOrient, Cure::Orient,
+                kOrient, Fix::Orient, findFlippedNormals},
+    DoctorCheck{"inside_out", "3", "The triangles will face inwards.", kOrient, Fix::Orient,
                 findInsideOut},
     DoctorCheck{"close_sheets", "3",
                 "Lists reach through to the other sheet: what opposes must be left out, and short "
                 "lists are better.",
-                "spiraling-edge run IN --neighbors 8 --check -o OUT.ply", Cure::None,
+                "spiraling-edge run IN --neighbors 8 --check -o OUT.ply", Fix::None,
                 findCloseSheets},
-    DoctorCheck{"entries_outside", "3", "A list names points that do not exist.", kFix, Cure::Mend,
+    DoctorCheck{"entries_outside", "3", "A list names points that do not exist.", kFix, Fix::Repair,
                 findEntriesOutside},
     DoctorCheck{"repeated_entries", "3",
                 "A list names its own point, or another one twice: these entries are dropped.",
-                kFix, Cure::Mend, findRepeatedEntries},
+                kFix, Fix::Repair, findRepeatedEntries},
     DoctorCheck{"unsorted_lists", "4",
                 "The nearest neighbor begins the ring, so lists must begin with it.", kFix,
-                Cure::Mend, findUnsortedLists},
+                Fix::Repair, findUnsortedLists},
     DoctorCheck{"short_lists", "6.4", "A closed fan needs three neighbors; at a wall two.",
-                kNewLists, Cure::NewLists, findShortLists},
+                kNewLists, Fix::NewLists, findShortLists},
     DoctorCheck{"unsymmetric_lists", "6.1",
                 "A point may be a candidate where the pivot is none in turn; the k nearest always "
                 "are so.",
-                "spiraling-edge run IN --symmetric -o OUT.ply", Cure::Symmetric,
+                "spiraling-edge run IN --symmetric -o OUT.ply", Fix::Symmetric,
                 findUnsymmetricLists},
     DoctorCheck{"corner_bits", "4",
                 "\"Two or more of these subtypes also sets the corner bit\": it is corrected.",
-                kFix, Cure::Mend, findCornerBits},
+                kFix, Fix::Repair, findCornerBits},
     DoctorCheck{"types_off_box", "7.1",
                 "Wall points are passed over, and corners turned, by their types.",
-                "spiraling-edge run IN --box auto -o OUT.ply", Cure::Walls, findTypesOffBox},
+                "spiraling-edge run IN --box auto -o OUT.ply", Fix::Walls, findTypesOffBox},
     DoctorCheck{"open_border", "7",
                 "A ring ends at boundary points; without their types an opening looks like a hole, "
                 "and is closed.",
-                "spiraling-edge run IN --derive-rim -o OUT.ply", Cure::Rim, findOpenBorder},
+                "spiraling-edge run IN --derive-rim -o OUT.ply", Fix::Rim, findOpenBorder},
 };
 
 /// Share of the search for the nearest points in the whole work.
@@ -118,22 +118,22 @@ std::string remedyFor(const DoctorCheck& check, std::string_view input, std::str
     return command;
 }
 
-bool accuses(const Diagnosis& diagnosis) {
+bool hasProblem(const Diagnosis& diagnosis) {
     return std::any_of(diagnosis.begin(), diagnosis.end(),
-                       [](const Finding& finding) { return finding.accuses(); });
+                       [](const Finding& finding) { return finding.isProblem(); });
 }
 
 Result<Diagnosis> examine(const PointFile& file, const Progress& progress) {
     Progress search;
     if (progress) search = [&](double share) { return progress(kSearchShare * share); };
-    const Result<Patient> patient = admit(file, search);
-    if (!patient) return patient.error();
+    const Result<ExaminedFile> examined = examineFile(file, search);
+    if (!examined) return examined.error();
     Diagnosis diagnosis;
     for (std::size_t i = 0; i < kChecks.size(); ++i) {
         const double done = static_cast<double>(i) / static_cast<double>(kChecks.size());
         if (progress && !progress(kSearchShare + (1.0 - kSearchShare) * done))
             return Error{"the examination was cancelled"};
-        std::optional<Finding> finding = kChecks[i].find(patient.value());
+        std::optional<Finding> finding = kChecks[i].find(examined.value());
         if (!finding) continue;
         finding->check = &kChecks[i];
         diagnosis.push_back(std::move(*finding));

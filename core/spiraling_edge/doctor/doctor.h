@@ -25,13 +25,13 @@ enum class Severity : std::uint8_t {
 std::string_view severityName(Severity severity);
 
 struct Finding;
-struct Patient;  // The input of the checks; made by examine().
+struct ExaminedFile;  // The input of the checks; made by examine().
 
 /// The fix as data, for callers that apply it without the command line.
-enum class Cure : std::uint8_t {
+enum class Fix : std::uint8_t {
     None,       ///< Nothing: the command only reports, or there is none.
-    Mend,       ///< treat(), without guessing.
-    Drop,       ///< treat(), which also drops the points that were found.
+    Repair,     ///< applyFixes(), without guessing.
+    Drop,       ///< applyFixes(), which also drops the points that were found.
     Orient,     ///< NormalSource::Oriented.
     NewLists,   ///< The 12 nearest, even if the file has lists.
     Symmetric,  ///< NeighborOptions::symmetric.
@@ -46,12 +46,12 @@ struct DoctorCheck {
     std::string_view upsets;   ///< The consequence there, as a sentence.
     /// The command that helps, IN in place of the input; empty if there is none.
     std::string_view remedy;
-    Cure cure;
+    Fix fix;
     /// Nothing if the file does not have the problem.
-    std::optional<Finding> (*find)(const Patient& patient);
+    std::optional<Finding> (*find)(const ExaminedFile& examined);
 
-    /// True if treat() repairs it.
-    bool mended() const { return cure == Cure::Mend; }
+    /// True if applyFixes() repairs it.
+    bool hasSafeFix() const { return fix == Fix::Repair; }
 };
 
 /// All checks, in the order of the report.
@@ -68,7 +68,7 @@ struct Finding {
         points;        ///< The points concerned, ascending; empty if it is the file as a whole.
     std::string text;  ///< One sentence with the numbers.
 
-    bool accuses() const { return severity != Severity::Note; }
+    bool isProblem() const { return severity != Severity::Note; }
 };
 
 /// The command that helps, with the input in place of IN and the file that it writes in place of
@@ -79,22 +79,22 @@ std::string remedyFor(const DoctorCheck& check, std::string_view input,
 /// The findings: errors, then warnings, then notes; equals in the order of doctorChecks().
 using Diagnosis = std::vector<Finding>;
 /// True if some finding is a problem.
-bool accuses(const Diagnosis& diagnosis);
+bool hasProblem(const Diagnosis& diagnosis);
 
 /// Runs all checks. Fails if the columns of the file differ in length, or if cancelled.
 /// Deterministic. O(points log points); a million points take some seconds.
 Result<Diagnosis> examine(const PointFile& file, const Progress& progress = {});
 
-/// One change that treat() made.
-struct Repair {
+/// One change that applyFixes() made.
+struct AppliedFix {
     std::string_view name;  ///< The check that would have found it; "dropped" for `alsoDrop`.
     std::size_t count = 0;
     std::string text;  ///< One sentence.
 };
 
-struct Treatment {
+struct FixedFile {
     PointFile file;
-    std::vector<Repair> repairs;  ///< Empty: the file is unchanged.
+    std::vector<AppliedFix> fixes;  ///< Empty: the file is unchanged.
 };
 
 /// Makes the repairs that need no guess, the same that every prepare() makes: drops points that are
@@ -104,6 +104,6 @@ struct Treatment {
 /// The order of points, attributes and faces is kept; faces on a copy move to its original, and
 /// faces on other dropped points are removed. Requires columns of equal length, as examine()
 /// checks.
-Treatment treat(const PointFile& file, std::span<const Index> alsoDrop = {});
+FixedFile applyFixes(const PointFile& file, std::span<const Index> alsoDrop = {});
 
 }  // namespace se

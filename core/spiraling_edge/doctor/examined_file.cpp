@@ -35,36 +35,36 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-double Patient::distance(Index p, Index q) const {
+double ExaminedFile::distance(Index p, Index q) const {
     return std::sqrt(distanceSquared(file.position[p], file.position[q]));
 }
 
-Result<Patient> admit(const PointFile& file, const Progress& progress) {
+Result<ExaminedFile> examineFile(const PointFile& file, const Progress& progress) {
     if (const Status status = checkColumns(file); !status) return status.error();
-    Patient patient{file};
-    patient.fitness = fitnessOf(file.position, file.normal);
-    patient.normal = scaledNormals(file);
-    for (const Fitness fitness : patient.fitness) {
+    ExaminedFile examined{file};
+    examined.fitness = fitnessOf(file.position, file.normal);
+    examined.normal = scaledNormals(file);
+    for (const Fitness fitness : examined.fitness) {
         const bool present = fitness == Fitness::Usable || fitness == Fitness::NoDirection;
-        patient.present.push_back(present);
-        patient.presentCount += present ? 1U : 0U;
+        examined.present.push_back(present);
+        examined.presentCount += present ? 1U : 0U;
     }
     NeighborOptions options;
     options.reach = KNearest{kListed};
     options.dropOpposingNormals = false;
     Result<NeighborLists> lists =
-        findNeighbors(file.position, {}, patient.present, options, progress);
+        findNeighbors(file.position, {}, examined.present, options, progress);
     if (!lists) return lists.error();
-    patient.nearest = std::move(lists.value());
-    patient.spacing.resize(file.position.size(), 0.0);
-    for (Index p = 0; p < patient.size(); ++p) {
-        const auto list = patient.nearest[p];
+    examined.nearest = std::move(lists.value());
+    examined.spacing.resize(file.position.size(), 0.0);
+    for (Index p = 0; p < examined.size(); ++p) {
+        const auto list = examined.nearest[p];
         if (list.empty()) continue;
-        patient.spacing[p] = patient.distance(p, list[std::min(kAround, list.size()) - 1]);
+        examined.spacing[p] = examined.distance(p, list[std::min(kAround, list.size()) - 1]);
     }
-    patient.middleSpacing = median(patient.spacing);
-    patient.sides = sidesOf(patient);
-    return patient;
+    examined.middleSpacing = median(examined.spacing);
+    examined.sides = sidesOf(examined);
+    return examined;
 }
 
 std::string countText(std::size_t count, const std::string& noun) {

@@ -16,8 +16,8 @@ struct Sides {
 };
 
 /// A file under examination. Everything except `file` is derived from it.
-struct Patient {
-    explicit Patient(const PointFile& points) : file(points) {}
+struct ExaminedFile {
+    explicit ExaminedFile(const PointFile& points) : file(points) {}
 
     const PointFile& file;
     std::vector<Fitness> fitness;
@@ -41,10 +41,10 @@ struct Patient {
 };
 
 /// The sides of a file whose other members are filled in.
-Sides sidesOf(const Patient& patient);
+Sides sidesOf(const ExaminedFile& examined);
 
 /// Fails as examine() does.
-Result<Patient> admit(const PointFile& file, const Progress& progress);
+Result<ExaminedFile> examineFile(const PointFile& file, const Progress& progress);
 
 /// "1 point", "2 points".
 std::string countText(std::size_t count, const std::string& noun);

@@ -10,11 +10,12 @@ namespace se {
 namespace {
 
 /// Repairs a copy of the file.
-class Surgeon {
+class FixApplication {
   public:
-    explicit Surgeon(const PointFile& file) : file_(file), keep_(file.position.size(), true) {}
+    explicit FixApplication(const PointFile& file)
+        : file_(file), keep_(file.position.size(), true) {}
 
-    Treatment operate(std::span<const Index> alsoDrop) && {
+    FixedFile run(std::span<const Index> alsoDrop) && {
         dropEmptyNormals();
         markUnfit();
         markAsked(alsoDrop);
@@ -24,7 +25,7 @@ class Surgeon {
         if (!all) number_ = keptNumbers(keep_);
         cleanLists();
         if (!all) dropPoints();
-        return {std::move(file_), std::move(repairs_)};
+        return {std::move(file_), std::move(fixes_)};
     }
 
   private:
@@ -32,7 +33,7 @@ class Surgeon {
     void note(std::string_view name, std::size_t count, const std::string& what,
               const std::string& many) {
         if (count == 0) return;
-        repairs_.push_back(
+        fixes_.push_back(
             {name, count, count == 1 ? "1 " + what : std::to_string(count) + " " + many});
     }
 
@@ -165,7 +166,7 @@ class Surgeon {
     }
 
     PointFile file_;
-    std::vector<Repair> repairs_;
+    std::vector<AppliedFix> fixes_;
     std::vector<bool> keep_;
     std::vector<Fitness> fitness_;
     std::vector<Index> number_;  // empty if no point is dropped
@@ -173,8 +174,8 @@ class Surgeon {
 
 }  // namespace
 
-Treatment treat(const PointFile& file, std::span<const Index> alsoDrop) {
-    return Surgeon(file).operate(alsoDrop);
+FixedFile applyFixes(const PointFile& file, std::span<const Index> alsoDrop) {
+    return FixApplication(file).run(alsoDrop);
 }
 
 }  // namespace se

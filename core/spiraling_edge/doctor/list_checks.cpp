@@ -7,8 +7,8 @@ namespace {
 
 /// Calls visit(p, list) for each list of the file.
 template <typename Visit>
-void forEachList(const Patient& patient, Visit&& visit) {
-    for (Index p = 0; p < patient.file.neighbors.size(); ++p) visit(p, patient.file.neighbors[p]);
+void forEachList(const ExaminedFile& examined, Visit&& visit) {
+    for (Index p = 0; p < examined.file.neighbors.size(); ++p) visit(p, examined.file.neighbors[p]);
 }
 
 /// Counts entries, for a finding at the points whose lists have them.
@@ -35,25 +35,25 @@ class EntryCount {
 
 }  // namespace
 
-std::optional<Finding> findEntriesOutside(const Patient& patient) {
+std::optional<Finding> findEntriesOutside(const ExaminedFile& examined) {
     EntryCount entries;
-    const Index n = patient.size();
-    forEachList(patient, [&](Index p, std::span<const Index> list) {
+    const Index n = examined.size();
+    forEachList(examined, [&](Index p, std::span<const Index> list) {
         entries.add(p, static_cast<std::size_t>(std::count_if(list.begin(), list.end(),
                                                               [n](Index q) { return q >= n; })));
     });
     return std::move(entries).finding(Severity::Error, "for points that do not exist");
 }
 
-std::optional<Finding> findRepeatedEntries(const Patient& patient) {
+std::optional<Finding> findRepeatedEntries(const ExaminedFile& examined) {
     EntryCount entries;
-    std::vector<Index> lastList(patient.size(),
+    std::vector<Index> lastList(examined.size(),
                                 kNone);  // per point: the last list that holds it
-    forEachList(patient, [&](Index p, std::span<const Index> list) {
+    forEachList(examined, [&](Index p, std::span<const Index> list) {
         std::size_t repeated = 0;
         lastList[p] = p;
         for (const Index q : list) {
-            if (q >= patient.size()) continue;
+            if (q >= examined.size()) continue;
             if (lastList[q] == p) ++repeated;
             lastList[q] = p;
         }
@@ -78,34 +78,34 @@ bool isNearestFirst(std::span<const Vec3> position, Index p, std::span<const Ind
     return true;
 }
 
-std::optional<Finding> findUnsortedLists(const Patient& patient) {
+std::optional<Finding> findUnsortedLists(const ExaminedFile& examined) {
     std::vector<Index> points;
-    forEachList(patient, [&](Index p, std::span<const Index> list) {
-        if (!isNearestFirst(patient.file.position, p, list)) points.push_back(p);
+    forEachList(examined, [&](Index p, std::span<const Index> list) {
+        if (!isNearestFirst(examined.file.position, p, list)) points.push_back(p);
     });
     const std::string text = countText(points.size(), "list") + " not ordered by distance";
     return findingAt(std::move(points), Severity::Warning, text);
 }
 
-std::optional<Finding> findShortLists(const Patient& patient) {
+std::optional<Finding> findShortLists(const ExaminedFile& examined) {
     std::vector<Index> points;
-    forEachList(patient, [&](Index p, std::span<const Index> list) {
-        const bool wall = patient.file.hasTypes() && isBoundary(patient.file.type[p]);
+    forEachList(examined, [&](Index p, std::span<const Index> list) {
+        const bool wall = examined.file.hasTypes() && isBoundary(examined.file.type[p]);
         const std::size_t least = wall ? 2 : 3;
-        if (patient.present[p] && list.size() < least) points.push_back(p);
+        if (examined.present[p] && list.size() < least) points.push_back(p);
     });
     const std::string text =
         countText(points.size(), "list") + " with fewer than three entries, or two at a wall";
     return findingAt(std::move(points), Severity::Warning, text);
 }
 
-std::optional<Finding> findUnsymmetricLists(const Patient& patient) {
+std::optional<Finding> findUnsymmetricLists(const ExaminedFile& examined) {
     EntryCount entries;
-    const NeighborLists& lists = patient.file.neighbors;
-    forEachList(patient, [&](Index p, std::span<const Index> list) {
+    const NeighborLists& lists = examined.file.neighbors;
+    forEachList(examined, [&](Index p, std::span<const Index> list) {
         std::size_t unanswered = 0;
         for (const Index q : list) {
-            if (q >= patient.size()) continue;
+            if (q >= examined.size()) continue;
             const auto answer = lists[q];
             if (std::find(answer.begin(), answer.end(), p) == answer.end()) ++unanswered;
         }

@@ -17,11 +17,11 @@ namespace {
 
 /// True if p and q lie in one smooth sheet, regardless of the sign of their normals: each within 30
 /// degrees of the other's tangent plane, and the planes within 45 degrees of each other.
-bool inOneSheet(const Patient& patient, Index p, Index q) {
-    if (!patient.hasSide(p) || !patient.hasSide(q)) return false;
-    const Vec3& a = patient.normal[p];
-    const Vec3& b = patient.normal[q];
-    const Vec3 offset = patient.file.position[q] - patient.file.position[p];
+bool inOneSheet(const ExaminedFile& examined, Index p, Index q) {
+    if (!examined.hasSide(p) || !examined.hasSide(q)) return false;
+    const Vec3& a = examined.normal[p];
+    const Vec3& b = examined.normal[q];
+    const Vec3 offset = examined.file.position[q] - examined.file.position[p];
     constexpr double kFlat = 0.5;
     constexpr double kParallel = 0.70710678118654752;
     const double reach = kFlat * glm::length(offset);
@@ -30,11 +30,12 @@ bool inOneSheet(const Patient& patient, Index p, Index q) {
 }
 
 /// Points in one sheet whose normals agree.
-DisjointSets sheetsOf(const Patient& patient) {
-    DisjointSets sheets(patient.size());
-    for (Index p = 0; p < patient.size(); ++p) {
-        for (const Index q : patient.nearest[p]) {
-            if (inOneSheet(patient, p, q) && !normalsOppose(patient.normal[p], patient.normal[q]))
+DisjointSets sheetsOf(const ExaminedFile& examined) {
+    DisjointSets sheets(examined.size());
+    for (Index p = 0; p < examined.size(); ++p) {
+        for (const Index q : examined.nearest[p]) {
+            if (inOneSheet(examined, p, q) &&
+                !normalsOppose(examined.normal[p], examined.normal[q]))
                 sheets.unite(p, q);
         }
     }
@@ -44,38 +45,38 @@ DisjointSets sheetsOf(const Patient& patient) {
 // ---- contradictions -----------------------------------------------------------------------------
 
 /// Unit direction from p to q in projection along the normal of p; zero exactly above and below.
-Vec3 directionInPlane(const Patient& patient, Index p, Index q) {
-    Vec3 d = patient.file.position[q] - patient.file.position[p];
-    d -= glm::dot(d, patient.normal[p]) * patient.normal[p];
+Vec3 directionInPlane(const ExaminedFile& examined, Index p, Index q) {
+    Vec3 d = examined.file.position[q] - examined.file.position[p];
+    d -= glm::dot(d, examined.normal[p]) * examined.normal[p];
     const double length = glm::length(d);
     return length > 0.0 ? d / length : Vec3(0.0);
 }
 
 /// True if q lies less than 45 degrees above or below p. Else it is not in the same sheet, though
 /// its normal may agree by chance.
-bool isBeside(const Patient& patient, Index p, Index q) {
-    const Vec3 offset = patient.file.position[q] - patient.file.position[p];
+bool isBeside(const ExaminedFile& examined, Index p, Index q) {
+    const Vec3 offset = examined.file.position[q] - examined.file.position[p];
     constexpr double kSteep = 0.70710678118654752;
-    return std::abs(glm::dot(offset, patient.normal[p])) < kSteep * glm::length(offset);
+    return std::abs(glm::dot(offset, examined.normal[p])) < kSteep * glm::length(offset);
 }
 
 /// Neighbors in the sheet of p with an opposing normal, where p has no agreeing neighbor within 60
 /// degrees of their direction. If they were on a second sheet, that of p would continue beside
 /// them.
-void contradictions(const Patient& patient, Index p, std::vector<Index>& opposing) {
+void contradictions(const ExaminedFile& examined, Index p, std::vector<Index>& opposing) {
     opposing.clear();
     std::vector<Vec3> agreeing;
-    for (const Index q : patient.nearest[p]) {
-        if (!patient.hasSide(q)) continue;
-        if (!normalsOppose(patient.normal[p], patient.normal[q])) {
-            if (isBeside(patient, p, q)) agreeing.push_back(directionInPlane(patient, p, q));
-        } else if (inOneSheet(patient, p, q)) {
+    for (const Index q : examined.nearest[p]) {
+        if (!examined.hasSide(q)) continue;
+        if (!normalsOppose(examined.normal[p], examined.normal[q])) {
+            if (isBeside(examined, p, q)) agreeing.push_back(directionInPlane(examined, p, q));
+        } else if (inOneSheet(examined, p, q)) {
             opposing.push_back(q);
         }
     }
     constexpr double kBeside = 0.5;
     const auto goesOn = [&](Index q) {
-        const Vec3 direction = directionInPlane(patient, p, q);
+        const Vec3 direction = directionInPlane(examined, p, q);
         return std::any_of(agreeing.begin(), agreeing.end(),
                            [&](const Vec3& a) { return glm::dot(a, direction) > kBeside; });
     };
@@ -83,20 +84,20 @@ void contradictions(const Patient& patient, Index p, std::vector<Index>& opposin
 }
 
 /// Number of contradictions of two sheets, by their least points.
-using Quarrels = std::map<std::pair<Index, Index>, std::size_t>;
+using Conflicts = std::map<std::pair<Index, Index>, std::size_t>;
 
-Quarrels quarrelsBetween(const Patient& patient, DisjointSets& sheets) {
-    Quarrels quarrels;
+Conflicts conflictsBetween(const ExaminedFile& examined, DisjointSets& sheets) {
+    Conflicts conflicts;
     std::vector<Index> opposing;
-    for (Index p = 0; p < patient.size(); ++p) {
-        if (!patient.hasSide(p)) continue;
-        contradictions(patient, p, opposing);
+    for (Index p = 0; p < examined.size(); ++p) {
+        if (!examined.hasSide(p)) continue;
+        contradictions(examined, p, opposing);
         for (const Index q : opposing) {
             const std::pair<Index, Index> pair = std::minmax({sheets.find(p), sheets.find(q)});
-            if (pair.first != pair.second) ++quarrels[pair];
+            if (pair.first != pair.second) ++conflicts[pair];
         }
     }
-    return quarrels;
+    return conflicts;
 }
 
 /// True if a patch of `patch` points with `pairs` contradictions must be flipped. Along a straight
@@ -110,25 +111,25 @@ bool isEvidence(std::size_t pairs, std::size_t patch) {
 }
 
 /// The sheets that contradict each other with evidence, in both directions.
-using Opponents = std::map<Index, std::vector<Index>>;
+using OpposingSheets = std::map<Index, std::vector<Index>>;
 
-Opponents opponentsAmong(const Patient& patient, DisjointSets& sheets,
-                         const std::vector<std::size_t>& size) {
-    Opponents opponents;
-    for (const auto& [pair, count] : quarrelsBetween(patient, sheets)) {
+OpposingSheets findOpposingSheets(const ExaminedFile& examined, DisjointSets& sheets,
+                                  const std::vector<std::size_t>& size) {
+    OpposingSheets opposingSheets;
+    for (const auto& [pair, count] : conflictsBetween(examined, sheets)) {
         if (!isEvidence(count, std::min(size[pair.first], size[pair.second]))) continue;
-        opponents[pair.first].push_back(pair.second);
-        opponents[pair.second].push_back(pair.first);
+        opposingSheets[pair.first].push_back(pair.second);
+        opposingSheets[pair.second].push_back(pair.first);
     }
-    return opponents;
+    return opposingSheets;
 }
 
 /// Decides among sheets that contradict each other: the largest counts as right, those that
 /// contradict it as flipped, those that contradict these as right, and so on.
-std::map<Index, bool> flippedAmong(const Opponents& opponents,
+std::map<Index, bool> flippedAmong(const OpposingSheets& opposingSheets,
                                    const std::vector<std::size_t>& size) {
     std::vector<Index> bySize;
-    for (const auto& entry : opponents) bySize.push_back(entry.first);
+    for (const auto& entry : opposingSheets) bySize.push_back(entry.first);
     std::sort(bySize.begin(), bySize.end(),
               [&](Index a, Index b) { return size[a] != size[b] ? size[a] > size[b] : a < b; });
     std::map<Index, bool> flipped;
@@ -137,7 +138,7 @@ std::map<Index, bool> flippedAmong(const Opponents& opponents,
         std::vector<Index> reached{first};
         for (std::size_t i = 0; i < reached.size(); ++i) {
             const bool here = flipped.at(reached[i]);
-            for (const Index next : opponents.at(reached[i])) {
+            for (const Index next : opposingSheets.at(reached[i])) {
                 if (flipped.emplace(next, !here).second) reached.push_back(next);
             }
         }
@@ -147,26 +148,26 @@ std::map<Index, bool> flippedAmong(const Opponents& opponents,
 
 }  // namespace
 
-Sides sidesOf(const Patient& patient) {
-    const Index n = patient.size();
+Sides sidesOf(const ExaminedFile& examined) {
+    const Index n = examined.size();
     Sides sides{std::vector<Index>(n, kNone), std::vector<bool>(n, false)};
-    if (!patient.file.hasNormals()) return sides;
-    DisjointSets sheets = sheetsOf(patient);
+    if (!examined.file.hasNormals()) return sides;
+    DisjointSets sheets = sheetsOf(examined);
     std::vector<std::size_t> size(n, 0);  // by the least point
     for (Index p = 0; p < n; ++p) {
-        if (patient.hasSide(p)) ++size[sheets.find(p)];
+        if (examined.hasSide(p)) ++size[sheets.find(p)];
     }
-    const Opponents opponents = opponentsAmong(patient, sheets, size);
-    const std::map<Index, bool> flipped = flippedAmong(opponents, size);
+    const OpposingSheets opposingSheets = findOpposingSheets(examined, sheets, size);
+    const std::map<Index, bool> flipped = flippedAmong(opposingSheets, size);
     for (Index p = 0; p < n; ++p) {
         const auto sheet = flipped.find(sheets.find(p));
         sides.flipped[p] = sheet != flipped.end() && sheet->second;
     }
-    for (const auto& [sheet, others] : opponents) {
+    for (const auto& [sheet, others] : opposingSheets) {
         for (const Index other : others) sheets.unite(sheet, other);
     }
     for (Index p = 0; p < n; ++p) {
-        if (patient.hasSide(p)) sides.component[p] = sheets.find(p);
+        if (examined.hasSide(p)) sides.component[p] = sheets.find(p);
     }
     return sides;
 }

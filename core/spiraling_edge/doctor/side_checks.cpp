@@ -9,10 +9,10 @@
 
 namespace se {
 
-std::optional<Finding> findFlippedNormals(const Patient& patient) {
+std::optional<Finding> findFlippedNormals(const ExaminedFile& examined) {
     std::vector<Index> points;
-    for (Index p = 0; p < patient.size(); ++p) {
-        if (patient.sides.flipped[p]) points.push_back(p);
+    for (Index p = 0; p < examined.size(); ++p) {
+        if (examined.sides.flipped[p]) points.push_back(p);
     }
     const std::string text =
         countText(points.size(), "point") + " whose normal points against those around it";
@@ -61,25 +61,25 @@ struct Extent {
     }
 };
 
-std::map<Index, Extent> extentsOf(const Patient& patient) {
+std::map<Index, Extent> extentsOf(const ExaminedFile& examined) {
     std::map<Index, Extent> extents;
-    const Sides& sides = patient.sides;
-    for (Index p = 0; p < patient.size(); ++p) {
+    const Sides& sides = examined.sides;
+    for (Index p = 0; p < examined.size(); ++p) {
         if (sides.component[p] == kNone) continue;
         Extent& extent = extents[sides.component[p]];
-        extent.add(patient.file.position[p], patient.side(p));
-        if (patient.file.hasTypes() && isBoundary(patient.file.type[p])) extent.cut = true;
+        extent.add(examined.file.position[p], examined.side(p));
+        if (examined.file.hasTypes() && isBoundary(examined.file.type[p])) extent.cut = true;
     }
     return extents;
 }
 
 }  // namespace
 
-std::optional<Finding> findInsideOut(const Patient& patient) {
-    const std::map<Index, Extent> extents = extentsOf(patient);
+std::optional<Finding> findInsideOut(const ExaminedFile& examined) {
+    const std::map<Index, Extent> extents = extentsOf(examined);
     // Fewer points than those of an icosahedron may enclose nothing.
     constexpr std::size_t kLeast = 12;
-    std::vector<bool> insideOut(patient.size(), false);
+    std::vector<bool> insideOut(examined.size(), false);
     std::size_t count = 0;
     for (const auto& [name, extent] : extents) {
         if (extent.points < kLeast || extent.cut || !extent.looksIn()) continue;
@@ -92,8 +92,8 @@ std::optional<Finding> findInsideOut(const Patient& patient) {
         ++count;
     }
     std::vector<Index> points;
-    for (Index p = 0; p < patient.size(); ++p) {
-        const Index component = patient.sides.component[p];
+    for (Index p = 0; p < examined.size(); ++p) {
+        const Index component = examined.sides.component[p];
         if (component != kNone && insideOut[component]) points.push_back(p);
     }
     const std::string text = countText(points.size(), "point") + " in " +

@@ -11,14 +11,14 @@ namespace se {
 
 // ---- near duplicates ----------------------------------------------------------------------------
 
-std::optional<Finding> findNearDuplicates(const Patient& patient) {
+std::optional<Finding> findNearDuplicates(const ExaminedFile& examined) {
     // A thousandth of the spacing: a triangle on such a pair has an angle of 0.06 degrees, and no
     // surface sampled at that spacing has a detail of that size. Strong noise stays above 0.01.
-    constexpr double kSamePlace = 1e-3;
+    constexpr double kSamePointTolerance = 1e-3;
     std::vector<Index> points;
-    for (Index p = 0; p < patient.size(); ++p) {
-        for (const Index q : patient.nearest[p]) {
-            if (!(patient.distance(p, q) < kSamePlace * patient.spacing[p])) break;
+    for (Index p = 0; p < examined.size(); ++p) {
+        for (const Index q : examined.nearest[p]) {
+            if (!(examined.distance(p, q) < kSamePointTolerance * examined.spacing[p])) break;
             points.push_back(std::max(p, q));
         }
     }
@@ -37,9 +37,9 @@ namespace {
 constexpr double kFar = 8.0;
 
 /// Median of the spacings of the points that p lists.
-double spacingAround(const Patient& patient, Index p, std::vector<double>& room) {
+double spacingAround(const ExaminedFile& examined, Index p, std::vector<double>& room) {
     room.clear();
-    for (const Index q : patient.nearest[p]) room.push_back(patient.spacing[q]);
+    for (const Index q : examined.nearest[p]) room.push_back(examined.spacing[q]);
     const auto middle = room.begin() + static_cast<std::ptrdiff_t>(room.size() / 2);
     std::nth_element(room.begin(), middle, room.end());
     return *middle;
@@ -47,28 +47,28 @@ double spacingAround(const Patient& patient, Index p, std::vector<double>& room)
 
 /// Points far from all others, by the second nearest point, so that isolated pairs are found, too:
 /// two make no triangle.
-std::vector<bool> farPoints(const Patient& patient) {
-    std::vector<bool> far(patient.size(), false);
+std::vector<bool> farPoints(const ExaminedFile& examined) {
+    std::vector<bool> far(examined.size(), false);
     std::vector<double> room;
-    for (Index p = 0; p < patient.size(); ++p) {
-        const auto list = patient.nearest[p];
+    for (Index p = 0; p < examined.size(); ++p) {
+        const auto list = examined.nearest[p];
         if (list.size() < 6) continue;  // Too small a set for a spacing.
-        far[p] = patient.distance(p, list[1]) > kFar * spacingAround(patient, p, room);
+        far[p] = examined.distance(p, list[1]) > kFar * spacingAround(examined, p, room);
     }
     return far;
 }
 
 }  // namespace
 
-std::optional<Finding> findIsolatedPoints(const Patient& patient) {
-    const std::vector<bool> far = farPoints(patient);
-    std::vector<bool> wanted(patient.size(), false);
-    for (Index p = 0; p < patient.size(); ++p) {
+std::optional<Finding> findIsolatedPoints(const ExaminedFile& examined) {
+    const std::vector<bool> far = farPoints(examined);
+    std::vector<bool> wanted(examined.size(), false);
+    for (Index p = 0; p < examined.size(); ++p) {
         if (far[p]) continue;
-        for (const Index q : patient.nearest[p]) wanted[q] = true;
+        for (const Index q : examined.nearest[p]) wanted[q] = true;
     }
     std::vector<Index> points;
-    for (Index p = 0; p < patient.size(); ++p) {
+    for (Index p = 0; p < examined.size(); ++p) {
         if (far[p] && !wanted[p]) points.push_back(p);
     }
     const std::string text = countText(points.size(), "point") +
@@ -79,14 +79,14 @@ std::optional<Finding> findIsolatedPoints(const Patient& patient) {
 
 // ---- collinear points ---------------------------------------------------------------------------
 
-std::optional<Finding> findInLine(const Patient& patient) {
-    if (patient.presentCount < 3) return std::nullopt;
-    const std::vector<Vec3> plane = estimateNormals(patient.file.position, patient.nearest);
+std::optional<Finding> findInLine(const ExaminedFile& examined) {
+    if (examined.presentCount < 3) return std::nullopt;
+    const std::vector<Vec3> plane = estimateNormals(examined.file.position, examined.nearest);
     std::vector<Index> points;
-    for (Index p = 0; p < patient.size(); ++p) {
-        if (patient.present[p] && plane[p] == Vec3(0.0)) points.push_back(p);
+    for (Index p = 0; p < examined.size(); ++p) {
+        if (examined.present[p] && plane[p] == Vec3(0.0)) points.push_back(p);
     }
-    const bool all = points.size() == patient.presentCount;
+    const bool all = points.size() == examined.presentCount;
     const std::string text =
         countText(points.size(), "point") + " in line with all of the nearest others";
     return findingAt(std::move(points), all ? Severity::Error : Severity::Warning, text);
@@ -94,16 +94,16 @@ std::optional<Finding> findInLine(const Patient& patient) {
 
 // ---- spacing ------------------------------------------------------------------------------------
 
-std::optional<Finding> findUnevenSpacing(const Patient& patient) {
+std::optional<Finding> findUnevenSpacing(const ExaminedFile& examined) {
     // A list with a reach of two spacings is empty where points are this much sparser, and sixteen
     // times too long where they are this much denser.
     constexpr double kUneven = 4.0;
-    const double middle = patient.middleSpacing;
+    const double middle = examined.middleSpacing;
     double least = middle;
     double most = middle;
     std::vector<Index> points;
-    for (Index p = 0; p < patient.size(); ++p) {
-        const double spacing = patient.spacing[p];
+    for (Index p = 0; p < examined.size(); ++p) {
+        const double spacing = examined.spacing[p];
         if (spacing == 0.0) continue;
         least = std::min(least, spacing);
         most = std::max(most, spacing);
@@ -141,11 +141,11 @@ bool tieAbout(const std::vector<Offset>& near, std::size_t a, std::size_t b) {
     return tie;
 }
 
-bool hasTie(const Patient& patient, Index p, std::vector<Offset>& near) {
+bool hasTie(const ExaminedFile& examined, Index p, std::vector<Offset>& near) {
     near.clear();
-    const auto list = patient.nearest[p];
+    const auto list = examined.nearest[p];
     for (const Index q : list.first(std::min(kSquare, list.size()))) {
-        const Vec3 offset = patient.file.position[q] - patient.file.position[p];
+        const Vec3 offset = examined.file.position[q] - examined.file.position[p];
         near.push_back({offset, glm::dot(offset, offset)});
     }
     for (std::size_t a = 0; a < near.size(); ++a) {
@@ -158,17 +158,17 @@ bool hasTie(const Patient& patient, Index p, std::vector<Offset>& near) {
 
 }  // namespace
 
-std::optional<Finding> findTies(const Patient& patient) {
+std::optional<Finding> findTies(const ExaminedFile& examined) {
     std::vector<Index> points;
     std::vector<Offset> near;
-    for (Index p = 0; p < patient.size(); ++p) {
-        if (patient.present[p] && hasTie(patient, p, near)) points.push_back(p);
+    for (Index p = 0; p < examined.size(); ++p) {
+        if (examined.present[p] && hasTie(examined, p, near)) points.push_back(p);
     }
     // A lattice has ties everywhere. Ties in places occur in many scans and in machine parts whose
     // coordinates have few digits, and are no problem.
-    const bool lattice = 10 * points.size() >= 9 * patient.presentCount;
+    const bool lattice = 10 * points.size() >= 9 * examined.presentCount;
     const std::string text =
-        countText(points.size(), "point") + " of " + std::to_string(patient.presentCount) +
+        countText(points.size(), "point") + " of " + std::to_string(examined.presentCount) +
         " exactly on a circle through three others" + (lattice ? ": an exact lattice" : "");
     return findingAt(std::move(points), lattice ? Severity::Warning : Severity::Note, text);
 }

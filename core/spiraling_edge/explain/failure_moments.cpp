@@ -11,7 +11,7 @@
 #include "spiraling_edge/explain/freed_rings.h"
 #include "spiraling_edge/explain/inspected_run.h"
 #include "spiraling_edge/explain/moment_finder.h"
-#include "spiraling_edge/explain/root_decisions.h"
+#include "spiraling_edge/explain/origin_decisions.h"
 #include "spiraling_edge/replay/decision_line.h"
 #include "spiraling_edge/replay/scan_run.h"
 
@@ -55,7 +55,7 @@ class Finders {
         }
     }
 
-    void see(const ScannedPivot& pivot) {
+    void add(const ScannedPivot& pivot) {
         moves_.clear();
         for (const Event& event : pivot.events) {
             ++event_;
@@ -64,11 +64,11 @@ class Finders {
             if (limit != nullptr && limit->verdict == Verdict::Moved)
                 moves_.push_back(lineOf(event, {input_.points, input_.params, pivot.point}));
             gather(event, pivot.point);
-            const auto freed = rings_.see(event);
+            const auto freed = rings_.add(event);
             if (concerned_.empty() && !freed) continue;
             const LedgerLine line = lineOf(event, {input_.points, input_.params, pivot.point});
-            for (const std::size_t i : concerned_) finders_[i].see(line);
-            if (freed) seeFreed(*freed, pivot.point);
+            for (const std::size_t i : concerned_) finders_[i].add(line);
+            if (freed) addFreed(*freed, pivot.point);
         }
     }
 
@@ -96,10 +96,10 @@ class Finders {
             }
         });
     }
-    void seeFreed(const FreedRing& ring, Index pivot) {
+    void addFreed(const FreedRing& ring, Index pivot) {
         for (const std::size_t i : at_[ring.points.front()]) {
             if (failures_[i].kind->find != nullptr || failures_[i].points != ring.points) continue;
-            finders_[i].seeFreed(lineOf(ring.event, {input_.points, input_.params, pivot}));
+            finders_[i].addFreed(lineOf(ring.event, {input_.points, input_.params, pivot}));
         }
     }
 
@@ -119,7 +119,7 @@ class EventCounts {
   public:
     explicit EventCounts(std::size_t points) : at_(points, 0) {}
 
-    void see(const ScannedPivot& pivot) {
+    void add(const ScannedPivot& pivot) {
         all_ += pivot.events.size();
         for (const Event& event : pivot.events) {
             forEachPointOf(event, pivot.point, [&](Index p) {
@@ -199,7 +199,7 @@ bool traceBack(const PointSet& points, const Params& params, const std::vector<I
     std::copy_if(alone.begin(), alone.end(), std::back_inserter(asked),
                  [](Index triangle) { return triangle != kNone; });
     if (asked.empty()) return true;
-    const auto roots = rootDecisions(points, params, asked, progress);
+    const auto roots = originDecisions(points, params, asked, progress);
     if (!roots) return false;
     for (std::size_t i = 0; i < found.size(); ++i) {
         const auto root = roots->find(alone[i]);
@@ -222,7 +222,7 @@ Result<std::vector<std::optional<FailureMoments>>> momentsOfAll(
     }
     Finders finders(points, params, mesh, failures);
     const auto end = scanRun(
-        points, params, [&](const ScannedPivot& pivot) { finders.see(pivot); },
+        points, params, [&](const ScannedPivot& pivot) { finders.add(pivot); },
         partOf(progress, 0.0, 0.6));
     if (!end) return Error{"Cancelled."};
     auto found = finders.found();
@@ -244,7 +244,7 @@ Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& pa
                                         const Progress& progress) {
     EventCounts counts(points.size());
     auto run = inspectRun(points, params, partOf(progress, 0.0, 0.4),
-                          [&](const ScannedPivot& pivot) { counts.see(pivot); });
+                          [&](const ScannedPivot& pivot) { counts.add(pivot); });
     if (!run) return Error{"Cancelled."};
     const std::vector<Triangle>& mesh = run->end.mesh();
     std::vector<MeshFailure>& failures = run->failures;

@@ -21,7 +21,7 @@ struct FreedRing {
 class FreedRings {
   public:
     /// Takes the next event. Returns a ring at the event of its alert.
-    std::optional<FreedRing> see(const Event& event) {
+    std::optional<FreedRing> add(const Event& event) {
         if (event.address.stage != Stage::Done) {
             leaving_.clear();
             freed_.reset();

@@ -16,7 +16,7 @@ std::optional<InspectedRun> inspectRun(const PointSet& points, const Params& par
         [&](const ScannedPivot& pivot) {
             if (visit) visit(pivot);
             for (const Event& event : pivot.events) {
-                if (const auto ring = rings.see(event))
+                if (const auto ring = rings.add(event))
                     leftOver.push_back(failureOf(points, *ring));
             }
         },

@@ -23,7 +23,7 @@ std::string nameOf(const Subject& subject) {
 
 namespace {
 
-std::optional<Error> complaint(const PointSet& points, const Subject& subject) {
+std::optional<Error> subjectError(const PointSet& points, const Subject& subject) {
     for (std::size_t i = 0; i < subject.size(); ++i) {
         if (subject[i] >= points.size()) {
             return Error{"There is no point " + std::to_string(subject[i]) +
@@ -40,12 +40,12 @@ std::optional<Error> complaint(const PointSet& points, const Subject& subject) {
 Result<Ledger> why(const PointSet& points, const Params& params, const Subject& subject,
                    const Progress& progress) {
     if (points.size() == 0) return Error{"There are no points."};
-    if (auto error = complaint(points, subject)) return *error;
-    LedgerBook book(points, params, subject);
+    if (auto error = subjectError(points, subject)) return *error;
+    LedgerBuilder builder(points, params, subject);
     const std::optional<State> end = scanRun(
-        points, params, [&](const ScannedPivot& pivot) { book.add(pivot); }, progress);
+        points, params, [&](const ScannedPivot& pivot) { builder.add(pivot); }, progress);
     if (!end) return Error{"Cancelled."};
-    return book.close(*end);
+    return builder.finish(*end);
 }
 
 }  // namespace se

@@ -12,14 +12,14 @@ namespace se {
 /// winding. O(triangles).
 bool isInMesh(std::span<const Triangle> mesh, const Subject& subject);
 
-class LedgerBook {
+class LedgerBuilder {
   public:
-    LedgerBook(const PointSet& points, const Params& params, const Subject& subject)
+    LedgerBuilder(const PointSet& points, const Params& params, const Subject& subject)
         : points_(points), params_(params), ledger_{subject, false, {}, 0, {}} {}
 
     void add(const ScannedPivot& pivot);
     /// Finds the deciding line. Call it after the last pivot was added, with the state there.
-    Ledger close(const State& end);
+    Ledger finish(const State& end);
 
   private:
     void addEvent(const ScannedPivot& pivot, const Event& event);
@@ -34,7 +34,7 @@ class LedgerBook {
     std::bitset<3> alive_;  ///< Points of the subject that may become spokes of the current fan.
     Index reciprocal_ = kNone;  ///< The last point that passed the reciprocal test at this pivot.
     bool inMesh_ = false;       ///< Updated during the repair after the last pivot.
-    bool mending_ = false;
+    bool repairing_ = false;
 };
 
 }  // namespace se

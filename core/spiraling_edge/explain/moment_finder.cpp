@@ -63,16 +63,16 @@ MomentFinder::Kind MomentFinder::kindOf(const MeshFailure& failure) {
     return failure.triangles.empty() ? Kind::Point : Kind::Triangle;
 }
 
-void MomentFinder::see(const LedgerLine& line) {
+void MomentFinder::add(const LedgerLine& line) {
     if (!touched_ && touches(line.event)) touched_ = line;
     switch (kind_) {
         case Kind::Point:
-            return seeForPoint(line);
+            return addForPoint(line);
         case Kind::Hole:
         case Kind::Ring:
-            return seeForRing(line);
+            return addForRing(line);
         case Kind::Triangle:
-            return seeForTriangle(line);
+            return addForTriangle(line);
     }
 }
 
@@ -96,7 +96,7 @@ bool MomentFinder::touches(const Event& event) const {
     return testedPoint(event) != kNone && mine(testedPoint(event));
 }
 
-void MomentFinder::seeForPoint(const LedgerLine& line) {
+void MomentFinder::addForPoint(const LedgerLine& line) {
     const Index p = testedPoint(line.event);
     const bool ownFan = p == kNone && line.pivot != kNone && mine(line.pivot);
     if (ownFan && line.role == LineRole::Refused)
@@ -126,7 +126,7 @@ std::optional<LedgerLine> MomentFinder::moveOver(const DropEvidence& drop) const
 }
 
 /// A loop exists once its last point is DONE, a ring once it is freed.
-void MomentFinder::seeForRing(const LedgerLine& line) {
+void MomentFinder::addForRing(const LedgerLine& line) {
     const Index tested = testedPoint(line.event);
     const bool pivots = line.pivot != kNone && mine(line.pivot);
     const auto* ring = std::get_if<RingEvidence>(&line.event.evidence);
@@ -169,14 +169,14 @@ bool MomentFinder::isThere() const {
     return up > 1 || static_cast<std::ptrdiff_t>(made_.size()) - up > 1;
 }
 
-bool MomentFinder::mends(const Event& event) const {
-    if (!mendsMesh(event)) return false;
+bool MomentFinder::isRepair(const Event& event) const {
+    if (!editsMesh(event)) return false;
     if (const auto* flip = std::get_if<FlipEvidence>(&event.evidence))
         return mine(flip->x) && mine(flip->y);
     return mine(testedPoint(event));
 }
 
-void MomentFinder::remember(const LedgerLine& line) {
+void MomentFinder::recordTest(const LedgerLine& line) {
     if (line.event.address.pivot != pivot_) decided_.clear();
     pivot_ = line.event.address.pivot;
     const Index tested = testedPoint(line.event);
@@ -207,9 +207,9 @@ std::optional<LedgerLine> MomentFinder::decisionFor(const Triangle& made) const 
 
 /// Waits for the triangle that completes the failure: of an edge of five the third, of two that
 /// cross the second.
-void MomentFinder::seeForTriangle(const LedgerLine& line) {
-    remember(line);
-    if (mends(line.event)) {
+void MomentFinder::addForTriangle(const LedgerLine& line) {
+    recordTest(line);
+    if (isRepair(line.event)) {
         created_ = unavoidable_ = line;
         alone_ = kNone;
         return;

@@ -26,9 +26,9 @@ class MomentFinder {
     /// Points that may cause the failure by becoming DONE.
     const std::vector<Index>& around() const { return around_; }
     /// Takes the next event; events about none of points() may be left out.
-    void see(const LedgerLine& line);
+    void add(const LedgerLine& line);
     /// Takes the event at which the ring of the failure is freed.
-    void seeFreed(const LedgerLine& line) { created_ = line; }
+    void addFreed(const LedgerLine& line) { created_ = line; }
     /// The triangle that is the whole fan of its pivot, if such a triangle caused the failure.
     Index alone() const { return alone_; }
     /// The moments; nothing if the failure does not come from this run.
@@ -41,15 +41,15 @@ class MomentFinder {
 
     bool mine(Index p) const;
     bool touches(const Event& event) const;
-    void seeForPoint(const LedgerLine& line);
+    void addForPoint(const LedgerLine& line);
     std::optional<LedgerLine> moveOver(const DropEvidence& drop) const;
-    void seeForRing(const LedgerLine& line);
+    void addForRing(const LedgerLine& line);
     bool isOne(const EmitEvidence& made) const;
     bool isThere() const;
     bool isEarlyFailure() const;
-    bool mends(const Event& event) const;
-    void seeForTriangle(const LedgerLine& line);
-    void remember(const LedgerLine& line);
+    bool isRepair(const Event& event) const;
+    void addForTriangle(const LedgerLine& line);
+    void recordTest(const LedgerLine& line);
     std::optional<LedgerLine> decisionForPart(const Triangle& made) const;
     std::optional<LedgerLine> decisionFor(const Triangle& made) const;
 

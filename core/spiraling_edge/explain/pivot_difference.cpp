@@ -39,7 +39,7 @@ Key keyOf(const Event& event) {
             [&](const FillEvidence& e) { return key(e.pivot, e.first, e.last); },
             [&](const ReinsertEvidence& e) { return key(e.point); },
             [&](const FlipEvidence& e) { return key(e.u, e.v, e.x, e.y); },
-            [&](const ReseatEvidence& e) { return key(e.point); },
+            [&](const RemoveFoldedEvidence& e) { return key(e.point); },
             [&](const EmitEvidence& e) {
                 return key(e.triangle, e.corners.a, e.corners.b, e.corners.c);
             },
@@ -86,19 +86,20 @@ class PivotEvents {
             order_.push_back({pass, events[i].address.stage, i, keyOf(events[i])});
             if (std::holds_alternative<GuardEvidence>(events[i].evidence)) ++pass;
         }
-        std::stable_sort(order_.begin(), order_.end(),
-                         [](const Place& x, const Place& y) { return x.rank() < y.rank(); });
+        std::stable_sort(
+            order_.begin(), order_.end(),
+            [](const OrderedEvent& x, const OrderedEvent& y) { return x.rank() < y.rank(); });
     }
 
-    struct Place {
+    struct OrderedEvent {
         std::uint32_t pass;
         Stage stage;
         std::size_t event;
         Key key;
         std::pair<std::uint32_t, Stage> rank() const { return {pass, stage}; }
     };
-    const std::vector<Place>& order() const { return order_; }
-    const Event& at(const Place& place) const { return events_[place.event]; }
+    const std::vector<OrderedEvent>& order() const { return order_; }
+    const Event& at(const OrderedEvent& place) const { return events_[place.event]; }
     std::size_t size() const { return events_.size(); }
     bool sorts(Index point) const {
         return std::any_of(events_.begin(), events_.end(),
@@ -113,27 +114,27 @@ class PivotEvents {
         });
     }
     /// The same test at the same place of the order; null if this run does not make it.
-    const Place* counterpart(const Place& place, const PivotEvents& from) const {
+    const OrderedEvent* counterpart(const OrderedEvent& place, const PivotEvents& from) const {
         std::size_t number = 0;  // a test may be repeated in a stage
-        for (const Place& p : from.order_) {
+        for (const OrderedEvent& p : from.order_) {
             if (p.event == place.event) break;
             if (p.rank() == place.rank() && p.key == place.key) ++number;
         }
-        for (const Place& p : order_) {
+        for (const OrderedEvent& p : order_) {
             if (p.rank() == place.rank() && p.key == place.key && number-- == 0) return &p;
         }
         return nullptr;
     }
     /// The last repetition of the test at that place of the order; null if there is none.
-    const Place* lastOf(const Place& place) const {
-        const auto found = std::find_if(order_.rbegin(), order_.rend(), [&](const Place& p) {
+    const OrderedEvent* lastOf(const OrderedEvent& place) const {
+        const auto found = std::find_if(order_.rbegin(), order_.rend(), [&](const OrderedEvent& p) {
             return p.rank() == place.rank() && p.key == place.key;
         });
         return found == order_.rend() ? nullptr : &*found;
     }
     /// The first event at or after `rank`, else the last event; 0 without events.
     std::size_t instead(const std::pair<std::uint32_t, Stage>& rank) const {
-        for (const Place& p : order_) {
+        for (const OrderedEvent& p : order_) {
             if (p.rank() >= rank) return p.event;
         }
         return order_.empty() ? 0 : order_.back().event;
@@ -141,7 +142,7 @@ class PivotEvents {
 
   private:
     std::span<const Event> events_;
-    std::vector<Place> order_;
+    std::vector<OrderedEvent> order_;
 };
 
 /// Both runs at the pivot.
@@ -151,13 +152,13 @@ class PivotPair {
 
     std::optional<Mismatch> otherTest() const {
         return firstWhere([&](const PivotEvents& mine, const PivotEvents& other,
-                              const PivotEvents::Place& place) {
+                              const PivotEvents::OrderedEvent& place) {
             return isTest(mine.at(place)) && differs(mine, other, place);
         });
     }
     std::optional<Mismatch> otherList() const {
         auto found = firstWhere([&](const PivotEvents& mine, const PivotEvents& other,
-                                    const PivotEvents::Place& place) {
+                                    const PivotEvents::OrderedEvent& place) {
             const Event& event = mine.at(place);
             return isSort(event) && onlyListed(mine, other, event) &&
                    mine.emits(testedPoint(event));
@@ -165,11 +166,11 @@ class PivotPair {
         if (found) found->listsDiffer = true;
         return found;
     }
-    std::optional<Mismatch> otherDeed() const {
-        return firstWhere(
-            [](const PivotEvents& mine, const PivotEvents& other, const PivotEvents::Place& place) {
-                return !isTest(mine.at(place)) && other.counterpart(place, mine) == nullptr;
-            });
+    std::optional<Mismatch> otherAction() const {
+        return firstWhere([](const PivotEvents& mine, const PivotEvents& other,
+                             const PivotEvents::OrderedEvent& place) {
+            return !isTest(mine.at(place)) && other.counterpart(place, mine) == nullptr;
+        });
     }
 
     Mismatch withLists(Mismatch found) const {
@@ -179,10 +180,10 @@ class PivotPair {
     }
 
   private:
-    using Place = PivotEvents::Place;
+    using OrderedEvent = PivotEvents::OrderedEvent;
 
     static Index onlyListedPoint(const PivotEvents& mine, const PivotEvents& other) {
-        for (const Place& place : mine.order()) {
+        for (const OrderedEvent& place : mine.order()) {
             const Event& event = mine.at(place);
             if (isSort(event) && outcomeOf(event) == Outcome::Taken &&
                 onlyListed(mine, other, event))
@@ -198,9 +199,10 @@ class PivotPair {
     }
     /// True if the other run has a different result, or does not make the test although it changes
     /// something.
-    static bool differs(const PivotEvents& mine, const PivotEvents& other, const Place& place) {
+    static bool differs(const PivotEvents& mine, const PivotEvents& other,
+                        const OrderedEvent& place) {
         const Event& event = mine.at(place);
-        if (const Place* const there = other.counterpart(place, mine))
+        if (const OrderedEvent* const there = other.counterpart(place, mine))
             return answerOf(other.at(*there)) != answerOf(event);
         if (onlyListed(mine, other, event)) return false;
         // Candidates stay unless refused; start, end and the ring stay unless moved.
@@ -213,8 +215,9 @@ class PivotPair {
     template <typename Condition>
     std::optional<Mismatch> firstWhere(const Condition& holds) const {
         const auto find = [&](const PivotEvents& mine, const PivotEvents& other) {
-            return std::find_if(mine.order().begin(), mine.order().end(),
-                                [&](const Place& place) { return holds(mine, other, place); });
+            return std::find_if(
+                mine.order().begin(), mine.order().end(),
+                [&](const OrderedEvent& place) { return holds(mine, other, place); });
         };
         const auto i = find(a_, b_);
         const auto j = find(b_, a_);
@@ -229,8 +232,8 @@ class PivotPair {
         return found;
     }
     static Mismatch mismatchAt(const PivotEvents& mine, const PivotEvents& other,
-                               const Place& place) {
-        const Place* there = other.counterpart(place, mine);
+                               const OrderedEvent& place) {
+        const OrderedEvent* there = other.counterpart(place, mine);
         // Repeated more often here: compared with the last result there.
         if (there == nullptr && isTest(mine.at(place))) there = other.lastOf(place);
         const bool decides =
@@ -244,7 +247,7 @@ class PivotPair {
 
 std::string pointName(Index point) { return "point " + std::to_string(point); }
 
-std::string placeName(const Event& event, Index pivot) {
+std::string testName(const Event& event, Index pivot) {
     std::string text;
     if (const auto section = stageSection(event.address.stage); !section.empty())
         text = std::string(section) + ", ";
@@ -253,7 +256,7 @@ std::string placeName(const Event& event, Index pivot) {
     return text;
 }
 
-std::string deed(const Event& event) {
+std::string actionText(const Event& event) {
     const bool takes = outcomeOf(event) == Outcome::Taken;
     if (const auto* limit = std::get_if<LimitEvidence>(&event.evidence)) {
         const std::string side = limit->side == Side::Start ? "start" : "end";
@@ -270,7 +273,7 @@ std::string deed(const Event& event) {
 
 }  // namespace
 
-bool makesTheSame(std::span<const Event> a, std::span<const Event> b) {
+bool sameResult(std::span<const Event> a, std::span<const Event> b) {
     const auto nextDeed = [](std::span<const Event> events, std::size_t i) {
         while (i < events.size() && isTest(events[i])) ++i;
         return i;
@@ -298,7 +301,7 @@ Mismatch firstDifference(std::span<const Event> a, std::span<const Event> b) {
     const PivotPair pair(a, b);
     if (const auto test = pair.otherTest()) return pair.withLists(*test);
     if (const auto list = pair.otherList()) return *list;
-    return pair.otherDeed().value_or(Mismatch{});
+    return pair.otherAction().value_or(Mismatch{});
 }
 
 std::string wordsFor(const Mismatch& mismatch, std::span<const Event> a, std::span<const Event> b,
@@ -308,7 +311,7 @@ std::string wordsFor(const Mismatch& mismatch, std::span<const Event> a, std::sp
     const Event& inA = a[mismatch.a];
     const Event& inB = b[mismatch.b];
     const Event& asked = mismatch.aDecides ? inA : inB;
-    const std::string place = placeName(asked, pivot) + ": ";
+    const std::string place = testName(asked, pivot) + ": ";
     if (mismatch.listsDiffer) {
         return place + (mismatch.aDecides ? "A" : "B") + " lists " + pointName(testedPoint(asked)) +
                ", " + (mismatch.aDecides ? "B" : "A") + " does not.";
@@ -316,8 +319,8 @@ std::string wordsFor(const Mismatch& mismatch, std::span<const Event> a, std::sp
     const char* const who = mismatch.aDecides ? "A " : "B ";
     const char* const other = mismatch.aDecides ? "B" : "A";
     const bool oneAsks = isTest(asked) && mismatch.aDecides != mismatch.bDecides;
-    std::string text = oneAsks ? place + who + deed(asked) + ", " + other + " does not ask."
-                               : place + "A " + deed(inA) + ", B " + deed(inB) + ".";
+    std::string text = oneAsks ? place + who + actionText(asked) + ", " + other + " does not ask."
+                               : place + "A " + actionText(inA) + ", B " + actionText(inB) + ".";
     if (mismatch.onlyInA != kNone)
         text += " Only A lists " + pointName(mismatch.onlyInA) + " here.";
     if (mismatch.onlyInB != kNone)

@@ -24,7 +24,7 @@ struct Mismatch {
 };
 
 /// True if seeds, rings, triangles and the next pivot are the same; tests may differ.
-bool makesTheSame(std::span<const Event> a, std::span<const Event> b);
+bool sameResult(std::span<const Event> a, std::span<const Event> b);
 
 /// The first test with different outcomes, in the order of the stages; nothing if there is none.
 /// Points in the list of only one run do not count.

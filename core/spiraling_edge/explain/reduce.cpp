@@ -49,7 +49,7 @@ class Reducer {
                 others.push_back(p);
             }
         }
-        return treat(file_, others).file;
+        return applyFixes(file_, others).file;
     }
     bool stillFails(const std::vector<Index>& points) {
         if (over() || points.empty()) return false;

@@ -29,7 +29,7 @@ struct ReduceTry {
 /// until no single point can be removed. Fails if the whole input does not fail, or if cancelled;
 /// `progress` gets a share by the points left. Once the tries have taken `effort` together, no more
 /// are made: the result is the best so far, possibly the whole input. `file` must come from
-/// treat(). Deterministic if `fails` is.
+/// applyFixes(). Deterministic if `fails` is.
 Result<Reduced> reduceInput(const PointFile& file, const Vec3& place,
                             const std::function<ReduceTry(const PointFile&)>& fails,
                             std::uint64_t effort, const Progress& progress = {});

@@ -19,16 +19,17 @@ struct Trial {
 
 std::vector<Trial> trialsFor(const Params& params) {
     std::vector<Trial> trials;
-    const Rules robust = paramsByName("robust")->rules;
+    const Params robust = *paramsByName("robust");
     for (const RuleSwitch& each : ruleSwitches()) {
-        if (!(robust.*each.member) || params.rules.*each.member) continue;
+        if (!each.isOn(robust) || each.isOn(params)) continue;
         Trial trial{{&each, {}, false, 0, 0}, params};
-        trial.params.rules.*each.member = true;
+        each.turnOn(trial.params);
         trials.push_back(trial);
     }
     for (const std::string_view set : {"corrected", "robust"}) {
         Trial trial{{nullptr, set, false, 0, 0}, params};
-        trial.params.rules = paramsByName(set)->rules;
+        trial.params.readings = paramsByName(set)->readings;
+        trial.params.robust = paramsByName(set)->robust;
         if (!(trial.params == params)) trials.push_back(trial);
     }
     return trials;
@@ -43,7 +44,7 @@ std::size_t countOf(const InspectedRun& run) {
 
 /// True if the classes mean the same failure: points in no triangle near the surface and far from
 /// it do.
-bool sameTrouble(const FailureClass& a, const FailureClass& b) {
+bool sameProblem(const FailureClass& a, const FailureClass& b) {
     const auto unused = [](const FailureClass& c) {
         return c.name == "unused_points" || c.name == "isolated_points";
     };
@@ -59,7 +60,7 @@ std::string_view nameOf(const Remedy& remedy) {
 bool isStillThere(const MeshFailure& failure, const std::vector<MeshFailure>& failures) {
     const std::size_t enough = std::min<std::size_t>(2, failure.points.size());
     return std::any_of(failures.begin(), failures.end(), [&](const MeshFailure& each) {
-        if (!sameTrouble(*each.kind, *failure.kind)) return false;
+        if (!sameProblem(*each.kind, *failure.kind)) return false;
         const auto shared = std::count_if(each.points.begin(), each.points.end(), [&](Index p) {
             return std::binary_search(failure.points.begin(), failure.points.end(), p);
         });

@@ -14,31 +14,31 @@ namespace se {
 
 namespace {
 
-std::string addressOf(const RingPlace& ring) {
+std::string addressOf(const RingAddress& ring) {
     const bool whole = ring.at.stage == Stage::Pivot && ring.at.n == 0;
     return whole ? std::to_string(ring.at.pivot) : toString(ring.at);
 }
 
 }  // namespace
 
-std::string nameOf(const RingPlace& ring) {
+std::string nameOf(const RingAddress& ring) {
     return (ring.place == 0 ? "active ring" : "ring #" + std::to_string(ring.place)) + " at " +
            addressOf(ring);
 }
 
-Result<RingPlace> ringPlaceFromString(std::string_view text) {
+Result<RingAddress> ringAddressFromString(std::string_view text) {
     const Error expected{"\"" + std::string(text) +
                          "\": expected an address, such as 137 for the active ring there, or "
                          "137#2 for the second on the stack."};
     const std::size_t sign = text.find('#');
     const auto at = addressFromString(text.substr(0, sign));
     if (!at) return expected;
-    if (sign == std::string_view::npos) return RingPlace{*at, 0};
+    if (sign == std::string_view::npos) return RingAddress{*at, 0};
     const std::string_view number = text.substr(sign + 1);
     Index place = 0;
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), place);
     if (error != std::errc() || end != number.data() + number.size() || place == 0) return expected;
-    return RingPlace{*at, place};
+    return RingAddress{*at, place};
 }
 
 namespace {
@@ -62,7 +62,7 @@ class RingGenealogy {
     }
 
     std::size_t rings() const { return lanes_.live(); }
-    const LaneKeeper::Ring* ringAt(Index place) const {
+    const LaneTracker::Ring* ringAt(Index place) const {
         if (place == 0) return lanes_.active() ? &*lanes_.active() : nullptr;
         const auto& stack = lanes_.stack();
         return place <= stack.size() ? &stack[stack.size() - place] : nullptr;
@@ -105,7 +105,7 @@ class RingGenealogy {
         makings_.push_back(std::move(making));
     }
 
-    LaneKeeper lanes_;
+    LaneTracker lanes_;
     std::vector<Making> makings_;
     std::map<std::uint32_t, std::size_t> made_;  ///< Per lane: the event that made its ring.
 };
@@ -113,9 +113,9 @@ class RingGenealogy {
 /// Stops at the place of the query and collects the answer.
 class RingFinder {
   public:
-    explicit RingFinder(const RingPlace& ring) : ring_(ring) {}
+    explicit RingFinder(const RingAddress& ring) : ring_(ring) {}
 
-    void see(const ScannedPivot& pivot) {
+    void add(const ScannedPivot& pivot) {
         if (found_) return;
         for (const Event& event : pivot.events) {
             genealogy_.take(pivot, event);
@@ -156,13 +156,13 @@ class RingFinder {
     void stop() {
         found_ = true;
         rings_ = genealogy_.rings();
-        const LaneKeeper::Ring* ring = genealogy_.ringAt(ring_.place);
+        const LaneTracker::Ring* ring = genealogy_.ringAt(ring_.place);
         if (ring == nullptr) return;
         length_ = ring->length;
         lines_ = genealogy_.linesOf(ring->lane);
     }
 
-    RingPlace ring_;
+    RingAddress ring_;
     RingGenealogy genealogy_;
     bool found_ = false;
     std::uint32_t last_ = 0;  ///< The last pivot visited.
@@ -173,7 +173,7 @@ class RingFinder {
 
 }  // namespace
 
-Result<RingHistory> whyRing(const PointSet& points, const Params& params, const RingPlace& ring,
+Result<RingHistory> whyRing(const PointSet& points, const Params& params, const RingAddress& ring,
                             const Progress& progress) {
     RingFinder finder(ring);
     // Events after the place are not needed.
@@ -181,7 +181,7 @@ Result<RingHistory> whyRing(const PointSet& points, const Params& params, const 
         return !finder.found() && (!progress || progress(share));
     };
     const auto end = scanRun(
-        points, params, [&](const ScannedPivot& pivot) { finder.see(pivot); }, goOn);
+        points, params, [&](const ScannedPivot& pivot) { finder.add(pivot); }, goOn);
     if (!end && !finder.found()) return Error{"Cancelled."};
     return finder.history();
 }

@@ -12,18 +12,18 @@ namespace se {
 
 /// A ring by its address and place. Rings have no names of their own, since splits and joins change
 /// them.
-struct RingPlace {
+struct RingAddress {
     Address at;       ///< Just after this decision; a pivot alone: after its last.
     Index place = 0;  ///< 0: the active ring; else counted from the top of the stack, from 1.
-    friend bool operator==(const RingPlace&, const RingPlace&) = default;
+    friend bool operator==(const RingAddress&, const RingAddress&) = default;
 };
 /// "active ring at 137", "ring #2 at 137.ring.4".
-std::string nameOf(const RingPlace& ring);
+std::string nameOf(const RingAddress& ring);
 /// Reads "137", "137#2", "137.ring.4#2". Fails with a sentence.
-Result<RingPlace> ringPlaceFromString(std::string_view text);
+Result<RingAddress> ringAddressFromString(std::string_view text);
 
 struct RingHistory {
-    RingPlace ring;
+    RingAddress ring;
     Index length = 0;               ///< Points of the ring there.
     std::vector<LedgerLine> lines;  ///< The seeds, splits and joins of its ancestry, in order.
     std::size_t cause = 0;          ///< Position of the last of them, which made the ring.
@@ -32,7 +32,7 @@ struct RingHistory {
 
 /// The history of `ring`. Fails if the run has no such address, or no such ring there, or if
 /// cancelled. O(run up to it).
-Result<RingHistory> whyRing(const PointSet& points, const Params& params, const RingPlace& ring,
+Result<RingHistory> whyRing(const PointSet& points, const Params& params, const RingAddress& ring,
                             const Progress& progress = {});
 
 }  // namespace se

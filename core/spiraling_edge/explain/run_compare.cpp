@@ -27,19 +27,19 @@ std::array<Index, 3> turnedToLeast(const Triangle& t) {
 bool has(const Triangle& t, Index p) { return t.a == p || t.b == p || t.c == p; }
 
 /// Records the event that made each triangle while a run goes on.
-class Births {
+class TriangleOrigins {
   public:
-    void see(const Event& event) {
+    void add(const Event& event) {
         if (std::holds_alternative<EmitEvidence>(event.evidence)) {
             emitted_.push_back(event.address);
-        } else if (mendsMesh(event)) {
-            mending_.push_back(event);
+        } else if (editsMesh(event)) {
+            repairs_.push_back(event);
         }
     }
     MadeMesh take(State end) const {
         MadeMesh mesh;
         mesh.pivots = end.counters.pivots;
-        if (end.mend.empty()) {
+        if (end.repair.empty()) {
             mesh.triangles = std::move(end.triangles);
             mesh.made = emitted_;
             mesh.made.resize(mesh.triangles.size());
@@ -48,10 +48,10 @@ class Births {
         std::map<std::array<Index, 3>, Address> byCorners;
         for (std::size_t i = 0; i < emitted_.size(); ++i)
             byCorners[turnedToLeast(end.triangles[i])] = emitted_[i];
-        mesh.triangles = std::move(end.mend.triangles);
+        mesh.triangles = std::move(end.repair.triangles);
         for (const Triangle& t : mesh.triangles) {
             const auto found = byCorners.find(turnedToLeast(t));
-            mesh.made.push_back(found != byCorners.end() ? found->second : mended(t));
+            mesh.made.push_back(found != byCorners.end() ? found->second : repairOrigin(t));
         }
         mesh.emitted = std::move(end.triangles);
         return mesh;
@@ -59,24 +59,24 @@ class Births {
 
   private:
     /// The last step after the pivots that can have made this triangle.
-    Address mended(const Triangle& t) const {
+    Address repairOrigin(const Triangle& t) const {
         const auto leaves = [&](const Event& event) {
             if (const auto* flip = std::get_if<FlipEvidence>(&event.evidence))
                 return has(t, flip->x) && has(t, flip->y);
             const auto* point = std::get_if<ReinsertEvidence>(&event.evidence);
             return point != nullptr && has(t, point->point);
         };
-        const auto found = std::find_if(mending_.rbegin(), mending_.rend(), leaves);
-        if (found != mending_.rend()) return found->address;
+        const auto found = std::find_if(repairs_.rbegin(), repairs_.rend(), leaves);
+        if (found != repairs_.rend()) return found->address;
         // The others closed the hole of a point that was taken out; the events do not name them.
-        const auto taken = std::find_if(mending_.rbegin(), mending_.rend(), [](const Event& e) {
-            return std::holds_alternative<ReseatEvidence>(e.evidence);
+        const auto taken = std::find_if(repairs_.rbegin(), repairs_.rend(), [](const Event& e) {
+            return std::holds_alternative<RemoveFoldedEvidence>(e.evidence);
         });
-        return taken != mending_.rend() ? taken->address : Address{};
+        return taken != repairs_.rend() ? taken->address : Address{};
     }
 
     std::vector<Address> emitted_;
-    std::vector<Event> mending_;
+    std::vector<Event> repairs_;
 };
 
 /// One of the two runs, a pivot at a time.
@@ -90,7 +90,7 @@ class Walker {
         log_.clear();
         if (over_) return;
         over_ = !stepper_.stepPivot();
-        for (const Event& event : log_.events()) births_.see(event);
+        for (const Event& event : log_.events()) origins_.add(event);
     }
     bool over() const { return over_; }
     std::span<const Event> events() const { return log_.events(); }
@@ -109,13 +109,13 @@ class Walker {
         const auto all = static_cast<double>(std::max<std::size_t>(run_.points.size(), 1));
         return over_ ? 1.0 : static_cast<double>(stepper_.state().done.size()) / all;
     }
-    MadeMesh take() { return births_.take(stepper_.takeState()); }
+    MadeMesh take() { return origins_.take(stepper_.takeState()); }
 
   private:
     ComparedRun run_;
     EventLog log_;
     Stepper stepper_;
-    Births births_;
+    TriangleOrigins origins_;
     bool over_ = false;
 };
 
@@ -127,14 +127,14 @@ RunDifference differenceAt(const Mismatch& mismatch, const Walker& a, const Walk
 
 /// Compares the pivot that both have just completed.
 void comparePivot(const Walker& a, const Walker& b, RunComparison& found) {
-    if (!makesTheSame(a.events(), b.events())) {
+    if (!sameResult(a.events(), b.events())) {
         found.first = differenceAt(firstDifference(a.events(), b.events()), a, b);
         return;
     }
     if (const auto other = firstOtherTest(a.events(), b.events())) {
         if (found.harmlessPivots++ == 0) found.harmless = differenceAt(*other, a, b);
     }
-    if (!a.over() && !b.over()) ++found.pivotsAlike;
+    if (!a.over() && !b.over()) ++found.commonPivots;
 }
 
 }  // namespace

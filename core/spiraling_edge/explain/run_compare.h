@@ -57,7 +57,7 @@ struct RunComparison {
     /// The first decision with a consequence: after its pivot the rings or the triangles differ.
     /// Nothing if the runs agree from the first pivot to the last.
     std::optional<RunDifference> first;
-    std::uint32_t pivotsAlike = 0;  ///< Pivots before `first`, in which the runs agree.
+    std::uint32_t commonPivots = 0;  ///< Pivots before `first`, in which the runs agree.
     /// The first different decision without a consequence, in the pivots before `first`.
     std::optional<RunDifference> harmless;
     std::uint32_t harmlessPivots = 0;  ///< Pivots with such decisions.

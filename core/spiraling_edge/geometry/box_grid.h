@@ -43,12 +43,12 @@ class BoxCells {
 
   private:
     std::array<std::uint64_t, 3> place(const Vec3& p) const {
-        constexpr double kMost = (1U << 21U) - 1;
+        constexpr double kMax = (1U << 21U) - 1;
         std::array<std::uint64_t, 3> cell{};
         for (int i = 0; i < 3; ++i) {
             const double x = (p[i] - low_[i]) * perCell_;
             cell[static_cast<std::size_t>(i)] =
-                static_cast<std::uint64_t>(std::min(std::max(x, 0.0), kMost));
+                static_cast<std::uint64_t>(std::min(std::max(x, 0.0), kMax));
         }
         return cell;
     }

@@ -18,7 +18,7 @@ class CellGrid {
   public:
     /// Requires a cell above 0 and low <= high; points outside belong to the cells at the border.
     CellGrid(const Vec3& low, const Vec3& high, double cell) : low_(low), cell_(cell) {
-        while (blocksOf(high) > kMostBlocks) cell_ *= 1.25;
+        while (blocksOf(high) > kMaxBlocks) cell_ *= 1.25;
         for (int i = 0; i < 3; ++i) count_[i] = static_cast<int>((high[i] - low_[i]) / cell_) + 1;
         blocks_ = (count_ - 1) / kSide + 1;
         block_.assign(blockOf(count_ - 1) + 1, kNone);
@@ -35,15 +35,15 @@ class CellGrid {
         next_.push_back(first);
         first = static_cast<Index>(next_.size() - 1);
     }
-    /// Calls `see` with all points within the width of a cell of `x`, and with some farther ones.
-    template <typename See>
-    void near(const Vec3& x, See&& see) const {
+    /// Calls `visit` with all points within the width of a cell of `x`, and with some farther ones.
+    template <typename Visit>
+    void near(const Vec3& x, Visit&& visit) const {
         const glm::ivec3 from = glm::max(cellOf(x) - 1, glm::ivec3(0));
         const glm::ivec3 to = glm::min(cellOf(x) + 1, count_ - 1);
         for (int k = from.z; k <= to.z; ++k) {
             for (int j = from.y; j <= to.y; ++j) {
                 for (int i = from.x; i <= to.x; ++i) {
-                    for (Index p = firstIn({i, j, k}); p != kNone; p = next_[p]) see(p);
+                    for (Index p = firstIn({i, j, k}); p != kNone; p = next_[p]) visit(p);
                 }
             }
         }
@@ -53,7 +53,7 @@ class CellGrid {
     /// Cells along an edge of a block.
     static constexpr int kSide = 8;
     /// Beyond this, the table of blocks costs more than visiting more points per cell.
-    static constexpr double kMostBlocks = 16e6;
+    static constexpr double kMaxBlocks = 16e6;
 
     double blocksOf(const Vec3& high) const {
         const Vec3 count = (high - low_) / (cell_ * kSide) + 1.0;

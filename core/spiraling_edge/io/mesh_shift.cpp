@@ -87,7 +87,7 @@ double asFloat(double value) {
 
 std::optional<Vec3> floatShift(const PointFile& points, std::span<const Triangle> triangles) {
     constexpr double kSharpness = 1000.0;  // Parts of the spacing that must survive.
-    constexpr int kMostTries = 4;
+    constexpr int kMaxTries = 4;
     const Corners corners(points.position, triangles);
     const double allowed = corners.spacing / kSharpness;
     if (!(allowed > 0.0) || !std::isfinite(corners.spacing)) return std::nullopt;
@@ -96,7 +96,7 @@ std::optional<Vec3> floatShift(const PointFile& points, std::span<const Triangle
     std::optional<Vec3> shift;
     const Vec3 middle = 0.5 * (corners.low + corners.high);
     int exponent = exponentOf(corners.extent());
-    for (int i = 0; i < kMostTries && best > allowed; ++i, --exponent) {
+    for (int i = 0; i < kMaxTries && best > allowed; ++i, --exponent) {
         Vec3 tried;
         for (int axis = 0; axis < 3; ++axis) tried[axis] = rounded(middle[axis], exponent);
         const double left = worstRounding(points.position, triangles, tried);

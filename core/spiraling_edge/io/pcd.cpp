@@ -110,8 +110,8 @@ class PcdReader {
         if (key == "COUNT") {
             return forEachField(key, words, [](PcdField& field, std::string_view word) {
                 std::int64_t number = 0;
-                constexpr std::int64_t kMost = 1 << 20;
-                if (!parseInteger(word, number) || number < 0 || number > kMost) return false;
+                constexpr std::int64_t kMax = 1 << 20;
+                if (!parseInteger(word, number) || number < 0 || number > kMax) return false;
                 field.count = static_cast<std::uint64_t>(number);
                 return true;
             });

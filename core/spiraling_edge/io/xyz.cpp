@@ -19,8 +19,9 @@ enum class Commas : std::uint8_t { None, Separating, Decimal, Mixed };
 
 bool isBlank(std::string_view text) { return std::all_of(text.begin(), text.end(), isSpace); }
 
-/// True if there are 1 to `most` fields before each `separator`, and at most `most` after the last.
-bool hasFieldsBetween(std::string_view line, char separator, std::size_t most) {
+/// True if there are 1 to `limit` fields before each `separator`, and at most `limit` after the
+/// last.
+bool hasFieldsBetween(std::string_view line, char separator, std::size_t limit) {
     std::size_t count = 0;
     bool inField = false;
     for (const char c : line) {
@@ -32,7 +33,7 @@ bool hasFieldsBetween(std::string_view line, char separator, std::size_t most) {
             inField = false;
         } else if (!inField) {
             inField = true;
-            if (++count > most) return false;
+            if (++count > limit) return false;
         }
     }
     return true;

@@ -1,5 +1,5 @@
 /// The directed edges of the mesh and their triangles: for the rules beyond the paper that examine
-/// finished triangles (Rules::guard and others).
+/// finished triangles (RobustRules::guard and others).
 #pragma once
 
 #include <vector>

@@ -86,7 +86,7 @@ class FaultFinder {
     void testPair(Index a, Index b);
     /// True when the search must end: a triangle made 70,000 times, as in a run that was stopped,
     /// makes more than two billion pairs, and even skipping them takes minutes.
-    bool isOver() const { return intersections_ == kMostIntersections || work_ == 0; }
+    bool isOver() const { return intersections_ == kMaxIntersections || work_ == 0; }
     void spend(std::uint64_t work) { work_ -= std::min(work, work_); }
 
     const PointSet& points_;

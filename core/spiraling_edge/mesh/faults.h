@@ -33,7 +33,7 @@ struct Fault {
 };
 
 /// Maximum number of intersecting pairs: a hopelessly tangled mesh has billions.
-inline constexpr std::size_t kMostIntersections = 1000000;
+inline constexpr std::size_t kMaxIntersections = 1000000;
 /// Limit of the work of the search for intersections, in pairs of triangles visited: a fixed
 /// amount, plus kIntersectionWorkPerTriangle for each triangle. A pair whose boxes meet counts
 /// kPairTestWork units; in one plane, where only exact arithmetic decides, 2048 units beyond 16
@@ -52,7 +52,7 @@ struct FaultSearch {
 };
 
 /// All faults. Intersections are exact (floating-point filter, then exact arithmetic); the search
-/// for them ends early after kMostIntersections, or after the work named above: about two seconds
+/// for them ends early after kMaxIntersections, or after the work named above: about two seconds
 /// for a tangled mesh of some thousand triangles. Boundary edges are no faults: see MeshReport.
 /// Requires corners below points.size() and finite positions of used points. Deterministic. About
 /// O(t) for t triangles of similar size, however often one is repeated.

@@ -64,9 +64,9 @@ std::string describe(const MeshFailure& failure) {
         text += list(failure.triangles);
     }
     if (failure.length > 0.0)
-        text += "; length " + num(failure.length) + ", area " + num(failure.area);
-    return text + "; at (" + num(failure.place.x) + ", " + num(failure.place.y) + ", " +
-           num(failure.place.z) + ")";
+        text += "; length " + sixDigits(failure.length) + ", area " + sixDigits(failure.area);
+    return text + "; at (" + sixDigits(failure.place.x) + ", " + sixDigits(failure.place.y) + ", " +
+           sixDigits(failure.place.z) + ")";
 }
 
 std::string amountText(const ClassTotal& total) {

@@ -48,7 +48,7 @@ inline constexpr std::size_t kSmallComponent = 20;
 inline constexpr double kIsolated = 4.0;
 
 /// At most this many intersecting triangles are listed: a tangled mesh has millions.
-inline constexpr std::size_t kMostListed = 10'000;
+inline constexpr std::size_t kMaxListed = 10'000;
 
 /// The number of failures of a class.
 struct ClassTotal {
@@ -75,7 +75,7 @@ bool isComplete(std::span<const ClassTotal> totals);
 /// lists are not used. A loop whose points all lie on walls (isBoundary) is the border of the
 /// surface and no hole. Requires corners below points.size() and finite positions of used points.
 /// Self-intersections are exact; the search for them has the limits of searchFaults(), and the
-/// first kMostListed are listed. Deterministic. About O(t log t).
+/// first kMaxListed are listed. Deterministic. About O(t log t).
 MeshInspection inspectWithTotals(const PointSet& points, std::span<const Triangle> triangles);
 /// The failures that inspectWithTotals() lists.
 std::vector<MeshFailure> inspectMesh(const PointSet& points, std::span<const Triangle> triangles);

@@ -12,11 +12,11 @@ namespace se::inspect {
 namespace {
 
 /// Calls `see(begin, end)` for the sides of each edge.
-template <typename See>
-void forEachEdge(const InspectedMesh& mesh, See&& see) {
+template <typename Visit>
+void forEachEdge(const InspectedMesh& mesh, Visit&& visit) {
     for (std::size_t i = 0; i < mesh.sides.size();) {
         const std::size_t end = endOfEdge(mesh.sides, i);
-        see(i, end);
+        visit(i, end);
         i = end;
     }
 }
@@ -139,8 +139,8 @@ void smallComponents(const InspectedMesh& mesh, Failures& failures) {
 namespace {
 
 /// Calls `see(p, isolated)` for the points in no triangle that have a finite position.
-template <typename See>
-void forEachUnused(const InspectedMesh& mesh, See&& see) {
+template <typename Visit>
+void forEachUnused(const InspectedMesh& mesh, Visit&& visit) {
     const auto finite = [&](std::size_t p) {
         const Vec3& x = mesh.points.position[p];
         return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z);
@@ -157,7 +157,7 @@ void forEachUnused(const InspectedMesh& mesh, See&& see) {
     }
     if (!any || !(reach > 0.0)) {
         for (std::size_t p = 0; p < mesh.points.size(); ++p) {
-            if (!mesh.used[p] && finite(p)) see(static_cast<Index>(p), true);
+            if (!mesh.used[p] && finite(p)) visit(static_cast<Index>(p), true);
         }
         return;
     }
@@ -175,7 +175,7 @@ void forEachUnused(const InspectedMesh& mesh, See&& see) {
             const Vec3 d = mesh.points.position[numbers[i]] - mesh.points.position[p];
             if (glm::dot(d, d) <= reach * reach) isolated = false;
         });
-        see(static_cast<Index>(p), isolated);
+        visit(static_cast<Index>(p), isolated);
     }
 }
 

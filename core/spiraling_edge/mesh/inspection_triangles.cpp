@@ -56,13 +56,13 @@ std::vector<Index> cornersOf(const InspectedMesh& mesh, std::initializer_list<In
     return points;
 }
 
-/// Appends the first `most` faults of one kind as failures.
+/// Appends the first `limit` faults of one kind as failures.
 void ofKind(FaultKind kind, const InspectedMesh& mesh, Failures& failures,
-            std::size_t most = std::numeric_limits<std::size_t>::max()) {
+            std::size_t limit = std::numeric_limits<std::size_t>::max()) {
     std::size_t listed = 0;
     for (const Fault& fault : mesh.faults) {
         if (fault.kind != kind) continue;
-        if (listed++ == most) return;
+        if (listed++ == limit) return;
         std::vector<Index> triangles{fault.triangle};
         if (fault.other != kNone) triangles.push_back(fault.other);
         failures.push_back(
@@ -76,7 +76,7 @@ void degenerate(const InspectedMesh& mesh, Failures& failures) {
     ofKind(FaultKind::Degenerate, mesh, failures);
 }
 void intersecting(const InspectedMesh& mesh, Failures& failures) {
-    ofKind(FaultKind::Intersecting, mesh, failures, kMostListed);
+    ofKind(FaultKind::Intersecting, mesh, failures, kMaxListed);
 }
 void folded(const InspectedMesh& mesh, Failures& failures) {
     ofKind(FaultKind::Folded, mesh, failures);

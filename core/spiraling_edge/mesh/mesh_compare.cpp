@@ -49,8 +49,8 @@ std::vector<Entry> sortedEntries(std::span<const Triangle> triangles) {
 class Pairing {
   public:
     Pairing(std::span<const Triangle> a, std::span<const Triangle> b) {
-        found_.a.assign(a.size(), Standing::Only);
-        found_.b.assign(b.size(), Standing::Only);
+        found_.a.assign(a.size(), Match::Missing);
+        found_.b.assign(b.size(), Match::Missing);
         const std::vector<Entry> left = sortedEntries(a);
         const std::vector<Entry> right = sortedEntries(b);
         auto i = left.begin();
@@ -70,8 +70,8 @@ class Pairing {
                 j = jEnd;
             }
         }
-        found_.onlyA = a.size() - found_.both - found_.turned;
-        found_.onlyB = b.size() - found_.both - found_.turned;
+        found_.onlyA = a.size() - found_.both - found_.reversed;
+        found_.onlyB = b.size() - found_.both - found_.reversed;
     }
     MeshDifference take() { return std::move(found_); }
 
@@ -80,14 +80,14 @@ class Pairing {
     void pair(std::span<const Entry> a, std::span<const Entry> b) {
         for (const bool alike : {true, false}) {
             for (const Entry& x : a) {
-                if (found_.a[x.triangle] != Standing::Only) continue;
+                if (found_.a[x.triangle] != Match::Missing) continue;
                 const auto y = std::find_if(b.begin(), b.end(), [&](const Entry& e) {
-                    return found_.b[e.triangle] == Standing::Only && (e.odd == x.odd) == alike;
+                    return found_.b[e.triangle] == Match::Missing && (e.odd == x.odd) == alike;
                 });
                 if (y == b.end()) continue;
                 found_.a[x.triangle] = found_.b[y->triangle] =
-                    alike ? Standing::Both : Standing::Turned;
-                ++(alike ? found_.both : found_.turned);
+                    alike ? Match::Same : Match::Reversed;
+                ++(alike ? found_.both : found_.reversed);
             }
         }
     }
@@ -119,17 +119,17 @@ class RegionFinder {
     }
 
   private:
-    void join(std::span<const Triangle> triangles, const std::vector<Standing>& standing) {
+    void join(std::span<const Triangle> triangles, const std::vector<Match>& match) {
         for (std::size_t i = 0; i < triangles.size(); ++i) {
-            if (standing[i] == Standing::Both) continue;
+            if (match[i] == Match::Same) continue;
             sets_.unite(triangles[i].a, triangles[i].b);
             sets_.unite(triangles[i].b, triangles[i].c);
         }
     }
-    void place(std::span<const Triangle> triangles, const std::vector<Standing>& standing,
+    void place(std::span<const Triangle> triangles, const std::vector<Match>& match,
                std::vector<Index> DifferenceRegion::*list) {
         for (std::size_t i = 0; i < triangles.size(); ++i) {
-            if (standing[i] == Standing::Both) continue;
+            if (match[i] == Match::Same) continue;
             const Triangle& t = triangles[i];
             Index& number = regionOf_[sets_.find(t.a)];
             if (number == kNone) {
@@ -178,12 +178,12 @@ TriangleSet::TriangleSet(std::span<const Triangle> mesh) {
     std::sort(entries_.begin(), entries_.end());
 }
 
-Standing TriangleSet::find(const Triangle& triangle) const {
+Match TriangleSet::find(const Triangle& triangle) const {
     Entry entry = entryOf(triangle);
-    if (std::binary_search(entries_.begin(), entries_.end(), entry)) return Standing::Both;
+    if (std::binary_search(entries_.begin(), entries_.end(), entry)) return Match::Same;
     entry.odd = !entry.odd;
-    return std::binary_search(entries_.begin(), entries_.end(), entry) ? Standing::Turned
-                                                                       : Standing::Only;
+    return std::binary_search(entries_.begin(), entries_.end(), entry) ? Match::Reversed
+                                                                       : Match::Missing;
 }
 
 }  // namespace se

@@ -15,31 +15,31 @@ namespace se {
 
 /// A vertex of a file is a point of the set if it is not farther from it than this times the
 /// diagonal of the box around the points: the error of rounding to floats, or to six digits.
-inline constexpr double kSamePlace = 1e-6;
+inline constexpr double kSamePointTolerance = 1e-6;
 
 /// A mesh of a file, with vertices renumbered as the points that it was made on.
 struct MatchedMesh {
     /// In the order of the file. A corner n with n >= points is strangers[n - points].
     std::vector<Triangle> triangles;
-    std::vector<Vec3> strangers;          ///< Vertices of triangles that lie on no point.
-    std::vector<Index> strangerVertices;  ///< Their numbers in the file, ascending.
+    std::vector<Vec3> unmatchedVertices;  ///< Vertices of triangles that lie on no point.
+    std::vector<Index> unmatchedNumbers;  ///< Their numbers in the file, ascending.
 };
 
 /// Finds the point of each vertex: the one of the same number if it lies there, or else the nearest
-/// within kSamePlace, ties by index. Vertices in no triangle are ignored. Requires faces that name
-/// existing vertices. Deterministic. About O(points + vertices).
+/// within kSamePointTolerance, ties by index. Vertices in no triangle are ignored. Requires faces
+/// that name existing vertices. Deterministic. About O(points + vertices).
 MatchedMesh matchMesh(std::span<const Vec3> points, const PointFile& mesh);
 
 /// The counterpart of a triangle in the other mesh.
-enum class Standing : std::uint8_t {
-    Both,    ///< The same corners, wound the same way.
-    Turned,  ///< The same corners, wound the other way.
-    Only,    ///< Nothing with these corners.
+enum class Match : std::uint8_t {
+    Same,      ///< The same corners, wound the same way.
+    Reversed,  ///< The same corners, wound the other way.
+    Missing,   ///< Nothing with these corners.
 };
 
 /// Triangles that only one mesh has, or has reversed, connected by common points.
 struct DifferenceRegion {
-    std::vector<Index> inA;  ///< Positions in the list of A, ascending: Only and Turned.
+    std::vector<Index> inA;  ///< Positions in the list of A, ascending: Missing and Reversed.
     std::vector<Index> inB;
     std::vector<Index> points;  ///< All their corners, ascending.
     Vec3 place{};               ///< Center of the box around them, scene units.
@@ -47,10 +47,10 @@ struct DifferenceRegion {
 };
 
 struct MeshDifference {
-    std::vector<Standing> a;  ///< For each triangle of A.
-    std::vector<Standing> b;
+    std::vector<Match> a;  ///< For each triangle of A.
+    std::vector<Match> b;
     std::size_t both = 0;
-    std::size_t turned = 0;
+    std::size_t reversed = 0;
     std::size_t onlyA = 0;
     std::size_t onlyB = 0;
     /// Most triangles first, then by the least point.
@@ -71,8 +71,8 @@ class TriangleSet {
   public:
     TriangleSet() = default;
     explicit TriangleSet(std::span<const Triangle> mesh);
-    /// Both, Turned or Only: as if `triangle` were one of A, and the set B. O(log t).
-    Standing find(const Triangle& triangle) const;
+    /// Same, Reversed or Missing: as if `triangle` were one of A, and the set B. O(log t).
+    Match find(const Triangle& triangle) const;
 
   private:
     struct Entry {

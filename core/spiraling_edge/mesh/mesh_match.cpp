@@ -13,9 +13,9 @@ namespace se {
 namespace {
 
 /// Points by position, to find one within a small distance.
-class PlaceFinder {
+class PointFinder {
   public:
-    explicit PlaceFinder(std::span<const Vec3> points) : points_(points) {
+    explicit PointFinder(std::span<const Vec3> points) : points_(points) {
         for (std::size_t i = 0; i < points.size(); ++i) {
             if (!isFinite(points[i])) continue;
             known_.push_back(static_cast<Index>(i));
@@ -27,7 +27,7 @@ class PlaceFinder {
         }
         if (!box_) return;
         const double diagonal = glm::length(box_->high - box_->low);
-        tolerance_ = kSamePlace * diagonal;
+        tolerance_ = kSamePointTolerance * diagonal;
         // Cells of about one point each; the tolerance is far smaller.
         const double cell = diagonal / std::max(2.0, std::sqrt(static_cast<double>(known_.size())));
         grid_.emplace(box_->low, box_->high, cell > 0.0 ? cell : 1.0);
@@ -63,7 +63,7 @@ class PlaceFinder {
 }  // namespace
 
 MatchedMesh matchMesh(std::span<const Vec3> points, const PointFile& mesh) {
-    const PlaceFinder finder(points);
+    const PointFinder finder(points);
     const bool sameCount = points.size() == mesh.position.size();
     std::vector<bool> used(mesh.position.size(), false);
     for (const Triangle& t : mesh.faces) used[t.a] = used[t.b] = used[t.c] = true;
@@ -74,9 +74,9 @@ MatchedMesh matchMesh(std::span<const Vec3> points, const PointFile& mesh) {
         const Vec3& x = mesh.position[v];
         pointOf[v] = sameCount && finder.isAt(v, x) ? v : finder.at(x);
         if (pointOf[v] != kNone) continue;
-        pointOf[v] = static_cast<Index>(points.size() + matched.strangers.size());
-        matched.strangers.push_back(x);
-        matched.strangerVertices.push_back(v);
+        pointOf[v] = static_cast<Index>(points.size() + matched.unmatchedVertices.size());
+        matched.unmatchedVertices.push_back(x);
+        matched.unmatchedNumbers.push_back(v);
     }
     matched.triangles.reserve(mesh.faces.size());
     for (const Triangle& t : mesh.faces)

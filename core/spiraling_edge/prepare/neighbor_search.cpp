@@ -98,7 +98,7 @@ class Candidates {
     explicit Candidates(const Cloud& cloud) : cloud_(cloud) {}
 
     struct Limits {
-        std::size_t most = 0;  ///< Maximum length of the list, at least 1.
+        std::size_t capacity = 0;  ///< Maximum length of the list, at least 1.
         double reachSquared = std::numeric_limits<double>::max();
         bool dropOpposing = false;
         std::size_t mostDropped = 0;  ///< Beyond it the search ends without a result.
@@ -121,7 +121,7 @@ class Candidates {
     // The interface of a result set of nanoflann.
     double worstDist() const { return bound_; }
     std::size_t size() const { return found_.size(); }
-    bool full() const { return found_.size() == limits_.most; }
+    bool full() const { return found_.size() == limits_.capacity; }
     bool addPoint(double distance, Index i) {
         if (distance > limits_.reachSquared) return true;
         // Only points at the same place are at distance 0, or so near that its square is.
@@ -205,7 +205,7 @@ class RangeSearch {
         const std::size_t others = cloud_.size() - 1;
         if (others == 0) return;
         Candidates::Limits limits;
-        limits.most = others;
+        limits.capacity = others;
         limits.dropOpposing = options_.dropOpposingNormals;
         limits.mostDropped = others;
         if (const auto* reach = std::get_if<WithinRadius>(&options_.reach)) {
@@ -214,11 +214,11 @@ class RangeSearch {
             return take(point, others);
         }
         const std::size_t k = std::min(std::get<KNearest>(options_.reach).k, others);
-        limits.most = k;
+        limits.capacity = k;
         limits.mostDropped = mostExamined(k) - k;
         query(point, limits);
         if (candidates_.gaveUp()) {
-            limits.most = std::min(mostExamined(k), others);
+            limits.capacity = std::min(mostExamined(k), others);
             limits.dropOpposing = false;
             query(point, limits);
         }
@@ -232,9 +232,9 @@ class RangeSearch {
         tree_.findNeighbors(candidates_, &cloud_.position(point).x, nanoflann::SearchParams());
     }
 
-    /// Appends the first `most` candidates that pass the filter.
-    void take(Index point, std::size_t most) {
-        const std::size_t end = found_.size() + most;
+    /// Appends the first `limit` candidates that pass the filter.
+    void take(Index point, std::size_t limit) {
+        const std::size_t end = found_.size() + limit;
         for (const Found& candidate : candidates_.sorted()) {
             if (found_.size() == end) return;
             if (options_.dropOpposingNormals &&

@@ -160,7 +160,7 @@ class Preparation {
         return [this, from, share](double own) { return progress_(from + (share - from) * own); };
     }
     /// Checks for cancellation between parts of the work without progress.
-    Status goOn() const {
+    Status reportProgress() const {
         if (!progress_ || progress_(done_)) return success();
         return Error{"preparing the points was cancelled"};
     }
@@ -212,7 +212,7 @@ class Preparation {
         Result<NeighborLists> lists = search();
         if (!lists) return lists.error();
         const auto patches = noisePatches(set_.position, set_.normal, lists.value(), usable_);
-        if (Status status = goOn(); !status) return status;
+        if (Status status = reportProgress(); !status) return status;
         while (const std::size_t aside =
                    setNoiseAside(set_.position, patches, lists.value(), usable_)) {
             report_.noisyPoints += aside;
@@ -222,7 +222,7 @@ class Preparation {
         for (Index p = 0; p < set_.size(); ++p) {
             if (usable_[p]) set_.normal[p] = patches[p].normal;
         }
-        return goOn();
+        return reportProgress();
     }
 
     Result<NeighborLists> cleanLists() {

@@ -21,13 +21,13 @@ constexpr double kKey120 = 1.5;
 constexpr double kKey150 = 1.8660254037844386;
 constexpr double kFullTurnOfKeys = 4.0;
 
-struct FlatPlace {
+struct FlatPoint {
     double x = 0.0, y = 0.0;
 };
 
 /// Angle key from u counterclockwise to v, both of unit length; 0 for the same direction up to
 /// rounding.
-double keyFrom(const FlatPlace& u, const FlatPlace& v) {
+double keyFrom(const FlatPoint& u, const FlatPoint& v) {
     constexpr double kSameDirection = 1e-9;
     const double cosine = std::clamp(u.x * v.x + u.y * v.y, -1.0, 1.0);
     const double sine = u.x * v.y - u.y * v.x;
@@ -39,7 +39,7 @@ double keyFrom(const FlatPlace& u, const FlatPlace& v) {
 struct Spoke {
     double key;
     Index point;
-    FlatPlace direction;
+    FlatPoint direction;
     double lengthSq;
     friend bool operator<(const Spoke& a, const Spoke& b) {
         return a.key < b.key || (a.key == b.key && a.point < b.point);
@@ -92,7 +92,7 @@ class Spokes {
 
   private:
     void add(Index q, const Vec3& offset) {
-        const FlatPlace along{glm::dot(x_, offset), glm::dot(y_, offset)};
+        const FlatPoint along{glm::dot(x_, offset), glm::dot(y_, offset)};
         const double length = std::sqrt(along.x * along.x + along.y * along.y);
         if (!(length > 0.0)) return;  // Above or below the point.
         spokes_.push_back({0.0, q, {along.x / length, along.y / length}, length * length});
@@ -106,7 +106,7 @@ class Spokes {
         }
         return best->point;
     }
-    void sortFrom(const FlatPlace& reference) {
+    void sortFrom(const FlatPoint& reference) {
         for (Spoke& spoke : spokes_) spoke.key = keyFrom(reference, spoke.direction);
         std::sort(spokes_.begin(), spokes_.end());
     }
@@ -175,7 +175,7 @@ class RimSearch {
         const auto look = [this](std::size_t p) {
             widest_[p] = widestGap(position_, normal_, lists_, static_cast<Index>(p));
         };
-        if (!forEachWatched(widest_.size(), threads, kPerThread, progress, look)) return false;
+        if (!forEachWithProgress(widest_.size(), threads, kPerThread, progress, look)) return false;
         for (Index p = 0; p < position_.size(); ++p) rim_.candidates += candidate(p) ? 1U : 0U;
         return true;
     }
@@ -304,7 +304,8 @@ Result<std::vector<RimGap>> gapsOfRimPoints(std::span<const Vec3> position,
         const auto p = static_cast<Index>(i);
         if (isRimPoint(type[p])) gap[p] = widestGap(position, normal, lists.value(), p).ends;
     };
-    if (!forEachWatched(gap.size(), threads, kPerThread, partOf(progress, kListsShare, 1.0), look))
+    if (!forEachWithProgress(gap.size(), threads, kPerThread, partOf(progress, kListsShare, 1.0),
+                             look))
         return Error{"the search for rims was cancelled"};
     return gap;
 }

@@ -31,7 +31,7 @@ struct Rim {
 /// the gaps: from a point on to the end of its gap, and there to the end of the widest gap that
 /// begins near the direction that the walk came from, if it has 60 degrees. (3) A walk that closes
 /// is a rim if two in three of its points are candidates and it is at least 2.5 of its edges wide,
-/// as an opening of Rules::rim must be. Candidates between two points of rims belong to them,
+/// as an opening of RobustRules::rim must be. Candidates between two points of rims belong to them,
 /// nothing else does.
 ///
 /// `type` may be empty; points on walls walk along, but do not become rim points, and a chain in

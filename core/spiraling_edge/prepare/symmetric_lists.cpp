@@ -73,7 +73,7 @@ Result<NeighborLists> symmetricLists(std::span<const Vec3> position, const Neigh
     const NeighborLists listedBy = turnedRound(lists);
     constexpr std::size_t kPerPiece = 4096;
     std::vector<Piece> piece((n + kPerPiece - 1) / kPerPiece);
-    const bool all = forEachWatched(piece.size(), threads, 2, progress, [&](std::size_t i) {
+    const bool all = forEachWithProgress(piece.size(), threads, 2, progress, [&](std::size_t i) {
         Joiner joiner(position, lists, listedBy);
         for (std::size_t p = i * kPerPiece; p < std::min((i + 1) * kPerPiece, n); ++p)
             joiner.append(static_cast<Index>(p), piece[i]);

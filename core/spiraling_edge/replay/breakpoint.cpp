@@ -34,23 +34,23 @@ const Hit* hitNumber(const HitList& list, std::uint64_t number) {
 }
 
 /// Hits before `here`.
-std::uint64_t countBefore(const HitList& list, RunPlace here) {
+std::uint64_t countBefore(const HitList& list, RunPosition here) {
     const auto end =
         std::lower_bound(list.hits.begin(), list.hits.end(), here,
-                         [](const Hit& hit, const RunPlace& at) { return hit.place < at; });
+                         [](const Hit& hit, const RunPosition& at) { return hit.place < at; });
     return static_cast<std::uint64_t>(end - list.hits.begin());
 }
 
 }  // namespace
 
-bool picks(const Breakpoint& breakpoint, std::uint64_t hit) {
+bool selectsHit(const Breakpoint& breakpoint, std::uint64_t hit) {
     return hit > breakpoint.skip && (hit - breakpoint.skip) % stepOf(breakpoint) == 0;
 }
 
-std::uint64_t HitList::upTo(RunPlace here) const {
+std::uint64_t HitList::upTo(RunPosition here) const {
     const auto end =
         std::upper_bound(hits.begin(), hits.end(), here,
-                         [](const RunPlace& at, const Hit& hit) { return at < hit.place; });
+                         [](const RunPosition& at, const Hit& hit) { return at < hit.place; });
     return static_cast<std::uint64_t>(end - hits.begin());
 }
 
@@ -58,16 +58,16 @@ bool scanHits(const PointSet& points, const Params& params, std::span<const Deci
               const std::function<void(std::size_t query, const Hit&, const Decision&)>& found,
               const Progress& progress) {
     const bool failures = std::any_of(queries.begin(), queries.end(),
-                                      [](const DecisionQuery& q) { return q.asksForFailures(); });
-    const auto see = [&](const Decision& decision, RunPlace place) {
+                                      [](const DecisionQuery& q) { return q.needsFailures(); });
+    const auto onDecision = [&](const Decision& decision, RunPosition place) {
         for (std::size_t i = 0; i < queries.size(); ++i) {
             if (queries[i].matches(decision)) found(i, {place, decision.event.address}, decision);
         }
     };
-    return scanDecisions(points, params, failures, see, progress);
+    return scanDecisions(points, params, failures, onDecision, progress);
 }
 
-std::optional<Stop> nextStop(std::span<const ArmedBreakpoint> armed, RunPlace here) {
+std::optional<Stop> nextStop(std::span<const ArmedBreakpoint> armed, RunPosition here) {
     std::optional<Stop> best;
     for (std::size_t i = 0; i < armed.size(); ++i) {
         const Breakpoint& breakpoint = *armed[i].breakpoint;
@@ -79,7 +79,7 @@ std::optional<Stop> nextStop(std::span<const ArmedBreakpoint> armed, RunPlace he
     return best;
 }
 
-std::optional<Stop> previousStop(std::span<const ArmedBreakpoint> armed, RunPlace here) {
+std::optional<Stop> previousStop(std::span<const ArmedBreakpoint> armed, RunPosition here) {
     std::optional<Stop> best;
     for (std::size_t i = 0; i < armed.size(); ++i) {
         const Breakpoint& breakpoint = *armed[i].breakpoint;

@@ -26,29 +26,29 @@ struct Breakpoint {
 /// True if hit number `hit` stops the run. Hits count from 1, in the order of the run from its
 /// start, in both directions of time. A log-only breakpoint picks the hits that it lists in the
 /// same way.
-bool picks(const Breakpoint& breakpoint, std::uint64_t hit);
+bool selectsHit(const Breakpoint& breakpoint, std::uint64_t hit);
 
 /// A decision that a line matches.
 struct Hit {
-    RunPlace place;
+    RunPosition place;
     Address address;
     friend bool operator==(const Hit&, const Hit&) = default;
 };
 
 /// Maximum number of hits that are kept of a line.
-inline constexpr std::size_t kMostHits = std::size_t{1} << 22U;
+inline constexpr std::size_t kMaxHits = std::size_t{1} << 22U;
 
 /// The hits of a line known so far.
 struct HitList {
-    std::vector<Hit> hits;    ///< The first kMostHits, in the order of the run.
+    std::vector<Hit> hits;    ///< The first kMaxHits, in the order of the run.
     std::uint64_t total = 0;  ///< Including those that are not kept.
 
     /// Appends the next hit.
     void add(const Hit& hit) {
-        if (++total <= kMostHits) hits.push_back(hit);
+        if (++total <= kMaxHits) hits.push_back(hit);
     }
     /// Hits at `here` or before it.
-    std::uint64_t upTo(RunPlace here) const;
+    std::uint64_t upTo(RunPosition here) const;
 };
 
 /// Calls `found` with each decision of a run that one of `queries` matches, and the number of the
@@ -71,8 +71,8 @@ struct Stop {
 };
 /// The first stop after `here`; nothing if there is none. Breakpoints that are off or log-only stop
 /// nothing. O(log hits).
-std::optional<Stop> nextStop(std::span<const ArmedBreakpoint> armed, RunPlace here);
+std::optional<Stop> nextStop(std::span<const ArmedBreakpoint> armed, RunPosition here);
 /// The last stop before `here`.
-std::optional<Stop> previousStop(std::span<const ArmedBreakpoint> armed, RunPlace here);
+std::optional<Stop> previousStop(std::span<const ArmedBreakpoint> armed, RunPosition here);
 
 }  // namespace se

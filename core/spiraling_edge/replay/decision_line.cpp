@@ -23,9 +23,9 @@ bool wasSettledBefore(const Event& event) {
            (sort->verdict == Verdict::AlreadyDone || sort->verdict == Verdict::OnRingEnd);
 }
 
-bool mendsMesh(const Event& event) {
+bool editsMesh(const Event& event) {
     return std::holds_alternative<FlipEvidence>(event.evidence) ||
-           std::holds_alternative<ReseatEvidence>(event.evidence) ||
+           std::holds_alternative<RemoveFoldedEvidence>(event.evidence) ||
            std::holds_alternative<ReinsertEvidence>(event.evidence);
 }
 

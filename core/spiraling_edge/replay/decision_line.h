@@ -34,6 +34,6 @@ LedgerLine lineOf(const Event& event, const ReadingContext& context);
 bool wasSettledBefore(const Event& event);
 
 /// True for a step after the last pivot, which changes the mesh without naming the triangles.
-bool mendsMesh(const Event& event);
+bool editsMesh(const Event& event);
 
 }  // namespace se

@@ -20,14 +20,14 @@ std::string_view takeWord(std::string_view& line) {
 /// The meaning of a word; an empty condition if it is of no known form.
 struct WordMeaning {
     DecisionCondition condition;
-    bool asksForFailures = false;
+    bool needsFailures = false;
 };
 Result<WordMeaning> meaningOf(std::string_view word) {
     WordMeaning found;
     for (const QueryTerm& term : queryTerms()) {
         Result<DecisionCondition> condition = term.read(word);
         if (!condition) return condition.error();
-        if (condition.value()) found = {std::move(condition.value()), term.asksForFailures};
+        if (condition.value()) found = {std::move(condition.value()), term.needsFailures};
     }
     return found;
 }
@@ -58,7 +58,7 @@ Result<DecisionQuery> DecisionQuery::parse(std::string_view line) {
     for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
         WordMeaning meaning = meaningOf(word).value();
         query.conditions_.push_back(std::move(meaning.condition));
-        query.asksForFailures_ = query.asksForFailures_ || meaning.asksForFailures;
+        query.needsFailures_ = query.needsFailures_ || meaning.needsFailures;
     }
     return query;
 }
@@ -69,16 +69,16 @@ bool DecisionQuery::matches(const Decision& decision) const {
 }
 
 Result<FoundDecisions> findDecisions(const PointSet& points, const Params& params,
-                                     const DecisionQuery& query, std::size_t most,
+                                     const DecisionQuery& query, std::size_t limit,
                                      const Progress& progress) {
     FoundDecisions found;
-    const auto see = [&](const Decision& decision, RunPlace) {
+    const auto onDecision = [&](const Decision& decision, RunPosition) {
         if (!query.matches(decision)) return;
         ++found.total;
-        if (found.lines.size() < most)
+        if (found.lines.size() < limit)
             found.lines.push_back(lineOf(decision.event, {points, params, decision.pivot}));
     };
-    if (!scanDecisions(points, params, query.asksForFailures(), see, progress))
+    if (!scanDecisions(points, params, query.needsFailures(), onDecision, progress))
         return Error{"Cancelled."};
     return found;
 }

@@ -36,7 +36,7 @@ struct QueryTerm {
     /// The condition that `word` describes; empty if it is not of this form; an error if it is, but
     /// its value is wrong.
     Result<DecisionCondition> (*read)(std::string_view word);
-    bool asksForFailures = false;  ///< Reads Decision::failures.
+    bool needsFailures = false;  ///< Reads Decision::failures.
 };
 /// All terms, for help and completion.
 std::span<const QueryTerm> queryTerms();
@@ -56,11 +56,11 @@ class DecisionQuery {
     static Result<DecisionQuery> parse(std::string_view line);
     bool matches(const Decision& decision) const;
     /// True if some term reads Decision::failures: the run must be checked while it is scanned.
-    bool asksForFailures() const { return asksForFailures_; }
+    bool needsFailures() const { return needsFailures_; }
 
   private:
     std::vector<DecisionCondition> conditions_;
-    bool asksForFailures_ = false;
+    bool needsFailures_ = false;
 };
 
 struct FoundDecisions {
@@ -68,9 +68,9 @@ struct FoundDecisions {
     std::size_t total = 0;          ///< Of the whole run.
 };
 
-/// The decisions that match, `most` of them listed. Fails if cancelled. O(run).
+/// The decisions that match, `limit` of them listed. Fails if cancelled. O(run).
 Result<FoundDecisions> findDecisions(const PointSet& points, const Params& params,
-                                     const DecisionQuery& query, std::size_t most,
+                                     const DecisionQuery& query, std::size_t limit,
                                      const Progress& progress = {});
 
 }  // namespace se

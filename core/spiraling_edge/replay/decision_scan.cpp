@@ -40,7 +40,7 @@ std::uint32_t plainFailures(const Event& event, const PointSet& points) {
 
 std::uint32_t failuresOf(const Event& event, const PointSet& points, LiveCheck& live) {
     std::uint32_t bits = plainFailures(event, points);
-    for (const LiveFailure& each : live.see(event)) bits |= failureBit(*each.kind);
+    for (const LiveFailure& each : live.check(event)) bits |= failureBit(*each.kind);
     return bits;
 }
 
@@ -55,19 +55,19 @@ bool appearsInRun(const FailureClass& kind) {
 }
 
 bool scanDecisions(const PointSet& points, const Params& params, bool failures,
-                   const std::function<void(const Decision&, RunPlace)>& visit,
+                   const std::function<void(const Decision&, RunPosition)>& visit,
                    const Progress& progress) {
     std::optional<LiveCheck> live;
     if (failures) live.emplace(points);
-    PlaceCounter places;
-    const auto see = [&](const ScannedPivot& pivot) {
+    PositionCounter places;
+    const auto onPivot = [&](const ScannedPivot& pivot) {
         for (const Event& event : pivot.events) {
             const auto reading = readingOf(event, {points, params, pivot.point});
             const std::uint32_t bits = live ? failuresOf(event, points, *live) : 0;
             visit({event, pivot.point, reading, points, pivot.events, bits}, places.next(event));
         }
     };
-    return scanRun(points, params, see, progress).has_value();
+    return scanRun(points, params, onPivot, progress).has_value();
 }
 
 }  // namespace se

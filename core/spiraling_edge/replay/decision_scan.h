@@ -11,7 +11,7 @@ namespace se {
 /// Runs from the start and calls `visit` with each decision, in order. `failures`: fills
 /// Decision::failures, which doubles the cost. False if `progress` cancelled. Deterministic.
 bool scanDecisions(const PointSet& points, const Params& params, bool failures,
-                   const std::function<void(const Decision&, RunPlace)>& visit,
+                   const std::function<void(const Decision&, RunPosition)>& visit,
                    const Progress& progress = {});
 
 /// The bit of a class in Decision::failures.

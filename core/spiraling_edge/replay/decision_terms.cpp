@@ -289,7 +289,7 @@ Read readLeastAngle(std::string_view word) {
 }
 
 /// Limit of a range, so that a typing error does not fill the memory.
-constexpr Index kMostInRange = 10'000'000;
+constexpr Index kMaxInRange = 10'000'000;
 
 Read readAmong(std::string_view word) {
     auto text = afterPrefix(word, "among=");
@@ -302,7 +302,7 @@ Read readAmong(std::string_view word) {
         const auto from = numberIn<Index>(part.substr(0, dots));
         const auto to =
             dots == std::string_view::npos ? from : numberIn<Index>(part.substr(dots + 2));
-        if (!from || !to || *to < *from || *to - *from >= kMostInRange)
+        if (!from || !to || *to < *from || *to - *from >= kMaxInRange)
             return notA(word, "points, such as among=3,4,5 or among=3..5");
         for (Index p = *from; p <= *to; ++p) points.push_back(p);
         text->remove_prefix(std::min(comma + 1, text->size()));

@@ -37,7 +37,7 @@ std::string counted(Index count, std::string_view singular) {
 
 std::string text(const SeedEvidence& e) {
     return "A new edge ring of two: point " + str(e.first) + " and its nearest neighbor " +
-           str(e.second) + ", " + num(e.distance) + " away.";
+           str(e.second) + ", " + sixDigits(e.distance) + " away.";
 }
 std::string text(const StrandEvidence& e) {
     return "Point " + str(e.point) +
@@ -78,8 +78,8 @@ std::string text(const InsertEvidence& e) {
     std::string result = where + ", point " + str(e.third) + " joins the ring " +
                          (e.verdict == Verdict::Before ? "before" : "after") + " the pivot";
     if (!e.corner) {
-        result += "; normal x vector = (" + num(e.cross.x) + ", " + num(e.cross.y) + ", " +
-                  num(e.cross.z) + ") on wall " + faceNames(e.faces);
+        result += "; normal x vector = (" + sixDigits(e.cross.x) + ", " + sixDigits(e.cross.y) +
+                  ", " + sixDigits(e.cross.z) + ") on wall " + faceNames(e.faces);
     }
     return result + ".";
 }
@@ -107,8 +107,9 @@ std::string text(const LimitEvidence& e) {
     switch (e.verdict) {
         case Verdict::Moved:
             return point + " is listed, inside the limits, and the ring is " +
-                   (e.turn > 0.0 ? "concave there (turn " + num(e.turn) + "): "
-                                 : "convex there (turn " + num(e.turn) + "), no obstacle now: ") +
+                   (e.turn > 0.0
+                        ? "concave there (turn " + sixDigits(e.turn) + "): "
+                        : "convex there (turn " + sixDigits(e.turn) + "), no obstacle now: ") +
                    sideName(e.side) + " moves from " + deg(e.fromDegrees) + " to " +
                    deg(e.toDegrees) + ".";
         case Verdict::OtherLimit:
@@ -125,7 +126,7 @@ std::string text(const LimitEvidence& e) {
                    ": an UNUSED neighbor lies in the triangle's sphere: " + sideName(e.side) +
                    " stays.";
         default:
-            return point + ": the ring is convex there (turn " + num(e.turn) +
+            return point + ": the ring is convex there (turn " + sixDigits(e.turn) +
                    "): " + sideName(e.side) + " stays.";
     }
 }
@@ -157,8 +158,8 @@ std::string spelled(Index count) {
     return count < kWords.size() ? str(kWords[count]) : std::to_string(count);
 }
 std::string text(const HoleEvidence& e) {
-    return "Hole of " + spelled(e.edges) + ": point " + str(e.point) + " is " + num(e.side) +
-           " from the plane through start and end, the pivot " + num(e.pivotSide) +
+    return "Hole of " + spelled(e.edges) + ": point " + str(e.point) + " is " + sixDigits(e.side) +
+           " from the plane through start and end, the pivot " + sixDigits(e.pivotSide) +
            (e.verdict == Verdict::Kept ? ": same side, kept." : ": far side, removed.");
 }
 std::string text(const SphereEvidence& e) {
@@ -169,10 +170,11 @@ std::string text(const SphereEvidence& e) {
     }
     const double d = e.distance - e.radius;
     if (e.verdict == Verdict::InsideSphere && !(d < 0.0))
-        return q + " lies on the sphere " + circle + " (r = " + num(e.radius) + "): kept.";
-    const std::string place = q + " lies " + num(d < 0 ? -d : d) +
+        return q + " lies on the sphere " + circle + " (r = " + sixDigits(e.radius) + "): kept.";
+    const std::string place = q + " lies " + sixDigits(d < 0 ? -d : d) +
                               (d < 0 ? " inside" : " outside") + " the sphere " + circle +
-                              " (d = " + num(e.distance) + ", r = " + num(e.radius) + ")";
+                              " (d = " + sixDigits(e.distance) + ", r = " + sixDigits(e.radius) +
+                              ")";
     if (e.verdict == Verdict::InsideSphere) return place + ": kept.";
     const std::string gap = ", and removing it leaves a gap of " + deg(e.gapDegrees);
     return place + gap +
@@ -202,7 +204,7 @@ std::string text(const FillEvidence& e) {
 std::string text(const ReinsertEvidence& e) {
     return "Stranded point " + str(e.point) + " goes into the triangle it lies over.";
 }
-std::string text(const ReseatEvidence& e) {
+std::string text(const RemoveFoldedEvidence& e) {
     return "Point " + str(e.point) + " has a flipped triangle: taken out, its hole is closed.";
 }
 std::string text(const FlipEvidence& e) {

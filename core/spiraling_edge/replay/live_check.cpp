@@ -24,7 +24,7 @@ constexpr double kCell = 1.5;
 /// Number of points whose lists give the mean distance.
 constexpr std::size_t kSampled = 512;
 
-double usualDistance(const PointSet& points) {
+double meanNeighborDistance(const PointSet& points) {
     double sum = 0.0;
     std::size_t count = 0;
     const std::size_t stride = std::max<std::size_t>(1, points.size() / kSampled);
@@ -75,30 +75,30 @@ struct EdgeUse {
 
 }  // namespace
 
-class LiveCheck::Watch {
+class LiveCheck::Checker {
   public:
-    explicit Watch(const PointSet& points)
+    explicit Checker(const PointSet& points)
         : points_(points),
-          cells_(lowerCorner(points), kCell * usualDistance(points)),
+          cells_(lowerCorner(points), kCell * meanNeighborDistance(points)),
           used_(points.size(), false),
           trianglesAt_(points.size()) {}
 
-    void see(const Event& event, std::vector<LiveFailure>& found) {
+    void check(const Event& event, std::vector<LiveFailure>& found) {
         found_ = &found;
         address_ = event.address;
         if (const auto* emit = std::get_if<EmitEvidence>(&event.evidence)) {
-            seeTriangle(emit->corners);
+            checkTriangle(emit->corners);
         } else if (const auto* strand = std::get_if<StrandEvidence>(&event.evidence)) {
-            seeDone(strand->point);
+            checkDone(strand->point);
         } else if (const auto* ring = std::get_if<RingEvidence>(&event.evidence)) {
-            if (ring->status < 0) seeDone(ring->point);
+            if (ring->status < 0) checkDone(ring->point);
         }
     }
 
     bool searchesAll() const { return !exhausted_; }
 
   private:
-    void seeDone(Index p) {
+    void checkDone(Index p) {
         if (!used_[p]) add("unused_points", kNone, kNone, {p});
         if (!isOneFan(p)) add("non_manifold_vertices", kNone, kNone, {p});
         trianglesAt_[p] = {};  // A DONE point gets no more triangles (§4).
@@ -124,7 +124,7 @@ class LiveCheck::Watch {
         return joined + 1 >= all.size();
     }
 
-    void seeTriangle(const Triangle& made) {
+    void checkTriangle(const Triangle& made) {
         const auto number = static_cast<Index>(triangles_.size());
         triangles_.push_back(made);
         boxes_.push_back(boxOf(points_, made));
@@ -133,15 +133,15 @@ class LiveCheck::Watch {
         for (const Index p : {made.a, made.b, made.c}) trianglesAt_[p].push_back(number);
         const bool area = !isDegenerate(points_, made);
         hasArea_.push_back(area);
-        seeEdges(number);
+        checkEdges(number);
         const auto [same, fresh] = byCorners_.try_emplace(sortedCorners(made), number);
         if (!fresh) addPair("duplicate_triangles", number, same->second);
         if (!area) return addPair("degenerate_triangles", number, number);
-        seeCrossing(number, fresh);
+        checkCrossing(number, fresh);
         if (isFlipped(points_, made)) addPair("flipped_triangles", number, number);
     }
 
-    void seeEdges(Index number) {
+    void checkEdges(Index number) {
         const Triangle& t = triangles_[number];
         Index fold = kNone;
         bool manyTold = false;
@@ -166,7 +166,7 @@ class LiveCheck::Watch {
 
     /// Tests a new triangle against all earlier ones nearby until it meets one, then adds it to
     /// them. A copy (not `fresh`) is not added: the first of its kind crosses the same triangles.
-    void seeCrossing(Index number, bool fresh) {
+    void checkCrossing(Index number, bool fresh) {
         allowed_ += kLiveCheckWorkPerTriangle;
         // Permanently, since the triangles skipped meanwhile are in no cell.
         exhausted_ = exhausted_ || work_ > allowed_;
@@ -232,18 +232,18 @@ class LiveCheck::Watch {
     Address address_;
 };
 
-LiveCheck::LiveCheck(const PointSet& points) : watch_(std::make_unique<Watch>(points)) {}
+LiveCheck::LiveCheck(const PointSet& points) : checker_(std::make_unique<Checker>(points)) {}
 LiveCheck::~LiveCheck() = default;
 LiveCheck::LiveCheck(LiveCheck&&) noexcept = default;
 LiveCheck& LiveCheck::operator=(LiveCheck&&) noexcept = default;
 
-std::vector<LiveFailure> LiveCheck::see(std::span<const Event> events) {
+std::vector<LiveFailure> LiveCheck::check(std::span<const Event> events) {
     std::vector<LiveFailure> found;
-    for (const Event& event : events) watch_->see(event, found);
+    for (const Event& event : events) checker_->check(event, found);
     return found;
 }
 
-bool LiveCheck::complete() const { return watch_->searchesAll(); }
+bool LiveCheck::complete() const { return checker_->searchesAll(); }
 
 std::string describe(const LiveFailure& failure) {
     const std::vector<Index>& p = failure.points;

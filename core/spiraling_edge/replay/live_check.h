@@ -47,16 +47,16 @@ class LiveCheck {
 
     /// The failures of the next events of the run, in their order. `events` must follow from the
     /// start of the run without a gap, usually a pivot at a time. About O(1) for a triangle.
-    std::vector<LiveFailure> see(std::span<const Event> events);
+    std::vector<LiveFailure> check(std::span<const Event> events);
     /// The failures of a single event, the next one.
-    std::vector<LiveFailure> see(const Event& event) { return see(std::span(&event, 1)); }
+    std::vector<LiveFailure> check(const Event& event) { return check(std::span(&event, 1)); }
     /// False once the work limit above is reached: crossings are no longer detected then, all other
     /// classes still are.
     bool complete() const;
 
   private:
-    class Watch;
-    std::unique_ptr<Watch> watch_;
+    class Checker;
+    std::unique_ptr<Checker> checker_;
 };
 
 }  // namespace se

@@ -107,7 +107,7 @@ void restoreIndices(const Renumbered& renumbered, State& state) {
     const std::vector<Index>& original = renumbered.original;
     state.status = permuted(state.status, inverse(original));
     restore(state.triangles, original);
-    restore(state.mend.triangles, original);
+    restore(state.repair.triangles, original);
     for (Index& p : state.done) p = original[p];
     for (Alert& alert : state.alerts) {
         if (alert.point != kNone) alert.point = original[alert.point];

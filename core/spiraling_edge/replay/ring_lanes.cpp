@@ -36,30 +36,30 @@ std::uint32_t lanesAt(std::span<const LaneChange> changes, std::uint32_t pivot) 
     return next == changes.begin() ? 0 : std::prev(next)->live;
 }
 
-std::vector<LaneChange> LaneKeeper::takeChanges() { return std::exchange(changes_, {}); }
+std::vector<LaneChange> LaneTracker::takeChanges() { return std::exchange(changes_, {}); }
 
-void LaneKeeper::take(const Event& event) {
+void LaneTracker::take(const Event& event) {
     pivot_ = event.address.pivot;
     std::visit([this](const auto& evidence) { take(evidence); }, event.evidence);
 }
 
-void LaneKeeper::note(LaneChangeKind kind, std::uint32_t lane, std::uint32_t other) {
+void LaneTracker::note(LaneChangeKind kind, std::uint32_t lane, std::uint32_t other) {
     changes_.push_back({pivot_, lane, other, live(), kind});
 }
 
-std::uint32_t LaneKeeper::freeLane() {
+std::uint32_t LaneTracker::freeLane() {
     if (free_.empty()) return lanes_++;
     const std::uint32_t lane = free_.top();
     free_.pop();
     return lane;
 }
 
-void LaneKeeper::take(const SeedEvidence&) {
+void LaneTracker::take(const SeedEvidence&) {
     active_ = Ring{freeLane(), 2, false};
     note(LaneChangeKind::Seed, active_->lane, active_->lane);
 }
 
-void LaneKeeper::beginPivot(Index ringLength) {
+void LaneTracker::beginPivot(Index ringLength) {
     if (active_) active_->length = ringLength;
     for (auto ring = stack_.rbegin(); ring != stack_.rend() && ring->fresh; ++ring) {
         ring->fresh = false;
@@ -67,15 +67,15 @@ void LaneKeeper::beginPivot(Index ringLength) {
     closing_ = 0;
 }
 
-void LaneKeeper::take(const PivotEvidence& pivot) { beginPivot(pivot.ringLength); }
-void LaneKeeper::take(const FillEvidence& fill) { beginPivot(fill.ringLength); }
+void LaneTracker::take(const PivotEvidence& pivot) { beginPivot(pivot.ringLength); }
+void LaneTracker::take(const FillEvidence& fill) { beginPivot(fill.ringLength); }
 
-void LaneKeeper::take(const InsertEvidence& insert) {
+void LaneTracker::take(const InsertEvidence& insert) {
     const bool inserted = insert.verdict == Verdict::Before || insert.verdict == Verdict::After;
     if (active_ && inserted) ++active_->length;
 }
 
-void LaneKeeper::take(const RingEvidence& ring) {
+void LaneTracker::take(const RingEvidence& ring) {
     if (closing_ > 0) {
         --closing_;
     } else if (active_) {
@@ -83,14 +83,14 @@ void LaneKeeper::take(const RingEvidence& ring) {
     }
 }
 
-std::optional<std::size_t> LaneKeeper::freshOfLength(Index length) const {
+std::optional<std::size_t> LaneTracker::freshOfLength(Index length) const {
     for (std::size_t i = stack_.size(); i-- > 0 && stack_[i].fresh;) {
         if (stack_[i].length == length) return i;
     }
     return std::nullopt;
 }
 
-void LaneKeeper::take(const SplitEvidence& split) {
+void LaneTracker::take(const SplitEvidence& split) {
     if (!active_) return;
     const Index whole = split.activeLength + split.stackedLength;
     Ring* parent = &*active_;
@@ -104,15 +104,15 @@ void LaneKeeper::take(const SplitEvidence& split) {
     note(LaneChangeKind::Split, stack_.back().lane, from);
 }
 
-void LaneKeeper::joinStacked(std::size_t gone, Ring& into) {
+void LaneTracker::joinStacked(std::size_t gone, Ring& into) {
     const std::uint32_t lane = stack_[gone].lane;
     const std::uint32_t other = into.lane;
     stack_.erase(stack_.begin() + static_cast<std::ptrdiff_t>(gone));
-    giveBack(lane);
+    releaseLane(lane);
     note(LaneChangeKind::Join, lane, other);
 }
 
-void LaneKeeper::take(const JoinEvidence& join) {
+void LaneTracker::take(const JoinEvidence& join) {
     if (!active_ || stack_.empty()) return;
     if (join.depthFromTop == kNone) {
         const auto place = freshOfLength(join.length - active_->length);
@@ -137,44 +137,44 @@ void LaneKeeper::take(const JoinEvidence& join) {
     joinStacked(place, *active_);
 }
 
-void LaneKeeper::take(const CloseEvidence& close) {
+void LaneTracker::take(const CloseEvidence& close) {
     closing_ = close.b == kNone ? 1U : 2U;
     if (const auto place = freshOfLength(closing_)) {
         const std::uint32_t lane = stack_[*place].lane;
         stack_.erase(stack_.begin() + static_cast<std::ptrdiff_t>(*place));
-        giveBack(lane);
+        releaseLane(lane);
         note(LaneChangeKind::Closed, lane, lane);
     } else {
         endActive(LaneChangeKind::Closed);
     }
 }
 
-void LaneKeeper::endActive(LaneChangeKind kind) {
+void LaneTracker::endActive(LaneChangeKind kind) {
     if (!active_) return;
     const std::uint32_t lane = active_->lane;
     active_.reset();
-    giveBack(lane);
+    releaseLane(lane);
     note(kind, lane, lane);
 }
 
-void LaneKeeper::take(const FreeEvidence&) { endActive(LaneChangeKind::Freed); }
+void LaneTracker::take(const FreeEvidence&) { endActive(LaneChangeKind::Freed); }
 
-void LaneKeeper::take(const AlertEvidence& alert) {
+void LaneTracker::take(const AlertEvidence& alert) {
     if (alert.kind == AlertKind::TriangleCap || changes_.empty()) return;
     if (changes_.back().kind == LaneChangeKind::Freed) changes_.back().kind = LaneChangeKind::Hole;
 }
 
-void LaneKeeper::activate(std::size_t place) {
+void LaneTracker::activate(std::size_t place) {
     active_ = stack_[place];
     stack_.erase(stack_.begin() + static_cast<std::ptrdiff_t>(place));
     note(LaneChangeKind::Activated, active_->lane, active_->lane);
 }
 
-void LaneKeeper::take(const AdvanceEvidence& advance) {
+void LaneTracker::take(const AdvanceEvidence& advance) {
     if (advance.popped && !active_ && !stack_.empty()) activate(stack_.size() - 1);
 }
 
-void LaneKeeper::settle(const EdgeRings& rings) {
+void LaneTracker::settle(const EdgeRings& rings) {
     if (rings.active() == kNone || active_ || stack_.empty()) return;
     // The pivot's ring was closed, and the traversal continues in one that it had split off.
     activate(freshOfLength(rings.length(rings.active())).value_or(stack_.size() - 1));

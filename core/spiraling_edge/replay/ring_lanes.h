@@ -45,7 +45,7 @@ std::uint32_t lanesAt(std::span<const LaneChange> changes, std::uint32_t pivot);
 ///
 /// Events name no rings. The stack is replayed from them, and where an event could mean one of
 /// several rings their lengths decide.
-class LaneKeeper {
+class LaneTracker {
   public:
     struct Ring {
         std::uint32_t lane = 0;
@@ -90,7 +90,7 @@ class LaneKeeper {
     void endActive(LaneChangeKind kind);
     void note(LaneChangeKind kind, std::uint32_t lane, std::uint32_t other);
     std::uint32_t freeLane();
-    void giveBack(std::uint32_t lane) { free_.push(lane); }
+    void releaseLane(std::uint32_t lane) { free_.push(lane); }
 
     std::optional<Ring> active_;
     std::vector<Ring> stack_;

@@ -13,7 +13,7 @@
 namespace se {
 namespace {
 
-constexpr std::uint32_t kMostBars = 16;
+constexpr std::uint32_t kMaxBars = 16;
 
 /// The number of occurrences of each value.
 using Histogram = std::map<std::uint32_t, std::uint64_t>;
@@ -21,7 +21,7 @@ using Histogram = std::map<std::uint32_t, std::uint64_t>;
 /// The least width of 1, 2, 5, 10, 20 ... for which the bars of a chart cover `low` to `high`.
 std::uint32_t widthFor(std::uint32_t low, std::uint32_t high) {
     std::uint64_t width = 1;
-    for (std::size_t i = 0; high / width - low / width >= kMostBars; ++i)
+    for (std::size_t i = 0; high / width - low / width >= kMaxBars; ++i)
         width = i % 3 == 1 ? width / 2 * 5 : width * 2;
     return static_cast<std::uint32_t>(width);
 }
@@ -92,8 +92,8 @@ class ChartCounter {
 Result<std::vector<RunChart>> runCharts(const PointSet& points, const Params& params,
                                         const Progress& progress) {
     ChartCounter counter;
-    const auto see = [&](const ScannedPivot& pivot) { counter.add(pivot); };
-    if (!scanRun(points, params, see, progress)) return Error{"Cancelled."};
+    const auto onPivot = [&](const ScannedPivot& pivot) { counter.add(pivot); };
+    if (!scanRun(points, params, onPivot, progress)) return Error{"Cancelled."};
     return counter.charts();
 }
 

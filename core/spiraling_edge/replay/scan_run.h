@@ -18,23 +18,23 @@ namespace se {
 
 /// Position of an event in a run. Addresses do not give this order, since stages may be repeated
 /// within a pivot (docs/robust.md).
-struct RunPlace {
+struct RunPosition {
     std::uint32_t pivot = 0;  ///< As in the address; 0 is the start of the run.
     std::uint32_t event = 0;  ///< From 0, among all events of that number.
-    friend auto operator<=>(const RunPlace&, const RunPlace&) = default;
+    friend auto operator<=>(const RunPosition&, const RunPosition&) = default;
 };
 
 /// Assigns the events of a run their places. next() must be called with every event, in order.
-class PlaceCounter {
+class PositionCounter {
   public:
-    RunPlace next(const Event& event) {
+    RunPosition next(const Event& event) {
         const bool same = event.address.pivot == place_.pivot;
         place_ = {event.address.pivot, same ? place_.event + 1 : 0};
         return place_;
     }
 
   private:
-    RunPlace place_;
+    RunPosition place_;
 };
 
 /// One pivot of a run, or one step after the last pivot.

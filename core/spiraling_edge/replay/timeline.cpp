@@ -14,10 +14,10 @@ namespace {
 /// Pivots between two calls of keepGoing: well under a millisecond.
 constexpr std::uint32_t kAskEvery = 32;
 
-std::size_t bytesOf(const MendState& mend) {
-    return mend.triangles.size() * (sizeof(Triangle) + 3 * sizeof(HalfEdge)) +
-           mend.sideOf.size() * sizeof(HalfEdge) + mend.pinched.size() / 8 +
-           mend.queue.size() * sizeof(HalfEdge);
+std::size_t bytesOf(const RepairState& repair) {
+    return repair.triangles.size() * (sizeof(Triangle) + 3 * sizeof(HalfEdge)) +
+           repair.sideOf.size() * sizeof(HalfEdge) + repair.pinched.size() / 8 +
+           repair.queue.size() * sizeof(HalfEdge);
 }
 
 std::size_t bytesOf(const NeighborRing& ring) {
@@ -57,7 +57,7 @@ std::size_t Timeline::defaultBudget(const PointSet& points) {
 
 Timeline::Timeline(const PointSet& points, const Params& params, std::size_t byteBudget)
     : stepper_(points, params), byteBudget_(byteBudget) {
-    rememberKeyframe();
+    storeKeyframe();
 }
 
 bool Timeline::stepPivot() {
@@ -83,7 +83,7 @@ bool Timeline::stepPivot() {
         beyondLast_ = true;
         tail_ = !(state().counters == before);
     } else if (position() % spacing_ == 0) {
-        rememberKeyframe();
+        storeKeyframe();
     }
     return complete;
 }
@@ -121,19 +121,19 @@ Timeline::Keyframe Timeline::makeKeyframe() {
     swapLarge(large, state);
     Keyframe keyframe{state, large.triangles.size(), large.alerts.size(), large.done.size()};
     keyframe.rest.rings = large.rings.withoutPoints();
-    keyframe.bytes = sizeof(Keyframe) + large.rings.bytesWithoutPoints() + bytesOf(state.mend) +
+    keyframe.bytes = sizeof(Keyframe) + large.rings.bytesWithoutPoints() + bytesOf(state.repair) +
                      bytesOf(state.pivot);
     swapLarge(large, state);
     stepper_.setState(std::move(state));
     return keyframe;
 }
 
-void Timeline::rememberKeyframe() {
+void Timeline::storeKeyframe() {
     if (keyframes_.contains(position())) return;
     // Each keyframe after the last pivot holds the whole mesh: never so many that those of the
     // pivots are thinned out.
     const bool first = keyframes_.empty();
-    if (!first && !state().mend.empty() && bytesOf(state().mend) > byteBudget_ / 4) return;
+    if (!first && !state().repair.empty() && bytesOf(state().repair) > byteBudget_ / 4) return;
     Keyframe keyframe = makeKeyframe();
     keyframeBytes_ += keyframe.bytes;
     keyframes_.emplace(position(), std::move(keyframe));

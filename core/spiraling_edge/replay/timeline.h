@@ -16,7 +16,7 @@ namespace se {
 /// An append-only list of a State during moves back and forth: elements beyond the current place
 /// are stored aside, so that each is in memory once.
 template <typename T>
-class Beyond {
+class RewoundTail {
   public:
     /// Makes `list` its first `count` elements; `count` may exceed its size up to the longest seen.
     void resize(std::vector<T>& list, std::size_t count) {
@@ -86,15 +86,15 @@ class Timeline {
     };
 
     Keyframe makeKeyframe();
-    void rememberKeyframe();
+    void storeKeyframe();
     void thinOut();
     void restore(const Keyframe& keyframe);
 
     Stepper stepper_;
     std::map<std::uint32_t, Keyframe> keyframes_;
-    Beyond<Triangle> triangles_;
-    Beyond<Alert> alerts_;
-    Beyond<Index> done_;
+    RewoundTail<Triangle> triangles_;
+    RewoundTail<Alert> alerts_;
+    RewoundTail<Index> done_;
     std::size_t byteBudget_;
     std::size_t keyframeBytes_ = 0;
     std::uint32_t spacing_ = 16;  ///< Pivots between keyframes; doubles when the budget is full.

@@ -76,7 +76,7 @@ class UsedCounter {
     explicit UsedCounter(std::size_t points) : used_(points, false) {}
 
     std::size_t count() const { return count_; }
-    void see(const ScannedPivot& pivot) {
+    void add(const ScannedPivot& pivot) {
         for (const Event& event : pivot.events) {
             if (const auto* seed = std::get_if<SeedEvidence>(&event.evidence)) {
                 look(seed->first, pivot.after);
@@ -139,16 +139,16 @@ bool scanWatches(
         visit(pivot, values);
     };
     show(0, State(points.size()));
-    const auto see = [&](const ScannedPivot& pivot) {
+    const auto onPivot = [&](const ScannedPivot& pivot) {
         for (const Event& event : pivot.events) {
             const Outcome outcome = outcomeOf(event);
             tests += outcome != Outcome::None ? 1 : 0;
             refused += isAgainst(outcome) ? 1 : 0;
         }
-        used.see(pivot);
+        used.add(pivot);
         show(pivot.events.front().address.pivot, pivot.after);
     };
-    return scanRun(points, params, see, progress).has_value();
+    return scanRun(points, params, onPivot, progress).has_value();
 }
 
 }  // namespace se

@@ -39,8 +39,8 @@ enum class Stage : std::uint8_t {
     Advance,     ///< §6.5: the next pivot.
     Reinsert,  ///< Beyond the paper, after the last pivot: a stranded point is put into a triangle.
     Flip,      ///< Beyond the paper, after the last pivot: an edge is flipped.
-    Reseat,    ///< Beyond the paper, after the last pivot: a point at a fault is taken out.
-    Done,      ///< §3, §7: a ring is freed or a component complete.
+    RemoveFolded,  ///< Beyond the paper, after the last pivot: a point at a fault is taken out.
+    Done,          ///< §3, §7: a ring is freed or a component complete.
 };
 inline constexpr std::size_t kStageCount = 23;
 
@@ -78,14 +78,14 @@ enum class Verdict : std::uint8_t {
     NotAnEdge,   ///< The ring step is open.
     Outside,     ///< A candidate outside the new limits.
     OtherLimit,  ///< The next point is the other limit: a hole of three.
-    Blocked,     ///< An UNUSED neighbor is in the way (Rules::unblocked).
+    Blocked,     ///< An UNUSED neighbor is in the way (RobustRules::unblocked).
     NowStart,    ///< A candidate that start moved to: not refused.
     NowEnd,      ///< A candidate that end moved to: not refused.
     // convex
-    BehindConvex,  ///< Next on the ring beyond a convex start or end (Fig. 5).
+    BeyondConvex,  ///< Next on the ring beyond a convex start or end (Fig. 5).
     // reciprocal
     NotReciprocal,  ///< p is outside the sector of e (Fig. 6).
-    WallComplete,   ///< e is complete along its walls (Rules::wallsDone).
+    WallComplete,   ///< e is complete along its walls (RobustRules::wallsDone).
     // hole
     FarSide,  ///< On the far side of the plane (Fig. 7).
     // sphere
@@ -97,20 +97,20 @@ enum class Verdict : std::uint8_t {
     Discarded,  ///< Over 180 degrees: the neighbor ring is discarded (Fig. 9).
     Hole,       ///< Under 180 degrees: an ear or hole, filled.
     // guard
-    WideGap,        ///< A gap of 180 degrees or more (Rules::gap).
-    EdgeTaken,      ///< A directed edge would be used twice (Rules::guard).
-    EntryMissed,    ///< An edge would be closed away from its ring entries (Rules::guard).
-    Pillow,         ///< A second triangle on the same three points (Rules::noPillow).
-    Crosses,        ///< A new edge crosses a ring edge (Rules::noCross).
-    AgainstNormal,  ///< A triangle against the normal of a corner (Rules::noFold).
-    FoldsOver,      ///< A triangle folded onto an old one (Rules::noFold).
-    OverRim,        ///< Over 120 degrees between points where the surface ends (Rules::rim).
-    Steep,          ///< A steep triangle, for now (Rules::delay).
-    Meets,          ///< A triangle meets a finished one (Rules::noMeet).
+    WideGap,        ///< A gap of 180 degrees or more (RobustRules::gap).
+    EdgeTaken,      ///< A directed edge would be used twice (RobustRules::guard).
+    EntryMissed,    ///< An edge would be closed away from its ring entries (RobustRules::guard).
+    Pillow,         ///< A second triangle on the same three points (RobustRules::noPillow).
+    Crosses,        ///< A new edge crosses a ring edge (RobustRules::noCross).
+    AgainstNormal,  ///< A triangle against the normal of a corner (RobustRules::noFold).
+    FoldsOver,      ///< A triangle folded onto an old one (RobustRules::noFold).
+    OverRim,        ///< Over 120 degrees between points where the surface ends (RobustRules::rim).
+    Steep,          ///< A steep triangle, for now (RobustRules::delay).
+    Meets,          ///< A triangle meets a finished one (RobustRules::noMeet).
     // insert
     Before,
     After,
-    OtherSideOpen,  ///< The pivot's other side would be left open (Rules::bothWalls).
+    OtherSideOpen,  ///< The pivot's other side would be left open (RobustRules::bothWalls).
     NoThirdPoint,
     // any test
     WhatIfKept,     ///< Kept by a what-if (what_if.h).
@@ -174,7 +174,7 @@ struct DropEvidence {
     Index point;
     Side side;
     double degrees;
-    Verdict verdict;  ///< Outside, NowStart, NowEnd, BehindConvex
+    Verdict verdict;  ///< Outside, NowStart, NowEnd, BeyondConvex
     /// The candidate is the moved start or end.
     bool isLimit() const { return verdict == Verdict::NowStart || verdict == Verdict::NowEnd; }
 };
@@ -183,8 +183,9 @@ struct ReciprocalEvidence {
     Index pred, succ;  ///< Of the tested entry of `point`.
     double degrees;    ///< Angle of p at the point.
     double limitDegrees;
-    Verdict verdict;       ///< Kept, NotReciprocal
-    bool printed = false;  ///< The sector is that of elast and efirst (Rules::freeSector is off).
+    Verdict verdict;  ///< Kept, NotReciprocal
+    /// The sector is that of elast and efirst (Readings::freeSector is off).
+    bool printed = false;
 };
 struct HoleEvidence {
     Index point;
@@ -211,22 +212,22 @@ struct GuardEvidence {
     Index dropped;  ///< The candidate that is dropped; kNone: the fan is refused. Of a what-if: the
                     ///< candidate that stays, or the pivot.
 };
-/// The next ear of a hole (Rules::fill).
+/// The next ear of a hole (RobustRules::fill).
 struct FillEvidence {
     Index pivot, first, last;
     Index ringLength;
     double leastDegrees;  ///< The ear's least angle.
     bool forced;          ///< No ear without a fault was left.
 };
-/// A stranded point went into a triangle (Rules::reinsert).
+/// A stranded point went into a triangle (RobustRules::reinsert).
 struct ReinsertEvidence {
     Index point;
 };
-/// A point at a flipped triangle was taken out (Rules::reseat).
-struct ReseatEvidence {
+/// A point at a flipped triangle was taken out (RobustRules::removeFolded).
+struct RemoveFoldedEvidence {
     Index point;
 };
-/// The edge u v became x y (Rules::flip).
+/// The edge u v became x y (RobustRules::flip).
 struct FlipEvidence {
     Index u, v, x, y;
 };
@@ -250,7 +251,7 @@ struct JoinEvidence {
     Index depthFromTop;  ///< Position of the other ring; kNone: it was the active one.
     Index length;        ///< Of the joined ring.
 };
-/// A ring of two finished steps was closed, see Rules::closeTwo.
+/// A ring of two finished steps was closed, see Readings::closeTwo.
 struct CloseEvidence {
     Index a, b;  ///< b is kNone for a lone entry.
 };
@@ -284,7 +285,7 @@ using Evidence =
     std::variant<SeedEvidence, StrandEvidence, PivotEvidence, SkipEvidence, InsertEvidence,
                  SortEvidence, LimitEvidence, DropEvidence, ReciprocalEvidence, HoleEvidence,
                  SphereEvidence, TwoPointEvidence, GuardEvidence, FillEvidence, ReinsertEvidence,
-                 FlipEvidence, ReseatEvidence, EmitEvidence, RingEvidence, SplitEvidence,
+                 FlipEvidence, RemoveFoldedEvidence, EmitEvidence, RingEvidence, SplitEvidence,
                  JoinEvidence, CloseEvidence, AdvanceEvidence, FreeEvidence, ComponentEvidence,
                  AlertEvidence>;
 

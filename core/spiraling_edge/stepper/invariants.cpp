@@ -43,7 +43,7 @@ std::string checkRing(const EdgeRings& rings, Index ring, const Params& params) 
     for (Index i = 0; i < length; ++i) entry = rings.next(entry);
     if (entry != rings.head(ring)) problem = "2: a ring's length is wrong";
     const bool finishedEdge = length == 2 && !anyOpen;
-    if (finishedEdge && params.rules.closeTwo && params.rules.openSteps) {
+    if (finishedEdge && params.readings.closeTwo && params.readings.openSteps) {
         problem = "2: a ring of two finished edges was not closed";
     }
     return problem;
@@ -226,7 +226,7 @@ std::string InvariantChecker::checkSurrounded(const State& s) const {
     return {};
 }
 
-void InvariantChecker::remember(const State& s) {
+void InvariantChecker::recordState(const State& s) {
     statusBefore_ = s.status;
     trianglesBefore_ = s.triangles;
     countersBefore_ = s.counters;
@@ -244,7 +244,7 @@ std::string InvariantChecker::check(const State& s) {
     if (problem.empty()) problem = checkRingCount(s);
     if (problem.empty() && level_ != Level::AnyInput) problem = checkEdges(s);
     if (problem.empty() && level_ == Level::WellSampled) problem = checkSurrounded(s);
-    remember(s);
+    recordState(s);
     return problem;
 }
 

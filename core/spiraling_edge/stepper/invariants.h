@@ -22,7 +22,7 @@ class InvariantChecker {
     /// The set of invariants to expect.
     enum class Level : std::uint8_t {
         AnyInput,     ///< 1, 2, 6 to 11, 13.
-        Guarded,      ///< Also 3 and 5, which Rules::guard guarantees on any input.
+        Guarded,      ///< Also 3 and 5, which RobustRules::guard guarantees on any input.
         WellSampled,  ///< Also 12: edges and rings fit together as on a manifold.
     };
 
@@ -37,7 +37,7 @@ class InvariantChecker {
     std::string checkRingCount(const State& state) const;
     std::string checkEdges(const State& state);
     std::string checkSurrounded(const State& state) const;
-    void remember(const State& state);
+    void recordState(const State& state);
 
     const PointSet& points_;
     Params params_;

@@ -52,7 +52,7 @@ struct Frame {
     Vec3 z{};              ///< Unit vector to first; zero if first lies on the pivot.
     Vec3 n{};              ///< normal x z: normal of the plane that slices the ring at 180 degrees.
     Vec3 x{};              ///< n x normal: z projected onto the tangent plane, as long as n.
-    bool tangent = false;  ///< Rules::tangent: measure in the tangent plane, by x and n.
+    bool tangent = false;  ///< RobustRules::tangent: measure in the tangent plane, by x and n.
 };
 
 /// Everything about the pivot being worked on. first, last, start and end are ring entries, not

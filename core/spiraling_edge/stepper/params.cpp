@@ -13,23 +13,23 @@ struct ParamSet {
 
 Params printed() {
     Params params;
-    for (const RuleSwitch& rule : ruleSwitches()) params.rules.*rule.member = false;
+    for (const RuleSwitch& rule : ruleSwitches()) rule.turnOff(params);
     params.dropOpposingNormals = false;
     return params;
 }
 
 Params corrected() {
     Params params;
-    Rules& r = params.rules;
+    RobustRules& r = params.robust;
     r.tangent = r.unblocked = r.stepBack = r.wallsDone = true;
     return params;
 }
 
 Params robust() {
     Params params = corrected();
-    Rules& r = params.rules;
+    RobustRules& r = params.robust;
     r.bothWalls = r.guard = r.gap = r.noPillow = r.noCross = r.noFold = r.noMeet = r.rim = true;
-    r.delay = r.fill = r.reinsert = r.flip = r.reseat = true;
+    r.delay = r.fill = r.reinsert = r.flip = r.removeFolded = true;
     params.setNoiseAside = true;
     return params;
 }

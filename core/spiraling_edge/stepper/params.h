@@ -14,7 +14,7 @@ namespace se {
 /// Readings of the paper where it is silent, ambiguous or measurably wrong. Every switch is one
 /// line in the table of ruleSwitches(); docs/choices.md gives the reason for each reading. A switch
 /// that is off means: the printed sentence, word for word.
-struct Rules {
+struct Readings {
     /// §6.1, Fig. 6: the reciprocal test takes the sector from e's predecessor counterclockwise to
     /// its successor, the side that is still free. Off: "preceding and succeeding ... (elast and
     /// efirst)" as printed, which is the finished side.
@@ -32,8 +32,12 @@ struct Rules {
     /// 7.2) are marked open, and no rule treats them as edges. Off: every step counts as an edge.
     bool openSteps = true;
 
-    // Beyond the paper (docs/robust.md): off in the sets `paper` and `printed`.
+    friend bool operator==(const Readings&, const Readings&) = default;
+};
 
+/// The rules beyond the paper (docs/robust.md), off in the sets `paper` and `printed`. Every switch
+/// is one line in the table of ruleSwitches().
+struct RobustRules {
     /// §6.1: angles are measured in the tangent plane of the pivot, not between 3-D vectors.
     bool tangent = false;
     /// §6.1, Fig. 4: start and end do not advance over a triangle whose circumsphere holds an
@@ -76,7 +80,7 @@ struct Rules {
     bool flip = false;
     /// After the last pivot: a point at a flipped triangle is taken out if its hole can be closed
     /// without a fault; `reinsert` may put it back.
-    bool reseat = false;
+    bool removeFolded = false;
 
     /// True if some rule examines the whole fan before it is made.
     bool looksAtFan() const {
@@ -85,7 +89,7 @@ struct Rules {
     /// True if some rule examines finished triangles.
     bool needsEdges() const { return guard || noPillow || noFold || noMeet || fill; }
 
-    friend bool operator==(const Rules&, const Rules&) = default;
+    friend bool operator==(const RobustRules&, const RobustRules&) = default;
 };
 
 /// §6.1: the one of two neighbors at the same angle that stays.
@@ -148,26 +152,37 @@ struct PaperRules {
 
 /// Thresholds of the rules beyond the paper (docs/robust.md). Angles are stored as their cosines,
 /// so that no trigonometry decides.
-struct RobustLimits {
-    double foldCosine = -0.8660254037844386;  ///< Rules::noFold: two triangles at an edge, 150.
-    double steepCosine = 0.5;                 ///< Rules::delay: off a corner's normal, 60.
-    double rimGapCosine = -0.5;               ///< Rules::rim: between neighbors, 120.
-    double rimAngleCosine = -0.5;             ///< Rules::rim: of a triangle at the pivot, 120.
-    double openingWidth = 2.5;                ///< Rules::rim: of an opening, in its edges.
+struct RobustThresholds {
+    /// RobustRules::noFold: two triangles at an edge, 150.
+    double foldCosine = -0.8660254037844386;
+    double steepCosine = 0.5;    ///< RobustRules::delay: off a corner's normal, 60.
+    double rimGapCosine = -0.5;  ///< RobustRules::rim: between neighbors, 120.
+    /// RobustRules::rim: of a triangle at the pivot, 120.
+    double rimAngleCosine = -0.5;
+    double openingWidth = 2.5;  ///< RobustRules::rim: of an opening, in its edges.
     double flatCosine =
-        0.70710678118654752;         ///< Rules::noMeet: tested where normals are farther apart, 45.
-    double flipFlatCosine = 0.9;     ///< Rules::flip: two triangles of a flat piece.
-    double flipNarrowCosine = 0.94;  ///< Rules::flip: the least angle of a narrow one.
+        /// RobustRules::noMeet: tested where normals are farther apart, 45.
+        0.70710678118654752;
+    double flipFlatCosine = 0.9;     ///< RobustRules::flip: two triangles of a flat piece.
+    double flipNarrowCosine = 0.94;  ///< RobustRules::flip: the least angle of a narrow one.
 
-    friend bool operator==(const RobustLimits&, const RobustLimits&) = default;
+    friend bool operator==(const RobustThresholds&, const RobustThresholds&) = default;
 };
 
-/// One row of the table of rule switches: those rows of ruleSettings() that are members of Rules.
+struct Params;
+
+/// One row of the table of rule switches: those rows of ruleSettings() that are members of Readings
+/// or RobustRules.
 struct RuleSwitch {
     std::string_view name;     ///< As on the command line: `closetwo`.
     std::string_view section;  ///< "6.5"
     std::string_view summary;  ///< One sentence: the effect of "on".
-    bool Rules::*member;
+    double (*get)(const Params&);
+    void (*set)(Params&, double);
+
+    bool isOn(const Params& params) const { return get(params) != 0.0; }
+    void turnOn(Params& params) const { set(params, 1.0); }
+    void turnOff(Params& params) const { set(params, 0.0); }
 };
 
 /// All switches, in the order of the paper.
@@ -175,7 +190,8 @@ std::span<const RuleSwitch> ruleSwitches();
 
 /// All parameters of the stepper. Equal points and equal Params give equal steps.
 struct Params {
-    Rules rules;
+    Readings readings;
+    RobustRules robust;
     PaperRules paper;
     /// §6.3: a point whose removal would leave a gap of more than 120 degrees is kept. Stored as
     /// the cosine of that angle, so that no trigonometry decides; -1/2 is exact. Range (-1, 0].
@@ -186,11 +202,11 @@ struct Params {
     /// The run stops with AlertKind::TriangleCap when it holds more triangles than this times the
     /// number of points: the paper's own rules need not end on tangled input.
     std::uint32_t maxTrianglesPerPoint = 8;
-    /// Rules::fill closes rings of at most this many entries.
+    /// RobustRules::fill closes rings of at most this many entries.
     std::uint32_t maxFillLength = 64;
     /// ... and of at most this width, in mean distances of its points to their nearest neighbor.
     double maxFillWidth = 48.0;
-    RobustLimits limits;
+    RobustThresholds thresholds;
     /// Opposing normals are left out of neighbor lists that are computed (see prepare.h).
     bool dropOpposingNormals = true;
     /// Points are left out where noise is as wide as their spacing (see noise.h). On in `robust`.

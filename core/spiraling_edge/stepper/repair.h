@@ -12,7 +12,7 @@ namespace se {
 
 /// Triangles with their neighbors, for local changes. A plain value: a copy is a place to return
 /// to.
-struct MendState {
+struct RepairState {
     std::vector<Triangle> triangles;
     /// For each side 3 t + k, the opposite side in the adjacent triangle; kNone at a border.
     std::vector<HalfEdge> twin;
@@ -26,7 +26,7 @@ struct MendState {
     Index nextPoint = 0;  ///< Position in PointSet::order.
     Index nextTriangle = 0;
     std::uint32_t takenOut = 0;
-    std::uint32_t round = 0;  ///< Reinserting and flipping are done in turn, kMendRounds times.
+    std::uint32_t round = 0;  ///< Reinserting and flipping are done in turn, kRepairRounds times.
     std::uint32_t reinserted = 0;
     std::uint32_t flipped = 0;
 
@@ -34,28 +34,29 @@ struct MendState {
 };
 
 /// Number of rounds: flips make room for more points, and new points for more flips.
-inline constexpr std::uint32_t kMendRounds = 3;
+inline constexpr std::uint32_t kRepairRounds = 3;
 
-/// A MendState of `triangles`. Sides of edges with more than two triangles get no twin.
-MendState beginMending(std::size_t pointCount, const std::vector<Triangle>& triangles);
+/// A RepairState of `triangles`. Sides of edges with more than two triangles get no twin.
+RepairState beginRepair(std::size_t pointCount, const std::vector<Triangle>& triangles);
 
-/// Rules::reinsert: puts the next stranded point into the triangle it lies over, if that makes
-/// three triangles without a fault. False if no point is left to try; `point` is the one that was
-/// inserted.
-bool reinsertNext(const PointSet& points, MendState& mend, Index& point);
+/// RobustRules::reinsert: puts the next stranded point into the triangle it lies over, if that
+/// makes three triangles without a fault. False if no point is left to try; `point` is the one that
+/// was inserted.
+bool reinsertNext(const PointSet& points, RepairState& repair, Index& point);
 
 /// An edge that was flipped: u v became x y.
 struct Flip {
     Index u, v, x, y;
 };
-/// Rules::flip: flips the next edge whose flip leaves fewer faults, or equally many and a larger
-/// least angle where the surface is flat. False if none is left. Terminates: every flip reduces the
-/// faults, or keeps them and increases the least angle of its two triangles.
-bool flipNext(const PointSet& points, const RobustLimits& limits, MendState& mend, Flip& flip);
+/// RobustRules::flip: flips the next edge whose flip leaves fewer faults, or equally many and a
+/// larger least angle where the surface is flat. False if none is left. Terminates: every flip
+/// reduces the faults, or keeps them and increases the least angle of its two triangles.
+bool flipNext(const PointSet& points, const RobustThresholds& thresholds, RepairState& repair,
+              Flip& flip);
 
-/// Rules::reseat: takes out a point at the next flipped triangle, if the hole of its triangles can
-/// be closed without a fault. False if none is left. Terminates: every point taken out leaves two
-/// triangles less.
-bool reseatNext(const PointSet& points, MendState& mend, Index& point);
+/// RobustRules::removeFolded: takes out a point at the next flipped triangle, if the hole of its
+/// triangles can be closed without a fault. False if none is left. Terminates: every point taken
+/// out leaves two triangles less.
+bool removeFoldedPoint(const PointSet& points, RepairState& repair, Index& point);
 
 }  // namespace se

@@ -13,6 +13,7 @@ using table::angle;
 using table::number;
 using table::option;
 using table::reading;
+using table::robust;
 using table::rule;
 
 constexpr std::string_view kTies[] = {"nearest", "farthest", "both"};
@@ -36,7 +37,7 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
     {"opposing", "3", false, "neighbors with an opposing normal are left out of computed lists", "",
      SettingKind::Switch, 0.0, 1.0, "", table::kOnOff,
      [](const Params& p) { return p.dropOpposingNormals ? 1.0 : 0.0; },
-     [](Params& p, double value) { p.dropOpposingNormals = value != 0.0; }, nullptr},
+     [](Params& p, double value) { p.dropOpposingNormals = value != 0.0; }, false},
 
     option<&PaperRules::tie>(
         "tie", "6.1", "which of two neighbors at the same angle stays",
@@ -55,7 +56,7 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
      {},
      [](const Params& p) { return p.sameAngle; },
      [](Params& p, double value) { p.sameAngle = value; },
-     nullptr},
+     false},
     option<&PaperRules::turn>(
         "turn", "6.1", "the side to which angles grow: n = normal x z, or z x normal",
         "... taking the cross product of z and p's normals, producing the normal of the plane "
@@ -67,10 +68,10 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
         "last point as the maximum allowable angle."),
     rule<&PaperRules::limits>("limits", "6.1", "start and end advance along the edge ring",
                               kLimitsWords),
-    reading<&Rules::limitsFirst>("limitsfirst", "6.1", false,
-                                 "start and end advance before other neighbors are looked at",
-                                 "If as the algorithm adds in q, it finds that q is already on the "
-                                 "edge ring ..."),
+    reading<&Readings::limitsFirst>(
+        "limitsfirst", "6.1", "start and end advance before other neighbors are looked at",
+        "If as the algorithm adds in q, it finds that q is already on the "
+        "edge ring ..."),
     rule<&PaperRules::concave>(
         "concave", "6.1", "start and end advance only where the edge ring is concave",
         "... q is adjacent to the point pointed to by start, and the edge ring is concave at this "
@@ -87,10 +88,10 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
         "reciprocal", "6.1", "a USED point stays only if p could be in its neighbor ring",
         "If p could be included in e's hypothetical neighbor ring, then e is included in p's "
         "neighbor ring."),
-    reading<&Rules::freeSector>("freesector", "6.1", false,
-                                "the reciprocal test looks at the free side of the ring",
-                                "... the angles formed by the preceding and succeeding points on "
-                                "the edge list (elast and efirst) are calculated."),
+    reading<&Readings::freeSector>(
+        "freesector", "6.1", "the reciprocal test looks at the free side of the ring",
+        "... the angles formed by the preceding and succeeding points on "
+        "the edge list (elast and efirst) are calculated."),
     {"holesize",
      "6.2",
      false,
@@ -104,11 +105,11 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
      {},
      [](const Params& p) { return static_cast<double>(p.paper.holeSize); },
      [](Params& p, double value) { p.paper.holeSize = static_cast<std::uint32_t>(value); },
-     nullptr},
-    reading<&Rules::realHole>("realhole", "6.2", false,
-                              "a hole of three has three mesh edges and under 180 degrees",
-                              "First the algorithm checks for the special case of filling a hole "
-                              "formed by p, first, and last."),
+     false},
+    reading<&Readings::realHole>(
+        "realhole", "6.2", "a hole of three has three mesh edges and under 180 degrees",
+        "First the algorithm checks for the special case of filling a hole "
+        "formed by p, first, and last."),
     rule<&PaperRules::sphere>(
         "sphere", "6.3", "neighbors outside the circumsphere are removed",
         "If q falls inside the circumsphere or its removal would create an angle difference "
@@ -127,7 +128,7 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
      {},
      [](const Params& p) { return degreesOfCosine(p.maxGapCosine); },
      [](Params& p, double value) { p.maxGapCosine = cosineOfDegrees(value); },
-     nullptr},
+     false},
     option<&PaperRules::onSphere>(
         "onsphere", "6.3", "what becomes of a neighbor exactly on the sphere",
         "If q falls inside the circumsphere ... q must be kept.", kOnSphere),
@@ -137,9 +138,9 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
         "pivot point is greater than 180 degrees, the resulting triangle will overlap existing "
         "triangles. In this case, the neighbor ring will be discarded.",
         kTwoPoints),
-    reading<&Rules::closeTwo>("closetwo", "6.5", false, "a ring of two finished edges is closed",
-                              "Each time the edge ring becomes empty, a disconnected surface "
-                              "component has finished triangulation."),
+    reading<&Readings::closeTwo>("closetwo", "6.5", "a ring of two finished edges is closed",
+                                 "Each time the edge ring becomes empty, a disconnected surface "
+                                 "component has finished triangulation."),
     option<&PaperRules::instance>(
         "instance", "6.5",
         "the other instance: the first whose sector holds p, or the first at all",
@@ -160,11 +161,11 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
     rule<&PaperRules::walls>(
         "walls", "7", "boundary points are passed over as pivots",
         "First, we avoid using boundary points as pivot points with only a few exceptions."),
-    reading<&Rules::openSteps>("opensteps", "7", false,
-                               "ring steps that are no mesh edges are known as open",
-                               "If the algorithm does remove p, the removal would either fragment "
-                               "the edge ring or cause nonadjacent points to be adjacent in the "
-                               "edge ring."),
+    reading<&Readings::openSteps>(
+        "opensteps", "7", "ring steps that are no mesh edges are known as open",
+        "If the algorithm does remove p, the removal would either fragment "
+        "the edge ring or cause nonadjacent points to be adjacent in the "
+        "edge ring."),
     rule<&PaperRules::thirdPoint>(
         "thirdpoint", "7.1", "a third point joins an edge ring of two boundary points",
         "So prior to calling the neighbor ring routine, the algorithm searches p's neighbors for a "
@@ -190,48 +191,46 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
      {},
      [](const Params& p) { return static_cast<double>(p.maxTrianglesPerPoint); },
      [](Params& p, double value) { p.maxTrianglesPerPoint = static_cast<std::uint32_t>(value); },
-     nullptr},
+     false},
     {"noise", "3", true, "points are set aside where noise is as wide as their spacing", "",
      SettingKind::Switch, 0.0, 1.0, "", table::kOnOff,
      [](const Params& p) { return p.setNoiseAside ? 1.0 : 0.0; },
-     [](Params& p, double value) { p.setNoiseAside = value != 0.0; }, nullptr},
-    reading<&Rules::tangent>("tangent", "6.1", true,
-                             "angles are measured in the tangent plane of the pivot", ""),
-    reading<&Rules::unblocked>("unblocked", "6.1", true,
-                               "start and end do not pass over an UNUSED neighbor", ""),
-    reading<&Rules::stepBack>("stepback", "6.3", true,
-                              "after a removal the point before it is looked at again", ""),
-    reading<&Rules::wallsDone>("wallsdone", "7", true,
-                               "boundary points complete along their walls are no candidates", ""),
-    reading<&Rules::bothWalls>("bothwalls", "7.2", true,
-                               "no third point beside a boundary point open at its other side", ""),
-    reading<&Rules::guard>("guard", "6.4", true,
-                           "no directed edge twice: always an oriented manifold", ""),
-    reading<&Rules::gap>("gap", "6.4", true, "no fan with a gap of 180 degrees or more", ""),
-    reading<&Rules::noPillow>("nopillow", "6.4", true,
-                              "no second triangle on the same three points", ""),
-    reading<&Rules::noCross>("nocross", "6.4", true, "no new edge across a ring edge nearby", ""),
-    reading<&Rules::noFold>("nofold", "6.4", true,
-                            "no triangle against its normals or folded onto another", ""),
-    angle<&RobustLimits::foldCosine>(
+     [](Params& p, double value) { p.setNoiseAside = value != 0.0; }, false},
+    robust<&RobustRules::tangent>("tangent", "6.1",
+                                  "angles are measured in the tangent plane of the pivot"),
+    robust<&RobustRules::unblocked>("unblocked", "6.1",
+                                    "start and end do not pass over an UNUSED neighbor"),
+    robust<&RobustRules::stepBack>("stepback", "6.3",
+                                   "after a removal the point before it is looked at again"),
+    robust<&RobustRules::wallsDone>("wallsdone", "7",
+                                    "boundary points complete along their walls are no candidates"),
+    robust<&RobustRules::bothWalls>(
+        "bothwalls", "7.2", "no third point beside a boundary point open at its other side"),
+    robust<&RobustRules::guard>("guard", "6.4",
+                                "no directed edge twice: always an oriented manifold"),
+    robust<&RobustRules::gap>("gap", "6.4", "no fan with a gap of 180 degrees or more"),
+    robust<&RobustRules::noPillow>("nopillow", "6.4",
+                                   "no second triangle on the same three points"),
+    robust<&RobustRules::noCross>("nocross", "6.4", "no new edge across a ring edge nearby"),
+    robust<&RobustRules::noFold>("nofold", "6.4",
+                                 "no triangle against its normals or folded onto another"),
+    angle<&RobustThresholds::foldCosine>(
         "foldangle", "6.4", "nofold: normals of two triangles at an edge are no farther apart", 90),
-    reading<&Rules::noMeet>("nomeet", "6.4", true, "no triangle that meets a finished one nearby",
-                            ""),
-    angle<&RobustLimits::flatCosine>(
+    robust<&RobustRules::noMeet>("nomeet", "6.4", "no triangle that meets a finished one nearby"),
+    angle<&RobustThresholds::flatCosine>(
         "flatangle", "6.4", "nomeet looks only where normals about the pivot are farther apart", 0),
-    reading<&Rules::rim>("rim", "7", true, "the surface ends where neighbors leave a wide gap", ""),
-    angle<&RobustLimits::rimGapCosine>("rimgap", "7",
-                                       "rim: the surface ends where neighbors leave more", 60),
-    angle<&RobustLimits::rimAngleCosine>(
+    robust<&RobustRules::rim>("rim", "7", "the surface ends where neighbors leave a wide gap"),
+    angle<&RobustThresholds::rimGapCosine>("rimgap", "7",
+                                           "rim: the surface ends where neighbors leave more", 60),
+    angle<&RobustThresholds::rimAngleCosine>(
         "rimangle", "7", "rim: no triangle over more than this where the surface ends", 60),
-    number<&RobustLimits::openingWidth>(
+    number<&RobustThresholds::openingWidth>(
         "openingwidth", "7", "rim: a ring where the surface ends is an opening from this width on",
         0.0, 64.0, "of its edges"),
-    reading<&Rules::delay>("delay", "6.5", true, "fans with steep triangles wait for a circuit",
-                           ""),
-    angle<&RobustLimits::steepCosine>("steepangle", "6.5",
-                                      "delay: steep is farther than this off a corner's normal", 0),
-    reading<&Rules::fill>("fill", "6.5", true, "rings with interior points are closed by ears", ""),
+    robust<&RobustRules::delay>("delay", "6.5", "fans with steep triangles wait for a circuit"),
+    angle<&RobustThresholds::steepCosine>(
+        "steepangle", "6.5", "delay: steep is farther than this off a corner's normal", 0),
+    robust<&RobustRules::fill>("fill", "6.5", "rings with interior points are closed by ears"),
     {"filllength",
      "6.5",
      true,
@@ -244,7 +243,7 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
      {},
      [](const Params& p) { return static_cast<double>(p.maxFillLength); },
      [](Params& p, double value) { p.maxFillLength = static_cast<std::uint32_t>(value); },
-     nullptr},
+     false},
     {"fillwidth",
      "6.5",
      true,
@@ -257,25 +256,25 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
      {},
      [](const Params& p) { return p.maxFillWidth; },
      [](Params& p, double value) { p.maxFillWidth = value; },
-     nullptr},
-    reading<&Rules::reinsert>("reinsert", "4", true,
-                              "stranded points go into the triangle they lie over", ""),
-    reading<&Rules::flip>("flip", "6.3", true,
-                          "edges that are better the other way round are flipped", ""),
-    number<&RobustLimits::flipFlatCosine>(
+     false},
+    robust<&RobustRules::reinsert>("reinsert", "4",
+                                   "stranded points go into the triangle they lie over"),
+    robust<&RobustRules::flip>("flip", "6.3",
+                               "edges that are better the other way round are flipped"),
+    number<&RobustThresholds::flipFlatCosine>(
         "flipflat", "6.3", "flip: two triangles are flat if their normals agree more than this",
         -1.0, 1.0, "cosine"),
-    number<&RobustLimits::flipNarrowCosine>(
+    number<&RobustThresholds::flipNarrowCosine>(
         "flipnarrow", "6.3",
         "flip: a triangle is narrow if its least angle has this cosine or more", 0.5, 1.0,
         "cosine"),
-    reading<&Rules::reseat>("reseat", "4", true,
-                            "points at flipped triangles are taken out where that mends", ""),
+    robust<&RobustRules::removeFolded>(
+        "reseat", "4", "points at flipped triangles are taken out where that mends"),
 });
 
 constexpr std::size_t kSwitchCount = [] {
     std::size_t count = 0;
-    for (const RuleSetting& each : kSettings) count += each.member != nullptr ? 1 : 0;
+    for (const RuleSetting& each : kSettings) count += each.isRuleSwitch ? 1 : 0;
     return count;
 }();
 
@@ -283,8 +282,8 @@ constexpr auto kSwitches = [] {
     std::array<RuleSwitch, kSwitchCount> rows{};
     std::size_t i = 0;
     for (const RuleSetting& each : kSettings) {
-        if (each.member != nullptr)
-            rows[i++] = {each.name, each.section, each.summary, each.member};
+        if (each.isRuleSwitch)
+            rows[i++] = {each.name, each.section, each.summary, each.get, each.set};
     }
     return rows;
 }();

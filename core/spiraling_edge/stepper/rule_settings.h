@@ -34,7 +34,7 @@ struct RuleSetting {
     std::span<const std::string_view> options;  ///< Of an option.
     double (*get)(const Params&);
     void (*set)(Params&, double);
-    bool Rules::*member;  ///< If it is one of Rules, else null.
+    bool isRuleSwitch;  ///< One of Readings or RobustRules.
 };
 
 /// All settings: those of the paper in its order, then those beyond it.

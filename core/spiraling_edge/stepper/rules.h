@@ -45,7 +45,8 @@ inline Angle angleInPlane(const Vec3& x, const Vec3& n, const Vec3& offset) {
 }
 
 /// §6.1: the angle of `offset` (relative to the pivot) from z: arccos(z . v) if n . v >= 0, else
-/// 2 pi minus that; v is the unit vector along offset. Rules::tangent: the angle in the plane.
+/// 2 pi minus that; v is the unit vector along offset. RobustRules::tangent: the angle in the
+/// plane.
 inline Angle angleOf(const Frame& frame, const Vec3& offset, double lengthSq) {
     if (frame.tangent) return angleInPlane(frame.x, frame.n, offset);
     const double cosine = lengthSq > 0.0 ? glm::dot(frame.z, offset) / std::sqrt(lengthSq) : 0.0;
@@ -182,17 +183,17 @@ bool sectorStaysInside(const Vec3& p, const Vec3& normal, std::uint8_t faces, co
                        const Vec3& to);
 
 /// §7.1: the place of the third point on the ring.
-struct ThirdPointPlace {
+struct ThirdPointSide {
     Vec3 cross;   ///< N_p x (s - p), s the second point of the ring.
     bool before;  ///< Before p on the ring, else after.
 };
 /// p has `faces`, `second` is the other point of the ring, `third` the point to insert.
-ThirdPointPlace placeThirdPoint(const Vec3& p, const Vec3& normal, std::uint8_t faces,
-                                const Vec3& second, const Vec3& third);
+ThirdPointSide placeThirdPoint(const Vec3& p, const Vec3& normal, std::uint8_t faces,
+                               const Vec3& second, const Vec3& third);
 
 /// As placeThirdPoint(), by the cross product alone, even if the sector leads out of the box.
-ThirdPointPlace printedThirdPointPlace(const Vec3& p, const Vec3& normal, std::uint8_t faces,
-                                       const Vec3& second);
+ThirdPointSide printedThirdPointSide(const Vec3& p, const Vec3& normal, std::uint8_t faces,
+                                     const Vec3& second);
 
 /// §7 for a rim point: the part of the free sector between its ring neighbors that is not yet
 /// meshed. Choice: a boundary point without wall bits has no wall; its gap takes the place of one.
@@ -208,8 +209,9 @@ struct RimSector {
 RimSector testRimSector(const Vec3& p, const Vec3& normal, const Vec3& first, const Vec3& last,
                         bool sameEntry, const Vec3& from, const Vec3& to);
 
-/// Rules::rim: true if the surface ends at p: a boundary point, or a point where the directions to
-/// its neighbors, in projection along its normal, leave a gap wider than the angle of `gapCosine`.
+/// RobustRules::rim: true if the surface ends at p: a boundary point, or a point where the
+/// directions to its neighbors, in projection along its normal, leave a gap wider than the angle of
+/// `gapCosine`.
 bool isRim(const PointSet& points, Index p, double gapCosine);
 
 /// §7.2: true if there is a transition from one wall to another between two ring neighbors.

@@ -46,15 +46,15 @@ bool sectorStaysInside(const Vec3& p, const Vec3& normal, std::uint8_t faces, co
     return true;
 }
 
-ThirdPointPlace printedThirdPointPlace(const Vec3& p, const Vec3& normal, std::uint8_t faces,
-                                       const Vec3& second) {
+ThirdPointSide printedThirdPointSide(const Vec3& p, const Vec3& normal, std::uint8_t faces,
+                                     const Vec3& second) {
     const Vec3 cross = glm::cross(normal, second - p);
     return {cross, pointsOut(cross, faces)};
 }
 
-ThirdPointPlace placeThirdPoint(const Vec3& p, const Vec3& normal, std::uint8_t faces,
-                                const Vec3& second, const Vec3& third) {
-    const auto [cross, printed] = printedThirdPointPlace(p, normal, faces, second);
+ThirdPointSide placeThirdPoint(const Vec3& p, const Vec3& normal, std::uint8_t faces,
+                               const Vec3& second, const Vec3& third) {
+    const auto [cross, printed] = printedThirdPointSide(p, normal, faces, second);
     // Choice: where the points do not lie along one wall, the cross product may choose "after" for
     // a sector that leads outside; then the other place is used if its sector stays inside.
     const auto fits = [&](bool before) {

@@ -65,7 +65,7 @@ std::uint64_t stateHash(const State& s) {
     hasher.add(static_cast<std::uint64_t>(s.phase));
     hasher.add(s.startPointer);
     hasher.add(s.circuit);
-    hasher.add(s.patience);
+    hasher.add(s.retryLevel);
     addCounters(hasher, s.counters);
     addPivot(hasher, s);
     for (const PointStatus status : s.status) hasher.addSigned(status);

@@ -17,22 +17,22 @@ namespace se {
 enum class Phase : std::uint8_t {
     Seed,  ///< §4
     Pivot,  ///< Takes the entry as pivot; passes over it (§7) or inserts a third point (§7.1, 7.2).
-    Sort,        ///< §6.1
-    Limits,      ///< §6.1
-    Convex,      ///< §6.1
-    Reciprocal,  ///< §6.1
-    Hole,        ///< §6.2
-    Sphere,      ///< §6.3
-    TwoPoint,    ///< §6.4
-    Guard,       ///< Beyond the paper: the rules that examine the whole fan.
-    Emit,        ///< §6.4
-    Ring,        ///< §6.5
-    Link,        ///< §6.5: splits and joins.
-    Fill,        ///< Beyond the paper: the next ear of a hole.
-    Advance,     ///< §6.5, §7
-    Reinsert,    ///< Beyond the paper: after the last pivot, one stranded point.
-    Flip,        ///< Beyond the paper: after the last pivot, one edge.
-    Reseat,      ///< Beyond the paper: after the last pivot, one point at a fault.
+    Sort,          ///< §6.1
+    Limits,        ///< §6.1
+    Convex,        ///< §6.1
+    Reciprocal,    ///< §6.1
+    Hole,          ///< §6.2
+    Sphere,        ///< §6.3
+    TwoPoint,      ///< §6.4
+    Guard,         ///< Beyond the paper: the rules that examine the whole fan.
+    Emit,          ///< §6.4
+    Ring,          ///< §6.5
+    Link,          ///< §6.5: splits and joins.
+    Fill,          ///< Beyond the paper: the next ear of a hole.
+    Advance,       ///< §6.5, §7
+    Reinsert,      ///< Beyond the paper: after the last pivot, one stranded point.
+    Flip,          ///< Beyond the paper: after the last pivot, one edge.
+    RemoveFolded,  ///< Beyond the paper: after the last pivot, one point at a fault.
     Finished,
 };
 
@@ -41,12 +41,12 @@ using PointStatus = std::int32_t;
 inline constexpr PointStatus kUnused = 0;
 inline constexpr PointStatus kDone = -1;
 
-/// Value of State::patience: delayed fans (Rules::delay) may be made.
+/// Value of State::retryLevel: delayed fans (RobustRules::delay) may be made.
 inline constexpr std::uint32_t kDelayedAllowed = 1;
-/// Value of State::patience: triangles against the normal of one corner, but not against the sum of
-/// the three, may be made as well.
+/// Value of State::retryLevel: triangles against the normal of one corner, but not against the sum
+/// of the three, may be made as well.
 inline constexpr std::uint32_t kCornerAllowed = 2;
-/// Value of State::patience: no ear of the hole could be closed (Rules::fill).
+/// Value of State::retryLevel: no ear of the hole could be closed (RobustRules::fill).
 inline constexpr std::uint32_t kFillFailed = 3;
 
 /// Counts of the run so far.
@@ -61,11 +61,12 @@ struct Counters {
     std::uint32_t refused = 0;    ///< Fans that a rule beyond the paper refused.
     std::uint32_t splits = 0;
     std::uint32_t joins = 0;
-    std::uint32_t closedRings = 0;  ///< Finished edges and lone entries, see Rules::closeTwo.
+    std::uint32_t closedRings = 0;  ///< Finished edges and lone entries, see Readings::closeTwo.
     std::uint32_t freedRings = 0;
-    std::uint32_t holes = 0;      ///< Freed rings with interior points.
-    std::uint32_t openings = 0;   ///< Freed rings that Rules::rim treats as an end of the surface.
-    std::uint32_t filled = 0;     ///< Triangles made by Rules::fill.
+    std::uint32_t holes = 0;  ///< Freed rings with interior points.
+    /// Freed rings that RobustRules::rim treats as an end of the surface.
+    std::uint32_t openings = 0;
+    std::uint32_t filled = 0;     ///< Triangles made by RobustRules::fill.
     std::uint32_t lostSeeds = 0;  ///< Rings of two that got no triangle.
     std::uint32_t maxRingLength = 0;
     std::uint32_t maxStackDepth = 0;
@@ -94,7 +95,7 @@ struct State {
     Index circuit = 0;       ///< Pivots since the last triangle, in the active ring.
     /// Beyond the paper: the degree to which rules are relaxed for the active ring since its last
     /// triangle: 0, kDelayedAllowed, kCornerAllowed or kFillFailed.
-    std::uint32_t patience = 0;
+    std::uint32_t retryLevel = 0;
     NeighborRing pivot;                  ///< The current pivot.
     InsertedPoint third;                 ///< §7.1, §7.2
     std::uint32_t pivotTriangles = 0;    ///< Triangles made by this pivot.
@@ -107,7 +108,7 @@ struct State {
     Index componentBegin = 0;  ///< Position of the first triangle of the current component (§4).
     /// The mesh edited by the steps after the last pivot; empty before them. `triangles` is
     /// unchanged.
-    MendState mend;
+    RepairState repair;
     std::vector<Alert> alerts;  ///< Append-only.
     std::vector<Index> done;    ///< The DONE points, in the order in which they became so (§4).
     Counters counters;
@@ -118,7 +119,9 @@ struct State {
         done.push_back(p);
     }
     /// The mesh made so far.
-    const std::vector<Triangle>& mesh() const { return mend.empty() ? triangles : mend.triangles; }
+    const std::vector<Triangle>& mesh() const {
+        return repair.empty() ? triangles : repair.triangles;
+    }
     bool finished() const { return phase == Phase::Finished; }
     /// The run was stopped with AlertKind::TriangleCap.
     bool capped() const { return !alerts.empty() && alerts.back().kind == AlertKind::TriangleCap; }

@@ -21,8 +21,10 @@ struct StepContext {
 
     const Vec3& positionAt(Index entry) const { return points.position[state.rings.point(entry)]; }
     const Vec3& normalAt(Index entry) const { return points.normal[state.rings.point(entry)]; }
-    /// True if the rules know that the step from `entry` is no mesh edge (Rules::openSteps).
-    bool openStep(Index entry) const { return params.rules.openSteps && state.rings.open(entry); }
+    /// True if the rules know that the step from `entry` is no mesh edge (Readings::openSteps).
+    bool openStep(Index entry) const {
+        return params.readings.openSteps && state.rings.open(entry);
+    }
     /// True if angles grow clockwise (PaperRules::turn).
     bool clockwise() const { return params.paper.turn == TurnRule::Clockwise; }
 };
@@ -31,29 +33,29 @@ struct StepContext {
 // would cost 1 to 4 percent even without a log (docs/performance.md).
 
 /// No log: events are not made.
-struct SilentContext : StepContext {};
+struct UnloggedContext : StepContext {};
 /// Every decision goes to the log.
 struct LoggedContext : StepContext {
     EventLog& log;
 };
 template <typename T>
-concept AnyContext = std::is_same_v<T, SilentContext> || std::is_same_v<T, LoggedContext>;
+concept AnyContext = std::is_same_v<T, UnloggedContext> || std::is_same_v<T, LoggedContext>;
 template <AnyContext Context>
-constexpr bool kListening = std::is_same_v<Context, LoggedContext>;
+constexpr bool kLogging = std::is_same_v<Context, LoggedContext>;
 
-inline constexpr PaperRules kPlainPaper{};
+inline constexpr PaperRules kDefaultPaperRules{};
 /// The paper's rules of the run. Without a log they are the defaults, known at compile time: runs
 /// with non-default paper rules or what-ifs take the logging code path.
 template <AnyContext Context>
-constexpr const PaperRules& paperOf(const Context& context) {
-    if constexpr (kListening<Context>) return context.params.paper;
-    return kPlainPaper;
+constexpr const PaperRules& paperRules(const Context& context) {
+    if constexpr (kLogging<Context>) return context.params.paper;
+    return kDefaultPaperRules;
 }
 
 /// Logs an event of `pivot` with the evidence that `make` returns; nothing without a log.
 template <AnyContext Context, typename MakeEvidence>
 void noteAt(Context& context, std::uint32_t pivot, Stage stage, const MakeEvidence& make) {
-    if constexpr (kListening<Context>) context.log.add(pivot, stage, make());
+    if constexpr (kLogging<Context>) context.log.add(pivot, stage, make());
 }
 /// Logs an event of the current pivot.
 template <typename MakeEvidence>
@@ -64,18 +66,18 @@ void note(AnyContext auto& context, Stage stage, const MakeEvidence& make) {
 // phases/what_if_phase.cpp
 /// The what-if for a point tested at this stage of the current pivot: true keeps it, false drops
 /// it; nothing without one.
-std::optional<bool> saidOf(const StepContext& context, Stage stage, Index point);
+std::optional<bool> findWhatIfOverride(const StepContext& context, Stage stage, Index point);
 /// The what-if for a point as above. Without a log there is none: runs take the logging path at
 /// every what-if.
 template <AnyContext Context>
-std::optional<bool> said(const Context& context, Stage stage, Index point) {
-    if constexpr (kListening<Context>) return saidOf(context, stage, point);
+std::optional<bool> whatIfOverride(const Context& context, Stage stage, Index point) {
+    if constexpr (kLogging<Context>) return findWhatIfOverride(context, stage, point);
     return std::nullopt;
 }
 /// A verdict after a what-if: unchanged if there is none, or if it agrees.
-inline Verdict afterWhatIf(Verdict verdict, std::optional<bool> said, bool keeps) {
-    if (!said || *said == keeps) return verdict;
-    return *said ? Verdict::WhatIfKept : Verdict::WhatIfDropped;
+inline Verdict applyOverride(Verdict verdict, std::optional<bool> forced, bool keeps) {
+    if (!forced || *forced == keeps) return verdict;
+    return *forced ? Verdict::WhatIfKept : Verdict::WhatIfDropped;
 }
 /// Applies a what-if of the kind Pivot after a pivot.
 void redirect(LoggedContext& context);
@@ -107,18 +109,18 @@ void phaseEmit(AnyContext auto& context);
 void layOutFan(StepContext& context);
 // robust/guard.cpp: beyond the paper
 void phaseGuard(AnyContext auto& context);
-/// True if a rule that keeps the mesh a manifold (Rules::guard, Rules::noPillow) would refuse the
-/// fan.
+/// True if a rule that keeps the mesh a manifold (RobustRules::guard, RobustRules::noPillow) would
+/// refuse the fan.
 bool manifoldRefuses(const StepContext& context);
-/// True if a rule on faults of shape (Rules::noFold, Rules::noCross, Rules::noMeet) would refuse
-/// the fan.
+/// True if a rule on faults of shape (RobustRules::noFold, RobustRules::noCross,
+/// RobustRules::noMeet) would refuse the fan.
 bool shapeRefuses(const StepContext& context);
 // robust/fill.cpp: beyond the paper
 void phaseFill(AnyContext auto& context);
 /// True if the active ring should be closed by ears instead of being freed.
 bool mayFill(const StepContext& context);
-/// Rules::rim is on, and the active ring, of more than four, runs around a patch of the surface, or
-/// more than two in three of its points lie where the surface ends.
+/// RobustRules::rim is on, and the active ring, of more than four, runs around a patch of the
+/// surface, or more than two in three of its points lie where the surface ends.
 bool isOpening(const StepContext& context);
 // phases/ring_update.cpp: §6.5
 void phaseRing(AnyContext auto& context);
@@ -126,15 +128,15 @@ void phaseLink(AnyContext auto& context);
 void phaseAdvance(AnyContext auto& context);
 // robust/repair_phases.cpp: beyond the paper, after the last pivot
 /// Goes to the first phase after the last pivot whose rule is on, else to Finished.
-void beginMendPhases(StepContext& context);
+void beginRepairPhases(StepContext& context);
 void phaseReinsert(AnyContext auto& context);
 void phaseFlip(AnyContext auto& context);
-void phaseReseat(AnyContext auto& context);
+void phaseRemoveFolded(AnyContext auto& context);
 // phases/boundary.cpp: §7
 /// Decides whether a boundary point may be a pivot; if so, inserts the third point of §7.1 or §7.2.
 /// False: pass over it.
-bool admitBoundaryPivot(AnyContext auto& context);
+bool tryBoundaryPivot(AnyContext auto& context);
 /// Removes the third point after a pivot that made no triangle.
-void withdrawThirdPoint(StepContext& context);
+void removeThirdPoint(StepContext& context);
 
 }  // namespace se

@@ -48,8 +48,8 @@ namespace {
             return phaseReinsert(context);
         case Phase::Flip:
             return phaseFlip(context);
-        case Phase::Reseat:
-            return phaseReseat(context);
+        case Phase::RemoveFolded:
+            return phaseRemoveFolded(context);
         case Phase::Finished:
             return;
     }
@@ -58,14 +58,14 @@ namespace {
 /// True for the phases after which the run is between two pivots.
 bool endsStep(Phase phase) {
     return phase == Phase::Advance || phase == Phase::Reinsert || phase == Phase::Flip ||
-           phase == Phase::Reseat;
+           phase == Phase::RemoveFolded;
 }
 
 State freshState(const PointSet& points, const Params& params) {
     State state(points.size());
     state.triangles.reserve(2 * points.size());  // about the number of a closed surface
     state.done.reserve(points.size());
-    if (params.rules.needsEdges()) state.edges = EdgeTable(points.size());
+    if (params.robust.needsEdges()) state.edges = EdgeTable(points.size());
     return state;
 }
 
@@ -89,7 +89,7 @@ std::uint32_t presentPivot(const State& state) {
         case Phase::Fill:
         case Phase::Reinsert:
         case Phase::Flip:
-        case Phase::Reseat:
+        case Phase::RemoveFolded:
             return state.counters.pivots + 1;
         default:
             return state.counters.pivots;
@@ -121,11 +121,11 @@ bool Stepper::inContext(Work&& work) {
     }
 #endif
     if (altered_ && (!(params_.paper == PaperRules{}) || forksAt(params_, presentPivot(state_)))) {
-        EventLog unheard;
-        LoggedContext context{{points(), params_, state_}, unheard};
+        EventLog discardedLog;
+        LoggedContext context{{points(), params_, state_}, discardedLog};
         return work(context);
     }
-    SilentContext context{{points(), params_, state_}};
+    UnloggedContext context{{points(), params_, state_}};
     return work(context);
 }
 

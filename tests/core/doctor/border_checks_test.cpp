@@ -9,7 +9,7 @@ TEST_CASE("doctor: open_border notes the rims of an open surface, until they hav
     for (const Open& open : {sphereWithHoles({{1, 0, 0}, {0, 0, 1}}, 0.45, 1), cylinder()}) {
         CAPTURE(open.name);
         const Diagnosis diagnosis = examined(open.file);
-        CHECK(accusations(diagnosis) == "");
+        CHECK(problemNames(diagnosis) == "");
         const Finding* finding = findingOf(diagnosis, "open_border");
         REQUIRE(finding != nullptr);
         CHECK(finding->severity == Severity::Note);

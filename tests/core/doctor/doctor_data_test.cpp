@@ -19,7 +19,7 @@ TEST_CASE("doctor: no clean set is accused") {
         REQUIRE_MESSAGE(file.ok(), name);
         // This one has copies and no normals, as its README says.
         const bool flawed = name == "cactus_no_normals.ply";
-        CHECK_MESSAGE(accusations(file.value()) == (flawed ? "duplicates no_normals " : ""), name);
+        CHECK_MESSAGE(problemNames(file.value()) == (flawed ? "duplicates no_normals " : ""), name);
     }
 }
 
@@ -67,7 +67,7 @@ TEST_CASE("doctor: every planted fault is found, and no other") {
     for (const auto& [name, names] : planted) {
         const auto file = sharedPoints("hazards/" + name + ".ply");
         if (!file) return;
-        CHECK_MESSAGE(accusations(*file) == names, name);
+        CHECK_MESSAGE(problemNames(*file) == names, name);
     }
 }
 

@@ -19,14 +19,14 @@ inline Diagnosis examined(const PointFile& file) {
 }
 
 /// The names of the problems found, each followed by a blank.
-inline std::string accusations(const Diagnosis& diagnosis) {
+inline std::string problemNames(const Diagnosis& diagnosis) {
     std::string names;
     for (const Finding& finding : diagnosis) {
-        if (finding.accuses()) names += std::string(finding.check->name) + " ";
+        if (finding.isProblem()) names += std::string(finding.check->name) + " ";
     }
     return names;
 }
-inline std::string accusations(const PointFile& file) { return accusations(examined(file)); }
+inline std::string problemNames(const PointFile& file) { return problemNames(examined(file)); }
 
 inline const Finding* findingOf(const Diagnosis& diagnosis, const std::string& name) {
     for (const Finding& finding : diagnosis) {
@@ -39,7 +39,7 @@ inline const Finding* findingOf(const Diagnosis& diagnosis, const std::string& n
 inline void checkAlone(const PointFile& file, const std::string& name,
                        const std::vector<Index>& points, Severity severity) {
     const Diagnosis diagnosis = examined(file);
-    CHECK(accusations(diagnosis) == (severity == Severity::Note ? "" : name + " "));
+    CHECK(problemNames(diagnosis) == (severity == Severity::Note ? "" : name + " "));
     const Finding* finding = findingOf(diagnosis, name);
     REQUIRE_MESSAGE(finding != nullptr, name);
     CHECK(finding->points == points);

@@ -33,13 +33,13 @@ Index firstOfType(const PointFile& file, std::uint8_t type) {
 TEST_CASE("doctor: even samples of closed surfaces are not accused") {
     for (const Family& family : closedFamilies(1.5)) {
         for (std::uint64_t seed = 1; seed <= 3; ++seed)
-            CHECK_MESSAGE(accusations(family.sample(seed)) == "", family.name, ", seed ", seed);
+            CHECK_MESSAGE(problemNames(family.sample(seed)) == "", family.name, ", seed ", seed);
     }
 }
 
 TEST_CASE("doctor: of the built-in scenes only the exact lattice is accused") {
     for (const Scene& scene : scenes())
-        CHECK_MESSAGE(accusations(scene.build()) == (scene.id == "grid" ? "ties " : ""), scene.id);
+        CHECK_MESSAGE(problemNames(scene.build()) == (scene.id == "grid" ? "ties " : ""), scene.id);
 }
 
 TEST_CASE("doctor: noise, rough normals and missing points are no faults") {
@@ -53,14 +53,14 @@ TEST_CASE("doctor: noise, rough normals and missing points are no faults") {
             rough.position.push_back(file.position[p] + 0.03 * random.inCube());
             rough.normal.push_back(glm::normalize(file.normal[p] + 0.36 * random.direction()));
         }
-        CHECK_MESSAGE(accusations(rough) == "", family.name);
+        CHECK_MESSAGE(problemNames(rough) == "", family.name);
     }
 }
 
 TEST_CASE("doctor: findings depend on shape, not on size or place") {
     for (const double scale : {1e-6, 1.0, 1e6}) {
-        CHECK(accusations(moved(ball(), Vec3(0.0), scale)) == "");
-        CHECK(accusations(moved(ball(), 100.0 * scale * Vec3(1, 2, 3), scale)) == "");
+        CHECK(problemNames(moved(ball(), Vec3(0.0), scale)) == "");
+        CHECK(problemNames(moved(ball(), 100.0 * scale * Vec3(1, 2, 3), scale)) == "");
     }
 }
 
@@ -98,7 +98,7 @@ TEST_CASE("doctor: near_duplicates are nearer than a thousandth of the spacing")
         if (distance < 2e-4) {
             checkAlone(file, "near_duplicates", {twin}, Severity::Warning);
         } else {
-            CHECK(accusations(file) == "");
+            CHECK(problemNames(file) == "");
         }
     }
 }
@@ -110,7 +110,7 @@ TEST_CASE("doctor: too_few_points distinguishes no triangle and one triangle") {
         file.position.assign(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(count));
         file.normal.assign(count, Vec3(0, 0, 1));
         if (count == 4) {
-            CHECK(accusations(file) == "");
+            CHECK(problemNames(file) == "");
         } else {
             checkAlone(file, "too_few_points", {},
                        count == 3 ? Severity::Warning : Severity::Error);
@@ -136,7 +136,7 @@ TEST_CASE("doctor: small components are not isolated points") {
     PointFile corner = moved(ball(2), Vec3(0, 50, 0));
     corner.position.resize(14);
     corner.normal.resize(14);
-    CHECK(accusations(file) == "");
+    CHECK(problemNames(file) == "");
 }
 
 TEST_CASE("doctor: in_line finds a line, whichever way it runs") {
@@ -173,7 +173,7 @@ TEST_CASE("doctor: ties in a part of the set are a note") {
     const Diagnosis diagnosis = examined(file);
     REQUIRE(findingOf(diagnosis, "ties") != nullptr);
     CHECK(findingOf(diagnosis, "ties")->severity == Severity::Note);
-    CHECK(accusations(diagnosis) == "");
+    CHECK(problemNames(diagnosis) == "");
 }
 
 // ---- normals ------------------------------------------------------------------------------------
@@ -251,7 +251,7 @@ TEST_CASE("doctor: sharp edges, thin sheets and the end of a sheet flip nothing"
             cube.normal.push_back(normal);
         }
     }
-    CHECK(accusations(cube) == "");
+    CHECK(problemNames(cube) == "");
 }
 
 TEST_CASE("doctor: inside_out finds closed components with normals inward") {
@@ -271,7 +271,7 @@ TEST_CASE("doctor: cavities and open sheets may have normals inward") {
     const auto first = static_cast<Index>(file.position.size());
     append(file, moved(ball(2), Vec3(0.1, 0, 0), 0.6));
     turn(file, [&](Index p) { return p >= first; });
-    CHECK(accusations(file) == "");
+    CHECK(problemNames(file) == "");
 
     PointFile bowl;
     const PointFile whole = closedFamilies(2.0)[0].sample(1);
@@ -280,7 +280,7 @@ TEST_CASE("doctor: cavities and open sheets may have normals inward") {
         bowl.position.push_back(whole.position[p]);
         bowl.normal.push_back(-whole.normal[p]);
     }
-    CHECK(accusations(bowl) == "");
+    CHECK(problemNames(bowl) == "");
 }
 
 TEST_CASE("doctor: close_sheets accuses if it is the set as a whole") {
@@ -290,12 +290,12 @@ TEST_CASE("doctor: close_sheets accuses if it is the set as a whole") {
     for (Vec3& n : below.normal) n.z = -1;
     append(file, below);
     const Diagnosis diagnosis = examined(file);
-    CHECK(accusations(diagnosis) == "close_sheets ");
+    CHECK(problemNames(diagnosis) == "close_sheets ");
 
     // The same as a small part of a larger set is a fact of its shape.
     append(file, moved(flatLattice(40, 0.2, 3), Vec3(100, 0, 0)));
     const Diagnosis thinPart = examined(file);
-    CHECK(accusations(thinPart) == "");
+    CHECK(problemNames(thinPart) == "");
     REQUIRE(findingOf(thinPart, "close_sheets") != nullptr);
     CHECK(findingOf(thinPart, "close_sheets")->points ==
           findingOf(diagnosis, "close_sheets")->points);
@@ -307,7 +307,7 @@ TEST_CASE(
     "doctor: lists of the nearest points are not accused; that they are unsymmetric is noted") {
     const PointFile file = withLists(ball());
     const Diagnosis diagnosis = examined(file);
-    CHECK(accusations(diagnosis) == "");
+    CHECK(problemNames(diagnosis) == "");
     const Finding* finding = findingOf(diagnosis, "unsymmetric_lists");
     REQUIRE(finding != nullptr);
     std::size_t unanswered = 0;
@@ -363,7 +363,7 @@ TEST_CASE("doctor: equal distances may be in any order") {
 // ---- types --------------------------------------------------------------------------------------
 
 TEST_CASE("doctor: types that agree with the box are not accused") {
-    CHECK(accusations(sheet()) == "");
+    CHECK(problemNames(sheet()) == "");
 }
 
 TEST_CASE("doctor: types_off_box finds bits too many, bits too few and points beyond") {
@@ -402,7 +402,7 @@ TEST_CASE("doctor: a surface may touch a wall without ending there") {
         upright.type.push_back(p < 12 ? kPositiveZ : kInterior);
     }
     append(file, upright);
-    CHECK(accusations(file) == "");
+    CHECK(problemNames(file) == "");
     file.normal[top] = Vec3(1, 0, 0);
     checkAlone(file, "types_off_box", {top}, Severity::Warning);
 }
@@ -432,7 +432,7 @@ TEST_CASE("doctor: every check has a name of its own, a section and a sentence")
                           [](char c) { return c == '_' || (c >= 'a' && c <= 'z'); }));
         CHECK(check.section.size() >= 1);
         CHECK(check.upsets.back() == '.');
-        CHECK((!check.mended() || check.remedy.find("--fix") != std::string_view::npos));
+        CHECK((!check.hasSafeFix() || check.remedy.find("--fix") != std::string_view::npos));
         CHECK(findDoctorCheck(check.name) == &check);
         names.push_back(check.name);
     }

@@ -12,14 +12,14 @@ using namespace se::test;
 
 namespace {
 
-std::map<std::string, std::size_t> repairsOf(const Treatment& treatment) {
+std::map<std::string, std::size_t> repairsOf(const FixedFile& fixed) {
     std::map<std::string, std::size_t> counts;
-    for (const Repair& repair : treatment.repairs) counts[std::string(repair.name)] = repair.count;
+    for (const AppliedFix& fix : fixed.fixes) counts[std::string(fix.name)] = fix.count;
     return counts;
 }
 
 /// A file with everything that can be repaired.
-PointFile patient() {
+PointFile flawedFile() {
     PointFile file = withLists(ball());
     file.type.assign(file.position.size(), kInterior);
     Attribute number{"number", ScalarType::Int32, {}};
@@ -43,15 +43,15 @@ PointFile patient() {
 
 TEST_CASE("doctor: a healthy file is left as it is") {
     for (const PointFile& file : {ball(), withLists(ball()), sampleSheet(wavySheet(), 9, 90, 1)}) {
-        const Treatment treatment = treat(file);
-        CHECK(treatment.repairs.empty());
-        CHECK(meshPlyBytes(treatment.file, treatment.file.faces) == meshPlyBytes(file, file.faces));
+        const FixedFile fixed = applyFixes(file);
+        CHECK(fixed.fixes.empty());
+        CHECK(meshPlyBytes(fixed.file, fixed.file.faces) == meshPlyBytes(file, file.faces));
     }
 }
 
 TEST_CASE("doctor: repairs are listed, and the problems gone") {
-    const Treatment treatment = treat(patient());
-    const auto counts = repairsOf(treatment);
+    const FixedFile fixed = applyFixes(flawedFile());
+    const auto counts = repairsOf(fixed);
     CHECK(counts.at("non_finite") == 1);
     CHECK(counts.at("zero_normals") == 1);
     CHECK(counts.at("duplicates") == 1);
@@ -60,13 +60,13 @@ TEST_CASE("doctor: repairs are listed, and the problems gone") {
     CHECK(counts.at("entries_outside") == 1);
     CHECK(counts.at("repeated_entries") == 1);
     CHECK(counts.at("unsorted_lists") >= 1);
-    for (const Finding& finding : examined(treatment.file)) CHECK_FALSE(finding.check->mended());
-    CHECK(treat(treatment.file).repairs.empty());
+    for (const Finding& finding : examined(fixed.file)) CHECK_FALSE(finding.check->hasSafeFix());
+    CHECK(applyFixes(fixed.file).fixes.empty());
 }
 
 TEST_CASE("doctor: points keep their order and everything that belongs to them") {
-    const PointFile before = patient();
-    const PointFile after = treat(before).file;
+    const PointFile before = flawedFile();
+    const PointFile after = applyFixes(before).file;
     std::vector<double> kept;
     for (Index p = 0; p < before.position.size(); ++p) {
         if (p != 10 && p != 20 && p != 31) kept.push_back(p);
@@ -93,13 +93,13 @@ TEST_CASE("doctor: points keep their order and everything that belongs to them")
 }
 
 TEST_CASE("doctor: mending changes nothing for the algorithm, which does so for itself") {
-    PointFile file = patient();
+    PointFile file = flawedFile();
     setList(file, 60,
             listOf(withLists(ball()), 60));  // prepare() refuses entries that point outside
-    const PointFile mended = treat(file).file;
-    const std::vector<double>& number = mended.attributes[0].values;
+    const PointFile repaired = applyFixes(file).file;
+    const std::vector<double>& number = repaired.attributes[0].values;
     const Run before = runAll(prepared(file), *paramsByName("paper"));
-    const Run after = runAll(prepared(mended), *paramsByName("paper"));
+    const Run after = runAll(prepared(repaired), *paramsByName("paper"));
     REQUIRE(before.state.mesh().size() == after.state.mesh().size());
     for (std::size_t t = 0; t < after.state.mesh().size(); ++t) {
         const Triangle& a = before.state.mesh()[t];
@@ -120,19 +120,19 @@ TEST_CASE("doctor: faces move from copies to their originals, and go with droppe
                      {5, 5, std::numeric_limits<double>::infinity()}};
     soup.normal.assign(soup.position.size(), Vec3(0, 0, 1));
     soup.faces = {{0, 1, 2}, {3, 4, 5}, {4, 5, 6}};
-    const Treatment treatment = treat(soup);
-    CHECK(treatment.file.position.size() == 4);
-    CHECK(treatment.file.faces == std::vector<Triangle>{{0, 1, 2}, {1, 3, 2}});
-    CHECK(repairsOf(treatment).at("faces") == 1);
+    const FixedFile fixed = applyFixes(soup);
+    CHECK(fixed.file.position.size() == 4);
+    CHECK(fixed.file.faces == std::vector<Triangle>{{0, 1, 2}, {1, 3, 2}});
+    CHECK(repairsOf(fixed).at("faces") == 1);
 }
 
 TEST_CASE("doctor: normals that are all zero are taken out, not the points") {
     PointFile file = ball();
     file.normal.assign(file.position.size(), Vec3(0.0));
-    const Treatment treatment = treat(file);
-    CHECK_FALSE(treatment.file.hasNormals());
-    CHECK(treatment.file.position == file.position);
-    CHECK(repairsOf(treatment).at("zero_normals") == file.position.size());
+    const FixedFile fixed = applyFixes(file);
+    CHECK_FALSE(fixed.file.hasNormals());
+    CHECK(fixed.file.position == file.position);
+    CHECK(repairsOf(fixed).at("zero_normals") == file.position.size());
 }
 
 TEST_CASE("doctor: guesses are left to the user, by a list of points to drop") {
@@ -140,13 +140,13 @@ TEST_CASE("doctor: guesses are left to the user, by a list of points to drop") {
     file.position.push_back(Vec3(40, 0, 0));
     file.normal.push_back(Vec3(1, 0, 0));
     file.normal[5] = -file.normal[5];
-    CHECK(treat(file).repairs.empty());
+    CHECK(applyFixes(file).fixes.empty());
     const Diagnosis diagnosis = examined(file);
     const Finding* stray = findingOf(diagnosis, "isolated_points");
     REQUIRE(stray != nullptr);
-    const Treatment treatment = treat(file, stray->points);
-    CHECK(repairsOf(treatment) == std::map<std::string, std::size_t>{{"dropped", 1}});
-    CHECK(accusations(treatment.file) == "flipped_normals ");
+    const FixedFile fixed = applyFixes(file, stray->points);
+    CHECK(repairsOf(fixed) == std::map<std::string, std::size_t>{{"dropped", 1}});
+    CHECK(problemNames(fixed.file) == "flipped_normals ");
 }
 
 TEST_CASE("doctor: whatever the input, what can be mended is mended at once") {
@@ -183,18 +183,18 @@ TEST_CASE("doctor: whatever the input, what can be mended is mended at once") {
                     break;
             }
         }
-        const Treatment once = treat(file);
+        const FixedFile once = applyFixes(file);
         for (const Finding& finding : examined(once.file))
-            CHECK_MESSAGE(!finding.check->mended(), finding.check->name, ", seed ", seed);
-        CHECK(treat(once.file).repairs.empty());
+            CHECK_MESSAGE(!finding.check->hasSafeFix(), finding.check->name, ", seed ", seed);
+        CHECK(applyFixes(once.file).fixes.empty());
         REQUIRE(prepare(once.file, {}).ok());
         CHECK(prepare(once.file, {}).value().report.unscaledNormals == 0);
     }
 }
 
 TEST_CASE("doctor: nothing is left of what holds nothing") {
-    CHECK(treat({}).file.position.empty());
+    CHECK(applyFixes({}).file.position.empty());
     PointFile file;
     file.position.assign(4, Vec3(std::numeric_limits<double>::quiet_NaN()));
-    CHECK(treat(file).file.position.empty());
+    CHECK(applyFixes(file).file.position.empty());
 }

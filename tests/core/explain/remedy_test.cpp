@@ -51,9 +51,9 @@ const Remedy* remedyNamed(const Remedies& remedies, std::string_view name) {
 
 TEST_CASE("remedy: every rule that robust has beyond the paper is tried, and both sets") {
     const Tried four = tried("four-edge-hole");
-    const Rules robust = paramsByName("robust")->rules;
+    const Params robust = *paramsByName("robust");
     for (const RuleSwitch& each : ruleSwitches()) {
-        const bool beyond = robust.*each.member && !(paper().rules.*each.member);
+        const bool beyond = each.isOn(robust) && !each.isOn(paper());
         CHECK((remedyNamed(four.remedies, each.name) != nullptr) == beyond);
     }
     for (const char* set : {"corrected", "robust"}) {
@@ -75,7 +75,7 @@ TEST_CASE("remedy: a run with the rule that prevents it is without the failure")
         REQUIRE(best.prevents);
         Params params = paper();
         if (best.rule != nullptr) {
-            params.rules.*best.rule->member = true;
+            best.rule->turnOn(params);
         } else {
             params = *paramsByName(best.set);
         }

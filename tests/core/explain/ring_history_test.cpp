@@ -21,7 +21,7 @@ std::vector<LedgerLine> found(const PointSet& points, const char* line) {
     return findDecisions(points, paper(), query.value(), 1'000'000).value().lines;
 }
 
-RingHistory historyOf(const PointSet& points, const RingPlace& ring) {
+RingHistory historyOf(const PointSet& points, const RingAddress& ring) {
     const auto history = whyRing(points, paper(), ring);
     REQUIRE(history.ok());
     return history.value();
@@ -35,15 +35,15 @@ bool has(const RingHistory& history, const Event& event) {
 }  // namespace
 
 TEST_CASE("ring: places are written and read") {
-    CHECK((ringPlaceFromString("137").value() == RingPlace{{137, Stage::Pivot, 0}, 0}));
-    CHECK((ringPlaceFromString("137#2").value() == RingPlace{{137, Stage::Pivot, 0}, 2}));
-    CHECK((ringPlaceFromString("137.ring.4#1").value() == RingPlace{{137, Stage::Ring, 4}, 1}));
+    CHECK((ringAddressFromString("137").value() == RingAddress{{137, Stage::Pivot, 0}, 0}));
+    CHECK((ringAddressFromString("137#2").value() == RingAddress{{137, Stage::Pivot, 0}, 2}));
+    CHECK((ringAddressFromString("137.ring.4#1").value() == RingAddress{{137, Stage::Ring, 4}, 1}));
     for (const char* bad : {"", "#1", "137#", "137#0", "137#x", "dragon"}) {
         CAPTURE(bad);
-        CHECK_FALSE(ringPlaceFromString(bad).ok());
+        CHECK_FALSE(ringAddressFromString(bad).ok());
     }
-    CHECK(nameOf(RingPlace{{137, Stage::Pivot, 0}, 0}) == "active ring at 137");
-    CHECK(nameOf(RingPlace{{137, Stage::Ring, 4}, 2}) == "ring #2 at 137.ring.4");
+    CHECK(nameOf(RingAddress{{137, Stage::Pivot, 0}, 0}) == "active ring at 137");
+    CHECK(nameOf(RingAddress{{137, Stage::Ring, 4}, 2}) == "ring #2 at 137.ring.4");
 }
 
 TEST_CASE("ring: the first ring has its seed as only ancestor, before and after it grows") {

@@ -42,7 +42,7 @@ void checkAddress(const ComparedRun& run, const DifferenceSide& side) {
 }
 
 struct Planted {
-    bool Rules::*rule;
+    Params params;
     const char* scene;
     Stage stage;
 };
@@ -66,27 +66,28 @@ TEST_CASE("run comparison: equal params on equal points give no difference, on e
 }
 
 TEST_CASE("run comparison: one rule turned over is found at the stage of that rule") {
-    for (const Planted& planted : {Planted{&Rules::limitsFirst, "torus", Stage::Limits},
-                                   {&Rules::freeSector, "torus", Stage::Reciprocal},
-                                   {&Rules::realHole, "sheet", Stage::Hole},
-                                   {&Rules::closeTwo, "torus", Stage::Ring},
-                                   {&Rules::tangent, "torus", Stage::Sort},
-                                   {&Rules::unblocked, "torus", Stage::Limits},
-                                   {&Rules::stepBack, "torus", Stage::Sphere},
-                                   {&Rules::bothWalls, "close-sheets", Stage::Insert},
-                                   {&Rules::guard, "four-edge-hole", Stage::Guard},
-                                   {&Rules::gap, "figure-9", Stage::Guard},
-                                   {&Rules::noPillow, "noise", Stage::Guard},
-                                   {&Rules::noCross, "torus", Stage::Guard},
-                                   {&Rules::noFold, "torus", Stage::Guard},
-                                   {&Rules::noMeet, "four-edge-hole", Stage::Guard},
-                                   {&Rules::reinsert, "torus", Stage::Reinsert},
-                                   {&Rules::flip, "torus", Stage::Flip}}) {
+    for (const Planted& planted :
+         {Planted{paperBut(&Readings::limitsFirst), "torus", Stage::Limits},
+          {paperBut(&Readings::freeSector), "torus", Stage::Reciprocal},
+          {paperBut(&Readings::realHole), "sheet", Stage::Hole},
+          {paperBut(&Readings::closeTwo), "torus", Stage::Ring},
+          {paperBut(&RobustRules::tangent), "torus", Stage::Sort},
+          {paperBut(&RobustRules::unblocked), "torus", Stage::Limits},
+          {paperBut(&RobustRules::stepBack), "torus", Stage::Sphere},
+          {paperBut(&RobustRules::bothWalls), "close-sheets", Stage::Insert},
+          {paperBut(&RobustRules::guard), "four-edge-hole", Stage::Guard},
+          {paperBut(&RobustRules::gap), "figure-9", Stage::Guard},
+          {paperBut(&RobustRules::noPillow), "noise", Stage::Guard},
+          {paperBut(&RobustRules::noCross), "torus", Stage::Guard},
+          {paperBut(&RobustRules::noFold), "torus", Stage::Guard},
+          {paperBut(&RobustRules::noMeet), "four-edge-hole", Stage::Guard},
+          {paperBut(&RobustRules::reinsert), "torus", Stage::Reinsert},
+          {paperBut(&RobustRules::flip), "torus", Stage::Flip}}) {
         CAPTURE(planted.scene);
         CAPTURE(stageName(planted.stage));
         const PointSet points = sceneNamed(planted.scene);
         const Params a = paper();
-        const Params b = paperBut(planted.rule);
+        const Params& b = planted.params;
         const RunComparison found = compared({points, a}, {points, b});
         REQUIRE(found.first);
         const DifferenceSide& asked = found.first->a.decides ? found.first->a : found.first->b;
@@ -100,12 +101,12 @@ TEST_CASE("run comparison: one rule turned over is found at the stage of that ru
 TEST_CASE("run comparison: before the first difference both runs are in the same state") {
     const PointSet points = sceneNamed("torus");
     const Params a = paper();
-    const Params b = paperBut(&Rules::freeSector);
+    const Params b = paperBut(&Readings::freeSector);
     const RunComparison found = compared({points, a}, {points, b});
     REQUIRE(found.first);
     Stepper left(points, a);
     Stepper right(points, b);
-    for (std::uint32_t i = 0; i < found.pivotsAlike; ++i) {
+    for (std::uint32_t i = 0; i < found.commonPivots; ++i) {
         left.stepPivot();
         right.stepPivot();
     }
@@ -113,7 +114,7 @@ TEST_CASE("run comparison: before the first difference both runs are in the same
     left.stepPivot();
     right.stepPivot();
     CHECK(stateHash(left.state()) != stateHash(right.state()));
-    CHECK(found.first->a.line->event.address.pivot == found.pivotsAlike + 1);
+    CHECK(found.first->a.line->event.address.pivot == found.commonPivots + 1);
     // 6.1, Fig. 6: the free side of the ring takes the pivot, the finished side does not.
     CHECK(found.first->a.line->role == LineRole::Taken);
     CHECK(found.first->b.line->role == LineRole::Refused);
@@ -129,7 +130,7 @@ TEST_CASE("run comparison: A against B is B against A") {
     const RunComparison back = compared({points, b}, {points, a});
     REQUIRE(there.first);
     REQUIRE(back.first);
-    CHECK(there.pivotsAlike == back.pivotsAlike);
+    CHECK(there.commonPivots == back.commonPivots);
     CHECK(there.harmlessPivots == back.harmlessPivots);
     CHECK((there.first->a.line->event.address == back.first->b.line->event.address));
     CHECK((there.first->b.line->event.address == back.first->a.line->event.address));
@@ -140,12 +141,12 @@ TEST_CASE("run comparison: A against B is B against A") {
 TEST_CASE("run comparison: decisions without a consequence come before the first difference") {
     const PointSet points = sceneNamed("torus");
     const Params a = paper();
-    const Params b = paperBut(&Rules::freeSector);
+    const Params b = paperBut(&Readings::freeSector);
     const RunComparison found = compared({points, a}, {points, b});
     REQUIRE(found.first);
     REQUIRE(found.harmless);
     CHECK(found.harmlessPivots > 0);
-    CHECK(found.harmless->a.line->event.address.pivot <= found.pivotsAlike);
+    CHECK(found.harmless->a.line->event.address.pivot <= found.commonPivots);
     CHECK(found.harmless->a.line->role != found.harmless->b.line->role);
 }
 
@@ -165,7 +166,7 @@ TEST_CASE("run comparison: other neighbor lists part at a decision about what on
         for (std::size_t i = fan.a + 1; i < b.neighbors.offset.size(); ++i) --b.neighbors.offset[i];
         const RunComparison found = compared({a, params}, {b, params});
         REQUIRE(found.first);
-        CHECK(found.pivotsAlike == 0);
+        CHECK(found.commonPivots == 0);
         const std::string lists = "A lists point " + std::to_string(fan.c);
         CAPTURE(found.first->words);
         CHECK(found.first->words.find(lists) != std::string::npos);

@@ -189,7 +189,7 @@ TEST_CASE("faults: with a triangle made very often the search ends at its bound,
     const PointSet points = pointsAt({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     const Triangles triangles(100000, {0, 1, 2});  // Five billion pairs.
     const auto counts = countFaults(findFaults(points, triangles));
-    CHECK(counts[static_cast<std::size_t>(FaultKind::Intersecting)] == kMostIntersections);
+    CHECK(counts[static_cast<std::size_t>(FaultKind::Intersecting)] == kMaxIntersections);
     // Those about an edge grow with the triangles, not with their pairs.
     CHECK(counts[static_cast<std::size_t>(FaultKind::NonManifoldEdge)] == 99999);
 }

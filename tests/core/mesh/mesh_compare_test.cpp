@@ -58,11 +58,11 @@ PointFile foreign(const Made& made) {
 TEST_CASE("mesh comparison: a mesh in another order, written as floats, is the same") {
     const Made made;
     const MatchedMesh matched = matchMesh(made.points.position, foreign(made));
-    CHECK(matched.strangers.empty());
+    CHECK(matched.unmatchedVertices.empty());
     const MeshDifference found = compareMeshes(made.points.position, made.mesh, matched.triangles);
     CHECK(found.same());
     CHECK(found.both == made.mesh.size());
-    CHECK(found.turned + found.onlyA + found.onlyB == 0);
+    CHECK(found.reversed + found.onlyA + found.onlyB == 0);
 }
 
 TEST_CASE("mesh comparison: a vertex off by more than the tolerance is a stranger") {
@@ -74,15 +74,15 @@ TEST_CASE("mesh comparison: a vertex off by more than the tolerance is a strange
         low = glm::min(low, x);
         high = glm::max(high, x);
     }
-    const double tolerance = kSamePlace * glm::length(high - low);
+    const double tolerance = kSamePointTolerance * glm::length(high - low);
     file.position[file.faces[0].a].x += 3.0 * tolerance;
     file.position[file.faces[10].b].y += 0.4 * tolerance;
     const MatchedMesh matched = matchMesh(made.points.position, file);
-    REQUIRE(matched.strangers.size() == 1);
-    CHECK(matched.strangerVertices[0] == file.faces[0].a);
+    REQUIRE(matched.unmatchedVertices.size() == 1);
+    CHECK(matched.unmatchedNumbers[0] == file.faces[0].a);
     CHECK(matched.triangles[0].a == made.points.size());
     std::vector<Vec3> position = made.points.position;
-    position.push_back(matched.strangers[0]);
+    position.push_back(matched.unmatchedVertices[0]);
     const MeshDifference found = compareMeshes(position, made.mesh, matched.triangles);
     REQUIRE(found.regions.size() == 1);
     // All triangles at that vertex, and nothing else.
@@ -103,7 +103,7 @@ TEST_CASE("mesh comparison: what was taken out, turned, doubled or added is foun
         const MeshDifference found = compareMeshes(position, made.mesh, other);
         CHECK(found.onlyA == 1);
         CHECK(found.onlyB == 0);
-        CHECK(found.a[100] == Standing::Only);
+        CHECK(found.a[100] == Match::Missing);
         REQUIRE(found.regions.size() == 1);
         CHECK(found.regions[0].inA == std::vector<Index>{100});
         CHECK(found.regions[0].inB.empty());
@@ -115,10 +115,10 @@ TEST_CASE("mesh comparison: what was taken out, turned, doubled or added is foun
     SUBCASE("turned: the same corners, the other side") {
         std::swap(other[100].b, other[100].c);
         const MeshDifference found = compareMeshes(position, made.mesh, other);
-        CHECK(found.turned == 1);
+        CHECK(found.reversed == 1);
         CHECK(found.onlyA + found.onlyB == 0);
-        CHECK(found.a[100] == Standing::Turned);
-        CHECK(found.b[100] == Standing::Turned);
+        CHECK(found.a[100] == Match::Reversed);
+        CHECK(found.b[100] == Match::Reversed);
         CHECK_FALSE(found.same());
     }
     SUBCASE("there twice") {
@@ -126,7 +126,7 @@ TEST_CASE("mesh comparison: what was taken out, turned, doubled or added is foun
         const MeshDifference found = compareMeshes(position, made.mesh, other);
         CHECK(found.both == made.mesh.size());
         CHECK(found.onlyB == 1);
-        CHECK(found.b.back() == Standing::Only);
+        CHECK(found.b.back() == Match::Missing);
     }
     SUBCASE("a diagonal the other way round, and a triangle elsewhere") {
         // Two triangles over a common edge, on the other diagonal.
@@ -176,11 +176,11 @@ TEST_CASE("mesh comparison: of points at one place, that of the same number is t
 
 TEST_CASE("mesh comparison: a set gives the counterpart of each triangle") {
     const TriangleSet set(std::vector<Triangle>{{3, 1, 2}, {4, 5, 6}});
-    CHECK(set.find({1, 2, 3}) == Standing::Both);
-    CHECK(set.find({2, 1, 3}) == Standing::Turned);
-    CHECK(set.find({6, 4, 5}) == Standing::Both);
-    CHECK(set.find({1, 2, 4}) == Standing::Only);
-    CHECK(TriangleSet{}.find({1, 2, 3}) == Standing::Only);
+    CHECK(set.find({1, 2, 3}) == Match::Same);
+    CHECK(set.find({2, 1, 3}) == Match::Reversed);
+    CHECK(set.find({6, 4, 5}) == Match::Same);
+    CHECK(set.find({1, 2, 4}) == Match::Missing);
+    CHECK(TriangleSet{}.find({1, 2, 3}) == Match::Missing);
 }
 
 TEST_CASE("mesh comparison: no points, no triangles") {

@@ -150,11 +150,11 @@ TEST_CASE("noise: all of the work reports progress, and can be cancelled at any 
     options.setNoiseAside = true;
     options.neighbors.threads = 1;
     std::vector<double> shares;
-    const auto run = [&](std::size_t most) {
+    const auto run = [&](std::size_t limit) {
         shares.clear();
         return prepare(file, options, [&](double share) {
             shares.push_back(share);
-            return shares.size() < most;
+            return shares.size() < limit;
         });
     };
     const Result<Prepared> whole = run(1'000'000);
@@ -173,9 +173,9 @@ TEST_CASE("noise: all of the work reports progress, and can be cancelled at any 
     CHECK(between(0.75, 1.0) > 3);
     std::size_t beforeEnd = 0;
     while (shares[beforeEnd] < 0.99) ++beforeEnd;
-    for (std::size_t most = 1; most < beforeEnd; ++most) {
-        CAPTURE(most);
-        CHECK_FALSE(run(most).ok());
-        CHECK(shares.size() <= most + 2);  // the end of a part of the work does not report
+    for (std::size_t limit = 1; limit < beforeEnd; ++limit) {
+        CAPTURE(limit);
+        CHECK_FALSE(run(limit).ok());
+        CHECK(shares.size() <= limit + 2);  // the end of a part of the work does not report
     }
 }

@@ -218,11 +218,11 @@ TEST_CASE("findNeighbors: extreme but finite coordinates do not confuse it") {
 TEST_CASE("findNeighbors: progress grows from 0 to 1, and false cancels") {
     const OraclePoints points = makeRandom(10000);
     std::vector<double> shares;
-    const auto run = [&](std::size_t most) {
+    const auto run = [&](std::size_t limit) {
         shares.clear();
         return findNeighbors(points.position, points.normal, points.usable, {}, [&](double share) {
             shares.push_back(share);
-            return shares.size() < most;
+            return shares.size() < limit;
         });
     };
     CHECK(run(1000).ok());

@@ -63,22 +63,22 @@ std::vector<Hit> forward(std::span<const ArmedBreakpoint> armed) {
         stops.push_back(at->hit);
     return stops;
 }
-std::vector<Hit> backward(std::span<const ArmedBreakpoint> armed, RunPlace end) {
+std::vector<Hit> backward(std::span<const ArmedBreakpoint> armed, RunPosition end) {
     std::vector<Hit> stops;
     for (auto at = previousStop(armed, end); at; at = previousStop(armed, at->hit.place))
         stops.push_back(at->hit);
     std::reverse(stops.begin(), stops.end());
     return stops;
 }
-constexpr RunPlace kBehindAll{0xffffffffU, 0};
+constexpr RunPosition kBehindAll{0xffffffffU, 0};
 
 /// The matches of a line, searched in the log itself.
 std::vector<Hit> matching(const PointSet& points, const std::string& line) {
     std::vector<Hit> found;
     const auto query = DecisionQuery::parse(line);
     REQUIRE(query.ok());
-    scanDecisions(points, paper(), query.value().asksForFailures(),
-                  [&](const Decision& decision, RunPlace place) {
+    scanDecisions(points, paper(), query.value().needsFailures(),
+                  [&](const Decision& decision, RunPosition place) {
                       if (query.value().matches(decision))
                           found.push_back({place, decision.event.address});
                   });
@@ -141,8 +141,8 @@ TEST_CASE("breakpoints: from any place, forward goes to the next hit and back to
         };
         const auto ahead =
             std::find_if(all.begin() + static_cast<std::ptrdiff_t>(i) + 1, all.end(), isHit);
-        const auto earlier = std::find_if(all.rbegin() + static_cast<std::ptrdiff_t>(all.size() - i),
-                                         all.rend(), isHit);
+        const auto earlier = std::find_if(
+            all.rbegin() + static_cast<std::ptrdiff_t>(all.size() - i), all.rend(), isHit);
         const auto next = nextStop({&armed, 1}, all[i].place);
         const auto previous = previousStop({&armed, 1}, all[i].place);
         REQUIRE(next.has_value() == (ahead != all.end()));
@@ -166,7 +166,7 @@ TEST_CASE("breakpoints: hit counts run from the start, in both directions") {
         for (std::size_t i = 0; i < list.hits.size(); ++i) {
             const std::size_t number = i + 1;
             const bool stops = number > skip && (number - skip) % std::max(1U, every) == 0;
-            CHECK(picks(breakpoint, number) == stops);
+            CHECK(selectsHit(breakpoint, number) == stops);
             if (stops) wanted.push_back(list.hits[i]);
         }
         CHECK(forward({&armed, 1}) == wanted);
@@ -203,10 +203,11 @@ TEST_CASE("breakpoints: places number the events of a pivot as the timeline list
     for (const char* rules : {"paper", "robust"}) {
         const PointSet points = sceneOf("uneven-density");
         std::map<std::uint32_t, std::vector<Address>> pivots;
-        scanDecisions(points, *paramsByName(rules), false, [&](const Decision& d, RunPlace place) {
-            REQUIRE(place.event == pivots[place.pivot].size());
-            pivots[place.pivot].push_back(d.event.address);
-        });
+        scanDecisions(points, *paramsByName(rules), false,
+                      [&](const Decision& d, RunPosition place) {
+                          REQUIRE(place.event == pivots[place.pivot].size());
+                          pivots[place.pivot].push_back(d.event.address);
+                      });
         Timeline timeline(points, *paramsByName(rules));
         for (std::uint32_t pivot = 1; pivot <= pivots.rbegin()->first; ++pivot) {
             std::vector<Address> listed;

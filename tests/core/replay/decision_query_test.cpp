@@ -21,8 +21,8 @@ DecisionQuery queryOf(const char* line) {
     return query.value();
 }
 
-FoundDecisions found(const PointSet& points, const char* line, std::size_t most = 1000000) {
-    const auto decisions = findDecisions(points, paper(), queryOf(line), most);
+FoundDecisions found(const PointSet& points, const char* line, std::size_t limit = 1000000) {
+    const auto decisions = findDecisions(points, paper(), queryOf(line), limit);
     REQUIRE(decisions.ok());
     return decisions.value();
 }

@@ -25,7 +25,7 @@ Watched watch(const PointSet& points, const Params& params) {
     Watched result;
     LiveCheck check(points);
     const auto end = scanRun(points, params, [&](const ScannedPivot& pivot) {
-        for (LiveFailure& each : check.see(pivot.events)) result.failures.push_back(each);
+        for (LiveFailure& each : check.check(pivot.events)) result.failures.push_back(each);
     });
     result.mesh = end->mesh();
     return result;
@@ -47,7 +47,7 @@ std::vector<LiveFailure> seeAll(const PointSet& points, const std::vector<Triang
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const auto n = static_cast<Index>(i);
         const Event event{{1, Stage::Emit, n + 1}, EmitEvidence{n, triangles[i]}};
-        for (LiveFailure& each : check.see(event)) all.push_back(std::move(each));
+        for (LiveFailure& each : check.check(event)) all.push_back(std::move(each));
     }
     return all;
 }
@@ -176,7 +176,7 @@ TEST_CASE("live: crossings are looked for up to a fixed amount of work") {
         LiveCheck check(points);
         for (Index i = 0; i < count; ++i) {
             const EmitEvidence made{i, {3 * i, 3 * i + 1, 3 * i + 2}};
-            for (const LiveFailure& each : check.see(Event{{i + 1, Stage::Emit, 1}, made}))
+            for (const LiveFailure& each : check.check(Event{{i + 1, Stage::Emit, 1}, made}))
                 CHECK(each.kind->name != "intersecting_triangles");
         }
         return check.complete();

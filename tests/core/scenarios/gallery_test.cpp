@@ -58,7 +58,7 @@ std::size_t leftIn(const char* scene, const char* rules,
                    const PrepareOptions& options = {}) {
     const FailureScene& each = galleryScene(scene);
     PointFile file = each.scene.build();
-    if (treat) treat(file);
+    if (treat) applyFixes(file);
     const auto made = prepare(file, options);
     REQUIRE(made.ok());
     return failuresIn(made.value().points, *paramsByName(rules), each.failure);
@@ -103,7 +103,8 @@ TEST_CASE("gallery: what helps, helps") {
         const auto diagnosis = examine(file);
         REQUIRE(diagnosis.ok());
         for (const Finding& finding : diagnosis.value()) {
-            if (finding.check->name == "near_duplicates") file = treat(file, finding.points).file;
+            if (finding.check->name == "near_duplicates")
+                file = applyFixes(file, finding.points).file;
         }
     };
     CHECK(leftIn("near-duplicates", "paper", dropCopies) <= 1);

@@ -174,7 +174,7 @@ TEST_CASE("robust: a gyroid in a box ends at its walls and nowhere else") {
 TEST_CASE("bothwalls: where the ring passes from wall to wall no point is left pinched") {
     const auto pinched = [](double size, std::uint64_t seed, bool on) {
         Params params = robust();
-        params.rules.bothWalls = on;
+        params.robust.bothWalls = on;
         return runAll(gyroidInBox().sample(size, seed), params).mesh.nonManifoldVertices;
     };
     CHECK(pinched(1400.0, 55, false) == 1);
@@ -214,7 +214,7 @@ TEST_CASE("nocross: an end that passes by a ring point closer by is not moved ov
     };
     const Triangles overRing{{0, 1, 5}, {0, 5, 3}, {0, 3, 2}};
     CHECK(run(paper()) == overRing);
-    CHECK(run(paperBut(&Rules::noCross)).empty());
+    CHECK(run(paperBut(&RobustRules::noCross)).empty());
 }
 
 TEST_CASE("nocross: edges of one straight border do not cross, however it lies") {
@@ -230,7 +230,7 @@ TEST_CASE("nocross: edges of one straight border do not cross, however it lies")
         const Vec3 x = polar(degrees);
         const Vec3 y = polar(degrees + 90);
         for (const Vec3& p : upright) turned.push_back(p.x * x + p.y * y);
-        Rig rig(turned, paperBut(&Rules::noCross));
+        Rig rig(turned, paperBut(&RobustRules::noCross));
         rig.list(0, {5, 3}).ring({0, 2, 3, 4, 1}).pivot();
         CHECK_MESSAGE(rig.newTriangles() == both, degrees, " degrees");
     }

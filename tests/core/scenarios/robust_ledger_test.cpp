@@ -58,7 +58,7 @@ std::vector<Sign> signs() {
         {"fill", of<FillEvidence>()},
         {"reinsert", of<ReinsertEvidence>()},
         {"flip", of<FlipEvidence>()},
-        {"reseat", of<ReseatEvidence>()},
+        {"reseat", of<RemoveFoldedEvidence>()},
     };
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("robust: what each rule decides is a line of the ledger of what it is 
         });
         REQUIRE(row != rows.end());
         Params params = paper();
-        params.rules.*row->member = true;
+        row->turnOn(params);
         Found found = firstDecision(all, params, sign);
         if (found.points == nullptr) {
             // Some take effect only together with the others.
@@ -132,11 +132,11 @@ TEST_CASE("robust: what each rule decides is a line of the ledger of what it is 
 }
 
 TEST_CASE("robust: every rule of the set has such a line, or only changes numbers") {
-    const Rules robust = paramsByName("robust")->rules;
-    const Rules plain = paper().rules;
+    const Params robust = *paramsByName("robust");
+    const Params plain = paper();
     const std::vector<Sign> known = signs();
     for (const RuleSwitch& each : ruleSwitches()) {
-        if (!(robust.*each.member) || plain.*each.member) continue;
+        if (!each.isOn(robust) || each.isOn(plain)) continue;
         CAPTURE(each.name);
         const bool has = std::any_of(known.begin(), known.end(),
                                      [&](const Sign& sign) { return sign.rule == each.name; });

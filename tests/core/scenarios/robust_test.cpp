@@ -59,7 +59,7 @@ TEST_CASE("guard: alone, it keeps random points an oriented manifold; without it
     std::size_t tangled = 0;
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         const PointSet points = randomPoints(seed);
-        const Params guarded = paperBut(&Rules::guard);
+        const Params guarded = paperBut(&RobustRules::guard);
         CHECK_MESSAGE(firstBreach(points, guarded, InvariantChecker::Level::Guarded) == "", "seed ",
                       seed);
         const Run run = runAll(points, guarded);
@@ -254,9 +254,9 @@ TEST_CASE("robust: every event has a sentence of its own and an address that is 
 TEST_CASE("robust: each step after the last pivot has a number and leaves the triangles alone") {
     const PointSet points = prepared(closedFamilies(1.0)[3].sample(1));
     Stepper stepper(points, robust());
-    while (stepper.state().mend.empty() && stepper.stepPivot()) {
+    while (stepper.state().repair.empty() && stepper.stepPivot()) {
     }
-    REQUIRE_FALSE(stepper.state().mend.empty());
+    REQUIRE_FALSE(stepper.state().repair.empty());
     const Triangles emitted = stepper.state().triangles;
     std::size_t steps = 0;
     for (std::uint32_t before = stepper.state().counters.pivots; stepper.stepPivot(); ++steps) {
@@ -266,28 +266,29 @@ TEST_CASE("robust: each step after the last pivot has a number and leaves the tr
         CHECK(stepper.state().triangles == emitted);
     }
     CHECK(steps > 0);
-    CHECK(stepper.state().mend.flipped > 0);
+    CHECK(stepper.state().repair.flipped > 0);
     CHECK(stepper.state().mesh() != emitted);
 }
 
 TEST_CASE("paper: has none of the rules beyond it, and keeps no edge table") {
-    const Rules rules = paper().rules;
+    const RobustRules rules = paper().robust;
     CHECK_FALSE(rules.looksAtFan());
     CHECK_FALSE(rules.needsEdges());
     for (const auto rule :
-         {&Rules::tangent, &Rules::unblocked, &Rules::stepBack, &Rules::wallsDone,
-          &Rules::bothWalls, &Rules::guard, &Rules::gap, &Rules::noPillow, &Rules::noCross,
-          &Rules::noFold, &Rules::noMeet, &Rules::rim, &Rules::delay, &Rules::fill,
-          &Rules::reinsert, &Rules::flip, &Rules::reseat}) {
+         {&RobustRules::tangent, &RobustRules::unblocked, &RobustRules::stepBack,
+          &RobustRules::wallsDone, &RobustRules::bothWalls, &RobustRules::guard, &RobustRules::gap,
+          &RobustRules::noPillow, &RobustRules::noCross, &RobustRules::noFold, &RobustRules::noMeet,
+          &RobustRules::rim, &RobustRules::delay, &RobustRules::fill, &RobustRules::reinsert,
+          &RobustRules::flip, &RobustRules::removeFolded}) {
         CHECK_FALSE(rules.*rule);
-        CHECK(robust().rules.*rule);
+        CHECK(robust().robust.*rule);
     }
     for (const PointSet& points : eventful()) {
         EventLog log;
         const Run run = runAll(points, paper(), &log);
         CHECK(run.state.edges.empty());
-        CHECK(run.state.mend.empty());
-        CHECK(run.state.patience == 0);
+        CHECK(run.state.repair.empty());
+        CHECK(run.state.retryLevel == 0);
         CHECK(run.state.counters.refused == 0);
         CHECK(run.state.counters.filled == 0);
         CHECK(run.state.counters.openings == 0);
@@ -295,7 +296,7 @@ TEST_CASE("paper: has none of the rules beyond it, and keeps no edge table") {
         for (const Event& event : log.events()) {
             const Stage stage = event.address.stage;
             beyond += stage == Stage::Guard || stage == Stage::Fill || stage == Stage::Reinsert ||
-                              stage == Stage::Flip || stage == Stage::Reseat
+                              stage == Stage::Flip || stage == Stage::RemoveFolded
                           ? 1
                           : 0;
         }
@@ -308,6 +309,6 @@ TEST_CASE("corrected: even closed surfaces come out whole without the guard") {
         const Run run = runAll(prepared(family.sample(2)), *paramsByName("corrected"));
         CHECK_MESSAGE(run.mesh.closedManifold(), family.name);
         CHECK_MESSAGE(run.mesh.eulerCharacteristic == family.euler, family.name);
-        CHECK_MESSAGE(run.state.mend.empty(), family.name);
+        CHECK_MESSAGE(run.state.repair.empty(), family.name);
     }
 }

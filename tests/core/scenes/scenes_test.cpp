@@ -153,7 +153,7 @@ TEST_CASE("figure scenes show their figures at the pivots they name") {
     CHECK(happens<DropEvidence>(four, 8,
                                 [](const auto& e) { return e.verdict == Verdict::NowStart; }));
     CHECK(happens<DropEvidence>(watch("figure-5"), 6,
-                                [](const auto& e) { return e.verdict == Verdict::BehindConvex; }));
+                                [](const auto& e) { return e.verdict == Verdict::BeyondConvex; }));
     CHECK(happens<ReciprocalEvidence>(
         watch("figure-6"), 20, [](const auto& e) { return e.verdict == Verdict::NotReciprocal; }));
     CHECK(happens<HoleEvidence>(watch("figure-7"), 95,

@@ -238,9 +238,9 @@ TEST_CASE("bothwalls: no third point beside a pivot whose other ring neighbor is
         return std::pair(rig.all<InsertEvidence>().at(0).verdict, rig.triangles());
     };
     const Triangles made{{0, 2, 1}};
-    CHECK(run(kPositiveX, paperBut(&Rules::bothWalls)) == std::pair(Verdict::Before, made));
+    CHECK(run(kPositiveX, paperBut(&RobustRules::bothWalls)) == std::pair(Verdict::Before, made));
     CHECK(run(kInterior, paper()) == std::pair(Verdict::Before, made));
-    CHECK(run(kInterior, paperBut(&Rules::bothWalls)) ==
+    CHECK(run(kInterior, paperBut(&RobustRules::bothWalls)) ==
           std::pair(Verdict::OtherSideOpen, Triangles{}));
 }
 

@@ -104,7 +104,7 @@ TEST_CASE("6.3 one pass: a point is not looked at again when its neighbor went")
     const std::vector<Vec3> more{polar(40, 1.7), polar(70, 5)};
     CHECK(thinned(100, more) == Points{5});
     CHECK(thinned(100, {more[0]}).empty());
-    CHECK(thinned(100, more, paperBut(&Rules::stepBack)).empty());
+    CHECK(thinned(100, more, paperBut(&RobustRules::stepBack)).empty());
 }
 
 // ---- 6.4 ----------------------------------------------------------------------------------------

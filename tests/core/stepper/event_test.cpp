@@ -48,7 +48,7 @@ TEST_CASE("stages have different names, and sections 3 to 7 or none if they are 
         CHECK(stageFromName(stageName(stage)) == stage);
         const bool beyond = stage == Stage::Guard || stage == Stage::Fill ||
                             stage == Stage::Reinsert || stage == Stage::Flip ||
-                            stage == Stage::Reseat;
+                            stage == Stage::RemoveFolded;
         CHECK(stageSection(stage).empty() == beyond);
         if (beyond) continue;
         CHECK(stageSection(stage)[0] >= '3');

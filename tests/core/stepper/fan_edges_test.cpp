@@ -20,7 +20,7 @@ TEST_CASE("tangent: a point far below the tangent plane is sorted by its directi
         return rig.candidates();
     };
     CHECK(candidates(paper()).empty());
-    CHECK(candidates(paperBut(&Rules::tangent)) == Points{5});
+    CHECK(candidates(paperBut(&RobustRules::tangent)) == Points{5});
 }
 
 TEST_CASE("tangent: angles in the plane add up to a full turn on a cone, 3-D angles do not") {
@@ -54,7 +54,7 @@ TEST_CASE("unblocked: start does not advance over an UNUSED point in the triangl
     CHECK(off.startPoint() == 5);
     CHECK(off.candidates().empty());
     CHECK(off.verdictOn<DropEvidence>(7) == Verdict::Outside);
-    Rig on(bayPoints(), paperBut(&Rules::unblocked));
+    Rig on(bayPoints(), paperBut(&RobustRules::unblocked));
     bay(on);
     CHECK(on.startPoint() == 1);
     CHECK(on.endPoint() == 6);  // Nothing blocks it there.
@@ -63,7 +63,7 @@ TEST_CASE("unblocked: start does not advance over an UNUSED point in the triangl
 }
 
 TEST_CASE("unblocked: a DONE point in the triangle is not in the way") {
-    Rig rig(bayPoints(), paperBut(&Rules::unblocked));
+    Rig rig(bayPoints(), paperBut(&RobustRules::unblocked));
     bay(rig.done({7}));
     CHECK(rig.startPoint() == 5);
 }
@@ -83,7 +83,7 @@ TEST_CASE("stepback: a point is tested again when the one after it is removed") 
         return rig.triangles();
     };
     CHECK(triangles(paper()) == kWith5);
-    CHECK(triangles(paperBut(&Rules::stepBack)) == kWithout5);
+    CHECK(triangles(paperBut(&RobustRules::stepBack)) == kWithout5);
 }
 
 TEST_CASE("wallsdone: a wall point whose ring neighbors share its wall is no candidate") {
@@ -102,10 +102,10 @@ TEST_CASE("wallsdone: a wall point whose ring neighbors share its wall is no can
         return rig.candidates();
     };
     CHECK(candidates(kPositiveX, paper()) == Points{5});
-    CHECK(candidates(kPositiveX, paperBut(&Rules::wallsDone)).empty());
+    CHECK(candidates(kPositiveX, paperBut(&RobustRules::wallsDone)).empty());
     // Not complete: after it the ring leaves the wall.
-    CHECK(candidates(kInterior, paperBut(&Rules::wallsDone)) == Points{5});
-    CHECK(candidates(kNegativeY, paperBut(&Rules::wallsDone)) == Points{5});
+    CHECK(candidates(kInterior, paperBut(&RobustRules::wallsDone)) == Points{5});
+    CHECK(candidates(kNegativeY, paperBut(&RobustRules::wallsDone)) == Points{5});
 }
 
 // ---- guard --------------------------------------------------------------------------------------
@@ -117,7 +117,7 @@ TEST_CASE("guard: a candidate that would use an edge twice is dropped") {
         Rig off(underHalf(more));
         off.mesh({old}).list(0, {5}).ring({0, 2, 3, 6, 5, 7, 4, 1}).pivot();
         CHECK(off.newTriangles() == kWith5);
-        Rig on(underHalf(more), paperBut(&Rules::guard));
+        Rig on(underHalf(more), paperBut(&RobustRules::guard));
         on.mesh({old}).list(0, {5}).ring({0, 2, 3, 6, 5, 7, 4, 1}).pivot();
         CHECK(on.newTriangles() == kWithout5);
         const auto said = on.all<GuardEvidence>();
@@ -134,7 +134,7 @@ TEST_CASE("guard: an edge at first or last that is taken refuses the fan") {
         Rig off(underHalf({{0, 9, 0}}));
         off.mesh({old}).ring(kRing).pivot();
         CHECK(off.newTriangles() == kWithout5);
-        Rig on(underHalf({{0, 9, 0}}), paperBut(&Rules::guard));
+        Rig on(underHalf({{0, 9, 0}}), paperBut(&RobustRules::guard));
         on.mesh({old}).ring(kRing).pivot();
         CHECK(on.newTriangles().empty());
         CHECK(objections(on) == Verdicts{Verdict::EdgeTaken});
@@ -145,7 +145,7 @@ TEST_CASE("guard: an edge at first or last that is taken refuses the fan") {
 }
 
 TEST_CASE("guard: the ring steps at the pivot are no edges that are taken") {
-    Rig rig(underHalf({}), paperBut(&Rules::guard));
+    Rig rig(underHalf({}), paperBut(&RobustRules::guard));
     rig.mesh({{1, 0, 4}, {0, 2, 3}}).ring(kRing).pivot();
     CHECK(rig.newTriangles() == kWithout5);
     CHECK(objections(rig).empty());
@@ -178,7 +178,7 @@ TEST_CASE("guard: an edge closed away from its ring entries is not made") {
     Rig off(twoOppositePoints());
     twoOpposite(off, {6, 5, 11});
     CHECK(off.newTriangles() == kWith5And6);
-    Rig on(twoOppositePoints(), paperBut(&Rules::guard));
+    Rig on(twoOppositePoints(), paperBut(&RobustRules::guard));
     twoOpposite(on, {6, 5, 11});
     CHECK(on.newTriangles() == kWith5);  // The farther of the two was dropped.
     CHECK(objections(on) == Verdicts{Verdict::EntryMissed});
@@ -190,7 +190,7 @@ TEST_CASE("guard: a rim edge that is there in the same direction is not made") {
     Rig off(twoOppositePoints());
     twoOpposite(off, {5, 6, 11});
     CHECK(off.newTriangles() == kWith5And6);
-    Rig on(twoOppositePoints(), paperBut(&Rules::guard));
+    Rig on(twoOppositePoints(), paperBut(&RobustRules::guard));
     twoOpposite(on, {5, 6, 11});
     CHECK(on.newTriangles() == kWith5);
     CHECK(objections(on) == Verdicts{Verdict::EdgeTaken});
@@ -198,7 +198,7 @@ TEST_CASE("guard: a rim edge that is there in the same direction is not made") {
 
 TEST_CASE("guard: an edge closed at its ring entries is made") {
     // 6 -> 5 is a step of the stacked ring, and the triangle closes it.
-    Rig rig(underHalf({{0.4, 1, 0}, {-0.4, 1.1, 0}, {0, 9, 0}}), paperBut(&Rules::guard));
+    Rig rig(underHalf({{0.4, 1, 0}, {-0.4, 1.1, 0}, {0, 9, 0}}), paperBut(&RobustRules::guard));
     rig.mesh({{6, 5, 7}}).list(0, {5, 6}).stacked({6, 5, 7}).ring(kRing).pivot();
     CHECK(rig.newTriangles() == kWith5And6);
     CHECK(objections(rig).empty());
@@ -214,7 +214,7 @@ TEST_CASE("gap: a fan with 180 degrees or more between two spokes is refused") {
         CHECK(rig.state().counters.refused == (rig.triangles().empty() ? 1 : 0));
         return rig.triangles();
     };
-    const Params gap = paperBut(&Rules::gap);
+    const Params gap = paperBut(&RobustRules::gap);
     CHECK(made(200, paper()) == kWith5);
     CHECK(made(200, gap).empty());
     CHECK(made(100, paper()) == kWith5);
@@ -233,8 +233,8 @@ TEST_CASE("nopillow: a ring of two and one candidate would be the same triangle 
         return rig.triangles();
     };
     CHECK(made(paper(), 1) == Triangles{{0, 1, 2}, {0, 2, 1}});
-    CHECK(made(paperBut(&Rules::noPillow), 1).empty());
-    CHECK(made(paperBut(&Rules::noPillow), 2) == Triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}});
+    CHECK(made(paperBut(&RobustRules::noPillow), 1).empty());
+    CHECK(made(paperBut(&RobustRules::noPillow), 2) == Triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}});
 }
 
 TEST_CASE("nopillow: the other side of a finished triangle is left open") {
@@ -246,6 +246,6 @@ TEST_CASE("nopillow: the other side of a finished triangle is left open") {
         return rig.newTriangles();
     };
     CHECK(made(paper()) == Triangles{{0, 2, 1}});
-    CHECK(made(paperBut(&Rules::noPillow)).empty());
-    CHECK(made(paperBut(&Rules::guard)) == Triangles{{0, 2, 1}});  // No edge is used twice.
+    CHECK(made(paperBut(&RobustRules::noPillow)).empty());
+    CHECK(made(paperBut(&RobustRules::guard)) == Triangles{{0, 2, 1}});  // No edge is used twice.
 }

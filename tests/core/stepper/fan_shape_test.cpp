@@ -21,7 +21,7 @@ TEST_CASE("nocross: a spoke across a ring edge nearby is not made") {
         return std::pair(rig.newTriangles(), objections(rig));
     };
     CHECK(run(paper()).first == kWith5);
-    const auto [made, said] = run(paperBut(&Rules::noCross));
+    const auto [made, said] = run(paperBut(&RobustRules::noCross));
     CHECK(made == kWithout5);
     CHECK(said == Verdicts{Verdict::Crosses});
 }
@@ -36,13 +36,13 @@ TEST_CASE("nocross: a rim edge across a ring edge nearby is not made") {
         return std::pair(rig.newTriangles(), objections(rig));
     };
     CHECK(run(paper()).first == kWith5And6);
-    const auto [made, said] = run(paperBut(&Rules::noCross));
+    const auto [made, said] = run(paperBut(&RobustRules::noCross));
     CHECK(made == kWith5);
     CHECK(said == Verdicts{Verdict::Crosses});
 }
 
 TEST_CASE("nocross: edges that only share a point with the fan do not cross it") {
-    Rig rig(underHalf({{0, 1, 0}, {-0.7, 1.7, 0}, {0.7, 1.7, 0}}), paperBut(&Rules::noCross));
+    Rig rig(underHalf({{0, 1, 0}, {-0.7, 1.7, 0}, {0.7, 1.7, 0}}), paperBut(&RobustRules::noCross));
     rig.list(0, {5, 6, 7}).ring({0, 2, 3, 6, 5, 7, 4, 1}).pivot();
     CHECK(objections(rig).empty());
     CHECK_FALSE(rig.newTriangles().empty());
@@ -60,7 +60,7 @@ TEST_CASE("nofold: a triangle against the normal of a corner is not made") {
         }
         return rig.newTriangles();
     };
-    const Params fold = paperBut(&Rules::noFold);
+    const Params fold = paperBut(&RobustRules::noFold);
     CHECK(made({0, 0, -1}, paper()) == kWith5);
     CHECK(made({0, 0, -1}, fold) == kWithout5);
     CHECK(made({1, 0, -0.01}, fold) == kWithout5);
@@ -78,7 +78,7 @@ TEST_CASE("nofold: a triangle within 30 degrees of the old one across an edge is
         rig.mesh({{1, 0, 6}}).list(0, {5}).ring(kRing).pivot();
         return rig.newTriangles();
     };
-    const Params fold = paperBut(&Rules::noFold);
+    const Params fold = paperBut(&RobustRules::noFold);
     CHECK(made(5, paper()) == kWith5);
     CHECK(made(5, fold).empty());
     CHECK(made(170, fold) == kWith5);
@@ -86,7 +86,7 @@ TEST_CASE("nofold: a triangle within 30 degrees of the old one across an edge is
 }
 
 TEST_CASE("nofold: what folds over is said") {
-    Rig rig(overHalf({{0, 1, 0}, {0.4, 0.9, 0.05}}), paperBut(&Rules::noFold));
+    Rig rig(overHalf({{0, 1, 0}, {0.4, 0.9, 0.05}}), paperBut(&RobustRules::noFold));
     rig.mesh({{1, 0, 6}}).list(0, {5}).ring(kRing).pivot();
     CHECK(rig.newTriangles().empty());
     CHECK(objections(rig) == Verdicts{Verdict::FoldsOver});
@@ -106,16 +106,16 @@ TEST_CASE("nomeet: a triangle that meets a finished one nearby is not made") {
     const Vec3 side(1, 0, 0);
     const Vec3 up(0, 0, 1);
     CHECK(run(side, true, paper()).first == kWith5);
-    const auto [made, said] = run(side, true, paperBut(&Rules::noMeet));
+    const auto [made, said] = run(side, true, paperBut(&RobustRules::noMeet));
     CHECK(made == kWithout5);
     CHECK(said == Verdicts{Verdict::Meets});
     // It tests only listed points, and only where the surface bends.
-    CHECK(run(side, false, paperBut(&Rules::noMeet)).first == kWith5);
-    CHECK(run(up, true, paperBut(&Rules::noMeet)).first == kWith5);
+    CHECK(run(side, false, paperBut(&RobustRules::noMeet)).first == kWith5);
+    CHECK(run(up, true, paperBut(&RobustRules::noMeet)).first == kWith5);
 }
 
 TEST_CASE("nomeet: a triangle at a common edge or corner does not meet the old one") {
-    Rig rig(underHalf({{0, 1, 0}, {0.5, -1, -1}}), paperBut(&Rules::noMeet));
+    Rig rig(underHalf({{0, 1, 0}, {0.5, -1, -1}}), paperBut(&RobustRules::noMeet));
     rig.normal(6, {1, 0, 0});
     rig.mesh({{1, 0, 6}, {6, 0, 3}}).done({6}).list(0, {1, 5, 6}).ring(kRing).pivot();
     CHECK(rig.newTriangles() == kWith5);
@@ -145,7 +145,7 @@ TEST_CASE("rim: a wide triangle over three points where the surface ends is not 
         if (rig.triangles().empty()) CHECK(objections(rig) == Verdicts{Verdict::OverRim});
         return rig.triangles();
     };
-    const Params rim = paperBut(&Rules::rim);
+    const Params rim = paperBut(&RobustRules::rim);
     CHECK(made(150, paper()) == kWithout5);
     CHECK(made(150, rim).empty());
     CHECK(made(119, rim) == kWithout5);
@@ -159,16 +159,16 @@ TEST_CASE("rim: a triangle larger than the spacing is not made there") {
     };
     // The circle has a radius of 0.78.
     CHECK(made(0.3, paper()) == kWithout5);
-    CHECK(made(0.3, paperBut(&Rules::rim)).empty());
-    CHECK(made(0.7, paperBut(&Rules::rim)).empty());
-    CHECK(made(0.85, paperBut(&Rules::rim)) == kWithout5);
+    CHECK(made(0.3, paperBut(&RobustRules::rim)).empty());
+    CHECK(made(0.7, paperBut(&RobustRules::rim)).empty());
+    CHECK(made(0.85, paperBut(&RobustRules::rim)) == kWithout5);
 }
 
 TEST_CASE("rim: is no matter where one of the three has neighbors all around, or lies on a wall") {
-    Rig inside(atRim(150, 0, 60, 1), paperBut(&Rules::rim));
+    Rig inside(atRim(150, 0, 60, 1), paperBut(&RobustRules::rim));
     prepareRim(inside).list(0, {1, 2, 5, 6, 7, 8, 9, 10}).pivot();
     CHECK(inside.triangles() == kWithout5);
-    Rig wall(atRim(150, 200, 30, 1), paperBut(&Rules::rim));
+    Rig wall(atRim(150, 200, 30, 1), paperBut(&RobustRules::rim));
     prepareRim(wall).list(0, {1, 2}).type(1, kPositiveX).pivot();
     CHECK(wall.triangles() == kWithout5);
 }
@@ -184,7 +184,7 @@ TEST_CASE("rim: the surface ends where neighbors leave a gap of more than 120 de
         }
         Rig rig(position);
         rig.list(0, all);
-        return isRim(rig.points(), 0, RobustLimits{}.rimGapCosine);
+        return isRim(rig.points(), 0, RobustThresholds{}.rimGapCosine);
     };
     CHECK_FALSE(endsWith({0, 60, 120, 180, 240, 300}));
     CHECK_FALSE(endsWith({0, 100, 200, 281}));
@@ -210,15 +210,15 @@ TEST_CASE("delay: a steep fan waits for a circuit of the ring without a triangle
         return pivots;
     };
     CHECK(pivotsUntilMade(61, paper()) == 1);
-    CHECK(pivotsUntilMade(59, paperBut(&Rules::delay)) == 1);
-    CHECK(pivotsUntilMade(61, paperBut(&Rules::delay)) == 6);  // A ring of five.
+    CHECK(pivotsUntilMade(59, paperBut(&RobustRules::delay)) == 1);
+    CHECK(pivotsUntilMade(61, paperBut(&RobustRules::delay)) == 6);  // A ring of five.
 }
 
 namespace {
 
-Params paperWith(std::initializer_list<bool Rules::*> rules) {
+Params paperWith(std::initializer_list<bool RobustRules::*> rules) {
     Params params = paper();
-    for (const auto rule : rules) params.rules.*rule = true;
+    for (const auto rule : rules) params.robust.*rule = true;
     return params;
 }
 
@@ -235,23 +235,23 @@ TEST_CASE("delay: a triangle against one normal waits for a second circuit, agai
         }
         return rig.newTriangles().empty() ? 0 : pivots;
     };
-    const Params both = paperWith({&Rules::noFold, &Rules::delay});
+    const Params both = paperWith({&RobustRules::noFold, &RobustRules::delay});
     const Vec3 up(0, 0, 1);
     const Vec3 under(1, 0, -0.2);
     CHECK(run(up, under, paper()) == 1);
-    CHECK(run(up, under, paperBut(&Rules::noFold)) == 0);
+    CHECK(run(up, under, paperBut(&RobustRules::noFold)) == 0);
     CHECK(run(up, under, both) == 11);
     CHECK(run({1, 0, 0.1}, {0, 0, -1}, both) == 11);  // 0.1 - 1 + 1 is still above zero.
-    CHECK(run({1, 0, 0.01}, {0, 0, -1}, paperBut(&Rules::noFold)) == 0);
+    CHECK(run({1, 0, 0.01}, {0, 0, -1}, paperBut(&RobustRules::noFold)) == 0);
 }
 
 TEST_CASE("delay: patience ends with the next triangle") {
-    Rig rig(overHalf({{0, 1, 0}}), paperBut(&Rules::delay));
+    Rig rig(overHalf({{0, 1, 0}}), paperBut(&RobustRules::delay));
     rig.normal(5, {1, 0, 0.1}).list(0, {5}).ring(kRing);
     for (int i = 0; i < 5; ++i) rig.pivot();
-    CHECK(rig.state().patience == kDelayedAllowed);
+    CHECK(rig.state().retryLevel == kDelayedAllowed);
     CHECK(rig.newTriangles().empty());
     rig.pivot();
     CHECK(rig.newTriangles() == kWith5);
-    CHECK(rig.state().patience == 0);
+    CHECK(rig.state().retryLevel == 0);
 }

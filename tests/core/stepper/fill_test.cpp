@@ -1,4 +1,4 @@
-/// Rules::fill: a ring that would be freed with interior points is closed by ears.
+/// RobustRules::fill: a ring that would be freed with interior points is closed by ears.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -13,9 +13,9 @@ using namespace se::test;
 
 namespace {
 
-Params fillWith(std::initializer_list<bool Rules::*> rules = {}) {
-    Params params = paperBut(&Rules::fill);
-    for (const auto rule : rules) params.rules.*rule = true;
+Params fillWith(std::initializer_list<bool RobustRules::*> rules = {}) {
+    Params params = paperBut(&RobustRules::fill);
+    for (const auto rule : rules) params.robust.*rule = true;
     return params;
 }
 
@@ -71,7 +71,7 @@ TEST_CASE("fill: a ring that would be freed is closed, one ear at each step") {
 namespace {
 
 /// A square of four points that lie where the surface ends, each with six finished points close
-/// behind it: Rules::rim makes no triangle of them, since it would be too large.
+/// behind it: RobustRules::rim makes no triangle of them, since it would be too large.
 Rig& rimSquare(Rig& rig) {
     Index next = 4;
     for (Index p = 0; p < 4; ++p) {
@@ -95,13 +95,13 @@ std::vector<Vec3> rimSquarePoints() {
 }  // namespace
 
 TEST_CASE("fill: without the rule the ring is freed and reported, with it the hole is closed") {
-    Params rimOnly = paperBut(&Rules::rim);
+    Params rimOnly = paperBut(&RobustRules::rim);
     Rig freed(rimSquarePoints(), rimOnly);
     rimSquare(freed).run();
     CHECK(freed.triangles().empty());
     CHECK(freed.state().counters.freedRings == 1);
     CHECK(freed.state().counters.filled == 0);
-    Rig filled(rimSquarePoints(), fillWith({&Rules::rim}));
+    Rig filled(rimSquarePoints(), fillWith({&RobustRules::rim}));
     rimSquare(filled).run();
     CHECK(filled.triangles().size() == 2);
     CHECK(filled.state().counters.filled == 2);
@@ -110,7 +110,7 @@ TEST_CASE("fill: without the rule the ring is freed and reported, with it the ho
 
 TEST_CASE("fill: a ring longer than maxFillLength is freed") {
     for (const std::uint32_t longest : {3U, 4U}) {
-        Params params = fillWith({&Rules::rim});
+        Params params = fillWith({&RobustRules::rim});
         params.maxFillLength = longest;
         Rig rig(rimSquarePoints(), params);
         rimSquare(rig).run();
@@ -123,7 +123,7 @@ TEST_CASE("fill: a ring longer than maxFillLength is freed") {
 TEST_CASE("fill: a ring wider than maxFillWidth spacings of its points is freed") {
     // The square is sqrt(2) wide, and each corner's nearest neighbor 0.1 away.
     for (const double widest : {14.1, 14.2}) {
-        Params params = fillWith({&Rules::rim});
+        Params params = fillWith({&RobustRules::rim});
         params.maxFillWidth = widest;
         Rig rig(rimSquarePoints(), params);
         rimSquare(rig).run();
@@ -164,7 +164,7 @@ TEST_CASE("fill: the ear with the best least angle goes first") {
 }
 
 TEST_CASE("fill: an ear with a fault is made only where nothing else closes a hole") {
-    const auto closed = [](std::size_t count, std::initializer_list<bool Rules::*> rules) {
+    const auto closed = [](std::size_t count, std::initializer_list<bool RobustRules::*> rules) {
         Rig rig(hole(regular(count)), fillWith(rules));
         // Every other normal leans so far that each ear is against one of its corners.
         for (Index p = 0; p < count; ++p) {
@@ -175,16 +175,16 @@ TEST_CASE("fill: an ear with a fault is made only where nothing else closes a ho
         CHECK(rig.state().finished());
         return rig.all<FillEvidence>().size();
     };
-    CHECK(closed(4, {&Rules::noFold}) == 2);
-    CHECK(closed(8, {&Rules::noFold}) == 6);
-    CHECK(closed(12, {&Rules::noFold}) == 10);
+    CHECK(closed(4, {&RobustRules::noFold}) == 2);
+    CHECK(closed(8, {&RobustRules::noFold}) == 6);
+    CHECK(closed(12, {&RobustRules::noFold}) == 10);
     // No neighbors on any side: the surface ends there.
-    CHECK(closed(12, {&Rules::noFold, &Rules::rim}) == 0);
+    CHECK(closed(12, {&RobustRules::noFold, &RobustRules::rim}) == 0);
 }
 
 TEST_CASE("fill: an ear that the guard refuses is not made even to close a ring of four") {
     // 0 2 and 1 3 are edges already.
-    Rig rig(hole(regular(4)), fillWith({&Rules::guard}));
+    Rig rig(hole(regular(4)), fillWith({&RobustRules::guard}));
     rig.mesh({{0, 2, 1}, {3, 1, 2}}).ring(upTo(4)).startAt(Phase::Fill).run();
     CHECK(rig.newTriangles().empty());
     CHECK(rig.state().counters.freedRings == 1);
@@ -237,8 +237,8 @@ TEST_CASE("rim: a ring of which more than two in three points are where the surf
     for (const std::size_t rim : {6U, 7U, 9U}) {
         for (const bool on : {false, true}) {
             // As if all circuits were over but for this pivot.
-            Rig late(withRim(9), on ? fillWith({&Rules::rim}) : fillWith());
-            setRim(late, 9, rim).startAt(Phase::Advance).patience(kDelayedAllowed, 8);
+            Rig late(withRim(9), on ? fillWith({&RobustRules::rim}) : fillWith());
+            setRim(late, 9, rim).startAt(Phase::Advance).retryLevel(kDelayedAllowed, 8);
             late.run();
             const bool opening = on && rim > 6;
             CHECK(late.triangles().empty() == opening);
@@ -255,8 +255,8 @@ TEST_CASE("rim: a ring that runs round a patch of the surface is an opening") {
         if (patch) {
             for (Vec3& x : position) x.y = -x.y;
         }
-        Rig rig(position, fillWith({&Rules::rim}));
-        setRim(rig, 7, 0).startAt(Phase::Advance).patience(kDelayedAllowed, 6);
+        Rig rig(position, fillWith({&RobustRules::rim}));
+        setRim(rig, 7, 0).startAt(Phase::Advance).retryLevel(kDelayedAllowed, 6);
         rig.run();
         CHECK(rig.triangles().empty() == patch);
         CHECK(rig.state().counters.openings == (patch ? 1 : 0));
@@ -276,12 +276,12 @@ TEST_CASE("rim: a ring as narrow as a seam is no opening, wherever its points li
             position.push_back(position[p] + Vec3(0.1, out, 0));
             position.push_back(position[p] + Vec3(-0.1, out, 0));
         }
-        Rig rig(position, fillWith({&Rules::rim}));
+        Rig rig(position, fillWith({&RobustRules::rim}));
         for (Index p = 0; p < count; ++p) {
             const auto first = static_cast<Index>(count + 3 * p);
             rig.done({first, first + 1, first + 2}).list(p, {first, first + 1, first + 2});
         }
-        rig.ring(upTo(count)).startAt(Phase::Advance).patience(kDelayedAllowed, 23).run();
+        rig.ring(upTo(count)).startAt(Phase::Advance).retryLevel(kDelayedAllowed, 23).run();
         const bool seam = width < 1.0;
         CHECK(rig.triangles().empty() == !seam);
         CHECK(rig.state().counters.openings == (seam ? 0 : 1));
@@ -290,7 +290,7 @@ TEST_CASE("rim: a ring as narrow as a seam is no opening, wherever its points li
 
 TEST_CASE("fill: a ring that touches a wall gets no ear with a fault") {
     for (const bool wall : {false, true}) {
-        Rig rig(hole(regular(4)), fillWith({&Rules::noFold}));
+        Rig rig(hole(regular(4)), fillWith({&RobustRules::noFold}));
         for (Index p = 0; p < 4; p += 2) rig.normal(p, Vec3(0, 0, -0.2) + polar(10.0 * p));
         if (wall) rig.type(1, kPositiveX);
         rig.ring(upTo(4)).startAt(Phase::Fill).run();
@@ -299,8 +299,8 @@ TEST_CASE("fill: a ring that touches a wall gets no ear with a fault") {
 }
 
 TEST_CASE("rim: a ring of four is a hole even if all of it is where the surface ends") {
-    Rig rig(withRim(4), fillWith({&Rules::rim}));
-    setRim(rig, 4, 4).startAt(Phase::Advance).patience(kDelayedAllowed, 3);
+    Rig rig(withRim(4), fillWith({&RobustRules::rim}));
+    setRim(rig, 4, 4).startAt(Phase::Advance).retryLevel(kDelayedAllowed, 3);
     rig.run();
     CHECK(rig.triangles().size() == 2);
     CHECK(rig.state().counters.openings == 0);
@@ -318,9 +318,10 @@ TEST_CASE("fill: on rough clouds, fewer holes are left than without") {
         for (Vec3& x : file.position) x += 0.12 * random.inCube();
         const PointSet points = prepared(file);
         Params params = *paramsByName("robust");
-        params.rules.rim = params.rules.reinsert = params.rules.flip = params.rules.reseat = false;
+        params.robust.rim = params.robust.reinsert = params.robust.flip =
+            params.robust.removeFolded = false;
         const Run on = runAll(points, params);
-        params.rules.fill = false;
+        params.robust.fill = false;
         const Run off = runAll(points, params);
         with += on.mesh.boundaryEdges;
         without += off.mesh.boundaryEdges;

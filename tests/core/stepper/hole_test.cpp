@@ -93,7 +93,7 @@ TEST_CASE("6.2 three ring points make no hole if the third step is no edge, or o
     Rig reflex(wide);
     reflex.list(0, {3, 4}).ring({0, 2, 1}).runTo(Phase::Sphere);
     CHECK(reflex.candidates() == Points{3, 4});
-    Rig literal(wide, paperBut(&Rules::realHole));
+    Rig literal(wide, paperBut(&Readings::realHole));
     literal.list(0, {3, 4}).ring({0, 2, 1}).runTo(Phase::Sphere);
     CHECK(literal.candidates() == Points{4});
 }

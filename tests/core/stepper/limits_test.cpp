@@ -98,7 +98,7 @@ TEST_CASE("6.1 the limits do not depend on the order of the list, unless read as
         Rig rig(deep);
         rig.rawList(0, order).ring({0, 2, 3, 4, 6, 5, 1}).runTo(Phase::Convex);
         CHECK(rig.startPoint() == 6);
-        Rig asTheyCome(deep, paperBut(&Rules::limitsFirst));
+        Rig asTheyCome(deep, paperBut(&Readings::limitsFirst));
         asTheyCome.rawList(0, order).ring({0, 2, 3, 4, 6, 5, 1}).runTo(Phase::Convex);
         CHECK(asTheyCome.startPoint() == (order == Points{5, 6} ? 6 : 5));
     }
@@ -111,7 +111,7 @@ TEST_CASE("7, 6.1 a step that is no edge of the mesh moves no limit") {
     CHECK(rig.endPoint() == 2);
     CHECK(rig.verdictOn<LimitEvidence>(5) == Verdict::NotAnEdge);
     CHECK(rig.verdictOn<LimitEvidence>(6) == Verdict::NotAnEdge);
-    Rig literal(bay(), paperBut(&Rules::openSteps));
+    Rig literal(bay(), paperBut(&Readings::openSteps));
     literal.list(0, {5, 6}).ring(kBayRing).open(5).open(2).runTo(Phase::Convex);
     CHECK(literal.startPoint() == 5);
 }
@@ -138,14 +138,14 @@ TEST_CASE("6.1 Figure 5: the point beyond a convex start or end is dropped") {
     Rig rig(position);
     rig.list(0, {1, 2, 5, 6}).ring({0, 2, 3, 4, 7, 5, 1}).runTo(Phase::Reciprocal);
     CHECK(rig.candidates() == Points{6});
-    CHECK(rig.verdictOn<DropEvidence>(5) == Verdict::BehindConvex);
+    CHECK(rig.verdictOn<DropEvidence>(5) == Verdict::BeyondConvex);
     // The mirror image: beyond the end.
     std::vector<Vec3> mirror = position;
     for (Vec3& x : mirror) x.x = -x.x;
     Rig other(mirror);
     other.list(0, {1, 2, 5, 6}).ring({0, 1, 5, 7, 4, 3, 2}).runTo(Phase::Reciprocal);
     CHECK(other.candidates() == Points{6});
-    CHECK(other.verdictOn<DropEvidence>(5) == Verdict::BehindConvex);
+    CHECK(other.verdictOn<DropEvidence>(5) == Verdict::BeyondConvex);
 }
 
 TEST_CASE("6.1 the convexity test applies only to the points adjacent to start and end") {
@@ -187,7 +187,7 @@ TEST_CASE("6.1 Figure 6: a ring point is kept only if p lies in its free sector"
 }
 
 TEST_CASE("6.1 printed: preceding and succeeding as (elast, efirst) is the finished side") {
-    const Params literal = paperBut(&Rules::freeSector);
+    const Params literal = paperBut(&Readings::freeSector);
     Rig refused(opposite(), literal);
     refused.list(0, {5}).ring({0, 2, 3, 6, 5, 7, 4, 1}).runTo(Phase::Hole);
     CHECK(refused.candidates().empty());

@@ -9,7 +9,7 @@ using namespace se;
 
 namespace {
 
-bool beyondThePaper(const RuleSwitch& rule) { return !(paramsByName("paper")->rules.*rule.member); }
+bool beyondThePaper(const RuleSwitch& rule) { return !rule.isOn(*paramsByName("paper")); }
 
 }  // namespace
 
@@ -23,13 +23,13 @@ TEST_CASE("every named set of params exists, and no other") {
 
 TEST_CASE("printed is the paper word for word: every switch off, no filter") {
     const Params printed = *paramsByName("printed");
-    for (const RuleSwitch& rule : ruleSwitches()) CHECK_FALSE(printed.rules.*rule.member);
+    for (const RuleSwitch& rule : ruleSwitches()) CHECK_FALSE(rule.isOn(printed));
     CHECK_FALSE(printed.dropOpposingNormals);
     CHECK(printed.maxGapCosine == -0.5);
 }
 
 TEST_CASE("paper has the five readings of the paper on, and nothing beyond it") {
-    const Rules rules = paramsByName("paper")->rules;
+    const Readings rules = paramsByName("paper")->readings;
     CHECK(rules.freeSector);
     CHECK(rules.limitsFirst);
     CHECK(rules.realHole);
@@ -47,10 +47,10 @@ TEST_CASE("switches have names and members of their own, a section and a sentenc
         names.insert(rule.name);
         CHECK_FALSE(rule.section.empty());
         CHECK(rule.summary.size() > 10);
-        Rules one = paramsByName("printed")->rules;
-        one.*rule.member = true;
+        Params one = *paramsByName("printed");
+        rule.turnOn(one);
         int on = 0;
-        for (const RuleSwitch& other : ruleSwitches()) on += one.*other.member ? 1 : 0;
+        for (const RuleSwitch& other : ruleSwitches()) on += other.isOn(one) ? 1 : 0;
         CHECK(on == 1);
     }
     CHECK(names.size() == ruleSwitches().size());

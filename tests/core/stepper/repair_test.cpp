@@ -38,7 +38,7 @@ PointSet flatPoints(std::vector<Vec3> position) {
 }
 
 /// The first fault in the neighbor relation of the triangles; empty if there is none.
-std::string adjacencyFault(const MendState& m) {
+std::string adjacencyFault(const RepairState& m) {
     if (m.twin.size() != 3 * m.triangles.size()) return "sides and triangles do not match";
     std::vector<std::set<HalfEdge>> leaving(m.sideOf.size());
     for (HalfEdge h = 0; h < m.twin.size(); ++h) {
@@ -67,7 +67,7 @@ std::string adjacencyFault(const MendState& m) {
     return {};
 }
 /// As adjacencyFault(), and that a side without a twin is at a border.
-std::string manifoldFault(const MendState& m) {
+std::string manifoldFault(const RepairState& m) {
     std::set<std::pair<Index, Index>> sides;
     for (HalfEdge h = 0; h < m.twin.size(); ++h) {
         if (!sides.insert({cornerOf(m, h), cornerOf(m, following(h))}).second) {
@@ -93,7 +93,7 @@ std::set<std::array<Index, 3>> asSet(const Triangles& triangles) {
 }
 
 /// All points that are inserted, in order; the state is checked after each.
-Points reinsertAll(const PointSet& points, MendState& m) {
+Points reinsertAll(const PointSet& points, RepairState& m) {
     Points in;
     Index point = kNone;
     while (reinsertNext(points, m, point)) {
@@ -102,10 +102,10 @@ Points reinsertAll(const PointSet& points, MendState& m) {
     }
     return in;
 }
-std::size_t flipAll(const PointSet& points, MendState& m) {
+std::size_t flipAll(const PointSet& points, RepairState& m) {
     std::size_t count = 0;
     Flip flip{};
-    while (flipNext(points, RobustLimits{}, m, flip)) {
+    while (flipNext(points, RobustThresholds{}, m, flip)) {
         ++count;
         CHECK(manifoldFault(m) == "");
     }
@@ -124,7 +124,7 @@ const Triangles kSquare{{0, 1, 2}, {0, 2, 3}};
 // ---- the start ----------------------------------------------------------------------------------
 
 TEST_CASE("mending: begins with the triangles as they are, and every side's twin") {
-    const MendState m = beginMending(5, kSquare);
+    const RepairState m = beginRepair(5, kSquare);
     CHECK(m.triangles == kSquare);
     CHECK(manifoldFault(m) == "");
     CHECK(m.twin[2] == 3);
@@ -135,7 +135,7 @@ TEST_CASE("mending: begins with the triangles as they are, and every side's twin
 }
 
 TEST_CASE("mending: an edge of three triangles has no twins, and its ends are left alone") {
-    const MendState m = beginMending(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
+    const RepairState m = beginRepair(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
     CHECK(adjacencyFault(m) == "");
     CHECK(m.twin[0] == kNone);
     CHECK(m.twin[3] == kNone);
@@ -144,7 +144,7 @@ TEST_CASE("mending: an edge of three triangles has no twins, and its ends are le
 }
 
 TEST_CASE("mending: a point of two fans is left alone") {
-    const MendState m = beginMending(5, {{0, 1, 2}, {0, 3, 4}});
+    const RepairState m = beginRepair(5, {{0, 1, 2}, {0, 3, 4}});
     CHECK(m.pinched[0]);
     CHECK_FALSE(m.pinched[1]);
 }
@@ -153,7 +153,7 @@ TEST_CASE("mending: a point of two fans is left alone") {
 
 TEST_CASE("reinsert: a stranded point splits the triangle that it lies over") {
     const PointSet points = flatPoints({{0, 0, 0}, {4, 0, 0}, {2, 4, 0}, {2, 1.5, 0.2}});
-    MendState m = beginMending(4, {{0, 1, 2}});
+    RepairState m = beginRepair(4, {{0, 1, 2}});
     CHECK(reinsertAll(points, m) == Points{3});
     CHECK(asSet(m.triangles) == asSet({{0, 1, 3}, {1, 2, 3}, {2, 0, 3}}));
     CHECK(m.reinserted == 1);
@@ -163,14 +163,14 @@ TEST_CASE("reinsert: a stranded point on an edge splits the edge") {
     auto position = square();
     position.push_back({2.05, 1.95, 0});
     const PointSet points = flatPoints(position);
-    MendState m = beginMending(5, kSquare);
+    RepairState m = beginRepair(5, kSquare);
     CHECK(reinsertAll(points, m) == Points{4});
     CHECK(asSet(m.triangles) == asSet({{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}));
 }
 
 TEST_CASE("reinsert: a stranded point beside the border joins it") {
     const PointSet points = flatPoints({{0, 0, 0}, {4, 0, 0}, {2, 4, 0}, {2, -3, 0}});
-    MendState m = beginMending(4, {{0, 1, 2}});
+    RepairState m = beginRepair(4, {{0, 1, 2}});
     CHECK(reinsertAll(points, m) == Points{3});
     CHECK(asSet(m.triangles) == asSet({{0, 1, 2}, {1, 0, 3}}));
 }
@@ -178,7 +178,7 @@ TEST_CASE("reinsert: a stranded point beside the border joins it") {
 TEST_CASE("reinsert: of all ways, the one with the best least angle") {
     // Near the middle of 0 1 2 but nearer to its lower edge: splitting the edge is better.
     const PointSet points = flatPoints({{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, -3, 0}, {2, 0.2, 0}});
-    MendState m = beginMending(5, {{0, 1, 2}, {1, 0, 3}});
+    RepairState m = beginRepair(5, {{0, 1, 2}, {1, 0, 3}});
     reinsertAll(points, m);
     CHECK(m.triangles.size() == 4);
 }
@@ -187,7 +187,7 @@ TEST_CASE("reinsert: no point that would make a fault, none without a list, none
     const auto in = [](const Vec3& x, const Vec3& normal) {
         PointSet points = flatPoints({{0, 0, 0}, {4, 0, 0}, {2, 4, 0}, x});
         points.normal[3] = normal;
-        MendState m = beginMending(4, {{0, 1, 2}});
+        RepairState m = beginRepair(4, {{0, 1, 2}});
         return reinsertAll(points, m).size();
     };
     const Vec3 up(0, 0, 1);
@@ -198,9 +198,9 @@ TEST_CASE("reinsert: no point that would make a fault, none without a list, none
     PointSet bare = flatPoints({{0, 0, 0}, {4, 0, 0}, {2, 4, 0}, {2, 1.5, 0.2}});
     bare.neighbors = {};
     for (int p = 0; p < 4; ++p) bare.neighbors.append({});
-    MendState m = beginMending(4, {{0, 1, 2}});
+    RepairState m = beginRepair(4, {{0, 1, 2}});
     CHECK(reinsertAll(bare, m).empty());
-    MendState used = beginMending(4, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
+    RepairState used = beginRepair(4, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
     CHECK(reinsertAll(flatPoints(bare.position), used).empty());
 }
 
@@ -208,11 +208,11 @@ TEST_CASE("reinsert: no triangle that meets another one nearby") {
     // A second sheet, upright, cuts the first just beside the place.
     PointSet points = flatPoints(
         {{0, 0, 0}, {4, 0, 0}, {2, 4, 0}, {2, 1.5, 1}, {2.2, -9, 0.3}, {2.2, 9, 0.3}, {2.2, 0, 9}});
-    MendState free = beginMending(7, {{0, 1, 2}});
+    RepairState free = beginRepair(7, {{0, 1, 2}});
     Index point = kNone;
     REQUIRE(reinsertNext(points, free, point));
     CHECK(point == 3);
-    MendState cut = beginMending(7, {{0, 1, 2}, {4, 5, 6}});
+    RepairState cut = beginRepair(7, {{0, 1, 2}, {4, 5, 6}});
     CHECK_FALSE(reinsertNext(points, cut, point));
 }
 
@@ -225,9 +225,9 @@ TEST_CASE("reinsert: with the rule, points that a run stranded are used; without
         for (Vec3& x : file.position) x += 0.03 * random.inCube();
         const PointSet points = prepared(file, reach(16));
         Params params = paper();
-        params.rules.guard = params.rules.noPillow = true;
+        params.robust.guard = params.robust.noPillow = true;
         without += runAll(points, params).mesh.unusedPoints;
-        params.rules.reinsert = true;
+        params.robust.reinsert = true;
         with += runAll(points, params).mesh.unusedPoints;
     }
     MESSAGE("unused: ", with, " with, ", without, " without");
@@ -240,35 +240,35 @@ TEST_CASE("reinsert: with the rule, points that a run stranded are used; without
 TEST_CASE("flip: the diagonal of a flat quad that makes the least angle larger") {
     // A rhombus with its long diagonal.
     const PointSet points = flatPoints({{-3, 0, 0}, {0, -1, 0}, {3, 0, 0}, {0, 1, 0}});
-    MendState m = beginMending(4, kSquare);
+    RepairState m = beginRepair(4, kSquare);
     Flip flip{};
-    REQUIRE(flipNext(points, RobustLimits{}, m, flip));
+    REQUIRE(flipNext(points, RobustThresholds{}, m, flip));
     CHECK(asSet(m.triangles) == asSet({{0, 1, 3}, {1, 2, 3}}));
     CHECK(std::set<Index>{flip.u, flip.v} == std::set<Index>{0, 2});
     CHECK(std::set<Index>{flip.x, flip.y} == std::set<Index>{1, 3});
     CHECK(manifoldFault(m) == "");
-    CHECK_FALSE(flipNext(points, RobustLimits{}, m, flip));
+    CHECK_FALSE(flipNext(points, RobustThresholds{}, m, flip));
     CHECK(m.flipped == 1);
 }
 
 TEST_CASE("flip: not the better diagonal, and none of an exact square") {
-    MendState good = beginMending(4, kSquare);
+    RepairState good = beginRepair(4, kSquare);
     CHECK(flipAll(flatPoints({{-1, 0, 0}, {0, -3, 0}, {1, 0, 0}, {0, 3, 0}}), good) == 0);
-    MendState even = beginMending(4, kSquare);
+    RepairState even = beginRepair(4, kSquare);
     CHECK(flipAll(flatPoints(square()), even) == 0);
 }
 
 TEST_CASE("flip: not for angles where the surface bends") {
     // The long diagonal is a ridge of 60 degrees.
     PointSet points = flatPoints({{-3, 0, 0.6}, {0, -1, 0}, {3, 0, 0.6}, {0, 1, 0}});
-    MendState m = beginMending(4, kSquare);
+    RepairState m = beginRepair(4, kSquare);
     CHECK(flipAll(points, m) == 0);
 }
 
 TEST_CASE("flip: not the edge of a quad that is not convex") {
     // A dart: its other diagonal lies outside.
     const PointSet points = flatPoints({{0, 0, 0}, {4, -1, 0}, {1, 0, 0}, {4, 1, 0}});
-    MendState m = beginMending(4, kSquare);
+    RepairState m = beginRepair(4, kSquare);
     CHECK(flipAll(points, m) == 0);
 }
 
@@ -277,7 +277,7 @@ TEST_CASE("flip: removes a flipped triangle") {
     const PointSet points = flatPoints({{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, 1, 0}});
     const Triangles folded{{0, 1, 2}, {1, 0, 3}};
     REQUIRE(flippedIn(points, folded) == 1);
-    MendState m = beginMending(4, folded);
+    RepairState m = beginRepair(4, folded);
     CHECK(flipAll(points, m) == 1);
     CHECK(asSet(m.triangles) == asSet({{0, 3, 2}, {3, 1, 2}}));
     CHECK(findFaults(points, m.triangles).empty());
@@ -286,7 +286,7 @@ TEST_CASE("flip: removes a flipped triangle") {
 TEST_CASE("flip: never makes an edge that is there already") {
     // A thin tetrahedron: each edge's other diagonal is the opposite edge.
     PointSet points = flatPoints({{-3, 0, 0}, {0, -1, 0}, {3, 0, 0}, {0, 1, 0}});
-    MendState m = beginMending(4, {{0, 1, 2}, {0, 2, 3}, {1, 0, 3}, {2, 1, 3}});
+    RepairState m = beginRepair(4, {{0, 1, 2}, {0, 2, 3}, {1, 0, 3}, {2, 1, 3}});
     REQUIRE(manifoldFault(m) == "");
     CHECK(flipAll(points, m) == 0);
 }
@@ -295,7 +295,7 @@ TEST_CASE("flip: no edge at a point of two fans") {
     // The rhombus that would be flipped, with a triangle attached at one of its points.
     PointSet points =
         flatPoints({{-3, 0, 0}, {0, -1, 0}, {3, 0, 0}, {0, 1, 0}, {1, 5, 0}, {-1, 5, 0}});
-    MendState m = beginMending(6, {{0, 1, 2}, {0, 2, 3}, {3, 4, 5}});
+    RepairState m = beginRepair(6, {{0, 1, 2}, {0, 2, 3}, {3, 4, 5}});
     CHECK(m.pinched[3]);
     CHECK(flipAll(points, m) == 0);
 }
@@ -310,7 +310,7 @@ TEST_CASE("flip: with the rule, the least angles of a run are larger than withou
     };
     Params params = paper();
     const double without = meanCosine(params);
-    params.rules.flip = true;
+    params.robust.flip = true;
     CHECK(meanCosine(params) < without);
 }
 
@@ -318,9 +318,9 @@ TEST_CASE("flip: leaves a flat mesh Delaunay, and no flip is ever taken back") {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         const PointSet points = prepared(sampleSheet(flatSheet(), 8, 80, seed));
         Params params = paper();
-        params.rules.flip = true;
+        params.robust.flip = true;
         const Run run = runAll(points, params);
-        const MendState m = beginMending(points.size(), run.state.mesh());
+        const RepairState m = beginRepair(points.size(), run.state.mesh());
         std::size_t wrong = 0;
         for (HalfEdge h = 0; h < m.twin.size(); ++h) {
             if (m.twin[h] == kNone) continue;
@@ -367,15 +367,15 @@ Misplaced misplaced() {
 TEST_CASE("reseat: a point at a flipped triangle is taken out, and the hole closed") {
     const Misplaced input = misplaced();
     REQUIRE(flippedIn(input.points, input.triangles) > 0);
-    MendState m = beginMending(11, input.triangles);
+    RepairState m = beginRepair(11, input.triangles);
     REQUIRE(manifoldFault(m) == "");
     Index point = kNone;
-    REQUIRE(reseatNext(input.points, m, point));
+    REQUIRE(removeFoldedPoint(input.points, m, point));
     CHECK(manifoldFault(m) == "");
     CHECK(m.sideOf[point] == kNone);
     CHECK(m.triangles.size() == input.triangles.size() - 2);
     CHECK(m.takenOut == 1);
-    while (reseatNext(input.points, m, point)) CHECK(manifoldFault(m) == "");
+    while (removeFoldedPoint(input.points, m, point)) CHECK(manifoldFault(m) == "");
     CHECK(flippedIn(input.points, m.triangles) == 0);
     // And it is reinserted where it lies.
     m.nextPoint = 0;
@@ -385,17 +385,17 @@ TEST_CASE("reseat: a point at a flipped triangle is taken out, and the hole clos
 
 TEST_CASE("reseat: leaves a mesh without flipped triangles alone") {
     const PointSet points = prepared(closedFamilies(0.5)[0].sample(1));
-    MendState m = beginMending(points.size(), runAll(points, paper()).state.triangles);
+    RepairState m = beginRepair(points.size(), runAll(points, paper()).state.triangles);
     Index point = kNone;
-    CHECK_FALSE(reseatNext(points, m, point));
+    CHECK_FALSE(removeFoldedPoint(points, m, point));
     CHECK(m.takenOut == 0);
 }
 
 TEST_CASE("reseat: a point at the border or with three triangles stays") {
     const PointSet points = flatPoints({{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, -1, 0}});
-    MendState m = beginMending(4, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
+    RepairState m = beginRepair(4, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
     Index point = kNone;
-    CHECK_FALSE(reseatNext(points, m, point));
+    CHECK_FALSE(removeFoldedPoint(points, m, point));
 }
 
 TEST_CASE("reseat: with the rule, fewer flipped triangles are left in a run than without") {
@@ -408,11 +408,11 @@ TEST_CASE("reseat: with the rule, fewer flipped triangles are left in a run than
         for (Vec3& x : file.position) x += 0.15 * random.inCube();
         const PointSet points = prepared(file);
         Params params = *paramsByName("robust");
-        params.rules.noFold = params.rules.delay = params.rules.flip = false;
+        params.robust.noFold = params.robust.delay = params.robust.flip = false;
         const Run on = runAll(points, params);
         with += on.mesh.flippedTriangles;
-        takenOut += on.state.mend.takenOut;
-        params.rules.reseat = false;
+        takenOut += on.state.repair.takenOut;
+        params.robust.removeFolded = false;
         without += runAll(points, params).mesh.flippedTriangles;
     }
     MESSAGE("flipped: ", with, " with, ", without, " without, taken out ", takenOut);
@@ -426,12 +426,12 @@ namespace {
 
 /// The first fault of the neighbor relation after any repair step in a run; empty if there is none.
 /// Counts the steps.
-std::string faultWhileMending(const PointSet& points, std::size_t& steps) {
+std::string faultWhileRepairing(const PointSet& points, std::size_t& steps) {
     Stepper stepper(points, *paramsByName("robust"));
     std::string fault;
     while (fault.empty() && stepper.stepPivot()) {
-        if (stepper.state().mend.empty()) continue;
-        fault = manifoldFault(stepper.state().mend);
+        if (stepper.state().repair.empty()) continue;
+        fault = manifoldFault(stepper.state().repair);
         ++steps;
     }
     return fault;
@@ -442,7 +442,7 @@ std::string faultWhileMending(const PointSet& points, std::size_t& steps) {
 TEST_CASE("mending: neighbors agree after every step, on meshes of random points") {
     std::size_t steps = 0;
     for (std::uint64_t seed = 1; seed <= 150; ++seed) {
-        CHECK_MESSAGE(faultWhileMending(randomPoints(seed), steps) == "", "seed ", seed);
+        CHECK_MESSAGE(faultWhileRepairing(randomPoints(seed), steps) == "", "seed ", seed);
     }
     CHECK(steps > 100);
 }
@@ -453,7 +453,7 @@ TEST_CASE("mending: neighbors agree after every step, on rough closed clouds") {
         PointFile file = closedFamilies(0.5)[seed % 4].sample(seed);
         Random random(seed);
         for (Vec3& x : file.position) x += 0.08 * random.inCube();
-        CHECK_MESSAGE(faultWhileMending(prepared(file), steps) == "", "seed ", seed);
+        CHECK_MESSAGE(faultWhileRepairing(prepared(file), steps) == "", "seed ", seed);
     }
     CHECK(steps > 100);
 }
@@ -472,21 +472,21 @@ TEST_CASE("mending: neighbors agree after every step, on triangles that are no s
             }
         }
         if (soup.empty()) continue;
-        MendState m = beginMending(points.size(), soup);
+        RepairState m = beginRepair(points.size(), soup);
         std::string fault = adjacencyFault(m);
         Index point = kNone;
         Flip flip{};
-        for (; m.round < kMendRounds && fault.empty(); ++m.round) {
+        for (; m.round < kRepairRounds && fault.empty(); ++m.round) {
             m.nextPoint = m.nextTriangle = 0;
             while (fault.empty() && reinsertNext(points, m, point)) {
                 fault = adjacencyFault(m);
                 ++steps;
             }
-            while (fault.empty() && flipNext(points, RobustLimits{}, m, flip)) {
+            while (fault.empty() && flipNext(points, RobustThresholds{}, m, flip)) {
                 fault = adjacencyFault(m);
                 ++steps;
             }
-            while (fault.empty() && reseatNext(points, m, point)) {
+            while (fault.empty() && removeFoldedPoint(points, m, point)) {
                 fault = adjacencyFault(m);
                 ++steps;
             }

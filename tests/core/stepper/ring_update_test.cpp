@@ -118,7 +118,7 @@ TEST_CASE("6.5 a ring of two finished edges is closed: it is one edge inside the
     rig.listAll().ring({0, 2, 3, 1}).pivot();
     CHECK(rig.state().counters.closedRings >= 1);
     CHECK(rig.state().rings.active() == kNone);
-    Rig literal({{0, 0, 0}, {1, 1, 0}, {-1, 1, 0}}, paperBut(&Rules::closeTwo));
+    Rig literal({{0, 0, 0}, {1, 1, 0}, {-1, 1, 0}}, paperBut(&Readings::closeTwo));
     literal.listAll().ring({0, 2, 1}).pivot();
     CHECK(literal.activeRing() == Points{2, 1});
     Rig closed({{0, 0, 0}, {1, 1, 0}, {-1, 1, 0}});

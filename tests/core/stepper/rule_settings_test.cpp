@@ -241,10 +241,10 @@ TEST_CASE(
           "flatangle=45", "flipflat=0.9", "flipnarrow=0.94"}) {
         CHECK_MESSAGE(with(usual, "robust") == robust, usual);
     }
-    CHECK(with("foldangle=150").limits.foldCosine == -0.8660254037844386);
-    CHECK(with("flatangle=45").limits.flatCosine == 0.70710678118654752);
-    CHECK(with("steepangle=60").limits.steepCosine == 0.5);
-    CHECK(with("rimgap=120").limits.rimGapCosine == -0.5);
+    CHECK(with("foldangle=150").thresholds.foldCosine == -0.8660254037844386);
+    CHECK(with("flatangle=45").thresholds.flatCosine == 0.70710678118654752);
+    CHECK(with("steepangle=60").thresholds.steepCosine == 0.5);
+    CHECK(with("rimgap=120").thresholds.rimGapCosine == -0.5);
 }
 
 TEST_CASE(
@@ -265,7 +265,7 @@ TEST_CASE(
     const auto ends = [&](const char* rule) {
         std::size_t found = 0;
         for (Index p = 0; p < random.size(); ++p)
-            found += isRim(random, p, with(rule).limits.rimGapCosine) ? 1 : 0;
+            found += isRim(random, p, with(rule).thresholds.rimGapCosine) ? 1 : 0;
         return found;
     };
     CHECK(ends("rimgap=60") > ends("rimgap=120"));

@@ -296,7 +296,7 @@ TEST_CASE("A rule that would have prevented an alert is switched on by one click
     CHECK(app.camera.pose() == camera);
     CHECK_FALSE(app.ui.requests.frameAlert);
     CHECK(app.ui.requests.frame == FrameWish::None);
-    CHECK(app.session.model().params.rules.*best.rule->member);
+    CHECK(best.rule->isOn(app.session.model().params));
     CHECK(app.session.alerts().failures().size() == best.all);
     CHECK(best.all < before);
     std::vector<MeshFailure> now;

@@ -271,9 +271,9 @@ TEST_CASE("Closest decisions and charts are queried once in a run, and are void 
 TEST_CASE("A ring is queried by its address, or as the one at the cursor") {
     const Address here{25, Stage::Ring, 2};
     CHECK_FALSE(ringFromText("812", here).has_value());
-    CHECK(ringFromText("ring", here)->value() == RingPlace{here, 0});
-    CHECK(ringFromText(" ring #2", here)->value() == RingPlace{here, 2});
-    CHECK(ringFromText("ring 30#1", here)->value() == RingPlace{{30, Stage::Pivot, 0}, 1});
+    CHECK(ringFromText("ring", here)->value() == RingAddress{here, 0});
+    CHECK(ringFromText(" ring #2", here)->value() == RingAddress{here, 2});
+    CHECK(ringFromText("ring 30#1", here)->value() == RingAddress{{30, Stage::Pivot, 0}, 1});
     CHECK_FALSE(ringFromText("ring dragon", here)->ok());
     AskDesk app;
     app.session().goToPivot(25);

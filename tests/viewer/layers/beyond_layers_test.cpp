@@ -93,7 +93,7 @@ TEST_CASE("Drawn for flip: the old edge dashed, the new one bold, two triangles,
     const auto place = SetPlace::at<FlipEvidence>(spec("scene:figure-5", "robust"), Stage::Flip);
     REQUIRE(place != nullptr);
     const auto& e = place->evidence<FlipEvidence>();
-    const DrawList list = place->drawn(addMending);
+    const DrawList list = place->drawn(addRepairs);
     const Line* before = lineOf(list, place->at(e.u), place->at(e.v));
     const Line* after = lineOf(list, place->at(e.x), place->at(e.y));
     REQUIRE(before != nullptr);
@@ -122,7 +122,7 @@ TEST_CASE("Drawn for reinsert: the point, its new edges and the triangles it is 
     REQUIRE(place != nullptr);
     const Index point = place->evidence<ReinsertEvidence>().point;
     const Picture& picture = place->session.picture();
-    const DrawList list = place->drawn(addMending);
+    const DrawList list = place->drawn(addRepairs);
     CHECK(count(list, Shape::RingedDisc) == 1);
     CHECK(says(list, std::to_string(point)));
     // An event before it in the same step shows the old mesh.
@@ -148,12 +148,12 @@ TEST_CASE("Drawn for reseat: the point crossed, its old edges dashed, two triang
     for (const char* rule : {"guard", "reinsert", "flip", "reseat"}) {
         input.choices.push_back({rule, true});
     }
-    const auto place = SetPlace::at<ReseatEvidence>(input, Stage::Reseat);
+    const auto place = SetPlace::at<RemoveFoldedEvidence>(input, Stage::RemoveFolded);
     REQUIRE(place != nullptr);
-    const Index point = place->evidence<ReseatEvidence>().point;
+    const Index point = place->evidence<RemoveFoldedEvidence>().point;
     const Picture& picture = place->session.picture();
     CHECK(picture.goneTriangles.size() == picture.newTriangles.size() + 2);
-    const DrawList list = place->drawn(addMending);
+    const DrawList list = place->drawn(addRepairs);
     CHECK(count(list, Shape::Cross) == 1);
     for (const Triangle& t : picture.goneTriangles) {
         for (const Index corner : {t.a, t.b, t.c}) {
@@ -208,7 +208,7 @@ TEST_CASE("Drawn for an alert: the ring that was freed, bold, in the color of er
                       [](const AlertEvidence& e) { return e.kind == AlertKind::LostSeed; });
         REQUIRE(place != nullptr);
         REQUIRE(place->session.picture().freed.has_value());
-        const FreedRing& ring = *place->session.picture().freed;
+        const ShownFreedRing& ring = *place->session.picture().freed;
         REQUIRE(ring.told.has_value());
         CHECK(ring.alert == kind);
         CHECK(ring.path.points.size() == ring.told->length);

@@ -88,7 +88,7 @@ TEST_CASE("Drawn for limits: the concave corner filled, the letter on its way") 
 TEST_CASE("Drawn for convex: a hollow corner and the path along the ring") {
     OpenSession open("scene:figure-5");
     const Address behind = firstWhere<DropEvidence>(
-        open, [](const DropEvidence& e) { return e.verdict == Verdict::BehindConvex; });
+        open, [](const DropEvidence& e) { return e.verdict == Verdict::BeyondConvex; });
     const DrawList list = drawn(open, behind, {LayerId::Convexity});
     CHECK(list.sheets.empty());
     CHECK(says(list, "convex"));

@@ -151,7 +151,7 @@ TEST_CASE("Inspect: a convex corner is over 180 degrees, and the height is off p
                  [&](const Model& model, const Picture& picture, const Event& event,
                      const std::vector<EvidenceRow>& rows) {
                      const auto* drop = std::get_if<DropEvidence>(&event.evidence);
-                     if (drop == nullptr || drop->verdict != Verdict::BehindConvex) return;
+                     if (drop == nullptr || drop->verdict != Verdict::BeyondConvex) return;
                      const char* name =
                          drop->side == Side::Start ? "corner at start" : "corner at end";
                      REQUIRE(rowOf(rows, name) != nullptr);

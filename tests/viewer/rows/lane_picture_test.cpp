@@ -20,7 +20,7 @@ std::shared_ptr<const Model> modelOf(const std::string& source, const std::strin
 }
 
 /// True if the lanes are the rings: as many, in the same order, of the same lengths.
-bool lanesAreRings(const LaneKeeper& lanes, const EdgeRings& rings) {
+bool lanesAreRings(const LaneTracker& lanes, const EdgeRings& rings) {
     if (lanes.active().has_value() != (rings.active() != kNone)) return false;
     if (lanes.stack().size() != rings.stack().size()) return false;
     for (std::size_t i = 0; i < rings.stack().size(); ++i) {
@@ -35,7 +35,7 @@ Event eventOf(std::uint32_t pivot, Stage stage, const Evidence& evidence) {
 
 /// A seed; at pivot 3 a split; at pivot 5 a join; at pivot 6 the ring closes.
 RunOverview shortRun() {
-    LaneKeeper keeper;
+    LaneTracker keeper;
     keeper.take(eventOf(1, Stage::Seed, SeedEvidence{0, 1, 1.0}));
     keeper.take(eventOf(3, Stage::Pivot, PivotEvidence{0, 1, 2, 10, 90.0}));
     keeper.take(eventOf(3, Stage::Split, SplitEvidence{4, 6, 4, 1}));
@@ -63,7 +63,7 @@ TEST_CASE("At every pivot there are as many lanes as rings: the active one and t
             REQUIRE(model != nullptr);
             EventLog log;
             Stepper stepper(model->points, model->params, &log);
-            LaneKeeper lanes;
+            LaneTracker lanes;
             std::size_t wrong = 0;
             std::size_t pivots = 0;
             while (stepper.stepPivot()) {
@@ -99,7 +99,7 @@ TEST_CASE("The overview has the lanes at any pivot") {
 }
 
 TEST_CASE("Free lanes are reused") {
-    LaneKeeper keeper;
+    LaneTracker keeper;
     keeper.take(eventOf(1, Stage::Seed, SeedEvidence{0, 1, 1.0}));
     keeper.take(eventOf(4, Stage::Done, FreeEvidence{4, 0}));
     keeper.take(eventOf(5, Stage::Seed, SeedEvidence{2, 3, 1.0}));
@@ -112,7 +112,7 @@ TEST_CASE("Free lanes are reused") {
 }
 
 TEST_CASE("A freed ring with an alert ends at a hole") {
-    LaneKeeper keeper;
+    LaneTracker keeper;
     keeper.take(eventOf(1, Stage::Seed, SeedEvidence{0, 1, 1.0}));
     keeper.take(eventOf(4, Stage::Done, FreeEvidence{4, 2}));
     keeper.take(eventOf(4, Stage::Done, AlertEvidence{AlertKind::Hole, 3}));
@@ -120,7 +120,7 @@ TEST_CASE("A freed ring with an alert ends at a hole") {
 }
 
 TEST_CASE("The top of the stack continues when the active ring has ended") {
-    LaneKeeper keeper;
+    LaneTracker keeper;
     keeper.take(eventOf(1, Stage::Seed, SeedEvidence{0, 1, 1.0}));
     keeper.take(eventOf(3, Stage::Pivot, PivotEvidence{0, 1, 2, 10, 90.0}));
     keeper.take(eventOf(3, Stage::Split, SplitEvidence{4, 6, 4, 1}));

@@ -80,7 +80,7 @@ TEST_CASE("Each doctor check that has a fix here has a command as well") {
     for (const DoctorCheck& check : doctorChecks()) {
         CAPTURE(check.name);
         CHECK((!canFix(check) || !check.remedy.empty()));
-        CHECK(canFix(check) == !fixText(check.cure).empty());
+        CHECK(canFix(check) == !fixText(check.fix).empty());
     }
 }
 
@@ -89,8 +89,8 @@ TEST_CASE("Safe fixes are applied at once: repairs, and normals to be flipped") 
     REQUIRE(found);
     const Fixes fixes = safeFixes(found.value());
     REQUIRE(fixes.size() == 2);
-    CHECK(findDoctorCheck(fixes[0])->cure == Cure::Mend);
-    CHECK(findDoctorCheck(fixes[1])->cure == Cure::Orient);
+    CHECK(findDoctorCheck(fixes[0])->fix == Fix::Repair);
+    CHECK(findDoctorCheck(fixes[1])->fix == Fix::Orient);
     CHECK(safeFixes({}).empty());
 }
 

@@ -47,8 +47,8 @@ TEST_CASE(
     run.marks = {{1, MarkKind::Seed}, {3, MarkKind::Seed}, {4, MarkKind::Seed}};
     const MeshColoring parts = meshColoring(MeshStyle::Component, run, 9);
     CHECK(parts.starts == std::vector<std::size_t>{0, 4});
-    CHECK(meshColoring(MeshStyle::BirthOrder, run, 0).birthEnd == 9);
-    CHECK(meshColoring(MeshStyle::BirthOrder, {}, 12).birthEnd == 12);
+    CHECK(meshColoring(MeshStyle::CreationOrder, run, 0).creationEnd == 9);
+    CHECK(meshColoring(MeshStyle::CreationOrder, {}, 12).creationEnd == 12);
     CHECK(meshColoring(MeshStyle::Flat, run, 9) == meshColoring(MeshStyle::Flat, {}, 0));
     CHECK_FALSE(componentColor(0) == componentColor(1));
 }

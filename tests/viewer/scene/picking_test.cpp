@@ -261,9 +261,9 @@ TEST_CASE("Creation: every triangle was made by its decision emit") {
             for (const Event& event : open.session.record().events) {
                 const auto* emit = std::get_if<EmitEvidence>(&event.evidence);
                 if (emit == nullptr) continue;
-                const auto birth = birthOfTriangle(run, emit->triangle);
-                REQUIRE(birth.has_value());
-                CHECK(toString(*birth) == toString(event.address));
+                const auto origin = originOfTriangle(run, emit->triangle);
+                REQUIRE(origin.has_value());
+                CHECK(toString(*origin) == toString(event.address));
             }
         }
     }

@@ -59,7 +59,7 @@ TEST_CASE("The other run follows: decision by decision, then pivot by pivot, to 
     const Compared* found = pair.comparison.result();
     REQUIRE(found != nullptr);
     REQUIRE(found->runs.first);
-    CHECK(found->runs.pivotsAlike == 199);
+    CHECK(found->runs.commonPivots == 199);
     pair.run.goTo({50, Stage::Sort, 2});
     pair.waitUntilDone();
     CHECK(pair.there() == "50.sort.2");

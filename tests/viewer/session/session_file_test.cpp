@@ -302,8 +302,8 @@ TEST_CASE("Rule choices are read from NAME=on and NAME=off, and nothing else") {
     Params params;
     const std::vector<RuleValue> values{{"fill", true}, {"closetwo", false}};
     REQUIRE(applyRuleValues(values, params).ok());
-    CHECK(params.rules.fill);
-    CHECK_FALSE(params.rules.closeTwo);
+    CHECK(params.robust.fill);
+    CHECK_FALSE(params.readings.closeTwo);
 }
 
 TEST_CASE("The comparison is kept: another run by its options, a mesh by its path") {

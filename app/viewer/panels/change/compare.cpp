@@ -39,10 +39,10 @@ void drawCounts(const PanelContext& context, const Compared& found) {
     countRow(context, colors.mesh, "in both", found.meshes.both);
     countRow(context, colors.used, "only in A", found.meshes.onlyA);
     countRow(context, colors.last, "only in B", found.meshes.onlyB);
-    if (found.meshes.turned > 0)
-        countRow(context, colors.rejected, "reversed", found.meshes.turned);
-    if (!found.strangers.empty())
-        dimText(grouped(found.strangers.size()) + " vertices of B match no point.");
+    if (found.meshes.reversed > 0)
+        countRow(context, colors.rejected, "reversed", found.meshes.reversed);
+    if (!found.unmatchedVertices.empty())
+        dimText(grouped(found.unmatchedVertices.size()) + " vertices of B match no point.");
     ImGui::Spacing();
 }
 
@@ -66,7 +66,7 @@ void drawFirstDifference(const PanelContext& context, const Compared& found) {
     ComparePage& page = context.ui().compare;
     const bool mesh = page.now->with().kind == CompareWith::Kind::Mesh;
     heading(context, "First difference",
-            mesh ? "" : "after " + grouped(found.runs.pivotsAlike) + " pivots");
+            mesh ? "" : "after " + grouped(found.runs.commonPivots) + " pivots");
     if (!mesh && !found.runs.first) {
         dimText("None: the runs are the same from the first pivot to the last.");
     } else if (compareButton(context, "First difference", "first",

@@ -31,7 +31,7 @@ std::vector<LogRow> logRows(const PanelContext& context) {
         const LineHits* known = context.session().hits().of(each.line);
         if (!each.on || !each.logOnly || known == nullptr) continue;
         for (std::size_t i = 0; i < known->list.hits.size() && rows.size() < kMaxLogged; ++i) {
-            if (!picks(each, i + 1)) continue;
+            if (!selectsHit(each, i + 1)) continue;
             const bool told = i < known->sentences.size();
             rows.push_back({known->list.hits[i], &each, told ? &known->sentences[i] : nullptr});
         }
@@ -53,7 +53,7 @@ float rowHeight(const PanelContext& context) {
 /// Address and sentence, beside or below each other; hits after the cursor are dim.
 void drawLogRow(const PanelContext& context, const LogRow& row) {
     Session& session = context.session();
-    const RunPlace here = session.place();
+    const RunPosition here = session.place();
     const Palette& palette = context.palette;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float room = ImGui::GetContentRegionAvail().x;

@@ -83,7 +83,7 @@ void drawRemedy(const PanelContext& context, const Finding& finding) {
     if (canFix(check)) {
         if (ImGui::SmallButton("Apply the fix")) follow(context, {name});
         context.ui().where["fix " + name] = lastItem();
-        tooltip(std::string(fixText(check.cure)) + "\nCtrl+Z undoes it.");
+        tooltip(std::string(fixText(check.fix)) + "\nCtrl+Z undoes it.");
     }
     const std::string command = commandFor(context, check);
     if (command.empty()) return;
@@ -100,7 +100,7 @@ void drawRemedy(const PanelContext& context, const Finding& finding) {
 }
 
 /// Fixes that were applied to the input, and a button to undo them.
-void drawMended(const PanelContext& context) {
+void drawRepaired(const PanelContext& context) {
     const Session& session = context.session();
     if (session.spec().fixes.empty()) return;
     wrappedText("Repaired here, not in the file: " + fixesText(session.model()) + ".");
@@ -118,7 +118,7 @@ void drawFixAll(const PanelContext& context) {
     context.ui().where["doctor fix all"] = lastItem();
     std::string text;
     for (const std::string& name : fixes) {
-        text += (text.empty() ? "" : "\n") + std::string(fixText(findDoctorCheck(name)->cure));
+        text += (text.empty() ? "" : "\n") + std::string(fixText(findDoctorCheck(name)->fix));
     }
     tooltip(text + "\nCtrl+Z undoes it.");
 }
@@ -170,7 +170,7 @@ void drawDoctor(const PanelContext& context) {
     }
     const DoctorJob& doctorJob = session.doctorJob();
     heading(context, "Doctor", headingNote(doctorJob.findings().size()));
-    drawMended(context);
+    drawRepaired(context);
     if (!doctorJob.complaint().empty()) return dimText(doctorJob.complaint());
     if (!doctorJob.done()) {
         dimText(doctorJob.busy() ? "Examining the input ..."

@@ -148,17 +148,17 @@ void drawByWords(const PanelContext& context) {
 }
 
 /// The full move is in the tooltip.
-std::string nudgeText(const Nudge& nudge) {
+std::string shortMoveText(const FlippingMove& move) {
     char text[64];
-    std::snprintf(text, sizeof text, "moving %u by %.2g flips it", nudge.point,
-                  glm::length(nudge.by));
+    std::snprintf(text, sizeof text, "moving %u by %.2g flips it", move.point,
+                  glm::length(move.by));
     return text;
 }
 
-std::string moveText(const Nudge& nudge) {
+std::string moveText(const FlippingMove& move) {
     char text[120];
-    std::snprintf(text, sizeof text, "Moving %u by (%.6g, %.6g, %.6g) flips it.", nudge.point,
-                  nudge.by.x, nudge.by.y, nudge.by.z);
+    std::snprintf(text, sizeof text, "Moving %u by (%.6g, %.6g, %.6g) flips it.", move.point,
+                  move.by.x, move.by.y, move.by.z);
     return text;
 }
 
@@ -171,8 +171,8 @@ void drawCalls(const PanelContext& context, const ClosestAnswer& closest) {
     context.ui().where["tint margin"] = lastItem();
     const DecisionRows rows{
         closest.lines, context.ui().query.closest, {}, false, [&](std::size_t i) {
-            const ClosestCall& call = closest.calls.calls[i];
-            return RowNote{nudgeText(call.nudge), moveText(call.nudge)};
+            const NearestDecision& decision = closest.decisions.decisions[i];
+            return RowNote{shortMoveText(decision.move), moveText(decision.move)};
         }};
     if (const auto line = drawDecisionRows(context, rows))
         goToDecision(context, closest.lines[*line].event.address, FrameWish::Pivot);

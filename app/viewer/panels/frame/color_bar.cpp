@@ -42,7 +42,7 @@ struct Plate {
 
 std::optional<Rect> drawBirth(const PanelContext& context, std::span<const Rect> taken) {
     const float em = context.em;
-    const std::string last = grouped(context.drawList.birthEnd);
+    const std::string last = grouped(context.drawList.creationEnd);
     const std::string title = "triangle, in creation order";
     const float width = std::max(12.0F * em, ImGui::CalcTextSize(title.c_str()).x);
     const float line = ImGui::GetTextLineHeight();
@@ -60,7 +60,7 @@ std::optional<Rect> drawBirth(const PanelContext& context, std::span<const Rect>
     }
     // Position of the cursor on the scale.
     const float share = std::min(1.0F, static_cast<float>(context.drawList.finishedTriangles) /
-                                           static_cast<float>(context.drawList.birthEnd));
+                                           static_cast<float>(context.drawList.creationEnd));
     const float x = at.x + share * width;
     plate.list->AddTriangleFilled({x - 0.3F * em, top + 1.0F * em}, {x, top + 0.55F * em},
                                   {x + 0.3F * em, top + 1.0F * em}, toU32(context.palette.text));
@@ -137,7 +137,7 @@ std::optional<Rect> drawColorBar(const PanelContext& context, std::span<const Re
         ImGui::PopFont();
         return std::nullopt;
     }
-    if (context.drawList.meshStyle == MeshStyle::BirthOrder) place = drawBirth(context, taken);
+    if (context.drawList.meshStyle == MeshStyle::CreationOrder) place = drawBirth(context, taken);
     if (context.drawList.meshStyle == MeshStyle::Component) place = drawComponents(context, taken);
     ImGui::PopFont();
     return place;

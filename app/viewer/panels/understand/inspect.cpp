@@ -68,8 +68,8 @@ void drawBirth(const PanelContext& context, const SelectionFacts& facts, const c
         wrappedText("This " + name + " is not there at the cursor.");
     }
     if (!pivot) return;
-    const std::string birth = toString(*birthOfTriangle(session.overview(), *facts.number));
-    if (ImGui::Button(("Go to " + birth + ", which made it").c_str())) context.run("step.birth");
+    const std::string origin = toString(*originOfTriangle(session.overview(), *facts.number));
+    if (ImGui::Button(("Go to " + origin + ", which made it").c_str())) context.run("step.birth");
     tooltip("Go to the decision that made it; Alt+Left returns");
 }
 

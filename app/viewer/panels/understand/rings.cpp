@@ -70,7 +70,7 @@ void drawRow(const PanelContext& context, const RingPath& ring) {
         tooltip("Click: highlight it. Double click: show all of it. Right click: why is it there?");
         if (ImGui::IsMouseReleased(ImGuiMouseButton_Right) && session.event() != nullptr) {
             context.ui().subjectMenu.open(
-                RingPlace{session.address(), ring.active ? 0 : ring.depth + 1});
+                RingAddress{session.address(), ring.active ? 0 : ring.depth + 1});
         }
     }
     const bool first = &ring == &session.picture().rings.front();

@@ -142,7 +142,7 @@ std::size_t trianglesOfComponent(const RunOverview& run, std::size_t component) 
 std::string pivotNote(const PivotSummary& summary) {
     const auto found = [&](Stage stage) { return (summary.found & findingOf(stage)) != 0; };
     for (const Stage stage : {Stage::Split, Stage::Join, Stage::Done, Stage::Seed, Stage::Skip,
-                              Stage::Fill, Stage::Reinsert, Stage::Flip, Stage::Reseat}) {
+                              Stage::Fill, Stage::Reinsert, Stage::Flip, Stage::RemoveFolded}) {
         if (found(stage)) return std::string(stageName(stage));
     }
     return {};

@@ -177,10 +177,10 @@ Field fieldOf(const Shape& shape) {
 }
 
 Field inBox(Field field, const Vec3& low, const Vec3& high) {
-    constexpr double kMostCells = 1024.0;
+    constexpr double kMaxCells = 1024.0;
     const Vec3 cell = (field.high - field.low) / Vec3(field.cells);
     field.cells =
-        glm::ivec3(glm::clamp(glm::ceil((high - low) / cell - 1e-9), Vec3(16.0), Vec3(kMostCells)));
+        glm::ivec3(glm::clamp(glm::ceil((high - low) / cell - 1e-9), Vec3(16.0), Vec3(kMaxCells)));
     field.low = low;
     field.high = high;
     return field;

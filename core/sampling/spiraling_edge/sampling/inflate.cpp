@@ -10,7 +10,7 @@ namespace se {
 namespace {
 
 /// No byte of a stream unpacks to more than this many (zlib's own documentation).
-constexpr std::size_t kMostPerByte = 1032;
+constexpr std::size_t kMaxPerByte = 1032;
 /// Maximum size of the input or output of one call of zlib; its counters have 32 bits.
 constexpr std::size_t kPiece = 1U << 30U;
 
@@ -75,7 +75,7 @@ Result<std::string> inflateExactly(std::string_view packed, std::size_t expected
         return Error{"the gzip data end too early: expected " + std::to_string(expected) +
                      " bytes, found " + std::to_string(found)};
     };
-    if (expected / kMostPerByte > packed.size()) {
+    if (expected / kMaxPerByte > packed.size()) {
         return Error{"the gzip data are too short to hold " + std::to_string(expected) + " bytes"};
     }
     std::string bytes(expected, '\0');

@@ -38,8 +38,8 @@ class Lattice {
         double high = 1.0;
         double t = 0.0;
         // Regula falsi, in the variant of Illinois; exact at once where values are linear.
-        constexpr int kMostSteps = 40;
-        for (int i = 0; i < kMostSteps; ++i) {
+        constexpr int kMaxSteps = 40;
+        for (int i = 0; i < kMaxSteps; ++i) {
             t = std::clamp(low + (high - low) * here / (here - there), 0.0, 1.0);
             const double value = surface_.value(from + t * (to - from));
             if (value == 0.0 || high - low < 1e-12) break;

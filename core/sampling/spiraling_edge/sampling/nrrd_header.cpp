@@ -180,8 +180,8 @@ class HeaderParser {
         for (std::size_t& size : header_.volume.size) {
             const std::string_view field = fields.next();
             std::int64_t count = 0;
-            constexpr std::int64_t kMost = 1 << 20;
-            if (!parseInteger(field, count) || count < 2 || count > kMost)
+            constexpr std::int64_t kMax = 1 << 20;
+            if (!parseInteger(field, count) || count < 2 || count > kMax)
                 return wrong("sizes: expected three numbers from 2 to 1048576, found " +
                              inQuotes(text));
             size = static_cast<std::size_t>(count);

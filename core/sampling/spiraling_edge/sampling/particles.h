@@ -63,9 +63,9 @@ bool settleAll(const Surface& surface, unsigned threads, const Progress& progres
                Particles& particles);
 
 /// Removes crowded particles and those on parts too small for triangles; adds new ones where there
-/// is room. Exchanges at most `most`, besides those that bring the number to `count`. False if
+/// is room. Exchanges at most `limit`, besides those that bring the number to `count`. False if
 /// `progress` cancelled.
-bool balance(const Surface& surface, std::size_t count, double flatSpacing, std::size_t most,
+bool balance(const Surface& surface, std::size_t count, double flatSpacing, std::size_t limit,
              unsigned threads, const Progress& progress, Particles& particles);
 
 }  // namespace se::sampling

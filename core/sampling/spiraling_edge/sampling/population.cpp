@@ -120,12 +120,12 @@ bool emptier(const Candidate& a, const Candidate& b) {
     return a.crowd < b.crowd || (a.crowd == b.crowd && a.particle < b.particle);
 }
 
-/// The first of `candidates`, at most `most`, that are not near one another.
-std::vector<Candidate> apart(const std::vector<Candidate>& candidates, std::size_t most,
+/// The first of `candidates`, at most `limit`, that are not near one another.
+std::vector<Candidate> apart(const std::vector<Candidate>& candidates, std::size_t limit,
                              const Particles& particles) {
     std::vector<Candidate> taken;
     for (const Candidate& c : candidates) {
-        if (taken.size() >= most) break;
+        if (taken.size() >= limit) break;
         const double reach = kReach * particles.spacing[c.particle];
         const bool free = std::none_of(taken.begin(), taken.end(), [&](const Candidate& t) {
             return lengthOf(t.place - c.place) < reach;
@@ -155,7 +155,7 @@ bool leaveSpecks(const Surface& surface, double flatSpacing, unsigned threads,
     const Census census(surface, flatSpacing, particles);
     std::vector<std::uint8_t> alone(particles.size(), 0);
     const bool asked =
-        forEachWatched(alone.size(), threads, kPerThread, progress, [&](std::size_t i) {
+        forEachWithProgress(alone.size(), threads, kPerThread, progress, [&](std::size_t i) {
             if (i >= particles.onWalls) alone[i] = census.isAlone(i) ? 1 : 0;
         });
     if (!asked) return false;
@@ -174,13 +174,13 @@ std::vector<Candidate> crowds(const Census& census, unsigned threads, const Prog
     const auto look = [&](std::size_t i) {
         all[i] = {census.crowdOf(i), i, particles.position[i]};
     };
-    if (!forEachWatched(all.size(), threads, kPerThread, progress, look)) all.clear();
+    if (!forEachWithProgress(all.size(), threads, kPerThread, progress, look)) all.clear();
     return all;
 }
 
 }  // namespace
 
-bool balance(const Surface& surface, std::size_t count, double flatSpacing, std::size_t most,
+bool balance(const Surface& surface, std::size_t count, double flatSpacing, std::size_t limit,
              unsigned threads, const Progress& progress, Particles& particles) {
     if (!leaveSpecks(surface, flatSpacing, threads, partOf(progress, 0.0, 0.5), particles))
         return false;
@@ -194,7 +194,7 @@ bool balance(const Surface& surface, std::size_t count, double flatSpacing, std:
     const auto moreCrowdedThan = [&](double crowd) {
         const auto end = std::find_if(dying.begin(), dying.end(),
                                       [&](const Candidate& c) { return c.crowd <= crowd; });
-        return std::min(most, static_cast<std::size_t>(end - dying.begin()));
+        return std::min(limit, static_cast<std::size_t>(end - dying.begin()));
     };
 
     // Missing particles must be added, others are added where there is room.

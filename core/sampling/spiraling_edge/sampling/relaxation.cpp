@@ -78,8 +78,8 @@ class Relaxation {
 
     /// Calls see(j, d, distance, reach) for all j that push particle i: the vector from j to i, its
     /// length, and the length at which the push ends.
-    template <typename See>
-    void pushers(std::size_t i, See&& see) const {
+    template <typename Visit>
+    void pushers(std::size_t i, Visit&& visit) const {
         const Vec3 x = old_.position[i];
         grid_.near(x, [&](Index j) {
             const Vec3 d = x - old_.position[j];
@@ -88,7 +88,7 @@ class Relaxation {
             if (square >= reach * reach || square == 0.0) return;
             // The other side of a thin part.
             if (glm::dot(old_.normal[i], old_.normal[j]) <= 0.0) return;
-            see(j, d, std::sqrt(square), reach);
+            visit(j, d, std::sqrt(square), reach);
         });
     }
 
@@ -196,16 +196,17 @@ bool relax(const Surface& surface, double flatSpacing, unsigned threads, const P
     Particles next = particles;
     const double widest = *std::max_element(particles.spacing.begin(), particles.spacing.end());
     const Relaxation relaxation(surface, particles, flatSpacing, widest);
-    const bool all = forEachWatched(next.size(), threads, kPerThread, progress, [&](std::size_t i) {
-        if (!isCorner(particles.type[i])) relaxation.move(i, next);
-    });
+    const bool all =
+        forEachWithProgress(next.size(), threads, kPerThread, progress, [&](std::size_t i) {
+            if (!isCorner(particles.type[i])) relaxation.move(i, next);
+        });
     if (all) particles = std::move(next);
     return all;
 }
 
 bool settleAll(const Surface& surface, unsigned threads, const Progress& progress,
                Particles& particles) {
-    return forEachWatched(particles.size(), threads, kPerThread, progress, [&](std::size_t i) {
+    return forEachWithProgress(particles.size(), threads, kPerThread, progress, [&](std::size_t i) {
         const Vec3 x = particles.position[i];
         const auto place = surface.settle(x, heldBy(particles.type[i]), 0.1 * particles.spacing[i]);
         particles.position[i] = place.value_or(x);

@@ -16,8 +16,8 @@ constexpr int kAllSteps = 160;
 constexpr int kBalanceEvery = 10;
 constexpr int kLastExchange = 150;
 /// Share of the particles that may be exchanged at a time.
-constexpr double kMostExchanged = 0.02;
-constexpr std::size_t kMostExchangedAtOnce = 2000;
+constexpr double kMaxExchanged = 0.02;
+constexpr std::size_t kMaxExchangedAtOnce = 2000;
 /// Share of the relaxation in a step with balance.
 constexpr double kRelaxShare = 0.5;
 /// Share of the search for the surface in all work.
@@ -65,9 +65,9 @@ bool Sampler::step(const Progress& progress) {
     const Progress rest = partOf(progress, kRelaxShare, 1.0);
     if (c.steps % kBalanceEvery == 0 && c.steps <= kLastExchange) {
         const auto most =
-            static_cast<std::size_t>(kMostExchanged * static_cast<double>(particles.size()));
+            static_cast<std::size_t>(kMaxExchanged * static_cast<double>(particles.size()));
         if (!sampling::balance(c.surface, c.start.count, c.start.spacing,
-                               std::min(most, kMostExchangedAtOnce), c.options.threads, rest,
+                               std::min(most, kMaxExchangedAtOnce), c.options.threads, rest,
                                particles))
             return false;
     }

@@ -21,7 +21,7 @@ namespace se {
 
 /// Maximum number of particles: they take about 2.2 GB while they spread, and a run on them as much
 /// again.
-inline constexpr std::size_t kMostParticles = 10'000'000;
+inline constexpr std::size_t kMaxParticles = 10'000'000;
 
 /// Number and density of particles.
 struct SamplerOptions {

@@ -68,7 +68,7 @@ bool followCurvature(Surface& surface, unsigned threads, const Progress& progres
     if (!surface.followsCurvature()) return true;
     std::vector<double> bend(crossings.size());
     const auto look = [&](std::size_t i) { bend[i] = surface.curvature(crossings[i].position); };
-    if (!forEachWatched(bend.size(), threads, kPerThread, partOf(progress, 0.0, 0.5), look))
+    if (!forEachWithProgress(bend.size(), threads, kPerThread, partOf(progress, 0.0, 0.5), look))
         return false;
     double area = 0.0;
     double sum = 0.0;
@@ -81,8 +81,8 @@ bool followCurvature(Surface& surface, unsigned threads, const Progress& progres
         const double spacing = surface.relativeSpacing(crossings[i].position);
         crossings[i].area /= spacing * spacing;
     };
-    return forEachWatched(crossings.size(), threads, kPerThread, partOf(progress, 0.5, 1.0),
-                          spread);
+    return forEachWithProgress(crossings.size(), threads, kPerThread, partOf(progress, 0.5, 1.0),
+                               spread);
 }
 
 std::vector<Vec3> cornersOf(const std::vector<Measured>& curves) {
@@ -242,8 +242,8 @@ Status checkField(const Field& field) {
 Status checkOptions(const SamplerOptions& options) {
     if (options.count == 0 && !(options.spacing > 0.0 && std::isfinite(options.spacing)))
         return Error{"the spacing must be a number above 0"};
-    if (options.count > kMostParticles)
-        return Error{"more than " + std::to_string(kMostParticles) + " particles cannot be made"};
+    if (options.count > kMaxParticles)
+        return Error{"more than " + std::to_string(kMaxParticles) + " particles cannot be made"};
     if (!(options.curvature >= 0.0 && options.curvature <= 100.0))
         return Error{"the influence of the curvature must lie in 0 .. 100"};
     return success();
@@ -273,9 +273,9 @@ Result<Start> scatter(Surface& surface, const SamplerOptions& options, const Pro
     } else {
         start.spacing = options.spacing;
         const double count = countFor(extent, options.spacing);
-        if (!(count <= static_cast<double>(kMostParticles)))
+        if (!(count <= static_cast<double>(kMaxParticles)))
             return Error{"the spacing is too small: it would take more than " +
-                         std::to_string(kMostParticles) + " particles"};
+                         std::to_string(kMaxParticles) + " particles"};
         start.count = static_cast<std::size_t>(std::max(std::round(count), 1.0));
     }
     Particles& particles = start.particles;

@@ -33,8 +33,8 @@ std::optional<Vec3> Surface::settle(const Vec3& x, HeldAxes held, double reach,
         there = value(at(to));
     }
     // Regula falsi, halving the weight of an end that stays (the Illinois variant).
-    constexpr int kMostSteps = 60;
-    for (int i = 0; i < kMostSteps && there != 0.0; ++i) {
+    constexpr int kMaxSteps = 60;
+    for (int i = 0; i < kMaxSteps && there != 0.0; ++i) {
         const double middle = from + (to - from) * here / (here - there);
         if (!(std::abs(middle - to) > tolerance * reach)) break;
         const double value = this->value(at(middle));
@@ -73,9 +73,9 @@ double Surface::curvature(const Vec3& x) const {
 }
 
 double Surface::relativeSpacing(const Vec3& x) const {
-    constexpr double kMostDense = 5.0;
+    constexpr double kMaxDense = 5.0;
     if (!followsCurvature() || !(meanCurvature_ > 0.0)) return 1.0;
-    return 1.0 / std::min(1.0 + influence_ * curvature(x) / meanCurvature_, kMostDense);
+    return 1.0 / std::min(1.0 + influence_ * curvature(x) / meanCurvature_, kMaxDense);
 }
 
 }  // namespace se::sampling

@@ -60,7 +60,7 @@ bool insertOnRimOfTwo(AnyContext auto& context, Index p, Index second) {
 /// A rim point on a longer ring: a pivot like an interior point while the surface does not end in
 /// its free sector, no pivot once both sides of the gap are meshed. In between, as in §7.2, the
 /// rest on one side of the gap is meshed with the end of the gap as third point.
-bool admitRimPivot(AnyContext auto& context, const OnRing& at) {
+bool tryRimPivot(AnyContext auto& context, const OnRing& at) {
     const PointSet& points = context.points;
     const RimGap gap = points.gapAt(at.p);
     if (!gap.known()) return false;
@@ -87,12 +87,12 @@ bool insertOnRingOfTwo(AnyContext auto& context, Index p, Index second) {
         p, second, kNone, false, Vec3(0.0), points.type[p], Verdict::NoThirdPoint};
     for (const Index x : points.neighbors[p]) {
         if (!unusedOnSameWall(context, p, x)) continue;
-        const ThirdPointPlace place =
-            paperOf(context).stayInside
+        const ThirdPointSide place =
+            paperRules(context).stayInside
                 ? placeThirdPoint(points.position[p], points.normal[p], points.type[p],
                                   points.position[second], points.position[x])
-                : printedThirdPointPlace(points.position[p], points.normal[p], points.type[p],
-                                         points.position[second]);
+                : printedThirdPointSide(points.position[p], points.normal[p], points.type[p],
+                                        points.position[second]);
         putOnRing(context, x, place.before);
         evidence.third = x;
         evidence.cross = place.cross;
@@ -113,7 +113,7 @@ bool insertAtCorner(AnyContext auto& context, const OnRing& at, bool before) {
     const Vec3& position = points.position[p];
     InsertEvidence evidence{
         p, across, kNone, true, Vec3(0.0), points.type[p], Verdict::NoThirdPoint};
-    if (context.params.rules.bothWalls && !shareFace(points.type[p], points.type[other])) {
+    if (context.params.robust.bothWalls && !shareFace(points.type[p], points.type[other])) {
         evidence.verdict = Verdict::OtherSideOpen;
         note(context, Stage::Insert, [&] { return evidence; });
         return false;
@@ -122,7 +122,7 @@ bool insertAtCorner(AnyContext auto& context, const OnRing& at, bool before) {
         if (!unusedOnSameWall(context, p, x)) continue;
         const Vec3& from = before ? points.position[x] : points.position[across];
         const Vec3& to = before ? points.position[across] : points.position[x];
-        if (paperOf(context).stayInside &&
+        if (paperRules(context).stayInside &&
             !sectorStaysInside(position, points.normal[p], points.type[p], from, to))
             continue;
         putOnRing(context, x, before);
@@ -136,7 +136,7 @@ bool insertAtCorner(AnyContext auto& context, const OnRing& at, bool before) {
 
 }  // namespace
 
-bool admitBoundaryPivot(AnyContext auto& context) {
+bool tryBoundaryPivot(AnyContext auto& context) {
     const State& s = context.state;
     const std::vector<std::uint8_t>& type = context.points.type;
     const Index pivot = s.pivot.pivot;
@@ -146,17 +146,17 @@ bool admitBoundaryPivot(AnyContext auto& context) {
     if (s.rings.length(s.rings.active()) == 2) {
         if (!isBoundary(type[at.next])) return false;
         // Fig. 14: the result of the unmodified neighbor ring.
-        if (!paperOf(context).thirdPoint) return true;
+        if (!paperRules(context).thirdPoint) return true;
         return onRim ? insertOnRimOfTwo(context, at.p, at.next)
                      : insertOnRingOfTwo(context, at.p, at.next);
     }
-    if (onRim) return admitRimPivot(context, at);
-    if (!paperOf(context).corners) return false;
+    if (onRim) return tryRimPivot(context, at);
+    if (!paperRules(context).corners) return false;
     if (isTransition(type[at.p], type[at.next]) && insertAtCorner(context, at, true)) return true;
     return isTransition(type[at.p], type[at.previous]) && insertAtCorner(context, at, false);
 }
 
-void withdrawThirdPoint(StepContext& context) {
+void removeThirdPoint(StepContext& context) {
     State& s = context.state;
     if (s.third.entry == kNone) return;
     const Index previous = s.rings.prev(s.third.entry);
@@ -166,7 +166,7 @@ void withdrawThirdPoint(StepContext& context) {
     s.third = {};
 }
 
-template bool admitBoundaryPivot(SilentContext&);
-template bool admitBoundaryPivot(LoggedContext&);
+template bool tryBoundaryPivot(UnloggedContext&);
+template bool tryBoundaryPivot(LoggedContext&);
 
 }  // namespace se

@@ -1,8 +1,8 @@
 /// §6.3: the circumsphere test with the 120-degree rule, which removes candidates from the neighbor
 /// ring. The equator of the sphere is the circle through the pivot and the two neighbors of a
 /// candidate; a candidate inside it stays, and so does one whose removal would leave a gap over 120
-/// degrees. One pass, O(candidates); with Rules::stepBack a removal tests the candidate before it
-/// again.
+/// degrees. One pass, O(candidates); with RobustRules::stepBack a removal tests the candidate
+/// before it again.
 #include "spiraling_edge/stepper/step_context.h"
 
 namespace se {
@@ -35,12 +35,12 @@ SphereEvidence explain(const Candidate& t, const Candidate& q, const Candidate& 
 
 /// §6.3: "If q falls inside the circumsphere or its removal would create an angle difference
 /// between s and t of more than 120 degrees, q must be kept."
-Verdict judge(const AnyContext auto& context, const Candidate& t, const Candidate& q,
-              const Candidate& s) {
+Verdict circumsphereVerdict(const AnyContext auto& context, const Candidate& t, const Candidate& q,
+                            const Candidate& s) {
     const SphereTest test = testOf(t, q, s);
     if (test.noCircle) return Verdict::NoCircle;
     if (test.inside()) return Verdict::InsideSphere;
-    if (paperOf(context).onSphere == OnSphereRule::Kept && test.onSphere()) {
+    if (paperRules(context).onSphere == OnSphereRule::Kept && test.onSphere()) {
         return Verdict::InsideSphere;
     }
     const bool wide = exceedsAngle(t.angle, s.angle, context.params.maxGapCosine);
@@ -49,9 +49,9 @@ Verdict judge(const AnyContext auto& context, const Candidate& t, const Candidat
 
 bool isRemoved(AnyContext auto& context, const Candidate& t, const Candidate& q,
                const Candidate& s) {
-    Verdict verdict = judge(context, t, q, s);
-    verdict =
-        afterWhatIf(verdict, said(context, Stage::Sphere, q.point), verdict != Verdict::Removed);
+    Verdict verdict = circumsphereVerdict(context, t, q, s);
+    verdict = applyOverride(verdict, whatIfOverride(context, Stage::Sphere, q.point),
+                            verdict != Verdict::Removed);
     note(context, Stage::Sphere,
          [&, verdict] { return explain(t, q, s, context.state.pivot.frame.origin, verdict); });
     return verdict == Verdict::Removed || verdict == Verdict::WhatIfDropped;
@@ -74,7 +74,8 @@ void thinOnce(AnyContext auto& context) {
     all.resize(kept);
 }
 
-/// Rules::stepBack: after a removal, the point before it is tested again with its new neighbor.
+/// RobustRules::stepBack: after a removal, the point before it is tested again with its new
+/// neighbor.
 void thinWithStepBack(AnyContext auto& context) {
     NeighborRing& n = context.state.pivot;
     std::vector<Candidate>& all = n.candidates;
@@ -98,18 +99,18 @@ void thinWithStepBack(AnyContext auto& context) {
 
 void phaseSphere(AnyContext auto& context) {
     context.state.phase = Phase::TwoPoint;
-    if (context.params.rules.looksAtFan()) {
+    if (context.params.robust.looksAtFan()) {
         context.state.pivot.pool = context.state.pivot.candidates;
     }
-    if (context.state.pivot.candidates.empty() || !paperOf(context).sphere) return;
-    if (context.params.rules.stepBack) {
+    if (context.state.pivot.candidates.empty() || !paperRules(context).sphere) return;
+    if (context.params.robust.stepBack) {
         thinWithStepBack(context);
     } else {
         thinOnce(context);
     }
 }
 
-template void phaseSphere(SilentContext&);
+template void phaseSphere(UnloggedContext&);
 template void phaseSphere(LoggedContext&);
 
 }  // namespace se

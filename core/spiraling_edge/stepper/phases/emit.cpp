@@ -14,7 +14,7 @@ namespace {
 /// §6.4, Fig. 9: true if a neighbor ring of first and last alone is discarded.
 bool isDiscarded(const AnyContext auto& context) {
     const NeighborRing& n = context.state.pivot;
-    switch (paperOf(context).twoPoint) {
+    switch (paperRules(context).twoPoint) {
         case TwoPointRule::Over:
             return overlapsAsTwoPointRing(n.lastAngle);
         case TwoPointRule::From:
@@ -31,18 +31,18 @@ void phaseTwoPoint(AnyContext auto& context) {
     State& s = context.state;
     const NeighborRing& n = s.pivot;
     const Index p = s.rings.point(n.pivot);
-    const bool unwanted = said(context, Stage::Guard, p) == false;
-    s.phase = context.params.rules.looksAtFan() || unwanted ? Phase::Guard : Phase::Emit;
+    const bool unwanted = whatIfOverride(context, Stage::Guard, p) == false;
+    s.phase = context.params.robust.looksAtFan() || unwanted ? Phase::Guard : Phase::Emit;
     if (!n.candidates.empty() || n.start != n.first || n.end != n.last) return;
     const bool overlaps = isDiscarded(context);
     // The full turn has no triangle that a what-if could keep.
-    const auto wish = n.fullTurn() ? std::nullopt : said(context, Stage::TwoPoint, p);
+    const auto forced = n.fullTurn() ? std::nullopt : whatIfOverride(context, Stage::TwoPoint, p);
     note(context, Stage::TwoPoint, [&] {
         return TwoPointEvidence{
             n.lastAngle.degrees(),
-            afterWhatIf(overlaps ? Verdict::Discarded : Verdict::Hole, wish, !overlaps)};
+            applyOverride(overlaps ? Verdict::Discarded : Verdict::Hole, forced, !overlaps)};
     });
-    if (wish.value_or(!overlaps)) return;
+    if (forced.value_or(!overlaps)) return;
     ++s.counters.discarded;
     s.phase = Phase::Advance;
 }
@@ -124,14 +124,14 @@ void phaseEmit(AnyContext auto& context) {
     }
     noteTriangles(context, before);
     // The bound that ends every guarded run, see docs/architecture.md.
-    assert(!context.params.rules.guard ||
+    assert(!context.params.robust.guard ||
            3 * s.triangles.size() <= context.points.size() * (context.points.size() - 1));
     s.phase = Phase::Ring;
 }
 
-template void phaseTwoPoint(SilentContext&);
+template void phaseTwoPoint(UnloggedContext&);
 template void phaseTwoPoint(LoggedContext&);
-template void phaseEmit(SilentContext&);
+template void phaseEmit(UnloggedContext&);
 template void phaseEmit(LoggedContext&);
 
 }  // namespace se

@@ -13,8 +13,8 @@ namespace {
 Index edgesOfHole(const AnyContext auto& context) {
     const State& s = context.state;
     const NeighborRing& n = s.pivot;
-    const Index size = paperOf(context).holeSize;
-    if (!context.params.rules.realHole) {
+    const Index size = paperRules(context).holeSize;
+    if (!context.params.readings.realHole) {
         const Index length = s.rings.length(s.rings.active());
         return length >= 3 && length <= size ? length : 0;
     }
@@ -45,8 +45,8 @@ void phaseHole(AnyContext auto& context) {
     for (const Candidate& c : n.candidates) {
         const Vec3& x = context.points.position[c.point];
         const bool onSide = plane.keeps(x);
-        const auto wish = said(context, Stage::Hole, c.point);
-        const bool keeps = wish.value_or(onSide);
+        const auto forced = whatIfOverride(context, Stage::Hole, c.point);
+        const bool keeps = forced.value_or(onSide);
         note(context, Stage::Hole, [&] {
             const double length = std::sqrt(glm::dot(plane.normal, plane.normal));
             const double unit = length > 0.0 ? 1.0 / length : 0.0;
@@ -55,7 +55,7 @@ void phaseHole(AnyContext auto& context) {
                 plane.normal,
                 plane.side(x) * unit,
                 plane.pivotSide * unit,
-                afterWhatIf(onSide ? Verdict::Kept : Verdict::FarSide, wish, onSide),
+                applyOverride(onSide ? Verdict::Kept : Verdict::FarSide, forced, onSide),
                 edges};
         });
         if (keeps) n.candidates[kept++] = c;
@@ -63,7 +63,7 @@ void phaseHole(AnyContext auto& context) {
     n.candidates.resize(kept);
 }
 
-template void phaseHole(SilentContext&);
+template void phaseHole(UnloggedContext&);
 template void phaseHole(LoggedContext&);
 
 }  // namespace se

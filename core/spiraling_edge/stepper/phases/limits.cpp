@@ -17,9 +17,9 @@ Index beyond(const State& s, Side side) {
     return side == Side::Start ? s.rings.prev(s.pivot.start) : s.rings.next(s.pivot.end);
 }
 
-/// Rules::unblocked: true if a candidate lies in the circumsphere of the triangle that a move of
-/// start or end to `to` would make. UNUSED ones count in the triangle's sector, where they would be
-/// enclosed; USED ones outside it if nearer than `to`, since the new spoke would pass close to
+/// RobustRules::unblocked: true if a candidate lies in the circumsphere of the triangle that a move
+/// of start or end to `to` would make. UNUSED ones count in the triangle's sector, where they would
+/// be enclosed; USED ones outside it if nearer than `to`, since the new spoke would pass close to
 /// them.
 bool isBlocked(const StepContext& context, Side side, const Angle& toAngle, const Vec3& to) {
     const State& s = context.state;
@@ -61,7 +61,7 @@ LimitTest testLimit(const StepContext& context, Side side) {
     ConcaveTest concave = testConcave(context.positionAt(limit), context.normalAt(limit),
                                       atStart ? position : p, atStart ? p : position);
     if (kEveryTest && context.clockwise()) concave.turn = -concave.turn;
-    // Without a log the paper's rules have their defaults (paperOf()).
+    // Without a log the paper's rules have their defaults (paperRules()).
     const bool mayMove = concave.concave() || (kEveryTest && !context.params.paper.concave);
     // The cheap test that fails most often comes first, unless the log needs the others.
     if (!kEveryTest && !mayMove) return {Verdict::NotConcave, to};
@@ -74,7 +74,7 @@ LimitTest testLimit(const StepContext& context, Side side) {
         test.verdict = Verdict::Outside;
     } else if (!mayMove) {
         test.verdict = Verdict::NotConcave;
-    } else if (context.params.rules.unblocked && isBlocked(context, side, test.angle, position)) {
+    } else if (context.params.robust.unblocked && isBlocked(context, side, test.angle, position)) {
         test.verdict = Verdict::Blocked;
     }
     return test;
@@ -101,16 +101,17 @@ bool moveLimit(Context& context, Side side) {
     NeighborRing& n = s.pivot;
     Index& limit = side == Side::Start ? n.start : n.end;
     Angle& angle = side == Side::Start ? n.startAngle : n.endAngle;
-    const LimitTest test = testLimit<kListening<Context>>(context, side);
+    const LimitTest test = testLimit<kLogging<Context>>(context, side);
     // A what-if can override only these verdicts.
     const bool open = test.verdict == Verdict::Moved || test.verdict == Verdict::NotConcave ||
                       test.verdict == Verdict::Blocked;
-    const auto wish =
-        open ? said(context, Stage::Limits, s.rings.point(test.to)) : std::optional<bool>{};
-    const bool moves = wish.value_or(test.verdict == Verdict::Moved);
+    const auto forced = open ? whatIfOverride(context, Stage::Limits, s.rings.point(test.to))
+                             : std::optional<bool>{};
+    const bool moves = forced.value_or(test.verdict == Verdict::Moved);
     note(context, Stage::Limits, [&] {
         LimitEvidence evidence = explainLimit(context, side);
-        evidence.verdict = afterWhatIf(evidence.verdict, wish, evidence.verdict == Verdict::Moved);
+        evidence.verdict =
+            applyOverride(evidence.verdict, forced, evidence.verdict == Verdict::Moved);
         return evidence;
     });
     if (!moves) return false;
@@ -119,7 +120,7 @@ bool moveLimit(Context& context, Side side) {
     return true;
 }
 
-/// Rules::limitsFirst off: each listed neighbor is tested once, in list order.
+/// Readings::limitsFirst off: each listed neighbor is tested once, in list order.
 void moveLimitsAsNeighborsCome(AnyContext auto& context) {
     const State& s = context.state;
     for (const Index x : context.points.neighbors[s.rings.point(s.pivot.pivot)]) {
@@ -130,7 +131,7 @@ void moveLimitsAsNeighborsCome(AnyContext auto& context) {
 }
 
 void moveLimits(AnyContext auto& context) {
-    if (!context.params.rules.limitsFirst) return moveLimitsAsNeighborsCome(context);
+    if (!context.params.readings.limitsFirst) return moveLimitsAsNeighborsCome(context);
     while (moveLimit(context, Side::Start)) {
     }
     while (moveLimit(context, Side::End)) {
@@ -150,10 +151,11 @@ void dropCandidates(AnyContext auto& context, Stage stage, Test&& test) {
     std::size_t kept = 0;
     for (const Candidate& c : all) {
         const DropTest found = test(c);
-        const Verdict verdict = stage == Stage::Limits
-                                    ? found.verdict
-                                    : afterWhatIf(found.verdict, said(context, stage, c.point),
-                                                  found.verdict == Verdict::Kept);
+        const Verdict verdict =
+            stage == Stage::Limits
+                ? found.verdict
+                : applyOverride(found.verdict, whatIfOverride(context, stage, c.point),
+                                found.verdict == Verdict::Kept);
         if (verdict != Verdict::Kept) {
             note(context, stage, [&] {
                 return DropEvidence{c.point, found.side, c.angle.degrees(), verdict};
@@ -173,7 +175,7 @@ void phaseLimits(AnyContext auto& context) {
     State& s = context.state;
     NeighborRing& n = s.pivot;
     s.phase = Phase::Convex;
-    if (n.fullTurn() || !paperOf(context).limits) return;
+    if (n.fullTurn() || !paperRules(context).limits) return;
     moveLimits(context);
     if (n.start == n.first && n.end == n.last) return;
     const Index atStart = s.rings.point(n.start);
@@ -181,7 +183,7 @@ void phaseLimits(AnyContext auto& context) {
     dropCandidates(context, Stage::Limits, [&](const Candidate& c) {
         const bool behindStart =
             c.point == atStart || !(c.angle.key > n.startAngle.key + context.params.sameAngle);
-        const bool hasEnd = paperOf(context).maxAngle || n.end != n.last;
+        const bool hasEnd = paperRules(context).maxAngle || n.end != n.last;
         const bool behindEnd =
             c.point == atEnd ||
             (hasEnd && !(c.angle.key < n.endAngle.key - context.params.sameAngle));
@@ -199,18 +201,18 @@ void phaseConvex(AnyContext auto& context) {
     State& s = context.state;
     const NeighborRing& n = s.pivot;
     s.phase = Phase::Reciprocal;
-    if (n.fullTurn() || !paperOf(context).convex) return;
+    if (n.fullTurn() || !paperRules(context).convex) return;
     const Index beyondStart = beyond(s, Side::Start);
     const Index beyondEnd = beyond(s, Side::End);
     // Choice: a point with another entry elsewhere is left to the reciprocal test of that entry.
-    const bool shared = paperOf(context).convexShared;
+    const bool shared = paperRules(context).convexShared;
     const auto isOnly = [&](Index x, Index entry) {
         return x == s.rings.point(entry) && (s.status[x] == 1 || shared);
     };
     dropCandidates(context, Stage::Convex, [&](const Candidate& c) {
         const bool atStart = isOnly(c.point, beyondStart);
         const bool atEnd = isOnly(c.point, beyondEnd);
-        return DropTest{atStart || atEnd ? Verdict::BehindConvex : Verdict::Kept,
+        return DropTest{atStart || atEnd ? Verdict::BeyondConvex : Verdict::Kept,
                         atStart ? Side::Start : Side::End};
     });
 }
@@ -239,8 +241,8 @@ Index firstInstance(const EdgeRings& rings, Index point) {
 
 namespace {
 
-/// Rules::wallsDone: both ring neighbors of a boundary point share a wall with it, so that its
-/// sector lies outside the box.
+/// RobustRules::wallsDone: both ring neighbors of a boundary point share a wall with it, so that
+/// its sector lies outside the box.
 bool completeAlongWalls(const StepContext& context, Index entry) {
     const EdgeRings& rings = context.state.rings;
     const auto type = [&](Index e) { return context.points.type[rings.point(e)]; };
@@ -251,22 +253,22 @@ bool completeAlongWalls(const StepContext& context, Index entry) {
 /// The entry of the USED candidate whose sector holds the pivot, kNone if none does.
 Index findInstance(AnyContext auto& context, const Candidate& candidate) {
     const State& s = context.state;
-    const PaperRules& paper = paperOf(context);
+    const PaperRules& paper = paperRules(context);
     const EdgeRings& rings = s.rings;
-    const auto wish = said(context, Stage::Reciprocal, candidate.point);
+    const auto forced = whatIfOverride(context, Stage::Reciprocal, candidate.point);
     Index found = kNone;
     for (Index e = rings.firstEntryOf(candidate.point); e != kNone; e = rings[e].nextOfPoint) {
         const Index before = rings.prev(e);
         const Index after = rings.next(e);
-        const bool free = context.params.rules.freeSector;
+        const bool free = context.params.readings.freeSector;
         const Vec3& normal = context.points.normal[candidate.point];
         const bool clockwise = paper.turn == TurnRule::Clockwise;
         const ReciprocalTest test = testReciprocal(
             context.points.position[candidate.point], clockwise ? -normal : normal,
             context.positionAt(free ? before : after), context.positionAt(free ? after : before),
             before == after, s.pivot.frame.origin, context.params.sameAngle,
-            context.params.rules.tangent);
-        const bool complete = context.params.rules.wallsDone && completeAlongWalls(context, e);
+            context.params.robust.tangent);
+        const bool complete = context.params.robust.wallsDone && completeAlongWalls(context, e);
         const bool holds = test.inside && !complete;
         note(context, Stage::Reciprocal, [&] {
             const Verdict verdict = complete      ? Verdict::WallComplete
@@ -277,13 +279,13 @@ Index findInstance(AnyContext auto& context, const Candidate& candidate) {
                                       rings.point(after),
                                       test.pivot.degrees(),
                                       test.limit.degrees(),
-                                      afterWhatIf(verdict, wish, holds),
+                                      applyOverride(verdict, forced, holds),
                                       !free};
         });
         if (holds && (found == kNone || foundBefore(rings, e, found))) found = e;
     }
-    if (wish == false) return kNone;
-    if (found == kNone && wish != true) return kNone;
+    if (forced == false) return kNone;
+    if (found == kNone && forced != true) return kNone;
     const bool first = found == kNone || paper.instance == InstanceRule::First;
     return first ? firstInstance(rings, candidate.point) : found;
 }
@@ -296,8 +298,8 @@ void phaseReciprocal(AnyContext auto& context) {
     std::size_t kept = 0;
     for (Candidate& c : all) {
         if (s.status[c.point] > 0) {
-            c.instance = paperOf(context).reciprocal ? findInstance(context, c)
-                                                     : firstInstance(s.rings, c.point);
+            c.instance = paperRules(context).reciprocal ? findInstance(context, c)
+                                                        : firstInstance(s.rings, c.point);
             if (c.instance == kNone) continue;
         }
         all[kept++] = c;
@@ -306,11 +308,11 @@ void phaseReciprocal(AnyContext auto& context) {
     s.phase = Phase::Hole;
 }
 
-template void phaseLimits(SilentContext&);
+template void phaseLimits(UnloggedContext&);
 template void phaseLimits(LoggedContext&);
-template void phaseConvex(SilentContext&);
+template void phaseConvex(UnloggedContext&);
 template void phaseConvex(LoggedContext&);
-template void phaseReciprocal(SilentContext&);
+template void phaseReciprocal(UnloggedContext&);
 template void phaseReciprocal(LoggedContext&);
 
 }  // namespace se

@@ -67,9 +67,9 @@ namespace {
 
 /// The entry at which the traversal continues: end; if that was removed with a closed ring, the
 /// last inserted entry that is left, else start. kNone if nothing is left.
-Index goOnFrom(const AnyContext auto& context) {
+Index nextEntry(const AnyContext auto& context) {
     const State& s = context.state;
-    if (paperOf(context).next == NextRule::Start && s.rings.alive(s.pivot.start)) {
+    if (paperRules(context).next == NextRule::Start && s.rings.alive(s.pivot.start)) {
         return s.pivot.start;
     }
     if (s.rings.alive(s.pivot.end)) return s.pivot.end;
@@ -79,14 +79,14 @@ Index goOnFrom(const AnyContext auto& context) {
     return s.rings.alive(s.pivot.start) ? s.pivot.start : kNone;
 }
 
-/// Closes a ring of two finished steps, or of a lone entry: Choice, see Rules::closeTwo.
+/// Closes a ring of two finished steps, or of a lone entry: Choice, see Readings::closeTwo.
 void closeIfFinished(AnyContext auto& context, Index ring) {
     State& s = context.state;
     const Index length = s.rings.length(ring);
     const Index a = s.rings.head(ring);
     const Index b = s.rings.next(a);
     const bool lone = length == 1;
-    const bool finishedEdge = length == 2 && context.params.rules.closeTwo &&
+    const bool finishedEdge = length == 2 && context.params.readings.closeTwo &&
                               !context.openStep(a) && !context.openStep(b);
     if (!lone && !finishedEdge) return;
     note(context, Stage::Ring, [&] {
@@ -101,10 +101,10 @@ void closeIfFinished(AnyContext auto& context, Index ring) {
 /// differently.
 bool pushesX(const AnyContext auto& context, const Exchange& exchange) {
     const EdgeRings& rings = context.state.rings;
-    const bool endIsElsewhere = rings.ringOf(goOnFrom(context)) != exchange.ringOfX;
+    const bool endIsElsewhere = rings.ringOf(nextEntry(context)) != exchange.ringOfX;
     const Index x = rings.length(exchange.ringOfX);
     const Index y = rings.length(exchange.ringOfY);
-    switch (paperOf(context).active) {
+    switch (paperRules(context).active) {
         case ActiveRule::End:
             break;
         case ActiveRule::Other:
@@ -215,11 +215,11 @@ void freeActiveRing(AnyContext auto& context) {
 }
 
 /// Pops the ring on top of the stack, or ends the component if there is none.
-void popOrEnd(AnyContext auto& context) {
+void popRingOrFinish(AnyContext auto& context) {
     State& s = context.state;
     s.circuit = 0;
-    s.patience = 0;
-    const bool oldest = paperOf(context).stack == StackRule::First;
+    s.retryLevel = 0;
+    const bool oldest = paperRules(context).stack == StackRule::First;
     s.pivot.pivot = oldest ? s.rings.popOldest() : s.rings.pop();
     s.phase = s.pivot.pivot == kNone ? Phase::Seed : Phase::Pivot;
     note(context, Stage::Advance, [&] {
@@ -232,7 +232,7 @@ void popOrEnd(AnyContext auto& context) {
     });
 }
 
-void goOnAt(AnyContext auto& context, Index entry) {
+void continueAt(AnyContext auto& context, Index entry) {
     State& s = context.state;
     s.pivot.pivot = entry;
     s.phase = Phase::Pivot;
@@ -244,32 +244,32 @@ void goOnAt(AnyContext auto& context, Index entry) {
 void advanceAfterTriangles(AnyContext auto& context) {
     State& s = context.state;
     s.circuit = 0;
-    s.patience = 0;
-    Index entry = goOnFrom(context);
+    s.retryLevel = 0;
+    Index entry = nextEntry(context);
     // Not the part of end stays active.
-    if (paperOf(context).active != ActiveRule::End && s.rings.active() != kNone &&
+    if (paperRules(context).active != ActiveRule::End && s.rings.active() != kNone &&
         s.rings.ringOf(entry) != s.rings.active()) {
         entry = s.rings.head(s.rings.active());
     }
     if (entry == kNone) {
-        popOrEnd(context);
+        popRingOrFinish(context);
         return;
     }
     if (s.rings.ringOf(entry) != s.rings.active()) s.rings.activate(s.rings.ringOf(entry));
-    goOnAt(context, entry);
+    continueAt(context, entry);
 }
 
-/// Relaxes the next rule for a ring without a triangle in a full circuit (State::patience). False
+/// Relaxes the next rule for a ring without a triangle in a full circuit (State::retryLevel). False
 /// if there is none left to relax.
-bool tryHarder(AnyContext auto& context) {
+bool relaxRules(AnyContext auto& context) {
     State& s = context.state;
-    if (context.params.rules.delay && s.patience < kCornerAllowed) {
-        ++s.patience;
+    if (context.params.robust.delay && s.retryLevel < kCornerAllowed) {
+        ++s.retryLevel;
         s.circuit = 0;
-        goOnAt(context, s.rings.next(s.pivot.pivot));
+        continueAt(context, s.rings.next(s.pivot.pivot));
         return true;
     }
-    if (context.params.rules.fill && s.patience < kFillFailed && mayFill(context)) {
+    if (context.params.robust.fill && s.retryLevel < kFillFailed && mayFill(context)) {
         s.circuit = 0;
         s.phase = Phase::Fill;
         return true;
@@ -279,15 +279,15 @@ bool tryHarder(AnyContext auto& context) {
 
 void advanceWithoutTriangles(AnyContext auto& context) {
     State& s = context.state;
-    withdrawThirdPoint(context);
+    removeThirdPoint(context);
     ++s.circuit;
-    if (s.patience < kFillFailed && s.circuit < s.rings.length(s.rings.active())) {
-        goOnAt(context, s.rings.next(s.pivot.pivot));
+    if (s.retryLevel < kFillFailed && s.circuit < s.rings.length(s.rings.active())) {
+        continueAt(context, s.rings.next(s.pivot.pivot));
         return;
     }
-    if (tryHarder(context)) return;
+    if (relaxRules(context)) return;
     freeActiveRing(context);
-    popOrEnd(context);
+    popRingOrFinish(context);
 }
 
 }  // namespace
@@ -299,7 +299,7 @@ void phaseAdvance(AnyContext auto& context) {
     } else {
         advanceWithoutTriangles(context);
     }
-    if constexpr (kListening<std::remove_reference_t<decltype(context)>>) redirect(context);
+    if constexpr (kLogging<std::remove_reference_t<decltype(context)>>) redirect(context);
     // The paper's own rules need not terminate on tangled input; the cap does.
     const std::size_t cap =
         std::size_t{context.params.maxTrianglesPerPoint} * context.points.size();
@@ -309,11 +309,11 @@ void phaseAdvance(AnyContext auto& context) {
     }
 }
 
-template void phaseRing(SilentContext&);
+template void phaseRing(UnloggedContext&);
 template void phaseRing(LoggedContext&);
-template void phaseLink(SilentContext&);
+template void phaseLink(UnloggedContext&);
 template void phaseLink(LoggedContext&);
-template void phaseAdvance(SilentContext&);
+template void phaseAdvance(UnloggedContext&);
 template void phaseAdvance(LoggedContext&);
 
 }  // namespace se

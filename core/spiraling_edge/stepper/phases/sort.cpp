@@ -46,7 +46,7 @@ void keepNearestOfEachAngle(AnyContext auto& context) {
     const auto sameAngle = [&](const Candidate& a, const Candidate& b) {
         return b.angle.key - a.angle.key <= context.params.sameAngle;
     };
-    const TieRule tie = paperOf(context).tie;
+    const TieRule tie = paperRules(context).tie;
     const auto twin = std::adjacent_find(all.begin(), all.end(), sameAngle);
     if (twin == all.end() || tie == TieRule::Both) return;
     auto kept = static_cast<std::size_t>(twin - all.begin()) + 1;
@@ -76,7 +76,7 @@ void keepNearestOfEachAngle(AnyContext auto& context) {
 
 /// The angle that no candidate may reach: that of last, unless PaperRules::maxAngle is off.
 const Angle& endOf(const AnyContext auto& context) {
-    return paperOf(context).maxAngle ? context.state.pivot.endAngle : kFullTurn;
+    return paperRules(context).maxAngle ? context.state.pivot.endAngle : kFullTurn;
 }
 
 /// The verdict on a listed neighbor: Kept if it enters the neighbor ring.
@@ -94,14 +94,15 @@ Verdict explainNeighbor(const AnyContext auto& context, Index x, const Angle& an
 /// The verdict on a listed neighbor after what-ifs: a point left out by its angle cannot be kept.
 Verdict verdictOn(const AnyContext auto& context, Index x, const Angle& angle) {
     const Verdict verdict = explainNeighbor(context, x, angle);
-    const bool dropped = verdict == Verdict::Kept && saidOf(context, Stage::Sort, x) == false;
+    const bool dropped =
+        verdict == Verdict::Kept && findWhatIfOverride(context, Stage::Sort, x) == false;
     return dropped ? Verdict::WhatIfDropped : verdict;
 }
 
 /// Removes the candidates that a what-if drops.
 void dropUnwanted(LoggedContext& context) {
     std::erase_if(context.state.pivot.candidates, [&](const Candidate& c) {
-        return saidOf(context, Stage::Sort, c.point) == false;
+        return findWhatIfOverride(context, Stage::Sort, c.point) == false;
     });
 }
 
@@ -168,12 +169,12 @@ void phaseSort(AnyContext auto& context) {
         list = list.subspan(size);
     }
     sortByAngle(n.listed, n.candidates);
-    if constexpr (kListening<std::remove_reference_t<decltype(context)>>) dropUnwanted(context);
+    if constexpr (kLogging<std::remove_reference_t<decltype(context)>>) dropUnwanted(context);
     keepNearestOfEachAngle(context);
     s.phase = Phase::Limits;
 }
 
-template void phaseSort(SilentContext&);
+template void phaseSort(UnloggedContext&);
 template void phaseSort(LoggedContext&);
 
 }  // namespace se

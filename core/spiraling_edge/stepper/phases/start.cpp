@@ -66,7 +66,7 @@ void phaseSeed(AnyContext auto& context) {
             return StrandEvidence{p, isolated};
         });
     }
-    beginMendPhases(context);
+    beginRepairPhases(context);
 }
 
 namespace {
@@ -81,7 +81,7 @@ Sector sectorAt(const StepContext& context, Index entry) {
     const Index first = context.state.rings.prev(entry);
     const Index last = context.state.rings.next(entry);
     const Frame frame = makeFrame(context.positionAt(entry), context.normalAt(entry),
-                                  context.positionAt(first), context.params.rules.tangent);
+                                  context.positionAt(first), context.params.robust.tangent);
     return {frame,
             first == last ? kFullTurn : angleOf(frame, context.positionAt(last) - frame.origin)};
 }
@@ -140,8 +140,8 @@ void phasePivot(AnyContext auto& context) {
     n.candidates.clear();
     const Index p = s.rings.point(n.pivot);
     notePivot(context);
-    if (isBoundary(context.points.type[p]) && paperOf(context).walls &&
-        !admitBoundaryPivot(context)) {
+    if (isBoundary(context.points.type[p]) && paperRules(context).walls &&
+        !tryBoundaryPivot(context)) {
         ++s.counters.skipped;
         note(context, Stage::Skip, [&] { return SkipEvidence{p, context.points.type[p]}; });
         s.phase = Phase::Advance;
@@ -152,9 +152,9 @@ void phasePivot(AnyContext auto& context) {
     s.phase = Phase::Sort;
 }
 
-template void phaseSeed(SilentContext&);
+template void phaseSeed(UnloggedContext&);
 template void phaseSeed(LoggedContext&);
-template void phasePivot(SilentContext&);
+template void phasePivot(UnloggedContext&);
 template void phasePivot(LoggedContext&);
 
 }  // namespace se

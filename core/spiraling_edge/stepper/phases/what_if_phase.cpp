@@ -42,7 +42,7 @@ bool edits(const WhatIf& what, std::size_t count) {
 
 }  // namespace
 
-std::optional<bool> saidOf(const StepContext& context, Stage stage, Index point) {
+std::optional<bool> findWhatIfOverride(const StepContext& context, Stage stage, Index point) {
     for (const WhatIf& each : context.params.whatIf) {
         const bool here = each.pivot == context.state.counters.pivots && each.stage == stage;
         if (!here || each.point != point) continue;
@@ -68,7 +68,7 @@ void redirect(LoggedContext& context) {
         }
         // A new circuit begins here.
         s.circuit = 0;
-        s.patience = 0;
+        s.retryLevel = 0;
         s.pivot.pivot = entry;
         note(context, Stage::Advance, [&] { return AdvanceEvidence{each.point, 0, false, true}; });
     }

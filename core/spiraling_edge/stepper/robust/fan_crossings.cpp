@@ -104,7 +104,7 @@ namespace {
 // ---- nomeet -------------------------------------------------------------------------------------
 
 /// Neighborhoods whose normals all lie within 45 degrees of the pivot's, as is usual, are flat
-/// enough for Rules::noCross to see every overlap.
+/// enough for RobustRules::noCross to see every overlap.
 bool isFlat(const PointSet& points, Index p, double cosine) {
     const auto list = points.neighbors[p];
     return std::all_of(list.begin(), list.end(), [&](Index x) {
@@ -119,7 +119,7 @@ Objection meetsFinished(const StepContext& context) {
     const Fan& fan = s.pivot.fan;
     const PointSet& points = context.points;
     const Index p = s.rings.point(s.pivot.pivot);
-    if (isFlat(points, p, context.params.limits.flatCosine)) return {};
+    if (isFlat(points, p, context.params.thresholds.flatCosine)) return {};
     Box all(points.position[p]);
     for (const FanPoint& x : fan) all.add(points.position[x.point]);
     for (const Index x : points.neighbors[p]) {

@@ -18,23 +18,23 @@ struct Objection {
 using Fan = std::vector<FanPoint>;
 
 // fan_edges.cpp
-/// A gap of 180 degrees or more between two spokes (Rules::gap).
+/// A gap of 180 degrees or more between two spokes (RobustRules::gap).
 Objection wideGap(const StepContext& context);
-/// An edge that is taken, or a ring step closed away from its entries (Rules::guard).
+/// An edge that is taken, or a ring step closed away from its entries (RobustRules::guard).
 Objection takenEdge(const StepContext& context);
-/// A second triangle on the same three points (Rules::noPillow).
+/// A second triangle on the same three points (RobustRules::noPillow).
 Objection pillow(const StepContext& context);
 // fan_shape.cpp
-/// A triangle against its normals, or folded onto an old one (Rules::noFold).
+/// A triangle against its normals, or folded onto an old one (RobustRules::noFold).
 Objection fold(const StepContext& context);
-/// A wide triangle between points where the surface ends (Rules::rim).
+/// A wide triangle between points where the surface ends (RobustRules::rim).
 Objection overRim(const StepContext& context);
-/// A steep triangle, while such are delayed (Rules::delay).
+/// A steep triangle, while such are delayed (RobustRules::delay).
 Objection steep(const StepContext& context);
 // fan_crossings.cpp
-/// A new edge across a ring step nearby, in the tangent plane (Rules::noCross).
+/// A new edge across a ring step nearby, in the tangent plane (RobustRules::noCross).
 Objection crossing(const StepContext& context);
-/// A triangle that meets a finished one nearby (Rules::noMeet).
+/// A triangle that meets a finished one nearby (RobustRules::noMeet).
 Objection meetsFinished(const StepContext& context);
 
 }  // namespace se

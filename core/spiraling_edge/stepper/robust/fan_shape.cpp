@@ -17,7 +17,7 @@ bool foldsOver(const StepContext& context, Index u, Index v, const Vec3& area) {
     if (h == kNone) return false;
     const std::vector<Vec3>& position = context.points.position;
     const Vec3 old = areaVector(position[u], position[v], position[s.edges.opposite(h)]);
-    return encloseMore(old, area, context.params.limits.foldCosine);
+    return encloseMore(old, area, context.params.thresholds.foldCosine);
 }
 
 /// True if a triangle of the pivot, a and b is against the normal of a corner or, once that is
@@ -26,7 +26,7 @@ bool isAgainstNormals(const StepContext& context, const Vec3& area, Index a, Ind
     const double atPivot = glm::dot(area, context.state.pivot.frame.normal);
     const double atA = glm::dot(area, context.points.normal[a]);
     const double atB = glm::dot(area, context.points.normal[b]);
-    const bool faces = context.state.patience >= kCornerAllowed
+    const bool faces = context.state.retryLevel >= kCornerAllowed
                            ? atPivot + atA + atB > 0.0
                            : atPivot > 0.0 && atA > 0.0 && atB > 0.0;
     return !faces;
@@ -81,12 +81,12 @@ Objection overRim(const StepContext& context) {
     const Index p = context.state.rings.point(context.state.pivot.pivot);
     if (points.neighbors[p].empty()) return {};
     const double spacing = spacingSq(points, p);
-    const RobustLimits& limits = context.params.limits;
+    const RobustThresholds& thresholds = context.params.thresholds;
     const auto endsHere = [&](Index x) {
-        return !isOnWall(points.type[x]) && isRim(points, x, limits.rimGapCosine);
+        return !isOnWall(points.type[x]) && isRim(points, x, thresholds.rimGapCosine);
     };
     for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
-        const bool wide = exceedsAngle(fan[i].angle, fan[i + 1].angle, limits.rimAngleCosine) ||
+        const bool wide = exceedsAngle(fan[i].angle, fan[i + 1].angle, thresholds.rimAngleCosine) ||
                           isLarge(fan[i], fan[i + 1], spacing);
         if (wide && endsHere(p) && endsHere(fan[i].point) && endsHere(fan[i + 1].point)) {
             return {Verdict::OverRim, i, true};
@@ -99,10 +99,11 @@ Objection overRim(const StepContext& context) {
 
 Objection steep(const StepContext& context) {
     const Fan& fan = context.state.pivot.fan;
-    if (context.state.patience >= kDelayedAllowed) return {};
+    if (context.state.retryLevel >= kDelayedAllowed) return {};
     for (std::size_t i = 0; i + 1 < fan.size(); ++i) {
         const Vec3 area = glm::cross(fan[i].offset, fan[i + 1].offset);
-        const double limit = context.params.limits.steepCosine * std::sqrt(glm::dot(area, area));
+        const double limit =
+            context.params.thresholds.steepCosine * std::sqrt(glm::dot(area, area));
         if (glm::dot(area, context.points.normal[fan[i].point]) < limit ||
             glm::dot(area, context.points.normal[fan[i + 1].point]) < limit ||
             glm::dot(area, context.state.pivot.frame.normal) < limit) {

@@ -1,5 +1,5 @@
-/// Beyond the paper: Rules::fill. A ring that would be freed with interior points is a hole; it is
-/// closed by ears, each a pivot with first and last alone, the best least angle first.
+/// Beyond the paper: RobustRules::fill. A ring that would be freed with interior points is a hole;
+/// it is closed by ears, each a pivot with first and last alone, the best least angle first.
 #include <algorithm>
 #include <cmath>
 
@@ -52,7 +52,7 @@ bool touchesBoundary(const StepContext& context) {
 
 /// True if the surface may end anywhere, by the rule or by rim points.
 bool mayEnd(const StepContext& context) {
-    return context.params.rules.rim || !context.points.rim.empty();
+    return context.params.robust.rim || !context.points.rim.empty();
 }
 
 /// True if the surface may end at the active ring, which has this shape.
@@ -69,15 +69,15 @@ bool isOpening(const StepContext& context, const RingShape& shape) {
         const Index point = rings.point(entry);
         boundary += isBoundary(context.points.type[point]) ? 1U : 0U;
         flagged += isRimPoint(context.points.type[point]) ? 1U : 0U;
-        rim += isRim(context.points, point, context.params.limits.rimGapCosine) ? 1U : 0U;
+        rim += isRim(context.points, point, context.params.thresholds.rimGapCosine) ? 1U : 0U;
     }
     const auto most = [length](Index count) { return 3 * count > 2 * length; };
     if (most(flagged)) return true;
-    if (!context.params.rules.rim) return false;
+    if (!context.params.robust.rim) return false;
     if (most(boundary)) return true;
     const std::size_t triangles = context.state.triangles.size() - context.state.componentBegin;
     return (length > kNeverAnOpening && runsRoundPatch(shape, triangles)) ||
-           (most(rim) && shape.widthInEdges() >= context.params.limits.openingWidth);
+           (most(rim) && shape.widthInEdges() >= context.params.thresholds.openingWidth);
 }
 
 /// True if an ear may have a fault: not where the surface may end, nor where a wide ring turns as
@@ -156,7 +156,7 @@ void phaseFill(AnyContext auto& context) {
     s.instances.clear();
     const Ear ear = bestEar(context);
     if (ear.entry == kNone) {
-        s.patience = kFillFailed;
+        s.retryLevel = kFillFailed;
         s.phase = Phase::Advance;
         return;
     }
@@ -174,7 +174,7 @@ void phaseFill(AnyContext auto& context) {
     s.phase = Phase::Emit;
 }
 
-template void phaseFill(SilentContext&);
+template void phaseFill(UnloggedContext&);
 template void phaseFill(LoggedContext&);
 
 }  // namespace se

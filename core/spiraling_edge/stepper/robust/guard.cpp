@@ -10,37 +10,37 @@ namespace se {
 namespace {
 
 /// Consequence of an objection.
-enum class Relief : std::uint8_t {
+enum class Consequence : std::uint8_t {
     Drop,    ///< The candidate at fault is dropped; without one the fan is refused.
     Refuse,  ///< The fan is refused.
 };
 
 struct FanRule {
-    bool Rules::*on;
+    bool RobustRules::*on;
     Objection (*find)(const StepContext&);
-    Relief remedy;
+    Consequence consequence;
 };
 
 constexpr std::array kManifoldRules{
-    FanRule{&Rules::guard, takenEdge, Relief::Drop},
-    FanRule{&Rules::noPillow, pillow, Relief::Drop},
+    FanRule{&RobustRules::guard, takenEdge, Consequence::Drop},
+    FanRule{&RobustRules::noPillow, pillow, Consequence::Drop},
 };
 constexpr std::array kShapeRules{
-    FanRule{&Rules::noCross, crossing, Relief::Drop},
-    FanRule{&Rules::noFold, fold, Relief::Drop},
-    FanRule{&Rules::noMeet, meetsFinished, Relief::Drop},
+    FanRule{&RobustRules::noCross, crossing, Consequence::Drop},
+    FanRule{&RobustRules::noFold, fold, Consequence::Drop},
+    FanRule{&RobustRules::noMeet, meetsFinished, Consequence::Drop},
 };
 constexpr std::array kWaitingRules{
-    FanRule{&Rules::gap, wideGap, Relief::Refuse},
-    FanRule{&Rules::rim, overRim, Relief::Refuse},
-    FanRule{&Rules::delay, steep, Relief::Refuse},
+    FanRule{&RobustRules::gap, wideGap, Consequence::Refuse},
+    FanRule{&RobustRules::rim, overRim, Consequence::Refuse},
+    FanRule{&RobustRules::delay, steep, Consequence::Refuse},
 };
 
 template <std::size_t N>
 const FanRule* firstObjecting(const StepContext& context, const std::array<FanRule, N>& rules,
                               Objection& objection) {
     for (const FanRule& rule : rules) {
-        if (!(context.params.rules.*rule.on)) continue;
+        if (!(context.params.robust.*rule.on)) continue;
         objection = rule.find(context);
         if (objection) return &rule;
     }
@@ -48,7 +48,7 @@ const FanRule* firstObjecting(const StepContext& context, const std::array<FanRu
 }
 
 /// The candidate to drop for an objection: the farther one of a triangle. kNone if there is none.
-std::size_t culprit(const Fan& fan, const Objection& objection) {
+std::size_t candidateToDrop(const Fan& fan, const Objection& objection) {
     const std::size_t i = objection.at;
     if (!objection.triangle) return fan[i].candidate ? i : kNone;
     if (fan[i].candidate && fan[i + 1].candidate) {
@@ -60,7 +60,8 @@ std::size_t culprit(const Fan& fan, const Objection& objection) {
 
 /// The evidence of an objection and its consequence.
 GuardEvidence evidenceOf(const Fan& fan, const FanRule& rule, const Objection& objection) {
-    const std::size_t drop = rule.remedy == Relief::Refuse ? kNone : culprit(fan, objection);
+    const std::size_t drop =
+        rule.consequence == Consequence::Refuse ? kNone : candidateToDrop(fan, objection);
     return {objection.verdict, fan[objection.at].point,
             objection.triangle ? fan[objection.at + 1].point : kNone,
             drop == kNone ? kNone : fan[drop].point};
@@ -69,16 +70,17 @@ GuardEvidence evidenceOf(const Fan& fan, const FanRule& rule, const Objection& o
 /// The first objection that is not overridden. A what-if for the point to be dropped, or for the
 /// pivot if the fan would be refused, overrides the rule for this fan.
 template <AnyContext Context, std::size_t N>
-std::optional<GuardEvidence> firstHeard(Context& context, const std::array<FanRule, N>& rules) {
+std::optional<GuardEvidence> firstStandingObjection(Context& context,
+                                                    const std::array<FanRule, N>& rules) {
     const NeighborRing& n = context.state.pivot;
     for (const FanRule& rule : rules) {
-        if (!(context.params.rules.*rule.on)) continue;
+        if (!(context.params.robust.*rule.on)) continue;
         const Objection objection = rule.find(context);
         if (!objection) continue;
         GuardEvidence found = evidenceOf(n.fan, rule, objection);
         const Index subject =
             found.dropped == kNone ? context.state.rings.point(n.pivot) : found.dropped;
-        if (said(context, Stage::Guard, subject) != true) return found;
+        if (whatIfOverride(context, Stage::Guard, subject) != true) return found;
         found.verdict = Verdict::WhatIfKept;
         found.dropped = subject;
         note(context, Stage::Guard, [&] { return found; });
@@ -91,7 +93,7 @@ void refuse(StepContext& context) {
     context.state.phase = Phase::Advance;
 }
 
-void tryWithout(StepContext& context, Index point) {
+void retryWithout(StepContext& context, Index point) {
     NeighborRing& n = context.state.pivot;
     const auto found = std::find_if(n.pool.begin(), n.pool.end(),
                                     [&](const Candidate& c) { return c.point == point; });
@@ -105,15 +107,15 @@ void tryWithout(StepContext& context, Index point) {
 void phaseGuard(AnyContext auto& context) {
     layOutFan(context);
     const Index pivot = context.state.rings.point(context.state.pivot.pivot);
-    if (said(context, Stage::Guard, pivot) == false) {
+    if (whatIfOverride(context, Stage::Guard, pivot) == false) {
         note(context, Stage::Guard, [&] {
             return GuardEvidence{Verdict::WhatIfDropped, kNone, kNone, pivot};
         });
         return refuse(context);
     }
-    std::optional<GuardEvidence> found = firstHeard(context, kWaitingRules);
-    if (!found) found = firstHeard(context, kManifoldRules);
-    if (!found) found = firstHeard(context, kShapeRules);
+    std::optional<GuardEvidence> found = firstStandingObjection(context, kWaitingRules);
+    if (!found) found = firstStandingObjection(context, kManifoldRules);
+    if (!found) found = firstStandingObjection(context, kShapeRules);
     if (!found) {
         context.state.phase = Phase::Emit;
         return;
@@ -122,7 +124,7 @@ void phaseGuard(AnyContext auto& context) {
     if (found->dropped == kNone) {
         refuse(context);
     } else {
-        tryWithout(context, found->dropped);
+        retryWithout(context, found->dropped);
     }
 }
 
@@ -136,7 +138,7 @@ bool shapeRefuses(const StepContext& context) {
     return firstObjecting(context, kShapeRules, objection) != nullptr;
 }
 
-template void phaseGuard(SilentContext&);
+template void phaseGuard(UnloggedContext&);
 template void phaseGuard(LoggedContext&);
 
 }  // namespace se

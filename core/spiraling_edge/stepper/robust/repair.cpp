@@ -10,7 +10,7 @@
 namespace se {
 namespace {
 
-void markPinched(MendState& m) {
+void markPinched(RepairState& m) {
     std::vector<Index> sides(m.sideOf.size(), 0);
     for (const Triangle& t : m.triangles) {
         ++sides[t.a];
@@ -26,8 +26,8 @@ void markPinched(MendState& m) {
 
 }  // namespace
 
-MendState beginMending(std::size_t pointCount, const std::vector<Triangle>& triangles) {
-    MendState m;
+RepairState beginRepair(std::size_t pointCount, const std::vector<Triangle>& triangles) {
+    RepairState m;
     m.triangles = triangles;
     m.twin.assign(3 * triangles.size(), kNone);
     m.sideOf.assign(pointCount, kNone);

@@ -1,6 +1,6 @@
-/// Rules::flip: flips edges where that leaves fewer faults or better angles, one edge at a time; a
-/// flip queues the four edges around it. An edge costs O(triangles at its four points), and with a
-/// search for meetings also those at their neighbors.
+/// RobustRules::flip: flips edges where that leaves fewer faults or better angles, one edge at a
+/// time; a flip queues the four edges around it. An edge costs O(triangles at its four points), and
+/// with a search for meetings also those at their neighbors.
 #include <algorithm>
 #include <array>
 
@@ -21,7 +21,7 @@ struct Quad {
     Triangle flippedV() const { return {y, v, x}; }
 };
 
-Quad quadAt(const MendState& m, HalfEdge h) {
+Quad quadAt(const RepairState& m, HalfEdge h) {
     return {cornerOf(m, h), cornerOf(m, following(h)), cornerOf(m, preceding(h)),
             cornerOf(m, preceding(m.twin[h]))};
 }
@@ -29,7 +29,7 @@ Quad quadAt(const MendState& m, HalfEdge h) {
 /// Faults of two triangles at the edge they share and at the four edges around them.
 class FlipScore {
   public:
-    FlipScore(const PointSet& points, const MendState& m, HalfEdge h)
+    FlipScore(const PointSet& points, const RepairState& m, HalfEdge h)
         : points_(points), m_(m), h_(h), g_(m.twin[h]), quad_(quadAt(m, h)) {}
 
     /// Faults of the two triangles themselves.
@@ -90,7 +90,7 @@ class FlipScore {
     }
 
     const PointSet& points_;
-    const MendState& m_;
+    const RepairState& m_;
     HalfEdge h_, g_;
     Quad quad_;
 };
@@ -101,32 +101,33 @@ double worstCosine(const PointSet& points, const Triangle& a, const Triangle& b)
 }
 
 /// True if the two triangles lie nearly in one plane.
-bool isFlat(const PointSet& points, const RobustLimits& limits, const Quad& q) {
-    return normalsCosine(points, q.left(), q.right()) > limits.flipFlatCosine;
+bool isFlat(const PointSet& points, const RobustThresholds& thresholds, const Quad& q) {
+    return normalsCosine(points, q.left(), q.right()) > thresholds.flipFlatCosine;
 }
 
 /// True if one of the triangles is so narrow, with three points almost collinear, that it may stand
 /// on a flat surface like a wall. The surface is flat there if the normals of the four points
 /// agree.
-bool standsOnFlat(const PointSet& points, const RobustLimits& limits, const Quad& q) {
-    if (worstCosine(points, q.left(), q.right()) < limits.flipNarrowCosine) return false;
+bool standsOnFlat(const PointSet& points, const RobustThresholds& thresholds, const Quad& q) {
+    if (worstCosine(points, q.left(), q.right()) < thresholds.flipNarrowCosine) return false;
     const std::array corners{q.u, q.v, q.x, q.y};
     Vec3 sum(0.0);
     for (const Index p : corners) sum += points.normal[p];
     return std::none_of(corners.begin(), corners.end(), [&](Index p) {
-        return encloseMore(points.normal[p], sum, limits.flipFlatCosine);
+        return encloseMore(points.normal[p], sum, thresholds.flipFlatCosine);
     });
 }
 
 /// Two sound triangles: flip for the angles only, and only where the surface is flat.
-bool givesBetterAngles(const PointSet& points, const RobustLimits& limits, const FlipScore& score) {
+bool givesBetterAngles(const PointSet& points, const RobustThresholds& thresholds,
+                       const FlipScore& score) {
     const Quad& q = score.quad();
     const bool better = worstCosine(points, q.flippedU(), q.flippedV()) <
                         worstCosine(points, q.left(), q.right()) - 1e-9;
-    if (!better || normalsCosine(points, q.flippedU(), q.flippedV()) <= limits.flipFlatCosine)
+    if (!better || normalsCosine(points, q.flippedU(), q.flippedV()) <= thresholds.flipFlatCosine)
         return false;
-    if (isFlat(points, limits, q)) return score.after() == 0;
-    return standsOnFlat(points, limits, q) && score.after() == 0 &&
+    if (isFlat(points, thresholds, q)) return score.after() == 0;
+    return standsOnFlat(points, thresholds, q) && score.after() == 0 &&
            !score.meetNearby(q.flippedU(), q.flippedV());
 }
 
@@ -138,21 +139,22 @@ bool givesFewerFaults(const FlipScore& score) {
                                   before + score.meetings(q.left(), q.right());
 }
 
-bool isBetterFlipped(const PointSet& points, const RobustLimits& limits, const MendState& m,
-                     HalfEdge h) {
-    // Rules::reseat shortens the list, so that a side in the queue may no longer exist.
+bool isBetterFlipped(const PointSet& points, const RobustThresholds& thresholds,
+                     const RepairState& m, HalfEdge h) {
+    // RobustRules::removeFolded shortens the list, so that a side in the queue may no longer exist.
     if (h >= m.twin.size() || m.twin[h] == kNone) return false;
     const FlipScore score(points, m, h);
     const Quad& q = score.quad();
     if (q.x == q.y || m.pinched[q.u] || m.pinched[q.v] || m.pinched[q.x] || m.pinched[q.y]) {
         return false;
     }
-    const bool sound = score.own() == 0 && (isFlat(points, limits, q) || score.before() == 0);
-    const bool better = sound ? givesBetterAngles(points, limits, score) : givesFewerFaults(score);
+    const bool sound = score.own() == 0 && (isFlat(points, thresholds, q) || score.before() == 0);
+    const bool better =
+        sound ? givesBetterAngles(points, thresholds, score) : givesFewerFaults(score);
     return better && !joined(m, q.x, q.y);
 }
 
-void flipEdge(MendState& m, HalfEdge h) {
+void flipEdge(RepairState& m, HalfEdge h) {
     const HalfEdge g = m.twin[h];
     const Quad q = quadAt(m, h);
     const HalfEdge vx = m.twin[following(h)];
@@ -177,10 +179,11 @@ void flipEdge(MendState& m, HalfEdge h) {
 
 }  // namespace
 
-bool flipNext(const PointSet& points, const RobustLimits& limits, MendState& m, Flip& flip) {
+bool flipNext(const PointSet& points, const RobustThresholds& thresholds, RepairState& m,
+              Flip& flip) {
     while (m.queueFront < m.queue.size()) {
         const HalfEdge h = m.queue[m.queueFront++];
-        if (!isBetterFlipped(points, limits, m, h)) continue;
+        if (!isBetterFlipped(points, thresholds, m, h)) continue;
         const Quad q = quadAt(m, h);
         flipEdge(m, h);
         ++m.flipped;

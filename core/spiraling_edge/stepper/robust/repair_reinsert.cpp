@@ -1,5 +1,5 @@
-/// Rules::reinsert: a stranded point splits the triangle or the edge it lies over, or is joined to
-/// the border it lies beside, whichever gives the best angles without a fault.
+/// RobustRules::reinsert: a stranded point splits the triangle or the edge it lies over, or is
+/// joined to the border it lies beside, whichever gives the best angles without a fault.
 #include <algorithm>
 #include <array>
 
@@ -13,7 +13,7 @@ namespace {
 enum class Way : std::uint8_t { SplitTriangle, SplitEdge, JoinBorder };
 
 /// A place for the point, and the quality of its triangles.
-struct Place {
+struct Insertion {
     Way way = Way::SplitTriangle;
     HalfEdge side = kNone;
     double cosine =
@@ -27,13 +27,13 @@ struct Change {
     std::size_t count = 0;
     std::array<Index, 2> gone{kNone, kNone};
 
-    void add(const MendState& m, HalfEdge side, Index x) {
+    void add(const RepairState& m, HalfEdge side, Index x) {
         made[count] = {cornerOf(m, side), cornerOf(m, following(side)), x};
         outer[count++] = m.twin[side];
     }
 };
 
-Change changeFor(const MendState& m, Way way, HalfEdge h, Index x) {
+Change changeFor(const RepairState& m, Way way, HalfEdge h, Index x) {
     Change c;
     switch (way) {
         case Way::SplitTriangle:
@@ -58,7 +58,7 @@ Change changeFor(const MendState& m, Way way, HalfEdge h, Index x) {
 }
 
 /// True if the new triangles meet any other one nearby.
-bool meetsOthers(const PointSet& points, const MendState& m, const Change& change, Index x) {
+bool meetsOthers(const PointSet& points, const RepairState& m, const Change& change, Index x) {
     bool found = false;
     const auto test = [&](Index t) {
         if (found || t == change.gone[0] || t == change.gone[1]) return;
@@ -73,13 +73,13 @@ bool meetsOthers(const PointSet& points, const MendState& m, const Change& chang
 }
 
 /// The least angle's cosine, 2 if a triangle would have a fault.
-double judge(const PointSet& points, const Change& change, const MendState& m) {
+double leastAngleCosineOf(const PointSet& points, const Change& change, const RepairState& m) {
     double worst = -1.0;
     for (std::size_t i = 0; i < change.count; ++i) {
         const Triangle& t = change.made[i];
         // In the last round a single corner's normal may be against it, as in the last circuit of
         // a ring (kCornerAllowed).
-        if (shapeFaults(points, t) > (m.round + 1 < kMendRounds ? 0 : 1)) return 2.0;
+        if (shapeFaults(points, t) > (m.round + 1 < kRepairRounds ? 0 : 1)) return 2.0;
         const HalfEdge outer = change.outer[i];
         if (outer != kNone && folded(points, t, m.triangles[outer / 3])) return 2.0;
         worst = std::max(worst, leastAngleCosine(points, t));
@@ -90,15 +90,15 @@ double judge(const PointSet& points, const Change& change, const MendState& m) {
 }
 
 /// Tries one way; keeps it if it is better than the best so far.
-void consider(const PointSet& points, const MendState& m, Way way, HalfEdge side, Index x,
-              Place& best) {
+void consider(const PointSet& points, const RepairState& m, Way way, HalfEdge side, Index x,
+              Insertion& best) {
     const Change change = changeFor(m, way, side, x);
-    const double cosine = judge(points, change, m);
+    const double cosine = leastAngleCosineOf(points, change, m);
     if (cosine < best.cosine && !meetsOthers(points, m, change, x)) best = {way, side, cosine};
 }
 
-Place findPlace(const PointSet& points, const MendState& m, Index x) {
-    Place best;
+Insertion findInsertion(const PointSet& points, const RepairState& m, Index x) {
+    Insertion best;
     for (const Index near : points.neighbors[x]) {
         if (m.pinched[near]) continue;
         forEachSideOf(m, near, [&](HalfEdge h) {
@@ -113,7 +113,7 @@ Place findPlace(const PointSet& points, const MendState& m, Index x) {
 }
 
 /// Stores the new triangles in the places of the old ones and at the end of the list.
-void apply(MendState& m, const Change& change, Index x) {
+void apply(RepairState& m, const Change& change, Index x) {
     std::array<HalfEdge, 4> base{};
     for (std::size_t i = 0; i < change.count; ++i) {
         const bool reuse = i < 2 && change.gone[i] != kNone;
@@ -144,11 +144,11 @@ void apply(MendState& m, const Change& change, Index x) {
 
 }  // namespace
 
-bool reinsertNext(const PointSet& points, MendState& m, Index& point) {
+bool reinsertNext(const PointSet& points, RepairState& m, Index& point) {
     for (; m.nextPoint < points.size(); ++m.nextPoint) {
         const Index x = points.inOrder(m.nextPoint);
         if (m.sideOf[x] != kNone || points.neighbors[x].empty()) continue;
-        const Place place = findPlace(points, m, x);
+        const Insertion place = findInsertion(points, m, x);
         if (place.side == kNone) continue;
         apply(m, changeFor(m, place.way, place.side, x), x);
         ++m.reinserted;

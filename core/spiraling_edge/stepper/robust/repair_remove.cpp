@@ -1,5 +1,5 @@
-/// Rules::reseat: a point at a flipped triangle is taken out and the hole of its triangles closed
-/// without a fault; Rules::reinsert may put it back where it fits.
+/// RobustRules::removeFolded: a point at a flipped triangle is taken out and the hole of its
+/// triangles closed without a fault; RobustRules::reinsert may put it back where it fits.
 #include <algorithm>
 #include <array>
 
@@ -11,7 +11,7 @@ namespace se {
 namespace {
 
 /// Largest number of triangles about a point that is taken out.
-constexpr std::size_t kMostSides = 14;
+constexpr std::size_t kMaxSides = 14;
 
 /// The triangles about a point, and the sides opposite to it in counterclockwise order.
 struct Star {
@@ -19,8 +19,8 @@ struct Star {
     std::vector<Index> ring;    ///< Points: where rim[i] begins.
 };
 
-/// Empty unless the triangles form one closed fan of 4 to kMostSides.
-Star starOf(const MendState& m, Index x) {
+/// Empty unless the triangles form one closed fan of 4 to kMaxSides.
+Star starOf(const RepairState& m, Index x) {
     Star star;
     HalfEdge h = m.sideOf[x];
     if (h == kNone || m.pinched[x]) return {};
@@ -29,8 +29,8 @@ Star starOf(const MendState& m, Index x) {
         star.rim.push_back(following(h));
         star.ring.push_back(cornerOf(m, following(h)));
         h = m.twin[preceding(h)];
-    } while (h != kNone && h != begin && star.rim.size() <= kMostSides);
-    if (h != begin || star.rim.size() < 4 || star.rim.size() > kMostSides) return {};
+    } while (h != kNone && h != begin && star.rim.size() <= kMaxSides);
+    if (h != begin || star.rim.size() < 4 || star.rim.size() > kMaxSides) return {};
     return star;
 }
 
@@ -42,7 +42,7 @@ using Filling = std::vector<RingTriangle>;
 /// already, and the least angle is as large as possible. Dynamic programming over sub-polygons.
 class RingFill {
   public:
-    RingFill(const PointSet& points, const MendState& m, const Star& star)
+    RingFill(const PointSet& points, const RepairState& m, const Star& star)
         : points_(points), m_(m), ring_(star.ring), count_(star.ring.size()) {}
 
     /// The best filling; empty if there is none.
@@ -82,11 +82,11 @@ class RingFill {
     }
 
     const PointSet& points_;
-    const MendState& m_;
+    const RepairState& m_;
     const std::vector<Index>& ring_;
     std::size_t count_;
-    std::array<std::array<double, kMostSides>, kMostSides> cost_{};
-    std::array<std::array<std::size_t, kMostSides>, kMostSides> middle_{};
+    std::array<std::array<double, kMaxSides>, kMaxSides> cost_{};
+    std::array<std::array<std::size_t, kMaxSides>, kMaxSides> middle_{};
 };
 
 Triangle triangleOf(const Star& star, const RingTriangle& t) {
@@ -109,7 +109,7 @@ bool foldsInside(const PointSet& points, const Star& star, const Filling& fillin
 }
 
 /// True if a triangle of the filling is folded onto a neighbor of the star.
-bool foldsOutside(const PointSet& points, const MendState& m, const Star& star,
+bool foldsOutside(const PointSet& points, const RepairState& m, const Star& star,
                   const Filling& filling) {
     for (const RingTriangle& t : filling) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -124,7 +124,7 @@ bool foldsOutside(const PointSet& points, const MendState& m, const Star& star,
 }
 
 /// True if a triangle of the filling meets one near the ring that is not of the star.
-bool meetsOthers(const PointSet& points, const MendState& m, const Star& star,
+bool meetsOthers(const PointSet& points, const RepairState& m, const Star& star,
                  const Filling& filling) {
     bool meets = false;
     for (const Index p : star.ring) {
@@ -142,7 +142,7 @@ bool meetsOthers(const PointSet& points, const MendState& m, const Star& star,
 }
 
 /// Moves the last triangle into the place of `t`, so that the list has no gaps.
-void dropTriangle(MendState& m, Index t) {
+void dropTriangle(RepairState& m, Index t) {
     const auto last = static_cast<Index>(m.triangles.size() - 1);
     for (Index k = 0; k < 3; ++k) m.twin[3 * t + k] = kNone;
     if (t != last) {
@@ -159,12 +159,12 @@ void dropTriangle(MendState& m, Index t) {
     m.twin.resize(3 * std::size_t{last});
 }
 
-void replaceStar(MendState& m, const Star& star, const Filling& filling, Index x) {
+void replaceStar(RepairState& m, const Star& star, const Filling& filling, Index x) {
     const std::size_t count = star.ring.size();
     std::vector<HalfEdge> outer(count);
     for (std::size_t i = 0; i < count; ++i) outer[i] = m.twin[star.rim[i]];
     // Sides from ring place to ring place, to find each one's twin among the new triangles.
-    std::array<std::array<HalfEdge, kMostSides>, kMostSides> side{};
+    std::array<std::array<HalfEdge, kMaxSides>, kMaxSides> side{};
     for (auto& row : side) row.fill(kNone);
     for (std::size_t i = 0; i < filling.size(); ++i) {
         const Index place = star.rim[i] / 3;
@@ -191,7 +191,7 @@ void replaceStar(MendState& m, const Star& star, const Filling& filling, Index x
     dropTriangle(m, std::min(a, b));
 }
 
-bool takeOut(const PointSet& points, MendState& m, Index x) {
+bool takeOut(const PointSet& points, RepairState& m, Index x) {
     const Star star = starOf(m, x);
     if (star.ring.empty()) return false;
     const Filling filling = RingFill(points, m, star).find();
@@ -205,7 +205,7 @@ bool takeOut(const PointSet& points, MendState& m, Index x) {
 
 }  // namespace
 
-bool reseatNext(const PointSet& points, MendState& m, Index& point) {
+bool removeFoldedPoint(const PointSet& points, RepairState& m, Index& point) {
     for (; m.nextTriangle < m.triangles.size(); ++m.nextTriangle) {
         const Index t = m.nextTriangle;
         if (shapeFaults(points, m.triangles[t]) < kFlippedFault) continue;

@@ -1,4 +1,4 @@
-/// Navigation in a MendState: sides, corners, twins.
+/// Navigation in a RepairState: sides, corners, twins.
 #pragma once
 
 #include "spiraling_edge/stepper/repair.h"
@@ -8,7 +8,7 @@ namespace se {
 inline HalfEdge following(HalfEdge h) { return h % 3 == 2 ? h - 2 : h + 1; }
 inline HalfEdge preceding(HalfEdge h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
-inline Index cornerOf(const MendState& m, HalfEdge h) {
+inline Index cornerOf(const RepairState& m, HalfEdge h) {
     const Triangle& t = m.triangles[h / 3];
     return h % 3 == 0 ? t.a : (h % 3 == 1 ? t.b : t.c);
 }
@@ -16,7 +16,7 @@ inline Index cornerOf(const MendState& m, HalfEdge h) {
 /// Calls visit(side) for every side that leaves the point, around it in both directions from
 /// sideOf.
 template <typename Visit>
-void forEachSideOf(const MendState& m, Index point, Visit&& visit) {
+void forEachSideOf(const RepairState& m, Index point, Visit&& visit) {
     const HalfEdge begin = m.sideOf[point];
     if (begin == kNone) return;
     HalfEdge h = begin;
@@ -31,7 +31,7 @@ void forEachSideOf(const MendState& m, Index point, Visit&& visit) {
     }
 }
 
-inline bool joined(const MendState& m, Index u, Index v) {
+inline bool joined(const RepairState& m, Index u, Index v) {
     bool found = false;
     forEachSideOf(m, u, [&](HalfEdge h) {
         found = found || cornerOf(m, following(h)) == v || cornerOf(m, preceding(h)) == v;
@@ -39,7 +39,7 @@ inline bool joined(const MendState& m, Index u, Index v) {
     return found;
 }
 
-inline void pair(MendState& m, HalfEdge a, HalfEdge b) {
+inline void pair(RepairState& m, HalfEdge a, HalfEdge b) {
     m.twin[a] = b;
     if (b != kNone) m.twin[b] = a;
 }

@@ -1,4 +1,4 @@
-#include "spiraling_edge/explain/failure_proof.h"
+#include "spiraling_edge/explain/cause_inversion.h"
 
 #include <doctest/doctest.h>
 
@@ -19,7 +19,7 @@ std::vector<RunFailure> failuresIn(const PointSet& points) {
     return all.value();
 }
 
-bool isGone(const FailureProof& proof) { return proof.proof < Proof::Stays; }
+bool isGone(const CauseInversion& inversion) { return inversion.outcome < Inversion::NoEffect; }
 
 }  // namespace
 
@@ -32,21 +32,22 @@ TEST_CASE("proof: turning the decision called unavoidable makes the failure go a
         const PointSet points = prepared(each.scene.build());
         const std::vector<RunFailure> failures = failuresIn(points);
         const auto chosen = sampleOfEach(failures, kSanitized ? 2 : 30);
-        const auto proofs = proveCauses(points, paper(), failures, chosen);
-        REQUIRE(proofs.ok());
+        const auto inversions = invertCauses(points, paper(), failures, chosen);
+        REQUIRE(inversions.ok());
         for (std::size_t i = 0; i < chosen.size(); ++i) {
             const RunFailure& failure = failures[chosen[i]];
-            const FailureProof& proof = proofs.value()[i];
+            const CauseInversion& inversion = inversions.value()[i];
             CAPTURE(describe(failure.failure));
-            CHECK((isGone(proof) || !proof.reason.empty()));
+            CHECK((isGone(inversion) || !inversion.reason.empty()));
             // The subject of the scene.
             if (failure.failure.kind->name == each.failure &&
                 toString(failure.moments.unavoidable.event.address) == each.address)
-                CHECK(proof.proof != Proof::Stays);
+                CHECK(inversion.outcome != Inversion::NoEffect);
             // A lost point that can be kept is a point that is used.
-            if (failure.failure.kind->name == "unused_points") CHECK(proof.proof != Proof::Stays);
-            gone += isGone(proof) ? 1 : 0;
-            stays += proof.proof == Proof::Stays ? 1 : 0;
+            if (failure.failure.kind->name == "unused_points")
+                CHECK(inversion.outcome != Inversion::NoEffect);
+            gone += isGone(inversion) ? 1 : 0;
+            stays += inversion.outcome == Inversion::NoEffect ? 1 : 0;
             ++all;
         }
     }
@@ -60,9 +61,9 @@ TEST_CASE("proof: the hole of four takes the point behind it at every test") {
     for (const RunFailure& each : failures) {
         if (each.failure.kind->name != "intersecting_triangles") continue;
         CHECK(toString(each.moments.unavoidable.event.address) == "81.sphere.1");
-        const auto turn = turnOf(points, each.moments.unavoidable);
-        REQUIRE(turn.has_value());
-        CHECK(lineOf(*turn) == "81.sphere drop 50");
+        const auto inverse = inverseOf(points, each.moments.unavoidable);
+        REQUIRE(inverse.has_value());
+        CHECK(lineOf(*inverse) == "81.sphere drop 50");
     }
 }
 
@@ -77,33 +78,33 @@ TEST_CASE("proof: with a decision that is not the cause the failure stays") {
     const auto late = std::find_if(failures.begin(), failures.end(), [&](const auto& each) {
         return each.moments.unavoidable.event.address.pivot >
                    flipped->moments.created.event.address.pivot &&
-               turnOf(points, each.moments.unavoidable).has_value();
+               inverseOf(points, each.moments.unavoidable).has_value();
     });
     REQUIRE(late != failures.end());
     flipped->moments.unavoidable = late->moments.unavoidable;
     const std::vector<std::size_t> chosen{static_cast<std::size_t>(flipped - failures.begin())};
-    const auto proofs = proveCauses(points, paper(), failures, chosen);
-    REQUIRE(proofs.ok());
-    CHECK(proofs.value()[0].proof == Proof::Stays);
-    CHECK_FALSE(proofs.value()[0].reason.empty());
+    const auto inversions = invertCauses(points, paper(), failures, chosen);
+    REQUIRE(inversions.ok());
+    CHECK(inversions.value()[0].outcome == Inversion::NoEffect);
+    CHECK_FALSE(inversions.value()[0].reason.empty());
 }
 
 TEST_CASE("proof: where two triangles cross, the earlier one may be wrong") {
     const PointSet points = prepared(findScene("close-sheets")->build());
     const std::vector<RunFailure> failures = failuresIn(points);
     const auto chosen = sampleOfEach(failures, 20);
-    const auto proofs = proveCauses(points, paper(), failures, chosen);
-    REQUIRE(proofs.ok());
+    const auto inversions = invertCauses(points, paper(), failures, chosen);
+    REQUIRE(inversions.ok());
     std::size_t looked = 0;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const RunFailure& failure = failures[chosen[i]];
-        const FailureProof& proof = proofs.value()[i];
-        if (proof.proof != Proof::Earlier) continue;
+        const CauseInversion& inversion = inversions.value()[i];
+        if (inversion.outcome != Inversion::Earlier) continue;
         CAPTURE(describe(failure.failure));
         CHECK(failure.failure.triangles.size() == 2);
-        CHECK(proof.turns.front().pivot < failure.moments.created.event.address.pivot);
+        CHECK(inversion.inverses.front().pivot < failure.moments.created.event.address.pivot);
         Params forked = paper();
-        forked.whatIf = proof.turns;
+        forked.whatIf = inversion.inverses;
         const Run run = runAll(points, forked);
         for (const MeshFailure& each : inspectMesh(points, run.state.mesh()))
             CHECK_FALSE(
@@ -116,12 +117,12 @@ TEST_CASE("proof: where two triangles cross, the earlier one may be wrong") {
 TEST_CASE("proof: a point outside all sectors cannot be kept, and there is a reason") {
     const PointSet points = prepared(findScene("flipped-patch")->build());
     const std::vector<RunFailure> failures = failuresIn(points);
-    const auto proofs = proveCauses(points, paper(), failures, sampleOfEach(failures, 100));
-    REQUIRE(proofs.ok());
+    const auto inversions = invertCauses(points, paper(), failures, sampleOfEach(failures, 100));
+    REQUIRE(inversions.ok());
     for (std::size_t i = 0; i < failures.size(); ++i) {
         if (failures[i].failure.kind->name != "unused_points") continue;
-        CHECK(proofs.value()[i].proof == Proof::NotTurned);
-        CHECK(proofs.value()[i].reason == "The point lies outside of the free sector.");
+        CHECK(inversions.value()[i].outcome == Inversion::NotInvertible);
+        CHECK(inversions.value()[i].reason == "The point lies outside of the free sector.");
     }
 }
 
@@ -144,7 +145,7 @@ TEST_CASE("proof: a sample is spread over each class") {
 TEST_CASE("proof: cancelled") {
     const PointSet points = prepared(findScene("four-edge-hole")->build());
     const std::vector<RunFailure> failures = failuresIn(points);
-    CHECK_FALSE(proveCauses(points, paper(), failures, sampleOfEach(failures, 1), [](double) {
+    CHECK_FALSE(invertCauses(points, paper(), failures, sampleOfEach(failures, 1), [](double) {
                     return false;
                 }).ok());
 }

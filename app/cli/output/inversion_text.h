@@ -5,20 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "spiraling_edge/explain/failure_proof.h"
+#include "spiraling_edge/explain/cause_inversion.h"
 
 namespace se::cli {
 
 /// A failure with the result of its inverted decision, and its number within its class, from 1.
-struct ProvenFailure {
+struct InvertedFailure {
     const RunFailure* failure;
     std::size_t number;
-    FailureProof proof;
+    CauseInversion inversion;
 };
 
 /// Counts per class and result, then each failure that did not disappear as predicted.
-std::string proofsText(const std::vector<ProvenFailure>& proven);
+std::string inversionsText(const std::vector<InvertedFailure>& inverted);
 /// All results.
-std::string proofsJson(const std::string& input, const std::vector<ProvenFailure>& proven);
+std::string inversionsJson(const std::string& input, const std::vector<InvertedFailure>& inverted);
 
 }  // namespace se::cli

@@ -10,28 +10,29 @@
 namespace se {
 
 /// A move of one point.
-struct Nudge {
+struct FlippingMove {
     Index point = kNone;
     Vec3 by{};  ///< Scene units.
 };
 
 /// One decision, and the move that would invert it.
-struct ClosestCall {
+struct NearestDecision {
     Event event;
     Index pivot = kNone;
     Reading reading;
-    Nudge nudge;  ///< If nothing else changed before, the decision goes the other way.
+    FlippingMove move;  ///< If nothing else changed before, the decision goes the other way.
 };
 
-struct ClosestCalls {
-    std::vector<ClosestCall> calls;  ///< Least |margin| first, then in the order of the run.
+struct NearestDecisions {
+    /// Least |margin| first, then in the order of the run.
+    std::vector<NearestDecision> decisions;
     /// Per point: the least |margin| of all its tests; infinite if none of them has a number.
     std::vector<double> leastMargin;
 };
 
 /// The `count` decisions of a run with the least |margin|, found by running it again. Fails if
 /// cancelled. Ties on exact lattices have a margin of 0. O(run). Deterministic.
-Result<ClosestCalls> closestCalls(const PointSet& points, const Params& params, std::size_t count,
-                                  const Progress& progress = {});
+Result<NearestDecisions> nearestDecisions(const PointSet& points, const Params& params,
+                                          std::size_t count, const Progress& progress = {});
 
 }  // namespace se

@@ -1,7 +1,7 @@
 /// The least move that inverts a decision: the compared number is a function of the position of one
 /// point, and Newton steps along its gradient (by differences) lead to its zero; the move is then
 /// enlarged by a thousandth, to be beyond. At most 12 steps.
-#include "spiraling_edge/explain/nudge.h"
+#include "spiraling_edge/explain/flipping_move.h"
 
 #include <cmath>
 #include <functional>
@@ -33,7 +33,7 @@ double insideSector(double degrees, double end) {
 
 class Comparison {
   public:
-    explicit Comparison(const NudgeContext& context) : c_(context) {}
+    explicit Comparison(const FlippingMoveContext& context) : c_(context) {}
 
     Compared operator()(const SortEvidence& e) const {
         if (e.verdict == Verdict::SameAngle) {
@@ -56,11 +56,11 @@ class Comparison {
     }
     Compared operator()(const ReciprocalEvidence& e) const {
         return {e.point, [this, e](const Vec3& x) {
-                    const bool free = c_.params.rules.freeSector;
+                    const bool free = c_.params.readings.freeSector;
                     const ReciprocalTest test =
                         testReciprocal(x, c_.points.normal[e.point], at(free ? e.pred : e.succ),
                                        at(free ? e.succ : e.pred), e.pred == e.succ, at(c_.pivot),
-                                       c_.params.sameAngle, c_.params.rules.tangent);
+                                       c_.params.sameAngle, c_.params.robust.tangent);
                     return insideSector(test.pivot.degrees(), test.limit.degrees());
                 }};
     }
@@ -108,11 +108,11 @@ class Comparison {
     const Vec3& at(Index p) const { return c_.points.position[p]; }
     double angleAtPivot(const Vec3& x) const {
         const Frame frame = makeFrame(at(c_.pivot), c_.points.normal[c_.pivot], at(c_.first),
-                                      c_.params.rules.tangent);
+                                      c_.params.robust.tangent);
         return angleOf(frame, x - frame.origin).degrees();
     }
 
-    const NudgeContext& c_;
+    const FlippingMoveContext& c_;
     bool decidedByGap_ = false;
 };
 
@@ -130,7 +130,7 @@ Vec3 gradientOf(const std::function<double(const Vec3&)>& value, const Vec3& x, 
 
 }  // namespace
 
-std::optional<Nudge> nudgeOf(const Event& event, const NudgeContext& context) {
+std::optional<FlippingMove> flippingMoveOf(const Event& event, const FlippingMoveContext& context) {
     const auto reading = readingOf(event, {context.points, context.params, context.pivot});
     if (!reading || context.pivot == kNone || context.first == kNone) return {};
     Comparison comparison(context);
@@ -153,7 +153,7 @@ std::optional<Nudge> nudgeOf(const Event& event, const NudgeContext& context) {
         const double value = compared.value(x);
         x += (-value + (taken ? -least : least)) / slopeSq * gradient;
         const Vec3 beyond = from + kBeyond * (x - from);
-        if (turned(compared.value(beyond))) return Nudge{compared.point, beyond - from};
+        if (turned(compared.value(beyond))) return FlippingMove{compared.point, beyond - from};
     }
     return {};
 }

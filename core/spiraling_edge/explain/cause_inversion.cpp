@@ -2,7 +2,7 @@
 /// unavoidable, the decision inverted by a what-if, and the end inspected. A decision that is only
 /// postponed to another pivot is followed up to twelve times. One run forward serves all failures,
 /// in the order of their pivots; each costs a run from its fork and an inspection.
-#include "spiraling_edge/explain/failure_proof.h"
+#include "spiraling_edge/explain/cause_inversion.h"
 
 #include <algorithm>
 #include <array>
@@ -31,7 +31,7 @@ std::string reasonFor(const LedgerLine& decision) {
 }
 
 /// Runs `stepper` to the end and finds the failures of one class.
-InspectedRun endOf(Stepper& stepper, const PointSet& points, const FailureClass& kind) {
+InspectedRun finishRun(Stepper& stepper, const PointSet& points, const FailureClass& kind) {
     if (kind.find != nullptr) {
         stepper.run();
         MeshInspection found = inspectWithTotals(points, stepper.state().mesh());
@@ -45,7 +45,7 @@ InspectedRun endOf(Stepper& stepper, const PointSet& points, const FailureClass&
         log.clear();
         more = stepper.stepPivot();
         for (const Event& event : log.events()) {
-            if (const auto ring = rings.see(event)) found.push_back(failureOf(points, *ring));
+            if (const auto ring = rings.add(event)) found.push_back(failureOf(points, *ring));
         }
     }
     stepper.setLog(nullptr);
@@ -61,7 +61,7 @@ bool isLost(const MeshFailure& failure) {
 
 /// True if `b` tests the same point as `a`, possibly at another pivot or stage; for a fan, if it
 /// has the same pivot. For a lost point every test of it counts.
-bool asksAgain(const LedgerLine& a, const LedgerLine& b, const MeshFailure& failure) {
+bool repeatsTest(const LedgerLine& a, const LedgerLine& b, const MeshFailure& failure) {
     const Index point = testedPoint(a.event);
     return isLost(failure) ||
            (point == testedPoint(b.event) && (point != kNone || a.pivot == b.pivot));
@@ -72,24 +72,25 @@ bool isSame(const MeshFailure& a, const MeshFailure& b) {
 }
 
 /// Runs once from start to end and forks at the decisions to invert.
-class Prover {
+class CauseInverter {
   public:
-    Prover(const PointSet& points, const Params& params, std::span<const RunFailure> known)
+    CauseInverter(const PointSet& points, const Params& params, std::span<const RunFailure> known)
         : points_(points), params_(params), known_(known), stepper_(points, params) {}
 
     /// Requires that pivots do not decrease from call to call.
-    FailureProof prove(const RunFailure& failure) {
+    CauseInversion invert(const RunFailure& failure) {
         const std::uint32_t pivot = failure.moments.unavoidable.event.address.pivot;
         while (stepper_.state().counters.pivots + 1 < pivot && stepper_.stepPivot()) {
         }
-        FailureProof proof = turned(failure.failure, failure.moments.unavoidable);
-        if (proof.proof != Proof::Replaced || failure.failure.triangles.size() != 2) return proof;
+        CauseInversion inversion = inverted(failure.failure, failure.moments.unavoidable);
+        if (inversion.outcome != Inversion::Replaced || failure.failure.triangles.size() != 2)
+            return inversion;
         // Of two crossing triangles the earlier may be the wrong one.
-        const auto earlier = decisionBehind(failure.failure.triangles.front());
-        if (!earlier) return proof;
-        FailureProof other = turned(failure.failure, *earlier);
-        if (other.proof > Proof::Later) return proof;
-        other.proof = Proof::Earlier;
+        const auto earlier = decisionThatMade(failure.failure.triangles.front());
+        if (!earlier) return inversion;
+        CauseInversion other = inverted(failure.failure, *earlier);
+        if (other.outcome > Inversion::Later) return inversion;
+        other.outcome = Inversion::Earlier;
         other.reason = toString(earlier->event.address) + ": " + describe(earlier->event);
         return other;
     }
@@ -97,26 +98,26 @@ class Prover {
   private:
     /// Maximum number of repeated tests that are followed: a point can be tested by each of its
     /// neighbors.
-    static constexpr std::size_t kMostTurns = 12;
+    static constexpr std::size_t kMaxInverses = 12;
 
     /// Inverts a decision, and its repetition where it is only postponed.
-    FailureProof turned(const MeshFailure& failure, const LedgerLine& decision) const {
-        FailureProof result;
-        const auto turn = turnOf(points_, decision);
-        if (!turn) {
+    CauseInversion inverted(const MeshFailure& failure, const LedgerLine& decision) const {
+        CauseInversion result;
+        const auto inverse = inverseOf(points_, decision);
+        if (!inverse) {
             result.reason = reasonFor(decision);
             return result;
         }
-        result.turns.push_back(*turn);
-        FailureProof best = result;
-        for (LedgerLine asked = decision; turnOnce(failure, asked, result);) {
-            if (result.turns.size() == 2 || result.proof < best.proof) best = result;
+        result.inverses.push_back(*inverse);
+        CauseInversion best = result;
+        for (LedgerLine asked = decision; invertOnce(failure, asked, result);) {
+            if (result.inverses.size() == 2 || result.outcome < best.outcome) best = result;
         }
-        return result.proof <= best.proof ? result : best;
+        return result.outcome <= best.outcome ? result : best;
     }
 
     /// The decision that made a triangle.
-    std::optional<LedgerLine> decisionBehind(Index triangle) {
+    std::optional<LedgerLine> decisionThatMade(Index triangle) {
         if (mesh_.empty()) {
             Stepper whole(points_, params_);
             whole.run();
@@ -131,68 +132,69 @@ class Prover {
 
     /// A stepper just before the last of the turns; from the start if the run has passed one of
     /// them.
-    Stepper forkedAt(const Params& forked, const std::vector<WhatIf>& turns) const {
+    Stepper forkedAt(const Params& forked, const std::vector<WhatIf>& inverses) const {
         Stepper fork(points_, forked);
         const std::uint32_t here = stepper_.state().counters.pivots;
-        const bool ahead = std::all_of(turns.begin(), turns.end(),
+        const bool ahead = std::all_of(inverses.begin(), inverses.end(),
                                        [&](const WhatIf& each) { return each.pivot > here; });
         if (ahead) fork.setState(stepper_.state());
-        while (fork.state().counters.pivots + 1 < turns.back().pivot && fork.stepPivot()) {
+        while (fork.state().counters.pivots + 1 < inverses.back().pivot && fork.stepPivot()) {
         }
         return fork;
     }
 
     /// Continues with the turns of `result`. True if the last of them only postponed the decision:
     /// then `asked` is its repetition, and that turn is added.
-    bool turnOnce(const MeshFailure& failure, LedgerLine& asked, FailureProof& result) const {
+    bool invertOnce(const MeshFailure& failure, LedgerLine& asked, CauseInversion& result) const {
         Params forked = params_;
-        forked.whatIf.insert(forked.whatIf.end(), result.turns.begin(), result.turns.end());
-        Stepper fork = forkedAt(forked, result.turns);
+        forked.whatIf.insert(forked.whatIf.end(), result.inverses.begin(), result.inverses.end());
+        Stepper fork = forkedAt(forked, result.inverses);
         if (Status can = checkLastWhatIf(points_, forked, fork.state()); !can) {
-            if (result.turns.size() == 1) result.proof = Proof::NotTurned;
+            if (result.inverses.size() == 1) result.outcome = Inversion::NotInvertible;
             result.reason = can.error().message;
-            result.turns.resize(std::max<std::size_t>(1, result.turns.size() - 1));
+            result.inverses.resize(std::max<std::size_t>(1, result.inverses.size() - 1));
             return false;
         }
-        const InspectedRun run = endOf(fork, points_, *failure.kind);
-        const MeshFailure* heir = heirOf(failure, run.failures);
+        const InspectedRun run = finishRun(fork, points_, *failure.kind);
+        const MeshFailure* successor = successorOf(failure, run.failures);
         result.reason.clear();
-        if (heir == nullptr && !run.totalOf(*failure.kind).all()) {
-            result.proof = Proof::NotTurned;
+        if (successor == nullptr && !run.totalOf(*failure.kind).all()) {
+            result.outcome = Inversion::NotInvertible;
             result.reason = "Then the mesh has more failures of this class than are looked for.";
             return false;
         }
-        if (heir == nullptr) {
-            result.proof = result.turns.size() > 1 ? Proof::Later : Proof::Gone;
+        if (successor == nullptr) {
+            result.outcome = result.inverses.size() > 1 ? Inversion::Later : Inversion::Gone;
             return false;
         }
-        result.proof = isSame(*heir, failure) ? Proof::Stays : Proof::Replaced;
-        const auto moments = momentsOf(points_, forked, *heir, run.end.mesh());
+        result.outcome = isSame(*successor, failure) ? Inversion::NoEffect : Inversion::Replaced;
+        const auto moments = momentsOf(points_, forked, *successor, run.end.mesh());
         if (!moments) return false;
         const LedgerLine& next = moments.value().unavoidable;
         result.reason = "Then " + toString(next.event.address) + ": " + describe(next.event);
-        const auto turn = turnOf(points_, next);
-        const bool again =
-            turn && (isLost(failure) || turn->kind == result.turns.front().kind) &&
-            asksAgain(asked, next, failure) &&
-            std::find(result.turns.begin(), result.turns.end(), *turn) == result.turns.end();
-        if (!again || result.turns.size() == kMostTurns) return false;
-        result.turns.push_back(*turn);
+        const auto inverse = inverseOf(points_, next);
+        const bool again = inverse &&
+                           (isLost(failure) || inverse->kind == result.inverses.front().kind) &&
+                           repeatsTest(asked, next, failure) &&
+                           std::find(result.inverses.begin(), result.inverses.end(), *inverse) ==
+                               result.inverses.end();
+        if (!again || result.inverses.size() == kMaxInverses) return false;
+        result.inverses.push_back(*inverse);
         asked = next;
         return true;
     }
 
     /// The failure itself, if it still exists, or a new one of its class in its place.
-    const MeshFailure* heirOf(const MeshFailure& failure,
-                              const std::vector<MeshFailure>& left) const {
-        const MeshFailure* heir = nullptr;
+    const MeshFailure* successorOf(const MeshFailure& failure,
+                                   const std::vector<MeshFailure>& left) const {
+        const MeshFailure* successor = nullptr;
         for (const MeshFailure& each : left) {
             if (isSame(each, failure)) return &each;
-            if (heir == nullptr && each.kind == failure.kind && isStillThere(failure, {each}) &&
-                !isKnown(each))
-                heir = &each;
+            if (successor == nullptr && each.kind == failure.kind &&
+                isStillThere(failure, {each}) && !isKnown(each))
+                successor = &each;
         }
-        return heir;
+        return successor;
     }
     bool isKnown(const MeshFailure& failure) const {
         return std::any_of(known_.begin(), known_.end(),
@@ -212,14 +214,14 @@ std::uint32_t pivotOf(const RunFailure& failure) {
 
 }  // namespace
 
-std::string_view proofName(Proof proof) {
+std::string_view inversionName(Inversion inversion) {
     constexpr std::array<std::string_view, 6> kNames{
         "gone",  "gone, asked again", "gone with the earlier", "another in its place",
         "stays", "cannot be turned"};
-    return kNames[static_cast<std::size_t>(proof)];
+    return kNames[static_cast<std::size_t>(inversion)];
 }
 
-std::optional<WhatIf> turnOf(const PointSet& points, const LedgerLine& decision) {
+std::optional<WhatIf> inverseOf(const PointSet& points, const LedgerLine& decision) {
     const Address& at = decision.event.address;
     if (const auto* insert = std::get_if<InsertEvidence>(&decision.event.evidence)) {
         if (insert->third == kNone) return {};
@@ -240,34 +242,34 @@ std::optional<WhatIf> turnOf(const PointSet& points, const LedgerLine& decision)
                   Vec3(0.0), {}};
 }
 
-Result<std::vector<FailureProof>> proveCauses(const PointSet& points, const Params& params,
-                                              std::span<const RunFailure> failures,
-                                              std::span<const std::size_t> chosen,
-                                              const Progress& progress) {
+Result<std::vector<CauseInversion>> invertCauses(const PointSet& points, const Params& params,
+                                                 std::span<const RunFailure> failures,
+                                                 std::span<const std::size_t> chosen,
+                                                 const Progress& progress) {
     std::vector<std::size_t> order(chosen.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return pivotOf(failures[chosen[a]]) < pivotOf(failures[chosen[b]]);
     });
-    std::vector<FailureProof> proofs(chosen.size());
-    Prover prover(points, params, failures);
+    std::vector<CauseInversion> inversions(chosen.size());
+    CauseInverter inverter(points, params, failures);
     std::size_t count = 0;
     for (const std::size_t i : order) {
         if (progress && !progress(double(count++) / double(order.size())))
             return Error{"Cancelled."};
-        proofs[i] = prover.prove(failures[chosen[i]]);
+        inversions[i] = inverter.invert(failures[chosen[i]]);
     }
-    return proofs;
+    return inversions;
 }
 
-std::vector<std::size_t> sampleOfEach(std::span<const RunFailure> failures, std::size_t most) {
+std::vector<std::size_t> sampleOfEach(std::span<const RunFailure> failures, std::size_t limit) {
     std::vector<std::size_t> chosen;
     for (const FailureClass& kind : failureClasses()) {
         std::vector<std::size_t> all;
         for (std::size_t i = 0; i < failures.size(); ++i) {
             if (failures[i].failure.kind == &kind) all.push_back(i);
         }
-        const std::size_t count = std::min(most, all.size());
+        const std::size_t count = std::min(limit, all.size());
         for (std::size_t i = 0; i < count; ++i) chosen.push_back(all[i * all.size() / count]);
     }
     std::sort(chosen.begin(), chosen.end());

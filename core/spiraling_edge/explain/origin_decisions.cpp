@@ -1,7 +1,7 @@
 /// Triangles that close a gap of three have no deciding test of their own: they are traced to the
 /// last earlier triangle at their edges, until one has a test. Two runs: the first records the
 /// decision of every triangle, the second returns the lines.
-#include "spiraling_edge/explain/root_decisions.h"
+#include "spiraling_edge/explain/origin_decisions.h"
 
 #include <algorithm>
 
@@ -13,29 +13,30 @@ namespace se {
 namespace {
 
 /// A triangle as it was made; the pivot is its first corner.
-struct Made {
+struct MadeTriangle {
     Triangle corners;
     Address decision;  ///< Pivot 0: there is none.
     bool alone = false;
 };
 
 /// The triangles of a run with their decisions.
-class Book {
+class TriangleDecisions {
   public:
-    Book(const PointSet& points, const Params& params) : points_(points), params_(params) {}
+    TriangleDecisions(const PointSet& points, const Params& params)
+        : points_(points), params_(params) {}
 
     bool read(const Progress& progress) {
-        const auto see = [&](const ScannedPivot& pivot) {
+        const auto onPivot = [&](const ScannedPivot& pivot) {
             decided_.clear();
             for (const Event& event : pivot.events) note(event, pivot.point);
         };
-        if (!scanRun(points_, params_, see, progress)) return false;
+        if (!scanRun(points_, params_, onPivot, progress)) return false;
         sortByCorner();
         return true;
     }
 
     /// The decision that a triangle is traced to; pivot 0 if there is none.
-    Address rootOf(Index triangle) const {
+    Address originOf(Index triangle) const {
         while (triangle < made_.size() && made_[triangle].alone) {
             const Index before = lastAtEdges(triangle);
             if (before == kNone) return {};
@@ -62,7 +63,7 @@ class Book {
 
     void sortByCorner() {
         from_.assign(points_.size() + 1, 0);
-        for (const Made& each : made_) {
+        for (const MadeTriangle& each : made_) {
             for (const Index p : {each.corners.a, each.corners.b, each.corners.c}) ++from_[p + 1];
         }
         for (std::size_t p = 0; p < points_.size(); ++p) from_[p + 1] += from_[p];
@@ -88,30 +89,30 @@ class Book {
     const PointSet& points_;
     const Params& params_;
     std::vector<LedgerLine> decided_;  ///< Of the current pivot.
-    std::vector<Made> made_;           ///< By number.
+    std::vector<MadeTriangle> made_;   ///< By number.
     std::vector<std::size_t> from_;    ///< Per point: the begin of its triangles in at_.
     std::vector<Index> at_;
 };
 
 }  // namespace
 
-std::optional<std::map<Index, LedgerLine>> rootDecisions(const PointSet& points,
-                                                         const Params& params,
-                                                         std::span<const Index> triangles,
-                                                         const Progress& progress) {
+std::optional<std::map<Index, LedgerLine>> originDecisions(const PointSet& points,
+                                                           const Params& params,
+                                                           std::span<const Index> triangles,
+                                                           const Progress& progress) {
     std::map<Index, LedgerLine> found;
-    Book book(points, params);
-    if (!book.read(progress)) return {};
+    TriangleDecisions decisions(points, params);
+    if (!decisions.read(progress)) return {};
     std::multimap<std::string, Index> wanted;
     for (const Index each : triangles) {
-        const Address root = book.rootOf(each);
-        if (root.pivot != 0) wanted.emplace(toString(root), each);
+        const Address origin = decisions.originOf(each);
+        if (origin.pivot != 0) wanted.emplace(toString(origin), each);
     }
     std::vector<std::uint32_t> pivots;
     pivots.reserve(wanted.size());
     for (const auto& [address, each] : wanted) pivots.push_back(addressFromString(address)->pivot);
     std::sort(pivots.begin(), pivots.end());
-    const auto see = [&](const ScannedPivot& pivot) {
+    const auto onPivot = [&](const ScannedPivot& pivot) {
         for (const Event& event : pivot.events) {
             if (!std::binary_search(pivots.begin(), pivots.end(), event.address.pivot)) continue;
             const auto [begin, end] = wanted.equal_range(toString(event.address));
@@ -119,7 +120,7 @@ std::optional<std::map<Index, LedgerLine>> rootDecisions(const PointSet& points,
                 found.emplace(at->second, lineOf(event, {points, params, pivot.point}));
         }
     };
-    if (!wanted.empty() && !scanRun(points, params, see, progress)) return {};
+    if (!wanted.empty() && !scanRun(points, params, onPivot, progress)) return {};
     return found;
 }
 

@@ -1,13 +1,13 @@
 /// One run with a heap of the best: of every test with a number the least margin is kept per point,
 /// and the moves that would invert the best decisions are computed only for those that enter the
 /// heap. O(run).
-#include "spiraling_edge/explain/closest_calls.h"
+#include "spiraling_edge/explain/nearest_decisions.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "spiraling_edge/explain/nudge.h"
+#include "spiraling_edge/explain/flipping_move.h"
 #include "spiraling_edge/replay/scan_run.h"
 
 namespace se {
@@ -38,31 +38,31 @@ class Shortlist {
         }
     }
 
-    ClosestCalls take() {
+    NearestDecisions take() {
         std::sort_heap(heap_.begin(), heap_.end(), better);
-        ClosestCalls result{{}, std::move(least_)};
-        for (const Entry& entry : heap_) result.calls.push_back(entry.call);
+        NearestDecisions result{{}, std::move(least_)};
+        for (const Entry& entry : heap_) result.decisions.push_back(entry.decision);
         return result;
     }
 
   private:
     struct Entry {
-        ClosestCall call;
+        NearestDecision decision;
         std::uint64_t number;  ///< In the order of the run.
     };
     static bool better(const Entry& a, const Entry& b) {
-        const double x = std::abs(a.call.reading.margin);
-        const double y = std::abs(b.call.reading.margin);
+        const double x = std::abs(a.decision.reading.margin);
+        const double y = std::abs(b.decision.reading.margin);
         return x < y || (x == y && a.number < b.number);
     }
 
-    void consider(const ClosestCall& call, Index first, Index last) {
-        Entry entry{call, number_++};
+    void consider(const NearestDecision& decision, Index first, Index last) {
+        Entry entry{decision, number_++};
         if (heap_.size() == count_ && (count_ == 0 || !better(entry, heap_.front()))) return;
-        const NudgeContext context{points_, params_, entry.call.pivot, first, last};
-        const auto nudge = nudgeOf(entry.call.event, context);
-        if (!nudge) return;
-        entry.call.nudge = *nudge;
+        const FlippingMoveContext context{points_, params_, entry.decision.pivot, first, last};
+        const auto move = flippingMoveOf(entry.decision.event, context);
+        if (!move) return;
+        entry.decision.move = *move;
         if (heap_.size() == count_) {
             std::pop_heap(heap_.begin(), heap_.end(), better);
             heap_.pop_back();
@@ -81,8 +81,8 @@ class Shortlist {
 
 }  // namespace
 
-Result<ClosestCalls> closestCalls(const PointSet& points, const Params& params, std::size_t count,
-                                  const Progress& progress) {
+Result<NearestDecisions> nearestDecisions(const PointSet& points, const Params& params,
+                                          std::size_t count, const Progress& progress) {
     Shortlist list(points, params, count);
     const auto end = scanRun(
         points, params, [&](const ScannedPivot& pivot) { list.add(pivot); }, progress);

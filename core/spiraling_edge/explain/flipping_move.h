@@ -3,12 +3,12 @@
 
 #include <optional>
 
-#include "spiraling_edge/explain/closest_calls.h"
+#include "spiraling_edge/explain/nearest_decisions.h"
 
 namespace se {
 
 /// The context of a decision.
-struct NudgeContext {
+struct FlippingMoveContext {
     const PointSet& points;
     const Params& params;
     Index pivot, first, last;  ///< Points.
@@ -16,6 +16,6 @@ struct NudgeContext {
 
 /// The shortest move, by Newton steps along the gradient of the compared number; empty if the event
 /// has no reading, or if no small move inverts it.
-std::optional<Nudge> nudgeOf(const Event& event, const NudgeContext& context);
+std::optional<FlippingMove> flippingMoveOf(const Event& event, const FlippingMoveContext& context);
 
 }  // namespace se
