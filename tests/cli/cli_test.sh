@@ -74,6 +74,11 @@ help_and_version() {
     empty out
 }
 
+docs_command_line_is_current() {
+    command -v python3 >/dev/null || return 0
+    "$here/../../docs/make-lists.py" --check "$program" || fail "see above"
+}
+
 unknown_verb_is_wrong_usage() {
     expect 2 triangulate
     says err "triangulate: neither a verb nor a file"

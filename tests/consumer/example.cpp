@@ -1,5 +1,7 @@
 #include <cstdio>
 
+#include "spiraling_edge/io/read_points.h"
+#include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/mesh/mesh_report.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/scenes/scenes.h"
