@@ -129,12 +129,16 @@ done < <(find core app tests -name '*.cpp' -not -path 'tests/consumer/*')
 # Limits of size.
 while read -r file; do
     lines=$(wc -l <"$file")
-    [ "$lines" -le 500 ] || breach "over 500 lines: $file ($lines)"
+    [ "$lines" -le 450 ] || breach "over 450 lines: $file ($lines)"
 done < <(sources core; sources app)
 while read -r folder; do
     files=$(find "$folder" -maxdepth 1 -name '*.cpp' -o -maxdepth 1 -name '*.h' | wc -l)
     [ "$files" -le 40 ] || breach "over 40 sources: $folder ($files)"
 done < <(find core app tests -type d)
+lines=$(cat docs/*.md | wc -l)
+[ "$lines" -le 1600 ] || breach "docs/*.md have $lines lines, over 1600"
+while read -r line; do breach "over 120 columns: $line"; done < <(
+    grep -nHP '^(?!\|).{121,}' README.md CONTRIBUTING.md docs/*.md | cut -d: -f1,2)
 lines=$(wc -l <README.md)
 { [ "$lines" -ge 80 ] && [ "$lines" -le 160 ]; } || breach "README.md has $lines lines, not 80 to 160"
 
