@@ -27,7 +27,7 @@ case "${1:-}" in
 esac
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
-    echo "Not a Debian system: please see to it that these are there: ${wanted[*]}" >&2
+    echo "Not a Debian system: please install these: ${wanted[*]}" >&2
     exit 0
 fi
 

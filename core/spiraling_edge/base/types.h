@@ -1,8 +1,11 @@
 /// The basic types of the library.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 
 namespace se {
 
@@ -20,5 +23,12 @@ struct Triangle {
     Index c = kNone;
     friend bool operator==(const Triangle&, const Triangle&) = default;
 };
+
+/// True if all corners are below `points`. O(t) for t triangles.
+inline bool cornersBelow(std::span<const Triangle> triangles, std::size_t points) {
+    return std::all_of(triangles.begin(), triangles.end(), [points](const Triangle& t) {
+        return t.a < points && t.b < points && t.c < points;
+    });
+}
 
 }  // namespace se

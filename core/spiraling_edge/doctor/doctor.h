@@ -15,7 +15,7 @@
 
 namespace se {
 
-/// How bad a finding is. Warnings and errors are problems; notes also occur on good inputs.
+/// Severity of a finding. Warnings and errors are problems; notes also occur on good inputs.
 enum class Severity : std::uint8_t {
     Note,
     Warning,  ///< The points are used, but the mesh may suffer.

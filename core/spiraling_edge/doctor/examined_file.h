@@ -1,6 +1,7 @@
 /// Values that several checks of the doctor share, computed once.
 #pragma once
 
+#include <cassert>
 #include <string>
 
 #include "spiraling_edge/doctor/doctor.h"
@@ -34,7 +35,10 @@ struct ExaminedFile {
 
     Index size() const { return static_cast<Index>(file.position.size()); }
     /// True if the point is present and has a normal. Requires a file with normals.
-    bool hasSide(Index p) const { return present[p] && normal[p] != Vec3(0.0); }
+    bool hasSide(Index p) const {
+        assert(p < normal.size());
+        return present[p] && normal[p] != Vec3(0.0);
+    }
     /// Its normal, turned to the side of the rest of its component if it is flipped.
     Vec3 side(Index p) const { return sides.flipped[p] ? -normal[p] : normal[p]; }
     double distance(Index p, Index q) const;

@@ -1,6 +1,7 @@
 /// Repairs of a file that need no guess, each with a line in the report. Points are dropped at the
 /// end, together, and lists and faces renumbered once. O(file).
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "spiraling_edge/doctor/checks.h"
@@ -175,6 +176,7 @@ class FixApplication {
 }  // namespace
 
 FixedFile applyFixes(const PointFile& file, std::span<const Index> alsoDrop) {
+    assert(checkColumns(file).ok());
     return FixApplication(file).run(alsoDrop);
 }
 

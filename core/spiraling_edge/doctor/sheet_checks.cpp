@@ -103,8 +103,8 @@ Conflicts conflictsBetween(const ExaminedFile& examined, DisjointSets& sheets) {
 /// True if a patch of `patch` points with `pairs` contradictions must be flipped. Along a straight
 /// rim each step contradicts in six pairs, and a patch of m points has a rim of 2.3 root m steps at
 /// least, even if half of it is the rim of the surface: 14 root m. A single flipped point
-/// contradicts in 12. Noise and thin parts contradict here and there. Long strips have short rims,
-/// hence the bound above.
+/// contradicts in 12. Noise and thin parts contradict in places. Long strips have short rims, hence
+/// the bound above.
 bool isEvidence(std::size_t pairs, std::size_t patch) {
     const double wanted = std::clamp(4.0 * std::sqrt(static_cast<double>(patch)), 8.0, 40.0);
     return static_cast<double>(pairs) >= wanted;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <numeric>
 
 #include "spiraling_edge/explain/freed_rings.h"
@@ -80,6 +81,7 @@ class CauseInverter {
     /// Requires that pivots do not decrease from call to call.
     CauseInversion invert(const RunFailure& failure) {
         const std::uint32_t pivot = failure.moments.unavoidable.event.address.pivot;
+        assert(stepper_.state().counters.pivots < pivot);
         while (stepper_.state().counters.pivots + 1 < pivot && stepper_.stepPivot()) {
         }
         CauseInversion inversion = inverted(failure.failure, failure.moments.unavoidable);

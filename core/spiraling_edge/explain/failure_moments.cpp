@@ -4,6 +4,7 @@
 #include "spiraling_edge/explain/failure_moments.h"
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 #include <tuple>
 
@@ -150,6 +151,8 @@ std::size_t rankOf(const MeshFailure& failure) {
 /// exceeds the work. Requires failures in the order of their classes.
 void keepAffordable(const PointSet& points, const Params& params, const EventCounts& counts,
                     InspectedRun& run) {
+    assert(std::is_sorted(run.failures.begin(), run.failures.end(),
+                          [](const auto& a, const auto& b) { return rankOf(a) < rankOf(b); }));
     const std::vector<LedgerLine> noMoves;
     const FinderInput input{points, params, run.end.mesh(), noMoves};
     std::vector<std::uint64_t> work;

@@ -15,7 +15,8 @@ namespace se {
 
 struct InspectedRun {
     State end;
-    /// As inspectWithTotals() finds them, then rings left over; totals are of all of them.
+    /// The failures that inspectWithTotals() finds, then rings left over; `totals` count all of
+    /// them.
     std::vector<MeshFailure> failures;
     std::vector<ClassTotal> totals;
 

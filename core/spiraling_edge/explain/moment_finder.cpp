@@ -5,6 +5,7 @@
 #include "spiraling_edge/explain/moment_finder.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "spiraling_edge/explain/pivot_tests.h"
 #include "spiraling_edge/replay/decision_line.h"
@@ -40,7 +41,10 @@ const DropEvidence* passedBy(const Event& event) {
 
 MomentFinder::MomentFinder(const FinderInput& input, const MeshFailure& failure)
     : input_(input), failure_(failure), kind_(kindOf(failure)) {
-    for (const Index i : failure.triangles) triangles_.push_back(input.mesh[i]);
+    for (const Index i : failure.triangles) {
+        assert(i < input.mesh.size());
+        triangles_.push_back(input.mesh[i]);
+    }
     points_ = failure.points;
     if (kind_ == Kind::Triangle) {
         for (const Triangle& t : triangles_) points_.insert(points_.end(), {t.a, t.b, t.c});

@@ -1,4 +1,4 @@
-/// The decisions of a run that came nearest to going the other way.
+/// The decisions of a run with the least margins, and the moves that would invert them.
 #pragma once
 
 #include <vector>
@@ -20,7 +20,7 @@ struct NearestDecision {
     Event event;
     Index pivot = kNone;
     Reading reading;
-    FlippingMove move;  ///< If nothing else changed before, the decision goes the other way.
+    FlippingMove move;  ///< Inverts the decision if no earlier one changes.
 };
 
 struct NearestDecisions {

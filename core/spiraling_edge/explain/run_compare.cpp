@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <map>
 #include <tuple>
 
@@ -167,6 +168,7 @@ Result<RunComparison> compareRuns(const ComparedRun& a, const ComparedRun& b,
         return Error{"The runs have not the same points: A has " + std::to_string(a.points.size()) +
                      ", B has " + std::to_string(b.points.size()) + "."};
     }
+    assert(validate(a.points).ok() && validate(b.points).ok());
     RunComparison found;
     Walker left(a);
     Walker right(b);

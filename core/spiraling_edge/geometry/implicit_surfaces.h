@@ -6,7 +6,7 @@
 
 namespace se {
 
-/// The points where value(x) = 0; the gradient points outwards.
+/// The points where value(x) = 0; the gradient points outward.
 struct ImplicitSurface {
     double (*value)(const Vec3&);
     Vec3 (*gradient)(const Vec3&);

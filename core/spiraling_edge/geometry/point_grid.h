@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <glm/common.hpp>
 #include <glm/fwd.hpp>
 #include <glm/vec3.hpp>
@@ -18,6 +19,7 @@ class CellGrid {
   public:
     /// Requires a cell above 0 and low <= high; points outside belong to the cells at the border.
     CellGrid(const Vec3& low, const Vec3& high, double cell) : low_(low), cell_(cell) {
+        assert(cell > 0.0 && low.x <= high.x && low.y <= high.y && low.z <= high.z);
         while (blocksOf(high) > kMaxBlocks) cell_ *= 1.25;
         for (int i = 0; i < 3; ++i) count_[i] = static_cast<int>((high[i] - low_[i]) / cell_) + 1;
         blocks_ = (count_ - 1) / kSide + 1;

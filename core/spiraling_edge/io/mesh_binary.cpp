@@ -1,6 +1,7 @@
 /// The binary mesh formats: STL and GLB (binary glTF 2.0).
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -45,6 +46,7 @@ std::string stlHeader(const std::optional<Vec3>& shift) {
 }  // namespace
 
 std::string stlBytes(const PointFile& points, std::span<const Triangle> triangles) {
+    assert(checkWritable(points, triangles).ok());
     constexpr std::size_t kRow = 50;
     const std::optional<Vec3> found = floatShift(points, triangles);
     const Vec3 shift = found.value_or(Vec3(0.0));
@@ -213,6 +215,7 @@ class GlbParts {
 }  // namespace
 
 std::string glbBytes(const PointFile& points, std::span<const Triangle> triangles) {
+    assert(checkWritable(points, triangles).ok());
     return GlbParts(points, triangles).file();
 }
 

@@ -1,5 +1,6 @@
 /// The text mesh formats: OBJ and OFF.
 #include <array>
+#include <cassert>
 #include <charconv>
 
 #include "spiraling_edge/base/number_text.h"
@@ -24,6 +25,7 @@ void appendRow(std::string& text, const Vec3& v) {
 }  // namespace
 
 std::string objBytes(const PointFile& points, std::span<const Triangle> triangles) {
+    assert(checkWritable(points, triangles).ok());
     std::string text = "# written by spiraling-edge\n";
     for (const Vec3& x : points.position) {
         text += "v ";
@@ -78,10 +80,12 @@ std::string offText(std::span<const Vec3> position, std::span<const Vec3> normal
 }  // namespace
 
 std::string offBytes(const PointFile& points, std::span<const Triangle> triangles) {
+    assert(checkWritable(points, triangles).ok());
     return offText(points.position, {}, triangles);
 }
 
 std::string noffBytes(const PointFile& points, std::span<const Triangle> triangles) {
+    assert(checkWritable(points, triangles).ok());
     return offText(points.position, points.normal, triangles);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cctype>
 #include <cmath>
 #include <limits>
@@ -205,6 +206,7 @@ bool isRecognizable(std::size_t columns) {
 }
 
 Result<NamedColumns> recognizeColumns(const ExtraColumns& extra) {
+    assert(isRecognizable(3 + extra.width()) && (extra.width() == 0 || !extra.values.empty()));
     switch (extra.width()) {
         case 1:
             return NamedColumns{{"intensity"}, "column 4 is read as intensity"};

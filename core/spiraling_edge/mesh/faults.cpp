@@ -5,10 +5,12 @@
 #include "spiraling_edge/mesh/faults.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <tuple>
 
+#include "spiraling_edge/base/finite.h"
 #include "spiraling_edge/geometry/box.h"
 #include "spiraling_edge/geometry/box_grid.h"
 #include "spiraling_edge/geometry/exact_predicates.h"
@@ -39,6 +41,14 @@ bool liesFlat(const PointSet& points, const Triangle& a, const Triangle& b) {
         return std::abs(glm::dot(normal, d)) <= kRounding * glm::length(normal) * glm::length(d);
     };
     return inPlane(b.a) && inPlane(b.b) && inPlane(b.c);
+}
+
+[[maybe_unused]] bool usesFinitePositions(const PointSet& points,
+                                          std::span<const Triangle> triangles) {
+    return std::all_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
+        return isFinite(points.position[t.a]) && isFinite(points.position[t.b]) &&
+               isFinite(points.position[t.c]);
+    });
 }
 
 class FaultFinder {
@@ -210,6 +220,7 @@ std::string_view faultName(FaultKind kind) {
 }
 
 FaultSearch searchFaults(const PointSet& points, std::span<const Triangle> triangles) {
+    assert(cornersBelow(triangles, points.size()) && usesFinitePositions(points, triangles));
     return FaultFinder(points, triangles).find();
 }
 

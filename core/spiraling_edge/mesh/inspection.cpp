@@ -1,6 +1,7 @@
 #include "spiraling_edge/mesh/inspection.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdio>
 
 #include "spiraling_edge/base/number_text.h"
@@ -83,6 +84,7 @@ bool isComplete(std::span<const ClassTotal> totals) {
 }
 
 MeshInspection inspectWithTotals(const PointSet& points, std::span<const Triangle> triangles) {
+    assert(cornersBelow(triangles, points.size()));
     const InspectedMesh mesh(points, triangles);
     MeshInspection found;
     std::vector<MeshFailure>& all = found.failures;

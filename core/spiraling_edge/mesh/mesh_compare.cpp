@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <tuple>
 
 #include "spiraling_edge/base/disjoint_sets.h"
@@ -161,6 +162,7 @@ class RegionFinder {
 
 MeshDifference compareMeshes(std::span<const Vec3> position, std::span<const Triangle> a,
                              std::span<const Triangle> b) {
+    assert(cornersBelow(a, position.size()) && cornersBelow(b, position.size()));
     MeshDifference found = Pairing(a, b).take();
     found.regions = RegionFinder(position, a, b, found).take();
     return found;

@@ -1,6 +1,7 @@
 // Finds the vertices of a mesh from a file among the points, in a grid with about one point per
 // cell: about O(1) per vertex.
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <optional>
 
@@ -63,6 +64,7 @@ class PointFinder {
 }  // namespace
 
 MatchedMesh matchMesh(std::span<const Vec3> points, const PointFile& mesh) {
+    assert(cornersBelow(mesh.faces, mesh.position.size()));
     const PointFinder finder(points);
     const bool sameCount = points.size() == mesh.position.size();
     std::vector<bool> used(mesh.position.size(), false);

@@ -3,6 +3,7 @@
 #include "spiraling_edge/mesh/mesh_report.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
@@ -80,6 +81,7 @@ std::vector<Index> nonManifoldPoints(std::span<const Triangle> triangles,
 }
 
 MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangles) {
+    assert(cornersBelow(triangles, points.size()));
     MeshReport report;
     report.points = points.size();
     report.triangles = triangles.size();

@@ -1,13 +1,16 @@
 #include "spiraling_edge/points/used_points.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "spiraling_edge/points/kept_rows.h"
+#include "spiraling_edge/points/usable_points.h"
 
 namespace se {
 namespace {
 
 std::vector<bool> usedPoints(std::size_t points, std::span<const Triangle> triangles) {
+    assert(cornersBelow(triangles, points));
     std::vector<bool> used(points, false);
     for (const Triangle& t : triangles) used[t.a] = used[t.b] = used[t.c] = true;
     return used;
@@ -31,6 +34,7 @@ NeighborLists keptLists(const NeighborLists& lists, const std::vector<Index>& nu
 }  // namespace
 
 PointFile withUsedPoints(const PointFile& points, std::span<const Triangle> triangles) {
+    assert(checkColumns(points).ok());
     const std::vector<bool> used = usedPoints(points.position.size(), triangles);
     const std::vector<Index> number = keptNumbers(used);
     PointFile made = points;

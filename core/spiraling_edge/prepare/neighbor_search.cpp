@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <nanoflann.hpp>
@@ -13,6 +14,7 @@
 #include <string>
 #include <thread>
 
+#include "spiraling_edge/base/finite.h"
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/geometry/z_curve.h"
 
@@ -330,6 +332,13 @@ class NeighborSearch {
     std::vector<RangeSearch> ranges_;
 };
 
+[[maybe_unused]] bool areFinite(std::span<const Vec3> position, const std::vector<bool>& usable) {
+    for (std::size_t p = 0; p < position.size(); ++p) {
+        if (usable[p] && !isFinite(position[p])) return false;
+    }
+    return true;
+}
+
 /// Mean distance to the nearest point; 1 if no point has one: then no radius finds any.
 double meanSpacing(std::span<const Vec3> position, const NeighborLists& nearest) {
     double sum = 0.0;
@@ -361,7 +370,11 @@ Result<NeighborLists> withinSpacings(double spacings, std::span<const Vec3> posi
 void sortNearestFirst(std::span<const Vec3> position, Index p, std::vector<Index>& list) {
     std::vector<Neighbor> neighbors;
     neighbors.reserve(list.size());
-    for (const Index q : list) neighbors.push_back({distanceSquared(position[p], position[q]), q});
+    assert(list.empty() || isFinite(position[p]));
+    for (const Index q : list) {
+        assert(isFinite(position[q]));
+        neighbors.push_back({distanceSquared(position[p], position[q]), q});
+    }
     std::sort(neighbors.begin(), neighbors.end());
     // Repeated entries have the same distance and are now adjacent.
     neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
@@ -396,6 +409,7 @@ Result<NeighborLists> findNeighbors(std::span<const Vec3> position, std::span<co
                      std::to_string(normal.size()) + " normals and " +
                      std::to_string(usable.size()) + " marks of usable points"};
     }
+    assert(areFinite(position, usable));
     if (!options.dropOpposingNormals) normal = {};
     if (const auto* reach = std::get_if<WithinSpacings>(&options.reach))
         return withinSpacings(reach->spacings, position, normal, usable, options, progress);

@@ -16,8 +16,8 @@ namespace se {
 struct Rim {
     /// For each point its gap, the sector without neighbors; no ends where the surface continues.
     std::vector<RimGap> gap;
-    /// Closed chains of rim points, with the surface to their left as seen along the normals: round
-    /// a hole clockwise. A rim point may lie beside a chain and not on it.
+    /// Closed chains of rim points, with the surface to their left in projection along the normals:
+    /// clockwise around a hole. A rim point may lie beside a chain and not on it.
     std::vector<std::vector<Index>> chains;
     std::size_t candidates = 0;  ///< Points whose neighbors leave a gap of more than 120 degrees.
 

@@ -1,6 +1,6 @@
-/// A filter over the decisions of a run, written as one line: `stage=sphere kept margin<1e-4
-/// point=812`. A breakpoint is such a line: it stops at the same addresses in both directions of
-/// time.
+/// A filter over the decisions of a run, written as one line:
+/// `stage=sphere kept margin<1e-4 point=812`. A breakpoint is such a line: it stops at the same
+/// addresses in both directions of time.
 #pragma once
 
 #include <functional>

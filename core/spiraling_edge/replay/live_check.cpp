@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <unordered_map>
 #include <utility>
@@ -232,7 +233,9 @@ class LiveCheck::Checker {
     Address address_;
 };
 
-LiveCheck::LiveCheck(const PointSet& points) : checker_(std::make_unique<Checker>(points)) {}
+LiveCheck::LiveCheck(const PointSet& points) : checker_(std::make_unique<Checker>(points)) {
+    assert(validate(points).ok());
+}
 LiveCheck::~LiveCheck() = default;
 LiveCheck::LiveCheck(LiveCheck&&) noexcept = default;
 LiveCheck& LiveCheck::operator=(LiveCheck&&) noexcept = default;

@@ -15,7 +15,7 @@ struct PivotTally {
     std::uint32_t tests = 0;       ///< Decisions that took or refused something: the cost.
 };
 
-/// The tally of one pivot. Requires `events` to be all events of that pivot.
+/// The tally of one pivot; `events` are all of its events.
 PivotTally tallyOf(std::span<const Event> events);
 
 }  // namespace se

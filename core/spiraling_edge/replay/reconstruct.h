@@ -29,8 +29,8 @@ struct Reconstruction {
     StopReason reason = StopReason::Finished;
 };
 
-/// Called now and then during a run; returning true ends it. The indices in the State may be those
-/// of a renumbered set.
+/// Called between the pivots of a run; returning true ends it. The indices in the State may be
+/// those of a renumbered set.
 using StopCondition = std::function<bool(const State&)>;
 
 /// Runs the Spiraling Edge algorithm to the end: the same triangles, mesh, statuses, alerts and

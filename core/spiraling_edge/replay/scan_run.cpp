@@ -1,6 +1,7 @@
 #include "spiraling_edge/replay/scan_run.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/stepper/stepper.h"
@@ -21,6 +22,7 @@ Index pivotPoint(std::span<const Event> events) {
 std::optional<State> scanRun(const PointSet& points, const Params& params,
                              const std::function<void(const ScannedPivot&)>& visit,
                              const Progress& progress) {
+    assert(validate(points).ok());
     EventLog log;
     Stepper stepper(points, params, &log);
     const auto all = static_cast<double>(std::max<std::size_t>(points.size(), 1));

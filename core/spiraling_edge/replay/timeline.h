@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -59,7 +60,10 @@ class Timeline {
     /// The highest number that eventsOf() has events for. Requires endKnown(). One more than the
     /// pivots of the run if there are events after the last of them, such as points that cannot
     /// begin a ring.
-    std::uint32_t lastPivot() const { return farthest_ + (tail_ ? 1U : 0U); }
+    std::uint32_t lastPivot() const {
+        assert(endKnown_);
+        return farthest_ + (tail_ ? 1U : 0U);
+    }
     /// Approximate size of all keyframes, in bytes.
     std::size_t keyframeBytes() const { return keyframeBytes_; }
 

@@ -31,7 +31,7 @@ class WatchExpression {
   public:
     /// One of the terms, such as `ring` or `status=812`. Fails with a sentence.
     static Result<WatchExpression> parse(std::string_view text);
-    /// Requires a point below the number of points, if it has one.
+    /// The value at a place of a run; 0 if the point of the expression does not exist.
     double valueIn(const WatchedRun& run) const { return term_->value(run, point_); }
     /// The point of the expression; kNone if none.
     Index point() const { return point_; }

@@ -131,7 +131,7 @@ PointFile strandedPoint() {
 }
 
 PointFile teeAtWall() {
-    // A second sheet stands on the middle of the first: where the two meet a wall, three walls'
+    // A second sheet is upright on the middle of the first: where the two meet a wall, three walls'
     // points are neighbors.
     PointFile file = sampleSheet(flatSheet(), 5, 26, 1);
     for (Vec3& x : file.position) {

@@ -77,6 +77,7 @@ Index EdgeRings::start(Index p, Index q) {
 }
 
 Index EdgeRings::insertAfter(Index entry, Index point) {
+    assert(alive(entry));
     const Index made = newEntry(point, entries_[entry].ring);
     const Index next = entries_[entry].next;
     entries_[made].prev = entry;
@@ -88,6 +89,7 @@ Index EdgeRings::insertAfter(Index entry, Index point) {
 }
 
 void EdgeRings::erase(Index entry) {
+    assert(alive(entry));
     RingEntry& e = entries_[entry];
     const Index ring = e.ring;
     entries_[e.prev].next = e.next;
@@ -108,6 +110,7 @@ void EdgeRings::relabel(Index from, Index to, Index ring) {
 }
 
 Exchange EdgeRings::exchangeSuccessors(Index x, Index y) {
+    assert(alive(x) && alive(y) && x != y);
     const Index ringX = entries_[x].ring;
     const Index ringY = entries_[y].ring;
     std::swap(entries_[x].next, entries_[y].next);
@@ -133,6 +136,7 @@ Exchange EdgeRings::finishSplit(Index x, Index y) {
     relabel(entries_[inShorter].next, inShorter, made);
     rings_[made].length = length;
     rings_[made].head = inShorter;
+    assert(rings_[old].length > length);  // Both parts have entries.
     rings_[old].length -= length;
     rings_[old].head = inShorter == x ? y : x;
     return {true, entries_[x].ring, entries_[y].ring};
@@ -157,11 +161,13 @@ Exchange EdgeRings::finishJoin(Index x, Index y, Index ringX, Index ringY) {
 }
 
 void EdgeRings::activate(Index ring) {
+    assert(length(ring) > 0);
     removeFromStack(ring);
     active_ = ring;
 }
 
 void EdgeRings::push(Index ring, Index head) {
+    assert(alive(head) && ringOf(head) == ring);
     removeFromStack(ring);
     if (active_ == ring) active_ = kNone;
     rings_[ring].head = head;

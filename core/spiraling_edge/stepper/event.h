@@ -62,7 +62,7 @@ std::string toString(const Address& address);
 /// Reads `137`, `137.sphere` or `137.sphere.3`; parts left out are stage Pivot and n = 0.
 std::optional<Address> addressFromString(std::string_view text);
 
-/// How a test ended.
+/// The verdict of a test.
 enum class Verdict : std::uint8_t {
     Kept,
     // sort

@@ -54,7 +54,7 @@ Result<double> valueFromText(const RuleSetting& setting, std::string_view text);
 /// True if the setting can have that value.
 bool isValue(const RuleSetting& setting, double value);
 
-/// One setting with a value of its own, beside a named set of rules.
+/// The value of one setting, in addition to a named set of rules.
 struct RuleValue {
     std::string name;  ///< One of ruleSettings().
     double value = 1.0;

@@ -85,7 +85,7 @@ TEST_CASE("nofold: a triangle within 30 degrees of the old one across an edge is
     CHECK(made(60, fold) == kWith5);
 }
 
-TEST_CASE("nofold: what folds over is said") {
+TEST_CASE("nofold: the triangle that folds over is reported") {
     Rig rig(overHalf({{0, 1, 0}, {0.4, 0.9, 0.05}}), paperBut(&RobustRules::noFold));
     rig.mesh({{1, 0, 6}}).list(0, {5}).ring(kRing).pivot();
     CHECK(rig.newTriangles().empty());

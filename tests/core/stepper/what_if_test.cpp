@@ -321,7 +321,7 @@ TEST_CASE("a rule on fans can be overruled, and the mesh stays a manifold") {
     CHECK(made > 5);
 }
 
-TEST_CASE("what would break an invariant is refused, and it is said which") {
+TEST_CASE("a what-if that would break an invariant is refused with its name") {
     const PointSet points = sphere();
     const auto reason = [&](const Event& event) {
         const Status status =

@@ -2,6 +2,7 @@
 /// A new shape is a value, a gradient and a row.
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include "spiraling_edge/geometry/implicit_surfaces.h"
@@ -177,6 +178,7 @@ Field fieldOf(const Shape& shape) {
 }
 
 Field inBox(Field field, const Vec3& low, const Vec3& high) {
+    assert(low.x < high.x && low.y < high.y && low.z < high.z);
     constexpr double kMaxCells = 1024.0;
     const Vec3 cell = (field.high - field.low) / Vec3(field.cells);
     field.cells =

@@ -57,7 +57,7 @@ class Sampler {
 
     /// True after the last step: all particles are on the surface and evenly spread.
     bool done() const;
-    /// One step of relaxation; now and then particles split and die in it. No effect when done.
+    /// One step of relaxation; in every tenth, particles also split and die. No effect when done.
     /// False if `progress`, which gets the share of this step, cancelled: then the particles are no
     /// longer valid.
     bool step(const Progress& progress = {});

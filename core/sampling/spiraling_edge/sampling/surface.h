@@ -9,8 +9,7 @@
 
 namespace se::sampling {
 
-/// Area that a particle covers where they stand in equilateral triangles, in squares of the
-/// spacing.
+/// Area per particle in a lattice of equilateral triangles, in squares of the spacing.
 inline constexpr double kHexagonal = 0.86602540378443865;
 
 /// Axes along which a particle may not move: bits 1, 2 and 4, as in TypeBits.

@@ -3,6 +3,7 @@
 #include "spiraling_edge/sampling/volume.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/common.hpp>
 
@@ -105,6 +106,7 @@ Result<Volume> readVolume(std::string_view bytes, const std::string& name) {
 }
 
 Field fieldOf(const std::shared_ptr<const Volume>& volume, double isovalue) {
+    assert(volume->size[0] >= 2 && volume->size[1] >= 2 && volume->size[2] >= 2);
     Field field;
     field.value = [volume](const Vec3& x) { return volume->valueAt(x); };
     field.gradient = [volume](const Vec3& x) { return volume->gradientAt(x); };

@@ -120,7 +120,12 @@ void phaseEmit(AnyContext auto& context) {
     }
     s.pivotTriangles = static_cast<std::uint32_t>(s.triangles.size() - before);
     if (!s.edges.empty()) {
-        for (const Triangle& t : std::span(s.triangles).subspan(before)) s.edges.add(t);
+        for (const Triangle& t : std::span(s.triangles).subspan(before)) {
+            // Invariant 5, unless a what-if overrides the guard: no directed edge twice.
+            assert(!context.params.robust.guard || !context.params.whatIf.empty() ||
+                   !(s.edges.has(t.a, t.b) || s.edges.has(t.b, t.c) || s.edges.has(t.c, t.a)));
+            s.edges.add(t);
+        }
     }
     noteTriangles(context, before);
     // The bound that ends every guarded run, see docs/architecture.md.

@@ -3,6 +3,7 @@
 /// ring or ends the component; finished rings of two and rings freed by §7 are closed here, too.
 /// O(fan) per pivot, plus relabeling of the shorter ring.
 #include <algorithm>
+#include <cassert>
 
 #include "spiraling_edge/stepper/step_context.h"
 
@@ -17,6 +18,7 @@ void noteRing(AnyContext auto& context, Stage stage, Index x, bool inserted) {
 void release(AnyContext auto& context, Index entry, Stage stage) {
     State& s = context.state;
     const Index x = s.rings.point(entry);
+    assert(s.status[x] > 0);  // Invariant 1: the number of its entries.
     s.rings.erase(entry);
     if (s.status[x] == 1) {
         s.finish(x);
@@ -30,6 +32,7 @@ void insertCandidates(AnyContext auto& context) {
     State& s = context.state;
     Index previous = s.pivot.start;
     for (const Candidate& c : s.pivot.candidates) {
+        assert(s.status[c.point] != kDone);  // Invariant 7.
         previous = s.rings.insertAfter(previous, c.point);
         s.status[c.point] = s.status[c.point] + 1;
         s.insertedEntries.push_back(previous);

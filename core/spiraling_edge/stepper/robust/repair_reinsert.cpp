@@ -1,5 +1,5 @@
 /// RobustRules::reinsert: a stranded point splits the triangle or the edge it lies over, or is
-/// joined to the border it lies beside, whichever gives the best angles without a fault.
+/// joined to the border next to it, whichever has the best angles without a fault.
 #include <algorithm>
 #include <array>
 

@@ -1,9 +1,12 @@
 #include "spiraling_edge/stepper/robust/ring_shape.h"
 
+#include <cassert>
+
 namespace se {
 
 RingShape shapeOfRing(const StepContext& context) {
     const EdgeRings& rings = context.state.rings;
+    assert(rings.active() != kNone);
     const Index head = rings.head(rings.active());
     const Vec3 origin = context.positionAt(head);
     ShapeSum sum;
