@@ -168,6 +168,17 @@ int runBench(const Options& options) {
     return dumpState(application);
 }
 
+/// Draws until the user quits, or `frames` frames if that is not 0.
+void drawFrames(Window& window, Application& application, int frames) {
+    window.attach(application);
+    for (int drawn = 0; !application.wantsToQuit() && (frames == 0 || drawn < frames);) {
+        // The number of frames is given, whether anything moves or not.
+        if (frames > 0) window.wake();
+        if (window.turn()) ++drawn;
+    }
+    window.detach();
+}
+
 int runWindow(const Options& options) {
     ViewSettings settings = settingsFor(options);
     const auto window = Window::create({settings.width, settings.height});
@@ -177,7 +188,7 @@ int runWindow(const Options& options) {
     if (const auto status = application.start(window.value()->contentScale()); !status) {
         return fail(kExitNoDisplay, status.error().message);
     }
-    window.value()->run(application, options.frames);
+    drawFrames(*window.value(), application, options.frames);
     if (!options.noConfig) {
         const auto written = writeSettings(settingsPath(), settingsToKeep(options, application));
         if (!written) fail(kExitGood, written.error().message);

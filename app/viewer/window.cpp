@@ -1,6 +1,6 @@
-// The loop sleeps in glfwWaitEventsTimeout() unless something happened (wake_ counts the frames
-// that are still to draw) or the picture is animated. It polls the results of threads at that
-// interval, and draws only if there is something new.
+// A turn of the loop sleeps in glfwWaitEventsTimeout() unless something happened (wake_ counts the
+// frames that are still to draw) or the picture is animated. It polls the results of threads at
+// that interval, and draws only if there is something new.
 #include "window.h"
 
 #include <GLFW/glfw3.h>
@@ -8,6 +8,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cctype>
 #include <utility>
 
@@ -140,35 +141,35 @@ void Window::listenToKeys() {
     });
 }
 
-void Window::deliver(Application& application) {
-    const std::size_t limit = application.keysHaveToWait() ? 0 : pressesOfNextFrame(keys_);
+void Window::deliver() {
+    const std::size_t limit = application_->keysHaveToWait() ? 0 : pressesOfNextFrame(keys_);
     std::size_t now = 0;
     for (; now < limit; ++now) {
         const KeyPress& press = keys_[now];
         // A key press may open something that takes the later keys.
-        if (application.keysHaveToWait() && !isSignOfKeyBefore(keys_, now)) break;
+        if (application_->keysHaveToWait() && !isSignOfKeyBefore(keys_, now)) break;
         const int action = press.released   ? GLFW_RELEASE
                            : press.repeated ? GLFW_REPEAT
                                             : GLFW_PRESS;
         bool usedUp = false;
         if (press.sign != 0) {
-            application.character(press.sign);
+            application_->character(press.sign);
             ImGui_ImplGlfw_CharCallback(window_, press.sign);
         } else if (press.released) {
-            application.keyReleased(press.chord);
+            application_->keyReleased(press.chord);
         } else {
-            usedUp = application.key(press.chord, press.repeated);
+            usedUp = application_->key(press.chord, press.repeated);
         }
         if (press.sign != 0 || usedUp) continue;
         ImGui_ImplGlfw_KeyCallback(window_, press.rawKey, press.scancode, action, press.rawMods);
     }
     keys_.erase(keys_.begin(), keys_.begin() + static_cast<std::ptrdiff_t>(now));
     if (!keys_.empty()) wake_ = kSettleFrames;
-    if (press_) application.buttonPressed(*std::exchange(press_, std::nullopt));
-    if (!drops_.empty()) application.drop(std::exchange(drops_, {}));
+    if (press_) application_->buttonPressed(*std::exchange(press_, std::nullopt));
+    if (!drops_.empty()) application_->drop(std::exchange(drops_, {}));
 }
 
-void Window::drawFrame(Application& application) {
+void Window::drawFrame() {
     const double now = glfwGetTime();
     const double seconds = std::clamp(now - lastFrame_, 1e-4, 0.25);
     lastFrame_ = now;
@@ -176,48 +177,58 @@ void Window::drawFrame(Application& application) {
     glfwGetFramebufferSize(window_, &size.x, &size.y);
     if (size.x == 0 || size.y == 0) return;
     ImGui_ImplGlfw_NewFrame();
-    application.frame(size, seconds);
-    if (const std::string title = application.title(); title != title_) {
+    application_->frame(size, seconds);
+    if (const std::string title = application_->title(); title != title_) {
         title_ = title;
         glfwSetWindowTitle(window_, title_.c_str());
     }
     glfwSwapBuffers(window_);
 }
 
-void Window::run(Application& application, int frames) {
+void Window::attach(Application& application) {
+    application_ = &application;
     ImGui_ImplGlfw_InitForOpenGL(window_, true);
     // Instead of Dear ImGui's own callbacks: it gets its keys from deliver(), frame by frame.
     listenToKeys();
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     lastFrame_ = glfwGetTime();
-    for (int drawn = 0; frames == 0 || drawn < frames;) {
-        if (application.wantsToQuit()) break;
-        // The number of frames is given, whether anything moves or not.
-        if (frames > 0) wake_ = std::max(wake_, 1);
-        if (glfwWindowShouldClose(window_) == GLFW_TRUE) {
-            glfwSetWindowShouldClose(window_, GLFW_FALSE);
-            application.requestQuit();
-            wake_ = kSettleFrames;
-        }
-        if (wake_ > 0 || application.animating()) {
-            // Without a monitor to wait for, swapping returns at once: limit the rate.
-            const double rest = kFrameSeconds - (glfwGetTime() - lastFrame_);
-            rest > 0.001 ? glfwWaitEventsTimeout(rest) : glfwPollEvents();
-        } else {
-            glfwWaitEventsTimeout(kIdleSeconds);
-        }
-        deliver(application);
-        if (application.poll()) wake_ = std::max(wake_, kSettleFrames);
-        if (wake_ == 0 && !application.animating()) continue;
-        if (wake_ > 0) --wake_;
-        drawFrame(application);
-        // A write error is reported on exit.
-        static_cast<void>(application.writeState());
-        ++drawn;
-        if (application.takeFullScreenRequest()) toggleFullScreen();
-    }
-    application.rememberSize(windowedSize_);
+}
+
+void Window::detach() {
+    application_->rememberSize(windowedSize_);
     ImGui_ImplGlfw_Shutdown();
+    application_ = nullptr;
+}
+
+void Window::wake() { wake_ = std::max(wake_, 1); }
+
+void Window::waitForInput() {
+    if (wake_ > 0 || application_->animating()) {
+        // Without a monitor to wait for, swapping returns at once: limit the rate.
+        const double rest = kFrameSeconds - (glfwGetTime() - lastFrame_);
+        rest > 0.001 ? glfwWaitEventsTimeout(rest) : glfwPollEvents();
+    } else {
+        glfwWaitEventsTimeout(kIdleSeconds);
+    }
+}
+
+bool Window::turn() {
+    assert(application_ != nullptr);
+    if (glfwWindowShouldClose(window_) == GLFW_TRUE) {
+        glfwSetWindowShouldClose(window_, GLFW_FALSE);
+        application_->requestQuit();
+        wake_ = kSettleFrames;
+    }
+    waitForInput();
+    deliver();
+    if (application_->poll()) wake_ = std::max(wake_, kSettleFrames);
+    if (wake_ == 0 && !application_->animating()) return false;
+    if (wake_ > 0) --wake_;
+    drawFrame();
+    // A write error is reported on exit.
+    static_cast<void>(application_->writeState());
+    if (application_->takeFullScreenRequest()) toggleFullScreen();
+    return true;
 }
 
 void Window::toggleFullScreen() {

@@ -24,8 +24,14 @@ class Window {
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    /// Until closed, or for `frames` frames if that is not 0. Requires a started application.
-    void run(Application& application, int frames);
+    /// Connects a started application, until detach(): it gets the input and draws the frames.
+    void attach(Application& application);
+    void detach();
+    /// Waits for input or for the time of the next frame, then draws one frame. False if nothing
+    /// has changed, and none was drawn. Requires an attached application.
+    bool turn();
+    /// Makes the next turn() draw in any case.
+    void wake();
     /// Pixels per unit of size, as reported by the monitor.
     float contentScale() const;
 
@@ -33,14 +39,16 @@ class Window {
     Window() = default;
     void listen();
     void listenToKeys();
-    void deliver(Application& application);
-    void drawFrame(Application& application);
+    void waitForInput();
+    void deliver();
+    void drawFrame();
     void toggleFullScreen();
     static Window& of(GLFWwindow* window);
     static void onKey(GLFWwindow* window, int key, int scancode, int action, int mods);
 
     GLFWwindow* window_ = nullptr;
-    std::vector<KeyPress> keys_;  ///< In order of arrival.
+    Application* application_ = nullptr;  ///< The attached one; null: none.
+    std::vector<KeyPress> keys_;          ///< In order of arrival.
     std::vector<std::string> drops_;
     std::optional<glm::vec2> pointer_;  ///< At the last event; empty before the first.
     std::optional<glm::vec2> press_;    ///< Position of a button press since the last frame.

@@ -8,6 +8,7 @@
 #include "run/picture.h"
 #include "run/strings.h"
 #include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/stepper/stage_table.h"
 
 namespace se::view {
 
@@ -16,9 +17,8 @@ namespace {
 /// All possible meanings of a word.
 Findings findingsOf(std::string_view word) {
     Findings found = 0;
-    for (std::size_t i = 0; i < kStageCount; ++i) {
-        const auto stage = static_cast<Stage>(i);
-        if (stageName(stage).starts_with(word)) found |= findingOf(stage);
+    for (const StageRow& row : stageTable()) {
+        if (row.name.starts_with(word)) found |= findingOf(row.id);
     }
     for (const VerdictRow& row : verdictTable()) {
         if (lowerCase(row.text).find(word) != std::string::npos) found |= findingOf(row.id);

@@ -8,6 +8,7 @@
 
 #include "spiraling_edge/base/overloaded.h"
 #include "spiraling_edge/replay/decision_line.h"
+#include "spiraling_edge/stepper/stage_table.h"
 
 namespace se {
 namespace {
@@ -124,8 +125,7 @@ std::optional<LineRole> LedgerBuilder::roleOfTest(Index pivot, const Event& even
         return role;
     }
     // The fan as a whole, which would have held the subject.
-    const bool wholeFan = tested == kNone && (event.address.stage == Stage::TwoPoint ||
-                                              event.address.stage == Stage::Guard);
+    const bool wholeFan = tested == kNone && rowOf(event.address.stage).tests == StageTests::OfFans;
     if (!wholeFan || !isAgainst(outcome)) return {};
     const std::size_t inFan = alive_.count() + (subject.has(pivot) ? 1U : 0U);
     const bool concerned = subject.size() == 1 ? alive_.any() : subject.has(pivot) && inFan >= 2;

@@ -7,6 +7,7 @@
 #include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/replay/decision_scan.h"
 #include "spiraling_edge/replay/pivot_tally.h"
+#include "spiraling_edge/stepper/stage_table.h"
 
 namespace se {
 namespace {
@@ -54,9 +55,10 @@ Read readStage(std::string_view word) {
 Read readSection(std::string_view word) {
     const auto section = afterPrefix(word, "section=");
     if (!section) return otherForm();
-    bool known = false;
-    for (std::size_t i = 0; i < kStageCount; ++i)
-        known = known || (!section->empty() && stageSection(static_cast<Stage>(i)) == *section);
+    const std::span<const StageRow> stages = stageTable();
+    const bool known = !section->empty() &&
+                       std::any_of(stages.begin(), stages.end(),
+                                   [&](const StageRow& row) { return row.section == *section; });
     if (!known) return notA(word, "a section with a stage of its own, such as 6.3");
     return Condition([s = std::string(*section)](const Decision& d) {
         return stageSection(d.event.address.stage) == s;

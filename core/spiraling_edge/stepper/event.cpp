@@ -6,21 +6,6 @@
 namespace se {
 namespace {
 
-struct StageRow {
-    std::string_view name;
-    std::string_view section;
-};
-
-/// In the order of Stage.
-constexpr std::array<StageRow, kStageCount> kStageRows{{
-    {"seed", "4"},         {"strand", "4"}, {"pivot", "6"},     {"skip", "7"},
-    {"insert", "7.1"},     {"sort", "6.1"}, {"limits", "6.1"},  {"convex", "6.1"},
-    {"reciprocal", "6.1"}, {"hole", "6.2"}, {"sphere", "6.3"},  {"twopoint", "6.4"},
-    {"guard", ""},         {"fill", ""},    {"emit", "6.4"},    {"ring", "6.5"},
-    {"split", "6.5"},      {"join", "6.5"}, {"advance", "6.5"}, {"reinsert", ""},
-    {"flip", ""},          {"reseat", ""},  {"done", "7"},
-}};
-
 std::optional<std::uint32_t> numberFrom(std::string_view text) {
     std::uint32_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -37,19 +22,6 @@ std::string_view takePart(std::string_view& text) {
 }
 
 }  // namespace
-
-std::string_view stageName(Stage stage) { return kStageRows[static_cast<std::size_t>(stage)].name; }
-
-std::string_view stageSection(Stage stage) {
-    return kStageRows[static_cast<std::size_t>(stage)].section;
-}
-
-std::optional<Stage> stageFromName(std::string_view name) {
-    const auto found = std::find_if(kStageRows.begin(), kStageRows.end(),
-                                    [&](const StageRow& row) { return row.name == name; });
-    if (found == kStageRows.end()) return std::nullopt;
-    return static_cast<Stage>(found - kStageRows.begin());
-}
 
 std::string toString(const Address& address) {
     std::string text = std::to_string(address.pivot);

@@ -44,7 +44,7 @@ enum class Stage : std::uint8_t {
 };
 inline constexpr std::size_t kStageCount = 23;
 
-/// "sphere", "twopoint", ...
+/// "sphere", "twopoint", ... (stage_table.h).
 std::string_view stageName(Stage stage);
 std::optional<Stage> stageFromName(std::string_view name);
 /// "6.3"; the paper's section of a stage. Empty for those beyond the paper (docs/robust.md).

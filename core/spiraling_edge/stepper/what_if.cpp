@@ -6,6 +6,7 @@
 
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/stepper/stage_table.h"
 
 namespace se {
 namespace {
@@ -60,20 +61,13 @@ bool readList(const std::vector<std::string_view>& parts, std::vector<Index>& ou
     return true;
 }
 
-/// True for the stages with tests that a what-if can override.
-bool decides(Stage stage) {
-    constexpr std::array kStages{Stage::Sort, Stage::Limits, Stage::Convex,   Stage::Reciprocal,
-                                 Stage::Hole, Stage::Sphere, Stage::TwoPoint, Stage::Guard};
-    return std::find(kStages.begin(), kStages.end(), stage) != kStages.end();
-}
-
 /// Reads the words after the verb; false if they or the place do not fit it.
 bool readRest(const std::vector<std::string_view>& parts, Stage stage, WhatIf& out) {
     switch (out.kind) {
         case WhatIfKind::Keep:
         case WhatIfKind::Drop:
             out.stage = stage;
-            return parts.size() == 3 && decides(stage);
+            return parts.size() == 3 && rowOf(stage).tests != StageTests::None;
         case WhatIfKind::Pivot:
             out.stage = Stage::Advance;
             return parts.size() == 3 && (stage == Stage::Advance || stage == Stage::Pivot);
@@ -115,7 +109,7 @@ std::string describe(const WhatIf& what) {
                        ".";
             return "At " + pivot + ", " + stage + ": " + pointText(what) + " is kept.";
         case WhatIfKind::Drop:
-            if (what.stage == Stage::TwoPoint || what.stage == Stage::Guard)
+            if (rowOf(what.stage).tests == StageTests::OfFans)
                 return "At " + pivot + " no triangle is made.";
             return "At " + pivot + ", " + stage + ": " + pointText(what) +
                    (what.stage == Stage::Limits ? " is not advanced to." : " is dropped.");

@@ -40,26 +40,6 @@ TEST_CASE("what is no address is refused") {
     }
 }
 
-TEST_CASE("stages have different names, and sections 3 to 7 or none if they are not the paper's") {
-    std::set<std::string_view> names;
-    for (std::size_t i = 0; i < kStageCount; ++i) {
-        const auto stage = static_cast<Stage>(i);
-        names.insert(stageName(stage));
-        CHECK(stageFromName(stageName(stage)) == stage);
-        const bool beyond = stage == Stage::Guard || stage == Stage::Fill ||
-                            stage == Stage::Reinsert || stage == Stage::Flip ||
-                            stage == Stage::RemoveFolded;
-        CHECK(stageSection(stage).empty() == beyond);
-        if (beyond) continue;
-        CHECK(stageSection(stage)[0] >= '3');
-        CHECK(stageSection(stage)[0] <= '7');
-    }
-    CHECK(names.size() == kStageCount);
-    CHECK_FALSE(stageFromName("spheres"));
-    CHECK(stageSection(Stage::Sphere) == "6.3");
-    CHECK(stageSection(Stage::Seed) == "4");
-}
-
 TEST_CASE("every kind of evidence has a sentence") {
     for (const Evidence& evidence :
          oneOfEach(std::make_index_sequence<std::variant_size_v<Evidence>>())) {
