@@ -64,8 +64,8 @@ struct Finding {
     const DoctorCheck* check = nullptr;
     Severity severity = Severity::Warning;
     std::size_t count = 0;  ///< Of points, or of list entries, as `text` says.
-    std::vector<Index>
-        points;        ///< The points concerned, ascending; empty if it is the file as a whole.
+    /// The points concerned, ascending; empty if it is the file as a whole.
+    std::vector<Index> points;
     std::string text;  ///< One sentence with the numbers.
 
     bool isProblem() const { return severity != Severity::Note; }
