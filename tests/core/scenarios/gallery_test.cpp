@@ -54,11 +54,11 @@ E evidenceAt(const char* scene) {
 
 /// The number of failures of its class with other rules or another input.
 std::size_t leftIn(const char* scene, const char* rules,
-                   const std::function<void(PointFile&)>& treat = {},
+                   const std::function<void(PointFile&)>& change = {},
                    const PrepareOptions& options = {}) {
     const FailureScene& each = galleryScene(scene);
     PointFile file = each.scene.build();
-    if (treat) applyFixes(file);
+    if (change) change(file);
     const auto made = prepare(file, options);
     REQUIRE(made.ok());
     return failuresIn(made.value().points, *paramsByName(rules), each.failure);

@@ -1,3 +1,6 @@
+/// The schedule of the sampler: 160 steps of relaxation, birth and death of particles after every
+/// tenth of the first 150, then a projection to the last digits and an order along a Z-curve. Each
+/// step costs O(n) for n particles, so that a window can draw between steps.
 #include "spiraling_edge/sampling/sampler.h"
 
 #include <algorithm>
