@@ -5,7 +5,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "../support/scarce_memory.h"
+#include "support/scarce_memory.h"
 #include "jobs/background_query.h"
 #include "jobs/doctor_job.h"
 #include "jobs/growth.h"
