@@ -112,7 +112,7 @@ void MeshController::copyCommand(const std::string& path) {
 }
 
 void MeshController::waitUntilDone() {
-    export_.finish();
+    export_.waitUntilDone();
     poll();
 }
 

@@ -167,7 +167,7 @@ void Comparison::waitUntilDone(Session& run) {
     poll(run);
     if (runs()) other_->waitUntilDone();
     poll(run);
-    query_.finish();
+    query_.waitUntilDone();
     // Two moves: to the pivot, and to the event in it.
     for (int i = 0; i < 3; ++i) {
         poll(run);
