@@ -14,6 +14,7 @@
 #include "commands/compare_commands.h"
 #include "controllers/pivot_camera.h"
 #include "jobs/questions.h"
+#include "panel_state/tabs.h"
 #include "render/context.h"
 #include "render/screenshot.h"
 
@@ -81,7 +82,7 @@ bool Application::poll() {
         options_.atDifference = !found->meshes.same() || found->runs.first.has_value();
         actions::askForDifference(commands_);
     }
-    if (session_.takeProblemFound()) ui_.wantedTab = kDoctorTab;
+    if (session_.takeProblemFound()) ui_.tab.wanted = kDoctorTab;
     const bool notice = !session_.notice().empty();
     return std::exchange(noticed_, notice) != notice || changed || compared;
 }
@@ -219,7 +220,7 @@ void Application::frame(glm::ivec2 size, double seconds) {
     // Ignore breakpoints and watches while a text field is active.
     if (!ImGui::GetIO().WantTextInput) {
         session_.arm(ui_.breakpoints);
-        session_.watch(ui_.watches);
+        session_.watch(ui_.watch.expressions);
     }
     poll();
     play(seconds);

@@ -68,7 +68,7 @@ void dumpStops(json& out, const UiState& ui, const Session& session) {
         out["breakpoint_hits"].push_back(
             known != nullptr && known->complete ? json(known->list.total) : json(nullptr));
     }
-    for (const std::string& each : ui.watches) {
+    for (const std::string& each : ui.watch.expressions) {
         const WatchSeries* series = session.watches().of(each);
         const std::size_t pivot = session.place().pivot;
         const bool there = series != nullptr && pivot < series->values.size();
@@ -282,7 +282,7 @@ std::string Application::stateDump() const {
              {"asks", ui_.leaving.asked},
              {"keyboard", keyStopName(ui_.walk.at())},
              {"click_waits", ui_.click.waiting()},
-             {"open_tab", ui_.openTab},
+             {"open_tab", ui_.tab.title},
              {"address_line", ui_.addressLine},
              {"pivot_arrow", ui_.where.count("pivot arrow") > 0},
              {"layers", json::array()},

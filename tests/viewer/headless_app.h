@@ -3,6 +3,7 @@
 
 #include "controllers/document.h"
 #include "open_session.h"
+#include "session/playback.h"
 
 namespace se::view::test {
 

@@ -8,6 +8,7 @@
 #include "run/overview.h"
 #include "run/rule_set.h"
 #include "run/strings.h"
+#include "session/playback.h"
 
 namespace se::view {
 
@@ -113,7 +114,7 @@ void showAlert(CommandContext& context, std::size_t alert, std::optional<AlertMo
     if (session.questions().subject() != subject) session.questions().askWhy(subject);
     if (moment) session.goTo(momentOf(chosen, *moment).event.address);
     context.ui.requests.frameAlert = true;
-    context.ui.revealAlert = true;
+    context.ui.alerts.reveal = true;
 }
 
 void nextAlert(CommandContext& context, int direction) {

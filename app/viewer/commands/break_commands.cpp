@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "panel_state/ui_state.h"
+#include "session/playback.h"
 #include "session/session.h"
 
 namespace se::view {

@@ -3,6 +3,7 @@
 
 #include "break_presets.h"
 #include "commands.h"
+#include "spiraling_edge/replay/breakpoint.h"
 
 namespace se::view {
 

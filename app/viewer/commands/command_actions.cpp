@@ -1,5 +1,7 @@
 #include "command_actions.h"
 
+#include "session/playback.h"
+
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
@@ -237,7 +239,7 @@ void openTab(C& c, std::string_view tab) {
     const bool none =
         c.ui.layoutPreset == LayoutPreset::Present || c.ui.layoutPreset == LayoutPreset::Compare;
     if (none) applyLayoutPreset(c, LayoutPreset::Debug);
-    c.ui.wantedTab = tab;
+    c.ui.tab.wanted = tab;
 }
 
 void goToBirth(C& c) {

@@ -4,6 +4,8 @@
 #include <cstddef>
 
 #include "commands.h"
+#include "panel_state/ui_state.h"
+#include "scene/camera.h"
 #include "session/session.h"
 
 namespace se::view::actions {

@@ -11,7 +11,9 @@
 #include "command_actions.h"
 #include "compare_commands.h"
 #include "growth_commands.h"
+#include "panel_state/tabs.h"
 #include "run/strings.h"
+#include "session/playback.h"
 #include "session/session.h"
 
 namespace se::view {

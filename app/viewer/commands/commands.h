@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "command_context.h"
 #include "input/command.h"
-#include "panel_state/ui_state.h"
 
 namespace se::view {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "commands.h"
+#include "panel_state/compare_page.h"
 
 namespace se::view::actions {
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "panel_state/ui_state.h"
+#include "session/playback.h"
 #include "session/session.h"
 
 namespace se::view {

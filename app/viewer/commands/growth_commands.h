@@ -2,6 +2,7 @@
 #pragma once
 
 #include "commands.h"
+#include "panel_state/growth_form.h"
 
 namespace se::view {
 

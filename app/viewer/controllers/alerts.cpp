@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "commands/alert_actions.h"
+#include "panel_state/tabs.h"
 #include "run/gallery.h"
 
 namespace se::view {
@@ -48,8 +49,8 @@ void AlertController::poll() {
     if (!fresh || !file || !interactive_ || document_.placed()) return;
     opened_ = openOnFirstAlert(c_);
     // Problems of the input come first: the doctor has the tab.
-    if (opened_ && c_.ui.wantedTab.empty() && c_.ui.openTab != kDoctorTab)
-        c_.ui.wantedTab = kAlertsTab;
+    if (opened_ && c_.ui.tab.wanted.empty() && c_.ui.tab.title != kDoctorTab)
+        c_.ui.tab.wanted = kAlertsTab;
 }
 
 /// For a scene that fails, the alert that it demonstrates; its story is beside the paper's rule.
@@ -69,14 +70,14 @@ void AlertController::chooseOfGallery() {
         [&](const RunFailure& a, const RunFailure& b) { return rate(a) < rate(b); });
     if (best == failures.end() || rate(*best) == 0) return;
     session.chooseAlert(static_cast<std::size_t>(best - failures.begin()));
-    if (c_.ui.wantedTab.empty()) c_.ui.wantedTab = "Paper";
+    if (c_.ui.tab.wanted.empty()) c_.ui.tab.wanted = "Paper";
 }
 
 void AlertController::showAsked() {
     Session& session = c_.session;
     const std::string name = std::exchange(asked_, {});
     const auto alert = alertNamed(session.alerts(), name);
-    c_.ui.wantedTab = kAlertsTab;
+    c_.ui.tab.wanted = kAlertsTab;
     // At the position that was named, if one was.
     std::optional<AlertMoment> moment;
     if (!document_.placed()) moment = AlertMoment::Created;

@@ -9,6 +9,7 @@
 
 #include "commands/growth_commands.h"
 #include "run/gallery.h"
+#include "session/playback.h"
 
 namespace se::view {
 
@@ -27,7 +28,7 @@ SessionFile captureSession(const CommandContext& context) {
     file.notes = context.ui.notes;
     file.query = context.ui.query.typed;
     file.breakpoints = context.ui.breakpoints;
-    file.watches = context.ui.watches;
+    file.watches = context.ui.watch.expressions;
     if (context.ui.compare.now != nullptr) file.with = context.ui.compare.now->with();
     return file;
 }
@@ -44,7 +45,7 @@ Edits captureEdits(const CommandContext& context) {
             ui.bookmarks,
             ui.notes,
             ui.breakpoints,
-            ui.watches,
+            ui.watch.expressions,
             context.session.spec().fixes,
             rulesOf(context.session.spec())};
 }
@@ -60,7 +61,7 @@ void applyEdits(const Edits& edits, CommandContext& context) {
     ui.bookmarks = edits.bookmarks;
     ui.notes = edits.notes;
     ui.breakpoints = edits.breakpoints;
-    ui.watches = edits.watches;
+    ui.watch.expressions = edits.watches;
     if (edits.rules != rulesOf(context.session.spec())) ui.requests.rules = edits.rules;
     if (edits.fixes != context.session.spec().fixes) {
         // The point numbers may refer to other points there.
@@ -383,14 +384,14 @@ void DocumentController::saveAs(const std::string& path) {
 }
 
 Annotations DocumentController::annotations() const {
-    return {c_.ui.bookmarks, c_.ui.notes, c_.ui.breakpoints, c_.ui.watches};
+    return {c_.ui.bookmarks, c_.ui.notes, c_.ui.breakpoints, c_.ui.watch.expressions};
 }
 
 void DocumentController::putBack(const Annotations& annotations) {
     c_.ui.bookmarks = annotations.bookmarks;
     c_.ui.notes = annotations.notes;
     c_.ui.breakpoints = annotations.breakpoints;
-    c_.ui.watches = annotations.watches;
+    c_.ui.watch.expressions = annotations.watches;
 }
 
 void DocumentController::noteSaved() { saved_ = annotations(); }

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "commands/command_context.h"
 #include "panel_state/ui_state.h"
 #include "session/mesh_export.h"
 #include "session/session.h"

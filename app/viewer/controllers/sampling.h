@@ -5,8 +5,10 @@
 #include <memory>
 #include <optional>
 
+#include "commands/command_context.h"
 #include "jobs/growth.h"
 #include "panel_state/ui_state.h"
+#include "scene/camera.h"
 #include "scene/draw_list.h"
 #include "session/session.h"
 

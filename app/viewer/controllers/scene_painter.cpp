@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "jobs/questions.h"
+#include "session/playback.h"
 #include "session/session.h"
 
 namespace se::view {

@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <vector>
 
 namespace se::view {
 
@@ -36,6 +37,12 @@ class ViewDrag {
     glm::vec2 begun_{0.0F};
     glm::vec2 last_{0.0F};
     bool drags_ = false;
+};
+
+/// The lasso that is being drawn around points of the view, in pixels of the window.
+struct Lasso {
+    bool drawing = false;
+    std::vector<glm::vec2> path;
 };
 
 }  // namespace se::view

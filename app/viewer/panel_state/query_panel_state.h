@@ -11,11 +11,6 @@
 
 namespace se::view {
 
-/// Tabs of the query panels.
-inline constexpr const char* kLedgerTab = "Ledger";
-inline constexpr const char* kQueryTab = "Query";
-inline constexpr const char* kChartsTab = "Charts";
-
 /// A list of decisions that follows the cursor.
 struct LineList {
     CursorWatch watch;

@@ -5,6 +5,7 @@
 
 #include "layers/layer_text.h"
 #include "run/strings.h"
+#include "session/playback.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/io/read_points.h"
 

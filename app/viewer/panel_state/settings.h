@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "spiraling_edge/base/result.h"
-#include "ui_state.h"
+#include "view_settings.h"
 
 namespace se::view {
 

@@ -43,6 +43,7 @@ struct Navigation {
     CursorWatch stepsWatch;
     std::array<char, 64> stepFilter{};
     CursorWatch paperWatch;
+    Index pointedAt = kNone;    ///< The point under the pointer, determined again in every frame.
     Index pointedRing = kNone;  ///< The ring under the pointer, determined again in every frame.
     CursorWatch ringWatch;
     long ringShift = 0;  ///< Offset of the ring strip, in points.

@@ -1,17 +1,26 @@
 /// Panels show the session and request commands and moves. One file each.
 #pragma once
 
+#include <map>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "commands/commands.h"
 #include "fonts.h"
 #include "layout/panel_rects.h"
-#include "panel_state/ui_state.h"
-#include "scene/draw_list.h"
-#include "session/session.h"
+#include "scene/palette.h"
+
+namespace se {
+struct Event;
+}
 
 namespace se::view {
+
+struct DrawList;
+struct StatusCounts;
+struct UiRequests;
+struct ViewSettings;
 
 /// The second view of the layout Compare.
 struct OtherView {
@@ -38,8 +47,16 @@ struct PanelContext {
     Playback& playback() const { return commands.playback; }
     Camera& camera() const { return commands.camera; }
     UiState& ui() const { return commands.ui; }
+    /// The part of ui() that a panel remembers, by its type: state<PrepareForm>(). Only the types
+    /// named in panel.cpp.
+    template <class State>
+    State& state() const;
+    UiRequests& requests() const;
+    ViewSettings& settings() const;
+    /// Rectangles of the items drawn in this frame, for test scripts.
+    std::map<std::string, Rect>& where() const;
     /// First key of a command, with the user's changes.
-    std::string key(const Command& command) const { return ui().settings.keys.first(command); }
+    std::string key(const Command& command) const;
     std::string key(std::string_view command) const { return key(*findCommand(command)); }
     void run(std::string_view command) const { runCommand(*findCommand(command), commands); }
 };
@@ -107,8 +124,6 @@ void drawCharts(const PanelContext& context);
 void keepSteps(const PanelContext& context);
 /// The fields that specify the points to be made.
 void drawGrowthForm(const PanelContext& context);
-/// Six fields in two rows, the lower corner first. True if Enter was pressed in one.
-bool drawBoxFields(const PanelContext& context, BoxFields& fields);
 /// The evidence of an event as rows of values and thresholds.
 void drawEvidence(const PanelContext& context, const Event& event);
 

@@ -1,10 +1,17 @@
 #include <array>
 #include <vector>
 
+#include "input/tab_order.h"
 #include "panel.h"
+#include "panel_state/growth_page.h"
+#include "panel_state/step_panels_state.h"
+#include "panel_state/tabs.h"
+#include "panel_state/ui_state.h"
 #include "panels/find/subject_menu.h"
 #include "panels/widgets/tab_rows.h"
 #include "panels/widgets/widgets.h"
+#include "session/layout_preset.h"
+#include "session/session.h"
 
 namespace se::view {
 
@@ -32,7 +39,7 @@ constexpr std::array<SidePanel, 17> kSidePanels = {{
 
 /// Marks a panel as shown; a panel that is no tab needs no opening.
 void markShown(const PanelContext& context, std::string_view title) {
-    if (context.ui().wantedTab == title) context.ui().wantedTab.clear();
+    if (context.ui().tab.wanted == title) context.ui().tab.wanted.clear();
 }
 
 void drawLeftColumn(const PanelContext& context) {
@@ -74,20 +81,20 @@ bool tabNamesFit(const PanelContext& context) {
 
 /// Opens the requested tab, once.
 ImGuiTabItemFlags wantedFlag(const PanelContext& context, const SidePanel& panel) {
-    if (context.ui().wantedTab != panel.title) return ImGuiTabItemFlags_None;
-    context.ui().wantedTab.clear();
+    if (context.ui().tab.wanted != panel.title) return ImGuiTabItemFlags_None;
+    context.ui().tab.wanted.clear();
     return ImGuiTabItemFlags_SetSelected;
 }
 
 /// The tab that is open, whose content can have the keyboard focus.
 void offerTab(const PanelContext& context) {
-    if (context.ui().walk.offer(KeyStop::Tabs)) takeKeyboard();
+    if (context.state<KeyWalk>().offer(KeyStop::Tabs)) takeKeyboard();
 }
 
 void drawContent(const PanelContext& context, const SidePanel& panel) {
     if (ImGui::BeginChild("##content", {0, 0}, false)) {
         // Steps and Rings have rows of their own to begin with.
-        if (!panel.left && context.ui().walk.offer(KeyStop::Content)) takeKeyboardHere();
+        if (!panel.left && context.state<KeyWalk>().offer(KeyStop::Content)) takeKeyboardHere();
         panel.draw(context);
     }
     ImGui::EndChild();
@@ -97,10 +104,10 @@ void drawTabs(const PanelContext& context) {
     for (const SidePanel& panel : kSidePanels) {
         if (!isTab(context, panel)) continue;
         const bool open = ImGui::BeginTabItem(panel.title, nullptr, wantedFlag(context, panel));
-        context.ui().where[std::string("tab ") + panel.title] = lastItem();
+        context.where()[std::string("tab ") + panel.title] = lastItem();
         if (!open) continue;
         offerTab(context);
-        context.ui().openTab = panel.title;
+        context.ui().tab.title = panel.title;
         ImGui::PushFont(context.fonts.text);
         drawContent(context, panel);
         ImGui::PopFont();
@@ -217,15 +224,15 @@ void drawBorders(const PanelContext& context) {
 std::span<const SidePanel> sidePanels() { return kSidePanels; }
 
 void drawPanels(const PanelContext& context) {
-    context.ui().pointedAt = kNone;
-    context.ui().walk.begin();
-    context.ui().navigation.pointedRing = kNone;
-    context.ui().where = {
+    context.state<Navigation>().pointedAt = kNone;
+    context.state<KeyWalk>().begin();
+    context.state<Navigation>().pointedRing = kNone;
+    context.where() = {
         {"region view", context.rects.view},           {"region left", context.rects.left},
         {"region dial", context.rects.dial},           {"region right", context.rects.right},
         {"region narration", context.rects.narration}, {"region drawer", context.rects.drawer}};
     keepSteps(context);
-    const bool growth = context.ui().growth.open;
+    const bool growth = context.state<GrowthPage>().open;
     const bool startPage = context.session().startPage() && !growth;
     if (growth) {
         drawMenuBar(context);
@@ -240,8 +247,8 @@ void drawPanels(const PanelContext& context) {
         drawNarration(context);
         drawDrawer(context);
     }
-    context.session().hover(context.ui().pointedAt);
-    context.session().hoverRing(context.ui().navigation.pointedRing);
+    context.session().hover(context.state<Navigation>().pointedAt);
+    context.session().hoverRing(context.state<Navigation>().pointedRing);
     if (!startPage && !growth && !context.ui().cheatSheet && !context.ui().keyEditor &&
         !context.ui().fileBrowser && !context.ui().palette.open && !context.ui().leaving.asked &&
         !context.ui().prepare.open)

@@ -214,8 +214,8 @@ TEST_CASE("Points are listed as short as they can be, and read back") {
 
 TEST_CASE("A watched number is that of the state, at every pivot") {
     Bench b;
-    b.ui.watches = {"ring", "triangles", "status=40", "dragons"};
-    b.session.watch(b.ui.watches);
+    b.ui.watch.expressions = {"ring", "triangles", "status=40", "dragons"};
+    b.session.watch(b.ui.watch.expressions);
     b.session.waitUntilDone();
     CHECK(b.session.watches().of("dragons") == nullptr);
     const RunOverview& run = b.session.overview();
@@ -231,8 +231,8 @@ TEST_CASE("A watched number is that of the state, at every pivot") {
 
 TEST_CASE("The scan for a watch can be stopped, and resumes on request") {
     Bench b;
-    b.ui.watches = {"ring"};
-    b.session.watch(b.ui.watches);
+    b.ui.watch.expressions = {"ring"};
+    b.session.watch(b.ui.watch.expressions);
     WatchScan& scan = b.session.watches();
     REQUIRE(scan.busy());
     scan.cancel();
@@ -247,13 +247,13 @@ TEST_CASE("The scan for a watch can be stopped, and resumes on request") {
     CHECK_FALSE(scan.cancelled());
     CHECK(scan.of("ring")->complete);
     // Another expression is scanned at once, and so is the cancelled one.
-    b.ui.watches = {"ring", "stack"};
-    b.session.watch(b.ui.watches);
+    b.ui.watch.expressions = {"ring", "stack"};
+    b.session.watch(b.ui.watch.expressions);
     scan.cancel();
-    b.ui.watches = {"ring", "stack", "used"};
-    b.session.watch(b.ui.watches);
+    b.ui.watch.expressions = {"ring", "stack", "used"};
+    b.session.watch(b.ui.watch.expressions);
     b.waitUntilDone();
-    for (const std::string& each : b.ui.watches) CHECK(scan.of(each)->complete);
+    for (const std::string& each : b.ui.watch.expressions) CHECK(scan.of(each)->complete);
 }
 
 TEST_CASE("A plot keeps every peak, however many pivots share a column") {

@@ -10,6 +10,9 @@
 
 #include "commands/palette_entries.h"
 #include "open_session.h"
+#include "panel_state/ui_state.h"
+#include "scene/camera.h"
+#include "session/playback.h"
 
 using namespace se;
 using namespace se::view;
@@ -214,7 +217,7 @@ TEST_CASE("The palette shows panels, and opens scenes and figures") {
         choose(all.front(), app.context);
     };
     choosing("dial", PaletteEntry::Kind::Panel);
-    CHECK(app.ui.wantedTab == "Dial");
+    CHECK(app.ui.tab.wanted == "Dial");
     app.ui.layoutPreset = LayoutPreset::Learn;
     choosing("steps", PaletteEntry::Kind::Panel);
     CHECK(app.ui.layoutPreset == LayoutPreset::Debug);

@@ -2,6 +2,7 @@
 #include "commands/alert_actions.h"
 #include "headless_app.h"
 #include "layers/layer.h"
+#include "panel_state/tabs.h"
 #include "run/gallery.h"
 #include "run/strings.h"
 
@@ -166,7 +167,7 @@ TEST_CASE("An input opens on its first alert, if no position was named, and only
     const std::size_t first = alerts.inOrder().front();
     CHECK(app.session.chosenAlert() == first);
     CHECK(app.place() == toString(alerts.failures()[first].moments.created.event.address));
-    CHECK(app.ui.wantedTab == kAlertsTab);
+    CHECK(app.ui.tab.wanted == kAlertsTab);
     CHECK(app.alerts.takeOpened());
     // Re-run, with another rule or unchanged: the cursor stays at the start.
     app.ui.requests.reload = true;
@@ -182,7 +183,7 @@ TEST_CASE("A named position, a correct input and a lesson are left unchanged") {
     CHECK(AlertDesk(file.path.string(), {}, "7").session.record().pivot == 7);
     AlertDesk sound("scene:sphere");
     CHECK(sound.place() == "start");
-    CHECK(sound.ui.wantedTab.empty());
+    CHECK(sound.ui.tab.wanted.empty());
     AlertDesk learn("scene:torus");
     learn.ui.layoutPreset = LayoutPreset::Learn;
     learn.document.open(file.path.string());

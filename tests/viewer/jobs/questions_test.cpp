@@ -9,10 +9,14 @@
 #include "commands/commands.h"
 #include "layers/layer.h"
 #include "open_session.h"
+#include "panel_state/tabs.h"
+#include "panel_state/ui_state.h"
 #include "rows/line_text.h"
 #include "rows/query_words.h"
+#include "scene/camera.h"
 #include "scene/point_tint.h"
 #include "session/line_position.h"
+#include "session/playback.h"
 
 using namespace se;
 using namespace se::view;
@@ -63,7 +67,7 @@ TEST_CASE("W queries the selection, and the answer is that of the library") {
     CHECK(app.ledger() == nullptr);
     app.session().select(32);
     app.run("ask.why");
-    CHECK(app.ui.wantedTab == kLedgerTab);
+    CHECK(app.ui.tab.wanted == kLedgerTab);
     CHECK(app.session().questions().busy());
     const WhyAnswer* ledger = app.ledger();
     REQUIRE(ledger != nullptr);
@@ -78,7 +82,7 @@ TEST_CASE("W queries the selection, and the answer is that of the library") {
 TEST_CASE("Without a selection W waits for input") {
     AskDesk app;
     app.run("ask.why");
-    CHECK(app.ui.wantedTab == kLedgerTab);
+    CHECK(app.ui.tab.wanted == kLedgerTab);
     CHECK(app.ui.ledger.wantsKeyboard);
     CHECK_FALSE(app.session().questions().busy());
 }

@@ -69,7 +69,7 @@ TEST_CASE("Quitting with notes asks; cancelling stays, discarding quits") {
 TEST_CASE("Unsaved breakpoints and watches raise the question like notes, by name") {
     LeavingDesk app;
     app.ui.breakpoints.push_back({"", "stage=split"});
-    app.ui.watches = {"ring"};
+    app.ui.watch.expressions = {"ring"};
     app.quit();
     REQUIRE(app.ui.leaving.asked);
     CHECK(app.ui.leaving.atStake == "breakpoints and watches");
@@ -81,7 +81,7 @@ TEST_CASE("Unsaved breakpoints and watches raise the question like notes, by nam
 
     // Discarding returns to the content of the file.
     app.ui.breakpoints.front().logOnly = true;
-    app.ui.watches.clear();
+    app.ui.watch.expressions.clear();
     app.ui.notes = "odd";
     app.ui.requests.reload = true;
     app.frame();
@@ -90,7 +90,7 @@ TEST_CASE("Unsaved breakpoints and watches raise the question like notes, by nam
     app.answer(LeaveAnswer::Discard);
     REQUIRE(app.ui.breakpoints.size() == 1);
     CHECK_FALSE(app.ui.breakpoints.front().logOnly);
-    CHECK(app.ui.watches == std::vector<std::string>{"ring"});
+    CHECK(app.ui.watch.expressions == std::vector<std::string>{"ring"});
     CHECK(app.ui.notes.empty());
 }
 

@@ -12,7 +12,9 @@
 #include "layout/dial.h"
 #include "layout/edge_arrow.h"
 #include "open_session.h"
+#include "panel_state/ui_state.h"
 #include "run/pivot_neighborhood.h"
+#include "session/playback.h"
 
 using namespace se;
 using namespace se::view;

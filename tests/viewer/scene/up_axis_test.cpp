@@ -6,6 +6,7 @@
 
 #include "commands/command_actions.h"
 #include "open_session.h"
+#include "session/playback.h"
 
 using namespace se;
 using namespace se::view;

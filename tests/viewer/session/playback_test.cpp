@@ -4,6 +4,8 @@
 
 #include "commands/commands.h"
 #include "open_session.h"
+#include "panel_state/ui_state.h"
+#include "scene/camera.h"
 
 using namespace se::view;
 

@@ -2,15 +2,18 @@
 #include <algorithm>
 
 #include "compare_parts.h"
+#include "input/tab_order.h"
 #include "jobs/questions.h"
+#include "panel_state/compare_page.h"
 #include "panels/widgets/widgets.h"
+#include "session/session.h"
 
 namespace se::view {
 
 bool compareButton(const PanelContext& context, const char* label, const char* name,
                    const std::string& help) {
     const bool pressed = ImGui::Button(label);
-    context.ui().where[std::string("compare ") + name] = lastItem();
+    context.where()[std::string("compare ") + name] = lastItem();
     tooltip(help);
     return pressed;
 }
@@ -63,7 +66,7 @@ void drawSide(const PanelContext& context, const char* name, const DifferenceSid
 }
 
 void drawFirstDifference(const PanelContext& context, const Compared& found) {
-    ComparePage& page = context.ui().compare;
+    ComparePage& page = context.state<ComparePage>();
     const bool mesh = page.now->with().kind == CompareWith::Kind::Mesh;
     heading(context, "First difference",
             mesh ? "" : "after " + grouped(found.runs.commonPivots) + " pivots");
@@ -114,7 +117,7 @@ std::optional<Address> causeIn(const Session* run) {
 
 /// Answers of both runs to the same query.
 void drawWhy(const PanelContext& context) {
-    ComparePage& page = context.ui().compare;
+    ComparePage& page = context.state<ComparePage>();
     if (!page.why) return;
     const Session& run = context.session();
     const Session* other = page.now->other();
@@ -137,7 +140,7 @@ std::string addressOrDash(const std::optional<Address>& address) {
 }
 
 void drawRegion(const PanelContext& context, const Compared& found, std::size_t number) {
-    ComparePage& page = context.ui().compare;
+    ComparePage& page = context.state<ComparePage>();
     const DifferenceRegion& region = found.meshes.regions[number];
     const std::string text = std::to_string(number + 1) + ".  A " + grouped(region.inA.size()) +
                              "  B " + grouped(region.inB.size());
@@ -145,7 +148,7 @@ void drawRegion(const PanelContext& context, const Compared& found, std::size_t 
     const bool shown = page.region == number;
     if (ImGui::Selectable(text.c_str(), shown)) page.show = number;
     if (ImGui::IsItemVisible())
-        context.ui().where["compare region " + std::to_string(number + 1)] = lastItem();
+        context.where()["compare region " + std::to_string(number + 1)] = lastItem();
     tooltip("Show it in the finished meshes.\nFirst made at " +
             addressOrDash(firstMade(found.runs.a, region.inA)) + " in A, " +
             addressOrDash(firstMade(found.runs.b, region.inB)) + " in B");
@@ -160,7 +163,7 @@ void drawRegion(const PanelContext& context, const Compared& found, std::size_t 
 }
 
 void drawRegions(const PanelContext& context, const Compared& found) {
-    ComparePage& page = context.ui().compare;
+    ComparePage& page = context.state<ComparePage>();
     const std::size_t count = found.meshes.regions.size();
     heading(context, "Regions of difference", grouped(count));
     if (count == 0) return dimText("None: the meshes are the same.");
@@ -177,15 +180,15 @@ void drawRegions(const PanelContext& context, const Compared& found) {
 }
 
 void drawWorking(const PanelContext& context) {
-    ImGui::ProgressBar(static_cast<float>(context.ui().compare.now->share()), {-1.0F, 0.0F},
+    ImGui::ProgressBar(static_cast<float>(context.state<ComparePage>().now->share()), {-1.0F, 0.0F},
                        "comparing");
     if (compareButton(context, "Cancel", "cancel", "End the comparison"))
-        context.ui().compare.ask = CompareAsk::Stop;
+        context.state<ComparePage>().ask = CompareAsk::Stop;
 }
 
 /// A and B by name.
 void drawNames(const PanelContext& context) {
-    ComparePage& page = context.ui().compare;
+    ComparePage& page = context.state<ComparePage>();
     const InputSpec& run = context.session().spec();
     const CompareWith& with = page.now->with();
     const auto name = [&](const char* letter, const std::string& text, const Color& color) {
@@ -215,7 +218,7 @@ void drawNames(const PanelContext& context) {
 }
 
 void drawContent(const PanelContext& context) {
-    ComparePage& page = context.ui().compare;
+    ComparePage& page = context.state<ComparePage>();
     if (!context.session().ready() || page.now == nullptr)
         return ImGui::TextDisabled("Nothing is open.");
     heading(context, "Compare");
@@ -243,7 +246,7 @@ void drawCompareColumn(const PanelContext& context) {
         ImGui::PushFont(context.rects.left.size.x < 18.0F * context.em ? context.fonts.small
                                                                        : context.fonts.text);
         if (ImGui::BeginChild("##content", {0, 0}, false)) {
-            if (context.ui().walk.offer(KeyStop::Content)) takeKeyboardHere();
+            if (context.state<KeyWalk>().offer(KeyStop::Content)) takeKeyboardHere();
             drawContent(context);
         }
         ImGui::EndChild();

@@ -1,11 +1,14 @@
 // The form of the layout Compare: the choice of the other run.
 #include "compare_parts.h"
+#include "panel_state/compare_page.h"
+#include "panel_state/what_if_offers.h"
 #include "panels/widgets/prepare_fields.h"
 #include "panels/widgets/text_field.h"
 #include "panels/widgets/widgets.h"
 #include "rows/rule_rows.h"
 #include "rule_list.h"
 #include "run/strings.h"
+#include "session/session.h"
 
 namespace se::view {
 
@@ -16,7 +19,7 @@ bool beginPart(const PanelContext& context, const char* name, const std::string&
                const std::string& help) {
     const std::string title = std::string(name) + ": " + note + "###" + name;
     const bool open = ImGui::TreeNodeEx(title.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen);
-    context.ui().where[std::string("compare part ") + name] = lastItem();
+    context.where()[std::string("compare part ") + name] = lastItem();
     tooltip(help);
     return open;
 }
@@ -62,7 +65,7 @@ void drawWhatIfs(const PanelContext& context, CompareForm& form) {
     for (std::size_t i = 0; i < all.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         const bool gone = ImGui::SmallButton("x");
-        context.ui().where["compare what if " + std::to_string(i + 1)] = lastItem();
+        context.where()["compare what if " + std::to_string(i + 1)] = lastItem();
         tooltip("Remove from B");
         ImGui::SameLine();
         ImGui::TextUnformatted(fitted(lineOf(all[i]), ImGui::GetContentRegionAvail().x).c_str());
@@ -77,21 +80,21 @@ void drawWhatIfs(const PanelContext& context, CompareForm& form) {
     if (textField("##line", "137.sphere keep 812, Enter", form.whatIf,
                   ImGuiInputTextFlags_EnterReturnsTrue))
         form.addWhatIf();
-    context.ui().where["compare what if line"] = lastItem();
+    context.where()["compare what if line"] = lastItem();
     tooltip("Another one, in the syntax of --what-if; Enter adds it.");
     ImGui::Spacing();
     ImGui::PopID();
 }
 
 void begin(const PanelContext& context, const Result<InputSpec>& spec) {
-    ComparePage& page = context.ui().compare;
+    ComparePage& page = context.state<ComparePage>();
     page.form.complaint = spec ? std::string{} : spec.error().message;
     if (spec) page.begin = CompareWith::otherRun(spec.value());
 }
 
 /// Choices that need one click only.
 void drawShortcuts(const PanelContext& context) {
-    ComparePage& page = context.ui().compare;
+    ComparePage& page = context.state<ComparePage>();
     const InputSpec& here = context.session().spec();
     dimText("Or one of these:");
     if (compareButton(context, "Mesh from file...", "mesh",
@@ -111,7 +114,7 @@ void drawShortcuts(const PanelContext& context) {
 }  // namespace
 
 void drawCompareForm(const PanelContext& context) {
-    CompareForm& form = context.ui().compare.form;
+    CompareForm& form = context.state<ComparePage>().form;
     const InputSpec& here = context.session().spec();
     dimText("B, to compare with the open run:");
     drawRuleFields(context, form);

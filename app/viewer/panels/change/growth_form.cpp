@@ -1,7 +1,12 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "panel_state/file_browser_state.h"
+#include "panel_state/growth_page.h"
+#include "panel_state/ui_requests.h"
+#include "panel_state/ui_state.h"
 #include "panels/panel.h"
+#include "panels/widgets/prepare_fields.h"
 #include "panels/widgets/text_field.h"
 #include "panels/widgets/widgets.h"
 #include "spiraling_edge/sampling/field.h"
@@ -23,26 +28,22 @@ void name(const PanelContext& context, const char* text) {
 
 /// The particles get the keyboard focus back.
 void beginByEnter(const PanelContext& context) {
-    context.ui().growth.asked = GrowthAsk::Begin;
-    context.ui().requests.closePopups = true;
+    context.state<GrowthPage>().asked = GrowthAsk::Begin;
+    context.requests().closePopups = true;
 }
-
-/// A click selects the text, so that typing replaces it. Enter starts.
-constexpr ImGuiInputTextFlags kNumber =
-    ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll;
 
 /// A field after its name. Enter in it starts.
 void field(const PanelContext& context, const char* title, const char* hint, std::string& text) {
     name(context, title);
     const std::string id = std::string("##") + title;
-    if (textField(id.c_str(), hint, text, kNumber)) {
+    if (textField(id.c_str(), hint, text, kEntered)) {
         beginByEnter(context);
     }
-    context.ui().where[std::string("field ") + title] = lastItem();
+    context.where()[std::string("field ") + title] = lastItem();
 }
 
 void drawSources(const PanelContext& context) {
-    GrowthForm& form = context.ui().growth.form;
+    GrowthForm& form = context.state<GrowthPage>().form;
     if (ImGui::RadioButton("Shape", form.from == GrowthSource::Shape)) {
         context.run("file.new.shape");
     }
@@ -53,7 +54,7 @@ void drawSources(const PanelContext& context) {
 }
 
 void drawShapes(const PanelContext& context) {
-    GrowthPage& page = context.ui().growth;
+    GrowthPage& page = context.state<GrowthPage>();
     const float row = ImGui::GetTextLineHeightWithSpacing();
     const auto all = static_cast<int>(shapes().size());
     const float high = row * static_cast<float>(context.rects.left.size.y > 44.0F * context.em
@@ -70,7 +71,7 @@ void drawShapes(const PanelContext& context) {
                 page.form.choose(id);
                 page.asked = GrowthAsk::Begin;
             }
-            if (ImGui::IsItemVisible()) context.ui().where["shape " + id] = lastItem();
+            if (ImGui::IsItemVisible()) context.where()["shape " + id] = lastItem();
             tooltip(std::string(shape.title) + " (" + id + ")");
         }
     }
@@ -78,7 +79,7 @@ void drawShapes(const PanelContext& context) {
 }
 
 void drawVolume(const PanelContext& context) {
-    GrowthForm& form = context.ui().growth.form;
+    GrowthForm& form = context.state<GrowthPage>().form;
     field(context, "File", "path of a .nrrd or .nhdr", form.volume);
     tooltip(form.volume);
     // A long path shows its beginning.
@@ -95,7 +96,7 @@ void drawVolume(const PanelContext& context) {
 
 /// One of the two ways to give the number of points, with its field; typing there chooses it.
 void drawNumber(const PanelContext& context, const char* title, const char* help, bool spacing) {
-    GrowthForm& form = context.ui().growth.form;
+    GrowthForm& form = context.state<GrowthPage>().form;
     std::string& text = spacing ? form.spacing : form.count;
     if (ImGui::RadioButton(title, form.bySpacing == spacing)) form.bySpacing = spacing;
     tooltip(help);
@@ -103,15 +104,15 @@ void drawNumber(const PanelContext& context, const char* title, const char* help
     ImGui::SetNextItemWidth(-1.0F);
     const std::string before = text;
     const std::string id = std::string("##") + title;
-    const bool entered = textField(id.c_str(), "", text, kNumber);
+    const bool entered = textField(id.c_str(), "", text, kEntered);
     // Enter starts; only typing here chooses this one.
     if (text != before) form.bySpacing = spacing;
-    context.ui().where[std::string("field ") + title] = lastItem();
+    context.where()[std::string("field ") + title] = lastItem();
     if (entered) beginByEnter(context);
 }
 
 void drawBox(const PanelContext& context) {
-    GrowthPage& page = context.ui().growth;
+    GrowthPage& page = context.state<GrowthPage>();
     bool cut = page.form.cut;
     if (ImGui::Checkbox("Clip to a box", &cut)) {
         if (cut) page.form.cutByOwnBox();
@@ -123,26 +124,8 @@ void drawBox(const PanelContext& context) {
 
 }  // namespace
 
-bool drawBoxFields(const PanelContext& context, BoxFields& fields) {
-    bool entered = false;
-    const float gap = 0.3F * context.em;
-    const float room = ImGui::GetContentRegionAvail().x - 3.0F * context.em;
-    for (std::size_t row = 0; row < 2; ++row) {
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextDisabled("%s", row == 0 ? "from" : "to");
-        for (std::size_t i = 0; i < 3; ++i) {
-            ImGui::SameLine(i == 0 ? 3.0F * context.em : 0.0F, i == 0 ? -1.0F : gap);
-            ImGui::SetNextItemWidth((room - 2.0F * gap) / 3.0F);
-            const std::string id = "##box" + std::to_string(3 * row + i);
-            constexpr const char* kHints[] = {"x", "y", "z"};
-            entered = textField(id.c_str(), kHints[i], fields[3 * row + i], kNumber) || entered;
-        }
-    }
-    return entered;
-}
-
 void drawGrowthForm(const PanelContext& context) {
-    GrowthPage& page = context.ui().growth;
+    GrowthPage& page = context.state<GrowthPage>();
     heading(context, "New points");
     drawSources(context);
     page.form.from == GrowthSource::Shape ? drawShapes(context) : drawVolume(context);
@@ -161,7 +144,7 @@ void drawGrowthForm(const PanelContext& context) {
     drawBox(context);
     ImGui::Spacing();
     if (ImGui::Button("Restart", {-1.0F, 0.0F})) page.asked = GrowthAsk::Begin;
-    context.ui().where["growth begin"] = lastItem();
+    context.where()["growth begin"] = lastItem();
     tooltip("Spread these particles (Enter in a field, or " + context.key("run.start") + ")");
     if (page.complaint.empty()) return;
     wrappedText("! " + page.complaint, context.palette.rejected);

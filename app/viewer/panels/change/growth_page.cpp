@@ -2,10 +2,13 @@
 #include <array>
 #include <cstdio>
 
+#include "input/tab_order.h"
+#include "panel_state/growth_page.h"
 #include "panels/panel.h"
 #include "panels/widgets/camera_mouse.h"
 #include "panels/widgets/widgets.h"
 #include "run/strings.h"
+#include "scene/draw_list.h"
 #include "spiraling_edge/sampling/sampler.h"
 
 namespace se::view {
@@ -36,7 +39,7 @@ class Values {
 };
 
 void drawValues(const PanelContext& context) {
-    const GrowthPage& page = context.ui().growth;
+    const GrowthPage& page = context.state<GrowthPage>();
     const GrowthNumbers& n = page.numbers;
     if (!page.hasPoints()) {
         ImGui::TextDisabled("%s", page.phase == GrowthPhase::Finding ? "Finding the surface ..."
@@ -62,7 +65,7 @@ struct Button {
 };
 
 void drawSteppers(const PanelContext& context) {
-    const GrowthPage& page = context.ui().growth;
+    const GrowthPage& page = context.state<GrowthPage>();
     const bool over = page.phase == GrowthPhase::Done;
     const bool plays = page.moving();
     const std::array buttons = {
@@ -80,13 +83,13 @@ void drawSteppers(const PanelContext& context) {
         if (iconButton(b.id, b.icon, help.c_str(), enabled, b.icon == Icon::Pause, context)) {
             context.run(b.command);
         }
-        context.ui().where[std::string("growth ") + (b.id + 2)] = lastItem();
+        context.where()[std::string("growth ") + (b.id + 2)] = lastItem();
         ImGui::SameLine(0.0F, 0.2F * context.em);
     }
 }
 
 void drawProgress(const PanelContext& context, float width) {
-    const GrowthPage& page = context.ui().growth;
+    const GrowthPage& page = context.state<GrowthPage>();
     const int all = Sampler::allSteps();
     const bool finding = page.phase == GrowthPhase::Finding;
     const std::string step =
@@ -99,7 +102,7 @@ void drawProgress(const PanelContext& context, float width) {
 
 /// Buttons to use or save the points.
 void drawEndings(const PanelContext& context) {
-    GrowthPage& page = context.ui().growth;
+    GrowthPage& page = context.state<GrowthPage>();
     ImGui::BeginDisabled(!page.hasPoints());
     ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent));
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered,
@@ -107,18 +110,18 @@ void drawEndings(const PanelContext& context) {
     ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.accentText));
     if (ImGui::Button("Use these points")) page.asked = GrowthAsk::Use;
     ImGui::PopStyleColor(3);
-    context.ui().where["growth use"] = lastItem();
+    context.where()["growth use"] = lastItem();
     tooltip(page.phase == GrowthPhase::Done ? "Open a run on them"
                                             : "Open a run on them as they are now");
     ImGui::SameLine();
     if (ImGui::Button("Save as PLY...")) context.run("file.savepoints");
-    context.ui().where["growth save"] = lastItem();
+    context.where()["growth save"] = lastItem();
     const std::string command = sampleCommand(page.made);
     tooltip(command.empty() ? "Save them as they are now" : "The same file as by\n" + command);
     ImGui::EndDisabled();
     ImGui::SameLine();
     if (ImGui::Button("Cancel")) page.asked = GrowthAsk::Leave;
-    context.ui().where["growth cancel"] = lastItem();
+    context.where()["growth cancel"] = lastItem();
     tooltip("Leave this page (" + context.key("help.leave") + ")");
 }
 
@@ -139,7 +142,7 @@ void drawBar(const PanelContext& context) {
     drawProgress(context, row ? rest : -1.0F);
     if (row) ImGui::SameLine(0.0F, em);
     drawEndings(context);
-    const std::string& said = context.ui().growth.said;
+    const std::string& said = context.state<GrowthPage>().said;
     drawValues(context);
     if (!said.empty())
         ImGui::TextUnformatted(fitted(said, ImGui::GetContentRegionAvail().x).c_str());
@@ -162,7 +165,7 @@ void drawParticles(const PanelContext& context) {
 
 /// Legend of the shapes.
 void drawKey(const PanelContext& context) {
-    const GrowthNumbers& n = context.ui().growth.numbers;
+    const GrowthNumbers& n = context.state<GrowthPage>().numbers;
     if (n.onWalls == 0) return;
     struct Row {
         Shape shape;
@@ -196,7 +199,7 @@ void drawKey(const PanelContext& context) {
 void drawGrowthPage(const PanelContext& context) {
     const PanelRects& l = context.rects;
     if (beginRegion("##growthForm", l.left)) {
-        if (context.ui().walk.offer(KeyStop::Content)) takeKeyboardHere();
+        if (context.state<KeyWalk>().offer(KeyStop::Content)) takeKeyboardHere();
         drawGrowthForm(context);
         ImGui::GetWindowDrawList()->AddLine({l.left.max().x - 0.5F, l.left.min.y},
                                             {l.left.max().x - 0.5F, l.left.max().y},

@@ -6,6 +6,7 @@
 
 #include "panels/widgets/widgets.h"
 #include "rows/rule_rows.h"
+#include "session/session.h"
 
 namespace se::view {
 
@@ -29,9 +30,7 @@ struct RuleList {
         chosen = withRule(rules, setting.name, value);
     }
     /// Records the rectangle of the last item under this name, for test scripts.
-    void name(const std::string& item) const {
-        context.ui().where[place.prefix + item] = lastItem();
-    }
+    void name(const std::string& item) const { context.where()[place.prefix + item] = lastItem(); }
 };
 
 void drawFilter(const RuleList& list) {

@@ -1,10 +1,13 @@
 /// All rules as switches: a change re-runs the input at once.
 #include <imgui.h>
 
+#include "panel_state/ui_requests.h"
+#include "panel_state/ui_state.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "rows/rule_rows.h"
 #include "rule_list.h"
+#include "session/session.h"
 
 namespace se::view {
 
@@ -23,7 +26,7 @@ void drawRules(const PanelContext& context) {
     const RuleListFields place{context.ui().ruleFilter, ""};
     std::optional<RuleSet> chosen = drawRuleSets(context, rules, place);
     if (auto single = drawRuleList(context, rules, place)) chosen = std::move(single);
-    if (chosen) context.ui().requests.rules = *chosen;
+    if (chosen) context.requests().rules = *chosen;
 }
 
 }  // namespace se::view

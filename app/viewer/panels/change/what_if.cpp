@@ -3,22 +3,26 @@
 
 #include <algorithm>
 
+#include "panel_state/ui_requests.h"
 #include "panel_state/what_if_offers.h"
 #include "panels/panel.h"
 #include "panels/widgets/text_field.h"
 #include "panels/widgets/widgets.h"
+#include "run/rule_set.h"
+#include "session/layout_preset.h"
+#include "session/session.h"
 
 namespace se::view {
 
 namespace {
 
-void ask(const PanelContext& context, const RuleSet& rules) { context.ui().requests.rules = rules; }
+void ask(const PanelContext& context, const RuleSet& rules) { context.requests().rules = rules; }
 
 /// A button that adds a what-if.
 void offer(const PanelContext& context, const RuleSet& rules, const WhatIf& what,
            const std::string& label, const std::string& name) {
     if (ImGui::Button(label.c_str())) ask(context, withWhatIf(rules, what));
-    context.ui().where["what if " + name] = lastItem();
+    context.where()["what if " + name] = lastItem();
     tooltip(describe(what) + "\n--what-if \"" + lineOf(what) + "\"\nCtrl+Z undoes it.");
 }
 
@@ -28,14 +32,14 @@ void drawPresent(const PanelContext& context, const RuleSet& rules) {
         const WhatIf& what = rules.whatIf[i];
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::SmallButton("x")) ask(context, withoutWhatIf(rules, i));
-        context.ui().where["what if remove " + std::to_string(i + 1)] = lastItem();
+        context.where()["what if remove " + std::to_string(i + 1)] = lastItem();
         tooltip("Remove this what-if");
         ImGui::SameLine();
         const std::string text = lineOf(what);
         if (ImGui::Selectable(fitted(text, ImGui::GetContentRegionAvail().x).c_str())) {
             session.goTo(placeOf(what));
         }
-        context.ui().where["what if " + std::to_string(i + 1)] = lastItem();
+        context.where()["what if " + std::to_string(i + 1)] = lastItem();
         tooltip(describe(what) + "\nClick to go there.");
         const std::string& problem = session.whatIfProblem(i);
         if (!problem.empty() && !session.runsAnew()) {
@@ -50,7 +54,7 @@ void drawPresent(const PanelContext& context, const RuleSet& rules) {
         return;
     }
     if (ImGui::Button("Remove all what-ifs")) context.run("edit.whatif.clear");
-    context.ui().where["what if clear"] = lastItem();
+    context.where()["what if clear"] = lastItem();
 }
 
 void drawOffers(const PanelContext& context, const RuleSet& rules) {
@@ -79,7 +83,7 @@ Index subject(const Session& session) {
 }
 
 void drawMove(const PanelContext& context, const RuleSet& rules, std::uint32_t pivot) {
-    WhatIfForm& form = context.ui().whatIf;
+    WhatIfForm& form = context.state<WhatIfForm>();
     constexpr const char* kNames[] = {"x", "y", "z"};
     for (std::size_t i = 0; i < 3; ++i) {
         // Each has a line of its own, with room for all digits.
@@ -90,28 +94,28 @@ void drawMove(const PanelContext& context, const RuleSet& rules, std::uint32_t p
         ImGui::PushID(kNames[i]);
         textField("##to", kNames[i], form.to[i]);
         ImGui::PopID();
-        context.ui().where[std::string("what if ") + kNames[i]] = lastItem();
+        context.where()[std::string("what if ") + kNames[i]] = lastItem();
     }
     if (ImGui::Button("Move it there")) {
         const auto what = form.move(pivot);
         what ? ask(context, withWhatIf(rules, what.value()))
              : context.session().say(what.error().message);
     }
-    context.ui().where["what if move"] = lastItem();
+    context.where()["what if move"] = lastItem();
     tooltip("From pivot " + std::to_string(pivot) + " on; its triangles move along.");
 }
 
 void drawList(const PanelContext& context, const RuleSet& rules, std::uint32_t pivot) {
-    WhatIfForm& form = context.ui().whatIf;
+    WhatIfForm& form = context.state<WhatIfForm>();
     ImGui::SetNextItemWidth(-1.0F);
     textField("##list", "its neighbors, as numbers", form.list);
-    context.ui().where["what if list"] = lastItem();
+    context.where()["what if list"] = lastItem();
     if (ImGui::Button("Give it this list")) {
         const auto what = form.neighbors(pivot);
         what ? ask(context, withWhatIf(rules, what.value()))
              : context.session().say(what.error().message);
     }
-    context.ui().where["what if neighbors"] = lastItem();
+    context.where()["what if neighbors"] = lastItem();
     tooltip("From pivot " + std::to_string(pivot) + " on; the list is sorted by distance.");
 }
 
@@ -126,7 +130,7 @@ void drawPoint(const PanelContext& context, const RuleSet& rules) {
     }
     heading(context, ("Point " + std::to_string(point)).c_str(),
             session.selected() == kNone ? "the pivot" : "selected");
-    context.ui().whatIf.take(session, point);
+    context.state<WhatIfForm>().take(session, point);
     const std::uint32_t pivot = forkPivot(session);
     if (session.selected() != kNone && session.record().pivot > 0) {
         offer(context, rules, {WhatIfKind::Pivot, pivot, Stage::Advance, point, Vec3(0.0), {}},
@@ -175,7 +179,7 @@ void drawWhatIfBanner(const PanelContext& context) {
             ("What if: " + std::to_string(count) + (count == 1 ? " change" : " changes")).c_str());
         ImGui::SameLine();
         if (ImGui::SmallButton("Remove all")) context.run("edit.whatif.clear");
-        context.ui().where["true run"] = lastItem();
+        context.where()["true run"] = lastItem();
         tooltip("Remove all what-ifs");
     }
     ImGui::End();

@@ -2,6 +2,9 @@
 #include <array>
 #include <initializer_list>
 
+#include "input/key_map.h"
+#include "panel_state/ui_state.h"
+#include "panel_state/view_settings.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 
@@ -51,9 +54,9 @@ bool bookmarksAreOneRow(const KeyMap& keys) {
 void drawGroup(const PanelContext& context, std::string_view group) {
     heading(context, std::string(group).c_str());
     if (!beginKeys(std::string(group).c_str(), context)) return;
-    const bool oneRow = bookmarksAreOneRow(context.ui().settings.keys);
+    const bool oneRow = bookmarksAreOneRow(context.settings().keys);
     for (const Command& command : commands()) {
-        const std::string keys = context.ui().settings.keys.all(command);
+        const std::string keys = context.settings().keys.all(command);
         if (command.group != group || keys.empty()) continue;
         const bool bookmark = oneRow && command.id.starts_with("notes.go.");
         if (!bookmark) keyRow(context, keys, std::string(command.title));

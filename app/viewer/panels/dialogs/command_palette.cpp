@@ -1,6 +1,9 @@
 #include <algorithm>
 
 #include "commands/palette_entries.h"
+#include "input/typing_wait.h"
+#include "panel_state/command_palette.h"
+#include "panel_state/ui_requests.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 
@@ -24,7 +27,7 @@ bool drawMatch(const PanelContext& context, const PaletteEntry& entry, bool chos
     const std::string label =
         std::string(entry.title) + "##" + std::string(entry.note) + std::string(entry.id);
     const bool clicked = ImGui::Selectable(label.c_str(), chosen);
-    if (ImGui::IsItemVisible()) context.ui().where["found " + std::string(entry.id)] = lastItem();
+    if (ImGui::IsItemVisible()) context.where()["found " + std::string(entry.id)] = lastItem();
     const bool action = entry.kind == PaletteEntry::Kind::Action;
     const std::string keys = action ? context.key(entry.id) : std::string{};
     const std::string note = std::string(entry.note) + (keys.empty() ? "" : "   " + keys);
@@ -44,7 +47,7 @@ std::vector<PaletteEntry> matchesNow(const CommandPalette& palette) {
 }  // namespace
 
 void drawCommandPalette(const PanelContext& context) {
-    CommandPalette& palette = context.ui().palette;
+    CommandPalette& palette = context.state<CommandPalette>();
     if (!palette.open) return;
     const float em = context.em;
     const glm::vec2 screen(context.rects.status.size.x, context.rects.status.max().y);
@@ -68,7 +71,7 @@ void drawCommandPalette(const PanelContext& context) {
                                      palette.filter.data(), palette.filter.size())) {
             palette.chosen = 0;
         }
-        if (ImGui::IsItemActive()) context.ui().typing.takesKeys();
+        if (ImGui::IsItemActive()) context.state<TypingWait>().takesKeys();
         const std::vector<PaletteEntry> matches = matchesNow(palette);
         const bool enter = moveChoice(palette, matches.size());
         const PaletteEntry* picked = nullptr;
@@ -83,7 +86,7 @@ void drawCommandPalette(const PanelContext& context) {
         ImGui::EndChild();
         if (picked != nullptr) {
             palette.open = false;
-            context.ui().requests.closePopups = true;
+            context.requests().closePopups = true;
             choose(*picked, context.commands);
         }
     }

@@ -2,10 +2,17 @@
 #include <filesystem>
 #include <vector>
 
+#include "input/typing_wait.h"
 #include "mesh_fields.h"
+#include "panel_state/file_browser_state.h"
+#include "panel_state/growth_page.h"
+#include "panel_state/mesh_form.h"
+#include "panel_state/ui_requests.h"
+#include "panel_state/ui_state.h"
 #include "panels/panel.h"
 #include "panels/widgets/text_field.h"
 #include "panels/widgets/widgets.h"
+#include "session/session.h"
 #include "session/session_file.h"
 #include "spiraling_edge/scenes/scenes.h"
 
@@ -35,7 +42,7 @@ void openSource(const PanelContext& context, const std::string& source) {
 
 /// MeshController asks before it replaces a file.
 void saveMeshTo(const PanelContext& context, const std::string& typed) {
-    MeshForm& form = context.ui().mesh;
+    MeshForm& form = context.state<MeshForm>();
     form.path = form.withFormat(typed);
     form.ask = MeshAsk::Save;
 }
@@ -52,13 +59,14 @@ void saveTo(const PanelContext& context, FileBrowsing& state, const fs::path& ty
         state.error = path.filename().string() + " exists already. Save again to replace it.";
         return;
     }
-    (points ? context.ui().growth.savePath : context.ui().requests.saveSessionAs) = path.string();
+    (points ? context.state<GrowthPage>().savePath : context.requests().saveSessionAs) =
+        path.string();
     context.ui().fileBrowser = false;
 }
 
 /// The sampled points: of the page, or of the open input.
 std::string stemOfMade(const PanelContext& context) {
-    const GrowthPage& page = context.ui().growth;
+    const GrowthPage& page = context.state<GrowthPage>();
     if (page.open) return sampleStem(page.made, page.numbers.points);
     const Session& session = context.session();
     const Result<SampleSpec> spec = sampleFromSource(session.spec().source);
@@ -67,7 +75,7 @@ std::string stemOfMade(const PanelContext& context) {
 
 /// File of the last saved mesh of this input; empty: none yet.
 fs::path savedMesh(const PanelContext& context) {
-    const MeshForm& form = context.ui().mesh;
+    const MeshForm& form = context.state<MeshForm>();
     const bool mesh = context.ui().browser == BrowserTask::SaveMesh;
     return mesh && form.savedSource == context.session().spec().source ? form.savedPath : "";
 }
@@ -77,7 +85,7 @@ std::string proposedName(const PanelContext& context) {
     if (context.ui().browser == BrowserTask::SavePoints) return stemOfMade(context) + ".ply";
     if (context.ui().browser == BrowserTask::SaveMesh) {
         const fs::path saved = savedMesh(context);
-        return saved.empty() ? context.ui().mesh.withFormat(meshStem(context.session()))
+        return saved.empty() ? context.state<MeshForm>().withFormat(meshStem(context.session()))
                              : saved.filename().string();
     }
     const std::string& session = context.ui().sessionPath;
@@ -171,7 +179,7 @@ void drawPathLine(const PanelContext& context, FileBrowsing& state) {
     const int select = state.settling > 0 ? ImGuiInputTextFlags_AutoSelectAll : 0;
     const bool entered = textField("##path", wordsFor(context.ui().browser).hint, state.path,
                                    ImGuiInputTextFlags_EnterReturnsTrue | select);
-    if (ImGui::IsItemActive()) context.ui().typing.takesKeys();
+    if (ImGui::IsItemActive()) context.state<TypingWait>().takesKeys();
     ImGui::SameLine();
     const bool pressed = ImGui::Button(save ? "Save" : "Open", {-1.0F, 0.0F});
     ImGui::EndDisabled();
@@ -203,7 +211,7 @@ void drawFiles(const PanelContext& context, FileBrowsing& state) {
     if (context.ui().browser == BrowserTask::SaveMesh && context.session().ready()) {
         const std::string path = typedSource(state.folder, state.path);
         drawMeshFields(context, state.path,
-                       path.empty() ? path : context.ui().mesh.withFormat(path));
+                       path.empty() ? path : context.state<MeshForm>().withFormat(path));
     }
     ImGui::BeginDisabled(meshDialogWaits(context));
     if (ImGui::BeginChild("##files", {0, 0}, false)) {
@@ -253,7 +261,7 @@ void prepare(const PanelContext& context, FileBrowsing& state) {
 
 void drawFileBrowser(const PanelContext& context) {
     bool& open = context.ui().fileBrowser;
-    FileBrowsing& state = context.ui().browsing;
+    FileBrowsing& state = context.state<FileBrowsing>();
     if (!open) {
         state.shown = false;
         return;

@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include "input/key_map.h"
+#include "panel_state/ui_state.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 

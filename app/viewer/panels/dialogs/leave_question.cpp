@@ -2,6 +2,7 @@
 #include <string>
 #include <utility>
 
+#include "panel_state/unsaved_prompt.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 
@@ -47,7 +48,7 @@ void drawChoices(const PanelContext& context, LeaveQuestion& question) {
     for (const Choice& each : kChoices) {
         if (row && each.answer != LeaveAnswer::Save) ImGui::SameLine();
         if (ImGui::Button(each.label, {row ? 0.0F : -1.0F, 0.0F})) question.answer = each.answer;
-        context.ui().where[each.id] = lastItem();
+        context.where()[each.id] = lastItem();
         if (each.answer == LeaveAnswer::Save && std::exchange(question.justAsked, false)) {
             takeKeyboard();
         }
@@ -62,7 +63,7 @@ void drawChoices(const PanelContext& context, LeaveQuestion& question) {
 }  // namespace
 
 void drawLeaveQuestion(const PanelContext& context) {
-    LeaveQuestion& question = context.ui().leaving;
+    LeaveQuestion& question = context.state<LeaveQuestion>();
     if (question.asked && !ImGui::IsPopupOpen(kQuestionTitle)) ImGui::OpenPopup(kQuestionTitle);
     const glm::vec2 screen(context.rects.status.size.x, context.rects.status.max().y);
     ImGui::SetNextWindowPos({0.5F * screen.x, 0.5F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});

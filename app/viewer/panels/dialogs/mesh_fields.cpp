@@ -2,8 +2,12 @@
 
 #include <utility>
 
+#include "panel_state/file_browser_state.h"
+#include "panel_state/mesh_form.h"
+#include "panel_state/ui_state.h"
 #include "panels/widgets/widgets.h"
 #include "run/strings.h"
+#include "session/session.h"
 #include "spiraling_edge/io/write_mesh.h"
 
 namespace se::view {
@@ -33,7 +37,7 @@ bool drawChoice(const PanelContext& context, const char* label, bool on, const c
         }
     }
     const bool chosen = ImGui::RadioButton(label, on);
-    context.ui().where[where] = lastItem();
+    context.where()[where] = lastItem();
     return chosen;
 }
 
@@ -53,7 +57,7 @@ std::string leftOutText(const MeshFormat& format) {
 }
 
 void drawFormats(const PanelContext& context, std::string& name) {
-    MeshForm& form = context.ui().mesh;
+    MeshForm& form = context.state<MeshForm>();
     form.followName(name);
     drawName(context, "Format");
     for (std::size_t i = 0; i < meshFormats().size(); ++i) {
@@ -68,7 +72,7 @@ void drawFormats(const PanelContext& context, std::string& name) {
 }
 
 void drawPoints(const PanelContext& context) {
-    MeshForm& form = context.ui().mesh;
+    MeshForm& form = context.state<MeshForm>();
     drawName(context, "Points");
     if (drawChoice(context, "All, in the order of the input", !form.usedOnly, "mesh all points",
                    true))
@@ -81,7 +85,7 @@ void drawPoints(const PanelContext& context) {
 
 /// Size of the mesh, and the state of the run.
 void drawSize(const PanelContext& context) {
-    const MeshForm& form = context.ui().mesh;
+    const MeshForm& form = context.state<MeshForm>();
     if (!form.size) {
         ImGui::ProgressBar(static_cast<float>(form.share), {-1.0F, 0.0F}, "running to the end");
         return;
@@ -95,12 +99,12 @@ void drawSize(const PanelContext& context) {
 }
 
 void drawCopy(const PanelContext& context, const std::string& path) {
-    MeshForm& form = context.ui().mesh;
+    MeshForm& form = context.state<MeshForm>();
     if (ImGui::Button("Copy command")) {
         form.path = path;
         form.ask = MeshAsk::CopyCommand;
     }
-    context.ui().where["mesh copy command"] = lastItem();
+    context.where()["mesh copy command"] = lastItem();
     tooltip("The command line that writes the same file, for a terminal");
     if (form.note.empty()) return;
     ImGui::SameLine();
@@ -108,14 +112,14 @@ void drawCopy(const PanelContext& context, const std::string& path) {
 }
 
 void drawQuestion(const PanelContext& context) {
-    MeshForm& form = context.ui().mesh;
+    MeshForm& form = context.state<MeshForm>();
     wrappedText(replaceText(form.question, context.session().spec().source));
     const bool replace = ImGui::Button("Replace");
     const bool chosen = ImGui::IsItemFocused();
-    context.ui().where["mesh replace"] = lastItem();
+    context.where()["mesh replace"] = lastItem();
     ImGui::SameLine();
     const bool keep = ImGui::Button("Cancel (Esc)");
-    context.ui().where["mesh keep"] = lastItem();
+    context.where()["mesh keep"] = lastItem();
     // The safe answer has the keyboard focus. Space is Dear ImGui's own key for it.
     if (std::exchange(form.justAsked, false)) takeKeyboard();
     const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
@@ -128,7 +132,7 @@ void drawQuestion(const PanelContext& context) {
 }
 
 void drawWork(const PanelContext& context) {
-    MeshForm& form = context.ui().mesh;
+    MeshForm& form = context.state<MeshForm>();
     const float button = 5.5F * context.em;
     ImGui::ProgressBar(form.writing ? 1.0F : static_cast<float>(form.share),
                        {ImGui::GetContentRegionAvail().x - button, 0.0F},
@@ -136,18 +140,18 @@ void drawWork(const PanelContext& context) {
     ImGui::SameLine();
     ImGui::BeginDisabled(form.writing);
     if (ImGui::Button("Cancel", {-1.0F, 0.0F})) form.ask = MeshAsk::Cancel;
-    context.ui().where["mesh cancel"] = lastItem();
+    context.where()["mesh cancel"] = lastItem();
     ImGui::EndDisabled();
 }
 
 }  // namespace
 
 bool meshDialogWaits(const PanelContext& context) {
-    return context.ui().browser == BrowserTask::SaveMesh && context.ui().mesh.waits();
+    return context.ui().browser == BrowserTask::SaveMesh && context.state<MeshForm>().waits();
 }
 
 void drawMeshFields(const PanelContext& context, std::string& name, const std::string& path) {
-    const MeshForm& form = context.ui().mesh;
+    const MeshForm& form = context.state<MeshForm>();
     if (!form.complaint.empty()) wrappedText("! " + form.complaint, context.palette.rejected);
     if (form.saving) return drawWork(context);
     if (!form.question.empty()) return drawQuestion(context);

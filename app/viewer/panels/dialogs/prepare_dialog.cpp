@@ -1,8 +1,10 @@
 #include <algorithm>
 
+#include "panel_state/ui_requests.h"
 #include "panels/panel.h"
 #include "panels/widgets/prepare_fields.h"
 #include "panels/widgets/widgets.h"
+#include "session/session.h"
 
 namespace se::view {
 
@@ -13,15 +15,15 @@ void drawButtons(const PanelContext& context, PrepareForm& form, bool entered) {
         Result<InputSpec> spec = form.spec(context.session().spec());
         form.complaint = spec ? std::string{} : spec.error().message;
         if (spec) {
-            context.ui().requests.openSpec = std::move(spec.value());
+            context.requests().openSpec = std::move(spec.value());
             form.open = false;
         }
     }
-    context.ui().where["prepare ok"] = lastItem();
+    context.where()["prepare ok"] = lastItem();
     tooltip("Read the input again with these options, and go to the start");
     ImGui::SameLine();
     if (ImGui::Button("Cancel (Esc)")) form.open = false;
-    context.ui().where["prepare cancel"] = lastItem();
+    context.where()["prepare cancel"] = lastItem();
     if (form.complaint.empty()) return;
     wrappedText("! " + form.complaint, context.palette.rejected);
 }
@@ -29,7 +31,7 @@ void drawButtons(const PanelContext& context, PrepareForm& form, bool entered) {
 }  // namespace
 
 void drawPrepareDialog(const PanelContext& context) {
-    PrepareForm& form = context.ui().prepare;
+    PrepareForm& form = context.state<PrepareForm>();
     if (!form.open || !context.session().ready()) return;
     const float em = context.em;
     const glm::vec2 screen(context.rects.status.size.x, context.rects.status.max().y);

@@ -7,9 +7,11 @@
 #include "commands/alert_actions.h"
 #include "commands/ask_actions.h"
 #include "jobs/questions.h"
+#include "panel_state/finding_panels.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "run/number_format.h"
+#include "session/session.h"
 
 namespace se::view {
 
@@ -25,12 +27,12 @@ struct AlertRow {
 };
 
 bool isOpen(const PanelContext& context, const AlertGroup& group) {
-    const auto& byHand = context.ui().alertsOpen;
+    const auto& byHand = context.state<AlertsPanel>().open;
     const auto found = byHand.find(std::string(group.kind->name));
     const auto chosen = context.session().chosenAlert();
     const bool holdsChosen =
         chosen && *chosen >= group.first && *chosen < group.first + group.count;
-    if (holdsChosen && context.ui().revealAlert) return true;
+    if (holdsChosen && context.state<AlertsPanel>().reveal) return true;
     if (found != byHand.end()) return found->second;
     return holdsChosen || context.session().alerts().failures().size() <= kManyAlerts;
 }
@@ -72,9 +74,9 @@ void drawHead(const PanelContext& context, const AlertGroup& group) {
     const float left = ImGui::GetCursorPosX();
     const bool clicked = ImGui::Selectable("##head");
     const std::string name(group.kind->name);
-    context.ui().where["alerts " + name] = lastItem();
+    context.where()["alerts " + name] = lastItem();
     tooltip(std::string(group.kind->meaning) + (open ? "\nFold" : "\nUnfold"));
-    if (clicked) context.ui().alertsOpen[name] = !open;
+    if (clicked) context.state<AlertsPanel>().open[name] = !open;
     drawArrow(context, at, open);
     ImGui::SameLine(left + 1.3F * context.em);
     const std::string count = amountOf(group);
@@ -96,7 +98,7 @@ void drawRow(const PanelContext& context, std::size_t index) {
     ImGui::PushID(static_cast<int>(index));
     const float left = ImGui::GetCursorPosX();
     const bool clicked = ImGui::Selectable("##alert", chosen);
-    context.ui().where["alert " + alertName(session.alerts(), index)] = lastItem();
+    context.where()["alert " + alertName(session.alerts(), index)] = lastItem();
     tooltip("Go to where it was created, frame it, and show why");
     if (clicked) showAlert(context.commands, index, AlertMoment::Created);
     ImGui::SameLine(left + 1.3F * context.em);
@@ -122,7 +124,7 @@ void drawMoment(const PanelContext& context, const RunFailure& alert, AlertMomen
     const float left = ImGui::GetCursorPosX();
     const bool clicked = ImGui::Selectable("##moment", here);
     const std::string name(momentName(moment));
-    context.ui().where["alert " + name] = lastItem();
+    context.where()["alert " + name] = lastItem();
     if (clicked) showAlert(context.commands, *session.chosenAlert(), moment);
     ImGui::SameLine(left);
     ImGui::PushFont(context.fonts.strong);
@@ -154,7 +156,7 @@ void drawWhy(const PanelContext& context, const RunFailure& alert) {
     if (ImGui::SmallButton(("Why? " + selectionText(subject)).c_str())) {
         askWhy(context.commands, subject);
     }
-    context.ui().where["alert why"] = lastItem();
+    context.where()["alert why"] = lastItem();
     tooltip("Every decision about it, in the panel Ledger");
     const bool mine = questions.subject() == subject;
     const WhyAnswer* answer = mine ? questions.ledger().answer() : nullptr;
@@ -167,12 +169,12 @@ void drawRemedy(const PanelContext& context, const Remedy& remedy) {
     const std::string name(nameOf(remedy));
     ImGui::PushID(name.c_str());
     if (ImGui::SmallButton("Switch on")) switchOn(context.commands, remedy);
-    context.ui().where["remedy " + name] = lastItem();
+    context.where()["remedy " + name] = lastItem();
     tooltip(remedy.rule != nullptr ? std::string(remedy.rule->summary)
                                    : "All rules of the set; see docs/robust.md.");
     ImGui::SameLine();
     if (ImGui::SmallButton("Compare")) showBeside(context.commands, remedy);
-    context.ui().where["beside " + name] = lastItem();
+    context.where()["beside " + name] = lastItem();
     tooltip("This run and the one with it side by side, at this position");
     ImGui::SameLine();
     ImGui::PushFont(context.fonts.mono);
@@ -223,7 +225,7 @@ void drawRemedies(const PanelContext& context) {
     }
     if (mine && !search.complaint().empty()) dimText(search.complaint());
     if (ImGui::SmallButton("Try the rules beyond the paper")) session.seekRemedies();
-    context.ui().where["alert remedies"] = lastItem();
+    context.where()["alert remedies"] = lastItem();
     tooltip("Re-runs with each of them on, one at a time");
 }
 
@@ -270,7 +272,7 @@ void drawList(const PanelContext& context) {
     if (found == rows.end()) return drawRows(context, rows);
     const auto above = static_cast<std::size_t>(found - rows.begin());
     const float pitch = ImGui::GetTextLineHeightWithSpacing();
-    if (context.ui().revealAlert) {
+    if (context.state<AlertsPanel>().reveal) {
         // At the top: the details take the room below.
         const float y = ImGui::GetCursorPosY() + static_cast<float>(above) * pitch;
         ImGui::SetScrollY(std::max(0.0F, y - 0.3F * pitch));
@@ -301,7 +303,7 @@ void drawSearch(const PanelContext& context) {
     if (alerts.stopped() || !complaint.empty()) {
         dimText(alerts.stopped() ? "The search was stopped." : complaint);
         if (ImGui::SmallButton("Search for failures")) session.resumeAlerts();
-        context.ui().where["alerts resume"] = lastItem();
+        context.where()["alerts resume"] = lastItem();
         return;
     }
     dimText(alerts.busy() ? "Searching for alerts ..."
@@ -309,7 +311,7 @@ void drawSearch(const PanelContext& context) {
     if (!alerts.busy()) return;
     ImGui::ProgressBar(static_cast<float>(alerts.share()), {-1.0F, 0.0F});
     if (ImGui::SmallButton("Stop")) session.stopAlerts();
-    context.ui().where["alerts stop"] = lastItem();
+    context.where()["alerts stop"] = lastItem();
 }
 
 std::string headingNote(const AlertSearch& alerts) {
@@ -345,7 +347,7 @@ void drawAlerts(const PanelContext& context) {
             context.key("step.alert.next") + " goes to the next one.");
     }
     drawList(context);
-    context.ui().revealAlert = false;
+    context.state<AlertsPanel>().reveal = false;
 }
 
 }  // namespace se::view

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 
+#include "panel_state/ui_state.h"
 #include "panels/panel.h"
 #include "panels/widgets/text_field.h"
 #include "panels/widgets/widgets.h"
+#include "session/annotations.h"
+#include "session/playback.h"
+#include "session/session.h"
 
 namespace se::view {
 
@@ -47,7 +51,7 @@ bool drawBookmark(const PanelContext& context, Bookmark& mark, std::size_t place
 }
 
 void drawBookmarks(const PanelContext& context) {
-    Bookmarks& marks = context.ui().bookmarks;
+    Bookmarks& marks = context.state<Bookmarks>();
     heading(context, "Bookmarks", marks.empty() ? "" : std::to_string(marks.size()));
     if (marks.empty()) {
         const std::string key = context.key("notes.bookmark");
@@ -81,7 +85,7 @@ void drawNotes(const PanelContext& context) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const ImVec2 size(room.x, std::max(6.0F * context.em, room.y - 2.0F * context.em));
     textArea("##notes", context.ui().notes, size);
-    context.ui().where["field notes"] = lastItem();
+    context.where()["field notes"] = lastItem();
     const std::string key = context.key("file.save");
     ImGui::TextDisabled("%s saves them in a session file.", key.c_str());
 }

@@ -8,6 +8,9 @@
 
 #include "jobs/hit_search.h"
 #include "panels/widgets/widgets.h"
+#include "session/playback.h"
+#include "session/session.h"
+#include "spiraling_edge/replay/breakpoint.h"
 
 namespace se::view {
 
@@ -27,7 +30,7 @@ struct LogRow {
 
 std::vector<LogRow> logRows(const PanelContext& context) {
     std::vector<LogRow> rows;
-    for (const Breakpoint& each : context.ui().breakpoints) {
+    for (const Breakpoint& each : context.state<std::vector<Breakpoint>>()) {
         const LineHits* known = context.session().hits().of(each.line);
         if (!each.on || !each.logOnly || known == nullptr) continue;
         for (std::size_t i = 0; i < known->list.hits.size() && rows.size() < kMaxLogged; ++i) {
@@ -80,7 +83,7 @@ void drawLogRow(const PanelContext& context, const LogRow& row) {
 }  // namespace
 
 void drawBreakLog(const PanelContext& context) {
-    const auto& all = context.ui().breakpoints;
+    const auto& all = context.state<std::vector<Breakpoint>>();
     if (std::none_of(all.begin(), all.end(),
                      [](const Breakpoint& each) { return each.on && each.logOnly; }))
         return;
@@ -96,7 +99,7 @@ void drawBreakLog(const PanelContext& context) {
             for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
                 ImGui::PushID(i);
                 drawLogRow(context, rows[static_cast<std::size_t>(i)]);
-                if (i == clipper.DisplayStart) context.ui().where["log row"] = lastItem();
+                if (i == clipper.DisplayStart) context.where()["log row"] = lastItem();
                 ImGui::PopID();
             }
         }

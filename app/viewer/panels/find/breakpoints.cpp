@@ -8,6 +8,8 @@
 #include "panels/widgets/text_field.h"
 #include "panels/widgets/widgets.h"
 #include "query_field.h"
+#include "session/session.h"
+#include "spiraling_edge/replay/breakpoint.h"
 
 namespace se::view {
 
@@ -47,7 +49,7 @@ void numberField(const PanelContext& context, const char* label, std::uint32_t& 
 /// Name, hit count and log-only, in a popup. True if the breakpoint is to be removed.
 bool drawOptions(const PanelContext& context, Breakpoint& breakpoint, const std::string& name) {
     if (ImGui::Button("...", {kButton * context.em, 0.0F})) ImGui::OpenPopup("##options");
-    context.ui().where[name + " options"] = lastItem();
+    context.where()[name + " options"] = lastItem();
     tooltip("Name, hit count, log only");
     if (!ImGui::BeginPopup("##options")) return false;
     ImGui::SetNextItemWidth(14.0F * context.em);
@@ -57,7 +59,7 @@ bool drawOptions(const PanelContext& context, Breakpoint& breakpoint, const std:
     ImGui::Checkbox("log only: list the hits, do not stop", &breakpoint.logOnly);
     ImGui::TextDisabled("Hits count from the start of the run, in both directions.");
     const bool gone = ImGui::Button("Remove this breakpoint");
-    context.ui().where[name + " away"] = lastItem();
+    context.where()[name + " away"] = lastItem();
     if (gone) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
     return gone;
@@ -75,7 +77,7 @@ RowFit rowFit(const PanelContext& context) {
     const float button = kButton * em + gap;
     // Constant, so that the row does not move while hits are counted.
     float count = ImGui::CalcTextSize("88 / 88").x;
-    for (const Breakpoint& each : context.ui().breakpoints) {
+    for (const Breakpoint& each : context.state<std::vector<Breakpoint>>()) {
         const std::string text = countText(context.session(), each);
         count = std::max(count, ImGui::CalcTextSize(text.c_str()).x);
     }
@@ -115,14 +117,14 @@ bool drawRow(const PanelContext& context, Breakpoint& breakpoint, std::size_t nu
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float button = kButton * context.em + gap;
     ImGui::Checkbox("##on", &breakpoint.on);
-    context.ui().where[name + " on"] = lastItem();
+    context.where()[name + " on"] = lastItem();
     tooltip("On or off");
     ImGui::SameLine();
     const float count = fit.count > 0.0F ? fit.count + gap : 0.0F;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - count - button -
                             (fit.cross ? button : 0.0F));
     queryField(context, "##line", "stage=sphere refused", breakpoint.line);
-    context.ui().where[name] = lastItem();
+    context.where()[name] = lastItem();
     ImGui::SameLine();
     const float afterHits = ImGui::GetCursorPosX() + count;
     if (fit.count > 0.0F) {
@@ -154,11 +156,11 @@ void drawPresets(const PanelContext& context) {
             line ? fitted(*line, 16.0F * context.em) : "needs " + std::string(preset.needs);
         if (ImGui::MenuItem(title.c_str(), right.c_str(), false, line.has_value()))
             addBreakpoint(context.commands, {title, *line});
-        context.ui().where["preset " + title] = lastItem();
+        context.where()["preset " + title] = lastItem();
     }
     ImGui::Separator();
     if (ImGui::MenuItem("Custom line", "type it")) {
-        context.ui().breakpoints.push_back({});
+        context.state<std::vector<Breakpoint>>().push_back({});
     }
     ImGui::TextDisabled("Points in the view: Ctrl+left drag around them.");
     ImGui::EndPopup();
@@ -169,7 +171,7 @@ void drawTitle(const PanelContext& context) {
     heading(context, "Breakpoints", "");
     ImGui::SameLine();
     queryHelp(context);
-    const std::size_t count = context.ui().breakpoints.size();
+    const std::size_t count = context.state<std::vector<Breakpoint>>().size();
     if (count == 0) return;
     const std::string text = std::to_string(count);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(text.c_str()).x);
@@ -188,11 +190,11 @@ bool buttonsFit() {
 void drawButtons(const PanelContext& context) {
     const bool words = buttonsFit();
     if (ImGui::Button("Add...")) ImGui::OpenPopup("##presets");
-    context.ui().where["add breakpoint"] = lastItem();
+    context.where()["add breakpoint"] = lastItem();
     drawPresets(context);
     ImGui::SameLine();
     if (ImGui::Button("Here")) context.run("run.break");
-    context.ui().where["breakpoint here"] = lastItem();
+    context.where()["breakpoint here"] = lastItem();
     tooltip("Break on the selection, otherwise on this kind of decision (" +
             context.key("run.break") + ")");
     ImGui::SameLine();
@@ -211,7 +213,7 @@ void drawHitSearch(const PanelContext& context) {
                            {ImGui::GetContentRegionAvail().x - button, 0.0F}, "searching for hits");
         ImGui::SameLine();
         if (ImGui::Button("Stop")) hits.cancel();
-        context.ui().where["stop search"] = lastItem();
+        context.where()["stop search"] = lastItem();
     } else if (hits.cancelled()) {
         if (ImGui::Button("Resume")) hits.resume();
         ImGui::SameLine();
@@ -226,7 +228,7 @@ void drawBreakpoints(const PanelContext& context) {
         ImGui::TextDisabled("Nothing is open.");
         return;
     }
-    std::vector<Breakpoint>& all = context.ui().breakpoints;
+    std::vector<Breakpoint>& all = context.state<std::vector<Breakpoint>>();
     drawTitle(context);
     drawButtons(context);
     drawHitSearch(context);

@@ -4,6 +4,7 @@
 #include "decision_rows.h"
 #include "jobs/questions.h"
 #include "panels/widgets/widgets.h"
+#include "session/session.h"
 
 namespace se::view {
 
@@ -38,7 +39,7 @@ void drawBar(const PanelContext& context, const RunChart& chart, const ChartBar&
     const bool chosen = ImGui::Selectable("##bar", asked, 0, {0.0F, height});
     ImGui::PopID();
     if (ImGui::IsItemVisible())
-        context.ui().where["bar " + std::string(chart.name) + " " + bar.label] = lastItem();
+        context.where()["bar " + std::string(chart.name) + " " + bar.label] = lastItem();
     tooltip(grouped(bar.count) + " " + std::string(chart.unit) + "\n" + bar.query);
     if (chosen) askQuery(context.commands, bar.query);
     ImDrawList* list = ImGui::GetWindowDrawList();

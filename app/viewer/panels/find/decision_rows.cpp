@@ -4,11 +4,16 @@
 #include <cmath>
 #include <utility>
 
+#include "panel_state/step_panels_state.h"
+#include "panel_state/ui_requests.h"
 #include "panels/widgets/widgets.h"
 #include "rows/evidence_rows.h"
 #include "rows/line_text.h"
 #include "run/number_format.h"
+#include "scene/draw_list.h"
 #include "session/line_position.h"
+#include "session/playback.h"
+#include "session/session.h"
 
 namespace se::view {
 
@@ -62,11 +67,11 @@ class RowDrawer {
         const bool chosen = ImGui::Selectable("##line", here, 0, {0.0F, height()});
         const bool hovered = ImGui::IsItemHovered();
         const std::string address = toString(line.event.address);
-        if (ImGui::IsItemVisible()) context_.ui().where["line " + address] = lastItem();
+        if (ImGui::IsItemVisible()) context_.where()["line " + address] = lastItem();
         const Index tested = testedPoint(line.event);
-        if (hovered) context_.ui().pointedAt = tested != kNone ? tested : line.pivot;
+        if (hovered) context_.state<Navigation>().pointedAt = tested != kNone ? tested : line.pivot;
         if (hovered && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) {
-            context_.ui().subjectMenu.open(
+            context_.state<SubjectMenu>().open(
                 Selection::ofPoint(tested != kNone ? tested : line.pivot));
         }
         const RowNote note = rows_.note ? rows_.note(i) : RowNote{};
@@ -218,7 +223,7 @@ ScrolledBody::~ScrolledBody() {
 void goToDecision(const PanelContext& context, const Address& address, FrameWish frame) {
     context.playback().pause();
     context.session().goTo(address);
-    context.ui().requests.frame = frame;
+    context.requests().frame = frame;
 }
 
 bool drawAsking(const PanelContext& context, const char* what, double share) {
@@ -228,7 +233,7 @@ bool drawAsking(const PanelContext& context, const char* what, double share) {
                        {ImGui::GetContentRegionAvail().x - button, 0.0F});
     ImGui::SameLine();
     const bool stop = ImGui::Button("Stop");
-    context.ui().where["stop asking"] = lastItem();
+    context.where()["stop asking"] = lastItem();
     return stop;
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "panel_state/query_panel_state.h"
+#include "panel_state/ui_requests.h"
 #include "panels/panel.h"
 #include "spiraling_edge/explain/ledger.h"
 

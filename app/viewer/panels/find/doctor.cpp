@@ -3,9 +3,14 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "jobs/doctor_job.h"
+#include "panel_state/finding_panels.h"
+#include "panel_state/ui_requests.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "run/strings.h"
+#include "scene/camera.h"
+#include "session/session.h"
 #include "spiraling_edge/base/shell_word.h"
 
 namespace se::view {
@@ -74,7 +79,7 @@ std::string commandFor(const PanelContext& context, const DoctorCheck& check) {
 void follow(const PanelContext& context, const Fixes& more) {
     Fixes fixes = context.session().spec().fixes;
     fixes.insert(fixes.end(), more.begin(), more.end());
-    context.ui().requests.fixes = std::move(fixes);
+    context.requests().fixes = std::move(fixes);
 }
 
 void drawRemedy(const PanelContext& context, const Finding& finding) {
@@ -82,7 +87,7 @@ void drawRemedy(const PanelContext& context, const Finding& finding) {
     const std::string name(check.name);
     if (canFix(check)) {
         if (ImGui::SmallButton("Apply the fix")) follow(context, {name});
-        context.ui().where["fix " + name] = lastItem();
+        context.where()["fix " + name] = lastItem();
         tooltip(std::string(fixText(check.fix)) + "\nCtrl+Z undoes it.");
     }
     const std::string command = commandFor(context, check);
@@ -92,7 +97,7 @@ void drawRemedy(const PanelContext& context, const Finding& finding) {
         ImGui::SetClipboardText(command.c_str());
         context.session().say("Copied the command.");
     }
-    context.ui().where["copy " + name] = lastItem();
+    context.where()["copy " + name] = lastItem();
     tooltip("For a terminal; it writes a new file and leaves yours unchanged.");
     ImGui::PushFont(context.fonts.mono);
     wrappedText(command);
@@ -104,8 +109,8 @@ void drawRepaired(const PanelContext& context) {
     const Session& session = context.session();
     if (session.spec().fixes.empty()) return;
     wrappedText("Repaired here, not in the file: " + fixesText(session.model()) + ".");
-    if (ImGui::SmallButton("Use the file as is")) context.ui().requests.fixes = Fixes{};
-    context.ui().where["doctor as it is"] = lastItem();
+    if (ImGui::SmallButton("Use the file as is")) context.requests().fixes = Fixes{};
+    context.where()["doctor as it is"] = lastItem();
     tooltip("Open the input without any fixes");
     ImGui::Spacing();
     ImGui::Separator();
@@ -115,7 +120,7 @@ void drawFixAll(const PanelContext& context) {
     const Fixes fixes = safeFixes(context.session().doctorJob().findings());
     if (fixes.empty()) return;
     if (ImGui::Button("Apply all safe fixes")) follow(context, fixes);
-    context.ui().where["doctor fix all"] = lastItem();
+    context.where()["doctor fix all"] = lastItem();
     std::string text;
     for (const std::string& name : fixes) {
         text += (text.empty() ? "" : "\n") + std::string(fixText(findDoctorCheck(name)->fix));
@@ -126,19 +131,20 @@ void drawFixAll(const PanelContext& context) {
 void drawFinding(const PanelContext& context, const Finding& finding) {
     Session& session = context.session();
     const Index first = session.marked().empty() ? kNone : session.marked().front();
-    const bool shown = context.ui().shownCheck == finding.check->name && first != kNone;
+    const bool shown =
+        context.state<DoctorPanel>().shownCheck == finding.check->name && first != kNone;
     const std::string name(finding.check->name);
     ImGui::PushID(name.c_str());
     ImGui::PushStyleColor(ImGuiCol_Text, toVec4(severityColor(context, finding.severity)));
     ImGui::PushFont(context.fonts.strong);
     const std::string title = std::string(severityName(finding.severity)) + "  " + name;
     if (ImGui::Selectable(title.c_str(), shown)) {
-        context.ui().shownCheck = name;
+        context.state<DoctorPanel>().shownCheck = name;
         show(context, finding, shown);
     }
     ImGui::PopFont();
     ImGui::PopStyleColor();
-    context.ui().where["finding " + name] = lastItem();
+    context.where()["finding " + name] = lastItem();
     tooltip(finding.points.empty() ? "About the file as a whole"
             : shown                ? "Clear the marks"
                                    : "Mark these points in the view, and frame them");

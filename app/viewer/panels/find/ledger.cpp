@@ -1,10 +1,12 @@
 #include "commands/ask_actions.h"
 #include "decision_rows.h"
+#include "input/typing_wait.h"
 #include "jobs/questions.h"
 #include "panels/widgets/text_field.h"
 #include "panels/widgets/widgets.h"
 #include "rows/line_text.h"
 #include "run/number_format.h"
+#include "session/session.h"
 
 namespace se::view {
 
@@ -21,14 +23,14 @@ void paragraph(const PanelContext& context, const std::string& text) {
 
 /// Query by text, which also finds things that are not in the view or not in the mesh.
 void drawQuestionBox(const PanelContext& context) {
-    LedgerPanel& panel = context.ui().ledger;
+    LedgerPanel& panel = context.state<LedgerPanel>();
     const float button = ImGui::CalcTextSize("Why?").x + 1.5F * context.em;
     if (std::exchange(panel.wantsKeyboard, false)) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button);
     const bool entered = textField("##subject", "812 or 812,640 or ring", panel.typed,
                                    ImGuiInputTextFlags_EnterReturnsTrue);
-    if (ImGui::IsItemActive()) context.ui().typing.takesKeys();
-    if (ImGui::IsItemVisible()) context.ui().where["ledger box"] = lastItem();
+    if (ImGui::IsItemActive()) context.state<TypingWait>().takesKeys();
+    if (ImGui::IsItemVisible()) context.where()["ledger box"] = lastItem();
     ImGui::SameLine();
     if (ImGui::Button("Why?") || entered) askTyped(context.commands);
     if (!panel.complaint.empty()) {
@@ -59,7 +61,7 @@ void drawAnswer(const PanelContext& context, const WhyAnswer& ledger) {
     if (ImGui::SmallButton("Go to the cause")) {
         goToDecision(context, ledger.lines[ledger.cause].event.address, FrameWish::Focus);
     }
-    if (ImGui::IsItemVisible()) context.ui().where["ledger cause"] = lastItem();
+    if (ImGui::IsItemVisible()) context.where()["ledger cause"] = lastItem();
     tooltip(toString(ledger.lines[ledger.cause].event.address));
     ImGui::SameLine();
     if (ImGui::SmallButton("Copy as text")) {
@@ -67,9 +69,9 @@ void drawAnswer(const PanelContext& context, const WhyAnswer& ledger) {
         context.session().say("Copied the answer and its " + grouped(ledger.lines.size()) +
                               " lines.");
     }
-    if (ImGui::IsItemVisible()) context.ui().where["ledger copy"] = lastItem();
+    if (ImGui::IsItemVisible()) context.where()["ledger copy"] = lastItem();
     ImGui::Spacing();
-    const DecisionRows rows{ledger.lines, context.ui().ledger.list, ledger.cause};
+    const DecisionRows rows{ledger.lines, context.state<LedgerPanel>().list, ledger.cause};
     if (const auto line = drawDecisionRows(context, rows))
         goToDecision(context, ledger.lines[*line].event.address, FrameWish::Focus);
 }
@@ -77,7 +79,7 @@ void drawAnswer(const PanelContext& context, const WhyAnswer& ledger) {
 /// While the panel is visible, each new selection is queried.
 void followSelection(const PanelContext& context) {
     Session& session = context.session();
-    Selection& seen = context.ui().ledger.seen;
+    Selection& seen = context.state<LedgerPanel>().seen;
     if (session.selection() == seen) return;
     seen = session.selection();
     if (seen.kind == SelectionKind::None || seen == session.questions().subject()) return;

@@ -5,12 +5,16 @@
 #include "commands/ask_actions.h"
 #include "commands/break_commands.h"
 #include "decision_rows.h"
+#include "input/typing_wait.h"
 #include "jobs/questions.h"
+#include "panel_state/view_settings.h"
 #include "panels/widgets/text_field.h"
 #include "panels/widgets/widgets.h"
 #include "query_field.h"
 #include "rows/line_text.h"
 #include "rows/query_words.h"
+#include "scene/point_tint.h"
+#include "session/session.h"
 
 namespace se::view {
 
@@ -22,14 +26,14 @@ constexpr const char* kExamples[] = {"stage=sphere kept margin<1e-3", "refused s
 
 /// The two lists of the panel, one of them visible.
 void drawChoice(const PanelContext& context) {
-    QueryPanel& panel = context.ui().query;
+    QueryPanel& panel = context.state<QueryPanel>();
     const auto choice = [&](const char* title, const char* name, QueryList list) {
         const bool on = panel.shown == list;
         if (on) ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent));
         if (on) ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.accentText));
         if (ImGui::Button(title)) panel.shown = list;
         if (on) ImGui::PopStyleColor(2);
-        context.ui().where[name] = lastItem();
+        context.where()[name] = lastItem();
     };
     choice("By terms", "query words", QueryList::Found);
     ImGui::SameLine();
@@ -38,22 +42,22 @@ void drawChoice(const PanelContext& context) {
 
 /// Synchronizes the typed text with the suggestions.
 void drawLine(const PanelContext& context) {
-    QueryPanel& panel = context.ui().query;
+    QueryPanel& panel = context.state<QueryPanel>();
     const float button = ImGui::CalcTextSize("Find").x + 1.5F * context.em;
     if (std::exchange(panel.wantsKeyboard, false)) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button);
     const bool entered = textField("##query", "stage=sphere kept margin<1e-4", panel.typed,
                                    ImGuiInputTextFlags_EnterReturnsTrue);
     panel.typing = ImGui::IsItemActive();
-    if (panel.typing) context.ui().typing.takesKeys();
-    context.ui().where["query box"] = lastItem();
+    if (panel.typing) context.state<TypingWait>().takesKeys();
+    context.where()["query box"] = lastItem();
     ImGui::SameLine();
     if (ImGui::Button("Find") || entered) findTyped(context.commands);
 }
 
 /// Error of the line, as soon as there is one, except in the word that is being typed.
 void drawMistake(const PanelContext& context) {
-    const QueryPanel& panel = context.ui().query;
+    const QueryPanel& panel = context.state<QueryPanel>();
     const std::string& asked = context.session().questions().line();
     const bool done = !panel.typing || panel.typed.ends_with(' ') || panel.typed == asked;
     const std::string complaint = queryComplaint(context, panel.typed);
@@ -62,7 +66,7 @@ void drawMistake(const PanelContext& context) {
 }
 
 void drawTerm(const PanelContext& context, const QueryTerm& term, bool wide) {
-    QueryPanel& panel = context.ui().query;
+    QueryPanel& panel = context.state<QueryPanel>();
     const std::string form(term.form);
     const std::string meaning(term.meaning);
     ImGui::TableNextRow();
@@ -71,7 +75,7 @@ void drawTerm(const PanelContext& context, const QueryTerm& term, bool wide) {
         panel.typed = completed(panel.typed, term);
         panel.wantsKeyboard = true;
     }
-    if (ImGui::IsItemVisible()) context.ui().where["term " + form] = lastItem();
+    if (ImGui::IsItemVisible()) context.where()["term " + form] = lastItem();
     if (!wide) return tooltip(meaning);
     ImGui::TableNextColumn();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.05F * context.em});
@@ -88,19 +92,20 @@ void drawTerms(const PanelContext& context) {
         ImGui::TableSetupColumn("form", ImGuiTableColumnFlags_WidthFixed, 7.6F * context.em);
         ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthStretch);
     }
-    for (const QueryTerm* term : termsFor(context.ui().query.typed)) drawTerm(context, *term, wide);
+    for (const QueryTerm* term : termsFor(context.state<QueryPanel>().typed))
+        drawTerm(context, *term, wide);
     ImGui::EndTable();
 }
 
 void drawHelp(const PanelContext& context) {
-    QueryPanel& panel = context.ui().query;
+    QueryPanel& panel = context.state<QueryPanel>();
     dimText("Finds decisions of the whole run. All terms must match. Examples:");
     for (const char* example : kExamples) {
         if (ImGui::Selectable(example)) {
             panel.typed = example;
             findTyped(context.commands);
         }
-        context.ui().where[std::string("example ") + example] = lastItem();
+        context.where()[std::string("example ") + example] = lastItem();
     }
     ImGui::Spacing();
     dimText("All terms; click one to insert it:");
@@ -121,14 +126,14 @@ void drawFound(const PanelContext& context, const FoundDecisions& found) {
     tooltip("To the previous / next one from the cursor");
     if (ImGui::SmallButton("Break on these"))
         addBreakpoint(context.commands, {"", context.session().questions().line()});
-    context.ui().where["query break"] = lastItem();
-    const DecisionRows rows{found.lines, context.ui().query.found};
+    context.where()["query break"] = lastItem();
+    const DecisionRows rows{found.lines, context.state<QueryPanel>().found};
     if (const auto line = drawDecisionRows(context, rows))
         goToDecision(context, found.lines[*line].event.address, FrameWish::Pivot);
 }
 
 void drawByWords(const PanelContext& context) {
-    const QueryPanel& panel = context.ui().query;
+    const QueryPanel& panel = context.state<QueryPanel>();
     Questions& questions = context.session().questions();
     drawLine(context);
     drawMistake(context);
@@ -165,12 +170,12 @@ std::string moveText(const FlippingMove& move) {
 void drawCalls(const PanelContext& context, const ClosestAnswer& closest) {
     if (closest.lines.empty()) return dimText("No decision of this run compared a number.");
     dimText("The decisions closest to going the other way, closest first.");
-    bool tinted = context.ui().settings.pointTint == PointTint::Margin;
+    bool tinted = context.settings().pointTint == PointTint::Margin;
     if (ImGui::Checkbox("Tint points by margin", &tinted))
         context.run(tinted ? "view.points.margin" : "view.points.status");
-    context.ui().where["tint margin"] = lastItem();
+    context.where()["tint margin"] = lastItem();
     const DecisionRows rows{
-        closest.lines, context.ui().query.closest, {}, false, [&](std::size_t i) {
+        closest.lines, context.state<QueryPanel>().closest, {}, false, [&](std::size_t i) {
             const NearestDecision& decision = closest.decisions.decisions[i];
             return RowNote{shortMoveText(decision.move), moveText(decision.move)};
         }};
@@ -203,7 +208,8 @@ void drawQuery(const PanelContext& context) {
     }
     heading(context, "Query");
     drawChoice(context);
-    context.ui().query.shown == QueryList::Found ? drawByWords(context) : drawClosest(context);
+    context.state<QueryPanel>().shown == QueryList::Found ? drawByWords(context)
+                                                          : drawClosest(context);
 }
 
 }  // namespace se::view

@@ -2,6 +2,7 @@
 
 #include "panels/widgets/text_field.h"
 #include "panels/widgets/widgets.h"
+#include "session/session.h"
 #include "spiraling_edge/replay/decision_query.h"
 #include "spiraling_edge/replay/named_points.h"
 

@@ -4,8 +4,15 @@
 #include <array>
 
 #include "commands/ask_actions.h"
+#include "panel_state/compare_page.h"
+#include "panel_state/query_panel_state.h"
+#include "panel_state/ui_requests.h"
 #include "panel_state/what_if_offers.h"
 #include "panels/widgets/widgets.h"
+#include "run/rule_set.h"
+#include "session/playback.h"
+#include "session/session.h"
+#include "spiraling_edge/replay/breakpoint.h"
 
 namespace se::view {
 
@@ -29,7 +36,7 @@ void drawTogether(const PanelContext& context, const Selection& what) {
     if (!both) return;
     const std::string title = "Why, or why not: " + selectionText(*both);
     if (ImGui::MenuItem(title.c_str())) askWhy(context.commands, *both);
-    context.ui().where["menu together"] = lastItem();
+    context.where()["menu together"] = lastItem();
 }
 
 /// What-ifs for a point: the run forks.
@@ -42,10 +49,10 @@ void drawWhatIfs(const PanelContext& context, Index point) {
     for (std::size_t i = 0; i < offers.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::MenuItem(offers[i].label.c_str())) {
-            context.ui().requests.rules = withWhatIf(rules, offers[i].what);
+            context.requests().rules = withWhatIf(rules, offers[i].what);
         }
         ImGui::PopID();
-        context.ui().where["menu what if " + std::to_string(i + 1)] = lastItem();
+        context.where()["menu what if " + std::to_string(i + 1)] = lastItem();
         tooltip(describe(offers[i].what));
     }
     if (ImGui::MenuItem("Move it, or edit its list...")) {
@@ -58,19 +65,19 @@ void drawEntries(const PanelContext& context, const Selection& what) {
     Session& session = context.session();
     if (ImGui::MenuItem("Why? Why not?", context.key("ask.why").c_str()))
         askWhy(context.commands, what);
-    context.ui().where["menu why"] = lastItem();
+    context.where()["menu why"] = lastItem();
     drawTogether(context, what);
     ImGui::Separator();
     if (ImGui::MenuItem("Select", nullptr, session.selection() == what)) session.select(what);
     if (ImGui::MenuItem("Frame", context.key("view.frame").c_str())) {
         session.select(what);
-        context.ui().requests.frame = FrameWish::Focus;
+        context.requests().frame = FrameWish::Focus;
     }
     if (ImGui::MenuItem("Breakpoint", context.key("run.break").c_str())) {
         session.select(what);
         context.run("run.break");
     }
-    context.ui().where["menu break"] = lastItem();
+    context.where()["menu break"] = lastItem();
     if (what.kind == SelectionKind::Point) {
         if (ImGui::MenuItem("Go to its next decision")) {
             context.playback().pause();
@@ -86,30 +93,30 @@ void drawEntries(const PanelContext& context, const Selection& what) {
 
 /// Menu of a thing in the view of the other run: its queries and actions.
 void drawBeside(const PanelContext& context, const Selection& what) {
-    const Comparison* now = context.ui().compare.now;
+    const Comparison* now = context.state<ComparePage>().now;
     if (what.kind == SelectionKind::None || now == nullptr || now->other() == nullptr) {
         ImGui::TextDisabled("B is a finished mesh: it has no decisions.");
-        context.ui().where["menu beside"] = lastItem();
+        context.where()["menu beside"] = lastItem();
         return;
     }
     ImGui::TextDisabled("B: %s", selectionText(what).c_str());
     if (ImGui::MenuItem("Why? Why not? In both runs", context.key("ask.why").c_str()))
         askWhy(context.commands, what);
-    context.ui().where["menu why"] = lastItem();
+    context.where()["menu why"] = lastItem();
     ImGui::Separator();
     if (ImGui::MenuItem("Select", nullptr, context.session().selection() == what))
         context.session().select(what);
     if (ImGui::MenuItem("Frame", context.key("view.frame").c_str())) {
         context.session().select(what);
-        context.ui().requests.frame = FrameWish::Focus;
+        context.requests().frame = FrameWish::Focus;
     }
     ImGui::Separator();
     ImGui::TextDisabled("Breakpoints and what-ifs are those of A.");
     if (ImGui::MenuItem("Make B the run A (Swap)")) {
         context.session().select(what);
-        context.ui().compare.ask = CompareAsk::Swap;
+        context.state<ComparePage>().ask = CompareAsk::Swap;
     }
-    context.ui().where["menu swap"] = lastItem();
+    context.where()["menu swap"] = lastItem();
 }
 
 void drawMenu(const PanelContext& context, const SubjectMenu& menu) {
@@ -118,13 +125,13 @@ void drawMenu(const PanelContext& context, const SubjectMenu& menu) {
                         menu.ring ? nameOf(*menu.ring).c_str() : selectionText(menu.what).c_str());
     if (!menu.ring) return drawEntries(context, menu.what);
     if (ImGui::MenuItem("Why? What made it?")) askWhy(context.commands, *menu.ring);
-    context.ui().where["menu why"] = lastItem();
+    context.where()["menu why"] = lastItem();
 }
 
 }  // namespace
 
 void drawSubjectMenu(const PanelContext& context) {
-    SubjectMenu& menu = context.ui().subjectMenu;
+    SubjectMenu& menu = context.state<SubjectMenu>();
     if (!context.session().ready()) return;
     if (std::exchange(menu.wanted, false)) ImGui::OpenPopup("##subjectMenu");
     if (!ImGui::BeginPopup("##subjectMenu")) return;

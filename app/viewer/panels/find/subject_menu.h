@@ -1,5 +1,5 @@
 /// Context menu of a point, an edge or a triangle, in the view and in lists. Opened by
-/// `ui().subjectMenu.open(what)` on a right click.
+/// `state<SubjectMenu>().open(what)` on a right click.
 #pragma once
 
 #include "panels/panel.h"

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "panel_state/finding_panels.h"
 #include "panels/panel.h"
 #include "panels/widgets/text_field.h"
 #include "panels/widgets/widgets.h"
+#include "rows/watch_plot.h"
+#include "session/playback.h"
+#include "session/session.h"
 #include "spiraling_edge/replay/named_points.h"
 
 namespace se::view {
@@ -64,7 +68,7 @@ void drawPlot(const PanelContext& context, const std::string& expression, const 
     const Rect at{{ImGui::GetCursorScreenPos().x, ImGui::GetCursorScreenPos().y},
                   {ImGui::GetContentRegionAvail().x, kPlotHeight * context.em}};
     const auto columns = static_cast<std::size_t>(std::max(8.0F, std::round(at.size.x)));
-    PaintedPlot& plot = context.ui().plots[expression];
+    PaintedPlot& plot = context.state<WatchPanel>().plots[expression];
     const std::size_t last = lastPivot(session);
     keepPlot(plot, session.generation(), series.values, last, columns);
     ImDrawList* list = ImGui::GetWindowDrawList();
@@ -88,7 +92,7 @@ void drawPlot(const PanelContext& context, const std::string& expression, const 
                         toU32(context.palette.background.withAlpha(0.8F)), 0.15F * context.em);
     list->AddText(context.fonts.small, print, label, toU32(context.palette.textDim), most.c_str());
     ImGui::InvisibleButton("##plot", toVec2(at.size));
-    context.ui().where["watch plot " + std::to_string(number)] = at;
+    context.where()["watch plot " + std::to_string(number)] = at;
     const float place = (ImGui::GetIO().MousePos.x - at.min.x) / std::max(1.0F, at.size.x - 1.0F);
     const auto pivot = static_cast<std::size_t>(
         std::llround(std::clamp(place, 0.0F, 1.0F) * static_cast<float>(last)));
@@ -114,7 +118,7 @@ bool drawRow(const PanelContext& context, std::string& expression, std::size_t n
     ImGui::SetNextItemWidth(9.0F * em);
     textField("##expression", "ring", expression);
     ImGui::PopFont();
-    context.ui().where["watch " + std::to_string(number)] = lastItem();
+    context.where()["watch " + std::to_string(number)] = lastItem();
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     const float button = 1.7F * em;
@@ -154,9 +158,9 @@ void drawWatchTerms(const PanelContext& context) {
         const std::string meaning(term.meaning.substr(0, term.meaning.find_first_of(":.")));
         if (ImGui::MenuItem(expression.c_str(), meaning.c_str(), false,
                             !ofPoint || point != kNone)) {
-            context.ui().watches.push_back(expression);
+            context.state<WatchPanel>().expressions.push_back(expression);
         }
-        context.ui().where["watch term " + std::string(term.form)] = lastItem();
+        context.where()["watch term " + std::string(term.form)] = lastItem();
     }
     ImGui::EndPopup();
 }
@@ -171,11 +175,11 @@ void drawScan(const PanelContext& context) {
                            {ImGui::GetContentRegionAvail().x - button, 0.0F}, "scanning the run");
         ImGui::SameLine();
         if (ImGui::Button("Stop")) scan.cancel();
-        context.ui().where["stop watching"] = lastItem();
+        context.where()["stop watching"] = lastItem();
     } else if (scan.cancelled()) {
         ImGui::SameLine();
         if (ImGui::Button("Resume")) scan.resume();
-        context.ui().where["watch on"] = lastItem();
+        context.where()["watch on"] = lastItem();
         ImGui::SameLine();
         ImGui::TextDisabled("Stopped.");
         tooltip("Values are known up to the point where the scan stopped.");
@@ -190,11 +194,11 @@ void drawWatch(const PanelContext& context) {
         ImGui::TextDisabled("Nothing is open.");
         return;
     }
-    std::vector<std::string>& all = context.ui().watches;
+    std::vector<std::string>& all = context.state<WatchPanel>().expressions;
     heading(context, "Watch",
             all.empty() ? "" : "at the end of pivot " + grouped(session.record().pivot));
     if (ImGui::Button("Add...")) ImGui::OpenPopup("##terms");
-    context.ui().where["add watch"] = lastItem();
+    context.where()["add watch"] = lastItem();
     drawWatchTerms(context);
     drawScan(context);
     if (all.empty()) {

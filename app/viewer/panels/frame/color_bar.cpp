@@ -3,8 +3,12 @@
 #include <vector>
 
 #include "layout/corner.h"
+#include "panel_state/view_settings.h"
 #include "panels/widgets/widgets.h"
+#include "scene/draw_list.h"
+#include "scene/mesh_style.h"
 #include "screen_projection.h"
+#include "session/session.h"
 #include "view_parts.h"
 
 namespace se::view {
@@ -115,7 +119,7 @@ std::optional<Rect> drawMargins(const PanelContext& context, std::span<const Rec
     for (std::size_t i = 0; i < kMarginSteps; ++i) {
         const float x = at.x + step * static_cast<float>(i);
         plate.list->AddRectFilled({x, top}, {x + step, top + 0.6F * em},
-                                  toU32(marginColor(i, context.ui().settings.theme)));
+                                  toU32(marginColor(i, context.settings().theme)));
         plate.list->AddText({x, top + 0.75F * em}, toU32(context.palette.textDim),
                             marginStepText(i).c_str());
     }

@@ -1,9 +1,13 @@
 // The two views of the layout Compare: their titles, the second view, and its sentence.
 #include <algorithm>
 
+#include "panel_state/compare_page.h"
+#include "panel_state/query_panel_state.h"
 #include "panels/panel.h"
 #include "panels/widgets/camera_mouse.h"
 #include "panels/widgets/widgets.h"
+#include "run/status_list.h"
+#include "session/session.h"
 #include "view_parts.h"
 
 namespace se::view {
@@ -43,7 +47,7 @@ void drawTitle(const PanelContext& context, const Rect& bar, const char* letter,
 void drawEmptyView(const PanelContext& context) {
     const Rect& view = context.rects.otherView;
     if (beginRegion("##otherEmpty", view)) {
-        const Comparison* now = context.ui().compare.now;
+        const Comparison* now = context.state<ComparePage>().now;
         const bool chosen = now != nullptr && now->chosen();
         const float width = std::min(view.size.x - 2.0F * context.em, 20.0F * context.em);
         // The button is visible in a low view as well.
@@ -58,7 +62,7 @@ void drawEmptyView(const PanelContext& context) {
             dimText("Choose on the left what to compare this run with, or", width);
             const std::string usual = usualOther(context.session().spec()).rules + " rules";
             if (ImGui::Button(("Compare with the " + usual).c_str())) context.run("run.compare");
-            context.ui().where["compare usual"] = lastItem();
+            context.where()["compare usual"] = lastItem();
         }
         ImGui::EndGroup();
     }
@@ -79,7 +83,7 @@ void drawStill(const PanelContext& context) {
                                    ImGuiButtonFlags_MouseButtonRight |
                                    ImGuiButtonFlags_MouseButtonMiddle);
         moveCameraByMouse(context);
-        if (isClick(context, ImGuiMouseButton_Right)) context.ui().subjectMenu.openBeside({});
+        if (isClick(context, ImGuiMouseButton_Right)) context.state<SubjectMenu>().openBeside({});
         const auto texture =
             reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(context.viewTexture));
         ImGui::GetWindowDrawList()->AddImage(texture, toVec2(view.min), toVec2(view.max()), {0, 1},
@@ -130,9 +134,9 @@ void drawEmptySentence(const PanelContext& context) {
 void drawComparedViews(const PanelContext& context) {
     const PanelRects& rects = context.rects;
     const Session& run = context.session();
-    context.ui().where["region other view"] = rects.otherView;
-    const Comparison* now = context.ui().compare.now;
-    const Compared* found = context.ui().compare.result();
+    context.where()["region other view"] = rects.otherView;
+    const Comparison* now = context.state<ComparePage>().now;
+    const Compared* found = context.state<ComparePage>().result();
     const bool chosen = now != nullptr && now->chosen();
     const std::string noteA = found != nullptr ? noteOf(run, found->meshes.onlyA) : "";
     drawTitle(context, rects.title, "A", run.ready() ? runTitle(run.spec()) : "",

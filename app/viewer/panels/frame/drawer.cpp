@@ -1,6 +1,8 @@
 #include <algorithm>
 
+#include "panel_state/step_panels_state.h"
 #include "panels/widgets/widgets.h"
+#include "session/session.h"
 #include "strips.h"
 
 namespace se::view {
@@ -55,8 +57,8 @@ void stripName(const PanelContext& context, const char* name, const Rect& bars) 
 void keepSteps(const PanelContext& context) {
     const Session& session = context.session();
     if (!session.ready()) return;
-    context.ui().navigation.steps.update(session.overview(), session.generation(), session.record(),
-                                         session.cursor());
+    context.state<Navigation>().steps.update(session.overview(), session.generation(),
+                                             session.record(), session.cursor());
 }
 
 void drawDrawer(const PanelContext& context) {

@@ -1,5 +1,8 @@
 #include "lane_strip.h"
 
+#include "scene/draw_list.h"
+#include "session/session.h"
+
 #include <algorithm>
 #include <cmath>
 

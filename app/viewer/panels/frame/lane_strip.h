@@ -1,6 +1,7 @@
 /// The lanes within the strip RUN.
 #pragma once
 
+#include "panel_state/step_panels_state.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 
@@ -12,8 +13,8 @@ struct RunStrip {
     Rect lanes;  ///< Within bars, without the scale above.
     float pitch = 1.0F;
 
-    const LanePicture& picture() const { return context.ui().navigation.lanes.picture; }
-    const StripWindow& window() const { return context.ui().navigation.strip; }
+    const LanePicture& picture() const { return context.state<Navigation>().lanes.picture; }
+    const StripWindow& window() const { return context.state<Navigation>().strip; }
     float xOf(double pivot) const {
         return bars.min.x + static_cast<float>(window().shareOf(pivot)) * bars.size.x;
     }

@@ -3,9 +3,14 @@
 #include <glm/geometric.hpp>
 
 #include "commands/break_commands.h"
+#include "input/view_drag.h"
+#include "panel_state/tabs.h"
 #include "panels/widgets/widgets.h"
 #include "run/strings.h"
+#include "scene/camera.h"
 #include "scene/lasso.h"
+#include "session/playback.h"
+#include "session/session.h"
 #include "view_parts.h"
 
 namespace se::view {
@@ -29,14 +34,14 @@ void close(const PanelContext& context, Lasso& lasso) {
         return session.say("There is no point inside the lasso that faces this way.");
     addBreakpoint(context.commands,
                   {"lasso, " + grouped(points.size()) + " points", amongLine(points)});
-    context.ui().wantedTab = kBreakpointsTab;
+    context.state<OpenTab>().wanted = kBreakpointsTab;
     session.mark(points);
 }
 
 }  // namespace
 
 bool handleLasso(const PanelContext& context) {
-    Lasso& lasso = context.ui().lasso;
+    Lasso& lasso = context.state<Lasso>();
     const ImGuiIO& io = ImGui::GetIO();
     const glm::vec2 mouse(io.MousePos.x, io.MousePos.y);
     if (ImGui::IsItemActivated() && io.KeyCtrl && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
@@ -53,7 +58,7 @@ bool handleLasso(const PanelContext& context) {
 }
 
 void drawLasso(const PanelContext& context) {
-    const std::vector<glm::vec2>& path = context.ui().lasso.path;
+    const std::vector<glm::vec2>& path = context.state<Lasso>().path;
     if (path.size() < 2) return;
     ImDrawList* list = ImGui::GetWindowDrawList();
     // In the color of text, with a rim of the background color, unlike any ring.

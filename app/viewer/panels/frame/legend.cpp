@@ -2,6 +2,7 @@
 
 #include "layout/corner.h"
 #include "panels/widgets/widgets.h"
+#include "scene/draw_list.h"
 #include "screen_projection.h"
 #include "view_parts.h"
 
@@ -43,7 +44,7 @@ std::optional<Rect> drawLegend(const PanelContext& context, std::span<const Rect
         freeCorner({view, 0.7F * em, taken, marks}, size, kLegendCorners);
     if (!place) return std::nullopt;
     const glm::vec2 at = place->min;
-    context.ui().where["legend"] = *place;
+    context.where()["legend"] = *place;
     ImDrawList* list = ImGui::GetWindowDrawList();
     list->AddRectFilled(toVec2(at), toVec2(at + size),
                         toU32(context.palette.panel.withAlpha(0.94F)), 0.3F * em);

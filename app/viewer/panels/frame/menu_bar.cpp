@@ -1,6 +1,13 @@
+#include "panel_state/growth_page.h"
 #include "panel_state/recent.h"
+#include "panel_state/ui_requests.h"
+#include "panel_state/ui_state.h"
+#include "panel_state/view_settings.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
+#include "scene/camera.h"
+#include "scene/up_axis.h"
+#include "session/session.h"
 #include "spiraling_edge/scenes/scenes.h"
 
 namespace se::view {
@@ -13,14 +20,14 @@ void drawRecent(const PanelContext& context) {
     for (const std::string& path : recent) {
         const std::string shown = isSample(path) ? recentName(path) : path;
         const std::string name = fitted(shown, 30.0F * context.em) + "##" + path;
-        if (ImGui::MenuItem(name.c_str())) context.ui().requests.open = path;
+        if (ImGui::MenuItem(name.c_str())) context.requests().open = path;
     }
     ImGui::EndMenu();
 }
 
 void drawScene(const PanelContext& context, const Scene& scene) {
     if (ImGui::MenuItem(std::string(scene.title).c_str()))
-        context.ui().requests.open = sceneSource(scene.id);
+        context.requests().open = sceneSource(scene.id);
     tooltip(std::string(scene.watch));
 }
 
@@ -50,7 +57,7 @@ void drawLayouts(const PanelContext& context) {
 void drawMeshStyles(const PanelContext& context) {
     if (!ImGui::BeginMenu("Mesh")) return;
     for (const MeshStyleRow& row : meshStyles()) {
-        const bool on = context.ui().settings.meshStyle == row.id;
+        const bool on = context.settings().meshStyle == row.id;
         const std::string command = "view.mesh." + std::string(row.name);
         if (ImGui::MenuItem(std::string(row.title).c_str(), nullptr, on)) context.run(command);
     }
@@ -61,7 +68,7 @@ void drawMeshStyles(const PanelContext& context) {
 void drawPointTints(const PanelContext& context) {
     if (!ImGui::BeginMenu("Points")) return;
     for (const PointTintRow& row : pointTints()) {
-        const bool on = context.ui().settings.pointTint == row.id;
+        const bool on = context.settings().pointTint == row.id;
         const std::string command = "view.points." + std::string(row.name);
         if (ImGui::MenuItem(std::string(row.title).c_str(), nullptr, on)) context.run(command);
     }
@@ -71,7 +78,7 @@ void drawPointTints(const PanelContext& context) {
 /// The submenu Up axis, with a check at the axis of the view.
 void drawUpAxes(const PanelContext& context) {
     if (!ImGui::BeginMenu("Up axis")) return;
-    const bool chosen = context.ui().settings.up.has_value();
+    const bool chosen = context.settings().up.has_value();
     if (ImGui::MenuItem("Automatic", nullptr, !chosen)) context.run("view.up.auto");
     for (const UpAxis axis : {UpAxis::X, UpAxis::Y, UpAxis::Z}) {
         const std::string name(upAxisName(axis));
@@ -118,7 +125,7 @@ void drawMenuGroup(const PanelContext& context, std::string_view group) {
 /// Description of the open input, as many whole words of it as fit.
 std::string fittingNote(const PanelContext& context, float room) {
     const Session& session = context.session();
-    if (!session.ready() || context.ui().growth.open) return {};
+    if (!session.ready() || context.state<GrowthPage>().open) return {};
     const std::string& name = session.model().name;
     // For new points the name has their number.
     const std::string number = isSample(session.spec().source)

@@ -1,9 +1,11 @@
 #include <algorithm>
 
+#include "panel_state/ui_state.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "run/number_format.h"
 #include "scene/outcome.h"
+#include "session/session.h"
 
 namespace se::view {
 
@@ -71,7 +73,7 @@ void drawAddressLine(const PanelContext& context) {
                                         toU32(context.palette.textDim), text.c_str());
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + rects.addressLine);
     context.ui().addressLine = text;
-    context.ui().where["address line"] = {at, {extent.x, extent.y}};
+    context.where()["address line"] = {at, {extent.x, extent.y}};
 }
 
 }  // namespace

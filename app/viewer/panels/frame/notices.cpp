@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "panel_state/ui_state.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
+#include "session/session.h"
 
 namespace se::view {
 
@@ -48,7 +50,7 @@ void drawLoading(const PanelContext& context) {
         ImGui::ProgressBar(static_cast<float>(session.loadShare()), {-1.0F, 0.0F},
                            partName(session.loadPart()));
         if (ImGui::Button("Cancel")) session.cancelOpening();
-        context.ui().where["cancel opening"] = lastItem();
+        context.where()["cancel opening"] = lastItem();
     }
     ImGui::End();
 }
@@ -64,7 +66,7 @@ void drawError(const PanelContext& context) {
         if (ImGui::Button("Open another...")) context.ui().fileBrowser = true;
         ImGui::SameLine();
         if (ImGui::Button(session.ready() ? "Continue" : "Start page")) session.dismissError();
-        context.ui().where["go on"] = lastItem();
+        context.where()["go on"] = lastItem();
     }
     ImGui::End();
 }
@@ -123,7 +125,7 @@ void drawMove(const PanelContext& context) {
         ImGui::SameLine();
         if (ImGui::Button("Stop")) session.cancelMove();
         tooltip("Stop (Esc)");
-        context.ui().where["stop move"] = lastItem();
+        context.where()["stop move"] = lastItem();
     }
     ImGui::End();
 }

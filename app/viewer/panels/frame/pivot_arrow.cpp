@@ -2,6 +2,8 @@
 #include <string>
 
 #include "panels/widgets/widgets.h"
+#include "scene/camera.h"
+#include "session/session.h"
 #include "view_parts.h"
 
 namespace se::view {
@@ -32,7 +34,7 @@ std::optional<PivotArrow> offerPivotArrow(const PanelContext& context) {
     found.hovered = ImGui::IsItemHovered();
     tooltip("The pivot, p " + std::to_string(pivot) +
             ", is outside of the view.\nClick to center it.");
-    context.ui().where["pivot arrow"] = found.rect;
+    context.where()["pivot arrow"] = found.rect;
     return found;
 }
 

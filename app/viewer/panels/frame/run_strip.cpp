@@ -1,9 +1,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "input/view_drag.h"
 #include "jobs/hit_search.h"
 #include "lane_strip.h"
+#include "panel_state/compare_page.h"
 #include "panels/widgets/widgets.h"
+#include "session/annotations.h"
+#include "session/playback.h"
+#include "session/session.h"
+#include "spiraling_edge/replay/breakpoint.h"
 #include "strips.h"
 
 namespace se::view {
@@ -14,7 +20,7 @@ namespace {
 void keepPainted(const PanelContext& context, const LaneRoom& room) {
     const Session& session = context.session();
     const RunOverview& run = session.overview();
-    Navigation& nav = context.ui().navigation;
+    Navigation& nav = context.state<Navigation>();
     PaintedLanes& painted = nav.lanes;
     const bool same =
         painted.generation == session.generation() && painted.pivots == run.pivots.size() &&
@@ -107,7 +113,7 @@ void drawBookmarkMarks(const RunStrip& strip) {
     ImDrawList* list = ImGui::GetWindowDrawList();
     const float em = strip.context.em;
     const ImU32 color = toU32(strip.context.palette.text);
-    const Bookmarks& marks = strip.context.ui().bookmarks;
+    const Bookmarks& marks = strip.context.state<Bookmarks>();
     const float bottom = strip.lanes.max().y;
     for (std::size_t i = 0; i < marks.size(); ++i) {
         const float x = std::round(strip.xOf(marks[i].address.pivot));
@@ -145,7 +151,7 @@ void drawStops(const RunStrip& strip) {
 
 /// The pivot where the two compared runs diverge: half in the color of each.
 float differencePlace(const RunStrip& strip) {
-    const Compared* found = strip.context.ui().compare.result();
+    const Compared* found = strip.context.state<ComparePage>().result();
     if (found == nullptr || !found->runs.first || !found->runs.first->a.line) return -1.0F;
     return std::round(strip.xOf(found->runs.first->a.line->event.address.pivot));
 }
@@ -172,14 +178,14 @@ void drawDifference(const RunStrip& strip) {
                             toU32(palette.last));
     list->AddQuad({mark.min.x, at.y}, {at.x, mark.min.y}, {mark.max().x, at.y},
                   {at.x, mark.max().y}, toU32(palette.background), 1.0F);
-    strip.context.ui().where["strip difference"] = mark;
+    strip.context.where()["strip difference"] = mark;
 }
 
 /// Tooltip of the first difference, if the mouse is there.
 std::string differenceText(const RunStrip& strip, ImVec2 mouse) {
     const float x = differencePlace(strip);
     if (x < 0.0F || std::abs(mouse.x - x) > 0.5F * strip.context.em) return {};
-    const RunDifference& first = *strip.context.ui().compare.result()->runs.first;
+    const RunDifference& first = *strip.context.state<ComparePage>().result()->runs.first;
     const auto at = [](const DifferenceSide& side) {
         return side.line ? toString(side.line->event.address) : std::string("the run has ended");
     };
@@ -259,7 +265,7 @@ std::string tooltipText(const RunStrip& strip, std::uint32_t pivot, ImVec2 mouse
 
 void handleMouse(const RunStrip& strip) {
     Session& session = strip.context.session();
-    StripWindow& window = strip.context.ui().navigation.strip;
+    StripWindow& window = strip.context.state<Navigation>().strip;
     ImGui::SetCursorScreenPos(toVec2(strip.bars.min));
     ImGui::InvisibleButton("##run", toVec2(strip.bars.size),
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
@@ -268,13 +274,13 @@ void handleMouse(const RunStrip& strip) {
         std::clamp((io.MousePos.x - strip.bars.min.x) / strip.bars.size.x, 0.0F, 1.0F);
     const auto pivot = static_cast<std::uint32_t>(std::llround(window.pivotAt(share)));
     const bool moved = io.MouseDelta.x != 0.0F;
-    ViewDrag& drag = strip.context.ui().viewDrag;
+    ViewDrag& drag = strip.context.state<ViewDrag>();
     if (ImGui::IsItemActivated()) drag.begin();
     const bool onMark = differenceMark(strip).contains({io.MousePos.x, io.MousePos.y});
     if (ImGui::IsItemActivated() && onMark && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
         // Each to its own address, like its key.
         strip.context.playback().pause();
-        strip.context.ui().compare.ask = CompareAsk::FirstDifference;
+        strip.context.state<ComparePage>().ask = CompareAsk::FirstDifference;
     } else if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Right)) {
         const float by = drag.move({io.MousePos.x, io.MousePos.y}, 0.0F).x;
         if (by != 0.0F) window.pan(-by / strip.bars.size.x);
@@ -292,7 +298,7 @@ void handleMouse(const RunStrip& strip) {
 /// Keeps the strip's window on the run, and on the cursor when it moves.
 void keepWindow(const PanelContext& context) {
     const Session& session = context.session();
-    Navigation& nav = context.ui().navigation;
+    Navigation& nav = context.state<Navigation>();
     if (nav.lanes.generation != session.generation()) nav.strip.showAll();
     nav.strip.setLast(std::max({1U, session.overview().lastPivot, session.record().pivot}));
     const bool moved =
@@ -327,7 +333,7 @@ void drawRunStrip(const PanelContext& context, const Rect& area) {
     const float top = 0.55F * em;
     const Rect bars = barsOf(context, area, area.size.y - top - (folded ? 0.3F : 0.2F) * em, top);
     stripName(context, "RUN", bars);
-    context.ui().where["strip run"] = bars;
+    context.where()["strip run"] = bars;
     if (!session.ready()) return;
     keepWindow(context);
     // Folded, the scale is drawn only where it covers nothing.

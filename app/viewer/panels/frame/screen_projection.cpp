@@ -4,6 +4,9 @@
 #include <array>
 
 #include "run/pivot_neighborhood.h"
+#include "scene/camera.h"
+#include "scene/draw_list.h"
+#include "session/session.h"
 
 namespace se::view {
 

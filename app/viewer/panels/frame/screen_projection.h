@@ -1,11 +1,13 @@
 /// Projection of the scene to the screen, in pixels of the window: for overlays.
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <optional>
 #include <vector>
 
 #include "layout/labels.h"
 #include "panels/panel.h"
+#include "scene/camera.h"
 
 namespace se::view {
 

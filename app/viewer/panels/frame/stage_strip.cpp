@@ -1,8 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "panel_state/step_panels_state.h"
 #include "panels/widgets/widgets.h"
+#include "scene/draw_list.h"
 #include "scene/outcome.h"
+#include "session/playback.h"
+#include "session/session.h"
 #include "spiraling_edge/replay/reading.h"
 #include "strips.h"
 
@@ -166,14 +170,14 @@ void drawCell(const PanelContext& context, const Rect& cell, std::size_t index) 
         session.goToEvent(index);
     }
     if (ImGui::IsItemHovered()) {
-        context.ui().pointedAt = subjectOf(event);
+        context.state<Navigation>().pointedAt = subjectOf(event);
         tooltip(toString(event.address) + "\n" + describe(event));
     }
     ImGui::PopID();
 }
 
 const StageRun* runAtCursor(const PanelContext& context) {
-    const auto& runs = context.ui().navigation.steps.runs();
+    const auto& runs = context.state<Navigation>().steps.runs();
     const std::size_t cursor = context.session().cursor();
     const auto at = std::find_if(runs.begin(), runs.end(),
                                  [&](const StageRun& run) { return run.contains(cursor); });
@@ -188,13 +192,13 @@ void drawPivotStrip(const PanelContext& context, const Rect& area) {
     const float top = 1.35F * em;
     const Rect bars = barsOf(context, area, area.size.y - top - 0.35F * em, top);
     stripName(context, "PIVOT", bars);
-    context.ui().where["strip pivot"] = bars;
+    context.where()["strip pivot"] = bars;
     if (!session.ready()) return;
     if (const float wheel = wheelOver(area); wheel != 0.0F) {
         context.run(wheel > 0.0F ? "step.pivot.previous" : "step.pivot.next");
     }
     keepSteps(context);
-    const auto& runs = context.ui().navigation.steps.runs();
+    const auto& runs = context.state<Navigation>().steps.runs();
     const float gap = 0.5F * em;
     const std::vector<float> widths = widthsOf(context, runs, bars.size.x, gap);
     float x = bars.min.x;
@@ -209,7 +213,7 @@ void drawStageStrip(const PanelContext& context, const Rect& area) {
     const float em = context.em;
     const Rect bars = barsOf(context, area, area.size.y - 0.75F * em, 0.2F * em);
     stripName(context, "STAGE", bars);
-    context.ui().where["strip stage"] = bars;
+    context.where()["strip stage"] = bars;
     const Session& session = context.session();
     if (!session.ready()) return;
     if (const float wheel = wheelOver(area); wheel != 0.0F) {

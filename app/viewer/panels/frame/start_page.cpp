@@ -3,10 +3,15 @@
 #include <filesystem>
 #include <utility>
 
+#include "input/tab_order.h"
 #include "panel_state/recent.h"
+#include "panel_state/start_page.h"
+#include "panel_state/ui_requests.h"
+#include "panel_state/ui_state.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "run/gallery.h"
+#include "session/session.h"
 
 namespace se::view {
 
@@ -73,11 +78,11 @@ void drawTile(const PanelContext& context, const SceneTile& tile, ImVec2 size) {
     const float em = context.em;
     const Palette& palette = context.palette;
     const std::string id = sceneSource(tile.id);
-    if (ImGui::InvisibleButton(id.c_str(), size)) context.ui().requests.open = id;
-    const bool first = &tile == &context.ui().startPage.tiles.front();
-    if (first && context.ui().walk.offer(KeyStop::Scenes)) takeKeyboard();
+    if (ImGui::InvisibleButton(id.c_str(), size)) context.requests().open = id;
+    const bool first = &tile == &context.state<StartPage>().tiles.front();
+    if (first && context.state<KeyWalk>().offer(KeyStop::Scenes)) takeKeyboard();
     const std::string name = (hasKeyboard() ? "chosen " : "tile ") + std::string(tile.id);
-    context.ui().where[name] = lastItem();
+    context.where()[name] = lastItem();
     tooltip(std::string(tile.title) + " (" + id + ")\n" + std::string(tile.watch));
     if (!ImGui::IsItemVisible()) return;
     const PageFrame frame = frameOf(palette, em);
@@ -101,7 +106,7 @@ void drawTile(const PanelContext& context, const SceneTile& tile, ImVec2 size) {
 void drawTiles(const PanelContext& context) {
     const float em = context.em;
     heading(context, "Scenes");
-    StartPage& page = context.ui().startPage;
+    StartPage& page = context.state<StartPage>();
     page.prepare();
     if (ImGui::BeginChild("##tiles", {0, 0}, false, ImGuiWindowFlags_NavFlattened)) {
         const float gap = 0.7F * em;
@@ -158,7 +163,7 @@ void drawDropHint(const PanelContext& context) {
     }
     const ImVec2 size(width, y - low.y + margin - 0.2F * em);
     if (ImGui::InvisibleButton("##drop", size)) context.run("file.open");
-    if (context.ui().walk.offer(KeyStop::Files)) takeKeyboard();
+    if (context.state<KeyWalk>().offer(KeyStop::Files)) takeKeyboard();
     const PageFrame frame = frameOf(palette, em);
     list->AddRect(low, ImGui::GetItemRectMax(), toU32(frame.color), 0.4F * em, 0, frame.width);
 }
@@ -169,7 +174,7 @@ void drawNew(const PanelContext& context) {
         const Command& command = *findCommand(id);
         const std::string key = context.key(command);
         if (ImGui::Button(std::string(command.title).c_str(), {-1.0F, 0.0F})) context.run(id);
-        context.ui().where[std::string(hasKeyboard() ? "chosen " : "start ") + id] = lastItem();
+        context.where()[std::string(hasKeyboard() ? "chosen " : "start ") + id] = lastItem();
         tooltip(std::string(command.help) + (key.empty() ? "" : " (" + key + ")"));
     }
     ImGui::Spacing();
@@ -188,10 +193,10 @@ void drawRecentFiles(const PanelContext& context) {
         const std::string label = fitted(recentName(path), width) + "##" + path;
         if (ImGui::Selectable(label.c_str())) chosen = path;
         const std::string what = hasKeyboard() ? "chosen recent " : "recent ";
-        context.ui().where[what + std::to_string(++place)] = lastItem();
+        context.where()[what + std::to_string(++place)] = lastItem();
         tooltip(path);
     }
-    if (!chosen.empty()) context.ui().requests.open = chosen;
+    if (!chosen.empty()) context.requests().open = chosen;
     ImGui::Spacing();
 }
 

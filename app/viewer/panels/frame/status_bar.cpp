@@ -4,6 +4,8 @@
 #include "layout/bars.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
+#include "run/status_list.h"
+#include "session/session.h"
 
 namespace se::view {
 
@@ -80,7 +82,7 @@ void drawStatusBar(const PanelContext& context) {
         for (std::size_t i = 0; i < std::min(fits, parts.size()); ++i) {
             ImGui::SameLine(x);
             ImGui::TextUnformatted(parts[i].c_str());
-            context.ui().where["status " + std::to_string(i + 1)] = lastItem();
+            context.where()["status " + std::to_string(i + 1)] = lastItem();
             x += widths[i] + kPartGap * em;
         }
         if (fits > parts.size()) {

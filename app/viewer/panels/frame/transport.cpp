@@ -3,9 +3,13 @@
 #include <cstdio>
 #include <optional>
 
+#include "input/go_to_box.h"
 #include "layout/bars.h"
+#include "panel_state/view_settings.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
+#include "session/playback.h"
+#include "session/session.h"
 
 namespace se::view {
 
@@ -33,7 +37,7 @@ constexpr std::array kAfter = {
 /// "Next pivot (F10, .)": with the user's keys.
 std::string withKeys(const PanelContext& context, const std::string& text,
                      std::string_view command) {
-    const std::string keys = context.ui().settings.keys.all(*findCommand(command));
+    const std::string keys = context.settings().keys.all(*findCommand(command));
     return keys.empty() ? text : text + " (" + keys + ")";
 }
 
@@ -128,7 +132,7 @@ void drawTyped(const PanelContext& context, const GoToBox& box, ImVec2 at, float
 }
 
 void drawGoTo(const PanelContext& context) {
-    GoToBox& box = context.ui().goTo;
+    GoToBox& box = context.state<GoToBox>();
     const float em = context.em;
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("at");

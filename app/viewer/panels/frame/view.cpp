@@ -3,9 +3,18 @@
 #include <optional>
 #include <vector>
 
+#include "input/double_click_filter.h"
+#include "layers/layer.h"
+#include "panel_state/query_panel_state.h"
+#include "panel_state/step_panels_state.h"
+#include "panel_state/view_settings.h"
 #include "panels/widgets/camera_mouse.h"
 #include "panels/widgets/widgets.h"
+#include "scene/camera.h"
+#include "scene/motion.h"
 #include "scene/picking.h"
+#include "session/layout_preset.h"
+#include "session/session.h"
 #include "view_parts.h"
 
 namespace se::view {
@@ -18,7 +27,7 @@ glm::vec2 localMouse(const Rect& view) {
 }
 
 bool isOn(const PanelContext& context, LayerId layer) {
-    return shownLayers(context.ui().settings.layers, context.session().stage())
+    return shownLayers(context.settings().layers, context.session().stage())
         .test(static_cast<std::size_t>(layer));
 }
 
@@ -40,7 +49,7 @@ Pick underMouse(const PanelContext& context) {
 /// A click selects, a double click centers the orbit and selects nothing. So a click
 /// counts only when it can no longer become a double click.
 void handleClicks(const PanelContext& context) {
-    DoubleClickFilter& click = context.ui().click;
+    DoubleClickFilter& click = context.state<DoubleClickFilter>();
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
         click.takeBack();
@@ -62,7 +71,7 @@ void handleClicks(const PanelContext& context) {
 void handleRightClick(const PanelContext& context) {
     if (!isClick(context, ImGuiMouseButton_Right)) return;
     const Selection what = underMouse(context).what;
-    SubjectMenu& menu = context.ui().subjectMenu;
+    SubjectMenu& menu = context.state<SubjectMenu>();
     if (!context.beside) return menu.open(what);
     if (what.kind != SelectionKind::None) menu.openBeside(what);
 }
@@ -75,8 +84,9 @@ void hoverNeighbor(const PanelContext& context) {
     if (pivot == kNone) return;
     const Rect& view = context.rects.view;
     const CameraMatrices camera = context.camera().matrices(view.size.x / view.size.y);
-    context.ui().pointedAt = pickAmong(session.shown(), session.shown().points.neighbors[pivot],
-                                       camera, view.size, localMouse(view), 0.6F * context.em);
+    context.state<Navigation>().pointedAt =
+        pickAmong(session.shown(), session.shown().points.neighbors[pivot], camera, view.size,
+                  localMouse(view), 0.6F * context.em);
 }
 
 void handleMouse(const PanelContext& context) {
@@ -91,7 +101,7 @@ void handleMouse(const PanelContext& context) {
 /// The name of the shown state, while the user looks back.
 std::optional<Rect> drawShownState(const PanelContext& context) {
     const Session& session = context.session();
-    if (!context.ui().look.on() || !session.ready() || session.event() == nullptr) {
+    if (!context.state<LookBack>().on() || !session.ready() || session.event() == nullptr) {
         return std::nullopt;
     }
     const Rect& view = context.rects.view;
@@ -123,7 +133,7 @@ void drawOver(const PanelContext& context, const std::optional<PivotArrow>& arro
     note(drawColorBar(context, taken));
     // In Compare the column beside the views explains the colors.
     const bool compared = context.rects.layoutPreset == LayoutPreset::Compare;
-    if (context.ui().settings.legend && !compared) note(drawLegend(context, taken));
+    if (context.settings().legend && !compared) note(drawLegend(context, taken));
     drawLabels(context, taken);
     if (arrow) drawPivotArrow(context, *arrow);
 }

@@ -2,7 +2,9 @@
 #include <algorithm>
 
 #include "panels/widgets/widgets.h"
+#include "scene/draw_list.h"
 #include "screen_projection.h"
+#include "session/session.h"
 #include "view_parts.h"
 
 namespace se::view {

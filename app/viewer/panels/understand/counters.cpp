@@ -4,6 +4,8 @@
 
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
+#include "run/status_list.h"
+#include "session/session.h"
 
 namespace se::view {
 

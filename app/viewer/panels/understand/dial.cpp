@@ -4,7 +4,9 @@
 #include <cstdio>
 
 #include "dial_drawer.h"
+#include "panel_state/step_panels_state.h"
 #include "panels/widgets/widgets.h"
+#include "session/session.h"
 
 namespace se::view {
 
@@ -114,7 +116,7 @@ void drawDial(const PanelContext& context) {
     if (second) drawReciprocalDial(context, *dial.reciprocal, *rooms.second);
     if (ImGui::IsItemHovered()) {
         const DialTick* tick = drawer.underPointer();
-        if (tick != nullptr) context.ui().pointedAt = tick->point;
+        if (tick != nullptr) context.state<Navigation>().pointedAt = tick->point;
         if (tick != nullptr) explain(context, *tick);
         if (tick != nullptr && ImGui::IsItemClicked()) session.select(tick->point);
     }

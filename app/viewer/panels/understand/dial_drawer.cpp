@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "panels/widgets/widgets.h"
+#include "scene/draw_list.h"
+#include "session/session.h"
 
 namespace se::view {
 

@@ -2,6 +2,7 @@
 
 #include "dial_drawer.h"
 #include "panels/widgets/widgets.h"
+#include "scene/draw_list.h"
 
 namespace se::view {
 

@@ -4,6 +4,7 @@
 #include "panels/widgets/widgets.h"
 #include "rows/evidence_rows.h"
 #include "scene/outcome.h"
+#include "session/session.h"
 #include "spiraling_edge/replay/reading.h"
 
 namespace se::view {

@@ -2,6 +2,8 @@
 #include "panels/widgets/widgets.h"
 #include "rows/evidence_rows.h"
 #include "run/number_format.h"
+#include "session/selection_facts.h"
+#include "session/session.h"
 
 namespace se::view {
 
@@ -111,7 +113,7 @@ void drawTriangle(const PanelContext& context, const SelectionFacts& facts) {
 
 void drawSelection(const PanelContext& context) {
     const Selection& selection = context.session().selection();
-    const SelectionFacts& facts = context.ui().facts.of(context.session());
+    const SelectionFacts& facts = context.state<FactsCache>().of(context.session());
     switch (selection.kind) {
         case SelectionKind::None:
             ImGui::Spacing();

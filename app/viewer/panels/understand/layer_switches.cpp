@@ -1,7 +1,10 @@
 #include <array>
 
+#include "layers/layer.h"
+#include "panel_state/view_settings.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
+#include "session/session.h"
 
 namespace se::view {
 
@@ -52,7 +55,7 @@ bool isDerived(const Session& session, LayerId layer) {
 
 void drawSwitch(const PanelContext& context, const Layer& layer, bool shown) {
     const Session& session = context.session();
-    LayerModes& modes = context.ui().settings.layers;
+    LayerModes& modes = context.settings().layers;
     LayerMode& mode = modeOf(modes, layer.id);
     ImGui::PushID(static_cast<int>(layer.id));
     const float side = ImGui::GetFrameHeight();
@@ -82,7 +85,7 @@ void drawSwitch(const PanelContext& context, const Layer& layer, bool shown) {
 }  // namespace
 
 void drawLayerSwitches(const PanelContext& context) {
-    LayerModes& modes = context.ui().settings.layers;
+    LayerModes& modes = context.settings().layers;
     const LayerSwitches shown = shownLayers(modes, context.session().stage());
     heading(context, "Layers", "a pin holds a layer");
     for (const Layer& layer : layers()) {
@@ -92,8 +95,8 @@ void drawLayerSwitches(const PanelContext& context) {
     ImGui::BeginDisabled(modes == LayerModes{});
     if (ImGui::Button("Unpin all")) modes = {};
     ImGui::EndDisabled();
-    ImGui::Checkbox("Legend", &context.ui().settings.legend);
-    bool light = context.ui().settings.theme == Theme::Light;
+    ImGui::Checkbox("Legend", &context.settings().legend);
+    bool light = context.settings().theme == Theme::Light;
     if (ImGui::Checkbox("Light theme", &light)) context.run("view.theme");
     ImGui::SameLine(ImGui::GetContentRegionMax().x - context.em);
     ImGui::TextDisabled("T");

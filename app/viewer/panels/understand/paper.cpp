@@ -1,11 +1,14 @@
 #include "rows/paper_text.h"
 
 #include "commands/alert_actions.h"
+#include "panel_state/step_panels_state.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "rows/evidence_rows.h"
 #include "run/gallery.h"
 #include "scene/outcome.h"
+#include "session/playback.h"
+#include "session/session.h"
 
 namespace se::view {
 
@@ -64,7 +67,7 @@ void drawGallery(const PanelContext& context) {
         context.playback().pause();
         if (const auto address = addressFromString(each->address)) session.goTo(*address);
     }
-    context.ui().where["gallery decision"] = lastItem();
+    context.where()["gallery decision"] = lastItem();
     ImGui::Spacing();
     ImGui::Separator();
     ImGui::Spacing();
@@ -89,7 +92,7 @@ void drawPaper(const PanelContext& context) {
     ImGui::Spacing();
     const std::size_t present = presentLine(*event);
     const Color color = outcomeColor(context.palette, *event).value_or(context.palette.accent);
-    const bool moved = context.ui().navigation.paperWatch.moved(
+    const bool moved = context.state<Navigation>().paperWatch.moved(
         session.generation(), session.record().pivot, session.cursor());
     for (std::size_t i = 0; i < rule.code.size(); ++i) {
         const bool isPresent = i == present;

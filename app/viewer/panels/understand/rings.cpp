@@ -2,9 +2,15 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "input/tab_order.h"
+#include "panel_state/query_panel_state.h"
+#include "panel_state/step_panels_state.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "rows/ring_slice.h"
+#include "scene/camera.h"
+#include "scene/draw_list.h"
+#include "session/session.h"
 
 namespace se::view {
 
@@ -66,15 +72,15 @@ void drawRow(const PanelContext& context, const RingPath& ring) {
         }
     }
     if (ImGui::IsItemHovered()) {
-        context.ui().navigation.pointedRing = ring.id;
+        context.state<Navigation>().pointedRing = ring.id;
         tooltip("Click: highlight it. Double click: show all of it. Right click: why is it there?");
         if (ImGui::IsMouseReleased(ImGuiMouseButton_Right) && session.event() != nullptr) {
-            context.ui().subjectMenu.open(
+            context.state<SubjectMenu>().open(
                 RingAddress{session.address(), ring.active ? 0 : ring.depth + 1});
         }
     }
     const bool first = &ring == &session.picture().rings.front();
-    if (first && context.ui().walk.offer(KeyStop::Rings)) takeKeyboard();
+    if (first && context.state<KeyWalk>().offer(KeyStop::Rings)) takeKeyboard();
     drawMark(context, at, ring, ring.id != kNone && session.litRing() == ring.id);
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(ringName(ring).c_str());
@@ -179,12 +185,13 @@ void drawPoint(const RingStrip& strip, std::size_t i) {
     ImGui::PushID(static_cast<int>(i));
     if (ImGui::InvisibleButton("##point", {strip.pitch, 2.3F * em})) session.select(point);
     const bool middle = i == strip.slice.count / 2;
-    if (middle && context.ui().walk.offer(KeyStop::RingPoints)) takeKeyboard();
-    if (ImGui::IsItemFocused() && ImGui::GetIO().NavVisible) context.ui().pointedAt = point;
+    if (middle && context.state<KeyWalk>().offer(KeyStop::RingPoints)) takeKeyboard();
+    if (ImGui::IsItemFocused() && ImGui::GetIO().NavVisible)
+        context.state<Navigation>().pointedAt = point;
     if (ImGui::IsItemHovered()) {
-        context.ui().pointedAt = point;
+        context.state<Navigation>().pointedAt = point;
         if (ImGui::IsMouseReleased(ImGuiMouseButton_Right))
-            context.ui().subjectMenu.open(Selection::ofPoint(point));
+            context.state<SubjectMenu>().open(Selection::ofPoint(point));
         const std::string role = roleOf(session.picture(), point);
         tooltip("point " + number + (role.empty() ? "" : ": " + role) +
                 "\nClick selects it; the wheel moves along the ring.");
@@ -219,7 +226,7 @@ void drawWhole(const RingStrip& strip, float width, std::optional<std::size_t> w
 
 void drawStrip(const PanelContext& context, const RingPath& ring) {
     const Session& session = context.session();
-    Navigation& nav = context.ui().navigation;
+    Navigation& nav = context.state<Navigation>();
     const float em = context.em;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
@@ -244,7 +251,7 @@ void drawStrip(const PanelContext& context, const RingPath& ring) {
         drawPoint(strip, i);
     }
     if (!strip.slice.whole()) drawWhole(strip, width, work);
-    context.ui().where["strip ring"] = {{at.x, at.y}, {width, kStripHeight * em}};
+    context.where()["strip ring"] = {{at.x, at.y}, {width, kStripHeight * em}};
 }
 
 /// Rows are whole at the upper end of the list at any scroll position.

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 
+#include "panel_state/step_panels_state.h"
 #include "panels/widgets/widgets.h"
+#include "run/status_list.h"
+#include "scene/draw_list.h"
 #include "scene/outcome.h"
+#include "session/session.h"
 #include "spiraling_edge/replay/reading.h"
 
 namespace se::view {
@@ -149,7 +153,7 @@ std::string pivotNote(const PivotSummary& summary) {
 }
 
 void drawComponent(const PanelContext& context, RowPen& pen, const StepRow& row) {
-    const StepTree& tree = context.ui().navigation.steps;
+    const StepTree& tree = context.state<Navigation>().steps;
     const ComponentSummary& component = context.session().overview().components[row.component];
     pen.arrow(tree.isOpen(row));
     pen.indent(kArrow);
@@ -161,7 +165,7 @@ void drawComponent(const PanelContext& context, RowPen& pen, const StepRow& row)
 
 void drawPivot(const PanelContext& context, RowPen& pen, const StepRow& row) {
     const RunOverview& run = context.session().overview();
-    const StepTree& tree = context.ui().navigation.steps;
+    const StepTree& tree = context.state<Navigation>().steps;
     const PivotSummary& summary = run.pivots[row.pivot - 1];
     pen.indent(kIndent);
     pen.arrow(tree.isOpen(row));
@@ -178,7 +182,7 @@ void drawPivot(const PanelContext& context, RowPen& pen, const StepRow& row) {
 }
 
 void drawStage(const PanelContext& context, RowPen& pen, const StepRow& row) {
-    const StepTree& tree = context.ui().navigation.steps;
+    const StepTree& tree = context.state<Navigation>().steps;
     const StageRun& run = tree.runs()[row.run];
     const Event& event = context.session().record().events[row.event];
     pen.indent(2.0F * kIndent);
@@ -202,7 +206,7 @@ void drawTest(const PanelContext& context, RowPen& pen, const StepRow& row) {
     const Session& session = context.session();
     const Event& event = session.record().events[row.event];
     const float em = context.em;
-    const bool filtered = context.ui().navigation.steps.filtered();
+    const bool filtered = context.state<Navigation>().steps.filtered();
     pen.indent(filtered ? kIndent + kArrow : 3.0F * kIndent + 0.6F);
     if (filtered) {
         pen.text(
@@ -269,7 +273,7 @@ std::string stepRowTooltip(const PanelContext& context, const StepRow& row) {
         const ComponentSummary& component = run.components[row.component];
         return "component " + grouped(row.component + 1) + ", from pivot " +
                grouped(component.firstPivot) + ", " +
-               withS(context.ui().navigation.steps.pivotsOf(row.component), "pivot") + "\n" +
+               withS(context.state<Navigation>().steps.pivotsOf(row.component), "pivot") + "\n" +
                withS(component.tests, "test") + ", " + grouped(component.refused) + " refused";
     }
     if (row.kind == StepRowKind::Pivot) {

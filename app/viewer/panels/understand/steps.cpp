@@ -2,8 +2,13 @@
 #include <cmath>
 #include <optional>
 
+#include "input/tab_order.h"
+#include "panel_state/query_panel_state.h"
+#include "panel_state/step_panels_state.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
+#include "session/playback.h"
+#include "session/session.h"
 #include "step_rows.h"
 
 namespace se::view {
@@ -12,7 +17,7 @@ namespace {
 
 void goTo(const PanelContext& context, const StepRow& row) {
     Session& session = context.session();
-    StepTree& tree = context.ui().navigation.steps;
+    StepTree& tree = context.state<Navigation>().steps;
     context.playback().pause();
     switch (row.kind) {
         case StepRowKind::Component:
@@ -30,7 +35,7 @@ void goTo(const PanelContext& context, const StepRow& row) {
 
 /// Opens or folds a row; another pivot can only be opened by a move there.
 void toggle(const PanelContext& context, const StepRow& row) {
-    StepTree& tree = context.ui().navigation.steps;
+    StepTree& tree = context.state<Navigation>().steps;
     if (row.kind == StepRowKind::Pivot && row.pivot != context.session().record().pivot) {
         goTo(context, row);
         tree.openPivot();
@@ -44,7 +49,7 @@ enum class RowAction : std::uint8_t { None, Go, Toggle };
 
 /// A click, or Enter, Left and Right for keyboard navigation.
 RowAction actionOn(const PanelContext& context, const StepRow& row, bool pressed, float left) {
-    const StepTree& tree = context.ui().navigation.steps;
+    const StepTree& tree = context.state<Navigation>().steps;
     const bool byMouse = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
     if (pressed) {
         const bool onArrow = byMouse &&
@@ -60,7 +65,7 @@ RowAction actionOn(const PanelContext& context, const StepRow& row, bool pressed
 
 RowAction drawRow(const PanelContext& context, std::size_t index, bool here, bool takes,
                   const StepColumns& columns) {
-    const StepTree& tree = context.ui().navigation.steps;
+    const StepTree& tree = context.state<Navigation>().steps;
     const StepRow row = tree.row(index);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::PushID(static_cast<int>(index));
@@ -72,9 +77,9 @@ RowAction drawRow(const PanelContext& context, std::size_t index, bool here, boo
     if (ImGui::IsItemHovered()) {
         if (row.kind >= StepRowKind::Stage) {
             const Index subject = subjectOf(context.session().record().events[row.event]);
-            context.ui().pointedAt = subject;
+            context.state<Navigation>().pointedAt = subject;
             if (subject != kNone && ImGui::IsMouseReleased(ImGuiMouseButton_Right))
-                context.ui().subjectMenu.open(Selection::ofPoint(subject));
+                context.state<SubjectMenu>().open(Selection::ofPoint(subject));
         }
         tooltip(stepRowTooltip(context, row));
     }
@@ -85,7 +90,7 @@ RowAction drawRow(const PanelContext& context, std::size_t index, bool here, boo
 }
 
 void drawStepFilter(const PanelContext& context) {
-    Navigation& nav = context.ui().navigation;
+    Navigation& nav = context.state<Navigation>();
     ImGui::SetNextItemWidth(-1.0F);
     const bool wide = ImGui::GetContentRegionAvail().x > 16.0F * context.em;
     ImGui::InputTextWithHint("##filter", wide ? "filter: stage, verdict, point, x" : "filter",
@@ -119,7 +124,7 @@ void drawColumnTitles(const PanelContext& context, const StepColumns& columns) {
 /// Scrolls to the cursor's row if the cursor has moved away from it.
 void followCursor(const PanelContext& context, float pitch) {
     const Session& session = context.session();
-    Navigation& nav = context.ui().navigation;
+    Navigation& nav = context.state<Navigation>();
     if (!nav.stepsWatch.moved(session.generation(), session.record().pivot, session.cursor())) {
         return;
     }
@@ -137,13 +142,13 @@ void followCursor(const PanelContext& context, float pitch) {
 }
 
 void drawStepRows(const PanelContext& context, const StepColumns& columns) {
-    const StepTree& tree = context.ui().navigation.steps;
+    const StepTree& tree = context.state<Navigation>().steps;
     const float pitch = ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y;
     followCursor(context, pitch);
     const auto cursorRow = tree.rowOfCursor();
     std::optional<StepRow> chosen;
     RowAction action = RowAction::None;
-    const bool keyboard = context.ui().walk.offer(KeyStop::Steps);
+    const bool keyboard = context.state<KeyWalk>().offer(KeyStop::Steps);
     const std::size_t first = cursorRow.value_or(0);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(tree.rowCount()), pitch);
@@ -177,7 +182,7 @@ void drawSteps(const PanelContext& context) {
                    : withS(run.pivots.size(), "pivot") + (run.complete ? "" : "\xE2\x80\xA6"));
     if (!ready) return dimText("Open a file, or a scene, to see its steps here.");
     drawStepFilter(context);
-    const StepTree& tree = context.ui().navigation.steps;
+    const StepTree& tree = context.state<Navigation>().steps;
     const StepColumns columns =
         stepColumns(context, ImGui::GetCursorScreenPos().x,
                     ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize);

@@ -4,7 +4,9 @@
 #include <array>
 #include <glm/geometric.hpp>
 
+#include "input/view_drag.h"
 #include "layout/corner.h"
+#include "scene/camera.h"
 #include "widgets.h"
 
 namespace se::view {
@@ -18,14 +20,14 @@ constexpr float kDragShare = 0.01F;
 
 bool isClick(const PanelContext& context, ImGuiMouseButton button) {
     return ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(button) &&
-           !context.ui().viewDrag.drags();
+           !context.state<ViewDrag>().drags();
 }
 
 void moveCameraByMouse(const PanelContext& context) {
     const Rect& view = context.rects.view;
     const ImGuiIO& io = ImGui::GetIO();
     const glm::vec2 pointer(io.MousePos.x, io.MousePos.y);
-    ViewDrag& drag = context.ui().viewDrag;
+    ViewDrag& drag = context.state<ViewDrag>();
     if (ImGui::IsItemActivated()) drag.begin();
     if (ImGui::IsItemActive() && ImGui::IsMousePosValid()) {
         const glm::vec2 moved = drag.move(pointer, kDragShare * io.DisplaySize.y);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "session/session.h"
 #include "text_field.h"
 #include "widgets.h"
 
@@ -33,7 +34,7 @@ struct Fields {
 
     /// Records the rectangle of the last item under this name, for test scripts.
     void name(const char* item) const {
-        if (ImGui::IsItemVisible()) context.ui().where[prefix + item] = lastItem();
+        if (ImGui::IsItemVisible()) context.where()[prefix + item] = lastItem();
     }
 };
 
@@ -63,8 +64,7 @@ bool valueField(const Fields& fields, const char* id, std::string& text, T& valu
     ImGui::SameLine(fieldPlace(fields.context));
     ImGui::SetNextItemWidth(-1.0F);
     const std::string before = text;
-    const bool entered = textField(
-        id, "", text, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    const bool entered = textField(id, "", text, kEntered);
     if (text != before) value = mine;
     fields.name(id + 2);
     return entered;
@@ -138,6 +138,24 @@ bool drawPrepareFields(const PanelContext& context, PrepareForm& form, const std
     heading(context, "Noise");
     toggle(fields, "Keep all points of noisy input", form.keepNoise,
            "Robust rules set aside points that lie above or below others (--keep-noise)");
+    return entered;
+}
+
+bool drawBoxFields(const PanelContext& context, BoxFields& fields) {
+    bool entered = false;
+    const float gap = 0.3F * context.em;
+    const float room = ImGui::GetContentRegionAvail().x - 3.0F * context.em;
+    for (std::size_t row = 0; row < 2; ++row) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("%s", row == 0 ? "from" : "to");
+        for (std::size_t i = 0; i < 3; ++i) {
+            ImGui::SameLine(i == 0 ? 3.0F * context.em : 0.0F, i == 0 ? -1.0F : gap);
+            ImGui::SetNextItemWidth((room - 2.0F * gap) / 3.0F);
+            const std::string id = "##box" + std::to_string(3 * row + i);
+            constexpr const char* kHints[] = {"x", "y", "z"};
+            entered = textField(id.c_str(), kHints[i], fields[3 * row + i], kEntered) || entered;
+        }
+    }
     return entered;
 }
 

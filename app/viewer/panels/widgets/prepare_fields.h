@@ -13,4 +13,7 @@ namespace se::view {
 /// names.
 bool drawPrepareFields(const PanelContext& context, PrepareForm& form, const std::string& prefix);
 
+/// Six fields in two rows, the lower corner first. True if Enter was pressed in one.
+bool drawBoxFields(const PanelContext& context, BoxFields& fields);
+
 }  // namespace se::view

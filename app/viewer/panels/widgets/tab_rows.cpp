@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "input/tab_order.h"
+#include "panel_state/tabs.h"
 #include "widgets.h"
 
 namespace se::view {
@@ -37,7 +39,7 @@ int idOf(const SidePanel& panel) { return static_cast<int>(ImGui::GetID(panel.ti
 
 /// The requested tab, otherwise the open one, otherwise the first.
 const SidePanel* openTab(const PanelContext& context, ColumnTabs tabs) {
-    std::string& wanted = context.ui().wantedTab;
+    std::string& wanted = context.state<OpenTab>().wanted;
     for (const SidePanel* panel : tabs) {
         if (wanted != panel->title) continue;
         wanted.clear();
@@ -126,13 +128,13 @@ bool drawName(const PanelContext& context, const std::string& title, bool lit) {
 void drawMore(const PanelContext& context, const std::vector<const SidePanel*>& more,
               const SidePanel*& chosen) {
     if (drawName(context, moreText(more.size()), false)) ImGui::OpenPopup(kMorePopup);
-    context.ui().where["more tabs"] = lastItem();
+    context.where()["more tabs"] = lastItem();
     tooltip("Panels that do not fit here");
     ImGui::PushFont(context.fonts.text);
     if (ImGui::BeginPopup(kMorePopup)) {
         for (const SidePanel* panel : more) {
             if (ImGui::MenuItem(panel->title)) chosen = panel;
-            context.ui().where[std::string("more ") + panel->title] = lastItem();
+            context.where()[std::string("more ") + panel->title] = lastItem();
         }
         ImGui::EndPopup();
     }
@@ -146,12 +148,12 @@ void drawTabs(const PanelContext& context, const SortedTabs& tabs, const SidePan
         if (fill.add(widthOf(context, panel->title))) ImGui::SameLine();
         if (drawName(context, panel->title, panel == open)) chosen = panel;
         const Rect place = lastItem();
-        context.ui().where[std::string("tab ") + panel->title] = place;
+        context.where()[std::string("tab ") + panel->title] = place;
         if (panel != open) continue;
         ImGui::GetWindowDrawList()->AddRectFilled({place.min.x, place.max().y - 0.12F * context.em},
                                                   toVec2(place.max()),
                                                   toU32(context.palette.accent));
-        if (context.ui().walk.offer(KeyStop::Tabs)) takeKeyboard();
+        if (context.state<KeyWalk>().offer(KeyStop::Tabs)) takeKeyboard();
     }
     if (tabs.more.empty()) return;
     if (fill.add(widthOf(context, moreText(tabs.more.size())))) ImGui::SameLine();
@@ -173,7 +175,7 @@ const SidePanel* drawTabRows(const PanelContext& context, ColumnTabs tabs) {
                                         toU32(context.palette.border));
     ImGui::Dummy({0.0F, 0.1F * context.em});
     openTabOfColumn() = idOf(*chosen);
-    context.ui().openTab = chosen->title;
+    context.state<OpenTab>().title = chosen->title;
     return chosen;
 }
 

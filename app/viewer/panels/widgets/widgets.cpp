@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "rows/evidence_rows.h"
+#include "scene/draw_list.h"
+#include "session/session.h"
 #include "text_cut.h"
 
 namespace se::view {

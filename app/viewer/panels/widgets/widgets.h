@@ -3,14 +3,16 @@
 
 #include <imgui.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "panels/panel.h"
 #include "run/strings.h"
-#include "scene/draw_list.h"
 
 namespace se::view {
+
+enum class Shape : std::uint8_t;
 
 enum class Icon { SkipStart, Back, StepBack, Play, Pause, StepForward, Forward, SkipEnd };
 

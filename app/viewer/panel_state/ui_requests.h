@@ -1,0 +1,43 @@
+/// Requests of commands and panels to the application. Plain values.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "run/doctor_fixes.h"
+#include "run/model.h"
+#include "run/rule_set.h"
+#include "run/same_position.h"
+
+namespace se::view {
+
+/// Target of the camera once the cursor has arrived.
+enum class FrameWish : std::uint8_t { None, Focus, Pivot };
+
+/// Requests of a command or panel, carried out by the application in the same frame.
+struct UiRequests {
+    bool quit = false;    ///< May open a question first.
+    bool reload = false;  ///< May open a question first.
+    bool screenshot = false;
+    bool fullScreen = false;
+    bool closePopups = false;
+    int walk = 0;  ///< Keyboard focus to the next panel (+1), or to the previous one (-1).
+    bool copyPlace = false;
+    bool pastePlace = false;
+    bool frameAlert = false;  ///< The camera goes to the chosen alert.
+    bool saveSession = false;
+    FrameWish frame = FrameWish::None;
+    bool undo = false;
+    bool redo = false;
+    std::optional<Fixes> fixes;  ///< Fixes to open the input with again; empty: the file as it is.
+    std::optional<RuleSet> rules;          ///< Rules to re-run with; see withRule().
+    Resume resume = Resume::SamePosition;  ///< With `rules`.
+    std::string open;                      ///< A path or `scene:ID`; empty: nothing.
+    std::string saveSessionAs;             ///< A path; empty: nothing.
+    std::string copyText;                  ///< Text for the clipboard; empty: nothing.
+    /// An input with its options: prepared in another way, or sampled points.
+    std::optional<InputSpec> openSpec;
+};
+
+}  // namespace se::view
