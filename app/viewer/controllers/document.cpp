@@ -9,6 +9,7 @@
 
 #include "commands/growth_commands.h"
 #include "run/gallery.h"
+#include "spiraling_edge/sampling/volume.h"
 
 namespace se::view {
 
