@@ -1,6 +1,8 @@
 #include "input.h"
 
 #include "exit_code.h"
+#include "spiraling_edge/io/format_lists.h"
+#include "spiraling_edge/sampling/volume.h"
 #include "spiraling_edge/scenes/scenes.h"
 
 namespace se::cli {
@@ -30,10 +32,14 @@ void refuseOtherThings(const std::string& input) {
                 ": works in the viewer only; `spiraling-edge sample` writes such points to "
                 "a file first");
     }
-    if (input.ends_with(".stl") || input.ends_with(".glb")) {
-        throw Failure(
-            ExitCode::Input,
-            input + ": STL and GLB can be written, not read; PLY, OBJ and OFF can be read");
+    const MeshFormat* format = meshFormatOf(input);
+    if (format != nullptr && !isReadable(*format)) {
+        const auto unreadable = [](const MeshFormat& each) { return !isReadable(each); };
+        throw Failure(ExitCode::Input,
+                      input + ": " + listText(meshFormats(), &MeshFormat::name, "and", unreadable) +
+                          " can be written, not read; " +
+                          listText(meshFormats(), &MeshFormat::name, "and", isReadable) +
+                          " can be read");
     }
 }
 
@@ -41,10 +47,6 @@ void refuseOtherThings(const std::string& input) {
 
 std::string nameOfInput(const std::string& input) {
     return input == kStandardInput ? "standard input" : input;
-}
-
-bool isVolumePath(std::string_view input) {
-    return input.ends_with(".nrrd") || input.ends_with(".nhdr");
 }
 
 PointFile readInput(const std::string& input) {

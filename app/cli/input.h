@@ -13,9 +13,6 @@ inline constexpr std::string_view kStandardInput = "-";
 /// Name of the input in messages: "standard input" for -.
 std::string nameOfInput(const std::string& input);
 
-/// Whether the extension is .nrrd or .nhdr.
-bool isVolumePath(std::string_view input);
-
 /// Reads it. Throws Failure(Input) if it is missing or malformed.
 PointFile readInput(const std::string& input);
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/io/format_lists.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -52,13 +53,14 @@ void printHelp(std::FILE* stream) {
     fmt::print(
         stream,
         "\n`spiraling-edge VERB --help` lists the options of a verb.\n"
-        "An input is a PLY, XYZ, OBJ, OFF or PCD file, `-` for standard input, or scene:ID.\n"
+        "An input is a {} file, `-` for standard input, or scene:ID.\n"
         "\n"
         "  -h, --help     print this and exit\n"
         "  --version      print the version and exit\n"
         "\n"
         "Exit codes: 0 success, 1 ran but a check failed, 2 wrong usage, 3 input missing or\n"
-        "malformed, 4 no display, 5 internal error, 130 interrupted.\n");
+        "malformed, 4 no display, 5 internal error, 130 interrupted.\n",
+        listText(pointFormats(), &PointFormat::name, "or"));
 }
 
 /// Handles a first word that is no verb: an input for the viewer, or a mistake.

@@ -9,6 +9,7 @@
 #include "exit_code.h"
 #include "input.h"
 #include "progress.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/sampling/volume.h"
 
 namespace se::cli {
@@ -36,10 +37,9 @@ Field readSurface(const std::string& input, const std::optional<double>& isovalu
     if (isVolumePath(input)) return readVolumeField(input, isovalue);
     const Shape* shape = findShape(input);
     if (shape == nullptr) {
-        throw Failure(ExitCode::Input,
-                      input +
-                          " neither a shape nor a volume (.nrrd, .nhdr); `spiraling-edge "
-                          "sample --list` lists the shapes");
+        throw Failure(ExitCode::Input, input + " neither a shape nor a volume (" +
+                                           wordList(volumeExtensions(), "") +
+                                           "); `spiraling-edge sample --list` lists the shapes");
     }
     Field field = fieldOf(*shape);
     if (isovalue) field.isovalue = *isovalue;

@@ -10,7 +10,10 @@
 #include "run/number_format.h"
 #include "run/strings.h"
 #include "spiraling_edge/base/atomic_file.h"
+#include "spiraling_edge/base/word_list.h"
+#include "spiraling_edge/io/format_lists.h"
 #include "spiraling_edge/sampling/sampler.h"
+#include "spiraling_edge/sampling/volume.h"
 #include "spiraling_edge/scenes/scenes.h"
 
 namespace se::view {
@@ -117,7 +120,8 @@ void addGrowing(CLI::App& app, RawOptions& raw) {
     SampleSpec& grow = raw.grow;
     auto* made = app.add_option("--new", grow.surface,
                                 "Start with new points that spread over a shape or over an "
-                                "isosurface of a volume (.nrrd, .nhdr)")
+                                "isosurface of a volume (" +
+                                    wordList(volumeExtensions(), "") + ")")
                      ->type_name("SHAPE");
     auto* count = app.add_option("-n,--points", grow.count, "With --new: exactly N points (2000)");
     count->type_name("N")->check(CLI::Range(std::size_t{1}, kMaxParticles))->needs(made);
@@ -142,10 +146,9 @@ void addGrowing(CLI::App& app, RawOptions& raw) {
 
 void addOptions(CLI::App& app, Options& o, RawOptions& raw) {
     app.add_option("FILE", o.input.source,
-                   "Points: PLY, XYZ, OBJ, OFF or PCD; - for standard input; scene:ID; "
-                   "sample:SHAPE,n=N; a volume, as by --new; or "
-                   "a session file. "
-                   "Without it, the start page");
+                   "Points: " + listText(pointFormats(), &PointFormat::name, "or") +
+                       "; - for standard input; scene:ID; sample:SHAPE,n=N; a volume, as by "
+                       "--new; or a session file. Without it, the start page");
     app.add_option("--rules", o.input.rules,
                    "Reading of the paper: " + ruleSets() + " (default paper)")
         ->check(CLI::IsMember(ruleSetNames()));

@@ -48,11 +48,30 @@ sphere_points() {
     rm sphere.obj
 }
 
+# fields REPORT: the path and the kind of each value, one a line; rows of a list count as one.
+fields() {
+    awk '{
+        depth = (match($0, /[^ ]/) - 1) / 2
+        text = substr($0, RSTART)
+        if (text ~ /^[]}]/) next
+        key[depth] = "[]"
+        if (match(text, /^"[a-z0-9_]+": /)) {
+            key[depth] = substr(text, 2, RLENGTH - 4)
+            text = substr(text, RLENGTH + 1)
+        }
+        kind = text ~ /^"/ ? "text" : text ~ /^[tf]/ ? "switch" : text ~ /^n/ ? "null" : \
+            text ~ /^\[/ ? "list" : text ~ /^{/ ? "object" : "number"
+        path = ""
+        for (i = 1; i <= depth; ++i) path = path "." key[i]
+        print path, kind
+    }' "$1" | sort -u
+}
+
 cases_are_listed() {
     grep -oE '^[a-z_]+\(\) \{$' "$here/cli_test.sh" | tr -d '(){ ' | sort >defined
     sed -n '/^set(cases/,/^)/p' "$here/CMakeLists.txt" | grep -oE '^    [a-z_]+' | tr -d ' ' |
         sort >listed
-    printf '%s\n' ball expect fail icosahedron sphere_points | sort >helpers
+    printf '%s\n' ball expect fail fields icosahedron sphere_points | sort >helpers
     comm -23 defined helpers | diff - listed || fail "cases and list differ"
 }
 
@@ -232,6 +251,31 @@ report_has_every_field() {
     is "$(number euler_characteristic report.json)" 0 "Euler characteristic of a torus"
     is "$(number boundary_edges report.json)" 0 "boundary edges of a torus"
     says report.json '"stop_reason": "finished"'
+}
+
+# The same run by version 0.1.0 wrote tests/golden/0.1.0/report.json: programs that read its fields
+# find them in those of today, with the same kinds of values, and under the same names of rules.
+report_has_the_fields_of_the_first_version() {
+    local old=$here/../golden/0.1.0
+    {
+        echo '# x y z nx ny nz intensity'
+        awk '{ printf "%.2f %.2f %.2f %s %s %s %d\n",
+               $1 + 500000, $2 + 5400000, $3 + 300, $4, $5, $6, NR }' "$old/points.xyz"
+    } >far.xyz
+    expect 0 run far.xyz -k 8 --rules robust --rule nofold=off --rule nomeet=off --rule flip=off \
+        --rule wallsdone=off --rule fill=off --rule delay=off --rule nocross=off --rule gap=off \
+        --rule tie=farthest --what-if "1.sphere keep 13" -o far.stl --report report.json
+    fields "$old/report.json" >wanted
+    [ "$(wc -l <wanted)" -gt 140 ] || fail "few fields: $(cat wanted)"
+    comm -23 wanted <(fields report.json) >lost
+    empty lost
+    for field in input output columns stop_reason set tie onsphere holesize gap flip maxgap; do
+        says report.json "$(grep "\"$field\": " "$old/report.json" | head -1 | tr -d ,)"
+    done
+    for name in '"class": "flipped"' '"class": "intersecting"' '"kind": "lost_seed"' \
+        '"1.sphere keep 13"'; do
+        says report.json "$name"
+    done
 }
 
 rules_can_be_set_and_runs_forked() {

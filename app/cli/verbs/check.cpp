@@ -12,6 +12,7 @@
 #include "output/failure_totals.h"
 #include "output/mesh_text.h"
 #include "output/output.h"
+#include "spiraling_edge/io/format_lists.h"
 #include "spiraling_edge/mesh/inspection.h"
 #include "verbs.h"
 
@@ -28,7 +29,10 @@ struct CheckArguments {
     bool quiet = false;
 
     void addTo(CLI::App& app) {
-        app.add_option("MESH", mesh, "File with triangles (PLY, OBJ or OFF), or - for stdin")
+        app.add_option("MESH", mesh,
+                       "File with triangles (" +
+                           listText(pointFormats(), &PointFormat::name, "or", &PointFormat::faces) +
+                           "), or - for stdin")
             ->required();
         app.add_option("--points", cloud,
                        "The points that the mesh was made of: their normals show what is flipped, "

@@ -7,6 +7,7 @@
 #include "output/compare_text.h"
 #include "output/output.h"
 #include "progress.h"
+#include "spiraling_edge/io/format_lists.h"
 #include "verbs.h"
 
 namespace se::cli {
@@ -27,8 +28,9 @@ struct CompareArguments {
             "The other run: the options after this word are those in which B "
             "differs from A");
         app.add_option("--mesh", mesh,
-                       "Instead of another run: a mesh (PLY, OBJ or OFF) made from the "
-                       "same points; its vertices are matched by position")
+                       "Instead of another run: a mesh (" +
+                           listText(pointFormats(), &PointFormat::name, "or", &PointFormat::faces) +
+                           ") made from the same points; its vertices are matched by position")
             ->type_name("FILE");
         app.add_option("--most", limit, "List N regions of difference")
             ->type_name("N")

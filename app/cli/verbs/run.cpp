@@ -14,7 +14,7 @@
 #include "output/trace.h"
 #include "progress.h"
 #include "spiraling_edge/base/stop_watch.h"
-#include "spiraling_edge/io/write_mesh.h"
+#include "spiraling_edge/io/format_lists.h"
 #include "spiraling_edge/points/used_points.h"
 #include "spiraling_edge/replay/reconstruct.h"
 #include "verbs.h"
@@ -23,6 +23,11 @@ namespace se::cli {
 namespace {
 
 constexpr long long kMaxPivots = 0xffffffffLL;
+
+bool holdsNormalsAnyway(const MeshFormat& format) {
+    return format.bytesWithNormals == format.bytes;
+}
+bool cannotHoldNormals(const MeshFormat& format) { return format.bytesWithNormals == nullptr; }
 
 struct RunArguments {
     std::string input;
@@ -41,12 +46,16 @@ struct RunArguments {
     void addTo(CLI::App& app) {
         app.add_option("IN", input, "File with points, - or scene:ID")->required();
         auto* out = addOutputOption(app, "-o,--output", output,
-                                    "Write the mesh to this file, as PLY, OBJ, OFF, STL or GLB by "
-                                    "its extension; - : as PLY to standard output");
+                                    "Write the mesh to this file, as " +
+                                        listText(meshFormats(), &MeshFormat::name, "or") +
+                                        " by its extension; - : as PLY to standard output");
         out->type_name("OUT");
-        app.add_flag("--normals", writing.normals,
-                     "With -o FILE.off: write the normals too, as NOFF, which fewer programs read; "
-                     "PLY, OBJ and GLB hold them anyway, STL cannot");
+        app.add_flag(
+            "--normals", writing.normals,
+            "With -o FILE.off: write the normals too, as NOFF, which fewer programs read; " +
+                listText(meshFormats(), &MeshFormat::name, "and", holdsNormalsAnyway) +
+                " hold them anyway, " +
+                listText(meshFormats(), &MeshFormat::name, "and", cannotHoldNormals) + " cannot");
         app.add_flag("--used-points", usedPoints,
                      "Write only the points that are in a triangle (default: all, in their "
                      "order)")
@@ -73,9 +82,9 @@ struct RunArguments {
         if (output == "-" && ::isatty(STDOUT_FILENO) == 1)
             throw Failure(ExitCode::Usage, "-o -: refusing to write a binary file to a terminal");
         if (output != "-" && meshFormatOf(output) == nullptr)
-            throw Failure(
-                ExitCode::Usage,
-                fmt::format("-o {}: only .ply, .obj, .off, .stl and .glb can be written", output));
+            throw Failure(ExitCode::Usage,
+                          fmt::format("-o {}: only {} can be written", output,
+                                      listText(meshFormats(), &MeshFormat::extension, "and")));
         if (writing.normals) requireNormals();
         // A mesh contains the points of the input, so it may replace it.
         requireOtherThan(input, {{"--report", report}, {"--trace", trace}});
@@ -86,11 +95,13 @@ struct RunArguments {
     void requireNormals() const {
         if (output.empty())
             throw Failure(ExitCode::Usage, "--normals: name a file with -o FILE.off");
-        if (output != "-" && meshFormatOf(output)->bytesWithNormals == nullptr)
+        if (output != "-" && cannotHoldNormals(*meshFormatOf(output)))
             throw Failure(ExitCode::Usage,
                           fmt::format("--normals -o {}: this format cannot hold normals of "
-                                      "points; .off, .ply, .obj and .glb can",
-                                      output));
+                                      "points; {} can",
+                                      output,
+                                      listText(meshFormats(), &MeshFormat::extension, "and",
+                                               &MeshFormat::bytesWithNormals)));
     }
 };
 

@@ -11,8 +11,10 @@
 #include "output/output.h"
 #include "progress.h"
 #include "spiraling_edge/base/stop_watch.h"
-#include "spiraling_edge/io/write_mesh.h"
+#include "spiraling_edge/base/word_list.h"
+#include "spiraling_edge/io/format_lists.h"
 #include "spiraling_edge/sampling/sampler.h"
+#include "spiraling_edge/sampling/volume.h"
 #include "surface_input.h"
 #include "verbs.h"
 
@@ -31,10 +33,13 @@ struct SampleArguments {
     bool quiet = false;
 
     void addTo(CLI::App& app) {
-        app.add_option("SHAPE", input, "Name of a shape (see --list), or a volume: .nrrd or .nhdr");
+        app.add_option(
+            "SHAPE", input,
+            "Name of a shape (see --list), or a volume: " + wordList(volumeExtensions(), "or"));
         addOutputOption(app, "-o,--output", output,
-                        "Write the points to this file, as PLY, OBJ or OFF by its extension; - : "
-                        "as PLY to standard output")
+                        "Write the points to this file, as " +
+                            listText(meshFormats(), &MeshFormat::name, "or", isReadable) +
+                            " by its extension; - : as PLY to standard output")
             ->type_name("OUT");
         auto* count =
             app.add_option("-n,--points", sampler.count, "Exactly N points, 10 million at most");
@@ -76,15 +81,13 @@ struct SampleArguments {
         if (output.empty()) throw Failure(ExitCode::Usage, "name a file with -o OUT.ply");
         if (output == "-" && ::isatty(STDOUT_FILENO) == 1)
             throw Failure(ExitCode::Usage, "-o -: refusing to write a binary file to a terminal");
+        // Points are made to be read again.
         const MeshFormat* format = output == "-" ? nullptr : meshFormatOf(output);
-        const bool holdsPoints =
-            output == "-" ||
-            (format != nullptr && (format->extension == ".ply" || format->extension == ".obj" ||
-                                   format->extension == ".off"));
-        if (!holdsPoints)
+        if (output != "-" && (format == nullptr || !isReadable(*format)))
             throw Failure(
                 ExitCode::Usage,
-                fmt::format("-o {}: points can be written as .ply, .obj or .off", output));
+                fmt::format("-o {}: points can be written as {}", output,
+                            listText(meshFormats(), &MeshFormat::extension, "or", isReadable)));
         requireWritable({{"-o", output}});
     }
 };

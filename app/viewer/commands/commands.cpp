@@ -15,6 +15,7 @@
 #include "run/strings.h"
 #include "session/playback.h"
 #include "session/session.h"
+#include "spiraling_edge/io/format_lists.h"
 
 namespace se::view {
 
@@ -23,8 +24,13 @@ namespace {
 using namespace actions;
 using C = CommandContext;
 
+const std::string kSaveMeshHelp =
+    "Save the final mesh as " + listText(meshFormats(), &MeshFormat::name, "or") + ".";
+const std::string kSaveMeshSynonyms =
+    "export write store triangles " + lowerCase(listText(meshFormats(), &MeshFormat::name, ""));
+
 // Groups in the order of the menu bar.
-constexpr auto kCommands = std::to_array<Command>({
+const auto kCommands = std::to_array<Command>({
     {"file.open", "File", "Open...", "Ctrl+O", "Open a point file or a session.", false,
      openBrowser, "load import read points scan"},
     {"file.new.shape", "File", "New from shape...", "Ctrl+N",
@@ -42,9 +48,8 @@ constexpr auto kCommands = std::to_array<Command>({
      [](C& c) { c.ui.requests.saveSession = true; }, "store keep write project"},
     {"file.saveas", "File", "Save session as...", "Ctrl+Shift+S",
      "Save the session under another name.", false, saveAs, "store keep write project"},
-    {"file.savemesh", "File", "Save mesh...", "Ctrl+E",
-     "Save the final mesh as PLY, OBJ, OFF, STL or GLB.", false, saveMesh,
-     "export write store triangles ply obj stl off glb"},
+    {"file.savemesh", "File", "Save mesh...", "Ctrl+E", kSaveMeshHelp, false, saveMesh,
+     kSaveMeshSynonyms},
     {"file.copycommand", "File", "Copy command", "",
      "Copy the command line that makes this mesh: spiraling-edge run with all options.", false,
      copyCommand, "clipboard shell terminal script export"},

@@ -10,6 +10,7 @@
 #include "commands/growth_commands.h"
 #include "run/gallery.h"
 #include "session/playback.h"
+#include "spiraling_edge/sampling/volume.h"
 
 namespace se::view {
 

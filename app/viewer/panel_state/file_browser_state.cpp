@@ -1,12 +1,13 @@
 #include "file_browser_state.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 
 #include "mesh_form.h"
 #include "run/strings.h"
 #include "session/session_file.h"
+#include "spiraling_edge/io/read_points.h"
+#include "spiraling_edge/sampling/volume.h"
 
 namespace se::view {
 
@@ -38,16 +39,13 @@ void FileBrowsing::readFolder(const fs::path& next) {
 }
 
 bool canBeOpened(const fs::path& path) {
-    constexpr std::array<std::string_view, 7> kPoints = {".ply",  ".xyz", ".obj", ".off",
-                                                         ".noff", ".pcd", ".txt"};
-    const std::string extension = lowerExtension(path);
-    return extension == kSessionExtension || isVolumePath(path.string()) ||
-           std::find(kPoints.begin(), kPoints.end(), extension) != kPoints.end();
+    return lowerExtension(path) == kSessionExtension || isVolumePath(path) ||
+           pointFormatOf(path) != nullptr;
 }
 
 bool canHoldMesh(const fs::path& path) {
-    const std::string extension = lowerExtension(path);
-    return extension == ".ply" || extension == ".obj" || extension == ".off";
+    const PointFormat* format = pointFormatOf(path);
+    return format != nullptr && format->faces;
 }
 
 bool isListed(const fs::path& path, BrowserTask task) {
@@ -57,7 +55,7 @@ bool isListed(const fs::path& path, BrowserTask task) {
         case BrowserTask::SaveSession:
             return lowerExtension(path) == kSessionExtension;
         case BrowserTask::Volume:
-            return isVolumePath(path.string());
+            return isVolumePath(path);
         case BrowserTask::SavePoints:
             return lowerExtension(path) == ".ply";
         case BrowserTask::Mesh:

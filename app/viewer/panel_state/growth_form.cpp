@@ -2,8 +2,10 @@
 
 #include "run/number_format.h"
 #include "run/strings.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/sampling/field.h"
 #include "spiraling_edge/sampling/sampler.h"
+#include "spiraling_edge/sampling/volume.h"
 
 namespace se::view {
 
@@ -15,9 +17,10 @@ Result<SampleSpec> surfaceIn(const GrowthForm& form) {
     SampleSpec spec;
     const bool volume = form.from == GrowthSource::Volume;
     spec.surface = volume ? trimmed(form.volume) : form.shape;
-    if (volume && spec.surface.empty()) return Error{"Choose a volume: a file .nrrd or .nhdr."};
     if (volume && !isVolumePath(spec.surface)) {
-        return Error{spec.surface + " is not a volume: expected a file .nrrd or .nhdr."};
+        const std::string file = "a file " + wordList(volumeExtensions(), "or") + ".";
+        return Error{spec.surface.empty() ? "Choose a volume: " + file
+                                          : spec.surface + " is not a volume: expected " + file};
     }
     if (!trimmed(form.isovalue).empty()) {
         spec.isovalue = numberIn(form.isovalue);

@@ -10,6 +10,7 @@
 #include "settings.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/io/read_points.h"
+#include "spiraling_edge/sampling/volume.h"
 
 namespace se::view {
 

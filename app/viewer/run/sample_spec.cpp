@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <glm/common.hpp>
 #include <memory>
+#include <vector>
 
 #include "number_format.h"
 #include "spiraling_edge/base/shell_word.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/sampling/sampler.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "strings.h"
@@ -65,12 +67,11 @@ Result<Field> volumeField(const SampleSpec& spec) {
 Result<Field> shapeField(const SampleSpec& spec) {
     const se::Shape* shape = findShape(spec.surface);
     if (shape == nullptr) {
-        std::string known;
-        for (const se::Shape& each : shapes())
-            known += (known.empty() ? "" : ", ") + std::string(each.id);
-        return Error{"\"" + spec.surface +
-                     "\" is neither a volume (.nrrd, .nhdr) nor a shape. Shapes are: " + known +
-                     "."};
+        std::vector<std::string_view> known;
+        for (const se::Shape& each : shapes()) known.push_back(each.id);
+        return Error{"\"" + spec.surface + "\" is neither a volume (" +
+                     wordList(volumeExtensions(), "") +
+                     ") nor a shape. Shapes are: " + wordList(known, "") + "."};
     }
     Field field = fieldOf(*shape);
     if (spec.isovalue) field.isovalue = *spec.isovalue;
@@ -90,11 +91,6 @@ SamplerOptions SampleSpec::sampler() const {
     options.seed = seed;
     options.curvature = curvature;
     return options;
-}
-
-bool isVolumePath(std::string_view path) {
-    const std::string extension = lowerExtension(std::filesystem::path(path));
-    return extension == ".nrrd" || extension == ".nhdr";
 }
 
 std::string sampleSource(const SampleSpec& spec) {

@@ -41,9 +41,6 @@ struct SampleSpec {
     friend bool operator==(const SampleSpec& a, const SampleSpec& b);
 };
 
-/// Whether the extension is .nrrd or .nhdr.
-bool isVolumePath(std::string_view path);
-
 /// "sample:torus,n=4000": all values that differ from the defaults, without loss of digits.
 std::string sampleSource(const SampleSpec& spec);
 /// Parses the line. Errors name the wrong part; whether the surface exists is not checked.

@@ -14,10 +14,6 @@ std::string lowerCase(std::string_view text) {
     return lower;
 }
 
-std::string lowerExtension(const std::filesystem::path& path) {
-    return lowerCase(path.extension().string());
-}
-
 std::string counted(std::size_t count, const char* one, const char* many) {
     return std::to_string(count) + " " + (count == 1 ? one : many);
 }

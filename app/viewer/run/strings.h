@@ -8,12 +8,12 @@
 #include <string_view>
 #include <vector>
 
+#include "spiraling_edge/base/file_extension.h"
+
 namespace se::view {
 
 /// Lower case of A to Z; all other bytes unchanged.
 std::string lowerCase(std::string_view text);
-/// ".ply" of "A.PLY"; empty if there is none.
-std::string lowerExtension(const std::filesystem::path& path);
 /// Text without spaces and tabs at both ends.
 std::string trimmed(std::string_view text);
 /// Words between spaces; none of them is empty.

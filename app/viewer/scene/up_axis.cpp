@@ -7,7 +7,7 @@
 #include <array>
 
 #include "run/model.h"
-#include "run/strings.h"
+#include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/points/wall_types.h"
 
 namespace se::view {
@@ -15,7 +15,6 @@ namespace se::view {
 namespace {
 
 constexpr std::array<std::string_view, 3> kNames{"x", "y", "z"};
-constexpr std::array<std::string_view, 4> kFilesWithYUp{".ply", ".obj", ".stl", ".off"};
 
 /// Points this close to an end of the box, as a share of its side, may lie on a flat side there.
 constexpr double kEndShare = 0.02;
@@ -74,6 +73,13 @@ std::optional<UpAxis> axisOfPlate(const WallBox& box) {
     return static_cast<UpAxis>(order[0]);
 }
 
+/// True if the extension is that of a format for meshes; false for one for points alone.
+bool isForMeshes(const std::filesystem::path& path) {
+    const PointFormat* points = pointFormatOf(path);
+    if (points != nullptr) return points->faces;
+    return path.has_extension() && meshFormatOf(path) != nullptr;
+}
+
 }  // namespace
 
 std::string_view upAxisName(UpAxis axis) { return kNames[static_cast<std::size_t>(axis)]; }
@@ -90,10 +96,7 @@ UpAxis guessUpAxis(const PointSet& points, std::string_view source) {
     const WallBox box = boxAround(points.position);
     if (const auto axis = axisOfFlatSide(points, box)) return *axis;
     if (const auto axis = axisOfPlate(box)) return *axis;
-    const std::string ending = lowerExtension(source);
-    const bool yUp =
-        std::find(kFilesWithYUp.begin(), kFilesWithYUp.end(), ending) != kFilesWithYUp.end();
-    return yUp ? UpAxis::Y : UpAxis::Z;
+    return isForMeshes(source) ? UpAxis::Y : UpAxis::Z;
 }
 
 }  // namespace se::view

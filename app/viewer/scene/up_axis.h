@@ -18,7 +18,7 @@ std::optional<UpAxis> upAxisFromName(std::string_view name);
 
 /// A guess at the up axis of `source`. Scenes, sampled points and points with wall types have z
 /// up. Other files lie on their flat side if they have one; otherwise the convention of
-/// their format decides: y for PLY, OBJ, STL and OFF, z for all others. O(points).
+/// their format decides: y for formats of meshes, such as PLY, z for all others. O(points).
 UpAxis guessUpAxis(const PointSet& points, std::string_view source);
 
 }  // namespace se::view

@@ -12,6 +12,7 @@
 #include "run/strings.h"
 #include "session.h"
 #include "spiraling_edge/base/shell_word.h"
+#include "spiraling_edge/sampling/volume.h"
 #include "spiraling_edge/scenes/scenes.h"
 
 namespace se::view {

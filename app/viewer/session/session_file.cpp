@@ -11,6 +11,7 @@
 #include "session_options.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/io/read_points.h"
+#include "spiraling_edge/sampling/volume.h"
 #include "stop_text.h"
 
 namespace se::view {

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <array>
+
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/io/point_formats.h"
 
@@ -151,6 +154,12 @@ class ObjReader {
 };
 
 }  // namespace
+
+bool isObj(const FileStart& start) {
+    constexpr std::array<std::string_view, 14> kKeywords{
+        "v", "vn", "vt", "vp", "f", "l", "p", "o", "g", "s", "mtllib", "usemtl", "mg", "cstype"};
+    return std::find(kKeywords.begin(), kKeywords.end(), start.word) != kKeywords.end();
+}
 
 Result<PointFile> readObj(std::string_view text, const std::string& name) {
     return ObjReader(text, name).read();

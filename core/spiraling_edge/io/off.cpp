@@ -4,6 +4,16 @@
 namespace se::io {
 namespace {
 
+/// OFF with any of the prefixes C, N, ST.
+bool isOffKeyword(std::string_view word) {
+    if (!word.ends_with("OFF")) return false;
+    word.remove_suffix(3);
+    if (word.starts_with("ST")) word.remove_prefix(2);
+    if (word.starts_with("C")) word.remove_prefix(1);
+    if (word.starts_with("N")) word.remove_prefix(1);
+    return word.empty();
+}
+
 /// Reads OFF line by line: keyword, counts, one line per point, one line per face.
 class OffReader {
   public:
@@ -135,13 +145,11 @@ Result<PointFile> readOff(std::string_view text, const std::string& name) {
     return OffReader(text, name).read();
 }
 
-bool isOffKeyword(std::string_view word) {
-    if (!word.ends_with("OFF")) return false;
-    word.remove_suffix(3);
-    if (word.starts_with("ST")) word.remove_prefix(2);
-    if (word.starts_with("C")) word.remove_prefix(1);
-    if (word.starts_with("N")) word.remove_prefix(1);
-    return word.empty();
+// OFF may begin with its counts, which only the extension distinguishes from a point.
+bool isOff(const FileStart& start) {
+    double number = 0.0;
+    return isOffKeyword(start.word) ||
+           (start.extension == ".off" && parseDouble(start.word, number));
 }
 
 }  // namespace se::io

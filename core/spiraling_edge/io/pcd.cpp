@@ -362,6 +362,8 @@ class PcdReader {
 
 }  // namespace
 
+bool isPcd(const FileStart& start) { return start.word == "VERSION" || start.word == "FIELDS"; }
+
 Result<PointFile> readPcd(std::string_view bytes, const std::string& name) {
     return PcdReader(bytes, name).read();
 }

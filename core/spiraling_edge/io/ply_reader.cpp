@@ -270,6 +270,11 @@ class BodyReader {
 
 }  // namespace
 
+bool isPly(const FileStart& start) {
+    const std::string_view bytes = start.bytes;
+    return bytes.starts_with("ply\n") || bytes.starts_with("ply\r") || bytes.starts_with("ply ");
+}
+
 Result<PointFile> readPly(std::string_view bytes, const std::string& name) {
     const Result<PlyHeader> header = readPlyHeader(bytes, name);
     if (!header) return header.error();

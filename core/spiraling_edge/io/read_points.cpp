@@ -10,6 +10,7 @@
 #include "spiraling_edge/base/read_file.h"
 #include "spiraling_edge/base/system_reason.h"
 #include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/point_formats.h"
 
 namespace se {
@@ -17,40 +18,55 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kReadable =
-    "PLY (ascii or binary), XYZ (x y z per line, then normals or colors), OBJ, OFF and PCD can be "
-    "read; "
-    "convert it to one of these, e.g. with MeshLab or CloudCompare";
+constexpr std::array<std::string_view, 1> kPlyExtensions{".ply"};
+constexpr std::array<std::string_view, 2> kXyzExtensions{".xyz", ".txt"};
+constexpr std::array<std::string_view, 1> kObjExtensions{".obj"};
+constexpr std::array<std::string_view, 2> kOffExtensions{".off", ".noff"};
+constexpr std::array<std::string_view, 1> kPcdExtensions{".pcd"};
 
-using ReadFunction = Result<PointFile> (*)(std::string_view, const std::string&);
+constexpr std::array kPointFormats{
+    PointFormat{"PLY", "ascii or binary", kPlyExtensions, true, io::isPly, io::readPly},
+    PointFormat{"XYZ", "x y z per line, then normals or colors", kXyzExtensions, false, io::isXyz,
+                io::readXyz},
+    PointFormat{"OBJ", "", kObjExtensions, true, io::isObj, io::readObj},
+    PointFormat{"OFF", "", kOffExtensions, true, io::isOff, io::readOff},
+    PointFormat{"PCD", "", kPcdExtensions, false, io::isPcd, io::readPcd},
+};
 
-bool isObjKeyword(std::string_view word) {
-    constexpr std::array<std::string_view, 14> kKeywords{
-        "v", "vn", "vt", "vp", "f", "l", "p", "o", "g", "s", "mtllib", "usemtl", "mg", "cstype"};
-    return std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end();
+/// "PLY (ascii or binary), ... and PCD can be read; ...".
+std::string readableText() {
+    std::vector<std::string> formats;
+    for (const PointFormat& each : kPointFormats) {
+        std::string& text = formats.emplace_back(each.name);
+        if (!each.details.empty()) text.append(" (").append(each.details).append(")");
+    }
+    return wordList(formats, "and") +
+           " can be read; convert it to one of these, e.g. with MeshLab or CloudCompare";
 }
 
 /// A line of XYZ that begins with two slashes, as CloudCompare writes it.
 bool isSlashComment(std::string_view line) { return io::Fields(line).next().starts_with("//"); }
 
-/// The reader for the apparent format of `bytes`; null if it is none that can be read.
-ReadFunction findReader(std::string_view bytes, const std::string& name) {
-    if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r") || bytes.starts_with("ply "))
-        return io::readPly;
+io::FileStart startOf(std::string_view bytes, const std::string& name) {
     io::LineReader lines(bytes);
     while (lines.nextContent('#') && isSlashComment(lines.line())) {
     }
-    const std::string_view word = io::Fields(lines.line(), ',', ';').next();
-    if (word == "VERSION" || word == "FIELDS") return io::readPcd;
-    if (io::isOffKeyword(word)) return io::readOff;
-    if (isObjKeyword(word)) return io::readObj;
-    double number = 0.0;
-    if (!io::parseDouble(word, number)) return nullptr;
-    // OFF may begin with its counts, which only the extension distinguishes from a point.
-    return lowerExtension(name) == ".off" ? io::readOff : io::readXyz;
+    return {bytes, io::Fields(lines.line(), ',', ';').next(), lowerExtension(name)};
 }
 
 }  // namespace
+
+std::span<const PointFormat> pointFormats() { return kPointFormats; }
+
+const PointFormat* pointFormatOf(const fs::path& path) {
+    const std::string extension = lowerExtension(path);
+    const auto found =
+        std::find_if(kPointFormats.begin(), kPointFormats.end(), [&](const PointFormat& format) {
+            const auto& all = format.extensions;
+            return std::find(all.begin(), all.end(), extension) != all.end();
+        });
+    return found == kPointFormats.end() ? nullptr : &*found;
+}
 
 Result<std::string> readBytes(const fs::path& path) {
     const std::string name = path.string();
@@ -89,9 +105,11 @@ Result<PointFile> readPoints(std::string_view bytes, const std::string& name) {
     if (bytes.empty()) return Error{name + ": is empty"};
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
-    const ReadFunction reader = findReader(bytes, name);
-    if (reader == nullptr) return Error{name + ": is of no known kind. " + kReadable};
-    return reader(bytes, name);
+    const io::FileStart start = startOf(bytes, name);
+    for (const PointFormat& format : kPointFormats) {
+        if (format.recognizes(start)) return format.read(bytes, name);
+    }
+    return Error{name + ": is of no known kind. " + readableText()};
 }
 
 }  // namespace se

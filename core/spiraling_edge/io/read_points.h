@@ -15,9 +15,32 @@
 
 namespace se {
 
-/// Reads PLY (ascii, binary little and big endian), XYZ (`x y z` with normals, colors, both or an
-/// intensity), OBJ (`v`, `vn`, `f`), OFF/NOFF or PCD (ascii and binary). Errors name the file and
-/// the line or byte, what was expected and what to do.
+namespace io {
+struct FileStart;
+}
+
+/// A file format that points can be read from.
+struct PointFormat {
+    std::string_view name;     ///< "XYZ"
+    std::string_view details;  ///< "ascii or binary", for display; may be empty.
+    /// Lower case, the usual one first: ".xyz", ".txt".
+    std::span<const std::string_view> extensions;
+    bool faces;  ///< Files can have triangles.
+    /// By the content; by the extension only where the content leaves it open. No two formats
+    /// recognize the same file.
+    bool (*recognizes)(const io::FileStart& start);
+    /// The whole file, without a byte order mark; `name` is its name in errors.
+    Result<PointFile> (*read)(std::string_view bytes, const std::string& name);
+};
+
+/// PLY (ascii, binary little and big endian), XYZ (`x y z` with normals, colors, both or an
+/// intensity), OBJ (`v`, `vn`, `f`), OFF/NOFF and PCD (ascii and binary).
+std::span<const PointFormat> pointFormats();
+/// The format of a path's extension, in upper or lower case. Null if no format has it.
+const PointFormat* pointFormatOf(const std::filesystem::path& path);
+
+/// Reads a file in one of the pointFormats(). Errors name the file and the line or byte, what was
+/// expected and what to do.
 Result<PointFile> readPoints(const std::filesystem::path& path);
 /// Reads points from memory; `name` is the name in errors, and its extension is the second hint.
 Result<PointFile> readPoints(std::string_view bytes, const std::string& name);

@@ -8,23 +8,26 @@
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/file_extension.h"
 #include "spiraling_edge/base/number_text.h"
+#include "spiraling_edge/io/format_lists.h"
 #include "spiraling_edge/io/mesh_formats.h"
 
 namespace se {
 namespace {
 
+constexpr double kGreatestDouble = std::numeric_limits<double>::max();
 constexpr double kGreatestFloat = std::numeric_limits<float>::max();
 
 constexpr std::array kFormats{
-    MeshFormat{".ply", "PLY, binary", "", meshPlyBytes, meshPlyBytes, nullptr},
-    MeshFormat{".obj", "Wavefront OBJ, text", "types, lists, other columns", io::objBytes,
+    MeshFormat{"PLY", ".ply", "PLY, binary", "", meshPlyBytes, meshPlyBytes, nullptr},
+    MeshFormat{"OBJ", ".obj", "Wavefront OBJ, text", "types, lists, other columns", io::objBytes,
                io::objBytes, nullptr},
-    MeshFormat{".off", "OFF, text", "normals, types, lists, other columns", io::offBytes,
+    MeshFormat{"OFF", ".off", "OFF, text", "normals, types, lists, other columns", io::offBytes,
                io::noffBytes, nullptr},
-    MeshFormat{".stl", "STL, binary", "all but the corners of triangles", io::stlBytes, nullptr,
-               io::floatShift, kGreatestFloat},
-    MeshFormat{".glb", "glTF 2.0, binary", "types, lists, other columns; digits beyond float",
-               io::glbBytes, io::glbBytes, nullptr, kGreatestFloat},
+    MeshFormat{"STL", ".stl", "STL, binary", "all but the corners of triangles", io::stlBytes,
+               nullptr, io::floatShift, kGreatestFloat},
+    MeshFormat{"GLB", ".glb", "glTF 2.0, binary",
+               "types, lists, other columns; digits beyond float", io::glbBytes, io::glbBytes,
+               nullptr, kGreatestFloat},
 };
 
 /// True if all finite coordinates stay finite in this format.
@@ -49,6 +52,14 @@ const MeshFormat* meshFormatOf(const std::filesystem::path& path) {
     return found == kFormats.end() ? nullptr : &*found;
 }
 
+bool isReadable(const MeshFormat& format) {
+    const std::span<const PointFormat> all = pointFormats();
+    return std::any_of(all.begin(), all.end(), [&](const PointFormat& each) {
+        return std::find(each.extensions.begin(), each.extensions.end(), format.extension) !=
+               each.extensions.end();
+    });
+}
+
 std::optional<Vec3> shiftOf(const MeshFormat& format, const PointFile& points,
                             std::span<const Triangle> triangles) {
     return format.shift == nullptr ? std::nullopt : format.shift(points, triangles);
@@ -67,20 +78,19 @@ Status writeMesh(const std::filesystem::path& path, const PointFile& points,
                  std::span<const Triangle> triangles, const WriteOptions& options) {
     const MeshFormat* format = meshFormatOf(path);
     if (format == nullptr) {
-        std::string known;
-        for (const MeshFormat& each : kFormats) {
-            known += (known.empty() ? "" : " ") + std::string(each.extension);
-        }
-        return Error{path.string() + ": a mesh can be written as " + known +
+        return Error{path.string() + ": a mesh can be written as " +
+                     listText(meshFormats(), &MeshFormat::extension, "or") +
                      "; choose one of these extensions"};
     }
     if (const Status status = io::checkWritable(points, triangles); !status) {
         return Error{path.string() + ": " + status.error().message};
     }
     if (!fits(*format, points.position)) {
+        const auto holdsAll = [](const MeshFormat& f) { return f.greatest == kGreatestDouble; };
         return Error{path.string() + ": a coordinate is too large for " +
-                     std::string(format->extension) +
-                     "; choose .ply, .obj or .off, or scale the points"};
+                     std::string(format->extension) + "; choose " +
+                     listText(meshFormats(), &MeshFormat::extension, "or", holdsAll) +
+                     ", or scale the points"};
     }
     const MeshBytes bytes = options.normals ? format->bytesWithNormals : format->bytes;
     if (bytes == nullptr) {

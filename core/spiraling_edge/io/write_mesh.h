@@ -18,6 +18,7 @@ using MeshBytes = std::string (*)(const PointFile& points, std::span<const Trian
 
 /// A file format that a mesh can be written in.
 struct MeshFormat {
+    std::string_view name;       ///< "OBJ"
     std::string_view extension;  ///< ".obj", lower case
     std::string_view title;      ///< "Wavefront OBJ, text"
     /// The content it leaves out, for display; empty if none.
@@ -45,6 +46,8 @@ std::span<const MeshFormat> meshFormats();
 /// The format of a path's extension, in upper or lower case; PLY if it has none. Null if no format
 /// fits.
 const MeshFormat* meshFormatOf(const std::filesystem::path& path);
+/// True if readPoints() reads files of this format.
+bool isReadable(const MeshFormat& format);
 
 /// The shift of `format` for this mesh: empty where positions in the file are those of `points`.
 std::optional<Vec3> shiftOf(const MeshFormat& format, const PointFile& points,

@@ -304,6 +304,11 @@ class XyzReader {
 
 }  // namespace
 
+bool isXyz(const FileStart& start) {
+    double number = 0.0;
+    return parseDouble(start.word, number) && !isOff(start);
+}
+
 Result<PointFile> readXyz(std::string_view text, const std::string& name) {
     return XyzReader(text, name).read();
 }

@@ -247,6 +247,14 @@ TEST_CASE("NRRD: data beside the header are found, and missed by name") {
     std::filesystem::remove("volume_test.nhdr");
 }
 
+TEST_CASE("volumes are known by their extension, in upper or lower case") {
+    for (const std::string_view extension : volumeExtensions())
+        CHECK(isVolumePath("folder/a" + std::string(extension)));
+    CHECK(isVolumePath("A.NRRD"));
+    for (const char* other : {"a.ply", "nrrd", "a.nrrd.gz", "torus", ""})
+        CHECK_FALSE(isVolumePath(other));
+}
+
 TEST_CASE("values between samples are trilinear, gradients of linear values exact") {
     Volume volume;
     volume.size = {3, 4, 5};

@@ -9,7 +9,9 @@
 #include "panels/widgets/prepare_fields.h"
 #include "panels/widgets/text_field.h"
 #include "panels/widgets/widgets.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/sampling/field.h"
+#include "spiraling_edge/sampling/volume.h"
 
 namespace se::view {
 
@@ -80,7 +82,8 @@ void drawShapes(const PanelContext& context) {
 
 void drawVolume(const PanelContext& context) {
     GrowthForm& form = context.state<GrowthPage>().form;
-    field(context, "File", "path of a .nrrd or .nhdr", form.volume);
+    const std::string hint = "path of a " + wordList(volumeExtensions(), "or");
+    field(context, "File", hint.c_str(), form.volume);
     tooltip(form.volume);
     // A long path shows its beginning.
     const std::string file = std::filesystem::path(form.volume).filename().string();

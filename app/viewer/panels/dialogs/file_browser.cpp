@@ -14,6 +14,9 @@
 #include "panels/widgets/widgets.h"
 #include "session/session.h"
 #include "session/session_file.h"
+#include "spiraling_edge/base/word_list.h"
+#include "spiraling_edge/io/format_lists.h"
+#include "spiraling_edge/sampling/volume.h"
 #include "spiraling_edge/scenes/scenes.h"
 
 namespace se::view {
@@ -138,8 +141,8 @@ bool saving(const PanelContext& context) {
 /// Texts in which the tasks differ.
 struct Words {
     const char* title;
-    const char* hint;     ///< Hint in the input line.
-    const char* nothing;  ///< Text for a folder without such files.
+    std::string hint;     ///< Hint in the input line.
+    std::string nothing;  ///< Text for a folder without such files.
 };
 
 Words wordsFor(BrowserTask task) {
@@ -151,14 +154,18 @@ Words wordsFor(BrowserTask task) {
             return {"Save new points###browser", "name of the PLY file",
                     "No PLY files in this folder."};
         case BrowserTask::Volume:
-            return {"New from volume###browser", "path of a volume, .nrrd or .nhdr",
-                    "No volumes (.nrrd, .nhdr) in this folder."};
+            return {"New from volume###browser",
+                    "path of a volume, " + wordList(volumeExtensions(), "or"),
+                    "No volumes (" + wordList(volumeExtensions(), "") + ") in this folder."};
         case BrowserTask::Mesh:
-            return {"Compare with a mesh###browser", "path of a mesh: PLY, OBJ or OFF",
+            return {"Compare with a mesh###browser",
+                    "path of a mesh: " +
+                        listText(pointFormats(), &PointFormat::name, "or", &PointFormat::faces),
                     "No files that can hold a mesh in this folder."};
         case BrowserTask::SaveMesh:
             return {"Save mesh###browser", "name of the mesh file",
-                    "No PLY, OBJ, OFF, STL or GLB files in this folder."};
+                    "No " + listText(meshFormats(), &MeshFormat::name, "or") +
+                        " files in this folder."};
         case BrowserTask::Open:
             break;
     }
@@ -177,8 +184,8 @@ void drawPathLine(const PanelContext& context, FileBrowsing& state) {
     if (!waits && (state.settling > 0 || state.refocus)) ImGui::SetKeyboardFocusHere();
     // The proposed name is selected, also if the field was typed into before.
     const int select = state.settling > 0 ? ImGuiInputTextFlags_AutoSelectAll : 0;
-    const bool entered = textField("##path", wordsFor(context.ui().browser).hint, state.path,
-                                   ImGuiInputTextFlags_EnterReturnsTrue | select);
+    const bool entered = textField("##path", wordsFor(context.ui().browser).hint.c_str(),
+                                   state.path, ImGuiInputTextFlags_EnterReturnsTrue | select);
     if (ImGui::IsItemActive()) context.state<TypingWait>().takesKeys();
     ImGui::SameLine();
     const bool pressed = ImGui::Button(save ? "Save" : "Open", {-1.0F, 0.0F});
@@ -229,7 +236,7 @@ void drawFiles(const PanelContext& context, FileBrowsing& state) {
                 openSource(context, path.string());
             }
         }
-        if (entries.empty()) ImGui::TextDisabled("%s", wordsFor(state.task).nothing);
+        if (entries.empty()) ImGui::TextDisabled("%s", wordsFor(state.task).nothing.c_str());
     }
     ImGui::EndChild();
     ImGui::EndDisabled();

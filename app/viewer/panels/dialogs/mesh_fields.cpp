@@ -41,15 +41,6 @@ bool drawChoice(const PanelContext& context, const char* label, bool on, const c
     return chosen;
 }
 
-/// "PLY" of ".ply".
-std::string formatName(const MeshFormat& format) {
-    std::string name;
-    for (const char c : format.extension.substr(1)) {
-        name += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-    }
-    return name;
-}
-
 std::string leftOutText(const MeshFormat& format) {
     return std::string(format.title) + ". " +
            (format.leavesOut.empty() ? "Keeps everything."
@@ -62,7 +53,7 @@ void drawFormats(const PanelContext& context, std::string& name) {
     drawName(context, "Format");
     for (std::size_t i = 0; i < meshFormats().size(); ++i) {
         const MeshFormat& format = meshFormats()[i];
-        const std::string label = formatName(format);
+        const std::string label(format.name);
         if (drawChoice(context, label.c_str(), form.format == i, ("mesh " + label).c_str(), i == 0))
             form.choose(i, name);
         tooltip(leftOutText(format));

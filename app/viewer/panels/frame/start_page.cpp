@@ -12,6 +12,8 @@
 #include "panels/widgets/widgets.h"
 #include "run/gallery.h"
 #include "session/session.h"
+#include "session/session_file.h"
+#include "spiraling_edge/io/format_lists.h"
 
 namespace se::view {
 
@@ -19,8 +21,7 @@ namespace {
 
 constexpr float kLeastTile = 14.5F;  ///< Width in em.
 constexpr float kPicture = 7.4F;     ///< Height of the picture in a tile, in em.
-constexpr const char* kDropFormats = "PLY, XYZ, PCD, OBJ, OFF; .sesession";
-constexpr float kSide = 19.0F;  ///< Width of the column beside the tiles, in em.
+constexpr float kSide = 19.0F;       ///< Width of the column beside the tiles, in em.
 
 /// Frame around something that can be opened.
 struct PageFrame {
@@ -145,7 +146,9 @@ void drawDropHint(const PanelContext& context) {
         {context.fonts.strong, "Drop a file here", palette.text},
         {context.fonts.text, "or click to choose one (" + context.key("file.open") + ")",
          palette.textDim},
-        {context.fonts.small, kDropFormats, palette.textDim}};
+        {context.fonts.small,
+         listText(pointFormats(), &PointFormat::name, "") + "; " + std::string(kSessionExtension),
+         palette.textDim}};
     const float width = ImGui::GetContentRegionAvail().x;
     const float margin = 0.8F * em;
     const ImVec2 low = ImGui::GetCursorScreenPos();

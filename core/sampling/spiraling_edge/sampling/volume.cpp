@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "spiraling_edge/base/file_extension.h"
 #include "spiraling_edge/base/read_file.h"
 #include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/sampling/nrrd.h"
@@ -14,6 +15,16 @@
 namespace se {
 
 namespace fs = std::filesystem;
+
+std::span<const std::string_view> volumeExtensions() {
+    static constexpr std::array<std::string_view, 2> kExtensions{".nrrd", ".nhdr"};
+    return kExtensions;
+}
+
+bool isVolumePath(const fs::path& path) {
+    const auto all = volumeExtensions();
+    return std::find(all.begin(), all.end(), lowerExtension(path)) != all.end();
+}
 
 Vec3 Volume::high() const {
     const Vec3 steps(static_cast<double>(size[0] - 1), static_cast<double>(size[1] - 1),

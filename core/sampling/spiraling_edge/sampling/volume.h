@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,6 +36,11 @@ struct Volume {
     /// arbitrary directions on parts as thin as a spacing.
     Vec3 gradientAt(const Vec3& x) const;
 };
+
+/// Extensions of volumes, in lower case: ".nrrd", ".nhdr".
+std::span<const std::string_view> volumeExtensions();
+/// True if the extension, in upper or lower case, is one of them.
+bool isVolumePath(const std::filesystem::path& path);
 
 /// Reads NRRD (http://teem.sourceforge.net/nrrd/format.html), attached (.nrrd) or with its data in
 /// a file beside it (.nhdr): three dimensions, integers of 8 to 32 bits, float or double in either
