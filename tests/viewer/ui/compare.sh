@@ -4,7 +4,7 @@
 . "$(dirname "$0")/harness.sh"
 start scene:torus
 says phase ready
-press d; says notice "Nothing is compared.*"
+press d; says notice "No comparison.*"
 press ctrl+d; says layout compare
 click_on "compare usual"
 says compare_done true

@@ -21,7 +21,7 @@ says input "four points.xyz"; says points 4
 drop "$work/torus.sesession"
 says input scene:torus; says address "137\.sphere\.3"; says notes "from the file"
 says pins '.*"normals": "on".*'
-says message '.*Left out, since it is not known here.*'
+says message '.*Ignored, since unknown in this version.*'
 grep -q 'hologram' "$state" || fail "the layer is not named"
 
 # A missing file leaves everything unchanged.

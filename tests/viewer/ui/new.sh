@@ -99,14 +99,14 @@ printf 'NRRD0004\ntype: uint8\ndimension: 3\nsizes: 9 9 9\nencoding: raw\n\n' >"
 awk 'BEGIN { for (k = -4; k < 5; k++) for (j = -4; j < 5; j++) for (i = -4; i < 5; i++) {
     v = 100 - 5 * (i * i + j * j + k * k); printf "%03o ", (v > 0 ? v : 0) } }' |
     tr ' ' '\n' | while read -r byte; do printf '%b' "\\0$byte"; done >>"$work/ball.nrrd"
-start --new "$work/ball.nrrd" -n 300; says growth failed; says growth_complaint ".*names no isovalue.*"; stop
+start --new "$work/ball.nrrd" -n 300; says growth failed; says growth_complaint ".*has no isovalue.*"; stop
 start --new "$work/ball.nrrd" --iso 50 -n 300 --steps 12
 says growth paused; says growth_step 12; says growth_points 300
 press space; says growth done; stop
 # From a run, the path of a volume is typed at once.
 start scene:sphere; says phase ready
 press ctrl+shift+n; says file_browser true; sleep 0.5
-type_text "$work/ball.nrrd"; press Return; says file_browser false; says growth_complaint ".*names no isovalue.*"
+type_text "$work/ball.nrrd"; press Return; says file_browser false; says growth_complaint ".*has no isovalue.*"
 press Escape; says growth_page false; says phase ready; stop
 head -c 300 "$work/ball.nrrd" >"$work/cut.nrrd"
 start --new "$work/cut.nrrd" --iso 50; says growth failed; says growth_complaint ".*cut\.nrrd.*expected.*"

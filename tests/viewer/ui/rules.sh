@@ -15,7 +15,7 @@ sleep 0.3; click_on "rules filter"; type_text "walls passed"; sleep 0.3
 click_on "rule walls"
 says choices '\[ "walls=off" \]'; says phase ready
 says address "$address" # there are no walls here
-says message "Same place: nothing before it differs\..*"
+says message "Same place: no difference before it\..*"
 sleep 0.3; click_on "reset walls"
 says choices '\[\]'
 
