@@ -19,7 +19,7 @@ run_copied() {
 
 # Nothing is open: a sentence, and no dialog.
 start; says start_page true
-press ctrl+e; says message "There is nothing open to save\."; says mesh_dialog false
+press ctrl+e; says message "There is no run to save the mesh of\."; says mesh_dialog false
 stop
 
 # A name is proposed; Enter saves the final mesh of the run, and the cursor stays.
