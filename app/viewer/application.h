@@ -21,6 +21,12 @@
 
 namespace se::view {
 
+/// The input of the window that is handled, for tests that wait for it.
+struct InputProgress {
+    std::uint64_t events = 0;  ///< Keys, characters, buttons, motions and changes of the window.
+    bool settled = true;       ///< All of them are drawn.
+};
+
 class Application {
   public:
     Application(const Options& options, const ViewSettings& settings);
@@ -48,9 +54,9 @@ class Application {
     /// Draws one frame into the bound framebuffer. The platform side of ImGui must be up to date.
     void frame(glm::ivec2 size, double seconds);
     /// The visible state of the program, as JSON: for tests.
-    std::string stateDump() const;
+    std::string stateDump(const InputProgress& input) const;
     /// Writes stateDump() to the file of --state-dump, if there is one and the state has changed.
-    Status writeState();
+    Status writeState(const InputProgress& input = {});
     /// Times of the last frame: seconds outside of OpenGL, and in it.
     double uiSeconds() const { return uiSeconds_; }
     double glSeconds() const { return glSeconds_; }

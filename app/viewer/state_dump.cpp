@@ -239,17 +239,19 @@ void dumpLayers(json& out, const LayerModes& modes, std::optional<Stage> stage) 
 
 }  // namespace
 
-Status Application::writeState() {
+Status Application::writeState(const InputProgress& input) {
     if (options_.stateDump.empty()) return success();
-    std::string state = stateDump();
+    std::string state = stateDump(input);
     if (state == writtenState_) return success();
     const Status written = writeFileAtomically(options_.stateDump, state);
     if (written) writtenState_ = std::move(state);
     return written;
 }
 
-std::string Application::stateDump() const {
-    json out{{"phase", phaseName(session_.phase())},
+std::string Application::stateDump(const InputProgress& input) const {
+    json out{{"input_events", input.events},
+             {"settled", input.settled},
+             {"phase", phaseName(session_.phase())},
              {"message", session_.message()},
              {"notice", session_.notice()},
              {"playing", playback_.playing()},

@@ -93,8 +93,13 @@ Window& Window::of(GLFWwindow* window) {
     return *static_cast<Window*>(glfwGetWindowUserPointer(window));
 }
 
+void Window::noteInput() {
+    ++inputs_;
+    unsettled_ = wake_ = kSettleFrames;
+}
+
 void Window::onKey(GLFWwindow* window, int key, int scancode, int action, int mods) {
-    of(window).wake_ = kSettleFrames;
+    of(window).noteInput();
     const int known = mods & (kShift | kCtrl | kAlt);
     of(window).keys_.push_back({{layoutKey(key, scancode), known},
                                 action == GLFW_REPEAT,
@@ -109,26 +114,24 @@ void Window::listen() {
     glfwSetWindowUserPointer(window_, this);
     glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
         of(window).drops_.assign(paths, paths + count);
-        of(window).wake_ = kSettleFrames;
+        of(window).noteInput();
     });
     glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
         of(window).pointer_ = {x, y};
-        of(window).wake_ = kSettleFrames;
+        of(window).noteInput();
     });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int, int action, int) {
         // From the events: a query to the display server would return the current position.
         if (action == GLFW_PRESS)
             of(window).press_ = of(window).pointer_.value_or(cursorOf(window));
-        of(window).wake_ = kSettleFrames;
+        of(window).noteInput();
     });
-    glfwSetScrollCallback(
-        window_, [](GLFWwindow* window, double, double) { of(window).wake_ = kSettleFrames; });
-    glfwSetFramebufferSizeCallback(
-        window_, [](GLFWwindow* window, int, int) { of(window).wake_ = kSettleFrames; });
-    glfwSetWindowRefreshCallback(window_,
-                                 [](GLFWwindow* window) { of(window).wake_ = kSettleFrames; });
-    glfwSetWindowFocusCallback(window_,
-                               [](GLFWwindow* window, int) { of(window).wake_ = kSettleFrames; });
+    glfwSetScrollCallback(window_,
+                          [](GLFWwindow* window, double, double) { of(window).noteInput(); });
+    glfwSetFramebufferSizeCallback(window_,
+                                   [](GLFWwindow* window, int, int) { of(window).noteInput(); });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { of(window).noteInput(); });
+    glfwSetWindowFocusCallback(window_, [](GLFWwindow* window, int) { of(window).noteInput(); });
 }
 
 void Window::listenToKeys() {
@@ -137,7 +140,7 @@ void Window::listenToKeys() {
         KeyPress typed;
         typed.sign = sign;
         of(window).keys_.push_back(typed);
-        of(window).wake_ = kSettleFrames;
+        of(window).noteInput();
     });
 }
 
@@ -224,9 +227,10 @@ bool Window::turn() {
     if (application_->poll()) wake_ = std::max(wake_, kSettleFrames);
     if (wake_ == 0 && !application_->animating()) return false;
     if (wake_ > 0) --wake_;
+    if (unsettled_ > 0) --unsettled_;
     drawFrame();
     // A write error is reported on exit.
-    static_cast<void>(application_->writeState());
+    static_cast<void>(application_->writeState({inputs_, unsettled_ == 0 && keys_.empty()}));
     if (application_->takeFullScreenRequest()) toggleFullScreen();
     return true;
 }

@@ -40,6 +40,7 @@ class Window {
     void listen();
     void listenToKeys();
     void waitForInput();
+    void noteInput();
     void deliver();
     void drawFrame();
     void toggleFullScreen();
@@ -53,7 +54,9 @@ class Window {
     std::optional<glm::vec2> pointer_;  ///< At the last event; empty before the first.
     std::optional<glm::vec2> press_;    ///< Position of a button press since the last frame.
     std::string title_;
-    int wake_ = 5;  ///< Frames still to draw: the layout settles over a few of them.
+    std::uint64_t inputs_ = 0;  ///< Events since the start.
+    int wake_ = 5;              ///< Frames still to draw: the layout settles over a few of them.
+    int unsettled_ = 0;         ///< Of them, those that the last input asks for.
     double lastFrame_ = 0.0;
     glm::ivec2 windowedPlace_{0};
     glm::ivec2 windowedSize_{1280, 800};

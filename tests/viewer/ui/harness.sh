@@ -53,7 +53,7 @@ start() {
     "$viewer" --size "${size:-1280x800}" --ui-scale "${scale:-1}" --theme "${theme:-dark}" --state-dump "$state" "$@" <"${stdin:-/dev/null}" >"$work/program.log" 2>&1 &
     program=$!
     window=
-    for _ in $(seq 200); do
+    for _ in $(seq $looks); do
         kill -0 "$program" 2>/dev/null || fail "the program ends at once"
         window=$(xdotool search --onlyvisible --name "Spiraling Edge" 2>/dev/null | head -n 1)
         [ -n "$window" ] && [ -f "$state" ] && break
@@ -66,7 +66,7 @@ start() {
 # stop: Ctrl+Q; the program quits with exit code 0.
 stop() {
     press ctrl+q
-    for _ in $(seq 100); do kill -0 "$program" 2>/dev/null || break; sleep 0.05; done
+    for _ in $(seq $looks); do kill -0 "$program" 2>/dev/null || break; sleep 0.05; done
     kill -0 "$program" 2>/dev/null && fail "Ctrl+Q does not quit"
     wait "$program"
     local code=$?
@@ -74,43 +74,62 @@ stop() {
     [ $code -eq 0 ] || fail "the exit code is $code"
 }
 
+# Waiting is for states, however long they take: a busy machine is slow, not wrong. After this many
+# looks the state does not come.
+looks=2400
+# poll COMMAND...: calls it until it succeeds. Fails at the end, or when the program is gone.
+poll() {
+    local look
+    for ((look = 0; look < looks; ++look)); do
+        "$@" && return 0
+        kill -0 "$program" 2>/dev/null || { "$@"; return; }
+        sleep 0.05
+    done
+    return 1
+}
+settled_after() { [ "$(field input_events)" -ge "$1" ] && [ "$(field settled)" = true ]; }
+# act EVENTS COMMAND...: what the user does, which makes so many events at least; waits until the
+# program has handled and drawn them.
+act() {
+    local events=$(($(field input_events) + $1))
+    shift
+    "$@"
+    poll settled_after "$events" || true
+}
 press() {
     local chord
-    for chord in "$@"; do
-        xdotool key --clearmodifiers "$chord"
-        sleep 0.06
-    done
+    for chord in "$@"; do act 1 xdotool key --clearmodifiers "$chord"; done
 }
-type_text() { xdotool type --delay 25 -- "$1"; }
+type_text() { act ${#1} xdotool type --delay 25 -- "$1"; }
 go_to() { press ctrl+g; type_text "$1"; press Return; }
-move_to() { xdotool mousemove --window "$window" "$1" "$2"; sleep 0.08; }
+pointer() { xdotool getmouselocation | cut -d' ' -f1,2; }
+move_to() {
+    local X=0 Y=0
+    eval "$(xdotool getwindowgeometry --shell "$window" | grep -E '^[XY]=')"
+    [ "$(pointer)" = "x:$((X + $1)) y:$((Y + $2))" ] ||
+        act 1 xdotool mousemove --window "$window" "$1" "$2"
+}
 click() {
     move_to "$1" "$2"
-    xdotool click "${3:-1}"
-    sleep 0.1
+    act 1 xdotool click "${3:-1}"
 }
 # drag X Y BY_X BY_Y [BUTTON]
 drag() {
     move_to "$1" "$2"
-    xdotool mousedown "${5:-1}"
-    sleep 0.05
-    xdotool mousemove_relative --sync -- "$(($3 / 2))" "$(($4 / 2))"
-    sleep 0.05
-    xdotool mousemove_relative --sync -- "$(($3 - $3 / 2))" "$(($4 - $4 / 2))"
-    sleep 0.05
-    xdotool mouseup "${5:-1}"
-    sleep 0.1
+    act 1 xdotool mousedown "${5:-1}"
+    act 1 xdotool mousemove_relative -- "$(($3 / 2))" "$(($4 / 2))"
+    act 1 xdotool mousemove_relative -- "$(($3 - $3 / 2))" "$(($4 - $4 / 2))"
+    act 1 xdotool mouseup "${5:-1}"
 }
-# resize WIDTH HEIGHT: and waits up to 10 s until the program has drawn itself at that width.
-resize() {
+# resize WIDTH HEIGHT: and waits until the program has drawn itself at that width.
+is_wide() {
     local w
-    xdotool windowsize --sync "$window" "$1" "$2"
-    sleep 0.3
-    for _ in $(seq 200); do
-        read -r _ _ w _ < <(field "region drawer" | tr -d '[],')
-        [ "${w:-0}" -eq "$1" ] && break
-        sleep 0.05
-    done
+    read -r _ _ w _ < <(field "region drawer" | tr -d '[],')
+    [ "${w:-0}" -eq "$1" ]
+}
+resize() {
+    act 1 xdotool windowsize --sync "$window" "$1" "$2"
+    poll is_wide "$1"
 }
 
 # field NAME: its current value in the state dump, without quotes; lists on one line.
@@ -118,26 +137,19 @@ field() {
     tr '\n' ' ' <"$state" | sed -E 's/ +/ /g' |
         sed -nE "s/.*\"$1\": (\[[^]]*\]|\{[^}]*\}|\"[^\"]*\"|[^ ,}]+).*/\1/p" | sed -E 's/^"(.*)"$/\1/'
 }
-# says NAME PATTERN: waits up to 10 s until the field matches.
+matches() { [[ $(field "$1") =~ ^($2)$ ]]; }
+differs() { [ "$(field "$1")" != "$2" ]; }
+# says NAME PATTERN: waits until the field matches.
 says() {
-    for _ in $(seq 200); do
-        [[ $(field "$1") =~ ^($2)$ ]] && return 0
-        kill -0 "$program" 2>/dev/null || fail "the program is gone while waiting for $1: $2"
-        sleep 0.05
-    done
+    poll matches "$1" "$2" && return 0
+    kill -0 "$program" 2>/dev/null || fail "the program is gone while waiting for $1: $2"
     fail "expected $1: $2, found '$(field "$1")'"
 }
-# leaves NAME VALUE: waits up to 10 s until the field has another value.
-leaves() {
-    for _ in $(seq 200); do
-        [ "$(field "$1")" != "$2" ] && return 0
-        sleep 0.05
-    done
-    fail "$1 stays $2"
-}
+# leaves NAME VALUE: waits until the field has another value.
+leaves() { poll differs "$1" "$2" || fail "$1 stays $2"; }
 # denies NAME PATTERN: the current value does not match.
 denies() {
-    sleep 0.3
+    poll settled_after 0
     [[ $(field "$1") =~ ^($2)$ ]] && fail "$1 is $2"
     return 0
 }
@@ -146,7 +158,8 @@ denies() {
 inside() {
     local x y w h place before=
     # In the first frames tabs have no size yet, and tabs and lists move to their positions.
-    for _ in $(seq 100); do
+    for _ in $(seq 200); do
+        poll settled_after 0
         place=$(field "$1" | tr -d '[],')
         read -r x y w h <<<"$place"
         [ "${w:-0}" -gt 0 ] && [ "$place" = "$before" ] && break
