@@ -134,8 +134,13 @@ resize() {
 
 # field NAME: its current value in the state dump, without quotes; lists on one line.
 field() {
-    tr '\n' ' ' <"$state" | sed -E 's/ +/ /g' |
-        sed -nE "s/.*\"$1\": (\[[^]]*\]|\{[^}]*\}|\"[^\"]*\"|[^ ,}]+).*/\1/p" | sed -E 's/^"(.*)"$/\1/'
+    local value='(\[[^]]*\]|\{[^}]*\}|"[^"]*"|[^[:space:],}]+)' text
+    text=$(<"$state")
+    [[ $text =~ .*\"$1\":\ $value ]] || return 0
+    value=${BASH_REMATCH[1]//$'\n'/ }
+    while [[ $value == *"  "* ]]; do value=${value//  / }; done
+    value=${value#\"}
+    printf '%s\n' "${value%\"}"
 }
 matches() { [[ $(field "$1") =~ ^($2)$ ]]; }
 differs() { [ "$(field "$1")" != "$2" ]; }
