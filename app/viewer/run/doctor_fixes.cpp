@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "spiraling_edge/io/read_points.h"
+
 namespace se::view {
 
 namespace {
