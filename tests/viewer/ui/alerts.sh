@@ -34,14 +34,14 @@ start scene:figure-4 --goto 3; says pivot 3; stop
 size=1600x980 start scene:four-edge-hole
 says alert_search done; says address 81.sphere.1; says alert "intersecting_triangles:[0-9]+"
 says open_tab Paper
-click_on "tab Alerts"; says open_tab Alerts; sleep 0.3
+click_on "tab Alerts"; says open_tab Alerts
 # The moments of the alert, by the mouse; each has its reason below its address.
 reach "alert created"; click_on "alert created"; says address 81.emit.[12]; says noticed "[1-9]"
 reach "alert unavoidable"; click_on "alert unavoidable"; says address 81.sphere.1
 reach "alert first touched"; click_on "alert first touched"; says pivot "[0-9]|[1-7][0-9]"
 # Another alert: the cursor goes to where it was created, and it is selected and framed.
 picture before
-press F8; says noticed "[1-9]"; sleep 0.5
+press F8; says noticed "[1-9]"
 picture after
 [ "$(differing before after)" -gt 500 ] || fail "the next alert is not framed"
 says selection "triangle|edge|point"
@@ -56,10 +56,10 @@ says "remedy [a-z]+" "\[.*"
 rule=$(grep -oE '"remedy [a-z]+"' "$state" | head -n 1 | tr -d '"')
 # First beside the open run, at the same position; then instead of it.
 at=$(field address)
-sleep 0.3; reach "beside ${rule#remedy }"; click_on "beside ${rule#remedy }"
+reach "beside ${rule#remedy }"; click_on "beside ${rule#remedy }"
 says compare_with run; says compare_done true; says address "$at"
 press ctrl+d; says compare_done true
-sleep 0.3; reach "$rule"
+reach "$rule"
 camera=$(field camera | sed 's/[][{}.*+?()|^$\\]/\\&/g')
 click_on "$rule"
 leaves alerts "$alerts"; says phase ready; says alert_search done

@@ -57,7 +57,7 @@ press F5; says address "[0-9]+\.join\.1"
 # Its menu removes one.
 go_to p40; says selected 40; press F9
 says breakpoints '\[ "stage=join", "point=40" \]'
-click_on "breakpoint 2 options"; sleep 0.3; click_on "breakpoint 2 away"
+click_on "breakpoint 2 options"; click_on "breakpoint 2 away"
 says breakpoints '\[ "stage=join" \]'
 press Escape Escape; says selected null
 
@@ -77,7 +77,7 @@ leaves marked 0
 # Watch: the value at the cursor, and a click in the plot.
 press ctrl+p; type_text "watch"; press Return
 says open_tab Watch
-click_on "add watch"; sleep 0.3
+click_on "add watch"
 click_on "watch term ring"
 says watches '\[ "ring" \]'
 leaves watch_values "[ null ]"
@@ -86,7 +86,7 @@ click "$x" "$y"
 says pivot "$((end / 2 - 2))|$((end / 2 - 1))|$((end / 2))|$((end / 2 + 1))|$((end / 2 + 2))"
 
 # All of it is in the session.
-press ctrl+s; sleep 0.3
+press ctrl+s
 type_text "$work/stops.sesession"; press Return
 for _ in $(seq 100); do [ -f "$work/stops.sesession" ] && break; sleep 0.05; done
 grep -q '"stage=join"' "$work/stops.sesession" || fail "the session has no breakpoint"

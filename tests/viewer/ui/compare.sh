@@ -26,14 +26,14 @@ press ctrl+shift+d; says region 1
 sleep 0.8  # its rows have moved
 click_on "compare region 2"; says region 2
 # A click in the other view selects in both; a drag there turns both.
-press Return; sleep 0.5
+press Return
 camera=$(field camera)
 read -r x y < <(inside "region other view" 50 50)
 drag "$x" "$y" 80 20 1
 leaves camera "$camera"
 # It is kept.
-press ctrl+s; says file_browser true; sleep 0.3
-type_text "$work/kept"; sleep 0.2; press Return; says file_browser false
+press ctrl+s; says file_browser true
+type_text "$work/kept"; press Return; says file_browser false
 grep -q '"compare"' "$work/kept.sesession" || fail "the session forgets the comparison"
 # After a swap the first run is beside the other.
 click_on "compare swap"
@@ -53,27 +53,27 @@ stop
 # The form: a number of the paper's rules, another input, a what-if; and the choice of B again.
 start scene:torus --layout compare
 says phase ready
-click_on "compare part Rules"; click_on "compare rules filter"; type_text "maxgap"; sleep 0.3
+click_on "compare part Rules"; click_on "compare rules filter"; type_text "maxgap"
 click_on "compare rule maxgap"; press ctrl+a; type_text "100"; press Return
-click_on "compare part Rules"; sleep 0.3
-click_on "compare part Input"; sleep 0.3
-click_on "compare prepare count"; press ctrl+a; type_text "16"; sleep 0.2
+click_on "compare part Rules"
+click_on "compare part Input"
+click_on "compare prepare count"; press ctrl+a; type_text "16"
 click_on "compare prepare Symmetric"
-click_on "compare part Input"; sleep 0.3
-click_on "compare part What if"; sleep 0.3
-click_on "compare what if line"; type_text "60.advance pivot 9999"; press Return; sleep 0.2
-click_on "compare what if 1"; sleep 0.2
+click_on "compare part Input"
+click_on "compare part What if"
+click_on "compare what if line"; type_text "60.advance pivot 9999"; press Return
+click_on "compare what if 1"
 click_on "compare begin"
 says compare_done true
 says compare_other "robust rules, maxgap 100, 16 nearest, symmetric"
 # The first difference has a mark on the strip; a click there has the effect of its key.
-press d; sleep 0.3; difference=$(field address); beside=$(field other_address)
+press d; difference=$(field address); beside=$(field other_address)
 press End; leaves address "$difference"
 click_on "strip difference"; says address "$difference"; says other_address "$beside"
 # A right click in the other view queries both runs.
 go_to 300.sphere.1; says address "300\.sphere\.1"; press f; sleep 0.8
 read -r x y < <(inside "region other view" 50 50)
-click "$x" "$y" 3; sleep 0.3
+click "$x" "$y" 3
 click_on "menu why"
 says compare_why "(point|edge|triangle) .*"; says compare_why_other ".*[0-9]+\..*"
 place=$(field address)
@@ -87,8 +87,8 @@ stop
 size=1600x980 start scene:torus --goto 60.emit.1
 says address "60\.emit\.1"
 press ctrl+p; type_text "what if forks"; press Return; says open_tab "What if"
-sleep 0.4; click_on "what if here"; says what_if '\[ "60\.guard drop [0-9]+" \]'; says phase ready
-press ctrl+d; says layout compare; sleep 0.3
+click_on "what if here"; says what_if '\[ "60\.guard drop [0-9]+" \]'; says phase ready
+press ctrl+d; says layout compare
 click_on "compare true run"
 says compare_done true; says compare_other "no what-ifs"
 stop
@@ -101,7 +101,7 @@ says compare_done true; says compare_with mesh; says only_b 1
 press d; says address "1\.emit\.1"
 # It has no decisions, which a message reports.
 read -r x y < <(inside "region other view" 50 50)
-click "$x" "$y" 3; sleep 0.3
+click "$x" "$y" 3
 [ -n "$(field "menu beside")" ] || fail "a right click on the mesh of a file says nothing"
 press Escape
 stop

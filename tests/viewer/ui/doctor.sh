@@ -54,14 +54,14 @@ says cures '\[\]'; says points "$points"; says findings '.*zero_normals.*'; says
 press ctrl+y
 says cures '\[ "zero_normals" \]'; says points "$((points - 3))"; says findings '\[ "open_border" \]'
 # "Use the file as is" does the same, and can be undone like the rest.
-sleep 0.3; click_on "doctor as it is"
+click_on "doctor as it is"
 says cures '\[\]'; says points "$points"
 press Escape; press ctrl+z
 says cures '\[ "zero_normals" \]'; says points "$((points - 3))"
 press ctrl+z; says cures '\[\]'; says findings '.*zero_normals.*'
 
 # The command can be pasted anywhere: with the whole path.
-sleep 0.3; click_on "copy zero_normals"; says notice "Copied the command\."
+click_on "copy zero_normals"; says notice "Copied the command\."
 stop
 
 # Normals that point the wrong way are flipped together with the repairs.
@@ -82,8 +82,8 @@ click_on "doctor fix all"
 says phase ready; says mended '\[ "[0-9]+ normals scaled to unit length", "[0-9]+ normals flipped" \]'
 says doctor done; says findings '\[\]'
 # A session keeps it.
-press Escape; press ctrl+s; says file_browser true; sleep 0.3
-type_text "$work/cured"; sleep 0.2; press Return; says session_file ".*cured.sesession"
+press Escape; press ctrl+s; says file_browser true
+type_text "$work/cured"; press Return; says session_file ".*cured.sesession"
 stop
 start "$work/cured.sesession"
 says phase ready; says cures '\[ "unscaled_normals", "flipped_normals" \]'

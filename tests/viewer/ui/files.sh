@@ -43,11 +43,10 @@ press ctrl+equal; says em 20\.0
 press ctrl+minus; says em 16\.0
 
 # Another key for an action; a used one is reassigned at the second press.
-press ctrl+p; type_text "change keys"; sleep 0.2; press Return; says key_editor true
-sleep 0.3
+press ctrl+p; type_text "change keys"; press Return; says key_editor true
 read -r x y w h < <(tr '\n' ' ' <"$state" | sed -E 's/ +/ /g' | sed -nE 's/.*"key run\.unit": \[([^]]*)\].*/\1/p' | tr -d ,)
 click $((x + w / 2)) $((y + h / 2)); press y; says changed_keys 1
-click $((x + w / 2)) $((y + h / 2)); press n; sleep 0.3; says changed_keys 1
+click $((x + w / 2)) $((y + h / 2)); press n; says changed_keys 1
 press n; says changed_keys 2
 press Escape; says key_editor false
 unit=$(field unit)
@@ -59,20 +58,19 @@ go_to p12; says selected 12
 # A session is saved under a name that is requested once.
 go_to 40.sphere.2; says address "40\.sphere\.2"
 press ctrl+s; says file_browser true
-sleep 0.3
-type_text "$work/one"; sleep 0.2; press Return
+type_text "$work/one"; press Return
 says file_browser false
 says session_file "$work/one\.sesession"
 [ -f "$work/one.sesession" ] || fail "no session file is written"
 press F10; says pivot 41
-press ctrl+s; sleep 0.4
+press ctrl+s
 grep -q '"address": "41\.advance\.1"' "$work/one.sesession" || fail "the second save does not write"
 says recent 1
 
 # A text field keeps the keys that edit; Ctrl+S and function keys work, Esc leaves the text as it is.
 says unsaved false; says title '.*one\.sesession.*'
 press F2 F2; says layout debug
-click_on "tab Notes"; says open_tab Notes; sleep 0.3
+click_on "tab Notes"; says open_tab Notes
 click_on "field notes"; type_text "look here n"
 says notes "look here n"; says unsaved true; says title '.*unsaved.*'
 pivot=$(field pivot)
@@ -81,27 +79,27 @@ press shift+F10; says pivot "$pivot"
 press ctrl+s; says unsaved false
 grep -q '"notes": "look here n"' "$work/one.sesession" || fail "Ctrl+S while typing does not save"
 type_text "x"; says notes "look here nx"
-press Escape; sleep 0.3; says notes "look here nx"
+press Escape; says notes "look here nx"
 press F10; says pivot $((pivot + 1)); press comma; says pivot "$pivot"
 press ctrl+s; says unsaved false
-go_to 41; says address "41\.advance\.1"; press ctrl+s; sleep 0.4
+go_to 41; says address "41\.advance\.1"; press ctrl+s
 
 # Under a dialog plain keys have no effect; a click beside the line returns the focus to it.
-press ctrl+o; says file_browser true; sleep 0.3
+press ctrl+o; says file_browser true
 before=$(field unit)$(field layers)
-click 640 640; type_text "nlk"; sleep 0.3
+click 640 640; type_text "nlk"
 [ "$(field unit)$(field layers)" = "$before" ] || fail "keys go through the file browser"
 press Escape; says file_browser false
-press F1; says cheat_sheet true; press n period; sleep 0.2; says pivot 41
+press F1; says cheat_sheet true; press n period; says pivot 41
 [ "$(field unit)$(field layers)" = "$before" ] || fail "keys go through the cheat sheet"
 press F1; says cheat_sheet false
 for _ in 1 2 3 4 5; do
-    press ctrl+p; says palette true; sleep 0.2
+    press ctrl+p; says palette true
     xdotool type --delay 5 -- "next pivot"; xdotool key --delay 1 Return; says palette false
 done
 says pivot 46
 press F2; says layout learn
-go_to 41; says pivot 41; go_to p12; says selected 12; go_to 41; press ctrl+s; sleep 0.4
+go_to 41; says pivot 41; go_to p12; says selected 12; go_to 41; press ctrl+s
 stop
 grep -q '"run.unit": "N"' "$XDG_CONFIG_HOME/spiraling-edge/settings.json" || fail "the key is not kept"
 [ -f "$XDG_STATE_HOME/spiraling-edge/state.json" ] || fail "no state is kept"

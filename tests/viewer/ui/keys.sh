@@ -82,7 +82,6 @@ for chord in 1 3 7 9 5 shift+f; do
     press "$chord"; leaves camera "$before"
 done
 press 5 Return
-sleep 0.3
 [ -n "$home" ] || fail "the state has no camera"
 
 # Layers, theme, lists.
@@ -120,24 +119,24 @@ press Escape; says cheat_sheet false
 press question; says cheat_sheet true
 press Escape; says cheat_sheet false
 press ctrl+p; says palette true
-type_text "next pivot"; sleep 0.2
+type_text "next pivot"
 before=$(field pivot)
 press Return; says palette false
 says pivot "$((before + 1))"
 press ctrl+k; says palette true
 press Escape; says palette false
 # It finds synonyms, and panels and scenes as well.
-press ctrl+k; says palette true; type_text "wirefr"; sleep 0.2
+press ctrl+k; says palette true; type_text "wirefr"
 press Return; says palette false; says mesh_style wire
-press ctrl+k; says palette true; type_text "counts"; sleep 0.2
+press ctrl+k; says palette true; type_text "counts"
 press Return; says palette false; says open_tab Counts
-press ctrl+k; says palette true; type_text "up: y"; sleep 0.2
+press ctrl+k; says palette true; type_text "up: y"
 press Return; says palette false; says up y
 press ctrl+z; says up z
 press ctrl+o; says file_browser true
 press Escape; says file_browser false
 # The bookmarks are not saved.
-press ctrl+r; says asks true; sleep 0.3; click_on "leave discard"; says asks false
+press ctrl+r; says asks true; click_on "leave discard"; says asks false
 says bookmarks '\[\]'; says phase ready; says pivot 0
 press ctrl+r; denies asks true; says phase ready
 width() { xdotool getwindowgeometry --shell "$window" | sed -n 's/^WIDTH=//p'; }
@@ -149,7 +148,7 @@ press F12; says notice "Saved .*"
 ls "$HOME"/spiraling-edge-*.png >/dev/null 2>&1 || fail "F12 saves no picture"
 
 # A click beside the line of a dialog returns the focus to it.
-press ctrl+o; says file_browser true; sleep 0.3
-click 900 620; sleep 0.2; type_text "scene:torus"; sleep 0.2; press Return; says input scene:torus
+press ctrl+o; says file_browser true
+click 900 620; type_text "scene:torus"; press Return; says input scene:torus
 stop
 well

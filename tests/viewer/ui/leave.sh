@@ -36,8 +36,8 @@ press F10 n; denies pivot 2
 press Escape; says asks false; says pivot 1; says unsaved true
 # So does reloading, and opening another file.
 press ctrl+r; says asks true; press Escape; says asks false; says unsaved true
-press ctrl+o; says file_browser true; sleep 0.3
-type_text "scene:torus"; sleep 0.2; press Return; says asks true; says input scene:sphere
+press ctrl+o; says file_browser true
+type_text "scene:torus"; press Return; says asks true; says input scene:sphere
 press Escape; says asks false; says input scene:sphere; says bookmarks '.*"1\.advance\.1".*'
 
 # A breakpoint counts as well, and is named; after its removal there is no question.
@@ -50,19 +50,19 @@ press F9; says unsaved false
 go_to 1; says pivot 1; press ctrl+b; says unsaved true
 
 # Saving asks for a name; without one nothing changes.
-press ctrl+q; says asks true; sleep 0.3
+press ctrl+q; says asks true
 press Return; says asks false; says file_browser true
 press Escape; says file_browser false; says unsaved true
 kill -0 "$program" 2>/dev/null || fail "it quits without saving"
-press ctrl+q; says asks true; sleep 0.3; click_on "leave save"; says file_browser true; sleep 0.3
-type_text "$work/kept"; sleep 0.2; press Return
+press ctrl+q; says asks true; click_on "leave save"; says file_browser true
+type_text "$work/kept"; press Return
 gone
 grep -q '"1\.advance\.1"' "$work/kept.sesession" || fail "the bookmark is not saved"
 
 # The session has a name: saving continues at once.
 start "$work/kept.sesession"; says bookmarks '.*"1\.advance\.1".*'; says unsaved false
 go_to 7; says pivot 7; press ctrl+b; says unsaved true
-press ctrl+r; says asks true; sleep 0.3; press Return; says asks false; says unsaved false; says pivot 0
+press ctrl+r; says asks true; press Return; says asks false; says unsaved false; says pivot 0
 grep -q '"7\.advance\.1"' "$work/kept.sesession" || fail "reloading does not save first"
 
 # The close button asks as well; discarding leaves the file unchanged.
@@ -73,7 +73,7 @@ if [ -n "$xlib_python" ]; then
 else
     press ctrl+q
 fi
-says asks true; sleep 0.3; click_on "leave discard"
+says asks true; click_on "leave discard"
 gone
 grep -q '"9\.advance\.1"' "$work/kept.sesession" && fail "what was discarded is saved"
 well

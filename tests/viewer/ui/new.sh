@@ -30,7 +30,7 @@ first=$(field growth_variation)
 picture one
 press Right; says growth_step $((step + 1)); says growth paused
 press F10; says growth_step $((step + 2))
-sleep 0.3; picture two
+picture two
 [ "$(differing one two)" -gt 200 ] || fail "a step moves nothing in the view"
 says growth_points 2000
 # Keys of a run have no effect here, those of the view have.
@@ -50,7 +50,7 @@ larger 0.0001 "$(field growth_off)" || fail "off by $(field growth_off)"
 # A number typed; Enter starts with it, also in the next field without input.
 click_on "shape torus"; says growth_source "sample:torus.*"
 read -r x y < <(inside "field Points" 50 50); click "$x" "$y"
-type_text "700"; press Tab; sleep 0.4; press Return
+type_text "700"; press Tab; press Return
 says growth_points 700
 read -r x y < <(inside "field Points" 50 50); click "$x" "$y"
 type_text "600"; press Return
@@ -59,8 +59,8 @@ press End; says growth done
 larger "$first" "$(field growth_variation)" || fail "they did not become more even"
 
 # Saved, they are byte for byte those of the command line.
-click_on "growth save"; says file_browser true; sleep 0.3
-type_text "$work/torus"; sleep 0.2; press Return
+click_on "growth save"; says file_browser true
+type_text "$work/torus"; press Return
 says file_browser false; says growth_said "Saved .*torus\.ply\."
 cli=$(dirname "$viewer")/spiraling-edge
 if [ -x "$cli" ]; then
@@ -82,8 +82,8 @@ press F10; says pivot 1; press F10; says pivot 2
 title | grep -q "torus, 600" || fail "the title is $(title)"
 
 # A session of them keeps the line that makes them; the page leads back to the run.
-press ctrl+s; says file_browser true; sleep 0.3
-type_text "$work/grown"; sleep 0.2; press Return; says file_browser false
+press ctrl+s; says file_browser true
+type_text "$work/grown"; press Return; says file_browser false
 grep -q '"source": "sample:torus,n=600"' "$work/grown.sesession" || fail "the session names another source"
 press ctrl+n; says growth_page true; says growth "spreading|done"
 press Escape; says growth_page false; says pivot 2; says points 600
@@ -92,7 +92,7 @@ start "$work/grown.sesession"; says phase ready; says points 600; says pivot 2; 
 # They are among the recent files as well, after their session.
 start; says recent 2; click_on "recent 2"; says input "torus, 600.* points"; says points 600; stop
 # Scattering millions of particles does not block.
-start --new sphere -n 5000000; says growth finding; sleep 0.5; stop
+start --new sphere -n 5000000; says growth finding; stop
 
 # From the command line, also a volume; a truncated one is reported in core's words.
 printf 'NRRD0004\ntype: uint8\ndimension: 3\nsizes: 9 9 9\nencoding: raw\n\n' >"$work/ball.nrrd"
@@ -105,7 +105,7 @@ says growth paused; says growth_step 12; says growth_points 300
 press space; says growth done; stop
 # From a run, the path of a volume is typed at once.
 start scene:sphere; says phase ready
-press ctrl+shift+n; says file_browser true; sleep 0.5
+press ctrl+shift+n; says file_browser true
 type_text "$work/ball.nrrd"; press Return; says file_browser false; says growth_complaint ".*has no isovalue.*"
 press Escape; says growth_page false; says phase ready; stop
 head -c 300 "$work/ball.nrrd" >"$work/cut.nrrd"

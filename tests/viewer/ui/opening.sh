@@ -8,18 +8,17 @@ python3 "$(dirname "${BASH_SOURCE[0]}")/../../bench/sphere_ply.py" "$count" "$wo
 start "$work/many.ply"
 says phase loading
 # In its first frame it has no size yet.
-sleep 0.4
 click_on "cancel opening"
 says phase empty; says start_page true
 # Opened again from here; quitting does not wait for it either.
-press ctrl+o; says file_browser true; sleep 0.3
-type_text "$work/many.ply"; sleep 0.2; press Return; says phase loading
+press ctrl+o; says file_browser true
+type_text "$work/many.ply"; press Return; says phase loading
 stop
 
 # The open input stays usable while another one is being opened.
 start scene:sphere; says phase ready
-press ctrl+o; says file_browser true; sleep 0.3
-type_text "$work/many.ply"; sleep 0.2; press Return; says phase loading
+press ctrl+o; says file_browser true
+type_text "$work/many.ply"; press Return; says phase loading
 says input scene:sphere
 says input many.ply; says points "$count"; says pivot 0
 stop
@@ -28,7 +27,7 @@ echo "$count points: at most $longest s from frame to frame while opening"
 awk "BEGIN { exit !($longest < 2) }" || fail "the window hangs for $longest s"
 
 for input in scene:torus "$work/many.ply"; do
-    start "$input"; says phase ready; sleep 0.5
+    start "$input"; says phase ready
     echo "$input: window after $(field first_window_seconds) s, input after $(field first_frame_seconds) s," \
         "at most $(field longest_opening_seconds) s from frame to frame"
     window=$(field first_window_seconds)

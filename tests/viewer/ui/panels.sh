@@ -11,7 +11,6 @@ each_tab() {
         # If there is no room for all, another one may have replaced it.
         [ -n "$(field "$name")" ] || continue
         click_on "$name"
-        sleep 0.3
         says open_tab "${name#tab }"
         seen=$((seen + 1))
     done < <(grep -oE '"tab [^"]+"' "$state" | tr -d '"')
@@ -22,13 +21,13 @@ each_tab() {
 # name; then it has a name in the rows.
 each_more() {
     local name
-    click_on "more tabs"; sleep 0.3
+    click_on "more tabs"
     grep -oE '"more [A-Z][^"]*"' "$state" | tr -d '"' | sed 's/^more //' >"$work/more"
     [ -s "$work/more" ] || fail "no panel is in the list"
     press Escape
     while IFS= read -r name; do
         # Opening another one may have made room for it.
-        [ -n "$(field "tab $name")" ] || { click_on "more tabs"; sleep 0.3; click_on "more $name"; }
+        [ -n "$(field "tab $name")" ] || { click_on "more tabs"; click_on "more $name"; }
         [ "$(field open_tab)" = "$name" ] || { sleep 0.3; click_on "tab $name"; }
         says open_tab "$name"
         inside "tab $name" 50 50 >/dev/null

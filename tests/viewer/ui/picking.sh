@@ -7,7 +7,7 @@ go_to 60
 says pivot 60
 
 # Around the pivot there are all three kinds of things.
-press f; sleep 0.3
+press f
 read -r x y < <(center "region view")
 find_kind() {
     local dx dy
@@ -25,16 +25,16 @@ points=$(field selection_points)
 [ "$(wc -w <<<"$points")" -ge 3 ] || fail "a triangle has $points"
 # The selection stays when stepping, and is not there before it was made.
 press Home; says pivot 0; says selection triangle; says selection_present false
-press ctrl+p; says palette true; type_text "selection was made"; sleep 0.3; press Return; says palette false
+press ctrl+p; says palette true; type_text "selection was made"; press Return; says palette false
 says selection_present true
 [ "$(field selection_points)" = "$points" ] || fail "the selection changed"
-go_to 60; press f; sleep 0.3; press Escape; says selection none
+go_to 60; press f; press Escape; says selection none
 find_kind edge; says selection_present true
 press Escape; says selection none
 
 # A double click centers the orbit there, and keeps the selection.
 go_to p12; says selection point
-press Return; sleep 0.3
+press Return
 read -r x y < <(center "region view")
 camera=$(field camera)
 undo=$(field undo)
@@ -80,7 +80,7 @@ press End
 says mesh_style flat
 picture flat
 for style in shaded wire birth component flat; do
-    press m; says mesh_style "$style"; sleep 0.3
+    press m; says mesh_style "$style"
     picture "$style"
     [ "$style" = flat ] || [ "$(differing flat "$style")" -gt 500 ] || fail "$style looks like flat"
 done

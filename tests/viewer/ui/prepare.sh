@@ -9,7 +9,7 @@ cli=$(dirname "$viewer")/spiraling-edge
 # keeps TEXT: saved, the session has it; at once, or when the input has been prepared again.
 keeps() {
     for _ in $(seq 20); do
-        press ctrl+s; sleep 0.5
+        press ctrl+s
         grep -qF "$1" "$work/kept.sesession" && return 0
     done
     fail "the session forgets $1"
@@ -19,16 +19,16 @@ says phase ready; says points 400
 says derived '\[ "neighbors" \]'
 go_to p12; says selected 12
 press F1; says cheat_sheet true; press Escape
-press ctrl+shift+r; says prepare true; sleep 0.3
+press ctrl+shift+r; says prepare true
 read -r x y < <(inside "prepare count" 50 50); click "$x" "$y"
-type_text "0"; press Return; sleep 0.3; says prepare true
+type_text "0"; press Return; says prepare true
 click "$x" "$y"; type_text "9"
 click_on "prepare Derived from the positions"; click_on "prepare The box around all points"; click_on "prepare ok"
 says prepare false; says phase ready; says pivot 0; says selected 12
 says derived '\[ "neighbors", "normals", "types" \]'
 # It is kept, and Esc changes nothing.
-press ctrl+s; says file_browser true; sleep 0.3
-type_text "$work/kept"; sleep 0.2; press Return; says file_browser false
+press ctrl+s; says file_browser true
+type_text "$work/kept"; press Return; says file_browser false
 grep -q '"normals": "derived"' "$work/kept.sesession" || fail "the session forgets the normals"
 grep -q '"box": "auto"' "$work/kept.sesession" || fail "the session forgets the box"
 grep -q '"neighbors": 9' "$work/kept.sesession" || fail "the session forgets the neighbors"
@@ -37,12 +37,12 @@ stop
 start "$work/kept.sesession"; says phase ready
 says derived '\[ "neighbors", "normals", "types" \]'
 # By keyboard alone: Tab goes to the first field, Enter prepares; earlier choices stay.
-press ctrl+shift+r; says prepare true; sleep 0.3
+press ctrl+shift+r; says prepare true
 press Tab; type_text "7"; press Return; says prepare false; says phase ready
 keeps '"neighbors": 7'
 grep -q '"box": "auto"' "$work/kept.sesession" || fail "what was chosen before is gone"
 # Down from there, the next kind of list; in units of the spacing.
-press ctrl+shift+r; says prepare true; sleep 0.3
+press ctrl+shift+r; says prepare true
 read -r x y < <(inside "prepare spacings" 50 50); click "$x" "$y"; type_text "1.5"; press Return; says prepare false
 keeps '"reach": 1.5'
 stop
@@ -52,7 +52,7 @@ stop
 # A choice takes precedence over the doctor's fix, and the form shows it.
 start "$work/flipped.xyz"; says phase ready; says doctor done
 click_on "doctor fix all"; says cures '\[ "flipped_normals" \]'; says phase ready
-press ctrl+shift+r; says prepare true; sleep 0.3
+press ctrl+shift+r; says prepare true
 click_on "prepare From the input##m"; click_on "prepare ok"; says prepare false; says cures '\[\]'
 stop
 # The pointer does not move for a number of frames.

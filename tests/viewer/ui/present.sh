@@ -19,7 +19,7 @@ away() {
     for _ in 1 2 3 4 5; do drag "$x" "$y" -500 60 3; done
     says pivot_arrow true
 }
-press f; sleep 0.2
+press f
 says pivot_arrow false
 away
 camera=$(escaped)

@@ -11,16 +11,16 @@ press ctrl+p; type_text "rules switches"; press Return
 says open_tab Rules
 
 # The filter finds the rule; a switch re-runs, and a second click undoes it.
-sleep 0.3; click_on "rules filter"; type_text "walls passed"; sleep 0.3
+click_on "rules filter"; type_text "walls passed"
 click_on "rule walls"
 says choices '\[ "walls=off" \]'; says phase ready
 says address "$address" # there are no walls here
 says message "Same place: no difference before it\..*"
-sleep 0.3; click_on "reset walls"
+click_on "reset walls"
 says choices '\[\]'
 
 # A rule with an effect: the same pivot at its new position, or the last shared state.
-click_on "rules filter"; press ctrl+a; type_text "maxgap"; sleep 0.3
+click_on "rules filter"; press ctrl+a; type_text "maxgap"
 click_on "rule maxgap"; press ctrl+a; type_text "95"; press Return
 says choices '\[ "maxgap=95" \]'; says phase ready
 says message "(Same (place|pivot).*runs diverge at pivot [0-9]+\.|The new run has no pivot.*)"
@@ -28,9 +28,9 @@ press Escape; press ctrl+z; says choices '\[\]'; says message "Undone: rule maxg
 press ctrl+y; says choices '\[ "maxgap=95" \]'
 
 # The session file keeps it.
-press ctrl+s; says file_browser true; sleep 0.3
-type_text "$work/rules"; sleep 0.2; press Return; says session_file ".*rules.sesession"
-sleep 0.3; click_on "rules reset all"; says choices '\[\]'
+press ctrl+s; says file_browser true
+type_text "$work/rules"; press Return; says session_file ".*rules.sesession"
+click_on "rules reset all"; says choices '\[\]'
 stop
 size=1600x980 start "$work/rules.sesession"
 says choices '\[ "maxgap=95" \]'
@@ -51,15 +51,15 @@ says what_if '\[ "[0-9]+\.[a-z]+ (keep|drop) [0-9]+" \]'; says phase ready
 says address "$address"
 press Escape; press ctrl+z; says what_if '\[\]'; says message "Undone: what-if\..*"
 press ctrl+y; says what_if '\[ "[0-9]+\.[a-z]+ (keep|drop) [0-9]+" \]'
-sleep 0.4; click_on "true run"; says what_if '\[\]'; says phase ready
+click_on "true run"; says what_if '\[\]'; says phase ready
 says address "$address"
 # A what-if against a triangle.
-go_to 60.emit.1; says address "60\.emit\.1"; sleep 0.3
+go_to 60.emit.1; says address "60\.emit\.1"
 click_on "what if here"
 says what_if '\[ "60\.guard drop [0-9]+" \]'; says phase ready
-sleep 0.4; click_on "true run"; says what_if '\[\]'; says phase ready
+click_on "true run"; says what_if '\[\]'; says phase ready
 # Refused, with the reason: a point in its own list.
-sleep 0.3; click_on "what if list"; press ctrl+a; type_text "1 1"; sleep 0.2
+click_on "what if list"; press ctrl+a; type_text "1 1"
 click_on "what if neighbors"
 says message ".*is refused\. Point 1 is in the list twice\..*"
 says what_if '\[\]'

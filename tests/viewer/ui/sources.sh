@@ -64,8 +64,8 @@ refused 3 '"address"' "$work/a.sesession"
 # In the window a refused session changes nothing.
 session /dev/zero
 start scene:sphere; says phase ready
-press ctrl+o; says file_browser true; sleep 0.3
-type_text "$work/a.sesession"; sleep 0.2; press Return
+press ctrl+o; says file_browser true
+type_text "$work/a.sesession"; press Return
 says notice '.*a.sesession: .*'; says input scene:sphere; says phase ready
 stop
 

@@ -8,10 +8,9 @@ trap 'rm -f "$file"; cleanup' EXIT
 # chosen NAME: it has the keyboard focus, and a frame shows it.
 chosen() {
     says "chosen $1" "\[.*"
-    sleep 0.3
 }
 start
-says start_page true; says keyboard view; sleep 0.3
+says start_page true; says keyboard view
 picture before
 press Tab; says keyboard files
 press Tab; says keyboard scenes; chosen sphere
@@ -35,10 +34,10 @@ stop
 # Below the drop area: new points, then recent files.
 start "$file"; says phase ready; stop
 start
-says start_page true; says recent "[1-9]"; sleep 0.3
-press Tab; says keyboard files; sleep 0.3
+says start_page true; says recent "[1-9]"
+press Tab; says keyboard files
 press Return; says file_browser true; press Escape; says file_browser false
-press Tab; says keyboard files; sleep 0.3
+press Tab; says keyboard files
 press Down; chosen file.new.shape; press Down; chosen file.new.volume
 press Down; chosen "recent 1"; press Return
 says input "start-.*\.xyz"

@@ -29,7 +29,7 @@ for delay in 12 2 0; do
 done
 
 # The go-to box: an address, and a position copied by Ctrl+C.
-click_on "region view"; sleep 0.5
+click_on "region view"
 press Escape Home; says pivot 0
 press ctrl+g; type_text "12.sort.2"
 quick ctrl+a ctrl+c ctrl+a ctrl+v Return; says address "12\.sort\.2"
@@ -51,7 +51,7 @@ at_once() { # CHORD TEXT: all of it waits when the next frame begins
     kill -CONT "$program"
 }
 press Escape Escape; says selected null
-click_on "region view"; sleep 0.5
+click_on "region view"
 theme=$(field theme); pins=$(field pins); style=$(field mesh_style); address=$(field address)
 at_once ctrl+f "stage=sphere kept"; says query_typed "stage=sphere kept"
 press Return; says found "[1-9][0-9]*"

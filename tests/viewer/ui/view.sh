@@ -13,7 +13,7 @@ before=$(escaped); click "$x" "$y" 4; denies camera "$before"
 says address "40\.advance\.1"
 
 # F centers the pivot; a click there selects it, and stepping keeps it.
-press Return f; sleep 0.3
+press Return f
 read -r x y < <(center "region view")
 click "$x" "$y"
 denies selected null
@@ -26,12 +26,12 @@ press Escape; says selected null
 drag "$x" "$y" 90 40
 says selected null
 # Beside the surface there is nothing to select.
-press Return; sleep 0.3
+press Return
 read -r x y < <(inside "region view" 3 6)
-click "$x" "$y"; sleep 0.5
+click "$x" "$y"
 says selected null
 # A neighbor of the pivot is highlighted under the pointer.
-press f; sleep 0.3
+press f
 read -r x y < <(center "region view")
 lit() { # SECONDS at each position
     local dx dy
@@ -47,7 +47,7 @@ lit() { # SECONDS at each position
 lit 0.05 || lit 0.2 || fail "no neighbor of the pivot lights up"
 # A press right after a jump of the pointer, both within one frame, does not move the camera; nor
 # does a press that is moved by less than a drag.
-press Return; sleep 0.3
+press Return
 read -r x y < <(inside "region view" 5 5)
 read -r far_x far_y < <(inside "region view" 95 95)
 camera=$(escaped)
@@ -56,10 +56,8 @@ for button in 1 2 3; do
     kill -STOP "$program"
     xdotool mousemove --window "$window" "$far_x" "$far_y" mousedown "$button"
     kill -CONT "$program"
-    sleep 0.3
     xdotool mousemove_relative --sync -- 3 2
-    sleep 0.2
-    xdotool mouseup "$button"; sleep 0.4
+    xdotool mouseup "$button"
     says camera "$camera"
     press Escape
 done

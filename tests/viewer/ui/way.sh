@@ -16,7 +16,6 @@ drag "$x" "$y" 200 0
 says pivot "4[0-9][0-9]"
 click "$x" "$y" 4; click "$x" "$y" 4
 says whole false
-sleep 0.5
 move_to "$x" "$y"; xdotool click --repeat 2 --delay 160 1
 says whole true
 

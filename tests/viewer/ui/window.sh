@@ -39,7 +39,6 @@ says input scene:sphere
 for _ in $(seq 20); do press F10; done
 says address "20\.advance\.1"
 case "$(title)" in "20.advance.1"*) ;; *) fail "the title is '$(title)'" ;; esac
-sleep 0.5
 picture window
 [ "$(differing window offscreen 12%)" -lt 35000 ] || fail "the picture off screen is another"
 go_to 40.sphere.2
