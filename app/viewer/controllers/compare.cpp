@@ -135,7 +135,7 @@ void CompareController::askWhy(const Selection& what) {
 void CompareController::begin(CompareWith with) {
     c_.ui.compare.choosing = false;
     c_.ui.compare.why.reset();
-    comparison_.begin(c_.session, std::move(with));
+    comparison_.start(c_.session, std::move(with));
 }
 
 void CompareController::carryOut() {
@@ -150,7 +150,7 @@ void CompareController::carryOut() {
 }
 
 void CompareController::carryOut(CompareAsk ask) {
-    if (ask == CompareAsk::Stop) return comparison_.stop();
+    if (ask == CompareAsk::Stop) return comparison_.cancel();
     if (ask == CompareAsk::Usual)
         return begin(CompareWith::otherRun(usualOther(c_.session.spec())));
     if (ask == CompareAsk::Swap) return swap();
@@ -227,7 +227,7 @@ void CompareController::swap() {
     if (other == nullptr) return c_.session.say("A mesh has no decisions to step through.");
     waiting_ = CompareWith::otherRun(c_.session.spec());
     c_.ui.requests.openSpec = other->spec();
-    comparison_.stop();
+    comparison_.cancel();
 }
 
 }  // namespace se::view

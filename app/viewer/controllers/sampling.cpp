@@ -90,7 +90,7 @@ void SamplingController::begin(const SampleSpec& spec) {
     page.form.take(spec);
     page.open = true;
     before_ = c_.camera.pose();
-    growth_.begin(spec);
+    growth_.start(spec);
     poll();
 }
 
@@ -99,7 +99,7 @@ void SamplingController::start() {
     page.said.clear();
     const Result<SampleSpec> spec = page.form.spec();
     page.complaint = spec ? std::string{} : spec.error().message;
-    if (spec) growth_.begin(spec.value());
+    if (spec) growth_.start(spec.value());
 }
 
 bool SamplingController::poll() {

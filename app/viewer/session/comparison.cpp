@@ -81,8 +81,8 @@ bool Comparison::fits(const Session& run) const {
     return with_.kind != CompareWith::Kind::Run || with_.run.source == run.spec().source;
 }
 
-void Comparison::begin(const Session& run, CompareWith with) {
-    stop();
+void Comparison::start(const Session& run, CompareWith with) {
+    cancel();
     with_ = std::move(with);
     if (with_.kind != CompareWith::Kind::Run) return;
     with_.run.source = run.spec().source;
@@ -91,8 +91,8 @@ void Comparison::begin(const Session& run, CompareWith with) {
     other_->open(with_.run);
 }
 
-void Comparison::stop() {
-    query_.forget();
+void Comparison::cancel() {
+    query_.cancel();
     with_ = {};
     other_.reset();
     result_.reset();
@@ -123,7 +123,7 @@ void Comparison::startJob(const Session& run) {
     ++revision_;
     comparedA_ = run.sharedModel();
     comparedB_ = runs() ? other_->sharedModel() : nullptr;
-    query_.ask([a = comparedA_, b = comparedB_, mesh = with_.mesh](const Progress& progress) {
+    query_.start([a = comparedA_, b = comparedB_, mesh = with_.mesh](const Progress& progress) {
         return compare(a, b, mesh, progress);
     });
 }
@@ -141,7 +141,7 @@ bool Comparison::takeResult() {
 bool Comparison::poll(const Session& run) {
     if (!chosen() || !run.ready()) return false;
     if (!fits(run)) {
-        stop();
+        cancel();
         return true;
     }
     bool changed = false;

@@ -40,9 +40,9 @@ struct ComparedAddresses {
 class Comparison {
   public:
     /// Compares `run` with something else from now on, and again whenever it is opened again.
-    void begin(const Session& run, CompareWith with);
+    void start(const Session& run, CompareWith with);
     /// Ends the comparison.
-    void stop();
+    void cancel();
     /// Takes the results of the threads, and lets the other run follow. True if there is
     /// something new to draw.
     bool poll(const Session& run);

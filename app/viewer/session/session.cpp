@@ -24,7 +24,7 @@ void Session::open(InputSpec spec) {
     opening_ = std::move(spec);
     error_.clear();
     phase_ = SessionPhase::Loading;
-    loader_.begin(opening_);
+    loader_.start(opening_);
 }
 
 void Session::runAnew(const RuleSet& rules, Resume resume) {
@@ -37,7 +37,7 @@ void Session::runAnew(const RuleSet& rules, Resume resume) {
     phase_ = SessionPhase::Loading;
     const Event* at = event();
     const bool end = resume == Resume::End || atEnd();
-    loader_.begin(opening_,
+    loader_.start(opening_,
                   {model_, spec_, {address(), at != nullptr ? subjectOf(*at) : kNone, end}});
 }
 
@@ -95,12 +95,12 @@ void Session::adopt(Opened opened) {
         problemFound_ = false;
         doctorJob_.enqueue(std::move(opened.file));
     }
-    questions_->begin(model_);
+    questions_->open(model_);
     hits_.open(model_);
     watches_.open(model_);
     alerts_.enqueue(model_);
     alert_.reset();
-    remedies_.forget();
+    remedies_.cancel();
     alertNews_ = false;
     highlightedRing_ = hoveredRing_ = kNone;
     ++generation_;
@@ -135,7 +135,7 @@ bool Session::poll() {
     processMoves();
     if (overviewJob_) {
         const bool gone = overviewJob_->done();
-        changed = overviewJob_->update(overview_) || changed;
+        changed = overviewJob_->poll(overview_) || changed;
         if (gone) sayIfAny(overviewJob_->takeComplaint());
         if (gone) goToAwaited();
     }
@@ -151,8 +151,8 @@ bool Session::poll() {
 /// Doctor and alerts come last: neither the first picture nor the run waits for them.
 bool Session::pollDoctor() {
     if (!ready() || !overviewJob_ || !overviewJob_->done()) return false;
-    doctorJob_.begin();
-    alerts_.begin();
+    doctorJob_.start();
+    alerts_.start();
     const bool alerted = alerts_.poll();
     alertNews_ = alertNews_ || alerted;
     const bool tried = remedies_.poll();
@@ -235,7 +235,7 @@ void Session::chooseAlert(std::optional<std::size_t> alert) {
     ++revision_;
 }
 
-void Session::seekRemedies() { remedies_.begin(model_, *alert_, alert()->failure); }
+void Session::seekRemedies() { remedies_.start(model_, *alert_, alert()->failure); }
 
 std::span<const LiveFailure> Session::noticedHere() const {
     if (event() == nullptr || before_) return {};

@@ -88,13 +88,13 @@ TEST_CASE("Alerts are all failures of the run, by class, and known once the run 
 
 TEST_CASE("A search that was stopped has no results until it is resumed") {
     AlertSearch alerts;
-    alerts.begin();
+    alerts.start();
     CHECK_FALSE(alerts.busy());
     alerts.enqueue(sphereModel());
-    alerts.begin();
+    alerts.start();
     alerts.stop();
     CHECK(alerts.stopped());
-    alerts.begin();
+    alerts.start();
     CHECK_FALSE(alerts.busy());
     CHECK_FALSE(alerts.done());
     alerts.resume();

@@ -46,18 +46,18 @@ struct FlawedFile {
 
 TEST_CASE("The doctor starts only on request, and its findings come once") {
     DoctorJob doctorJob;
-    doctorJob.begin();
+    doctorJob.start();
     CHECK_FALSE(doctorJob.busy());
     doctorJob.enqueue(sphere());
     CHECK_FALSE(doctorJob.busy());
-    doctorJob.begin();
+    doctorJob.start();
     CHECK(doctorJob.busy());
     doctorJob.waitUntilDone();
     CHECK(doctorJob.poll());
     CHECK_FALSE(doctorJob.poll());
     CHECK(doctorJob.done());
     CHECK(doctorJob.findings().empty());
-    doctorJob.begin();
+    doctorJob.start();
     CHECK_FALSE(doctorJob.busy());
 }
 
@@ -65,13 +65,13 @@ TEST_CASE("Another input cancels the examination of the last one") {
     DoctorJob doctorJob;
     for (int i = 0; i < 5; ++i) {
         doctorJob.enqueue(sphere());
-        doctorJob.begin();
+        doctorJob.start();
     }
     doctorJob.enqueue(nullptr);
     CHECK_FALSE(doctorJob.busy());
     CHECK_FALSE(doctorJob.done());
     doctorJob.enqueue(std::make_shared<const PointFile>(findScene("grid")->build()));
-    doctorJob.begin();
+    doctorJob.start();
     doctorJob.waitUntilDone();
     REQUIRE(doctorJob.poll());
     REQUIRE(doctorJob.findings().size() == 1);

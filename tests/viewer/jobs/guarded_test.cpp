@@ -87,7 +87,7 @@ TEST_CASE("Without memory the doctor gives the reason for no result") {
     doctorJob.enqueue(loaded.value().file);
     {
         const ScarceMemory scarce;
-        doctorJob.begin();
+        doctorJob.start();
         doctorJob.waitUntilDone();
     }
     CHECK(doctorJob.poll());
@@ -101,7 +101,7 @@ TEST_CASE("Without memory a comparison gives the reason for no result") {
     Comparison comparison;
     {
         const ScarceMemory scarce(512);
-        comparison.begin(open.session, CompareWith::otherMesh("/dev/null"));
+        comparison.start(open.session, CompareWith::otherMesh("/dev/null"));
         comparison.waitUntilDone(open.session);
     }
     CHECK_FALSE(comparison.working());
@@ -110,12 +110,12 @@ TEST_CASE("Without memory a comparison gives the reason for no result") {
 
 TEST_CASE("An exception in a query is its complaint") {
     BackgroundQuery<int> query;
-    query.ask([](const Progress&) -> Result<int> { throw std::runtime_error("it broke"); });
+    query.start([](const Progress&) -> Result<int> { throw std::runtime_error("it broke"); });
     query.waitUntilDone();
     CHECK(query.poll());
     CHECK(query.answer() == nullptr);
     CHECK(query.complaint() == "Internal error: it broke.");
-    query.ask([](const Progress&) -> Result<int> { return 5; });
+    query.start([](const Progress&) -> Result<int> { return 5; });
     query.waitUntilDone();
     CHECK(query.poll());
     REQUIRE(query.answer() != nullptr);
@@ -148,7 +148,7 @@ TEST_CASE("Without memory new points fail, with a reason") {
     Growth growth;
     {
         const ScarceMemory scarce;
-        growth.begin(sampleFromSource("sample:torus,n=400").value());
+        growth.start(sampleFromSource("sample:torus,n=400").value());
         growth.waitUntilDone();
     }
     CHECK(growth.phase() == GrowthPhase::Failed);

@@ -21,7 +21,7 @@ InputSpec scene(const char* source) { return {source, {}, "paper"}; }
 TEST_CASE("An opened input comes once, with the start of its run") {
     Loader loader;
     CHECK_FALSE(loader.busy());
-    loader.begin(scene("scene:sphere"));
+    loader.start(scene("scene:sphere"));
     CHECK(loader.busy());
     loader.waitUntilDone();
     auto opened = loader.take();
@@ -39,7 +39,7 @@ TEST_CASE("An opened input comes once, with the start of its run") {
 TEST_CASE("The last of several inputs is the one that is opened") {
     Loader loader;
     for (const char* source : {"scene:sphere", "scene:torus", "scene:grid"}) {
-        loader.begin(scene(source));
+        loader.start(scene(source));
     }
     loader.waitUntilDone();
     const auto opened = loader.take();
@@ -50,7 +50,7 @@ TEST_CASE("The last of several inputs is the one that is opened") {
 
 TEST_CASE("A cancelled opening is not waited for") {
     Loader loader;
-    loader.begin(scene("scene:torus"));
+    loader.start(scene("scene:torus"));
     loader.cancel();
     CHECK_FALSE(loader.busy());
     loader.waitUntilDone();

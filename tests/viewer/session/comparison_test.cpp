@@ -22,7 +22,7 @@ struct Pair {
         InputSpec spec = run.spec();
         spec.rules = rules;
         spec.choices = std::move(choices);
-        comparison.begin(run, CompareWith::otherRun(spec));
+        comparison.start(run, CompareWith::otherRun(spec));
         waitUntilDone();
     }
     void waitUntilDone() {
@@ -124,14 +124,14 @@ TEST_CASE("A mesh of another program is matched with the points; one without tri
     file.faces.pop_back();
     const std::filesystem::path path = test::ownPlace("other.ply");
     REQUIRE(writeMeshPly(path, file, file.faces).ok());
-    pair.comparison.begin(pair.run, CompareWith::otherMesh(path.string()));
+    pair.comparison.start(pair.run, CompareWith::otherMesh(path.string()));
     pair.waitUntilDone();
     REQUIRE(pair.comparison.result() != nullptr);
     CHECK(pair.comparison.result()->meshes.onlyA == 1);
     CHECK(pair.comparison.result()->meshes.onlyB == 0);
     CHECK(pair.comparison.other() == nullptr);
     REQUIRE(writeMeshPly(path, file, {}).ok());
-    pair.comparison.begin(pair.run, CompareWith::otherMesh(path.string()));
+    pair.comparison.start(pair.run, CompareWith::otherMesh(path.string()));
     pair.waitUntilDone();
     CHECK(pair.comparison.result() == nullptr);
     CHECK(pair.comparison.complaint().find("no triangles") != std::string::npos);
