@@ -90,10 +90,10 @@ TEST_CASE("An input is examined once the run is complete, and problems are repor
     CHECK(finding.points == std::vector<Index>{7, 9});
     CHECK(open.session.takeProblemFound());
     CHECK_FALSE(open.session.takeProblemFound());
-    open.session.mark(finding.points);
+    open.session.highlights().mark(finding.points);
     open.session.open({"scene:figure-4", {}, "paper"});
     open.session.waitUntilDone();
-    CHECK(open.session.marked().empty());
+    CHECK(open.session.highlights().marked().empty());
     REQUIRE(open.session.doctorJob().findings().size() == 1);  // A note is no problem.
     CHECK_FALSE(open.session.takeProblemFound());
 }
@@ -137,11 +137,11 @@ TEST_CASE(
 
 TEST_CASE("Marked points get a diamond each, over everything else") {
     OpenSession open;
-    open.session.mark({4, 8, 15});
+    open.session.highlights().mark({4, 8, 15});
     const LayerInput input{.model = open.session.model(),
                            .picture = open.session.picture(),
                            .palette = paletteOf(Theme::Dark),
-                           .marked = open.session.marked()};
+                           .marked = open.session.highlights().marked()};
     DrawList out;
     addMarked(input, out);
     REQUIRE(out.sprites.size() == 3);

@@ -15,7 +15,7 @@
 #include "jobs/runner.h"
 #include "jobs/watch_scan.h"
 #include "open_session.h"
-#include "session/comparison.h"
+#include "session/compare/comparison.h"
 
 using namespace se;
 using namespace se::view;
@@ -41,8 +41,8 @@ TEST_CASE("Without memory an input is not opened, and the program continues") {
         const ScarceMemory scarce(4096);
         session.open({"scene:torus", {}, "paper"});
         session.waitUntilDone();
-        CHECK(session.phase() == SessionPhase::Failed);
-        CHECK(saysOutOfMemory(session.error()));
+        CHECK(session.input().phase() == SessionPhase::Failed);
+        CHECK(saysOutOfMemory(session.input().error()));
     }
     session.open({"scene:torus", {}, "paper"});
     session.waitUntilDone();
@@ -54,17 +54,17 @@ TEST_CASE("Without memory a move ends where it began, with a reason") {
     REQUIRE(open.session.ready());
     {
         const ScarceMemory scarce(512);
-        open.session.toEnd();
-        while (open.session.busy()) open.session.poll();
+        open.session.moves().toEnd();
+        while (open.session.moves().busy()) open.session.poll();
     }
-    CHECK(saysOutOfMemory(open.session.message()));
+    CHECK(saysOutOfMemory(open.session.messages().last()));
     CHECK(open.session.record().pivot == 0);
-    open.session.toEnd();
+    open.session.moves().toEnd();
     open.session.waitUntilDone();
-    CHECK(saysOutOfMemory(open.session.message()));
+    CHECK(saysOutOfMemory(open.session.messages().last()));
     open.session.open({"scene:sphere", {}, "paper"});
     open.session.waitUntilDone();
-    open.session.toEnd();
+    open.session.moves().toEnd();
     open.session.waitUntilDone();
     CHECK(open.session.atEnd());
 }

@@ -61,14 +61,14 @@ TEST_CASE("A session whose opening is cancelled continues with the open input, a
     test::OpenSession open;
     const std::uint32_t before = open.session.generation();
     open.session.open(scene("scene:torus"));
-    CHECK(open.session.phase() == SessionPhase::Loading);
-    CHECK(open.session.spec().source == "scene:sphere");
-    CHECK(open.session.opening().source == "scene:torus");
+    CHECK(open.session.input().phase() == SessionPhase::Loading);
+    CHECK(open.session.input().spec().source == "scene:sphere");
+    CHECK(open.session.input().opening().source == "scene:torus");
     open.session.cancelOpening();
-    CHECK(open.session.phase() == SessionPhase::Ready);
+    CHECK(open.session.input().phase() == SessionPhase::Ready);
     open.session.waitUntilDone();
     CHECK(open.session.generation() == before);
-    CHECK(open.session.spec().source == "scene:sphere");
+    CHECK(open.session.input().spec().source == "scene:sphere");
 
     Session empty;
     empty.open(scene("scene:torus"));

@@ -10,7 +10,7 @@
 #include "compare_sync.h"
 #include "compare_with.h"
 #include "jobs/background_query.h"
-#include "session.h"
+#include "session/session.h"
 #include "spiraling_edge/explain/run_compare.h"
 #include "spiraling_edge/mesh/mesh_compare.h"
 
