@@ -58,7 +58,7 @@ Status Application::start(float contentScale) {
     for (const std::string& each : std::exchange(ui_.settings.complaints, {})) {
         complaints += (complaints.empty() ? "" : " ") + each;
     }
-    if (!complaints.empty()) session_.say(std::move(complaints));
+    if (!complaints.empty()) session_.messages().say(std::move(complaints));
     return success();
 }
 
@@ -77,13 +77,13 @@ bool Application::poll() {
     if (auto with = document_.takeComparison()) compare_.beginWith(std::move(*with));
     const bool compared = compare_.poll();
     const Compared* found = compare_.comparison().result();
-    if (options_.atDifference && found != nullptr && !session_.busy() &&
+    if (options_.atDifference && found != nullptr && !session_.moves().busy() &&
         !std::exchange(differenceAsked_, true)) {
         options_.atDifference = !found->meshes.same() || found->runs.first.has_value();
         actions::askForDifference(commands_);
     }
     if (session_.takeProblemFound()) ui_.tab.wanted = kDoctorTab;
-    const bool notice = !session_.notice().empty();
+    const bool notice = !session_.messages().notice().empty();
     return std::exchange(noticed_, notice) != notice || changed || compared;
 }
 
@@ -91,14 +91,15 @@ Status Application::waitUntilDone() {
     sampling_.waitUntilDone();
     if (ui_.growth.phase == GrowthPhase::Failed) return Error{ui_.growth.complaint};
     session_.waitUntilDone();
-    if (inputFailed()) return Error{session_.error()};
+    if (inputFailed()) return Error{session_.input().error()};
     document_.poll();
     session_.waitUntilDone();
     alerts_.poll();
     session_.waitUntilDone();
     if (!alerts_.status()) return alerts_.status();
     if (!document_.placeStatus()) return document_.placeStatus();
-    if (!options_.goTo.empty() && session_.missed()) return Error{session_.message()};
+    if (!options_.goTo.empty() && session_.messages().missed())
+        return Error{session_.messages().last()};
     if (auto with = document_.takeComparison()) compare_.beginWith(std::move(*with));
     compare_.waitUntilDone();
     if (const std::string& wrong = compare_.comparison().complaint(); !wrong.empty())
@@ -115,9 +116,10 @@ Status Application::waitUntilDone() {
 }
 
 bool Application::animating() const {
-    return session_.busy() || playback_.playing() || painter_.moving() || ui_.look.blinking() ||
-           ui_.click.waiting() || compare_.moving() || session_.phase() == SessionPhase::Loading ||
-           sampling_.moving() || session_.questions().busy() || mesh_.busy();
+    return session_.moves().busy() || playback_.playing() || painter_.moving() ||
+           ui_.look.blinking() || ui_.click.waiting() || compare_.moving() ||
+           session_.input().phase() == SessionPhase::Loading || sampling_.moving() ||
+           session_.questions().busy() || mesh_.busy();
 }
 
 std::string Application::title() const {
@@ -141,12 +143,12 @@ void Application::rememberSize(glm::ivec2 size) {
 
 void Application::play(double seconds) {
     const PlayLoop& loop = playback_.loop;
-    if (!playback_.playing() || session_.busy()) return;
+    if (!playback_.playing() || session_.moves().busy()) return;
     const bool turn = loop.complete() && session_.reached(*loop.to);
     if (!turn && session_.atEnd()) playback_.pause();
     const int due = playback_.due(seconds);
     if (due == 0) return;
-    if (turn) return session_.playTo(*loop.from);
+    if (turn) return session_.moves().playTo(*loop.from);
     if (!heldByBreakpoint(commands_, due)) playSteps(commands_, due);
 }
 
@@ -165,9 +167,9 @@ void Application::placeCamera(const PanelRects& rects) {
     // The undo stack begins here: the user has not changed anything yet.
     if (alerts_.takeOpened()) undo_.begin(captureEdits(commands_));
     const bool atDifference = differenceAsked_ && ui_.compare.ask == CompareAsk::Nothing &&
-                              session_.event() != nullptr && !session_.busy() &&
+                              session_.event() != nullptr && !session_.moves().busy() &&
                               std::exchange(options_.atDifference, false);
-    if (session_.busy()) return;
+    if (session_.moves().busy()) return;
     const FrameWish wish = std::exchange(ui_.requests.frame, FrameWish::None);
     const bool pivot = session_.picture().pivot != kNone;
     if (wish != FrameWish::None)
@@ -219,8 +221,8 @@ void Application::frame(glm::ivec2 size, double seconds) {
     ui_.clock += seconds;
     // Ignore breakpoints and watches while a text field is active.
     if (!ImGui::GetIO().WantTextInput) {
-        session_.arm(ui_.breakpoints);
-        session_.watch(ui_.watch.expressions);
+        session_.hits().want(ui_.breakpoints);
+        session_.watches().want(ui_.watch.expressions);
     }
     poll();
     play(seconds);
@@ -294,7 +296,7 @@ void Application::noteTimes(std::chrono::steady_clock::time_point built) {
     const double sinceStart = Seconds(drawn - options_.began).count();
     if (first) firstFrameSeconds_ = sinceStart;
     if (firstWindowSeconds_ == 0.0) firstWindowSeconds_ = sinceStart;
-    if (std::exchange(opening_, session_.phase() == SessionPhase::Loading)) {
+    if (std::exchange(opening_, session_.input().phase() == SessionPhase::Loading)) {
         const double gap = Seconds(drawn - lastFrame_).count() - glSeconds_;
         longestOpeningSeconds_ = std::max(longestOpeningSeconds_, gap);
     }
@@ -303,10 +305,10 @@ void Application::noteTimes(std::chrono::steady_clock::time_point built) {
 
 void Application::observeEdits() {
     // The result of an opening belongs to the change that requested it.
-    if (session_.phase() == SessionPhase::Loading || ui_.growth.open) return;
+    if (session_.input().phase() == SessionPhase::Loading || ui_.growth.open) return;
     const Edits now = captureEdits(commands_);
     if (std::exchange(undoGeneration_, session_.generation()) != session_.generation()) {
-        const InputSpec& spec = session_.spec();
+        const InputSpec& spec = session_.input().spec();
         const bool same = std::exchange(undoSource_, spec.source) == spec.source;
         const bool fixed = std::exchange(undoFixes_, spec.fixes) != spec.fixes;
         const bool ruled = std::exchange(undoRules_, now.rules) != now.rules;
@@ -321,24 +323,25 @@ void Application::undoOrRedo() {
     const bool undo = std::exchange(ui_.requests.undo, false);
     const bool redo = std::exchange(ui_.requests.redo, false);
     if (!undo && !redo) return;
-    if (session_.phase() == SessionPhase::Loading) {
-        return session_.say("Wait until the input is open.");
+    if (session_.input().phase() == SessionPhase::Loading) {
+        return session_.messages().say("Wait until the input is open.");
     }
     const Edits now = captureEdits(commands_);
     const auto step = undo ? undo_.undo(now) : undo_.redo(now);
     if (!step)
-        return session_.say(undo ? "There is nothing to undo." : "There is nothing to redo.");
+        return session_.messages().say(undo ? "There is nothing to undo."
+                                            : "There is nothing to redo.");
     applyEdits(step->edits, commands_);
     Edits made = captureEdits(commands_);
     // An input that was opened again has no selection.
     if (std::exchange(made.fixes, step->edits.fixes) != step->edits.fixes) made.selected = {};
     made.rules = step->edits.rules;
     undo_.accept(made);
-    session_.say((undo ? "Undone: " : "Redone: ") + step->change + ".");
+    session_.messages().say((undo ? "Undone: " : "Redone: ") + step->change + ".");
 }
 
 void Application::narrate() {
-    if (!session_.ready() || session_.event() == nullptr || session_.busy()) return;
+    if (!session_.ready() || session_.event() == nullptr || session_.moves().busy()) return;
     const std::string address = toString(session_.address());
     if (address == narrated_) return;
     narrated_ = address;
@@ -356,7 +359,7 @@ void Application::saveWindowPicture(glm::ivec2 size) {
     const std::string place = session_.event() != nullptr ? toString(session_.address()) : "start";
     const std::filesystem::path path = folder / ("spiraling-edge-" + place + ".png");
     const Status status = saveScreenshot(path, size);
-    session_.say(status ? "Saved " + path.string() + "." : status.error().message);
+    session_.messages().say(status ? "Saved " + path.string() + "." : status.error().message);
 }
 
 }  // namespace se::view

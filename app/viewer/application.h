@@ -76,7 +76,8 @@ class Application {
     bool wantsToQuit() const { return ui_.quitting; }
     bool takeFullScreenRequest() { return std::exchange(ui_.requests.fullScreen, false); }
     bool inputFailed() const {
-        return session_.phase() == SessionPhase::Failed || ui_.growth.phase == GrowthPhase::Failed;
+        return session_.input().phase() == SessionPhase::Failed ||
+               ui_.growth.phase == GrowthPhase::Failed;
     }
     std::string title() const;
     /// Reads recent files and layout from that file and keeps them there; to be called before

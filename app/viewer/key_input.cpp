@@ -46,8 +46,8 @@ bool Application::goToBoxTakes(const KeyChord& chord) {
 
 void Application::goToTyped() {
     playback_.pause();
-    const Status status = session_.goToText(ui_.goTo.text());
-    if (!status) session_.say(status.error().message);
+    const Status status = session_.moves().goToText(ui_.goTo.text());
+    if (!status) session_.messages().say(status.error().message);
 }
 
 bool Application::key(const KeyChord& chord, bool repeated) {
@@ -105,16 +105,16 @@ void Application::copyPlace() {
     if (!session_.ready()) return;
     const std::string address = session_.event() != nullptr ? toString(session_.address()) : "0";
     ImGui::SetClipboardText(toText(ViewPosition{address, camera_.pose()}).c_str());
-    session_.say("Copied: " + address + " and the camera.");
+    session_.messages().say("Copied: " + address + " and the camera.");
 }
 
 void Application::pastePlace() {
     const Result<ViewPosition> place = viewPositionFromText(clipboard());
-    if (!place) return session_.say(place.error().message);
+    if (!place) return session_.messages().say(place.error().message);
     playback_.pause();
     if (place.value().camera) camera_.setPose(*place.value().camera);
-    const Status status = session_.goToText(place.value().address);
-    if (!status) session_.say(status.error().message);
+    const Status status = session_.moves().goToText(place.value().address);
+    if (!status) session_.messages().say(status.error().message);
 }
 
 }  // namespace se::view

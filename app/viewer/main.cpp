@@ -151,11 +151,11 @@ int runBench(const Options& options) {
         application.firstWindowSeconds(), 1e3 * application.longestOpeningSeconds());
     Offscreen& target = *offscreen.value();
     benchMoves(options, target, application, "one sub-step each",
-               [](Session& session) { session.stepEvent(1); });
+               [](Session& session) { session.moves().stepEvent(1); });
     benchMoves(options, target, application, "one pivot each",
-               [](Session& session) { session.stepPivot(1); });
+               [](Session& session) { session.moves().stepPivot(1); });
     benchMoves(options, target, application, "one pivot back each",
-               [](Session& session) { session.stepPivot(-1); });
+               [](Session& session) { session.moves().stepPivot(-1); });
     benchMoves(options, target, application, "a click on the middle each", [](Session& session) {
         Camera camera;
         camera.home(session.model().beginning, session.model().sample);

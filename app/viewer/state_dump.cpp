@@ -52,8 +52,8 @@ void dumpNavigation(json& out, const Navigation& nav, const Session& session) {
                     {"to", nav.strip.to()},
                     {"whole", nav.strip.whole()},
                     {"lanes", lanesAt(session.overview().laneChanges, session.record().pivot)}};
-    out["highlighted_ring"] = indexOrNull(session.highlightedRing());
-    out["lit_ring"] = indexOrNull(session.litRing());
+    out["highlighted_ring"] = indexOrNull(session.highlights().chosenRing());
+    out["lit_ring"] = indexOrNull(session.highlights().litRing());
     out["drawer"] = nav.drawerFolded ? "folded" : "open";
 }
 
@@ -111,15 +111,16 @@ void dumpRun(json& out, const Session& session) {
     out["findings"] = json::array();
     for (const Finding& finding : doctorJob.findings())
         out["findings"].push_back(finding.check->name);
-    out["cures"] = session.spec().fixes;
-    out["rules"] = session.spec().rules;
+    out["cures"] = session.input().spec().fixes;
+    out["rules"] = session.input().spec().rules;
     out["choices"] = json::array();
-    for (const RuleValue& each : session.spec().choices) out["choices"].push_back(lineOf(each));
+    for (const RuleValue& each : session.input().spec().choices)
+        out["choices"].push_back(lineOf(each));
     out["what_if"] = json::array();
-    for (const WhatIf& each : session.spec().whatIf) out["what_if"].push_back(lineOf(each));
+    for (const WhatIf& each : session.input().spec().whatIf) out["what_if"].push_back(lineOf(each));
     out["mended"] = session.model().fixesDone;
-    out["marked"] = session.marked().size();
-    const AlertSearch& alerts = session.alerts();
+    out["marked"] = session.highlights().marked().size();
+    const AlertSearch& alerts = session.alerts().search();
     out["alert_search"] = alerts.done()                 ? "done"
                           : alerts.busy()               ? "busy"
                           : alerts.stopped()            ? "stopped"
@@ -127,10 +128,10 @@ void dumpRun(json& out, const Session& session) {
                                                         : "waiting";
     out["alerts_complete"] = alerts.complete();
     out["alerts"] = alerts.failures().size();
-    out["alert"] = session.chosenAlert() ? alertName(alerts, *session.chosenAlert()) : "";
+    out["alert"] = session.alerts().chosen() ? alertName(alerts, *session.alerts().chosen()) : "";
     out["noticed"] = session.noticedHere().size();
-    out["hovered"] = indexOrNull(session.hovered());
-    out["busy"] = session.busy();
+    out["hovered"] = indexOrNull(session.highlights().hovered());
+    out["busy"] = session.moves().busy();
     dumpDerived(out, session.model().report);
 }
 
@@ -163,13 +164,14 @@ void dumpComparison(json& out, const Session& run, const ComparePage& page) {
     if (now == nullptr || !now->chosen()) return;
     const bool mesh = now->with().kind == CompareWith::Kind::Mesh;
     out["compare_with"] = mesh ? "mesh" : "run";
-    if (!mesh && run.ready()) out["compare_other"] = differenceText(run.spec(), now->with().run);
+    if (!mesh && run.ready())
+        out["compare_other"] = differenceText(run.input().spec(), now->with().run);
     out["compare_working"] = now->working();
     out["compare_complaint"] = now->complaint();
     if (const Session* other = now->other()) {
         out["other_address"] =
             other->event() != nullptr ? toString(other->address()) : std::string("start");
-        out["other_rules"] = other->spec().rules;
+        out["other_rules"] = other->input().spec().rules;
     }
     if (page.why) out["compare_why"] = selectionText(*page.why);
     if (page.why && now->other() != nullptr) {
@@ -251,9 +253,9 @@ Status Application::writeState(const InputProgress& input) {
 std::string Application::stateDump(const InputProgress& input) const {
     json out{{"input_events", input.events},
              {"settled", input.settled},
-             {"phase", phaseName(session_.phase())},
-             {"message", session_.message()},
-             {"notice", session_.notice()},
+             {"phase", phaseName(session_.input().phase())},
+             {"message", session_.messages().last()},
+             {"notice", session_.messages().notice()},
              {"playing", playback_.playing()},
              {"unit", std::string(unitName(playback_.unit()))},
              {"rate", playback_.rate()},

@@ -15,7 +15,7 @@ namespace se::view::test {
 /// The draw list at an address, with only the given layers.
 inline DrawList drawn(OpenSession& open, const Address& address, std::initializer_list<LayerId> ids,
                       Index selected = kNone) {
-    open.session.goTo(address);
+    open.session.moves().goTo(address);
     open.session.waitUntilDone();
     LayerSwitches on;
     for (const LayerId id : ids) on.set(static_cast<std::size_t>(id));

@@ -34,7 +34,7 @@ RuleSet rulesWith(const RuleSet& rules, const Remedy& remedy) {
 }  // namespace
 
 void frameAlert(CommandContext& context) {
-    const RunFailure* alert = context.session.alert();
+    const RunFailure* alert = context.session.alerts().shown();
     if (alert == nullptr) return;
     const Model& model = context.session.model();
     const std::vector<Index> points = placesOf(model, *alert);
@@ -105,14 +105,14 @@ std::string watchNote(std::size_t points, std::size_t noticed) {
 void showAlert(CommandContext& context, std::size_t alert, std::optional<AlertMoment> moment) {
     Session& session = context.session;
     context.playback.pause();
-    session.chooseAlert(alert);
-    const RunFailure& chosen = *session.alert();
-    session.mark({});
+    session.alerts().choose(alert);
+    const RunFailure& chosen = *session.alerts().shown();
+    session.highlights().mark({});
     const Selection subject = subjectOf(chosen);
     session.select(subject);
     // The answer is ready when the ledger is opened; its first sentence is shown with the alert.
     if (session.questions().subject() != subject) session.questions().askWhy(subject);
-    if (moment) session.goTo(momentOf(chosen, *moment).event.address);
+    if (moment) session.moves().goTo(momentOf(chosen, *moment).event.address);
     context.ui.requests.frameAlert = true;
     context.ui.alerts.reveal = true;
 }
@@ -120,17 +120,17 @@ void showAlert(CommandContext& context, std::size_t alert, std::optional<AlertMo
 void nextAlert(CommandContext& context, int direction) {
     Session& session = context.session;
     if (!session.ready()) return;
-    const AlertSearch& alerts = session.alerts();
+    const AlertSearch& alerts = session.alerts().search();
     if (!alerts.done())
-        return session.say(alerts.busy() ? "The search for alerts is still running."
-                                         : "The search for alerts has not started yet.");
+        return session.messages().say(alerts.busy() ? "The search for alerts is still running."
+                                                    : "The search for alerts has not started yet.");
     const auto order = alerts.inOrder();
-    if (order.empty()) return session.say("No failures found.");
+    if (order.empty()) return session.messages().say("No failures found.");
     const auto created = [&](std::size_t i) {
         return rankOf(alerts.failures()[i].moments.created.event.address);
     };
     std::ptrdiff_t place = 0;
-    if (const auto chosen = session.chosenAlert()) {
+    if (const auto chosen = session.alerts().chosen()) {
         place = std::find(order.begin(), order.end(), *chosen) - order.begin() + direction;
     } else {
         const auto here =
@@ -142,19 +142,19 @@ void nextAlert(CommandContext& context, int direction) {
         if (direction < 0 && place >= 0 && created(order[static_cast<std::size_t>(place)]) == here)
             --place;
     }
-    if (place < 0) return session.say("There is no alert before this one.");
+    if (place < 0) return session.messages().say("There is no alert before this one.");
     if (place >= static_cast<std::ptrdiff_t>(order.size()))
-        return session.say("There is no alert after this one.");
+        return session.messages().say("There is no alert after this one.");
     showAlert(context, order[static_cast<std::size_t>(place)], AlertMoment::Created);
 }
 
 void switchOn(CommandContext& context, const Remedy& remedy) {
-    context.ui.requests.rules = rulesWith(rulesOf(context.session.spec()), remedy);
+    context.ui.requests.rules = rulesWith(rulesOf(context.session.input().spec()), remedy);
     context.ui.requests.resume = Resume::End;
 }
 
 void showBeside(CommandContext& context, const Remedy& remedy) {
-    const InputSpec& spec = context.session.spec();
+    const InputSpec& spec = context.session.input().spec();
     actions::pause(context);
     actions::applyLayoutPreset(context, LayoutPreset::Compare);
     context.ui.compare.begin =
@@ -163,19 +163,19 @@ void showBeside(CommandContext& context, const Remedy& remedy) {
 
 bool openOnFirstAlert(CommandContext& context) {
     Session& session = context.session;
-    const auto order = session.alerts().inOrder();
+    const auto order = session.alerts().search().inOrder();
     const bool untouched =
-        session.event() == nullptr && !session.busy() && !context.playback.playing() &&
-        session.selection().kind == SelectionKind::None && session.marked().empty();
+        session.event() == nullptr && !session.moves().busy() && !context.playback.playing() &&
+        session.selection().kind == SelectionKind::None && session.highlights().marked().empty();
     if (order.empty() || !untouched || context.ui.layoutPreset != LayoutPreset::Debug) return false;
     // The notice about the input stays.
-    const std::string said = session.notice();
+    const std::string said = session.messages().notice();
     showAlert(context, order.front(), AlertMoment::Created);
     const std::size_t count = order.size();
-    session.say(said + (said.empty() ? "" : " ") +
-                (count == 1 ? "One alert: it was created here. Home goes to the start."
-                            : "The first of " + std::to_string(count) +
-                                  " alerts; F8 goes to the next, Home to the start."));
+    session.messages().say(said + (said.empty() ? "" : " ") +
+                           (count == 1 ? "One alert: it was created here. Home goes to the start."
+                                       : "The first of " + std::to_string(count) +
+                                             " alerts; F8 goes to the next, Home to the start."));
     return true;
 }
 

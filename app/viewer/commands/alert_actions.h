@@ -30,7 +30,7 @@ std::string pointsText(const MeshFailure& failure, std::size_t limit);
 std::string watchNote(std::size_t points, std::size_t noticed);
 
 /// Chooses an alert, goes to one of its moments if given, selects its subject and
-/// frames it. Requires a place in session.alerts().failures().
+/// frames it. Requires a place in session.alerts().search().failures().
 void showAlert(CommandContext& context, std::size_t alert, std::optional<AlertMoment> moment);
 /// Centers the chosen alert in the view.
 void frameAlert(CommandContext& context);

@@ -83,10 +83,11 @@ void askQuery(CommandContext& c, const std::string& line) {
 namespace actions {
 
 void askWhySelected(CommandContext& c) {
-    if (!c.session.ready()) return c.session.say("There is nothing open to ask about.");
+    if (!c.session.ready()) return c.session.messages().say("There is nothing open to ask about.");
     if (c.session.selection().kind != SelectionKind::None) return askWhy(c, c.session.selection());
     if (c.ui.layoutPreset == LayoutPreset::Compare)
-        return c.session.say("Select a point, an edge or a triangle to ask both runs about.");
+        return c.session.messages().say(
+            "Select a point, an edge or a triangle to ask both runs about.");
     openTab(c, kLedgerTab);
     c.ui.ledger.wantsKeyboard = true;
 }
@@ -98,11 +99,11 @@ void toLedgerLine(CommandContext& c, int direction) {
     const auto line = positionAmong(ledger->lines, c.session).step(direction, ledger->lines.size());
     const std::string& name = ledger->name;
     if (!line) {
-        return c.session.say(direction > 0 ? "Nothing more happens to " + name + "."
-                                           : "Nothing happened to " + name + " before.");
+        return c.session.messages().say(direction > 0 ? "Nothing more happens to " + name + "."
+                                                      : "Nothing happened to " + name + " before.");
     }
     pause(c);
-    c.session.goTo(ledger->lines[*line].event.address);
+    c.session.moves().goTo(ledger->lines[*line].event.address);
 }
 
 void toCause(CommandContext& c) {
@@ -110,7 +111,7 @@ void toCause(CommandContext& c) {
     const WhyAnswer* ledger = c.session.questions().ledger().answer();
     if (ledger == nullptr) return askWhySelected(c);
     pause(c);
-    c.session.goTo(ledger->lines[ledger->cause].event.address);
+    c.session.moves().goTo(ledger->lines[ledger->cause].event.address);
 }
 
 void openQuery(CommandContext& c) {
@@ -134,14 +135,15 @@ void toHit(CommandContext& c, int direction) {
     const auto hit = place.step(direction, found->lines.size());
     const bool cut = found->total > found->lines.size();
     if (!hit) {
-        return c.session.say(cut && direction > 0 ? behindTheList(*found, c.session)
-                             : direction > 0      ? "No later decision matches."
-                                                  : "No earlier decision matches.");
+        return c.session.messages().say(cut && direction > 0 ? behindTheList(*found, c.session)
+                                        : direction > 0      ? "No later decision matches."
+                                                             : "No earlier decision matches.");
     }
     pause(c);
-    c.session.goTo(found->lines[*hit].event.address);
+    c.session.moves().goTo(found->lines[*hit].event.address);
     // After the end of the list, a step back skips decisions that are not in it.
-    if (cut && place.before == found->lines.size()) c.session.say(behindTheList(*found, c.session));
+    if (cut && place.before == found->lines.size())
+        c.session.messages().say(behindTheList(*found, c.session));
 }
 
 }  // namespace actions

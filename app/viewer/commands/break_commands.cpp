@@ -20,13 +20,13 @@ void addBreakpoint(CommandContext& context, Breakpoint breakpoint) {
         return each.line == breakpoint.line;
     });
     const std::string& name = breakpoint.name.empty() ? breakpoint.line : breakpoint.name;
-    context.session.say("Breakpoint: " + name + ".");
+    context.session.messages().say("Breakpoint: " + name + ".");
     if (same != all.end()) {
         same->on = true;
     } else {
         all.push_back(std::move(breakpoint));
     }
-    context.session.arm(all);
+    context.session.hits().want(all);
 }
 
 namespace {
@@ -57,17 +57,17 @@ bool passes(const CommandContext& context, const Stop& stop, int count) {
 bool heldByBreakpoint(CommandContext& context, int count) {
     Session& session = context.session;
     if (!session.ready() || count <= 0) return false;
-    const HitSearch::Answer ahead = session.stopAhead();
+    const HitSearch::Answer ahead = session.hits().stop(session.place(), 1);
     if (ahead.known == HitSearch::Known::NotYet) return true;
     if (!ahead.stop || !passes(context, *ahead.stop, count)) return false;
     const bool inLaterPivot = ahead.stop->hit.place.pivot > session.place().pivot;
     const bool firstOfNext = ahead.stop->hit.place == RunPosition{session.place().pivot + 1, 0};
     if (context.playback.unit() == PlayUnit::SubStep && inLaterPivot && !firstOfNext) {
         // The number of events in between is known one pivot at a time.
-        session.stepEvent(1);
+        session.moves().stepEvent(1);
         return true;
     }
-    session.playToStop(*ahead.stop);
+    session.moves().playToStop(*ahead.stop);
     context.playback.pause();
     return true;
 }
@@ -77,19 +77,20 @@ namespace actions {
 void continueBy(CommandContext& c, int direction) {
     c.playback.pause();
     if (!c.session.ready()) return;
-    c.session.arm(c.ui.breakpoints);
-    c.session.continueRun(direction);
+    c.session.hits().want(c.ui.breakpoints);
+    c.session.moves().continueRun(direction);
 }
 
 void toggleBreakpointHere(CommandContext& c) {
     if (!c.session.ready()) return;
     const auto line = lineHere(breakSubject(c));
     if (!line)
-        return c.session.say("No decision at the start of the run: select something to break on.");
+        return c.session.messages().say(
+            "No decision at the start of the run: select something to break on.");
     std::vector<Breakpoint>& all = c.ui.breakpoints;
     if (std::erase_if(all, [&](const Breakpoint& each) { return each.line == *line; }) > 0) {
-        c.session.arm(all);
-        return c.session.say("Breakpoint removed: " + *line + ".");
+        c.session.hits().want(all);
+        return c.session.messages().say("Breakpoint removed: " + *line + ".");
     }
     addBreakpoint(c, {"", *line});
 }

@@ -53,12 +53,13 @@ void escape(C& c) {
         ui.growth.asked = GrowthAsk::Leave;
         return;
     }
-    if (c.session.busySeconds() > kLongMove) return c.session.cancelMove();
+    if (c.session.moves().busySeconds() > kLongMove) return c.session.moves().cancel();
     const bool picked = c.session.selection().kind != SelectionKind::None ||
-                        !c.session.marked().empty() || c.session.chosenAlert().has_value();
+                        !c.session.highlights().marked().empty() ||
+                        c.session.alerts().chosen().has_value();
     c.session.select(Selection{});
-    c.session.mark({});
-    c.session.chooseAlert({});
+    c.session.highlights().mark({});
+    c.session.alerts().choose({});
     if (!picked && ui.layoutPreset == LayoutPreset::Present)
         applyLayoutPreset(c, LayoutPreset::Debug);
 }
@@ -66,7 +67,7 @@ void escape(C& c) {
 void nextMeshStyle(C& c) {
     MeshStyle& style = c.ui.settings.meshStyle;
     style = following(style);
-    c.session.say("Finished triangles: " + std::string(rowOf(style).title) + ".");
+    c.session.messages().say("Finished triangles: " + std::string(rowOf(style).title) + ".");
 }
 
 void toggleTheme(C& c) {
@@ -94,7 +95,7 @@ void oppositeView(C& c) {
 
 UpAxis usualUp(const C& c) {
     if (!c.session.ready() || c.ui.growth.open) return UpAxis::Z;
-    const std::string& source = c.session.spec().source;
+    const std::string& source = c.session.input().spec().source;
     if (isScene(source) || isSample(source)) return UpAxis::Z;
     if (c.ui.settings.up) return *c.ui.settings.up;
     return guessUpAxis(c.session.model().points, source);
@@ -103,36 +104,40 @@ UpAxis usualUp(const C& c) {
 void chooseUp(C& c, UpAxis axis) {
     c.ui.settings.up = axis;
     c.camera.setUp(axis);
-    c.session.say("Up axis: " + std::string(upAxisName(axis)) + ", for this and all other files.");
+    c.session.messages().say("Up axis: " + std::string(upAxisName(axis)) +
+                             ", for this and all other files.");
 }
 
 void followUpAxis(C& c) {
     c.ui.settings.up.reset();
     c.camera.setUp(usualUp(c));
-    c.session.say("Up axis: " + std::string(upAxisName(c.camera.up())) + " (automatic).");
+    c.session.messages().say("Up axis: " + std::string(upAxisName(c.camera.up())) +
+                             " (automatic).");
 }
 
 void toggleBookmarkHere(C& c) {
     if (!c.session.ready()) return;
     if (c.session.event() == nullptr)
-        return c.session.say("The start of the run cannot be bookmarked.");
+        return c.session.messages().say("The start of the run cannot be bookmarked.");
     const Address here = c.session.address();
     const bool there = toggleBookmark(c.ui.bookmarks, here);
-    c.session.say((there ? "Bookmark set: " : "Bookmark removed: ") + toString(here) + ".");
+    c.session.messages().say((there ? "Bookmark set: " : "Bookmark removed: ") + toString(here) +
+                             ".");
 }
 
 void resetRules(C& c) {
     if (!c.session.ready()) return;
-    RuleSet rules = c.session.rules();
-    if (rules.choices.empty()) return c.session.say("All rules have the values of their set.");
+    RuleSet rules = c.session.input().rules();
+    if (rules.choices.empty())
+        return c.session.messages().say("All rules have the values of their set.");
     rules.choices.clear();
     c.ui.requests.rules = std::move(rules);
 }
 
 void clearWhatIfs(C& c) {
     if (!c.session.ready()) return;
-    RuleSet rules = c.session.rules();
-    if (rules.whatIf.empty()) return c.session.say("No what-ifs are active.");
+    RuleSet rules = c.session.input().rules();
+    if (rules.whatIf.empty()) return c.session.messages().say("No what-ifs are active.");
     rules.whatIf.clear();
     c.ui.requests.rules = std::move(rules);
 }
@@ -143,13 +148,13 @@ void openBrowser(C& c) {
 }
 
 void saveAs(C& c) {
-    if (!c.session.ready()) return c.session.say("There is nothing open to save.");
+    if (!c.session.ready()) return c.session.messages().say("There is nothing open to save.");
     c.ui.browser = BrowserTask::SaveSession;
     c.ui.fileBrowser = true;
 }
 
 void saveMesh(C& c) {
-    if (!c.session.ready()) return c.session.say("There is no run to save the mesh of.");
+    if (!c.session.ready()) return c.session.messages().say("There is no run to save the mesh of.");
     pause(c);
     c.ui.mesh.open();
     c.ui.browser = BrowserTask::SaveMesh;
@@ -157,35 +162,36 @@ void saveMesh(C& c) {
 }
 
 void copyCommand(C& c) {
-    if (!c.session.ready()) return c.session.say("There is no run to copy the command of.");
+    if (!c.session.ready())
+        return c.session.messages().say("There is no run to copy the command of.");
     c.ui.mesh.path.clear();
     c.ui.mesh.ask = MeshAsk::CopyCommand;
 }
 
 void savePoints(C& c) {
-    const bool made = c.session.ready() && c.session.spec().points != nullptr;
+    const bool made = c.session.ready() && c.session.input().spec().points != nullptr;
     if (c.ui.growth.open ? !c.ui.growth.hasPoints() : !made) {
-        return c.session.say("There are no new points to save.");
+        return c.session.messages().say("There are no new points to save.");
     }
     c.ui.browser = BrowserTask::SavePoints;
     c.ui.fileBrowser = true;
 }
 
 void openPrepare(C& c) {
-    if (!c.session.ready()) return c.session.say("There is nothing open to prepare.");
+    if (!c.session.ready()) return c.session.messages().say("There is nothing open to prepare.");
     pause(c);
     closeDialogs(c.ui);
-    c.ui.prepare.take(c.session.spec(), c.session.model());
+    c.ui.prepare.take(c.session.input().spec(), c.session.model());
 }
 
 void toEnd(C& c) {
     pause(c);
-    c.session.toEnd();
+    c.session.moves().toEnd();
 }
 
 void toStart(C& c) {
     pause(c);
-    c.session.toStart();
+    c.session.moves().toStart();
 }
 
 void toMark(C& c, int direction) {
@@ -197,10 +203,10 @@ void toMark(C& c, int direction) {
     const bool ownIsNearer =
         own != nullptr &&
         (!mark || (direction > 0 ? isBefore(own->address, *mark) : isBefore(*mark, own->address)));
-    if (ownIsNearer) return c.session.goTo(own->address);
-    if (mark) return c.session.goTo(*mark);
-    c.session.say(direction > 0
-                      ? "There is no split, join, seed, alert or bookmark after this one."
+    if (ownIsNearer) return c.session.moves().goTo(own->address);
+    if (mark) return c.session.moves().goTo(*mark);
+    c.session.messages().say(
+        direction > 0 ? "There is no split, join, seed, alert or bookmark after this one."
                       : "There is no split, join, seed, alert or bookmark before this one.");
 }
 
@@ -208,7 +214,7 @@ void toggleUnit(C& c) { c.playback.setUnit(following(c.playback.unit())); }
 
 void playOrPause(C& c) {
     // A long move to the next event must not continue after the pause.
-    if (c.playback.playing() && c.playback.unit() == PlayUnit::Event) c.session.cancelMove();
+    if (c.playback.playing() && c.playback.unit() == PlayUnit::Event) c.session.moves().cancel();
     c.playback.toggle();
 }
 
@@ -220,19 +226,19 @@ void stepByUnit(C& c, int direction) {
 void setLoopStart(C& c) {
     if (!c.session.ready()) return;
     c.playback.loop.setFrom(c.session.address());
-    c.session.say("Loop start: " + toString(c.session.address()) + ".");
+    c.session.messages().say("Loop start: " + toString(c.session.address()) + ".");
 }
 
 void setLoopEnd(C& c) {
     if (!c.session.ready()) return;
     c.playback.loop.setTo(c.session.address());
-    c.session.say("Loop end: " + toString(c.session.address()) + ".");
+    c.session.messages().say("Loop end: " + toString(c.session.address()) + ".");
 }
 
 void applyLayoutPreset(C& c, LayoutPreset layoutPreset) {
     c.ui.layoutPreset = layoutPreset;
     const LayoutPresetRow& row = rowOf(layoutPreset);
-    c.session.say("Layout " + std::string(row.title) + ". " + std::string(row.help));
+    c.session.messages().say("Layout " + std::string(row.title) + ". " + std::string(row.help));
 }
 
 void openTab(C& c, std::string_view tab) {
@@ -245,13 +251,13 @@ void openTab(C& c, std::string_view tab) {
 void goToBirth(C& c) {
     if (!c.session.ready()) return;
     if (c.session.selection().corners().size() < 2) {
-        return c.session.say("Select an edge or a triangle first.");
+        return c.session.messages().say("Select an edge or a triangle first.");
     }
     const std::optional<std::uint32_t> number = factsOf(c.session, c.session.selection()).number;
     const auto origin = number ? originOfTriangle(c.session.overview(), *number) : std::nullopt;
-    if (!origin) return c.session.say("The decision that made this is not known yet.");
+    if (!origin) return c.session.messages().say("The decision that made this is not known yet.");
     pause(c);
-    c.session.goTo(*origin);
+    c.session.moves().goTo(*origin);
 }
 
 void scaleBy(C& c, int direction) {
@@ -269,10 +275,10 @@ void scaleBy(C& c, int direction) {
 void toBookmark(C& c, std::size_t place) {
     if (!c.session.ready()) return;
     if (place >= c.ui.bookmarks.size()) {
-        return c.session.say("There is no bookmark " + std::to_string(place + 1) + ".");
+        return c.session.messages().say("There is no bookmark " + std::to_string(place + 1) + ".");
     }
     pause(c);
-    c.session.goTo(c.ui.bookmarks[place].address);
+    c.session.moves().goTo(c.ui.bookmarks[place].address);
 }
 
 }  // namespace actions
@@ -282,7 +288,7 @@ void playSteps(CommandContext& context, int count) {
     const PlayLoop& loop = context.playback.loop;
     switch (context.playback.unit()) {
         case PlayUnit::SubStep:
-            session.stepEvent(count);
+            session.moves().stepEvent(count);
             break;
         case PlayUnit::Pivot:
             if (count > 0 && loop.complete() && session.ready()) {
@@ -290,16 +296,16 @@ void playSteps(CommandContext& context, int count) {
                 const long rest = static_cast<long>(loop.to->pivot) - here;
                 if (rest > 0) count = static_cast<int>(std::min<long>(count, rest));
             }
-            session.stepPivot(count);
+            session.moves().stepPivot(count);
             break;
         case PlayUnit::Event: {
             const std::optional<Address> mark = session.nextMark(count);
             if (mark) {
-                session.playTo(*mark);
+                session.moves().playTo(*mark);
             } else if (session.ready() && session.overview().complete) {
                 context.playback.pause();
-                session.say(count > 0 ? "There is no event after this one."
-                                      : "There is no event before this one.");
+                session.messages().say(count > 0 ? "There is no event after this one."
+                                                 : "There is no event before this one.");
             }
             break;
         }

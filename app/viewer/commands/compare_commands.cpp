@@ -10,14 +10,14 @@ void toggleCompare(CommandContext& c) {
 }
 
 void compareUsual(CommandContext& c) {
-    if (!c.session.ready()) return c.session.say("There is nothing open to compare.");
+    if (!c.session.ready()) return c.session.messages().say("There is nothing open to compare.");
     pause(c);
     applyLayoutPreset(c, LayoutPreset::Compare);
     c.ui.compare.ask = CompareAsk::Usual;
 }
 
 void compareMesh(CommandContext& c) {
-    if (!c.session.ready()) return c.session.say("There is nothing open to compare.");
+    if (!c.session.ready()) return c.session.messages().say("There is nothing open to compare.");
     pause(c);
     applyLayoutPreset(c, LayoutPreset::Compare);
     c.ui.browser = BrowserTask::Mesh;
@@ -27,7 +27,7 @@ void compareMesh(CommandContext& c) {
 void askOfComparison(CommandContext& c, CompareAsk ask) {
     const Comparison* now = c.ui.compare.now;
     if (now == nullptr || !now->chosen())
-        return c.session.say("No comparison: press Ctrl+D, then choose the other run.");
+        return c.session.messages().say("No comparison: press Ctrl+D, then choose the other run.");
     pause(c);
     c.ui.compare.ask = ask;
 }

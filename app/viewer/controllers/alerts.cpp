@@ -37,12 +37,12 @@ void AlertController::begin(const Options& options) {
 
 void AlertController::poll() {
     Session& session = c_.session;
-    if (!session.takeAlertNews()) return;
-    const std::string& source = session.spec().source;
+    if (!session.alerts().takeNews()) return;
+    const std::string& source = session.input().spec().source;
     const bool fresh = std::exchange(source_, source) != source;
     if (!asked_.empty()) return showAsked();
     if (const std::string kept = document_.takeAlert(); !kept.empty())
-        session.chooseAlert(alertNamed(session.alerts(), kept));
+        session.alerts().choose(alertNamed(session.alerts().search(), kept));
     if (fresh) chooseOfGallery();
     // Scenes and sampled points are opened to watch the run, so they open at the start.
     const bool file = !isScene(source) && !isSample(source);
@@ -56,9 +56,9 @@ void AlertController::poll() {
 /// For a scene that fails, the alert that it demonstrates; its story is beside the paper's rule.
 void AlertController::chooseOfGallery() {
     Session& session = c_.session;
-    const FailureScene* failing = galleryScene(session.spec().source);
-    if (failing == nullptr || session.chosenAlert()) return;
-    const auto failures = session.alerts().failures();
+    const FailureScene* failing = galleryScene(session.input().spec().source);
+    if (failing == nullptr || session.alerts().chosen()) return;
+    const auto failures = session.alerts().search().failures();
     const auto rate = [&](const RunFailure& each) {
         if (each.failure.kind->name != failing->failure) return 0;
         const auto address = addressFromString(failing->address);
@@ -69,21 +69,21 @@ void AlertController::chooseOfGallery() {
         failures.begin(), failures.end(),
         [&](const RunFailure& a, const RunFailure& b) { return rate(a) < rate(b); });
     if (best == failures.end() || rate(*best) == 0) return;
-    session.chooseAlert(static_cast<std::size_t>(best - failures.begin()));
+    session.alerts().choose(static_cast<std::size_t>(best - failures.begin()));
     if (c_.ui.tab.wanted.empty()) c_.ui.tab.wanted = "Paper";
 }
 
 void AlertController::showAsked() {
     Session& session = c_.session;
     const std::string name = std::exchange(asked_, {});
-    const auto alert = alertNamed(session.alerts(), name);
+    const auto alert = alertNamed(session.alerts().search(), name);
     c_.ui.tab.wanted = kAlertsTab;
     // At the position that was named, if one was.
     std::optional<AlertMoment> moment;
     if (!document_.placed()) moment = AlertMoment::Created;
     if (alert) return showAlert(c_, *alert, moment);
-    status_ = Error{"--alert " + name + ": " + whyNone(session.alerts(), name)};
-    session.say(status_.error().message);
+    status_ = Error{"--alert " + name + ": " + whyNone(session.alerts().search(), name)};
+    session.messages().say(status_.error().message);
 }
 
 }  // namespace se::view

@@ -21,7 +21,7 @@ CompareController::CompareController(CommandContext& context) : c_(context) {
 
 bool CompareController::otherBusy() const {
     const Session* other = comparison_.other();
-    return other != nullptr && (other->busy() || other->questions().busy());
+    return other != nullptr && (other->moves().busy() || other->questions().busy());
 }
 
 /// The same input opened again with other options: its previous state can be compared with.
@@ -30,20 +30,20 @@ void CompareController::rememberBefore() {
     if (!run.ready() || std::exchange(generation_, run.generation()) == run.generation()) return;
     ComparePage& page = c_.ui.compare;
     page.why.reset();
-    const bool same = spec_ && spec_->source == run.spec().source;
+    const bool same = spec_ && spec_->source == run.input().spec().source;
     if (!same) {
         page.before.reset();
-        page.form.take(run.spec(), run.model());
-    } else if (differenceText(*spec_, run.spec()) != "the same") {
+        page.form.take(run.input().spec(), run.model());
+    } else if (differenceText(*spec_, run.input().spec()) != "the same") {
         page.before = spec_;
-        page.form.follow(*spec_, run.spec(), run.model());
+        page.form.follow(*spec_, run.input().spec(), run.model());
     }
-    spec_ = run.spec();
+    spec_ = run.input().spec();
 }
 
 bool CompareController::poll() {
     rememberBefore();
-    if (waiting_ && c_.session.ready() && c_.session.phase() != SessionPhase::Loading)
+    if (waiting_ && c_.session.ready() && c_.session.input().phase() != SessionPhase::Loading)
         begin(*std::exchange(waiting_, std::nullopt));
     const bool changed = comparison_.poll(c_.session);
     if (comparison_.result() != shaded_) makeShades();
@@ -65,7 +65,7 @@ void CompareController::shareSelection() {
     selected_ = there ? other->selection() : c_.session.selection();
     c_.session.select(selected_);
     other->select(selected_);
-    other->hover(c_.session.hovered());
+    other->highlights().hover(c_.session.highlights().hovered());
 }
 
 void CompareController::makeShades() {
@@ -104,7 +104,7 @@ void CompareController::fill(bool onPaper) {
         painter_ = std::make_unique<ScenePainter>();
         if (const Status status = painter_->start(shaders_); !status) {
             failed_ = true;
-            return c_.session.say(status.error().message);
+            return c_.session.messages().say(status.error().message);
         }
     }
     const DifferenceLook* mine = look() != nullptr ? &looks_[1] : nullptr;
@@ -135,7 +135,7 @@ void CompareController::askWhy(const Selection& what) {
 void CompareController::begin(CompareWith with) {
     c_.ui.compare.choosing = false;
     c_.ui.compare.why.reset();
-    comparison_.begin(c_.session, std::move(with));
+    comparison_.start(c_.session, std::move(with));
 }
 
 void CompareController::carryOut() {
@@ -150,11 +150,11 @@ void CompareController::carryOut() {
 }
 
 void CompareController::carryOut(CompareAsk ask) {
-    if (ask == CompareAsk::Stop) return comparison_.stop();
+    if (ask == CompareAsk::Stop) return comparison_.cancel();
     if (ask == CompareAsk::Usual)
-        return begin(CompareWith::otherRun(usualOther(c_.session.spec())));
+        return begin(CompareWith::otherRun(usualOther(c_.session.input().spec())));
     if (ask == CompareAsk::Swap) return swap();
-    if (shaded_ == nullptr) return c_.session.say("The comparison is still running.");
+    if (shaded_ == nullptr) return c_.session.messages().say("The comparison is still running.");
     const std::size_t count = shaded_->meshes.regions.size();
     const auto& at = c_.ui.compare.region;
     switch (ask) {
@@ -163,10 +163,10 @@ void CompareController::carryOut(CompareAsk ask) {
         case CompareAsk::FirstHarmless:
             return goTo(shaded_->runs.harmless, "No earlier decision differs.");
         case CompareAsk::NextRegion:
-            if (count == 0) return c_.session.say("The meshes are the same.");
+            if (count == 0) return c_.session.messages().say("The meshes are the same.");
             return showRegion(at ? (*at + 1) % count : 0);
         case CompareAsk::PreviousRegion:
-            if (count == 0) return c_.session.say("The meshes are the same.");
+            if (count == 0) return c_.session.messages().say("The meshes are the same.");
             return showRegion(at ? (*at + count - 1) % count : count - 1);
         default:
             return;
@@ -183,10 +183,10 @@ void CompareController::goTo(const std::optional<RunDifference>& difference, con
             if (shaded_->meshes.a[i] == Match::Same) continue;
             if (!first || made.pivot < first->pivot) first = made;
         }
-        if (!first) return c_.session.say("All triangles of the run are in the mesh.");
+        if (!first) return c_.session.messages().say("All triangles of the run are in the mesh.");
         return comparison_.goTo(c_.session, {first, std::nullopt});
     }
-    if (!difference) return c_.session.say(nothing);
+    if (!difference) return c_.session.messages().say(nothing);
     const auto addressOf = [](const DifferenceSide& side) {
         return side.line ? std::optional(side.line->event.address) : std::nullopt;
     };
@@ -219,15 +219,16 @@ void CompareController::showRegion(std::size_t number) {
     const MarkedSphere place = sphereAround(*shaded_->b, region.points);
     if (place.normal != glm::vec3(0.0F)) c_.camera.face(place.normal);
     c_.camera.frame(place.center, place.radius);
-    if (!c_.session.atEnd()) c_.session.toEnd();
+    if (!c_.session.atEnd()) c_.session.moves().toEnd();
 }
 
 void CompareController::swap() {
     const Session* other = comparison_.other();
-    if (other == nullptr) return c_.session.say("A mesh has no decisions to step through.");
-    waiting_ = CompareWith::otherRun(c_.session.spec());
-    c_.ui.requests.openSpec = other->spec();
-    comparison_.stop();
+    if (other == nullptr)
+        return c_.session.messages().say("A mesh has no decisions to step through.");
+    waiting_ = CompareWith::otherRun(c_.session.input().spec());
+    c_.ui.requests.openSpec = other->input().spec();
+    comparison_.cancel();
 }
 
 }  // namespace se::view

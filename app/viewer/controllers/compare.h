@@ -7,7 +7,7 @@
 
 #include "commands/commands.h"
 #include "scene_painter.h"
-#include "session/comparison.h"
+#include "session/compare/comparison.h"
 
 namespace se::view {
 

@@ -17,14 +17,15 @@ namespace se::view {
 SessionFile captureSession(const CommandContext& context) {
     const Session& session = context.session;
     SessionFile file;
-    file.input = session.spec();
+    file.input = session.input().spec();
     file.inputHash = session.model().hash;
     file.place.address = session.event() != nullptr ? toString(session.address()) : "";
     file.place.camera = context.camera.pose();
     file.layers = context.ui.settings.layers;
     file.layout = context.ui.layoutPreset;
     file.selected = session.selection();
-    if (session.chosenAlert()) file.alert = alertName(session.alerts(), *session.chosenAlert());
+    if (session.alerts().chosen())
+        file.alert = alertName(session.alerts().search(), *session.alerts().chosen());
     file.bookmarks = context.ui.bookmarks;
     file.notes = context.ui.notes;
     file.query = context.ui.query.typed;
@@ -47,8 +48,8 @@ Edits captureEdits(const CommandContext& context) {
             ui.notes,
             ui.breakpoints,
             ui.watch.expressions,
-            context.session.spec().fixes,
-            rulesOf(context.session.spec())};
+            context.session.input().spec().fixes,
+            rulesOf(context.session.input().spec())};
 }
 
 void applyEdits(const Edits& edits, CommandContext& context) {
@@ -63,8 +64,8 @@ void applyEdits(const Edits& edits, CommandContext& context) {
     ui.notes = edits.notes;
     ui.breakpoints = edits.breakpoints;
     ui.watch.expressions = edits.watches;
-    if (edits.rules != rulesOf(context.session.spec())) ui.requests.rules = edits.rules;
-    if (edits.fixes != context.session.spec().fixes) {
+    if (edits.rules != rulesOf(context.session.input().spec())) ui.requests.rules = edits.rules;
+    if (edits.fixes != context.session.input().spec().fixes) {
         // The point numbers may refer to other points there.
         ui.requests.fixes = edits.fixes;
     } else {
@@ -139,7 +140,7 @@ void DocumentController::open(const std::string& path) {
     const bool named = isScene(path) || isSample(path);
     if (!named && looksLikeSession(path)) return openSession(path);
     const Session& session = c_.session;
-    InputSpec spec = session.ready() ? session.spec() : session.opening();
+    InputSpec spec = session.ready() ? session.input().spec() : session.input().opening();
     spec.fixes.clear();
     if (std::exchange(spec.source, path) != path) {
         // These options were chosen for another input.
@@ -165,14 +166,14 @@ void DocumentController::openSpec(InputSpec spec) {
     arrival_.generation = session.generation();
     arrival_.file = spec.source;
     if (c_.ui.growth.open) arrival_.camera = c_.camera.pose();
-    const bool same = session.ready() && session.spec().source == spec.source;
+    const bool same = session.ready() && session.input().spec().source == spec.source;
     if (same) arrival_.selected = session.selection();
     openInput(std::move(spec));
 }
 
 void DocumentController::openSession(const std::string& path) {
     const Result<SessionFile> read = readSessionFile(path);
-    if (!read) return c_.session.say(read.error().message);
+    if (!read) return c_.session.messages().say(read.error().message);
     arrival_ = {};
     arrival_.pending = true;
     arrival_.generation = c_.session.generation();
@@ -202,7 +203,7 @@ void DocumentController::takeLooks(const SessionFile& file, const std::string& p
 }
 
 void DocumentController::poll() {
-    const SessionPhase phase = c_.session.phase();
+    const SessionPhase phase = c_.session.input().phase();
     if (arrival_.pending && phase != SessionPhase::Loading) {
         const bool opened = c_.session.generation() != arrival_.generation;
         // The opening failed, or was cancelled: the open input stays unchanged.
@@ -210,13 +211,13 @@ void DocumentController::poll() {
         if (opened && phase == SessionPhase::Ready) arrive();
     }
     if (c_.ui.layoutPreset != keptLayout_) keepLayout();
-    if (!arrival_.pending && !c_.session.busy()) warn();
+    if (!arrival_.pending && !c_.session.moves().busy()) warn();
 }
 
 /// Switches to the annotations and looks of the input that is open now.
 void DocumentController::takeUp() {
     const std::optional<SessionFile> session = std::exchange(arrival_.session, std::nullopt);
-    switchAnnotations(c_.session.spec().source);
+    switchAnnotations(c_.session.input().spec().source);
     if (session) takeLooks(*session, arrival_.sessionPath);
     if (!arrival_.notice.empty()) sayLater(std::exchange(arrival_.notice, {}));
 }
@@ -242,8 +243,8 @@ void DocumentController::arrive() {
     const bool atStart = arrival_.goTo.empty() || arrival_.goTo == "0";
     if (atStart) return;
     focus_ = arrival_.focus;
-    placeStatus_ = c_.session.goToText(arrival_.goTo);
-    if (!placeStatus_) c_.session.say(placeStatus_.error().message);
+    placeStatus_ = c_.session.moves().goToText(arrival_.goTo);
+    if (!placeStatus_) c_.session.messages().say(placeStatus_.error().message);
 }
 
 void DocumentController::warnLater(const std::string& warning) {
@@ -256,7 +257,7 @@ void DocumentController::sayLater(const std::string& sentence) {
 }
 
 void DocumentController::warn() {
-    if (!said_.empty()) c_.session.say(std::exchange(said_, {}));
+    if (!said_.empty()) c_.session.messages().say(std::exchange(said_, {}));
 }
 
 void DocumentController::carryOut(UiRequests& requests) {
@@ -276,7 +277,7 @@ void DocumentController::carryOut(UiRequests& requests) {
     if (requests.rules) takeRules(*std::exchange(requests.rules, std::nullopt), resume);
     if (requests.openSpec) {
         const InputSpec spec = *std::exchange(requests.openSpec, std::nullopt);
-        const bool same = c_.session.ready() && c_.session.spec().source == spec.source;
+        const bool same = c_.session.ready() && c_.session.input().spec().source == spec.source;
         leave({same ? LeaveFor::Reload : LeaveFor::Open, spec.source, {}, spec});
     }
     if (std::exchange(requests.reload, false)) leave({LeaveFor::Reload, {}, {}});
@@ -310,23 +311,23 @@ void DocumentController::go(const Leave& to) {
 
 void DocumentController::reload() {
     const Session& session = c_.session;
-    const bool failed = session.phase() == SessionPhase::Failed || !session.ready();
-    const InputSpec spec = failed ? session.opening() : session.spec();
+    const bool failed = session.input().phase() == SessionPhase::Failed || !session.ready();
+    const InputSpec spec = failed ? session.input().opening() : session.input().spec();
     if (!spec.source.empty()) c_.session.open(spec);
 }
 
 /// Opens the input again, with or without fixes; bookmarks and notes stay.
 void DocumentController::takeFixes(Fixes fixes) {
-    if (!c_.session.ready() || c_.session.phase() == SessionPhase::Loading) return;
+    if (!c_.session.ready() || c_.session.input().phase() == SessionPhase::Loading) return;
     c_.playback.pause();
-    InputSpec spec = c_.session.spec();
+    InputSpec spec = c_.session.input().spec();
     spec.fixes = std::move(fixes);
     openInput(std::move(spec));
 }
 
 /// Re-runs the input; all annotations stay.
 void DocumentController::takeRules(const RuleSet& rules, Resume resume) {
-    if (!c_.session.ready() || rules == c_.session.rules()) return;
+    if (!c_.session.ready() || rules == c_.session.input().rules()) return;
     c_.playback.pause();
     c_.session.runAnew(rules, resume);
 }
@@ -357,9 +358,9 @@ void DocumentController::drop(const std::vector<std::string>& paths) {
 }
 
 void DocumentController::save() {
-    if (!c_.session.ready()) return c_.session.say("There is nothing open to save.");
-    if (isStandardInput(c_.session.spec().source))
-        return c_.session.say(
+    if (!c_.session.ready()) return c_.session.messages().say("There is nothing open to save.");
+    if (isStandardInput(c_.session.input().spec().source))
+        return c_.session.messages().say(
             "A session refers to a file, but these points came from standard input. Save them to a "
             "file "
             "first.");
@@ -376,12 +377,12 @@ void DocumentController::saveAs(const std::string& path) {
     SessionFile file = captureSession(c_);
     file.original = original_;
     const Status written = writeSessionFile(path, file);
-    if (!written) return c_.session.say(written.error().message);
+    if (!written) return c_.session.messages().say(written.error().message);
     c_.ui.sessionPath = path;
     original_ = sessionToJson(file, std::filesystem::path(path).parent_path());
     noteSaved();
     note(path);
-    c_.session.say("Saved " + path + ".");
+    c_.session.messages().say("Saved " + path + ".");
 }
 
 Annotations DocumentController::annotations() const {
@@ -405,7 +406,8 @@ void DocumentController::note(const std::string& file) {
     KeptState state = readKeptState(kept_);
     remember(state, file);
     c_.ui.recent = state.recent;
-    if (const Status s = writeKeptState(kept_, state); !s) c_.session.say(s.error().message);
+    if (const Status s = writeKeptState(kept_, state); !s)
+        c_.session.messages().say(s.error().message);
 }
 
 void DocumentController::keepLayout() {
@@ -413,7 +415,8 @@ void DocumentController::keepLayout() {
     if (kept_.empty()) return;
     KeptState state = readKeptState(kept_);
     state.layout = keptLayout_;
-    if (const Status s = writeKeptState(kept_, state); !s) c_.session.say(s.error().message);
+    if (const Status s = writeKeptState(kept_, state); !s)
+        c_.session.messages().say(s.error().message);
 }
 
 }  // namespace se::view

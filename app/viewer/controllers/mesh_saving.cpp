@@ -43,20 +43,20 @@ void MeshController::takeOutcome(const Result<SavedMesh>& outcome) {
     if (!outcome) {
         form.complaint = outcome.error().message;
         // The dialog may have been closed.
-        return c_.session.say(form.complaint);
+        return c_.session.messages().say(form.complaint);
     }
     const SavedMesh& saved = outcome.value();
     form.savedPath = saved.target.path;
-    form.savedSource = c_.session.spec().source;
+    form.savedSource = c_.session.input().spec().source;
     if (dialogOpen()) c_.ui.fileBrowser = false;
-    c_.session.say(savedText(saved));
+    c_.session.messages().say(savedText(saved));
 }
 
 void MeshController::carryOut() {
     const MeshAsk ask = std::exchange(c_.ui.mesh.ask, MeshAsk::None);
     // Another run may have been opened.
     if (dialogOpen() && !export_.saving())
-        export_.make(c_.session.sharedModel(), c_.session.sharedFile());
+        export_.make(c_.session.sharedModel(), c_.session.input().file());
     if (ask != MeshAsk::None && c_.session.ready()) answer(ask);
     if (!dialogOpen()) {
         export_.forget();
@@ -96,7 +96,8 @@ void MeshController::save(const std::string& path, bool replace) {
 
 void MeshController::copyCommand(const std::string& path) {
     MeshForm& form = c_.ui.mesh;
-    const bool known = form.savedSource == c_.session.spec().source && !form.savedPath.empty();
+    const bool known =
+        form.savedSource == c_.session.input().spec().source && !form.savedPath.empty();
     const std::string usual =
         known ? form.savedPath
               : meshStem(c_.session) + std::string(meshFormats()[form.format].extension);
@@ -104,11 +105,11 @@ void MeshController::copyCommand(const std::string& path) {
         meshCommand(c_.session, {path.empty() ? usual : path, form.usedOnly});
     if (command.text.empty()) {
         form.complaint = command.note;
-        return c_.session.say(command.note);
+        return c_.session.messages().say(command.note);
     }
     form.copied = c_.ui.requests.copyText = command.text;
     form.note = "Copied the command." + (command.note.empty() ? "" : " " + command.note);
-    c_.session.say(form.note);
+    c_.session.messages().say(form.note);
 }
 
 void MeshController::waitUntilDone() {

@@ -90,7 +90,7 @@ void SamplingController::begin(const SampleSpec& spec) {
     page.form.take(spec);
     page.open = true;
     before_ = c_.camera.pose();
-    growth_.begin(spec);
+    growth_.start(spec);
     poll();
 }
 
@@ -99,7 +99,7 @@ void SamplingController::start() {
     page.said.clear();
     const Result<SampleSpec> spec = page.form.spec();
     page.complaint = spec ? std::string{} : spec.error().message;
-    if (spec) growth_.begin(spec.value());
+    if (spec) growth_.start(spec.value());
 }
 
 bool SamplingController::poll() {
@@ -184,7 +184,7 @@ void SamplingController::use() {
     const GrowthPicture* picture = growth_.picture();
     if (picture == nullptr) return;
     growth_.pause();
-    InputSpec spec = c_.session.ready() ? c_.session.spec() : usual_;
+    InputSpec spec = c_.session.ready() ? c_.session.input().spec() : usual_;
     spec.source = sampleSource(growth_.spec());
     spec.points = picture->points;
     // These options were chosen for another input: sampled points have normals and walls.
@@ -211,11 +211,11 @@ void SamplingController::save(const std::string& path) {
     GrowthPage& page = c_.ui.growth;
     const GrowthPicture* picture = growth_.picture();
     std::shared_ptr<const PointFile> points = picture != nullptr ? picture->points : nullptr;
-    if (!page.open && c_.session.ready()) points = c_.session.spec().points;
+    if (!page.open && c_.session.ready()) points = c_.session.input().spec().points;
     if (!points) return;
     const Status written = writeMesh(path, *points, {}, {.normals = true});
     const std::string text = written ? "Saved " + path + "." : written.error().message;
-    if (!page.open) return c_.session.say(text);
+    if (!page.open) return c_.session.messages().say(text);
     page.said = written ? text : std::string{};
     page.complaint = written ? std::string{} : text;
 }

@@ -75,7 +75,7 @@ const Moment& ScenePainter::lookAtMoment(const CommandContext& context, bool onP
     const Playback& playback = context.playback;
     const bool tooFast =
         playback.playing() && (playback.unlimited() || playback.rate() > kFollowedRate);
-    const bool still = session.busy() || tooFast || context.ui.look.on();
+    const bool still = session.moves().busy() || tooFast || context.ui.look.on();
     return motion_.look({session.generation(), session.record().pivot, session.cursor()},
                         still ? 0.0 : motionSeconds(session.picture()), context.ui.clock);
 }
@@ -128,22 +128,22 @@ void ScenePainter::fill(CommandContext& context, bool onPaper, const DifferenceL
         session.picture(),
         paletteOf(settings.theme),
         session.selected(),
-        session.litRing(),
-        session.hovered(),
+        session.highlights().litRing(),
+        session.highlights().hovered(),
         session.triangles(),
         componentBegin(session),
         shapeAt(session.overview().shapes, session.record().pivot),
         session.selection(),
         context.ui.facts.of(session).present,
         now.mesh,
-        session.marked(),
+        session.highlights().marked(),
         now.moment,
         &session.meshIndex(),
         seedBefore(session),
         now.tint == 0 ? std::span<const double>{} : session.questions().leastMargin(),
         now.tint,
         settings.theme,
-        session.alert(),
+        session.alerts().shown(),
         session.noticedHere()};
     fillDrawList(input, shownLayers_, drawList_);
     if (look != nullptr)

@@ -9,17 +9,17 @@
 namespace se::view {
 
 void AlertSearch::enqueue(std::shared_ptr<const Model> model) {
-    query_.forget();
+    query_.cancel();
     model_ = std::move(model);
-    begun_ = stopped_ = false;
+    started_ = stopped_ = false;
     groups_.clear();
     inOrder_.clear();
 }
 
-void AlertSearch::begin() {
-    if (!model_ || begun_ || stopped_) return;
-    begun_ = true;
-    query_.ask([model = model_](const Progress& progress) {
+void AlertSearch::start() {
+    if (!model_ || started_ || stopped_) return;
+    started_ = true;
+    query_.start([model = model_](const Progress& progress) {
         return searchFailures(model->points, model->params, progress);
     });
 }
@@ -27,12 +27,12 @@ void AlertSearch::begin() {
 void AlertSearch::stop() {
     query_.stop();
     stopped_ = true;
-    begun_ = false;
+    started_ = false;
 }
 
 void AlertSearch::resume() {
-    stopped_ = begun_ = false;
-    begin();
+    stopped_ = started_ = false;
+    start();
 }
 
 bool AlertSearch::poll() {

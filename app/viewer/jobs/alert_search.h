@@ -23,10 +23,10 @@ struct AlertGroup {
 
 class AlertSearch {
   public:
-    /// Sets the run to search, which starts at begin(); a search in progress is cancelled.
+    /// Sets the run to search, which starts at start(); a search in progress is cancelled.
     void enqueue(std::shared_ptr<const Model> model);
     /// Starts the search, unless it was done or the user has stopped it.
-    void begin();
+    void start();
     /// Stops the search at the user's request.
     void stop();
     /// Starts the search again, after stop() or a failure. Requires !busy().
@@ -58,7 +58,7 @@ class AlertSearch {
     void sortOut();
 
     std::shared_ptr<const Model> model_;
-    bool begun_ = false;
+    bool started_ = false;
     bool stopped_ = false;
     std::vector<AlertGroup> groups_;
     std::vector<std::size_t> inOrder_;

@@ -59,7 +59,7 @@ class BackgroundJob {
     BackgroundJob& operator=(const BackgroundJob&) = delete;
 
     /// Starts `work`, which may use nothing that it may outlive. A job in progress is cancelled.
-    void begin(std::function<void(Results&)> work) {
+    void start(std::function<void(Results&)> work) {
         cancel();
         job_ = std::make_unique<Job>();
         job_->thread.emplace([&job = *job_, work = std::move(work)](const CancelFlag& cancelled) {

@@ -20,14 +20,14 @@ class BackgroundQuery {
     using Work = std::function<Result<Answer>(const Progress& progress)>;
 
     /// Starts a query; the previous one is cancelled and its answer discarded.
-    void ask(Work work) {
-        forget();
-        job_.begin([work = std::move(work)](Results& results) {
+    void start(Work work) {
+        cancel();
+        job_.start([work = std::move(work)](Results& results) {
             results.add(work([&results](double share) { return results.report(share); }));
         });
     }
     /// Discards query and answer.
-    void forget() {
+    void cancel() {
         job_.cancel();
         answer_.reset();
         complaint_.clear();

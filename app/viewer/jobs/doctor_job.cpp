@@ -8,13 +8,13 @@
 namespace se::view {
 
 void DoctorJob::enqueue(std::shared_ptr<const PointFile> file) {
-    query_.forget();
+    query_.cancel();
     file_ = std::move(file);
 }
 
-void DoctorJob::begin() {
+void DoctorJob::start() {
     if (!file_ || busy()) return;
-    query_.ask([file = std::move(file_)](const Progress& progress) -> Result<Diagnosis> {
+    query_.start([file = std::move(file_)](const Progress& progress) -> Result<Diagnosis> {
         Result<Diagnosis> found = examine(*file, progress);
         // An input that cannot be examined could not have been opened.
         return found ? std::move(found) : Result<Diagnosis>(Diagnosis{});

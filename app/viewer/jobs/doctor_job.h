@@ -14,10 +14,10 @@ namespace se::view {
 
 class DoctorJob {
   public:
-    /// Sets the input to examine, which starts at begin(); an examination in progress is cancelled.
+    /// Sets the input to examine, which starts at start(); an examination in progress is cancelled.
     void enqueue(std::shared_ptr<const PointFile> file);
     /// Starts the examination, unless it was done.
-    void begin();
+    void start();
     /// Takes the result. True if there was anything new.
     bool poll() { return query_.poll(); }
     /// Blocks until there is a result to take, or nothing was started.

@@ -263,7 +263,7 @@ class Growth::Worker {
     Clock::time_point next_ = Clock::now();
 };
 
-void Growth::begin(const SampleSpec& spec) {
+void Growth::start(const SampleSpec& spec) {
     cancel();
     spec_ = spec;
     phase_ = GrowthPhase::Finding;

@@ -46,7 +46,7 @@ class Growth {
 
     /// Restarts and plays; running work is cancelled. With spec.steps it makes those steps at
     /// full speed and pauses there.
-    void begin(const SampleSpec& spec);
+    void start(const SampleSpec& spec);
     void play();
     void pause();
     /// One step, then pauses.

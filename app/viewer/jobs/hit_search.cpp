@@ -44,14 +44,14 @@ void HitSearch::open(std::shared_ptr<const Model> model) {
     model_ = std::move(model);
     known_.clear();
     givenUp_ = false;
-    beginNext();
+    startNext();
 }
 
 void HitSearch::want(std::span<const Breakpoint> breakpoints) {
     if (std::equal(wanted_.begin(), wanted_.end(), breakpoints.begin(), breakpoints.end())) return;
     wanted_.assign(breakpoints.begin(), breakpoints.end());
     givenUp_ = false;
-    beginNext();
+    startNext();
 }
 
 void HitSearch::cancel() {
@@ -63,7 +63,7 @@ void HitSearch::cancel() {
 
 void HitSearch::resume() {
     givenUp_ = false;
-    beginNext();
+    startNext();
 }
 
 std::vector<HitSearch::Line> HitSearch::missing() const {
@@ -87,7 +87,7 @@ std::vector<HitSearch::Line> HitSearch::missing() const {
 }
 
 /// Searches all lines that are wanted and not known, in one run, unless that is in progress.
-void HitSearch::beginNext() {
+void HitSearch::startNext() {
     if (!model_ || givenUp_) return;
     std::vector<Line> lines = missing();
     const auto among = [](const std::vector<Line>& all, const Line& line) {
@@ -102,7 +102,7 @@ void HitSearch::beginNext() {
     if (lines.empty()) return;
     for (const Line& line : lines) known_[line.text] = {};
     sought_ = lines;
-    job_.begin([model = model_, lines = std::move(lines)](auto& results) {
+    job_.start([model = model_, lines = std::move(lines)](auto& results) {
         work(*model, lines, results);
     });
 }
@@ -152,7 +152,7 @@ bool HitSearch::poll() {
         known_[line.text].complete = true;
     }
     job_.close();
-    beginNext();
+    startNext();
     return true;
 }
 

@@ -82,7 +82,7 @@ class HitSearch {
     static void work(const Model& model, const std::vector<Line>& lines,
                      BackgroundJob<Found>::Results& results);
     std::vector<Line> missing() const;
-    void beginNext();
+    void startNext();
     bool take();
 
     std::shared_ptr<const Model> model_;

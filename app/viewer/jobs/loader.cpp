@@ -91,23 +91,23 @@ Result<Opened> openRun(const InputSpec& spec, const std::optional<RunAnew>& anew
 
 }  // namespace
 
-void Loader::begin(const InputSpec& spec) { begin(spec, std::nullopt); }
+void Loader::start(const InputSpec& spec) { start(spec, std::nullopt); }
 
-void Loader::begin(const InputSpec& spec, const RunAnew& anew) {
-    begin(spec, std::optional<RunAnew>(anew));
+void Loader::start(const InputSpec& spec, const RunAnew& anew) {
+    start(spec, std::optional<RunAnew>(anew));
 }
 
-void Loader::begin(const InputSpec& spec, std::optional<RunAnew> anew) {
+void Loader::start(const InputSpec& spec, std::optional<RunAnew> anew) {
     cancel();
     progress_ = std::make_shared<LoadProgress>();
-    query_.ask([spec, anew = std::move(anew), progress = progress_](const Progress&) {
+    query_.start([spec, anew = std::move(anew), progress = progress_](const Progress&) {
         return openRun(spec, anew, *progress);
     });
 }
 
 void Loader::cancel() {
     if (progress_) progress_->cancelled = true;
-    query_.forget();
+    query_.cancel();
 }
 
 std::optional<Result<Opened>> Loader::take() {

@@ -43,10 +43,10 @@ struct RunAnew {
 class Loader {
   public:
     /// Opens another input; an opening in progress is cancelled.
-    void begin(const InputSpec& spec);
+    void start(const InputSpec& spec);
     /// Opens the same input under other rules or with other what-ifs; points that stay the same are
     /// not prepared again. Fails if a new what-if is refused.
-    void begin(const InputSpec& spec, const RunAnew& anew);
+    void start(const InputSpec& spec, const RunAnew& anew);
     void cancel();
     /// An input is being opened, or waits to be taken.
     bool busy() const { return query_.busy(); }
@@ -58,7 +58,7 @@ class Loader {
     void waitUntilDone() { query_.waitUntilDone(); }
 
   private:
-    void begin(const InputSpec& spec, std::optional<RunAnew> anew);
+    void start(const InputSpec& spec, std::optional<RunAnew> anew);
 
     std::shared_ptr<LoadProgress> progress_;  ///< Shared with the thread.
     BackgroundQuery<Opened> query_;

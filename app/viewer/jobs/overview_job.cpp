@@ -154,10 +154,10 @@ void watchRun(const Model& model, BackgroundJob<RunOverview>::Results& results) 
 }  // namespace
 
 OverviewJob::OverviewJob(std::shared_ptr<const Model> model) {
-    job_.begin([model = std::move(model)](auto& results) { watchRun(*model, results); });
+    job_.start([model = std::move(model)](auto& results) { watchRun(*model, results); });
 }
 
-bool OverviewJob::update(RunOverview& overview) {
+bool OverviewJob::poll(RunOverview& overview) {
     const std::vector<RunOverview> found = job_.take();
     for (const RunOverview& fresh : found) append(overview, fresh);
     return !found.empty();

@@ -16,7 +16,7 @@ class OverviewJob {
     explicit OverviewJob(std::shared_ptr<const Model> model);
 
     /// Appends what is new to `overview`. True if anything was.
-    bool update(RunOverview& overview);
+    bool poll(RunOverview& overview);
     /// The run has ended, or was stopped.
     bool done() const { return job_.ended(); }
     /// Once done(): a sentence why the run ended early, once; empty if it was complete.

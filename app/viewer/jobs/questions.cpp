@@ -8,15 +8,15 @@
 
 namespace se::view {
 
-void Questions::begin(std::shared_ptr<const Model> model) {
+void Questions::open(std::shared_ptr<const Model> model) {
     model_ = std::move(model);
     subject_ = {};
     subjectName_.clear();
     line_.clear();
-    ledger_.forget();
-    found_.forget();
-    closest_.forget();
-    charts_.forget();
+    ledger_.cancel();
+    found_.cancel();
+    closest_.cancel();
+    charts_.cancel();
 }
 
 bool Questions::poll() {
@@ -41,7 +41,7 @@ bool Questions::busy() const {
 void Questions::askWhy(const Selection& what) {
     subject_ = what;
     subjectName_ = selectionText(what);
-    ledger_.ask([model = model_, what](const Progress& progress) -> Result<WhyAnswer> {
+    ledger_.start([model = model_, what](const Progress& progress) -> Result<WhyAnswer> {
         Result<Ledger> found = why(model->points, model->params, toSubject(what), progress);
         if (!found) return found.error();
         Ledger& ledger = found.value();
@@ -54,7 +54,7 @@ void Questions::askWhy(const RingAddress& ring) {
     subject_ = {};
     ring_ = ring;
     subjectName_ = nameOf(ring);
-    ledger_.ask([model = model_, ring](const Progress& progress) -> Result<WhyAnswer> {
+    ledger_.start([model = model_, ring](const Progress& progress) -> Result<WhyAnswer> {
         Result<RingHistory> found = whyRing(model->points, model->params, ring, progress);
         if (!found) return found.error();
         RingHistory& history = found.value();
@@ -72,7 +72,7 @@ Status Questions::find(const std::string& line) {
     Result<DecisionQuery> query = DecisionQuery::parse(line);
     if (!query) return query.error();
     line_ = line;
-    found_.ask([model = model_, query = std::move(query.value())](const Progress& progress) {
+    found_.start([model = model_, query = std::move(query.value())](const Progress& progress) {
         return findDecisions(model->points, model->params, query, kMaxFound, progress);
     });
     return success();
@@ -95,7 +95,7 @@ LedgerLine lineOf(const NearestDecision& decision) {
 
 void Questions::wantClosest() {
     if (!isNew(closest_)) return;
-    closest_.ask([model = model_](const Progress& progress) -> Result<ClosestAnswer> {
+    closest_.start([model = model_](const Progress& progress) -> Result<ClosestAnswer> {
         Result<NearestDecisions> decisions =
             nearestDecisions(model->points, model->params, kClosest, progress);
         if (!decisions) return decisions.error();
@@ -114,7 +114,7 @@ std::span<const double> Questions::leastMargin() const {
 
 void Questions::wantCharts() {
     if (!isNew(charts_)) return;
-    charts_.ask([model = model_](const Progress& progress) {
+    charts_.start([model = model_](const Progress& progress) {
         return runCharts(model->points, model->params, progress);
     });
 }

@@ -37,7 +37,7 @@ class Questions {
     static constexpr std::size_t kClosest = 200;
 
     /// Sets another run, without queries and answers.
-    void begin(std::shared_ptr<const Model> model);
+    void open(std::shared_ptr<const Model> model);
     /// Takes the results. True if there was anything new.
     bool poll();
     /// Blocks until all queries are answered.

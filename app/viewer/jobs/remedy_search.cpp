@@ -4,15 +4,15 @@
 
 namespace se::view {
 
-void RemedySearch::forget() {
+void RemedySearch::cancel() {
     about_.reset();
-    query_.forget();
+    query_.cancel();
 }
 
-void RemedySearch::begin(std::shared_ptr<const Model> model, std::size_t alert,
+void RemedySearch::start(std::shared_ptr<const Model> model, std::size_t alert,
                          const MeshFailure& failure) {
     about_ = alert;
-    query_.ask([model = std::move(model), failure](const Progress& progress) {
+    query_.start([model = std::move(model), failure](const Progress& progress) {
         return findRemedies(model->points, model->params, failure, progress);
     });
 }

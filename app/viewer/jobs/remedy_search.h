@@ -13,10 +13,10 @@ namespace se::view {
 class RemedySearch {
   public:
     /// Discards the search: another run.
-    void forget();
+    void cancel();
     /// Tries all rules for the alert at that position of the list; a search in progress is
     /// cancelled.
-    void begin(std::shared_ptr<const Model> model, std::size_t alert, const MeshFailure& failure);
+    void start(std::shared_ptr<const Model> model, std::size_t alert, const MeshFailure& failure);
     void stop() { query_.stop(); }
     /// Takes the result. True if there was anything new.
     bool poll() { return query_.poll(); }

@@ -10,14 +10,14 @@ void WatchScan::open(std::shared_ptr<const Model> model) {
     model_ = std::move(model);
     known_.clear();
     givenUp_ = false;
-    beginNext();
+    startNext();
 }
 
 void WatchScan::want(std::span<const std::string> expressions) {
     if (std::equal(wanted_.begin(), wanted_.end(), expressions.begin(), expressions.end())) return;
     wanted_.assign(expressions.begin(), expressions.end());
     givenUp_ = false;
-    if (!busy()) beginNext();
+    if (!busy()) startNext();
 }
 
 void WatchScan::cancel() {
@@ -31,10 +31,10 @@ void WatchScan::cancel() {
 
 void WatchScan::resume() {
     givenUp_ = false;
-    if (!busy()) beginNext();
+    if (!busy()) startNext();
 }
 
-void WatchScan::beginNext() {
+void WatchScan::startNext() {
     if (!model_) return;
     std::vector<WatchExpression> expressions;
     sought_.clear();
@@ -47,7 +47,7 @@ void WatchScan::beginNext() {
         expressions.push_back(expression.value());
     }
     if (sought_.empty()) return;
-    job_.begin([model = model_, expressions](auto& results) {
+    job_.start([model = model_, expressions](auto& results) {
         scanWatches(
             model->points, model->params, expressions,
             [&](std::uint32_t pivot, std::span<const double> values) {
@@ -77,7 +77,7 @@ bool WatchScan::poll() {
         return true;
     }
     job_.close();
-    beginNext();
+    startNext();
     return true;
 }
 

@@ -49,7 +49,7 @@ class WatchScan {
         std::uint32_t pivot;
         std::vector<double> values;  ///< One for each expression in progress.
     };
-    void beginNext();
+    void startNext();
 
     std::shared_ptr<const Model> model_;
     std::vector<std::string> wanted_;

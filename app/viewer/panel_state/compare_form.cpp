@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "session/compare_with.h"
+#include "session/compare/compare_with.h"
 #include "what_if_offers.h"
 
 namespace se::view {

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "compare_form.h"
-#include "session/compare_with.h"
-#include "session/comparison.h"
+#include "session/compare/compare_with.h"
+#include "session/compare/comparison.h"
 
 namespace se::view {
 

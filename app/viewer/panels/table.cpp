@@ -247,8 +247,8 @@ void drawPanels(const PanelContext& context) {
         drawNarration(context);
         drawDrawer(context);
     }
-    context.session().hover(context.state<Navigation>().pointedAt);
-    context.session().hoverRing(context.state<Navigation>().pointedRing);
+    context.session().highlights().hover(context.state<Navigation>().pointedAt);
+    context.session().highlights().hoverRing(context.state<Navigation>().pointedRing);
     if (!startPage && !growth && !context.ui().cheatSheet && !context.ui().keyEditor &&
         !context.ui().fileBrowser && !context.ui().palette.open && !context.ui().leaving.asked &&
         !context.ui().prepare.open)

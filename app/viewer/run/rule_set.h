@@ -28,8 +28,8 @@ InputSpec withRules(InputSpec spec, const RuleSet& rules);
 Result<Params> paramsOf(const InputSpec& spec);
 
 /// `rules` with one rule set, for the Rules panel and for callers that suggest a remedy:
-/// `ui.requests.rules = withRule(rulesOf(session.spec()), "fill", 1.0)`. A value equal to that of
-/// the set is no longer a choice. Requires that there is such a rule.
+/// `ui.requests.rules = withRule(rulesOf(session.input().spec()), "fill", 1.0)`. A value equal to
+/// that of the set is no longer a choice. Requires that there is such a rule.
 RuleSet withRule(const RuleSet& rules, std::string_view name, double value);
 /// The value of a rule: the choice, or the value of its set. Requires that there is such a rule.
 double valueOf(const RuleSet& rules, const RuleSetting& setting);

@@ -171,19 +171,21 @@ MeshCommand meshCommand(const InputSpec& spec, const MeshTarget& target) {
 }
 
 MeshCommand meshCommand(const Session& session, const MeshTarget& target) {
-    const InputSpec& spec = session.spec();
+    const InputSpec& spec = session.input().spec();
     for (std::size_t i = 0; i < spec.whatIf.size(); ++i) {
-        if (session.whatIfProblem(i).empty()) continue;
+        if (session.input().whatIfProblem(i).empty()) continue;
         return {{},
-                "The command line refuses the what-if \"" + lineOf(spec.whatIf[i]) + "\": " +
-                    session.whatIfProblem(i) + " Remove it in the panel What if, and copy again."};
+                "The command line refuses the what-if \"" + lineOf(spec.whatIf[i]) +
+                    "\": " + session.input().whatIfProblem(i) +
+                    " Remove it in the panel What if, and copy again."};
     }
     return meshCommand(spec, target);
 }
 
 std::string meshStem(const Session& session) {
-    const std::string& source =
-        session.spec().source.empty() ? session.model().name : session.spec().source;
+    const std::string& source = session.input().spec().source.empty()
+                                    ? session.model().name
+                                    : session.input().spec().source;
     return stemOf(source, session.model().points.size()) + "-mesh";
 }
 

@@ -47,7 +47,7 @@ Result<SavedMesh> saveMesh(const FinishedMesh& mesh, const MeshTarget& target) {
 void MeshExport::make(std::shared_ptr<const Model> model, std::shared_ptr<const PointFile> input) {
     if (model == model_) return;
     model_ = model;
-    mesh_.ask([model = std::move(model), input = std::move(input)](const Progress& progress) {
+    mesh_.start([model = std::move(model), input = std::move(input)](const Progress& progress) {
         return finishMesh(*model, *input, progress);
     });
 }
@@ -55,36 +55,36 @@ void MeshExport::make(std::shared_ptr<const Model> model, std::shared_ptr<const 
 void MeshExport::forget() {
     order_.reset();
     model_.reset();
-    mesh_.forget();
+    mesh_.cancel();
 }
 
 void MeshExport::save(const MeshTarget& target) {
     if (saving()) return;
     order_ = target;
-    begin();
+    startWriting();
 }
 
 /// Starts the pending write if the mesh is ready. If there will be no mesh, reports the reason.
-void MeshExport::begin() {
+void MeshExport::startWriting() {
     if (!order_) return;
     if (!mesh_.complaint().empty()) {
         order_.reset();
         outcome_ = Result<SavedMesh>(Error{mesh_.complaint()});
     }
     if (!order_ || mesh() == nullptr) return;
-    file_.ask([mesh = *mesh(), target = *std::exchange(order_, std::nullopt)](const Progress&) {
+    file_.start([mesh = *mesh(), target = *std::exchange(order_, std::nullopt)](const Progress&) {
         return saveMesh(mesh, target);
     });
 }
 
 bool MeshExport::poll() {
     bool news = mesh_.poll();
-    if (news) begin();
+    if (news) startWriting();
     if (file_.poll()) {
         news = true;
         outcome_ = file_.answer() != nullptr ? Result<SavedMesh>(*file_.answer())
                                              : Result<SavedMesh>(Error{file_.complaint()});
-        file_.forget();
+        file_.cancel();
     }
     return news;
 }

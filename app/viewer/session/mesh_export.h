@@ -64,7 +64,7 @@ class MeshExport {
     std::optional<Result<SavedMesh>> takeOutcome() { return std::exchange(outcome_, std::nullopt); }
 
   private:
-    void begin();
+    void startWriting();
 
     std::shared_ptr<const Model> model_;  ///< Model of the mesh; null: none.
     BackgroundQuery<FinishedMesh> mesh_;

@@ -24,7 +24,7 @@ struct Bench : test::HeadlessApp {
     }
     void set(const char* line) {
         ui.breakpoints.push_back({"", line});
-        session.arm(ui.breakpoints);
+        session.hits().want(ui.breakpoints);
     }
     /// All stops of `key`, until the end or the start.
     std::vector<std::string> stops(const char* key) {
@@ -53,7 +53,7 @@ std::string playOn(Bench& b, int count) {
 
 TEST_CASE("F5 and Shift+F5 stop at the same positions, for every preset") {
     Bench b;
-    b.session.goTo({30, Stage::Sphere, 1});
+    b.session.moves().goTo({30, Stage::Sphere, 1});
     b.session.waitUntilDone();
     b.session.select(Index{40});
     std::vector<std::string> lines;
@@ -66,7 +66,7 @@ TEST_CASE("F5 and Shift+F5 stop at the same positions, for every preset") {
         REQUIRE(DecisionQuery::parse(line).ok());
         b.ui.breakpoints.clear();
         b.set(line.c_str());
-        b.session.toStart();
+        b.session.moves().toStart();
         std::vector<std::string> there = b.stops("F5");
         CHECK(b.session.atEnd());
         std::vector<std::string> back = b.stops("Shift+F5");
@@ -103,7 +103,7 @@ TEST_CASE("F9 breaks on the selection, otherwise on this kind of decision; again
     Bench b;
     b.press("F9");
     CHECK(b.ui.breakpoints.empty());
-    b.session.goTo({35, Stage::Split, 1});
+    b.session.moves().goTo({35, Stage::Split, 1});
     b.session.waitUntilDone();
     b.press("F9");
     REQUIRE(b.ui.breakpoints.size() == 1);
@@ -134,7 +134,7 @@ TEST_CASE("Playing stops at the breakpoint that F5 goes to, in every unit") {
     for (const PlayUnit unit : {PlayUnit::SubStep, PlayUnit::Pivot, PlayUnit::Event}) {
         for (const int count : {1, 8}) {
             b.playback.setUnit(unit);
-            b.session.toStart();
+            b.session.moves().toStart();
             CHECK(playOn(b, count) == first);
             CHECK_FALSE(b.playback.playing());
             CHECK(playOn(b, count) == second);
@@ -146,7 +146,7 @@ TEST_CASE("Playing ignores breakpoints that are off or log-only") {
     Bench b;
     b.ui.breakpoints = {{"", "stage=sphere", 0, 1, false, false},
                         {"", "stage=sort", 0, 1, true, true}};
-    b.session.arm(b.ui.breakpoints);
+    b.session.hits().want(b.ui.breakpoints);
     b.playback.setUnit(PlayUnit::Pivot);
     playOn(b, 8);
     CHECK(b.session.atEnd());
@@ -169,7 +169,7 @@ TEST_CASE("An empty line stops nothing") {
 TEST_CASE("A search can be stopped, and resumes when it is needed") {
     Bench b;
     b.ui.breakpoints = {{"", "stage=split"}};
-    b.session.arm(b.ui.breakpoints);
+    b.session.hits().want(b.ui.breakpoints);
     b.session.hits().cancel();
     if (b.session.hits().cancelled()) CHECK(b.session.hits().of("stage=split") == nullptr);
     b.press("F5");
@@ -215,7 +215,7 @@ TEST_CASE("Points are listed as short as they can be, and read back") {
 TEST_CASE("A watched number is that of the state, at every pivot") {
     Bench b;
     b.ui.watch.expressions = {"ring", "triangles", "status=40", "dragons"};
-    b.session.watch(b.ui.watch.expressions);
+    b.session.watches().want(b.ui.watch.expressions);
     b.session.waitUntilDone();
     CHECK(b.session.watches().of("dragons") == nullptr);
     const RunOverview& run = b.session.overview();
@@ -232,7 +232,7 @@ TEST_CASE("A watched number is that of the state, at every pivot") {
 TEST_CASE("The scan for a watch can be stopped, and resumes on request") {
     Bench b;
     b.ui.watch.expressions = {"ring"};
-    b.session.watch(b.ui.watch.expressions);
+    b.session.watches().want(b.ui.watch.expressions);
     WatchScan& scan = b.session.watches();
     REQUIRE(scan.busy());
     scan.cancel();
@@ -248,10 +248,10 @@ TEST_CASE("The scan for a watch can be stopped, and resumes on request") {
     CHECK(scan.of("ring")->complete);
     // Another expression is scanned at once, and so is the cancelled one.
     b.ui.watch.expressions = {"ring", "stack"};
-    b.session.watch(b.ui.watch.expressions);
+    b.session.watches().want(b.ui.watch.expressions);
     scan.cancel();
     b.ui.watch.expressions = {"ring", "stack", "used"};
-    b.session.watch(b.ui.watch.expressions);
+    b.session.watches().want(b.ui.watch.expressions);
     b.waitUntilDone();
     for (const std::string& each : b.ui.watch.expressions) CHECK(scan.of(each)->complete);
 }

@@ -69,7 +69,7 @@ struct FailingFile {
 
 TEST_CASE("Alerts are all failures of the run, by class, and known once the run is complete") {
     OpenSession open("scene:noise");
-    const AlertSearch& alerts = open.session.alerts();
+    const AlertSearch& alerts = open.session.alerts().search();
     REQUIRE(alerts.done());
     const auto all = failuresOfRun(open.session.model().points, open.session.model().params);
     REQUIRE(all.ok());
@@ -82,19 +82,19 @@ TEST_CASE("Alerts are all failures of the run, by class, and known once the run 
             CHECK(alerts.failures()[next++].failure.kind == group.kind);
     }
     CHECK(next == alerts.failures().size());
-    CHECK(open.session.takeAlertNews());
-    CHECK_FALSE(open.session.takeAlertNews());
+    CHECK(open.session.alerts().takeNews());
+    CHECK_FALSE(open.session.alerts().takeNews());
 }
 
 TEST_CASE("A search that was stopped has no results until it is resumed") {
     AlertSearch alerts;
-    alerts.begin();
+    alerts.start();
     CHECK_FALSE(alerts.busy());
     alerts.enqueue(sphereModel());
-    alerts.begin();
+    alerts.start();
     alerts.stop();
     CHECK(alerts.stopped());
-    alerts.begin();
+    alerts.start();
     CHECK_FALSE(alerts.busy());
     CHECK_FALSE(alerts.done());
     alerts.resume();
@@ -105,7 +105,7 @@ TEST_CASE("A search that was stopped has no results until it is resumed") {
 
 TEST_CASE("An alert is named by its class and its number in it") {
     OpenSession open("scene:noise");
-    const AlertSearch& alerts = open.session.alerts();
+    const AlertSearch& alerts = open.session.alerts().search();
     REQUIRE(alerts.failures().size() > 2);
     for (std::size_t i = 0; i < alerts.failures().size(); ++i)
         CHECK(alertNamed(alerts, alertName(alerts, i)) == i);
@@ -118,14 +118,14 @@ TEST_CASE("An alert is named by its class and its number in it") {
 
 TEST_CASE("A click goes to the moment, selects its subject, and each moment is in the run") {
     AlertDesk app("scene:four-edge-hole");
-    const AlertSearch& alerts = app.session.alerts();
+    const AlertSearch& alerts = app.session.alerts().search();
     REQUIRE(alerts.done());
     for (std::size_t i = 0; i < alerts.failures().size(); ++i) {
         for (const AlertMoment moment : kAlertMoments) {
             showAlert(app.context, i, moment);
             app.session.waitUntilDone();
             CHECK(app.place() == toString(momentOf(alerts.failures()[i], moment).event.address));
-            CHECK(app.session.chosenAlert() == i);
+            CHECK(app.session.alerts().chosen() == i);
             CHECK(app.session.selection() == subjectOf(alerts.failures()[i]));
             CHECK(app.ui.requests.frameAlert);
         }
@@ -134,38 +134,38 @@ TEST_CASE("A click goes to the moment, selects its subject, and each moment is i
 
 TEST_CASE("The next alert is the next in the order of the run, from the cursor or the last one") {
     AlertDesk app("scene:noise", {}, "0");
-    const AlertSearch& alerts = app.session.alerts();
+    const AlertSearch& alerts = app.session.alerts().search();
     REQUIRE(alerts.failures().size() > 2);
-    app.session.chooseAlert({});
+    app.session.alerts().choose({});
     nextAlert(app.context, 1);
-    CHECK(app.session.chosenAlert() == alerts.inOrder()[0]);
+    CHECK(app.session.alerts().chosen() == alerts.inOrder()[0]);
     nextAlert(app.context, 1);
-    CHECK(app.session.chosenAlert() == alerts.inOrder()[1]);
+    CHECK(app.session.alerts().chosen() == alerts.inOrder()[1]);
     nextAlert(app.context, -1);
-    CHECK(app.session.chosenAlert() == alerts.inOrder()[0]);
+    CHECK(app.session.alerts().chosen() == alerts.inOrder()[0]);
     nextAlert(app.context, -1);
-    CHECK(app.session.message() == "There is no alert before this one.");
+    CHECK(app.session.messages().last() == "There is no alert before this one.");
     app.session.waitUntilDone();
-    app.session.chooseAlert({});
-    app.session.toEnd();
+    app.session.alerts().choose({});
+    app.session.moves().toEnd();
     app.session.waitUntilDone();
     nextAlert(app.context, 1);
-    CHECK(app.session.message() == "There is no alert after this one.");
+    CHECK(app.session.messages().last() == "There is no alert after this one.");
     OpenSession open("scene:sphere", "robust");
     CommandContext sound{open.session, app.playback, app.camera, app.ui};
-    REQUIRE(open.session.alerts().done());
-    REQUIRE(open.session.alerts().failures().empty());
+    REQUIRE(open.session.alerts().search().done());
+    REQUIRE(open.session.alerts().search().failures().empty());
     nextAlert(sound, 1);
-    CHECK(open.session.message() == "No failures found.");
+    CHECK(open.session.messages().last() == "No failures found.");
 }
 
 TEST_CASE("An input opens on its first alert, if no position was named, and only once") {
     const FailingFile file;
     AlertDesk app(file.path.string());
-    const AlertSearch& alerts = app.session.alerts();
+    const AlertSearch& alerts = app.session.alerts().search();
     REQUIRE_FALSE(alerts.failures().empty());
     const std::size_t first = alerts.inOrder().front();
-    CHECK(app.session.chosenAlert() == first);
+    CHECK(app.session.alerts().chosen() == first);
     CHECK(app.place() == toString(alerts.failures()[first].moments.created.event.address));
     CHECK(app.ui.tab.wanted == kAlertsTab);
     CHECK(app.alerts.takeOpened());
@@ -174,7 +174,7 @@ TEST_CASE("An input opens on its first alert, if no position was named, and only
     app.document.carryOut(app.ui.requests);
     app.arrive();
     CHECK(app.place() == "start");
-    CHECK_FALSE(app.session.chosenAlert());
+    CHECK_FALSE(app.session.alerts().chosen());
 }
 
 TEST_CASE("A named position, a correct input and a lesson are left unchanged") {
@@ -193,12 +193,13 @@ TEST_CASE("A named position, a correct input and a lesson are left unchanged") {
 
 TEST_CASE("--alert opens on any alert, at a position if one is named too, and fails otherwise") {
     AlertDesk app("scene:noise", "duplicate_triangles:2");
-    REQUIRE(app.session.chosenAlert());
-    CHECK(alertName(app.session.alerts(), *app.session.chosenAlert()) == "duplicate_triangles:2");
+    REQUIRE(app.session.alerts().chosen());
+    CHECK(alertName(app.session.alerts().search(), *app.session.alerts().chosen()) ==
+          "duplicate_triangles:2");
     CHECK(app.place() == "285.emit.2");
     AlertDesk there("scene:noise", "duplicate_triangles:2", "5");
     CHECK(there.session.record().pivot == 5);
-    CHECK(there.session.chosenAlert());
+    CHECK(there.session.alerts().chosen());
     AlertDesk none("scene:sphere", "slivers");
     REQUIRE_FALSE(none.alerts.status());
     // The number that it names is that of the class.
@@ -216,8 +217,8 @@ TEST_CASE("A scene that fails opens on the decision that is the cause, with its 
         CAPTURE(each.scene.id);
         AlertDesk app(sceneSource(each.scene.id));
         CHECK(app.place() == each.address);
-        REQUIRE(app.session.alert() != nullptr);
-        CHECK(app.session.alert()->failure.kind->name == each.failure);
+        REQUIRE(app.session.alerts().shown() != nullptr);
+        CHECK(app.session.alerts().shown()->failure.kind->name == each.failure);
         CHECK(galleryScene(sceneSource(each.scene.id)) == &each);
     }
     CHECK(galleryScene("scene:sphere") == nullptr);
@@ -264,24 +265,24 @@ TEST_CASE("Failures of a decision are noticed at it, and drawn") {
     app.session.showBefore(true);
     CHECK(app.session.noticedHere().empty());
     app.session.showBefore(false);
-    app.session.goTo({1, Stage::Pivot, 0});
+    app.session.moves().goTo({1, Stage::Pivot, 0});
     app.session.waitUntilDone();
     CHECK(app.session.noticedHere().empty());
 }
 
 TEST_CASE("A rule that would have prevented an alert is switched on by one click") {
     AlertDesk app("scene:four-edge-hole");
-    REQUIRE(app.session.chosenAlert());
-    const std::size_t before = app.session.alerts().failures().size();
-    app.session.seekRemedies();
-    CHECK(app.session.remedies().busy());
+    REQUIRE(app.session.alerts().chosen());
+    const std::size_t before = app.session.alerts().search().failures().size();
+    app.session.alerts().seekRemedies();
+    CHECK(app.session.alerts().remedies().busy());
     app.session.waitUntilDone();
-    const Remedies* found = app.session.remedies().found();
+    const Remedies* found = app.session.alerts().remedies().found();
     REQUIRE(found != nullptr);
     REQUIRE(found->tried.front().prevents);
     const Remedy best = found->tried.front();
     REQUIRE(best.rule != nullptr);
-    const MeshFailure failure = app.session.alert()->failure;
+    const MeshFailure failure = app.session.alerts().shown()->failure;
     showBeside(app.context, best);
     CHECK(app.ui.layoutPreset == LayoutPreset::Compare);
     REQUIRE(app.ui.compare.begin);
@@ -298,10 +299,11 @@ TEST_CASE("A rule that would have prevented an alert is switched on by one click
     CHECK_FALSE(app.ui.requests.frameAlert);
     CHECK(app.ui.requests.frame == FrameWish::None);
     CHECK(best.rule->isOn(app.session.model().params));
-    CHECK(app.session.alerts().failures().size() == best.all);
+    CHECK(app.session.alerts().search().failures().size() == best.all);
     CHECK(best.all < before);
     std::vector<MeshFailure> now;
-    for (const RunFailure& each : app.session.alerts().failures()) now.push_back(each.failure);
+    for (const RunFailure& each : app.session.alerts().search().failures())
+        now.push_back(each.failure);
     CHECK_FALSE(isStillThere(failure, now));
 }
 
@@ -309,11 +311,12 @@ TEST_CASE("A session keeps the chosen alert") {
     AlertDesk app("scene:noise", "duplicate_triangles:2");
     app.ui.requests.saveSessionAs = (app.folder / "alert.sesession").string();
     app.document.carryOut(app.ui.requests);
-    app.session.chooseAlert({});
+    app.session.alerts().choose({});
     app.document.open((app.folder / "alert.sesession").string());
     app.arrive();
-    REQUIRE(app.session.chosenAlert());
-    CHECK(alertName(app.session.alerts(), *app.session.chosenAlert()) == "duplicate_triangles:2");
+    REQUIRE(app.session.alerts().chosen());
+    CHECK(alertName(app.session.alerts().search(), *app.session.alerts().chosen()) ==
+          "duplicate_triangles:2");
     CHECK(app.place() == "285.emit.2");
 }
 
@@ -331,7 +334,7 @@ TEST_CASE("Alerts of a tangled run are the first of each class, with the number 
     session.open(spec);
     session.waitUntilDone();
     REQUIRE(session.ready());
-    const AlertSearch& alerts = session.alerts();
+    const AlertSearch& alerts = session.alerts().search();
     REQUIRE(alerts.done());
     CHECK_FALSE(alerts.complete());
     std::size_t next = 0;

@@ -29,7 +29,7 @@ struct FilingDesk : test::HeadlessApp {
 TEST_CASE("A saved session is restored: position, camera, layers, layout, selection, notes") {
     FilingDesk app;
     app.open("scene:sphere");
-    REQUIRE(app.session.goToText("12.sort.2").ok());
+    REQUIRE(app.session.moves().goToText("12.sort.2").ok());
     app.waitUntilDone();
     app.session.select(33);
     app.camera.set(ViewPreset::Top);
@@ -68,8 +68,8 @@ TEST_CASE("An input that has changed since is a warning, not an error") {
     REQUIRE(writeSessionFile(path, file).ok());
     app.open(path.string());
     app.document.poll();
-    CHECK(app.session.phase() == SessionPhase::Ready);
-    CHECK(app.session.message().find("has changed") != std::string::npos);
+    CHECK(app.session.input().phase() == SessionPhase::Ready);
+    CHECK(app.session.messages().last().find("has changed") != std::string::npos);
 }
 
 TEST_CASE("A bad session leaves the open input unchanged and gives the reason") {
@@ -78,8 +78,8 @@ TEST_CASE("A bad session leaves the open input unchanged and gives the reason") 
     std::ofstream(app.folder / "bad.sesession") << "{";
     app.open((app.folder / "bad.sesession").string());
     CHECK(app.session.ready());
-    CHECK(app.session.spec().source == "scene:sphere");
-    CHECK(app.session.message().find("bad.sesession") != std::string::npos);
+    CHECK(app.session.input().spec().source == "scene:sphere");
+    CHECK(app.session.messages().last().find("bad.sesession") != std::string::npos);
 }
 
 TEST_CASE("Notes belong to their input, and wait until it is opened again") {

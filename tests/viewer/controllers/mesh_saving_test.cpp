@@ -32,7 +32,9 @@ struct SavingDesk : test::HeadlessApp {
         saving.waitUntilDone();
         saving.carryOut();
     }
-    FinishedMesh mesh() const { return finishMesh(session.model(), *session.sharedFile()).value(); }
+    FinishedMesh mesh() const {
+        return finishMesh(session.model(), *session.input().file()).value();
+    }
 };
 
 PointFile read(const fs::path& path) {
@@ -55,7 +57,7 @@ TEST_CASE("A saved mesh reads back as the final mesh of the run, in each format 
         actions::saveMesh(app.context);
         app.ask(MeshAsk::Save, app.folder / name);
         CHECK_FALSE(app.ui.fileBrowser);
-        CHECK(app.session.message().find(name) != std::string::npos);
+        CHECK(app.session.messages().last().find(name) != std::string::npos);
         const PointFile file = read(app.folder / name);
         CHECK(file.faces == *mesh.triangles);
         CHECK(file.position == mesh.points->position);
@@ -88,7 +90,7 @@ TEST_CASE("Used points only: the file has no other points, and the same triangle
 
 TEST_CASE("The mesh that is saved is that of the end of the run, wherever the cursor is") {
     SavingDesk app;
-    app.session.goToPivot(3);
+    app.session.moves().goToPivot(3);
     app.waitUntilDone();
     app.ask(MeshAsk::Save, app.folder / "a.ply");
     CHECK(app.session.record().pivot == 3);
@@ -156,7 +158,7 @@ TEST_CASE(
     test::HeadlessApp empty("saving-empty-test");
     actions::saveMesh(empty.context);
     CHECK_FALSE(empty.ui.fileBrowser);
-    CHECK(empty.session.message().find("no run") != std::string::npos);
+    CHECK(empty.session.messages().last().find("no run") != std::string::npos);
     actions::copyCommand(empty.context);
     CHECK(empty.ui.mesh.ask == MeshAsk::None);
 

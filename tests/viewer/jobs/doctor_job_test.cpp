@@ -46,18 +46,18 @@ struct FlawedFile {
 
 TEST_CASE("The doctor starts only on request, and its findings come once") {
     DoctorJob doctorJob;
-    doctorJob.begin();
+    doctorJob.start();
     CHECK_FALSE(doctorJob.busy());
     doctorJob.enqueue(sphere());
     CHECK_FALSE(doctorJob.busy());
-    doctorJob.begin();
+    doctorJob.start();
     CHECK(doctorJob.busy());
     doctorJob.waitUntilDone();
     CHECK(doctorJob.poll());
     CHECK_FALSE(doctorJob.poll());
     CHECK(doctorJob.done());
     CHECK(doctorJob.findings().empty());
-    doctorJob.begin();
+    doctorJob.start();
     CHECK_FALSE(doctorJob.busy());
 }
 
@@ -65,13 +65,13 @@ TEST_CASE("Another input cancels the examination of the last one") {
     DoctorJob doctorJob;
     for (int i = 0; i < 5; ++i) {
         doctorJob.enqueue(sphere());
-        doctorJob.begin();
+        doctorJob.start();
     }
     doctorJob.enqueue(nullptr);
     CHECK_FALSE(doctorJob.busy());
     CHECK_FALSE(doctorJob.done());
     doctorJob.enqueue(std::make_shared<const PointFile>(findScene("grid")->build()));
-    doctorJob.begin();
+    doctorJob.start();
     doctorJob.waitUntilDone();
     REQUIRE(doctorJob.poll());
     REQUIRE(doctorJob.findings().size() == 1);
@@ -90,10 +90,10 @@ TEST_CASE("An input is examined once the run is complete, and problems are repor
     CHECK(finding.points == std::vector<Index>{7, 9});
     CHECK(open.session.takeProblemFound());
     CHECK_FALSE(open.session.takeProblemFound());
-    open.session.mark(finding.points);
+    open.session.highlights().mark(finding.points);
     open.session.open({"scene:figure-4", {}, "paper"});
     open.session.waitUntilDone();
-    CHECK(open.session.marked().empty());
+    CHECK(open.session.highlights().marked().empty());
     REQUIRE(open.session.doctorJob().findings().size() == 1);  // A note is no problem.
     CHECK_FALSE(open.session.takeProblemFound());
 }
@@ -137,11 +137,11 @@ TEST_CASE(
 
 TEST_CASE("Marked points get a diamond each, over everything else") {
     OpenSession open;
-    open.session.mark({4, 8, 15});
+    open.session.highlights().mark({4, 8, 15});
     const LayerInput input{.model = open.session.model(),
                            .picture = open.session.picture(),
                            .palette = paletteOf(Theme::Dark),
-                           .marked = open.session.marked()};
+                           .marked = open.session.highlights().marked()};
     DrawList out;
     addMarked(input, out);
     REQUIRE(out.sprites.size() == 3);

@@ -24,7 +24,7 @@ SampleSpec torus(std::size_t count) {
 
 TEST_CASE("Particles that have spread are, byte for byte, those of the sampler at once") {
     Growth growth;
-    growth.begin(torus(400));
+    growth.start(torus(400));
     growth.finish();
     growth.waitUntilDone();
     REQUIRE(growth.phase() == GrowthPhase::Done);
@@ -42,7 +42,7 @@ TEST_CASE("One step at a time: each moves the particles, and the line names the 
     Growth growth;
     SampleSpec spec = torus(300);
     spec.steps = 5;
-    growth.begin(spec);
+    growth.start(spec);
     growth.waitUntilDone();
     REQUIRE(growth.phase() == GrowthPhase::Paused);
     REQUIRE(growth.picture() != nullptr);
@@ -66,7 +66,7 @@ TEST_CASE("One step at a time: each moves the particles, and the line names the 
 
 TEST_CASE("Played particles are shown on their way, and stop on request") {
     Growth growth;
-    growth.begin(torus(200));
+    growth.start(torus(200));
     bool seen = false;
     for (int i = 0; i < 2000 && !seen; ++i) {
         growth.poll();
@@ -87,7 +87,7 @@ TEST_CASE("Played particles are shown on their way, and stop on request") {
     growth.cancel();
     CHECK(growth.picture() == nullptr);
     CHECK(growth.phase() == GrowthPhase::Idle);
-    growth.begin(torus(100));
+    growth.start(torus(100));
     growth.finish();
     growth.waitUntilDone();
     CHECK(growth.picture()->points->position.size() == 100);
@@ -97,13 +97,13 @@ TEST_CASE("A missing surface and an invalid volume are reported in core's words"
     Growth growth;
     SampleSpec spec = torus(100);
     spec.isovalue = 1000.0;
-    growth.begin(spec);
+    growth.start(spec);
     growth.waitUntilDone();
     CHECK(growth.phase() == GrowthPhase::Failed);
     CHECK(growth.picture() == nullptr);
     CHECK(growth.error().find("no surface") != std::string::npos);
     spec.surface = "/nowhere/none.nrrd";
-    growth.begin(spec);
+    growth.start(spec);
     growth.waitUntilDone();
     CHECK(growth.phase() == GrowthPhase::Failed);
     CHECK(growth.error().find("none.nrrd") != std::string::npos);

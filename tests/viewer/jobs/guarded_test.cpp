@@ -15,7 +15,7 @@
 #include "jobs/runner.h"
 #include "jobs/watch_scan.h"
 #include "open_session.h"
-#include "session/comparison.h"
+#include "session/compare/comparison.h"
 
 using namespace se;
 using namespace se::view;
@@ -41,8 +41,8 @@ TEST_CASE("Without memory an input is not opened, and the program continues") {
         const ScarceMemory scarce(4096);
         session.open({"scene:torus", {}, "paper"});
         session.waitUntilDone();
-        CHECK(session.phase() == SessionPhase::Failed);
-        CHECK(saysOutOfMemory(session.error()));
+        CHECK(session.input().phase() == SessionPhase::Failed);
+        CHECK(saysOutOfMemory(session.input().error()));
     }
     session.open({"scene:torus", {}, "paper"});
     session.waitUntilDone();
@@ -54,17 +54,17 @@ TEST_CASE("Without memory a move ends where it began, with a reason") {
     REQUIRE(open.session.ready());
     {
         const ScarceMemory scarce(512);
-        open.session.toEnd();
-        while (open.session.busy()) open.session.poll();
+        open.session.moves().toEnd();
+        while (open.session.moves().busy()) open.session.poll();
     }
-    CHECK(saysOutOfMemory(open.session.message()));
+    CHECK(saysOutOfMemory(open.session.messages().last()));
     CHECK(open.session.record().pivot == 0);
-    open.session.toEnd();
+    open.session.moves().toEnd();
     open.session.waitUntilDone();
-    CHECK(saysOutOfMemory(open.session.message()));
+    CHECK(saysOutOfMemory(open.session.messages().last()));
     open.session.open({"scene:sphere", {}, "paper"});
     open.session.waitUntilDone();
-    open.session.toEnd();
+    open.session.moves().toEnd();
     open.session.waitUntilDone();
     CHECK(open.session.atEnd());
 }
@@ -87,7 +87,7 @@ TEST_CASE("Without memory the doctor gives the reason for no result") {
     doctorJob.enqueue(loaded.value().file);
     {
         const ScarceMemory scarce;
-        doctorJob.begin();
+        doctorJob.start();
         doctorJob.waitUntilDone();
     }
     CHECK(doctorJob.poll());
@@ -101,7 +101,7 @@ TEST_CASE("Without memory a comparison gives the reason for no result") {
     Comparison comparison;
     {
         const ScarceMemory scarce(512);
-        comparison.begin(open.session, CompareWith::otherMesh("/dev/null"));
+        comparison.start(open.session, CompareWith::otherMesh("/dev/null"));
         comparison.waitUntilDone(open.session);
     }
     CHECK_FALSE(comparison.working());
@@ -110,12 +110,12 @@ TEST_CASE("Without memory a comparison gives the reason for no result") {
 
 TEST_CASE("An exception in a query is its complaint") {
     BackgroundQuery<int> query;
-    query.ask([](const Progress&) -> Result<int> { throw std::runtime_error("it broke"); });
+    query.start([](const Progress&) -> Result<int> { throw std::runtime_error("it broke"); });
     query.waitUntilDone();
     CHECK(query.poll());
     CHECK(query.answer() == nullptr);
     CHECK(query.complaint() == "Internal error: it broke.");
-    query.ask([](const Progress&) -> Result<int> { return 5; });
+    query.start([](const Progress&) -> Result<int> { return 5; });
     query.waitUntilDone();
     CHECK(query.poll());
     REQUIRE(query.answer() != nullptr);
@@ -148,7 +148,7 @@ TEST_CASE("Without memory new points fail, with a reason") {
     Growth growth;
     {
         const ScarceMemory scarce;
-        growth.begin(sampleFromSource("sample:torus,n=400").value());
+        growth.start(sampleFromSource("sample:torus,n=400").value());
         growth.waitUntilDone();
     }
     CHECK(growth.phase() == GrowthPhase::Failed);

@@ -21,7 +21,7 @@ InputSpec scene(const char* source) { return {source, {}, "paper"}; }
 TEST_CASE("An opened input comes once, with the start of its run") {
     Loader loader;
     CHECK_FALSE(loader.busy());
-    loader.begin(scene("scene:sphere"));
+    loader.start(scene("scene:sphere"));
     CHECK(loader.busy());
     loader.waitUntilDone();
     auto opened = loader.take();
@@ -39,7 +39,7 @@ TEST_CASE("An opened input comes once, with the start of its run") {
 TEST_CASE("The last of several inputs is the one that is opened") {
     Loader loader;
     for (const char* source : {"scene:sphere", "scene:torus", "scene:grid"}) {
-        loader.begin(scene(source));
+        loader.start(scene(source));
     }
     loader.waitUntilDone();
     const auto opened = loader.take();
@@ -50,7 +50,7 @@ TEST_CASE("The last of several inputs is the one that is opened") {
 
 TEST_CASE("A cancelled opening is not waited for") {
     Loader loader;
-    loader.begin(scene("scene:torus"));
+    loader.start(scene("scene:torus"));
     loader.cancel();
     CHECK_FALSE(loader.busy());
     loader.waitUntilDone();
@@ -61,14 +61,14 @@ TEST_CASE("A session whose opening is cancelled continues with the open input, a
     test::OpenSession open;
     const std::uint32_t before = open.session.generation();
     open.session.open(scene("scene:torus"));
-    CHECK(open.session.phase() == SessionPhase::Loading);
-    CHECK(open.session.spec().source == "scene:sphere");
-    CHECK(open.session.opening().source == "scene:torus");
+    CHECK(open.session.input().phase() == SessionPhase::Loading);
+    CHECK(open.session.input().spec().source == "scene:sphere");
+    CHECK(open.session.input().opening().source == "scene:torus");
     open.session.cancelOpening();
-    CHECK(open.session.phase() == SessionPhase::Ready);
+    CHECK(open.session.input().phase() == SessionPhase::Ready);
     open.session.waitUntilDone();
     CHECK(open.session.generation() == before);
-    CHECK(open.session.spec().source == "scene:sphere");
+    CHECK(open.session.input().spec().source == "scene:sphere");
 
     Session empty;
     empty.open(scene("scene:torus"));

@@ -109,15 +109,15 @@ TEST_CASE("The lines are walked in both directions of time, from any cursor posi
     }
     app.run("ask.line.next");
     CHECK(app.open.place() == forward.back());
-    CHECK(app.session().message() == "Nothing more happens to point 32.");
-    app.session().stepEvent(1);
+    CHECK(app.session().messages().last() == "Nothing more happens to point 32.");
+    app.session().moves().stepEvent(1);
     for (std::size_t i = ledger.lines.size(); i-- > 0;) {
         if (app.open.place() != forward.back() || i + 1 < ledger.lines.size())
             app.run("ask.line.previous");
         CHECK(app.open.place() == forward[i]);
     }
     app.run("ask.line.previous");
-    CHECK(app.session().message() == "Nothing happened to point 32 before.");
+    CHECK(app.session().messages().last() == "Nothing happened to point 32 before.");
     app.run("ask.cause");
     CHECK(app.open.place() == toString(ledger.lines[ledger.cause].event.address));
 }
@@ -126,11 +126,11 @@ TEST_CASE("Between two lines the cursor is before the next one") {
     AskDesk app;
     askWhy(app.context, Selection::ofPoint(32));
     const WhyAnswer ledger = *app.ledger();
-    app.session().toStart();
+    app.session().moves().toStart();
     app.session().waitUntilDone();
     CHECK(positionAmong(ledger.lines, app.session()).before == 0);
     CHECK_FALSE(positionAmong(ledger.lines, app.session()).here);
-    app.session().goToPivot(ledger.lines.back().event.address.pivot - 1);
+    app.session().moves().goToPivot(ledger.lines.back().event.address.pivot - 1);
     app.session().waitUntilDone();
     const LinePosition place = positionAmong(ledger.lines, app.session());
     CHECK_FALSE(place.here);
@@ -192,7 +192,7 @@ TEST_CASE("A query line finds what the library finds, and keys step through its 
     app.run("ask.hit.previous");
     app.run("ask.hit.previous");
     CHECK(app.open.place() == toString(found->lines[0].event.address));
-    CHECK(app.session().message() == "No earlier decision matches.");
+    CHECK(app.session().messages().last() == "No earlier decision matches.");
 }
 
 TEST_CASE(
@@ -205,28 +205,28 @@ TEST_CASE(
     REQUIRE(found->lines.size() == Questions::kMaxFound);
     REQUIRE(found->total > found->lines.size());
     const Address last = found->lines.back().event.address;
-    app.session().goTo(last);
+    app.session().moves().goTo(last);
     app.session().waitUntilDone();
     app.run("ask.hit.next");
     app.session().waitUntilDone();
     CHECK(toString(app.session().address()) == toString(last));
     const std::string rest = "at=" + std::to_string(last.pivot) + ".." +
                              std::to_string(app.session().overview().lastPivot);
-    CHECK(app.session().message().find(rest) != std::string::npos);
+    CHECK(app.session().messages().last().find(rest) != std::string::npos);
     CHECK(DecisionQuery::parse(rest).ok());
     // Coming back from after the end of the list is no step to the previous one, and a message says
     // so.
-    app.session().toEnd();
+    app.session().moves().toEnd();
     app.session().waitUntilDone();
     app.run("ask.hit.previous");
     app.session().waitUntilDone();
     CHECK(toString(app.session().address()) == toString(last));
-    CHECK(app.session().message().find(rest) != std::string::npos);
+    CHECK(app.session().messages().last().find(rest) != std::string::npos);
     // Within the list there is no message.
-    app.session().say("");
+    app.session().messages().say("");
     app.run("ask.hit.previous");
     app.session().waitUntilDone();
-    CHECK(app.session().message().empty());
+    CHECK(app.session().messages().last().empty());
 }
 
 TEST_CASE("A line with a mistake starts no query, and the old results stay") {
@@ -280,7 +280,7 @@ TEST_CASE("A ring is queried by its address, or as the one at the cursor") {
     CHECK(ringFromText("ring 30#1", here)->value() == RingAddress{{30, Stage::Pivot, 0}, 1});
     CHECK_FALSE(ringFromText("ring dragon", here)->ok());
     AskDesk app;
-    app.session().goToPivot(25);
+    app.session().moves().goToPivot(25);
     app.session().waitUntilDone();
     app.ui.ledger.typed = "ring";
     askTyped(app.context);
@@ -310,7 +310,7 @@ TEST_CASE("Margins have steps by decades; the least contrasts most with the back
 
 TEST_CASE("A point keeps its shape when tinted, and gets its plain color back") {
     OpenSession open("scene:stranded-point");
-    open.session.goToPivot(40);
+    open.session.moves().goToPivot(40);
     open.session.waitUntilDone();
     open.session.questions().wantClosest();
     open.session.waitUntilDone();

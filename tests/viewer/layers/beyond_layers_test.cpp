@@ -33,13 +33,13 @@ struct SetPlace {
         const std::vector<PivotSummary> pivots = place->session.overview().pivots;
         for (std::uint32_t i = 0; i < pivots.size(); ++i) {
             if ((pivots[i].found & findingOf(stage)) == 0) continue;
-            place->session.goTo({i + 1, stage, 0});
+            place->session.moves().goTo({i + 1, stage, 0});
             place->session.waitUntilDone();
             const std::vector<Event> events = place->session.record().events;
             for (std::size_t e = 0; e < events.size(); ++e) {
                 const auto* kind = std::get_if<Kind>(&events[e].evidence);
                 if (kind == nullptr || !wanted(*kind)) continue;
-                place->session.goToEvent(e);
+                place->session.moves().goToEvent(e);
                 place->session.waitUntilDone();
                 return place;
             }
@@ -236,7 +236,7 @@ TEST_CASE("A repaired mesh has a color for each component as well") {
     Session session;
     session.open(spec("scene:linked-tori", "robust"));
     session.waitUntilDone();
-    session.toEnd();
+    session.moves().toEnd();
     session.waitUntilDone();
     REQUIRE(session.picture().repaired != nullptr);
     MeshColoring mesh = meshColoring(MeshStyle::Component, session.overview(), 0);

@@ -35,7 +35,7 @@ TEST_CASE("A seed highlights the skipped points, once; permanently in saved pict
 
 TEST_CASE("The last fan fades as a new one appears") {
     OpenSession open;
-    open.session.goTo({30, Stage::Emit, 1});
+    open.session.moves().goTo({30, Stage::Emit, 1});
     open.session.waitUntilDone();
     const Palette& c = paletteOf(Theme::Dark);
     const auto fading = [&](const Moment& moment) {
@@ -62,7 +62,7 @@ TEST_CASE("The last fan fades as a new one appears") {
 
 TEST_CASE("The old path of the ring fades, and joining points pop up in order") {
     OpenSession open;
-    open.session.goTo({30, Stage::Ring, 3});
+    open.session.moves().goTo({30, Stage::Ring, 3});
     open.session.waitUntilDone();
     const auto alphaOfOld = [&](const Moment& moment) {
         for (const Line& line : drawnAt(open, moment, addRingChange).lines) {

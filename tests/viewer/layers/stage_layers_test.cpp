@@ -210,7 +210,7 @@ TEST_CASE("Drawn for seed, advance and done") {
     const Picture& picture = open.session.picture();
     CHECK(std::any_of(advance.lines.begin(), advance.lines.end(),
                       [&](const Line& l) { return l.to == place[picture.nextPivot]; }));
-    open.session.goTo({536, Stage::Done, 1});
+    open.session.moves().goTo({536, Stage::Done, 1});
     open.session.waitUntilDone();
     LayerInput in{open.session.model(), open.session.picture(), paletteOf(Theme::Dark)};
     in.component = shapeAt(open.session.overview().shapes, 536);
@@ -227,7 +227,7 @@ TEST_CASE("Drawn for seed, advance and done") {
 
 TEST_CASE("A point that cannot begin a ring is crossed, with the reason") {
     OpenSession open;
-    open.session.goTo({425, Stage::Strand, 1});
+    open.session.moves().goTo({425, Stage::Strand, 1});
     open.session.waitUntilDone();
     const DrawList list = drawnAt(open, Moment{}, addSeed);
     CHECK(count(list, view::Shape::Cross) == 1);
@@ -252,7 +252,7 @@ TEST_CASE("The overlap of a refused triangle is filled, and it alone") {
         const auto& place = open.session.model().place;
         return 0.5F * glm::length(glm::cross(place[b] - place[a], place[c] - place[a]));
     };
-    open.session.goTo({42, Stage::Reciprocal, 1});
+    open.session.moves().goTo({42, Stage::Reciprocal, 1});
     open.session.waitUntilDone();
     const Picture& p = open.session.picture();
     const float whole =
@@ -261,11 +261,11 @@ TEST_CASE("The overlap of a refused triangle is filled, and it alone") {
     CHECK(covered > 0.3F * whole);
     CHECK(covered < 0.9F * whole);
 
-    open.session.goTo({87, Stage::TwoPoint, 1});
+    open.session.moves().goTo({87, Stage::TwoPoint, 1});
     open.session.waitUntilDone();
     CHECK(hatched(addTwoPoint) > 0.5F * areaOfPicture(p.pivot, p.first, p.last));
     // A hole covers nothing.
-    open.session.goTo({15, Stage::TwoPoint, 1});
+    open.session.moves().goTo({15, Stage::TwoPoint, 1});
     open.session.waitUntilDone();
     CHECK(hatched(addTwoPoint) == 0.0F);
 }
@@ -275,7 +275,7 @@ TEST_CASE("A triangle that the reciprocal test keeps covers next to nothing") {
     const Address kept = firstWhere<ReciprocalEvidence>(
         open, [](const ReciprocalEvidence& e) { return e.verdict == Verdict::Kept; });
     REQUIRE(kept.pivot > 0);
-    open.session.goTo(kept);
+    open.session.moves().goTo(kept);
     open.session.waitUntilDone();
     CHECK_FALSE(says(drawnAt(open, Moment{}, addReciprocal), "overlap"));
 }

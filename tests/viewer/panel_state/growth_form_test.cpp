@@ -101,7 +101,7 @@ TEST_CASE("A volume is chosen in a browser, and starts at once") {
     CHECK(app.ui.growth.open);
     CHECK(app.ui.growth.form.volume == "/data/scan.nhdr");
     CHECK(app.ui.growth.asked == GrowthAsk::Begin);
-    CHECK(app.session.phase() == SessionPhase::Empty);
+    CHECK(app.session.input().phase() == SessionPhase::Empty);
 }
 
 TEST_CASE("Other preparation opens the input in another way, and the form undoes it") {
@@ -228,6 +228,6 @@ TEST_CASE("Sampled points are opened at the camera's position; others discard th
     app.document.open("scene:sphere");
     app.waitUntilDone();
     CHECK(app.session.model().name == "scene:sphere");
-    CHECK(app.session.spec().points == nullptr);
-    CHECK(app.session.spec().walls == WallChoice{});
+    CHECK(app.session.input().spec().points == nullptr);
+    CHECK(app.session.input().spec().walls == WallChoice{});
 }

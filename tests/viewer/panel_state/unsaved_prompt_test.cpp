@@ -39,7 +39,7 @@ struct LeavingDesk : test::HeadlessApp {
 TEST_CASE("There is no question without annotations, or after they were undone") {
     LeavingDesk app;
     app.open("scene:grid");
-    CHECK(app.session.spec().source == "scene:grid");
+    CHECK(app.session.input().spec().source == "scene:grid");
     const Address here{3, Stage::Sort, 1};
     toggleBookmark(app.ui.bookmarks, here);
     toggleBookmark(app.ui.bookmarks, here);
@@ -101,10 +101,10 @@ TEST_CASE("Opening and reloading ask as well; discarding restores the content of
     app.frame();
     app.ui.notes = "changed";
     app.open("scene:grid");
-    CHECK(app.session.spec().source == "scene:sphere");
+    CHECK(app.session.input().spec().source == "scene:sphere");
     REQUIRE(app.ui.leaving.asked);
     app.answer(LeaveAnswer::Discard);
-    CHECK(app.session.spec().source == "scene:grid");
+    CHECK(app.session.input().spec().source == "scene:grid");
     CHECK(app.ui.notes.empty());
     app.open("scene:sphere");
     CHECK_FALSE(app.ui.leaving.asked);
@@ -126,11 +126,11 @@ TEST_CASE("Saving first continues when the file is written, and stays if no name
     app.open("scene:grid");
     app.answer(LeaveAnswer::Save);
     REQUIRE(app.ui.fileBrowser);
-    CHECK(app.session.spec().source == "scene:sphere");
+    CHECK(app.session.input().spec().source == "scene:sphere");
     app.ui.fileBrowser = false;  // no file is named
     app.frame();
     app.frame();
-    CHECK(app.session.spec().source == "scene:sphere");
+    CHECK(app.session.input().spec().source == "scene:sphere");
 
     app.open("scene:grid");
     app.answer(LeaveAnswer::Save);
@@ -138,7 +138,7 @@ TEST_CASE("Saving first continues when the file is written, and stays if no name
     app.ui.requests.saveSessionAs = path.string();
     app.ui.fileBrowser = false;
     app.frame();
-    CHECK(app.session.spec().source == "scene:grid");
+    CHECK(app.session.input().spec().source == "scene:grid");
     CHECK(readSessionFile(path).value().notes == "odd");
 
     // The file has a name now.
@@ -168,9 +168,9 @@ TEST_CASE("A file that cannot be opened leaves notes and input unchanged") {
     app.ui.notes = "odd";
     app.document.open("missing.ply");
     app.frame();
-    CHECK(app.session.phase() == SessionPhase::Failed);
+    CHECK(app.session.input().phase() == SessionPhase::Failed);
     app.session.dismissError();
-    CHECK(app.session.spec().source == "scene:sphere");
+    CHECK(app.session.input().spec().source == "scene:sphere");
     CHECK(app.ui.notes == "odd");
 }
 
@@ -179,9 +179,9 @@ TEST_CASE("Of several files that are dropped the first is opened, and a sentence
     app.document.drop({"scene:grid", "scene:torus"});
     app.frame();
     app.document.poll();
-    CHECK(app.session.spec().source == "scene:grid");
-    CHECK(app.session.message().find("2 files") != std::string::npos);
-    CHECK(app.session.message().find("scene:grid") != std::string::npos);
+    CHECK(app.session.input().spec().source == "scene:grid");
+    CHECK(app.session.messages().last().find("2 files") != std::string::npos);
+    CHECK(app.session.messages().last().find("scene:grid") != std::string::npos);
     app.ui.notes = "odd";
     app.document.drop({"scene:torus"});
     CHECK(app.ui.leaving.asked);

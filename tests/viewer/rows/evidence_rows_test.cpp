@@ -218,7 +218,7 @@ TEST_CASE("Inspect: a complete component counts its triangles, points, loops and
         test::OpenSession open(scene);
         const RunOverview& run = open.session.overview();
         REQUIRE_FALSE(run.shapes.empty());
-        open.session.goTo({run.shapes.back().pivot, Stage::Done, 0});
+        open.session.moves().goTo({run.shapes.back().pivot, Stage::Done, 0});
         open.session.waitUntilDone();
         const PivotRecord& record = open.session.record();
         const Event& event = record.events.back();

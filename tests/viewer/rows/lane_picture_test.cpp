@@ -88,7 +88,7 @@ TEST_CASE("The overview has the lanes at any pivot") {
     OverviewJob thread(model);
     thread.waitUntilDone();
     RunOverview run;
-    REQUIRE(thread.update(run));
+    REQUIRE(thread.poll(run));
     CHECK(run.lanes >= 2);
     std::size_t wrong = 0;
     for (std::uint32_t pivot = 1; pivot <= run.ringLength.size(); ++pivot) {

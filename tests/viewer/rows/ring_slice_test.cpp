@@ -77,20 +77,20 @@ TEST_CASE("The strip shows the chosen ring, otherwise the active one") {
 
 TEST_CASE("A ring is highlighted under the pointer, and stays so when chosen") {
     OpenSession open;
-    open.session.goToPivot(30);
+    open.session.moves().goToPivot(30);
     open.session.waitUntilDone();
     Session& session = open.session;
     const std::uint32_t before = session.revision();
-    session.hoverRing(3);
-    CHECK(session.litRing() == 3);
+    session.highlights().hoverRing(3);
+    CHECK(session.highlights().litRing() == 3);
     CHECK(session.revision() > before);
-    session.hoverRing(kNone);
-    CHECK(session.litRing() == kNone);
-    session.highlightRing(5);
-    CHECK(session.litRing() == 5);
-    session.hoverRing(3);
-    CHECK(session.litRing() == 3);
-    session.hoverRing(kNone);
-    session.highlightRing(5);
-    CHECK(session.litRing() == kNone);
+    session.highlights().hoverRing(kNone);
+    CHECK(session.highlights().litRing() == kNone);
+    session.highlights().chooseRing(5);
+    CHECK(session.highlights().litRing() == 5);
+    session.highlights().hoverRing(3);
+    CHECK(session.highlights().litRing() == 3);
+    session.highlights().hoverRing(kNone);
+    session.highlights().chooseRing(5);
+    CHECK(session.highlights().litRing() == kNone);
 }

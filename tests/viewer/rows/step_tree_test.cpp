@@ -162,11 +162,11 @@ TEST_CASE("A million pivots are ordinary rows") {
 
 TEST_CASE("In a session every event has a row") {
     OpenSession open("scene:torus");
-    open.session.goToPivot(137);
+    open.session.moves().goToPivot(137);
     open.session.waitUntilDone();
     StepTree tree;
     for (std::size_t cursor = 0; cursor < open.session.record().events.size(); ++cursor) {
-        open.session.goToEvent(cursor);
+        open.session.moves().goToEvent(cursor);
         tree.update(open.session.overview(), open.session.generation(), open.session.record(),
                     open.session.cursor());
         const auto row = tree.rowOfCursor();

@@ -16,7 +16,7 @@ RunOverview wholeRun(const char* scene) {
     OverviewJob thread(model.value());
     thread.waitUntilDone();
     RunOverview run;
-    thread.update(run);
+    thread.poll(run);
     return run;
 }
 

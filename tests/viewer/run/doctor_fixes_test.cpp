@@ -111,7 +111,7 @@ TEST_CASE("The input is opened again with its fixes, and unchanged without them"
     CHECK(app.session.model().fixesDone.empty());
 
     app.follow(safeFixes(app.session.doctorJob().findings()));
-    CHECK(app.session.spec().fixes.size() == 2);
+    CHECK(app.session.input().spec().fixes.size() == 2);
     CHECK(app.findings().empty());
     CHECK(app.session.model().points.size() == all - 3);
     CHECK(app.session.model().fixesDone.size() == 3);  // copies, zero normals, flipped ones
@@ -133,7 +133,7 @@ TEST_CASE("Bookmarks and notes stay when the input is repaired, and another inpu
     CHECK_FALSE(app.ui.leaving.asked);
     app.document.open("scene:torus");
     app.waitUntilDone();
-    CHECK(app.session.spec().fixes.empty());
+    CHECK(app.session.input().spec().fixes.empty());
     CHECK(app.session.model().fixesDone.empty());
 }
 
@@ -146,7 +146,7 @@ TEST_CASE("A session keeps the fixes of its input") {
     CHECK(app.finds("flipped_normals"));
     app.document.open((app.folder / "a.sesession").string());
     app.waitUntilDone();
-    CHECK(app.session.spec().fixes == Fixes{"zero_normals", "flipped_normals"});
+    CHECK(app.session.input().spec().fixes == Fixes{"zero_normals", "flipped_normals"});
     CHECK(app.findings().empty());
     const std::string text = *readText(app.folder / "a.sesession");
     CHECK(text.find("\"doctor\": [") != std::string::npos);

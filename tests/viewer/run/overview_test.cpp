@@ -16,8 +16,8 @@ TEST_CASE("The overview has the counts of a plain run") {
     OverviewJob thread(model);
     thread.waitUntilDone();
     RunOverview run;
-    CHECK(thread.update(run));
-    CHECK_FALSE(thread.update(run));
+    CHECK(thread.poll(run));
+    CHECK_FALSE(thread.poll(run));
     Stepper stepper(model->points, model->params);
     stepper.run();
     const State& end = stepper.state();

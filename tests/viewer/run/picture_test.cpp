@@ -152,7 +152,7 @@ TEST_CASE("The picture before an event is that of the event before it") {
 
 TEST_CASE("Holding the look before an event changes the picture, not the cursor") {
     test::OpenSession open;
-    open.session.goTo({30, Stage::Emit, 1});
+    open.session.moves().goTo({30, Stage::Emit, 1});
     open.session.waitUntilDone();
     open.session.showBefore(true);
     CHECK(open.session.picture().newTriangles.empty());

@@ -29,7 +29,7 @@ std::uint64_t hashAtEnd(const Session& session) {
 }
 
 WhatIf offeredAt(Session& session, const char* address) {
-    REQUIRE(session.goToText(address).ok());
+    REQUIRE(session.moves().goToText(address).ok());
     session.waitUntilDone();
     REQUIRE(session.event() != nullptr);
     const auto offers = offersAt(*session.event(), session.picture().pivot);
@@ -94,16 +94,16 @@ TEST_CASE("The rows have all rules by section; words of name, section and senten
 
 TEST_CASE("A rule without effect before the cursor leaves it at the same test") {
     OpenSession open;
-    REQUIRE(open.session.goToText("30.sphere.1").ok());
+    REQUIRE(open.session.moves().goToText("30.sphere.1").ok());
     REQUIRE(open.place() == "30.sphere.1");
     open.session.select(5);
     // No two-point ring of over 180 degrees comes so early on a sphere.
-    open.session.runAnew(withRule(open.session.rules(), "cap", 9.0));
-    CHECK(open.session.runsAnew());
+    open.session.runAnew(withRule(open.session.input().rules(), "cap", 9.0));
+    CHECK(open.session.input().runsAnew());
     CHECK(open.place() == "30.sphere.1");
-    CHECK_FALSE(open.session.runsAnew());
+    CHECK_FALSE(open.session.input().runsAnew());
     CHECK(open.session.model().params.maxTrianglesPerPoint == 9);
-    CHECK(open.session.message() == "Same place: no difference before it.");
+    CHECK(open.session.messages().last() == "Same place: no difference before it.");
     CHECK(open.session.selected() == 5);
 }
 
@@ -112,15 +112,16 @@ TEST_CASE("Where the runs diverge the cursor stays at the same pivot of the same
     for (const std::uint32_t pivot : {40U, 90U, 200U}) {
         open.session.runAnew({});
         open.session.waitUntilDone();
-        open.session.goToPivot(pivot);
+        open.session.moves().goToPivot(pivot);
         open.session.waitUntilDone();
         const Index point = open.session.picture().pivot;
         open.session.runAnew(withRule({}, "maxgap", 100.0));
         open.session.waitUntilDone();
-        CHECK_FALSE(open.session.message().empty());
-        const bool same = open.session.message().starts_with("Same");
+        CHECK_FALSE(open.session.messages().last().empty());
+        const bool same = open.session.messages().last().starts_with("Same");
         if (same) CHECK(open.session.picture().pivot == point);
-        if (!same) CHECK(open.session.message().find("last shared state") != std::string::npos);
+        if (!same)
+            CHECK(open.session.messages().last().find("last shared state") != std::string::npos);
     }
 }
 
@@ -128,13 +129,13 @@ TEST_CASE("At the start and at the end of a run the cursor stays there") {
     OpenSession open;
     open.session.runAnew(withRule({}, "maxgap", 90.0));
     CHECK(open.place() == "start");
-    open.session.toEnd();
+    open.session.moves().toEnd();
     open.session.waitUntilDone();
     REQUIRE(open.session.atEnd());
     open.session.runAnew({});
     open.session.waitUntilDone();
     CHECK(open.session.atEnd());
-    CHECK(open.session.message() == "At the end of the new run.");
+    CHECK(open.session.messages().last() == "At the end of the new run.");
 }
 
 TEST_CASE("Rules are undone and redone, and kept in the session file") {
@@ -143,7 +144,7 @@ TEST_CASE("Rules are undone and redone, and kept in the session file") {
     app.waitUntilDone();
     UndoStack undo;
     undo.begin(captureEdits(app.context));
-    ask(app, withRule(app.session.rules(), "tie", 1.0));
+    ask(app, withRule(app.session.input().rules(), "tie", 1.0));
     CHECK(app.session.model().params.paper.tie == TieRule::Farthest);
     undo.observe(captureEdits(app.context), 10.0, false);
     const auto step = undo.undo(captureEdits(app.context));
@@ -160,7 +161,8 @@ TEST_CASE("Rules are undone and redone, and kept in the session file") {
     ask(app, {});
     app.document.open(path);
     app.waitUntilDone();
-    CHECK(rulesOf(app.session.spec()) == withRule(withRule({}, "maxgap", 100.0), "walls", 0.0));
+    CHECK(rulesOf(app.session.input().spec()) ==
+          withRule(withRule({}, "maxgap", 100.0), "walls", 0.0));
 }
 
 TEST_CASE("A fork at a test, and the way back to the same run") {
@@ -172,9 +174,9 @@ TEST_CASE("A fork at a test, and the way back to the same run") {
     const std::string address = firstAddress(session, Verdict::Removed);
     const WhatIf what = offeredAt(session, address.c_str());
     CHECK(what.kind == WhatIfKind::Keep);
-    ask(app, withWhatIf(session.rules(), what));
-    CHECK(session.spec().whatIf == std::vector<WhatIf>{what});
-    CHECK(session.whatIfProblem(0).empty());
+    ask(app, withWhatIf(session.input().rules(), what));
+    CHECK(session.input().spec().whatIf == std::vector<WhatIf>{what});
+    CHECK(session.input().whatIfProblem(0).empty());
     CHECK(toString(session.address()) == address);
     const auto* sphere = std::get_if<SphereEvidence>(&session.event()->evidence);
     REQUIRE(sphere != nullptr);
@@ -183,29 +185,29 @@ TEST_CASE("A fork at a test, and the way back to the same run") {
     const std::string path = (app.folder / "fork.sesession").string();
     app.ui.requests.saveSessionAs = path;
     app.document.carryOut(app.ui.requests);
-    ask(app, withoutWhatIf(session.rules(), 0));
-    CHECK(session.spec().whatIf.empty());
+    ask(app, withoutWhatIf(session.input().rules(), 0));
+    CHECK(session.input().spec().whatIf.empty());
     CHECK(hashAtEnd(session) == before);
     CHECK(toString(session.address()) == address);
     app.document.open(path);
     app.waitUntilDone();
-    CHECK(session.spec().whatIf == std::vector<WhatIf>{what});
+    CHECK(session.input().spec().whatIf == std::vector<WhatIf>{what});
     CHECK(toString(session.address()) == address);
 }
 
 TEST_CASE("A fork that would break an invariant is refused without any change") {
     OpenSession open;
-    open.session.goToPivot(20);
+    open.session.moves().goToPivot(20);
     open.session.waitUntilDone();
     const std::string place = open.place();
     const std::uint32_t generation = open.session.generation();
     open.session.runAnew(withWhatIf({}, whatIfFromText("5 list 7 7").value()));
     open.session.waitUntilDone();
-    CHECK(open.session.phase() == SessionPhase::Ready);
+    CHECK(open.session.input().phase() == SessionPhase::Ready);
     CHECK(open.session.generation() == generation);
     CHECK(open.place() == place);
-    CHECK(open.session.message().find("refused") != std::string::npos);
-    CHECK(open.session.spec().whatIf.empty());
+    CHECK(open.session.messages().last().find("refused") != std::string::npos);
+    CHECK(open.session.input().spec().whatIf.empty());
 }
 
 TEST_CASE("A moved point is drawn at its new position from its pivot on, and not before") {
@@ -221,11 +223,11 @@ TEST_CASE("A moved point is drawn at its new position from its pivot on, and not
     open.session.waitUntilDone();
     const glm::vec3 before = open.session.shown().place[20];
     CHECK(before == open.session.model().place[20]);
-    open.session.goToPivot(10);
+    open.session.moves().goToPivot(10);
     open.session.waitUntilDone();
     CHECK(open.session.shown().place[20] != before);
     CHECK(open.session.shown().points.position[20].x == 0.25);
-    open.session.goToPivot(9);
+    open.session.moves().goToPivot(9);
     open.session.waitUntilDone();
     CHECK(open.session.shown().place[20] == before);
     // The run begins with the points of the input.
@@ -238,7 +240,7 @@ TEST_CASE("Every what-if offered at a test has its effect in the run") {
     OpenSession open("scene:torus");
     std::size_t offered = 0;
     for (std::uint32_t pivot = 3; pivot < 40; pivot += 4) {
-        open.session.goToPivot(pivot);
+        open.session.moves().goToPivot(pivot);
         open.session.waitUntilDone();
         const std::vector<Event> events = open.session.record().events;
         for (const Event& event : events) {

@@ -69,7 +69,7 @@ TEST_CASE("Styles computed for changed blocks equal those computed for all") {
     LayerSwitches on;
     on.set(static_cast<std::size_t>(LayerId::Points));
     for (const std::uint32_t pivot : {10U, 11U, 300U, 12U, 0U}) {
-        open.session.goToPivot(pivot);
+        open.session.moves().goToPivot(pivot);
         open.session.waitUntilDone();
         const LayerInput in{open.session.model(), open.session.picture(), paletteOf(Theme::Dark)};
         DrawList anew;

@@ -87,7 +87,7 @@ TEST_CASE("Every arrow lies on the rectangle at the inset, in any direction") {
 
 TEST_CASE("A click on the arrow brings the pivot into the view, with any selection") {
     OpenSession open;
-    open.session.goToText("40.sort.1");
+    open.session.moves().goToText("40.sort.1");
     open.session.waitUntilDone();
     Playback playback;
     Camera camera;
@@ -169,7 +169,7 @@ TEST_CASE("Dial: a name without room is left out, the last first") {
 
 TEST_CASE("Points of a decision: pivot, ends, candidates, and others that it names, once each") {
     OpenSession open("scene:figure-9");
-    open.session.goToText("42.reciprocal.1");
+    open.session.moves().goToText("42.reciprocal.1");
     open.session.waitUntilDone();
     const Picture& picture = open.session.picture();
     const std::vector<Index> points = neighborhoodOf(picture);
@@ -195,7 +195,7 @@ TEST_CASE("A close-up shows all points of a decision, with room for names") {
             CAPTURE(size.x);
             CAPTURE(address);
             OpenSession open("scene:figure-9");
-            open.session.goToText(address);
+            open.session.moves().goToText(address);
             open.session.waitUntilDone();
             Camera camera;
             closeUp(open.session, camera, size);

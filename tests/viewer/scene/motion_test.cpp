@@ -85,7 +85,7 @@ TEST_CASE("After a step without animation nothing moves, then or later") {
 TEST_CASE("Only an animated picture keeps the window drawing") {
     test::OpenSession open;
     const auto seconds = [&](const Address& address) {
-        open.session.goTo(address);
+        open.session.moves().goTo(address);
         open.session.waitUntilDone();
         return motionSeconds(open.session.picture());
     };

@@ -78,7 +78,7 @@ struct WholeSphere {
     CameraMatrices camera = front();
 
     WholeSphere() {
-        open.session.toEnd();
+        open.session.moves().toEnd();
         open.session.waitUntilDone();
     }
     const Model& model() const { return open.session.model(); }
@@ -165,7 +165,7 @@ TEST_CASE("The index of triangles finds the same as a search of all of them") {
 
 TEST_CASE("Only things present at the cursor are picked; steps of rings are edges as well") {
     test::OpenSession open;
-    open.session.goToPivot(40);
+    open.session.moves().goToPivot(40);
     open.session.waitUntilDone();
     const CameraMatrices camera = front();
     const PickScene scene{open.session.model(), false, open.session.shownTriangles(),
@@ -184,7 +184,7 @@ TEST_CASE("Only things present at the cursor are picked; steps of rings are edge
         ++rings;
     }
     const std::size_t shown = open.session.shownTriangles().size();
-    open.session.toEnd();
+    open.session.moves().toEnd();
     open.session.waitUntilDone();
     CHECK(open.session.triangles().size() > shown);
 }
@@ -197,7 +197,7 @@ TEST_CASE("The selection is a value: sides and corners in any order, it survives
     CHECK(selectionText(Selection::ofTriangle({5, 9, 2})) == "triangle 2, 5, 9");
     test::OpenSession open;
     open.session.select(Selection::ofEdge(3, 7));
-    open.session.goToPivot(20);
+    open.session.moves().goToPivot(20);
     open.session.waitUntilDone();
     CHECK(open.session.selection() == Selection::ofEdge(3, 7));
     CHECK(open.session.selected() == kNone);
@@ -208,7 +208,7 @@ TEST_CASE("The selection is a value: sides and corners in any order, it survives
 
 TEST_CASE("Facts of a triangle: its number, its pivot, its angles, and its presence") {
     test::OpenSession open;
-    open.session.toEnd();
+    open.session.moves().toEnd();
     open.session.waitUntilDone();
     const RunOverview& run = open.session.overview();
     for (const std::size_t number : {0UL, 17UL, 100UL}) {
@@ -217,14 +217,14 @@ TEST_CASE("Facts of a triangle: its number, its pivot, its angles, and its prese
         REQUIRE(pivot.has_value());
         CHECK(run.triangles[*pivot - 1] > number);
         if (*pivot > 1) CHECK(run.triangles[*pivot - 2] <= number);
-        open.session.goToPivot(*pivot - 1);
+        open.session.moves().goToPivot(*pivot - 1);
         open.session.waitUntilDone();
         SelectionFacts facts = factsOf(open.session, Selection::ofTriangle(t));
         CHECK_FALSE(facts.present);
         CHECK(facts.number == number);
         CHECK(facts.degrees[0] + facts.degrees[1] + facts.degrees[2] == doctest::Approx(180.0));
         CHECK(facts.area > 0.0);
-        open.session.goToPivot(*pivot);
+        open.session.moves().goToPivot(*pivot);
         open.session.waitUntilDone();
         facts = factsOf(open.session, Selection::ofTriangle(t));
         CHECK(facts.present);
@@ -238,7 +238,7 @@ TEST_CASE("Facts of a triangle: its number, its pivot, its angles, and its prese
 
 TEST_CASE("An edge of the ring is reported as such; an edge of nothing is not present") {
     test::OpenSession open;
-    open.session.goToPivot(30);
+    open.session.moves().goToPivot(30);
     open.session.waitUntilDone();
     const RingPath ring = open.session.picture().rings.front();
     const Selection edge = Selection::ofEdge(ring.points[0], ring.points[1]);
@@ -256,7 +256,7 @@ TEST_CASE("Creation: every triangle was made by its decision emit") {
         OpenSession open(scene);
         const RunOverview& run = open.session.overview();
         for (std::uint32_t pivot = 1; pivot <= std::min(60U, run.lastPivot); ++pivot) {
-            open.session.goToPivot(pivot);
+            open.session.moves().goToPivot(pivot);
             open.session.waitUntilDone();
             for (const Event& event : open.session.record().events) {
                 const auto* emit = std::get_if<EmitEvidence>(&event.evidence);

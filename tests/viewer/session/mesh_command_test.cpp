@@ -117,7 +117,7 @@ TEST_CASE("The command is copied without the dialog as well: for a file named af
     app.ui.mesh.ask = MeshAsk::CopyCommand;
     saving.carryOut();
     CHECK(app.ui.requests.copyText == "spiraling-edge run scene:sphere -o sphere-mesh.ply");
-    CHECK(app.session.message() == "Copied the command.");
+    CHECK(app.session.messages().last() == "Copied the command.");
 }
 
 #ifdef SPIRALING_EDGE_CLI
@@ -154,9 +154,9 @@ void checkReproduced(const InputSpec& spec, const char* name = "m.ply", bool use
     MeshController saving(app.context);
     app.session.open(spec);
     app.session.waitUntilDone();
-    REQUIRE_MESSAGE(app.session.ready(), app.session.error());
+    REQUIRE_MESSAGE(app.session.ready(), app.session.input().error());
     const MeshTarget target{(app.folder / name).string(), usedOnly};
-    const auto mesh = finishMesh(app.session.model(), *app.session.sharedFile());
+    const auto mesh = finishMesh(app.session.model(), *app.session.input().file());
     REQUIRE(!mesh.value().triangles->empty());
     REQUIRE(saveMesh(mesh.value(), target).ok());
     const std::optional<std::string> saved = readText(target.path);

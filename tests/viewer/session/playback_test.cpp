@@ -99,7 +99,7 @@ struct Player {
 
 TEST_CASE("A step is a sub-step, a pivot or an event, forward and back") {
     Player player;
-    player.open.session.goToPivot(10);
+    player.open.session.moves().goToPivot(10);
     player.open.session.waitUntilDone();
     const std::string here = player.open.place();
     CHECK(player.step(PlayUnit::SubStep) == "11.pivot.1");
@@ -110,25 +110,25 @@ TEST_CASE("A step is a sub-step, a pivot or an event, forward and back") {
     REQUIRE(mark.has_value());
     CHECK(player.step(PlayUnit::Event).starts_with(toString(*mark)));
     // Playing leaves no entry in the history.
-    player.open.session.goBack();
+    player.open.session.moves().goBack();
     CHECK(player.open.place() == "start");
 }
 
 TEST_CASE("Playing from event to event pauses after the last one") {
     Player player;
-    player.open.session.toEnd();
+    player.open.session.moves().toEnd();
     player.open.session.waitUntilDone();
     player.playback.play();
     player.step(PlayUnit::Event);
     CHECK_FALSE(player.playback.playing());
-    CHECK_FALSE(player.open.session.message().empty());
+    CHECK_FALSE(player.open.session.messages().last().empty());
 }
 
 TEST_CASE("Pivots are not played beyond the end of the loop") {
     Player player;
     player.playback.loop.setFrom({10, se::Stage::Pivot, 0});
     player.playback.loop.setTo({15, se::Stage::Pivot, 0});
-    player.open.session.goToPivot(12);
+    player.open.session.moves().goToPivot(12);
     player.open.session.waitUntilDone();
     CHECK_FALSE(player.open.session.reached(*player.playback.loop.to));
     CHECK(player.step(PlayUnit::Pivot, 8).starts_with("15."));

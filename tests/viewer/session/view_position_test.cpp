@@ -57,17 +57,17 @@ TEST_CASE("History: back and forward lead through the positions before jumps") {
 
 TEST_CASE("A session goes back to where a jump began, and forward again") {
     test::OpenSession open;
-    open.session.stepPivot(3);
+    open.session.moves().stepPivot(3);
     const std::string first = open.place();
-    open.session.goTo({40, Stage::Sphere, 2});
+    open.session.moves().goTo({40, Stage::Sphere, 2});
     const std::string second = open.place();
-    open.session.toEnd();
+    open.session.moves().toEnd();
     open.place();
-    open.session.goBack();
+    open.session.moves().goBack();
     CHECK(open.place() == second);
-    open.session.goBack();
+    open.session.moves().goBack();
     CHECK(open.place() == first);
-    open.session.goForward();
+    open.session.moves().goForward();
     CHECK(open.place() == second);
 }
 
@@ -76,7 +76,7 @@ TEST_CASE("A session goes from mark to mark, there and back the same ones") {
     open.place();
     const auto goToMark = [&](int direction) {
         const std::optional<Address> mark = open.session.nextMark(direction);
-        if (mark) open.session.goTo(*mark);
+        if (mark) open.session.moves().goTo(*mark);
         return mark.has_value();
     };
     std::vector<std::string> there;
@@ -105,7 +105,7 @@ TEST_CASE("A jump to an alert lands on the alert, and not on an earlier event of
         for (const RunMark& mark : open.session.overview().marks) {
             if (mark.kind != MarkKind::Alert) continue;
             ++alerts;
-            open.session.goTo({mark.pivot, stageOf(mark.kind), mark.n});
+            open.session.moves().goTo({mark.pivot, stageOf(mark.kind), mark.n});
             open.place();
             REQUIRE(open.session.event() != nullptr);
             CHECK(std::holds_alternative<AlertEvidence>(open.session.event()->evidence));

@@ -189,7 +189,7 @@ void drawWorking(const PanelContext& context) {
 /// A and B by name.
 void drawNames(const PanelContext& context) {
     ComparePage& page = context.state<ComparePage>();
-    const InputSpec& run = context.session().spec();
+    const InputSpec& run = context.session().input().spec();
     const CompareWith& with = page.now->with();
     const auto name = [&](const char* letter, const std::string& text, const Color& color) {
         ImGui::PushFont(context.fonts.strong);

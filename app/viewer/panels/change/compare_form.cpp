@@ -40,7 +40,7 @@ void drawRuleFields(const PanelContext& context, CompareForm& form) {
 
 /// Differences in the preparation of the other input.
 std::string prepareNote(const PanelContext& context, const CompareForm& form) {
-    const InputSpec& here = context.session().spec();
+    const InputSpec& here = context.session().input().spec();
     const Result<InputSpec> there = form.prepare.spec(here);
     if (!there) return "a field is wrong";
     const std::string text = differenceText(here, there.value());
@@ -95,7 +95,7 @@ void begin(const PanelContext& context, const Result<InputSpec>& spec) {
 /// Choices that need one click only.
 void drawShortcuts(const PanelContext& context) {
     ComparePage& page = context.state<ComparePage>();
-    const InputSpec& here = context.session().spec();
+    const InputSpec& here = context.session().input().spec();
     dimText("Or one of these:");
     if (compareButton(context, "Mesh from file...", "mesh",
                       "A mesh that another program made from the same points"))
@@ -115,7 +115,7 @@ void drawShortcuts(const PanelContext& context) {
 
 void drawCompareForm(const PanelContext& context) {
     CompareForm& form = context.state<ComparePage>().form;
-    const InputSpec& here = context.session().spec();
+    const InputSpec& here = context.session().input().spec();
     dimText("B, to compare with the open run:");
     drawRuleFields(context, form);
     drawPrepared(context, form);

@@ -64,7 +64,8 @@ void drawNumber(RuleList& list, const RuleRow& row) {
     const bool left = ImGui::IsItemDeactivatedAfterEdit();
     if ((!entered && !left) || value == row.value) return;
     if (isValue(setting, value)) return list.set(setting, value);
-    list.context.session().say(std::string(setting.name) + ": " + valuesText(setting) + ".");
+    list.context.session().messages().say(std::string(setting.name) + ": " + valuesText(setting) +
+                                          ".");
 }
 
 /// A dot before a value that differs from the set, and a button to reset it.

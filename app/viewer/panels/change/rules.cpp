@@ -17,12 +17,12 @@ void drawRules(const PanelContext& context) {
         ImGui::TextDisabled("Nothing is open.");
         return;
     }
-    const RuleSet rules = session.rules();
+    const RuleSet rules = session.input().rules();
     const std::size_t count = differingCount(rules);
     heading(context, "Rules",
-            session.runsAnew() ? "re-running ..."
-            : count == 0       ? "values of the set"
-                               : std::to_string(count) + (count == 1 ? " differs" : " differ"));
+            session.input().runsAnew() ? "re-running ..."
+            : count == 0               ? "values of the set"
+                         : std::to_string(count) + (count == 1 ? " differs" : " differ"));
     const RuleListFields place{context.ui().ruleFilter, ""};
     std::optional<RuleSet> chosen = drawRuleSets(context, rules, place);
     if (auto single = drawRuleList(context, rules, place)) chosen = std::move(single);

@@ -37,12 +37,12 @@ void drawPresent(const PanelContext& context, const RuleSet& rules) {
         ImGui::SameLine();
         const std::string text = lineOf(what);
         if (ImGui::Selectable(fitted(text, ImGui::GetContentRegionAvail().x).c_str())) {
-            session.goTo(placeOf(what));
+            session.moves().goTo(placeOf(what));
         }
         context.where()["what if " + std::to_string(i + 1)] = lastItem();
         tooltip(describe(what) + "\nClick to go there.");
-        const std::string& problem = session.whatIfProblem(i);
-        if (!problem.empty() && !session.runsAnew()) {
+        const std::string& problem = session.input().whatIfProblem(i);
+        if (!problem.empty() && !session.input().runsAnew()) {
             ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
             wrappedText("No effect. " + problem);
             ImGui::PopStyleColor();
@@ -99,7 +99,7 @@ void drawMove(const PanelContext& context, const RuleSet& rules, std::uint32_t p
     if (ImGui::Button("Move it there")) {
         const auto what = form.move(pivot);
         what ? ask(context, withWhatIf(rules, what.value()))
-             : context.session().say(what.error().message);
+             : context.session().messages().say(what.error().message);
     }
     context.where()["what if move"] = lastItem();
     tooltip("From pivot " + std::to_string(pivot) + " on; its triangles move along.");
@@ -113,7 +113,7 @@ void drawList(const PanelContext& context, const RuleSet& rules, std::uint32_t p
     if (ImGui::Button("Give it this list")) {
         const auto what = form.neighbors(pivot);
         what ? ask(context, withWhatIf(rules, what.value()))
-             : context.session().say(what.error().message);
+             : context.session().messages().say(what.error().message);
     }
     context.where()["what if neighbors"] = lastItem();
     tooltip("From pivot " + std::to_string(pivot) + " on; the list is sorted by distance.");
@@ -148,7 +148,7 @@ void drawWhatIf(const PanelContext& context) {
         ImGui::TextDisabled("Nothing is open.");
         return;
     }
-    const RuleSet rules = session.rules();
+    const RuleSet rules = session.input().rules();
     const std::size_t count = rules.whatIf.size();
     heading(context, "What if",
             count == 0 ? "" : std::to_string(count) + (count == 1 ? " change" : " changes"));
@@ -161,7 +161,7 @@ void drawWhatIf(const PanelContext& context) {
 void drawWhatIfBanner(const PanelContext& context) {
     const Session& session = context.session();
     if (!session.ready() || context.rects.layoutPreset == LayoutPreset::Present) return;
-    const std::size_t count = session.spec().whatIf.size();
+    const std::size_t count = session.input().spec().whatIf.size();
     if (count == 0) return;
     const Rect& view = context.rects.view;
     const float em = context.em;

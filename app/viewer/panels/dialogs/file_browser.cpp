@@ -72,7 +72,7 @@ std::string stemOfMade(const PanelContext& context) {
     const GrowthPage& page = context.state<GrowthPage>();
     if (page.open) return sampleStem(page.made, page.numbers.points);
     const Session& session = context.session();
-    const Result<SampleSpec> spec = sampleFromSource(session.spec().source);
+    const Result<SampleSpec> spec = sampleFromSource(session.input().spec().source);
     return spec && session.ready() ? sampleStem(spec.value(), session.model().points.size()) : "";
 }
 
@@ -80,7 +80,8 @@ std::string stemOfMade(const PanelContext& context) {
 fs::path savedMesh(const PanelContext& context) {
     const MeshForm& form = context.state<MeshForm>();
     const bool mesh = context.ui().browser == BrowserTask::SaveMesh;
-    return mesh && form.savedSource == context.session().spec().source ? form.savedPath : "";
+    return mesh && form.savedSource == context.session().input().spec().source ? form.savedPath
+                                                                               : "";
 }
 
 /// The proposed name: that of the session, otherwise that of the input.
@@ -106,7 +107,7 @@ std::string proposedName(const PanelContext& context) {
 fs::path firstFolder(const PanelContext& context) {
     std::error_code error;
     const UiState& ui = context.ui();
-    const std::string& source = context.session().spec().source;
+    const std::string& source = context.session().input().spec().source;
     const bool file = !source.empty() && !isScene(source) && !isSample(source);
     const fs::path saved = savedMesh(context);
     const fs::path near = !saved.empty()            ? saved

@@ -104,7 +104,7 @@ void drawCopy(const PanelContext& context, const std::string& path) {
 
 void drawQuestion(const PanelContext& context) {
     MeshForm& form = context.state<MeshForm>();
-    wrappedText(replaceText(form.question, context.session().spec().source));
+    wrappedText(replaceText(form.question, context.session().input().spec().source));
     const bool replace = ImGui::Button("Replace");
     const bool chosen = ImGui::IsItemFocused();
     context.where()["mesh replace"] = lastItem();

@@ -12,7 +12,7 @@ namespace {
 
 void drawButtons(const PanelContext& context, PrepareForm& form, bool entered) {
     if (ImGui::Button("Prepare again") || entered) {
-        Result<InputSpec> spec = form.spec(context.session().spec());
+        Result<InputSpec> spec = form.spec(context.session().input().spec());
         form.complaint = spec ? std::string{} : spec.error().message;
         if (spec) {
             context.requests().openSpec = std::move(spec.value());

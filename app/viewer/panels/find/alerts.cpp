@@ -29,17 +29,17 @@ struct AlertRow {
 bool isOpen(const PanelContext& context, const AlertGroup& group) {
     const auto& byHand = context.state<AlertsPanel>().open;
     const auto found = byHand.find(std::string(group.kind->name));
-    const auto chosen = context.session().chosenAlert();
+    const auto chosen = context.session().alerts().chosen();
     const bool holdsChosen =
         chosen && *chosen >= group.first && *chosen < group.first + group.count;
     if (holdsChosen && context.state<AlertsPanel>().reveal) return true;
     if (found != byHand.end()) return found->second;
-    return holdsChosen || context.session().alerts().failures().size() <= kManyAlerts;
+    return holdsChosen || context.session().alerts().search().failures().size() <= kManyAlerts;
 }
 
 std::vector<AlertRow> rowsOf(const PanelContext& context) {
     std::vector<AlertRow> rows;
-    for (const AlertGroup& group : context.session().alerts().groups()) {
+    for (const AlertGroup& group : context.session().alerts().search().groups()) {
         rows.push_back({&group, 0});
         if (!isOpen(context, group)) continue;
         for (std::size_t i = 0; i < group.count; ++i) rows.push_back({nullptr, group.first + i});
@@ -93,12 +93,12 @@ void drawHead(const PanelContext& context, const AlertGroup& group) {
 
 void drawRow(const PanelContext& context, std::size_t index) {
     const Session& session = context.session();
-    const RunFailure& alert = session.alerts().failures()[index];
-    const bool chosen = session.chosenAlert() == index;
+    const RunFailure& alert = session.alerts().search().failures()[index];
+    const bool chosen = session.alerts().chosen() == index;
     ImGui::PushID(static_cast<int>(index));
     const float left = ImGui::GetCursorPosX();
     const bool clicked = ImGui::Selectable("##alert", chosen);
-    context.where()["alert " + alertName(session.alerts(), index)] = lastItem();
+    context.where()["alert " + alertName(session.alerts().search(), index)] = lastItem();
     tooltip("Go to where it was created, frame it, and show why");
     if (clicked) showAlert(context.commands, index, AlertMoment::Created);
     ImGui::SameLine(left + 1.3F * context.em);
@@ -125,7 +125,7 @@ void drawMoment(const PanelContext& context, const RunFailure& alert, AlertMomen
     const bool clicked = ImGui::Selectable("##moment", here);
     const std::string name(momentName(moment));
     context.where()["alert " + name] = lastItem();
-    if (clicked) showAlert(context.commands, *session.chosenAlert(), moment);
+    if (clicked) showAlert(context.commands, *session.alerts().chosen(), moment);
     ImGui::SameLine(left);
     ImGui::PushFont(context.fonts.strong);
     ImGui::TextUnformatted(name.c_str());
@@ -214,24 +214,24 @@ void drawTried(const PanelContext& context, const Remedies& remedies) {
 /// Rules beyond the paper that would have prevented the alert.
 void drawRemedies(const PanelContext& context) {
     Session& session = context.session();
-    const RemedySearch& search = session.remedies();
-    const bool mine = search.about() == session.chosenAlert();
+    const RemedySearch& search = session.alerts().remedies();
+    const bool mine = search.about() == session.alerts().chosen();
     heading(context, "What would have prevented it");
     if (mine && search.found() != nullptr) return drawTried(context, *search.found());
     if (mine && search.busy()) {
         ImGui::ProgressBar(static_cast<float>(search.share()), {-1.0F, 0.0F});
-        if (ImGui::SmallButton("Stop")) session.stopRemedies();
+        if (ImGui::SmallButton("Stop")) session.alerts().remedies().stop();
         return;
     }
     if (mine && !search.complaint().empty()) dimText(search.complaint());
-    if (ImGui::SmallButton("Try the rules beyond the paper")) session.seekRemedies();
+    if (ImGui::SmallButton("Try the rules beyond the paper")) session.alerts().seekRemedies();
     context.where()["alert remedies"] = lastItem();
     tooltip("Re-runs with each of them on, one at a time");
 }
 
 void drawChosen(const PanelContext& context) {
     const Session& session = context.session();
-    const RunFailure* alert = session.alert();
+    const RunFailure* alert = session.alerts().shown();
     const MeshFailure& failure = alert->failure;
     std::string what =
         (failure.points.size() == 1 ? "Point " : "Points ") + pointsText(failure, 12);
@@ -265,7 +265,7 @@ void drawRows(const PanelContext& context, std::span<const AlertRow> rows) {
 /// All rows; details of the chosen alert are below its row.
 void drawList(const PanelContext& context) {
     const std::vector<AlertRow> rows = rowsOf(context);
-    const auto chosen = context.session().chosenAlert();
+    const auto chosen = context.session().alerts().chosen();
     const auto found = std::find_if(rows.begin(), rows.end(), [&](const AlertRow& each) {
         return chosen && each.head == nullptr && each.alert == *chosen;
     });
@@ -298,11 +298,11 @@ void drawNothing() {
 
 void drawSearch(const PanelContext& context) {
     Session& session = context.session();
-    const AlertSearch& alerts = session.alerts();
+    const AlertSearch& alerts = session.alerts().search();
     const std::string& complaint = alerts.complaint();
     if (alerts.stopped() || !complaint.empty()) {
         dimText(alerts.stopped() ? "The search was stopped." : complaint);
-        if (ImGui::SmallButton("Search for failures")) session.resumeAlerts();
+        if (ImGui::SmallButton("Search for failures")) session.alerts().search().resume();
         context.where()["alerts resume"] = lastItem();
         return;
     }
@@ -310,7 +310,7 @@ void drawSearch(const PanelContext& context) {
                           : "The search for alerts starts once the run is complete.");
     if (!alerts.busy()) return;
     ImGui::ProgressBar(static_cast<float>(alerts.share()), {-1.0F, 0.0F});
-    if (ImGui::SmallButton("Stop")) session.stopAlerts();
+    if (ImGui::SmallButton("Stop")) session.alerts().search().stop();
     context.where()["alerts stop"] = lastItem();
 }
 
@@ -329,7 +329,7 @@ void drawAlerts(const PanelContext& context) {
         ImGui::TextDisabled("Nothing is open.");
         return;
     }
-    const AlertSearch& alerts = session.alerts();
+    const AlertSearch& alerts = session.alerts().search();
     heading(context, "Alerts", headingNote(alerts));
     const std::string note =
         watchNote(session.shown().points.size(), session.overview().failures.size());
@@ -340,7 +340,7 @@ void drawAlerts(const PanelContext& context) {
         dimText(
             "There are too many failures to follow all of them: the first of each class are "
             "listed.");
-    if (!session.chosenAlert()) {
+    if (!session.alerts().chosen()) {
         dimText(
             "Click an alert to go to where it was created, frame it, and list its three "
             "moments. " +

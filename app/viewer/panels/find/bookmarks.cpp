@@ -36,7 +36,7 @@ bool drawBookmark(const PanelContext& context, Bookmark& mark, std::size_t place
     ImGui::PopStyleVar();
     if (chosen) {
         context.playback().pause();
-        session.goTo(mark.address);
+        session.moves().goTo(mark.address);
     }
     ImGui::PopFont();
     const std::string key = keyOf(context, place);

@@ -63,7 +63,7 @@ void drawLogRow(const PanelContext& context, const LogRow& row) {
     const bool wide = isWide(context);
     if (ImGui::Selectable("##hit", here == row.hit.place, 0, {0.0F, rowHeight(context)})) {
         context.playback().pause();
-        session.goTo(row.hit.address);
+        session.moves().goTo(row.hit.address);
     }
     const std::string& what = row.sentence != nullptr ? *row.sentence : row.breakpoint->line;
     tooltip(what);

@@ -90,7 +90,7 @@ void drawCharts(const PanelContext& context) {
     const std::vector<RunChart>* answer = charts.answer();
     if (answer == nullptr) {
         dimText(charts.complaint());
-        if (ImGui::SmallButton("Retry")) charts.forget();
+        if (ImGui::SmallButton("Retry")) charts.cancel();
         return;
     }
     dimText("Click a bar to list its decisions in the panel Query.");

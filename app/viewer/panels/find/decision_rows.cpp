@@ -222,7 +222,7 @@ ScrolledBody::~ScrolledBody() {
 
 void goToDecision(const PanelContext& context, const Address& address, FrameWish frame) {
     context.playback().pause();
-    context.session().goTo(address);
+    context.session().moves().goTo(address);
     context.requests().frame = frame;
 }
 

@@ -32,22 +32,23 @@ Color severityColor(const PanelContext& context, Severity severity) {
 /// Highlights the points of a finding and frames them; a second click clears the highlight.
 void show(const PanelContext& context, const Finding& finding, bool shown) {
     Session& session = context.session();
-    if (shown) return session.mark({});
+    if (shown) return session.highlights().mark({});
     std::vector<Index> points = pointsToMark(session.model(), finding);
     if (points.empty()) {
-        session.mark({});
-        return session.say(finding.points.empty() ? "This is about the file as a whole."
-                                                  : "These points have no finite position.");
+        session.highlights().mark({});
+        return session.messages().say(finding.points.empty()
+                                          ? "This is about the file as a whole."
+                                          : "These points have no finite position.");
     }
     const MarkedSphere place = sphereAround(session.model(), points);
     if (place.normal != glm::vec3(0.0F)) context.camera().face(place.normal);
     context.camera().frame(place.center, place.radius);
-    session.mark(std::move(points));
+    session.highlights().mark(std::move(points));
 }
 
 /// Number of highlighted points, if not all are.
 std::string markedText(const Session& session, const Finding& finding) {
-    const std::size_t marked = session.marked().size();
+    const std::size_t marked = session.highlights().marked().size();
     if (marked == finding.points.size()) return {};
     return "Marked: " + grouped(marked) + " of " + grouped(finding.points.size()) + " points.";
 }
@@ -65,7 +66,7 @@ std::string commandForMade(const std::string& source, const DoctorCheck& check) 
 /// The command of a fix, ready to be pasted, with absolute paths for any folder.
 std::string commandFor(const PanelContext& context, const DoctorCheck& check) {
     namespace fs = std::filesystem;
-    const std::string& source = context.session().spec().source;
+    const std::string& source = context.session().input().spec().source;
     if (isScene(source) || isStandardInput(source)) return remedyFor(check, source);
     if (isSample(source)) return commandForMade(source, check);
     std::error_code error;
@@ -77,7 +78,7 @@ std::string commandFor(const PanelContext& context, const DoctorCheck& check) {
 
 /// Requests to open the input again, with these fixes besides those it has.
 void follow(const PanelContext& context, const Fixes& more) {
-    Fixes fixes = context.session().spec().fixes;
+    Fixes fixes = context.session().input().spec().fixes;
     fixes.insert(fixes.end(), more.begin(), more.end());
     context.requests().fixes = std::move(fixes);
 }
@@ -95,7 +96,7 @@ void drawRemedy(const PanelContext& context, const Finding& finding) {
     if (canFix(check)) ImGui::SameLine();
     if (ImGui::SmallButton("Copy the command")) {
         ImGui::SetClipboardText(command.c_str());
-        context.session().say("Copied the command.");
+        context.session().messages().say("Copied the command.");
     }
     context.where()["copy " + name] = lastItem();
     tooltip("For a terminal; it writes a new file and leaves yours unchanged.");
@@ -107,7 +108,7 @@ void drawRemedy(const PanelContext& context, const Finding& finding) {
 /// Fixes that were applied to the input, and a button to undo them.
 void drawRepaired(const PanelContext& context) {
     const Session& session = context.session();
-    if (session.spec().fixes.empty()) return;
+    if (session.input().spec().fixes.empty()) return;
     wrappedText("Repaired here, not in the file: " + fixesText(session.model()) + ".");
     if (ImGui::SmallButton("Use the file as is")) context.requests().fixes = Fixes{};
     context.where()["doctor as it is"] = lastItem();
@@ -130,7 +131,8 @@ void drawFixAll(const PanelContext& context) {
 
 void drawFinding(const PanelContext& context, const Finding& finding) {
     Session& session = context.session();
-    const Index first = session.marked().empty() ? kNone : session.marked().front();
+    const Index first =
+        session.highlights().marked().empty() ? kNone : session.highlights().marked().front();
     const bool shown =
         context.state<DoctorPanel>().shownCheck == finding.check->name && first != kNone;
     const std::string name(finding.check->name);

@@ -66,8 +66,8 @@ void drawAnswer(const PanelContext& context, const WhyAnswer& ledger) {
     ImGui::SameLine();
     if (ImGui::SmallButton("Copy as text")) {
         ImGui::SetClipboardText(ledgerText(ledger.answer, ledger.lines, ledger.cause).c_str());
-        context.session().say("Copied the answer and its " + grouped(ledger.lines.size()) +
-                              " lines.");
+        context.session().messages().say("Copied the answer and its " +
+                                         grouped(ledger.lines.size()) + " lines.");
     }
     if (ImGui::IsItemVisible()) context.where()["ledger copy"] = lastItem();
     ImGui::Spacing();

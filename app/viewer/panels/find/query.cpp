@@ -194,7 +194,7 @@ void drawClosest(const PanelContext& context) {
         drawCalls(context, *answer);
     } else {
         dimText(closest.complaint());
-        if (ImGui::SmallButton("Retry")) closest.forget();
+        if (ImGui::SmallButton("Retry")) closest.cancel();
     }
 }
 

@@ -44,7 +44,7 @@ void drawWhatIfs(const PanelContext& context, Index point) {
     Session& session = context.session();
     ImGui::Separator();
     ImGui::TextDisabled("What if ...");
-    const RuleSet rules = session.rules();
+    const RuleSet rules = session.input().rules();
     const auto offers = offersAbout(session, point);
     for (std::size_t i = 0; i < offers.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
@@ -82,7 +82,7 @@ void drawEntries(const PanelContext& context, const Selection& what) {
         if (ImGui::MenuItem("Go to its next decision")) {
             context.playback().pause();
             session.select(what);
-            session.goToPoint(what.points[0]);
+            session.moves().goToPoint(what.points[0]);
         }
         drawWhatIfs(context, what.points[0]);
     } else if (ImGui::MenuItem("Go to where it was made")) {

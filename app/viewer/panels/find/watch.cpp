@@ -98,7 +98,7 @@ void drawPlot(const PanelContext& context, const std::string& expression, const 
         std::llround(std::clamp(place, 0.0F, 1.0F) * static_cast<float>(last)));
     if (ImGui::IsItemActive() && session.record().pivot != pivot) {
         context.playback().pause();
-        session.goToPivot(static_cast<std::uint32_t>(pivot));
+        session.moves().goToPivot(static_cast<std::uint32_t>(pivot));
     }
     if (pivot < series.values.size())
         tooltip("pivot " + grouped(pivot) + ": " + valueText(expression, series.values[pivot]));

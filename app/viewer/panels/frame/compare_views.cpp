@@ -60,7 +60,7 @@ void drawEmptyView(const PanelContext& context) {
                     width);
         } else {
             dimText("Choose on the left what to compare this run with, or", width);
-            const std::string usual = usualOther(context.session().spec()).rules + " rules";
+            const std::string usual = usualOther(context.session().input().spec()).rules + " rules";
             if (ImGui::Button(("Compare with the " + usual).c_str())) context.run("run.compare");
             context.where()["compare usual"] = lastItem();
         }
@@ -139,7 +139,7 @@ void drawComparedViews(const PanelContext& context) {
     const Compared* found = context.state<ComparePage>().result();
     const bool chosen = now != nullptr && now->chosen();
     const std::string noteA = found != nullptr ? noteOf(run, found->meshes.onlyA) : "";
-    drawTitle(context, rects.title, "A", run.ready() ? runTitle(run.spec()) : "",
+    drawTitle(context, rects.title, "A", run.ready() ? runTitle(run.input().spec()) : "",
               context.palette.used, noteA);
     std::string nameB = "nothing yet";
     std::string noteB;
@@ -147,7 +147,7 @@ void drawComparedViews(const PanelContext& context) {
         nameB = meshTitle(now->with());
         if (found != nullptr) noteB = grouped(found->meshes.onlyB) + " only here";
     } else if (chosen && run.ready()) {
-        nameB = differenceText(run.spec(), now->with().run);
+        nameB = differenceText(run.input().spec(), now->with().run);
         if (found != nullptr && now->other() != nullptr)
             noteB = noteOf(*now->other(), found->meshes.onlyB);
     }

@@ -31,11 +31,11 @@ void close(const PanelContext& context, Lasso& lasso) {
     const CameraMatrices camera = context.camera().matrices(view.size.x / view.size.y);
     const std::vector<Index> points = pointsWithin(session.model(), camera, view.size, path);
     if (points.empty())
-        return session.say("There is no point inside the lasso that faces this way.");
+        return session.messages().say("There is no point inside the lasso that faces this way.");
     addBreakpoint(context.commands,
                   {"lasso, " + grouped(points.size()) + " points", amongLine(points)});
     context.state<OpenTab>().wanted = kBreakpointsTab;
-    session.mark(points);
+    session.highlights().mark(points);
 }
 
 }  // namespace

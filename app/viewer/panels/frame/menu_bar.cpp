@@ -128,12 +128,12 @@ std::string fittingNote(const PanelContext& context, float room) {
     if (!session.ready() || context.state<GrowthPage>().open) return {};
     const std::string& name = session.model().name;
     // For new points the name has their number.
-    const std::string number = isSample(session.spec().source)
+    const std::string number = isSample(session.input().spec().source)
                                    ? std::string{}
                                    : "   " + grouped(session.model().points.size()) + " points";
     const std::string points = name + number;
     for (const std::string& note :
-         {points + "   " + session.spec().rules + " rules", points, name}) {
+         {points + "   " + session.input().spec().rules + " rules", points, name}) {
         if (ImGui::CalcTextSize(note.c_str()).x <= room) return note;
     }
     return room > 6.0F * context.em ? fitted(name, room) : std::string{};

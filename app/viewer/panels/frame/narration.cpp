@@ -57,7 +57,7 @@ std::string sentenceOf(const Session& session) {
     if (const Event* event = session.event(); event != nullptr)
         return (session.showsBefore() ? "Before this: " : "") + describe(*event) +
                session.noticedText();
-    if (!session.message().empty()) return session.message();
+    if (!session.messages().last().empty()) return session.messages().last();
     return session.ready() ? "Nothing has happened yet: all points are UNUSED." : "";
 }
 

@@ -44,11 +44,11 @@ const char* partName(LoadPart part) {
 void drawLoading(const PanelContext& context) {
     Session& session = context.session();
     if (beginNotice(context, "##loading")) {
-        const std::string& source = session.opening().source;
-        heading(context, session.runsAnew() ? "Re-running" : "Opening",
+        const std::string& source = session.input().opening().source;
+        heading(context, session.input().runsAnew() ? "Re-running" : "Opening",
                 fitted(source, 16.0F * context.em));
-        ImGui::ProgressBar(static_cast<float>(session.loadShare()), {-1.0F, 0.0F},
-                           partName(session.loadPart()));
+        ImGui::ProgressBar(static_cast<float>(session.input().loadShare()), {-1.0F, 0.0F},
+                           partName(session.input().loadPart()));
         if (ImGui::Button("Cancel")) session.cancelOpening();
         context.where()["cancel opening"] = lastItem();
     }
@@ -61,7 +61,7 @@ void drawError(const PanelContext& context) {
         ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
         heading(context, "Could not open");
         ImGui::PopStyleColor();
-        wrappedText(session.error());
+        wrappedText(session.input().error());
         ImGui::Spacing();
         if (ImGui::Button("Open another...")) context.ui().fileBrowser = true;
         ImGui::SameLine();
@@ -79,10 +79,10 @@ struct Progressed {
 /// Progress of the runner thread on its way to another pivot.
 Progressed moved(const Session& session) {
     const RunOverview& run = session.overview();
-    const std::uint32_t at = session.runnerPosition();
+    const std::uint32_t at = session.moves().runnerPosition();
     const std::uint32_t end =
-        std::max(1U, run.complete ? std::min(session.runnerTarget(), run.lastPivot)
-                                  : session.runnerTarget());
+        std::max(1U, run.complete ? std::min(session.moves().runnerTarget(), run.lastPivot)
+                                  : session.moves().runnerTarget());
     if (end == 0xffffffffU) return {"pivot " + grouped(at), 0.0F};
     return {"pivot " + grouped(at) + " of " + grouped(end),
             static_cast<float>(at) / static_cast<float>(end)};
@@ -112,18 +112,18 @@ void drawMove(const PanelContext& context) {
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                          ImGuiWindowFlags_AlwaysAutoResize)) {
-        const Progressed move = session.awaitsStop()     ? searched(session)
-                                : session.awaitsLength() ? goneThrough(session)
-                                                         : moved(session);
-        if (session.awaitsStop()) ImGui::TextDisabled("Searching for the breakpoint ...");
-        if (session.awaitsLength()) {
+        const Progressed move = session.moves().awaitsStop()     ? searched(session)
+                                : session.moves().awaitsLength() ? goneThrough(session)
+                                                                 : moved(session);
+        if (session.moves().awaitsStop()) ImGui::TextDisabled("Searching for the breakpoint ...");
+        if (session.moves().awaitsLength()) {
             ImGui::TextDisabled("Running once to find the length of the run ...");
         }
         const float button = 4.5F * context.em;
         ImGui::ProgressBar(std::min(1.0F, move.share),
                            {ImGui::GetContentRegionAvail().x - button, 0.0F}, move.text.c_str());
         ImGui::SameLine();
-        if (ImGui::Button("Stop")) session.cancelMove();
+        if (ImGui::Button("Stop")) session.moves().cancel();
         tooltip("Stop (Esc)");
         context.where()["stop move"] = lastItem();
     }
@@ -132,7 +132,7 @@ void drawMove(const PanelContext& context) {
 
 /// The latest message, above the sentence of the decision and never instead of it.
 void drawSaid(const PanelContext& context) {
-    const std::string text = context.session().notice();
+    const std::string text = context.session().messages().notice();
     const Rect& view = context.rects.view;
     const float em = context.em;
     const float room = view.size.x - 4.0F * em;
@@ -162,10 +162,10 @@ bool viewIsFree(const PanelContext& context) {
 void drawNotices(const PanelContext& context) {
     const Session& session = context.session();
     // A re-run usually ends before this could be read.
-    const bool soon = session.runsAnew() && session.anewSeconds() < kLongMove;
-    if (session.phase() == SessionPhase::Loading && !soon) drawLoading(context);
-    if (session.phase() == SessionPhase::Failed) drawError(context);
-    if (session.phase() == SessionPhase::Ready && session.busySeconds() > kLongMove)
+    const bool soon = session.input().runsAnew() && session.input().anewSeconds() < kLongMove;
+    if (session.input().phase() == SessionPhase::Loading && !soon) drawLoading(context);
+    if (session.input().phase() == SessionPhase::Failed) drawError(context);
+    if (session.input().phase() == SessionPhase::Ready && session.moves().busySeconds() > kLongMove)
         drawMove(context);
     // At the start the caption shows the message permanently: there is no decision.
     if (session.ready() && session.event() != nullptr && viewIsFree(context)) drawSaid(context);

@@ -93,7 +93,7 @@ void drawNoticed(const RunStrip& strip) {
         list->AddRectFilled({x, top - 0.1F * em}, {x + 1.0F, top + 0.3F * em},
                             toU32(palette.rejected));
     }
-    const RunFailure* alert = session.alert();
+    const RunFailure* alert = session.alerts().shown();
     if (alert == nullptr) return;
     const FailureMoments& moments = alert->moments;
     for (const LedgerLine* line : {&moments.created, &moments.unavoidable, &moments.touched}) {
@@ -287,7 +287,7 @@ void handleMouse(const RunStrip& strip) {
     } else if (ImGui::IsItemActive() && session.record().pivot != pivot &&
                (ImGui::IsItemActivated() || moved)) {
         strip.context.playback().pause();
-        session.goToPivot(pivot);
+        session.moves().goToPivot(pivot);
     }
     if (!ImGui::IsItemHovered()) return;
     if (io.MouseWheel != 0.0F) window.zoomAt(share, io.MouseWheel);

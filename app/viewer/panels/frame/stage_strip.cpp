@@ -108,7 +108,7 @@ void drawStageBlock(const PanelContext& context, const StageRun& run, const Rect
     if (ImGui::InvisibleButton("##stage",
                                {std::max(1.0F, block.size.x), block.max().y - textTop})) {
         context.playback().pause();
-        session.goToEvent(run.begin);
+        session.moves().goToEvent(run.begin);
     }
     tooltip(stageSummary(run));
     ImGui::PopID();
@@ -167,7 +167,7 @@ void drawCell(const PanelContext& context, const Rect& cell, std::size_t index) 
     ImGui::PushID(static_cast<int>(index));
     if (ImGui::InvisibleButton("##cell", toVec2(cell.size))) {
         context.playback().pause();
-        session.goToEvent(index);
+        session.moves().goToEvent(index);
     }
     if (ImGui::IsItemHovered()) {
         context.state<Navigation>().pointedAt = subjectOf(event);

@@ -217,7 +217,7 @@ void drawKeys(const PanelContext& context) {
 }
 
 void drawMessage(const PanelContext& context) {
-    const std::string& message = context.session().message();
+    const std::string& message = context.session().messages().last();
     if (message.empty()) return;
     wrappedText("! " + message, context.palette.rejected);
     ImGui::Spacing();

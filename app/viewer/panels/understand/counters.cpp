@@ -28,7 +28,7 @@ void origin(const PanelContext& context, const char* name, bool derived, const s
 }
 
 std::string neighborNote(const PanelContext& context) {
-    const NeighborOptions& options = context.session().spec().neighbors;
+    const NeighborOptions& options = context.session().input().spec().neighbors;
     char text[64];
     if (const auto* nearest = std::get_if<KNearest>(&options.reach)) {
         std::snprintf(text, sizeof text, ": %zu nearest", nearest->k);

@@ -188,7 +188,7 @@ void DialDrawer::drawStem(const DialTick& tick, const Color& color) {
 /// Names of the points under test, under the pointer and selected.
 void DialDrawer::drawRings(const DialTick& tick) {
     const ImVec2 at = tip(tick);
-    const bool lit = tick.point == c_.session().hovered();
+    const bool lit = tick.point == c_.session().highlights().hovered();
     if (tick.underTest) {
         list_->AddCircle(at, 0.62F * c_.em, toU32(c_.palette.test), 0, px(0.12F));
     }
@@ -226,7 +226,7 @@ std::vector<RimText> DialDrawer::texts() const {
     std::vector<RimText> ends;
     std::vector<RimText> others;
     for (const DialTick& tick : dial_.ticks) {
-        const bool lit = tick.underTest || tick.point == c_.session().hovered();
+        const bool lit = tick.underTest || tick.point == c_.session().highlights().hovered();
         if (isFaint(tick) && !lit) continue;
         const std::string letter = tick.letter.empty() ? "" : tick.letter + " ";
         const RimText text{tick.degrees, letter + std::to_string(tick.point),

@@ -50,7 +50,7 @@ void drawLine(const PanelContext& context, const std::string& line, bool present
 /// For a scene that fails: class, decision, the paper's sentence, and the remedy.
 void drawGallery(const PanelContext& context) {
     Session& session = context.session();
-    const FailureScene* each = galleryScene(session.spec().source);
+    const FailureScene* each = galleryScene(session.input().spec().source);
     if (each == nullptr) return;
     heading(context, std::string(each->scene.title).c_str(), "scene that fails");
     wrappedText(std::string(each->scene.watch));
@@ -65,7 +65,7 @@ void drawGallery(const PanelContext& context) {
     }
     if (ImGui::SmallButton(("Go to " + std::string(each->address)).c_str())) {
         context.playback().pause();
-        if (const auto address = addressFromString(each->address)) session.goTo(*address);
+        if (const auto address = addressFromString(each->address)) session.moves().goTo(*address);
     }
     context.where()["gallery decision"] = lastItem();
     ImGui::Spacing();

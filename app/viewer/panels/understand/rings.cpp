@@ -60,7 +60,7 @@ void drawRow(const PanelContext& context, const RingPath& ring) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(ring.active ? -1 : static_cast<int>(ring.depth));
-    const bool kept = ring.id != kNone && session.highlightedRing() == ring.id;
+    const bool kept = ring.id != kNone && session.highlights().chosenRing() == ring.id;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (ImGui::Selectable(
             "##ring", kept,
@@ -68,7 +68,7 @@ void drawRow(const PanelContext& context, const RingPath& ring) {
         if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
             frameRing(context, ring);
         } else {
-            session.highlightRing(ring.id);
+            session.highlights().chooseRing(ring.id);
         }
     }
     if (ImGui::IsItemHovered()) {
@@ -81,7 +81,7 @@ void drawRow(const PanelContext& context, const RingPath& ring) {
     }
     const bool first = &ring == &session.picture().rings.front();
     if (first && context.state<KeyWalk>().offer(KeyStop::Rings)) takeKeyboard();
-    drawMark(context, at, ring, ring.id != kNone && session.litRing() == ring.id);
+    drawMark(context, at, ring, ring.id != kNone && session.highlights().litRing() == ring.id);
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(ringName(ring).c_str());
     ImGui::TableNextColumn();
@@ -171,7 +171,7 @@ void drawPoint(const RingStrip& strip, std::size_t i) {
     const float x = strip.xOf(i);
     ImDrawList* list = ImGui::GetWindowDrawList();
     drawShape(list, {x, strip.at.y}, look.size * em, look.shape, toU32(look.color));
-    if (point == session.selected() || point == session.hovered()) {
+    if (point == session.selected() || point == session.highlights().hovered()) {
         list->AddCircle({x, strip.at.y}, 0.62F * em, toU32(context.palette.text), 0,
                         std::max(1.0F, 0.1F * em));
     }
@@ -300,7 +300,7 @@ void drawRings(const PanelContext& context) {
     // Whole rows: half a row would look like the end of the list.
     const float rows = std::floor((room - kStripHeight * em - 0.4F * em) / row);
     drawList(context, std::clamp(rows, 1.0F, static_cast<float>(count)) * row, row);
-    const RingPath* shown = ringToShow(session.picture(), session.highlightedRing());
+    const RingPath* shown = ringToShow(session.picture(), session.highlights().chosenRing());
     if (shown != nullptr && !shown->points.empty()) drawStrip(context, *shown);
 }
 

@@ -24,11 +24,11 @@ void goTo(const PanelContext& context, const StepRow& row) {
             tree.toggle(row);
             break;
         case StepRowKind::Pivot:
-            session.goToPivot(row.pivot);
+            session.moves().goToPivot(row.pivot);
             break;
         case StepRowKind::Stage:
         case StepRowKind::Test:
-            session.goToEvent(row.event);
+            session.moves().goToEvent(row.event);
             break;
     }
 }

@@ -76,7 +76,7 @@ bool drawNeighbors(const Fields& fields) {
     const Session& session = context.session();
     const bool computed = session.model().report.neighborsComputed;
     part(context, "Neighbors", computed);
-    const bool none = computed && !session.spec().neighbors.recompute;
+    const bool none = computed && !session.input().spec().neighbors.recompute;
     choice(fields, none ? "The 12 nearest, as the input has no lists" : "From the input##n",
            form.reach, Reach::File, "Its lists; if it has none, the 12 nearest");
     choice(fields, "K nearest", form.reach, Reach::Nearest, "The k nearest points (--neighbors)");
@@ -98,7 +98,8 @@ void drawNormals(const Fields& fields) {
     const auto& [context, form, prefix] = fields;
     const DerivedPieces& derived = context.session().model().report.derived;
     part(context, "Normals", derived.normals || derived.orientation);
-    const bool none = derived.normals && context.session().spec().normals != NormalSource::Derived;
+    const bool none =
+        derived.normals && context.session().input().spec().normals != NormalSource::Derived;
     choice(fields, none ? "Derived, as the input has none" : "From the input##m", form.normals,
            NormalSource::AsGiven, "Derived from the positions if it has none");
     choice(fields, "Flipped to agree with each other", form.normals, NormalSource::Oriented,

@@ -1,16 +1,12 @@
 /// Moves to breakpoints, in either direction.
+#include "moves.h"
 #include "session.h"
 
 namespace se::view {
 
-RunPosition Session::place() const {
-    if (event() == nullptr) return {record_ ? record_->pivot : 0, 0};
-    return {record_->pivot, static_cast<std::uint32_t>(cursor_)};
-}
-
-std::string Session::nameOf(const Stop& stop) const {
-    const Breakpoint& breakpoint = hits_.wanted()[stop.breakpoint];
-    const LineHits* known = hits_.of(breakpoint.line);
+std::string Moves::nameOf(const Stop& stop) const {
+    const Breakpoint& breakpoint = session_.hits().wanted()[stop.breakpoint];
+    const LineHits* known = session_.hits().of(breakpoint.line);
     const std::string all = known != nullptr && known->complete
                                 ? " of " + std::to_string(known->list.total)
                                 : std::string();
@@ -18,29 +14,29 @@ std::string Session::nameOf(const Stop& stop) const {
     return "Breakpoint " + name + ": hit " + std::to_string(stop.number) + all + ".";
 }
 
-void Session::continueRun(int direction) {
-    if (!ready()) return;
+void Moves::continueRun(int direction) {
+    if (!session_.ready()) return;
     // From the target of the moves before it, unless that takes too long.
-    if (busySeconds() > kLongMove) cancelMove();
+    if (busySeconds() > kLongMove) cancel();
     awaitedShare_.reset();
     awaitedStop_ = direction;
     waitingSince_ = Clock::now();
-    hits_.resume();
+    session_.hits().resume();
     goToAwaitedStop();
 }
 
 /// Moves as soon as the position of the stop is known, or that there is none.
-void Session::goToAwaitedStop() {
+void Moves::goToAwaitedStop() {
     if (!awaitsStop() || waiting_ || !moves_.empty()) return;
     const int direction = awaitedStop_;
-    const HitSearch::Answer answer = hits_.stop(place(), direction);
+    const HitSearch::Answer answer = session_.hits().stop(session_.place(), direction);
     if (answer.known == HitSearch::Known::NotYet) return;
     awaitedStop_ = 0;
     if (answer.known == HitSearch::Known::GivenUp)
-        return say("The search for breakpoints was stopped.");
+        return session_.messages().say("The search for breakpoints was stopped.");
     if (answer.stop) {
         goTo(answer.stop->hit.address);
-        return say(nameOf(*answer.stop));
+        return session_.messages().say(nameOf(*answer.stop));
     }
     if (direction > 0) {
         toEnd();
@@ -49,9 +45,9 @@ void Session::goToAwaitedStop() {
     }
 }
 
-void Session::playToStop(const Stop& stop) {
+void Moves::playToStop(const Stop& stop) {
     playTo(stop.hit.address);
-    say(nameOf(stop));
+    session_.messages().say(nameOf(stop));
 }
 
 }  // namespace se::view

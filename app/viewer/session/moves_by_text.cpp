@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "moves.h"
 #include "run/strings.h"
 #include "session.h"
 
@@ -18,11 +19,11 @@ std::optional<long> readNumber(std::string_view text) {
 
 }  // namespace
 
-Status Session::goToText(const std::string& given) {
+Status Moves::goToText(const std::string& given) {
     const std::string text = trimmed(given);
     const Error unknown{"\"" + text +
                         "\" is not an address. Examples: 137, 137.sphere.3, +10, 50%, p812."};
-    if (!ready() || text.empty()) return unknown;
+    if (!session_.ready() || text.empty()) return unknown;
     if (text.front() == '+' || text.front() == '-') {
         const auto number = readNumber(std::string_view(text).substr(text.front() == '+' ? 1 : 0));
         if (!number || std::abs(*number) > 1'000'000'000L) return unknown;
@@ -38,11 +39,11 @@ Status Session::goToText(const std::string& given) {
     if (text.front() == 'p') {
         const auto point = readNumber(std::string_view(text).substr(1));
         if (!point || *point < 0) return unknown;
-        if (static_cast<std::size_t>(*point) >= model_->points.size()) {
+        if (static_cast<std::size_t>(*point) >= session_.model().points.size()) {
             return Error{"There is no point " + std::to_string(*point) + "; the last one is " +
-                         std::to_string(model_->points.size() - 1) + "."};
+                         std::to_string(session_.model().points.size() - 1) + "."};
         }
-        select(static_cast<Index>(*point));
+        session_.select(static_cast<Index>(*point));
         goToPoint(static_cast<Index>(*point));
         return success();
     }

@@ -78,21 +78,21 @@ Result<std::shared_ptr<const Compared>> compare(const std::shared_ptr<const Mode
 }  // namespace
 
 bool Comparison::fits(const Session& run) const {
-    return with_.kind != CompareWith::Kind::Run || with_.run.source == run.spec().source;
+    return with_.kind != CompareWith::Kind::Run || with_.run.source == run.input().spec().source;
 }
 
-void Comparison::begin(const Session& run, CompareWith with) {
-    stop();
+void Comparison::start(const Session& run, CompareWith with) {
+    cancel();
     with_ = std::move(with);
     if (with_.kind != CompareWith::Kind::Run) return;
-    with_.run.source = run.spec().source;
-    with_.run.points = run.spec().points;
+    with_.run.source = run.input().spec().source;
+    with_.run.points = run.input().spec().points;
     other_ = std::make_unique<Session>();
     other_->open(with_.run);
 }
 
-void Comparison::stop() {
-    query_.forget();
+void Comparison::cancel() {
+    query_.cancel();
     with_ = {};
     other_.reset();
     result_.reset();
@@ -107,14 +107,14 @@ void Comparison::stop() {
 
 bool Comparison::working() const {
     if (query_.busy()) return true;
-    return runs() && other_->phase() == SessionPhase::Loading;
+    return runs() && other_->input().phase() == SessionPhase::Loading;
 }
 
 double Comparison::share() const {
     constexpr double kOpening = 0.4;
     if (query_.busy())
         return runs() ? kOpening + (1.0 - kOpening) * query_.share() : query_.share();
-    return runs() ? kOpening * other_->loadShare() : 0.0;
+    return runs() ? kOpening * other_->input().loadShare() : 0.0;
 }
 
 void Comparison::startJob(const Session& run) {
@@ -123,7 +123,7 @@ void Comparison::startJob(const Session& run) {
     ++revision_;
     comparedA_ = run.sharedModel();
     comparedB_ = runs() ? other_->sharedModel() : nullptr;
-    query_.ask([a = comparedA_, b = comparedB_, mesh = with_.mesh](const Progress& progress) {
+    query_.start([a = comparedA_, b = comparedB_, mesh = with_.mesh](const Progress& progress) {
         return compare(a, b, mesh, progress);
     });
 }
@@ -141,13 +141,13 @@ bool Comparison::takeResult() {
 bool Comparison::poll(const Session& run) {
     if (!chosen() || !run.ready()) return false;
     if (!fits(run)) {
-        stop();
+        cancel();
         return true;
     }
     bool changed = false;
     if (runs()) {
         changed = other_->poll();
-        if (other_->phase() == SessionPhase::Failed) complaint_ = other_->error();
+        if (other_->input().phase() == SessionPhase::Failed) complaint_ = other_->input().error();
     }
     const bool there = !runs() || other_->ready();
     const auto mine = run.sharedModel();
@@ -191,7 +191,7 @@ std::optional<Address> Comparison::wantedPlace(const Session& run) const {
 void Comparison::follow(const Session& run) {
     Session& other = *other_;
     other.showBefore(run.showsBefore());
-    if (run.busy() || other.busy()) return;
+    if (run.moves().busy() || other.moves().busy()) return;
     const Stand here = standOf(run);
     if (held_) {
         if (!heldBy_) heldBy_ = here;
@@ -203,15 +203,15 @@ void Comparison::follow(const Session& run) {
         // There may be steps after the last pivot: both ends correspond.
         followed_ = here;
         asked_ = kNowhere;
-        return other.atEnd() ? void() : other.toEnd();
+        return other.atEnd() ? void() : other.moves().toEnd();
     }
     const RunAlignment alignment = result_ ? result_->alignment() : RunAlignment{};
     const std::uint32_t pivot = wanted ? wanted->pivot : matchingPivot(alignment, here.pivot);
     if (other.record().pivot != pivot && asked_ != pivot) {
         asked_ = pivot;
-        other.playTo({pivot, Stage::Pivot, 0});
+        other.moves().playTo({pivot, Stage::Pivot, 0});
         // A result in memory is available at once, and drawn once.
-        if (other.busy()) return;
+        if (other.moves().busy()) return;
     }
     followed_ = here;
     asked_ = pivot;
@@ -223,7 +223,7 @@ void Comparison::follow(const Session& run) {
     } else if (inStep(alignment, here.pivot) && other.record().pivot == here.pivot) {
         cursor = matchingEvent(run.record().events, run.cursor(), events);
     }
-    if (cursor != other.cursor()) other.goToEvent(cursor);
+    if (cursor != other.cursor()) other.moves().goToEvent(cursor);
 }
 
 void Comparison::goTo(Session& run, const ComparedAddresses& place) {
@@ -231,7 +231,7 @@ void Comparison::goTo(Session& run, const ComparedAddresses& place) {
     heldBy_.reset();
     followed_.reset();
     asked_ = kNowhere;
-    place.a ? run.goTo(*place.a) : run.toEnd();
+    place.a ? run.moves().goTo(*place.a) : run.moves().toEnd();
 }
 
 }  // namespace se::view

@@ -10,7 +10,7 @@
 #include "compare_sync.h"
 #include "compare_with.h"
 #include "jobs/background_query.h"
-#include "session.h"
+#include "session/session.h"
 #include "spiraling_edge/explain/run_compare.h"
 #include "spiraling_edge/mesh/mesh_compare.h"
 
@@ -40,9 +40,9 @@ struct ComparedAddresses {
 class Comparison {
   public:
     /// Compares `run` with something else from now on, and again whenever it is opened again.
-    void begin(const Session& run, CompareWith with);
+    void start(const Session& run, CompareWith with);
     /// Ends the comparison.
-    void stop();
+    void cancel();
     /// Takes the results of the threads, and lets the other run follow. True if there is
     /// something new to draw.
     bool poll(const Session& run);

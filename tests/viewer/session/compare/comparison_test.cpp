@@ -1,4 +1,4 @@
-#include "session/comparison.h"
+#include "session/compare/comparison.h"
 
 #include <doctest/doctest.h>
 
@@ -19,10 +19,10 @@ struct Pair {
     Comparison comparison;
 
     void beside(const std::string& rules, std::vector<RuleValue> choices = {}) {
-        InputSpec spec = run.spec();
+        InputSpec spec = run.input().spec();
         spec.rules = rules;
         spec.choices = std::move(choices);
-        comparison.begin(run, CompareWith::otherRun(spec));
+        comparison.start(run, CompareWith::otherRun(spec));
         waitUntilDone();
     }
     void waitUntilDone() {
@@ -60,16 +60,16 @@ TEST_CASE("The other run follows: decision by decision, then pivot by pivot, to 
     REQUIRE(found != nullptr);
     REQUIRE(found->runs.first);
     CHECK(found->runs.commonPivots == 199);
-    pair.run.goTo({50, Stage::Sort, 2});
+    pair.run.moves().goTo({50, Stage::Sort, 2});
     pair.waitUntilDone();
     CHECK(pair.there() == "50.sort.2");
-    pair.run.stepEvent(1);
+    pair.run.moves().stepEvent(1);
     pair.waitUntilDone();
     CHECK(pair.there() == "50.sort.3");
-    pair.run.toEnd();
+    pair.run.moves().toEnd();
     pair.waitUntilDone();
     CHECK(pair.comparison.other()->atEnd());
-    pair.run.toStart();
+    pair.run.moves().toStart();
     pair.waitUntilDone();
     CHECK(pair.comparison.other()->atStart());
 }
@@ -84,11 +84,11 @@ TEST_CASE("The first difference brings both runs to their own decision") {
     CHECK(pair.there() == toString(first.b.line->event.address));
     CHECK(pair.run.address().n != pair.comparison.other()->address().n);
     // After a move the other one follows again.
-    pair.run.goTo({3, Stage::Sort, 1});
+    pair.run.moves().goTo({3, Stage::Sort, 1});
     pair.waitUntilDone();
     CHECK(pair.there() == "3.sort.1");
     // Reaching the same decision by steps has the same effect as the jump.
-    pair.run.goTo(first.a.line->event.address);
+    pair.run.moves().goTo(first.a.line->event.address);
     pair.waitUntilDone();
     CHECK(pair.there() == toString(first.b.line->event.address));
 }
@@ -98,7 +98,7 @@ TEST_CASE("A comparison is repeated with the run, and ends with its input") {
     pair.beside("robust");
     const std::uint32_t revision = pair.comparison.revision();
     CHECK_FALSE(pair.comparison.result()->meshes.same());
-    InputSpec spec = pair.run.spec();
+    InputSpec spec = pair.run.input().spec();
     spec.rules = "robust";
     pair.run.open(spec);
     pair.waitUntilDone();
@@ -113,7 +113,7 @@ TEST_CASE("A comparison is repeated with the run, and ends with its input") {
 
 TEST_CASE("A mesh of another program is matched with the points; one without triangles is not") {
     Pair pair;
-    pair.run.toEnd();
+    pair.run.moves().toEnd();
     pair.waitUntilDone();
     PointFile file;
     const auto& position = pair.run.model().points.position;
@@ -124,14 +124,14 @@ TEST_CASE("A mesh of another program is matched with the points; one without tri
     file.faces.pop_back();
     const std::filesystem::path path = test::ownPlace("other.ply");
     REQUIRE(writeMeshPly(path, file, file.faces).ok());
-    pair.comparison.begin(pair.run, CompareWith::otherMesh(path.string()));
+    pair.comparison.start(pair.run, CompareWith::otherMesh(path.string()));
     pair.waitUntilDone();
     REQUIRE(pair.comparison.result() != nullptr);
     CHECK(pair.comparison.result()->meshes.onlyA == 1);
     CHECK(pair.comparison.result()->meshes.onlyB == 0);
     CHECK(pair.comparison.other() == nullptr);
     REQUIRE(writeMeshPly(path, file, {}).ok());
-    pair.comparison.begin(pair.run, CompareWith::otherMesh(path.string()));
+    pair.comparison.start(pair.run, CompareWith::otherMesh(path.string()));
     pair.waitUntilDone();
     CHECK(pair.comparison.result() == nullptr);
     CHECK(pair.comparison.complaint().find("no triangles") != std::string::npos);

@@ -1,0 +1,276 @@
+#include "moves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "session.h"
+
+namespace se::view {
+
+namespace {
+
+constexpr std::uint32_t kEnd = std::numeric_limits<std::uint32_t>::max();
+/// A move shorter than this is made at once; during longer ones the window stays responsive.
+constexpr std::chrono::milliseconds kPatience{2};
+/// Limit of waiting moves, so that key repeat does not pile them up.
+constexpr std::size_t kMaxMoves = 64;
+
+}  // namespace
+
+void Moves::open(std::unique_ptr<Runner> runner, const std::optional<SamePosition>& place) {
+    runner_ = std::move(runner);
+    moves_.clear();
+    waiting_ = false;
+    awaitedShare_.reset();
+    awaitedStop_ = 0;
+    landing_ = place ? Landing::AtSamePosition : Landing::Last;
+    if (place) samePosition_ = *place;
+    target_ = {};
+    takeAnswer();
+}
+
+bool Moves::poll() {
+    const bool changed = waiting_ && takeAnswer();
+    processMoves();
+    return changed;
+}
+
+void Moves::wait() {
+    if (waiting_) runner_->waitFor(std::chrono::milliseconds(200));
+}
+
+const PivotRecord& Moves::record() const { return session_.record(); }
+
+bool Moves::takeAnswer() {
+    std::optional<RunnerAnswer> answer = runner_->take();
+    if (!answer) return false;
+    session_.take(*answer);
+    if (!answer->complaint.empty()) {
+        waiting_ = false;
+        moves_.clear();
+        if (answer->record) session_.setCursorToLast();
+        session_.messages().say(answer->complaint);
+    } else if (answer->final) {
+        waiting_ = false;
+        if (landing_ == Landing::AtPoint && !answer->found) {
+            landing_ = Landing::AtAddress;
+            session_.messages().say("Nothing more happens to point " +
+                                    std::to_string(pointWanted_) + " after this position.");
+        }
+        land();
+    } else {
+        session_.setCursorToLast();
+    }
+    return true;
+}
+
+void Moves::land() {
+    std::size_t cursor = record().events.empty() ? 0 : record().events.size() - 1;
+    if (landing_ == Landing::First) cursor = 0;
+    if (landing_ == Landing::AtSamePosition) cursor = sameStep(record(), samePosition_);
+    if (landing_ == Landing::AtPoint) {
+        const auto found =
+            std::find_if(record().events.begin(), record().events.end(),
+                         [this](const Event& event) { return subjectOf(event) == pointWanted_; });
+        if (found != record().events.end()) {
+            cursor = static_cast<std::size_t>(found - record().events.begin());
+        }
+    }
+    if (landing_ == Landing::AtAddress) {
+        if (const auto found = record().find(target_)) {
+            cursor = *found;
+        } else {
+            session_.messages().miss("There is no event " + toString(target_) +
+                                     ". Shown: the end of pivot " + std::to_string(record().pivot) +
+                                     ".");
+        }
+    }
+    if (landing_ == Landing::Last && target_.pivot > record().pivot && target_.pivot != kEnd) {
+        session_.messages().miss("There is no pivot " + std::to_string(target_.pivot) +
+                                 ": the run ends with pivot " + std::to_string(record().pivot) +
+                                 ".");
+    }
+    session_.setCursor(cursor);
+}
+
+void Moves::stepEvent(int delta) { push({Move::Kind::Events, delta, {}}); }
+void Moves::stepPivot(int delta) { push({Move::Kind::Pivots, delta, {}}); }
+void Moves::finishPivot() { push({Move::Kind::Finish, 0, {}}); }
+void Moves::toEnd() { goToPivot(kEnd); }
+
+void Moves::goToPivot(std::uint32_t pivot) { goTo({pivot, Stage::Pivot, 0}); }
+
+void Moves::goToShare(double share) {
+    if (!session_.ready()) return;
+    cancel();
+    awaitedShare_ = share;
+    waitingSince_ = Clock::now();
+    if (session_.overview().complete) goToAwaited();
+}
+
+/// The overview is complete, so a share of the run can be located.
+void Moves::goToAwaited() {
+    if (!awaitedShare_) return;
+    const double share = *std::exchange(awaitedShare_, std::nullopt);
+    goToPivot(static_cast<std::uint32_t>(std::llround(session_.overview().lastPivot * share)));
+}
+
+void Moves::goTo(const Address& address) {
+    if (session_.ready() && !busy()) history_.leave(hereText());
+    jump(address);
+}
+
+void Moves::jump(const Address& address) {
+    cancel();
+    push({Move::Kind::Go, 0, address});
+}
+
+std::string Moves::hereText() const {
+    return session_.event() != nullptr ? toString(session_.address()) : std::string("0");
+}
+
+void Moves::goBack() {
+    if (!session_.ready()) return;
+    const auto place = history_.back(hereText());
+    if (place) jump(addressFromString(*place).value_or(Address{}));
+}
+
+void Moves::goForward() {
+    if (!session_.ready()) return;
+    const auto place = history_.forward(hereText());
+    if (place) jump(addressFromString(*place).value_or(Address{}));
+}
+
+void Moves::goToPoint(Index point) {
+    if (!session_.ready()) return;
+    if (!busy()) history_.leave(hereText());
+    cancel();
+    push({Move::Kind::Point, 0, {}, point});
+}
+
+void Moves::goToEvent(std::size_t index) {
+    if (busy() || !session_.ready() || index >= record().events.size()) return;
+    session_.setCursor(index);
+}
+
+double Moves::busySeconds() const {
+    if (!waiting_ && !awaitedShare_ && !awaitsStop()) return 0.0;
+    const std::chrono::duration<double> time = Clock::now() - waitingSince_;
+    return time.count();
+}
+
+void Moves::cancel() {
+    moves_.clear();
+    awaitedShare_.reset();
+    awaitedStop_ = 0;
+    if (waiting_) runner_->cancel();
+}
+
+void Moves::push(Move move) {
+    if (!runner_ || moves_.size() >= kMaxMoves) return;
+    session_.messages().clear();
+    awaitedShare_.reset();
+    awaitedStop_ = 0;
+    moves_.push_back(move);
+    processMoves();
+}
+
+void Moves::processMoves() {
+    while (!waiting_ && !moves_.empty()) {
+        const Move move = moves_.front();
+        moves_.pop_front();
+        perform(move);
+    }
+}
+
+void Moves::perform(Move move) {
+    switch (move.kind) {
+        case Move::Kind::Events:
+            performEvents(move.delta);
+            break;
+        case Move::Kind::Pivots:
+            performPivots(move.delta);
+            break;
+        case Move::Kind::Finish:
+            if (session_.cursor() + 1 < record().events.size()) {
+                session_.setCursor(record().events.size() - 1);
+            } else if (!session_.atLastPivot()) {
+                request(record().pivot + 1, Landing::Last);
+            }
+            break;
+        case Move::Kind::Point:
+            performPoint(move.point);
+            break;
+        case Move::Kind::Go: {
+            const bool whole = move.target.stage == Stage::Pivot && move.target.n == 0;
+            request(move.target.pivot, whole ? Landing::Last : Landing::AtAddress, move.target);
+            break;
+        }
+    }
+}
+
+void Moves::performPivots(int delta) {
+    if (delta > 0 && session_.atLastPivot()) {
+        if (!record().events.empty()) session_.setCursor(record().events.size() - 1);
+        return;
+    }
+    const long to = static_cast<long>(record().pivot) + delta;
+    request(static_cast<std::uint32_t>(std::max(0L, to)), Landing::Last);
+}
+
+void Moves::performEvents(int delta) {
+    const auto count = static_cast<int>(record().events.size());
+    const int here = count == 0 ? 0 : static_cast<int>(session_.cursor());
+    const int to = here + delta;
+    if (count > 0 && to >= 0 && to < count) {
+        session_.setCursor(static_cast<std::size_t>(to));
+    } else if (delta > 0 && !session_.atLastPivot()) {
+        const int rest = count == 0 ? delta - 1 : to - count;
+        if (rest > 0) moves_.push_front({Move::Kind::Events, rest, {}});
+        request(record().pivot + 1, Landing::First);
+    } else if (delta < 0 && record().pivot > 0) {
+        if (to + 1 < 0) moves_.push_front({Move::Kind::Events, to + 1, {}});
+        request(record().pivot - 1, Landing::Last);
+    }
+}
+
+void Moves::request(std::uint32_t pivot, Landing landing, const Address& target) {
+    landing_ = landing;
+    target_ = target;
+    if (session_.ready() && record().pivot == pivot) {
+        land();
+        return;
+    }
+    runner_->request(pivot);
+    await(pivot);
+}
+
+/// Waits briefly for the runner's answer.
+void Moves::await(std::uint32_t pivot) {
+    requested_ = pivot;
+    waiting_ = true;
+    waitingSince_ = Clock::now();
+    runner_->waitFor(kPatience);
+    takeAnswer();
+}
+
+void Moves::performPoint(Index point) {
+    const auto isAbout = [point](const Event& event) { return subjectOf(event) == point; };
+    const std::vector<Event>& events = record().events;
+    const auto from = events.begin() +
+                      static_cast<std::ptrdiff_t>(std::min(session_.cursor() + 1, events.size()));
+    const auto found = std::find_if(from, events.end(), isAbout);
+    if (found != events.end()) {
+        session_.setCursor(static_cast<std::size_t>(found - events.begin()));
+        return;
+    }
+    landing_ = Landing::AtPoint;
+    target_ = session_.address();
+    pointWanted_ = point;
+    runner_->requestPoint(point, record().pivot);
+    await(session_.overview().lastPivot);
+}
+
+}  // namespace se::view

@@ -1,0 +1,129 @@
+/// Moves of the cursor: carried out in order, by the runner thread where a pivot is not at hand.
+///
+/// A move to a pivot that is not in memory waits for that thread, and the picture stays until its
+/// answer arrives.
+#pragma once
+
+#include <chrono>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "history.h"
+#include "jobs/runner.h"
+#include "run/same_position.h"
+#include "spiraling_edge/base/result.h"
+#include "spiraling_edge/replay/breakpoint.h"
+
+namespace se::view {
+
+/// Seconds after which a move is shown with a button to stop it.
+inline constexpr double kLongMove = 0.15;
+
+class Session;
+
+class Moves {
+  public:
+    using Clock = std::chrono::steady_clock;
+
+    explicit Moves(Session& session) : session_(session) {}
+
+    void stepEvent(int delta);
+    void stepPivot(int delta);
+    /// To the last event of this pivot; from there, of the next.
+    void finishPivot();
+    void toStart() { goToPivot(0); }
+    void toEnd();
+    /// To the last event of a pivot.
+    void goToPivot(std::uint32_t pivot);
+    /// To an event; without stage and n to the last event of the pivot.
+    void goTo(const Address& address);
+    /// To a share of the whole run, in [0, 1]. Waits until the overview of the run is complete,
+    /// since its length is not known before.
+    void goToShare(double share);
+    /// To the next event about a point, after the cursor; reports if there is none.
+    void goToPoint(Index point);
+    /// To an event of the current pivot.
+    void goToEvent(std::size_t index);
+    /// Parses `137`, `137.sphere.3`, `+10`, `-10`, `50%` or `p812` (selects the point and
+    /// goes to its next event). Fails with a sentence.
+    Status goToText(const std::string& text);
+    /// Goes to an address without an entry in the history: for playing.
+    void playTo(const Address& address) { jump(address); }
+    /// Back and forward through the positions that were left by jumps.
+    void goBack();
+    void goForward();
+    const History& history() const { return history_; }
+
+    // To breakpoints (moves_to_stops.cpp).
+    /// To the next (1) or previous (-1) stop, otherwise to the end or the start of the run; waits
+    /// for the search if it has not come that far.
+    void continueRun(int direction);
+    /// The next stop is awaited, and its position is not known yet.
+    bool awaitsStop() const { return awaitedStop_ != 0; }
+    /// Goes to a stop and reports its name, without an entry in the history.
+    void playToStop(const Stop& stop);
+
+    /// A move waits for the runner thread, or for the overview to be complete.
+    bool busy() const { return waiting_ || !moves_.empty() || awaitsLength() || awaitsStop(); }
+    /// A move to a share of the run waits for the length of the run.
+    bool awaitsLength() const { return awaitedShare_.has_value(); }
+    /// Seconds since the wait began; 0 without a wait.
+    double busySeconds() const;
+    std::uint32_t runnerPosition() const { return runner_ ? runner_->position() : 0; }
+    std::uint32_t runnerTarget() const { return requested_; }
+    void cancel();
+
+    // By the session.
+    /// Sets the runner of another run; its first answer is ready. The cursor is at the start, or
+    /// at `place`.
+    void open(std::unique_ptr<Runner> runner, const std::optional<SamePosition>& place);
+    /// Takes the answer of the runner thread. True if there was one.
+    bool poll();
+    /// Makes the moves that waited for the length of the run; requires that it is known.
+    void goToAwaited();
+    void goToAwaitedStop();
+    /// Waits a while for the answer that a move needs; none: returns at once.
+    void wait();
+
+  private:
+    enum class Landing : std::uint8_t { First, Last, AtAddress, AtPoint, AtSamePosition };
+    struct Move {
+        enum class Kind : std::uint8_t { Events, Pivots, Finish, Go, Point } kind = Kind::Go;
+        int delta = 0;
+        Address target;
+        Index point = kNone;
+    };
+
+    const PivotRecord& record() const;
+    void push(Move move);
+    void processMoves();
+    void perform(Move move);
+    void performPivots(int delta);
+    void performEvents(int delta);
+    void performPoint(Index point);
+    void await(std::uint32_t pivot);
+    void request(std::uint32_t pivot, Landing landing, const Address& target = {});
+    bool takeAnswer();
+    void land();
+    void jump(const Address& address);
+    std::string hereText() const;
+    std::string nameOf(const Stop& stop) const;
+
+    Session& session_;
+    History history_;
+    std::deque<Move> moves_;
+    bool waiting_ = false;
+    std::optional<double> awaitedShare_;
+    int awaitedStop_ = 0;  ///< 1: the next, -1: the previous one; 0: none.
+    Clock::time_point waitingSince_;
+    std::uint32_t requested_ = 0;
+    Landing landing_ = Landing::Last;
+    Address target_;
+    Index pointWanted_ = kNone;
+    SamePosition samePosition_;
+    std::unique_ptr<Runner> runner_;
+};
+
+}  // namespace se::view
