@@ -329,7 +329,7 @@ void DocumentController::takeFixes(Fixes fixes) {
 void DocumentController::takeRules(const RuleSet& rules, Resume resume) {
     if (!c_.session.ready() || rules == c_.session.input().rules()) return;
     c_.playback.pause();
-    c_.session.runAnew(rules, resume);
+    c_.session.rerun(rules, resume);
 }
 
 void DocumentController::answer() {

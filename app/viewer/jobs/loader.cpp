@@ -24,11 +24,11 @@ Result<Opened> openInput(const InputSpec& spec, LoadProgress& progress) {
 }
 
 /// The same points with the params of other rules.
-Result<Opened> openAnew(const InputSpec& spec, const RunAnew& anew, LoadProgress& progress) {
+Result<Opened> openAgain(const InputSpec& spec, const Rerun& rerun, LoadProgress& progress) {
     const Result<Params> params = paramsOf(spec);
     if (!params) return params.error();
-    if (!sameInput(params.value(), anew.model->params)) return openInput(spec, progress);
-    auto model = std::make_shared<Model>(*anew.model);
+    if (!sameInput(params.value(), rerun.model->params)) return openInput(spec, progress);
+    auto model = std::make_shared<Model>(*rerun.model);
     model->params = params.value();
     return Opened{std::move(model), nullptr, nullptr};
 }
@@ -63,19 +63,19 @@ std::vector<MovedModel> movedModels(const Model& model) {
     return made;
 }
 
-Result<Opened> openRun(const InputSpec& spec, const std::optional<RunAnew>& anew,
+Result<Opened> openRun(const InputSpec& spec, const std::optional<Rerun>& rerun,
                        LoadProgress& progress) {
-    Result<Opened> made = anew ? openAnew(spec, *anew, progress) : openInput(spec, progress);
+    Result<Opened> made = rerun ? openAgain(spec, *rerun, progress) : openInput(spec, progress);
     if (!made) return made;
     Opened& opened = made.value();
     progress.part = LoadPart::Beginning;
     // What-ifs of a session file are opened in any case; those without effect are reported.
-    const std::vector<WhatIf>& known = anew ? anew->spec.whatIf : spec.whatIf;
+    const std::vector<WhatIf>& known = rerun ? rerun->spec.whatIf : spec.whatIf;
     if (const Status good = checkForks(opened, known, progress); !good) return good.error();
     opened.moved = movedModels(*opened.model);
-    if (anew) {
-        const Model& before = *anew->model;
-        opened.place = findSamePosition({before.points, before.params}, anew->cursor,
+    if (rerun) {
+        const Model& before = *rerun->model;
+        opened.place = findSamePosition({before.points, before.params}, rerun->cursor,
                                         {opened.model->points, opened.model->params},
                                         [&progress] { return !progress.cancelled.load(); });
         if (!opened.place) return openingCancelled();
@@ -93,15 +93,15 @@ Result<Opened> openRun(const InputSpec& spec, const std::optional<RunAnew>& anew
 
 void Loader::start(const InputSpec& spec) { start(spec, std::nullopt); }
 
-void Loader::start(const InputSpec& spec, const RunAnew& anew) {
-    start(spec, std::optional<RunAnew>(anew));
+void Loader::start(const InputSpec& spec, const Rerun& rerun) {
+    start(spec, std::optional<Rerun>(rerun));
 }
 
-void Loader::start(const InputSpec& spec, std::optional<RunAnew> anew) {
+void Loader::start(const InputSpec& spec, std::optional<Rerun> rerun) {
     cancel();
     progress_ = std::make_shared<LoadProgress>();
-    query_.start([spec, anew = std::move(anew), progress = progress_](const Progress&) {
-        return openRun(spec, anew, *progress);
+    query_.start([spec, rerun = std::move(rerun), progress = progress_](const Progress&) {
+        return openRun(spec, rerun, *progress);
     });
 }
 

@@ -34,7 +34,7 @@ struct Opened {
 };
 
 /// An open run to be re-run, with the position of its cursor.
-struct RunAnew {
+struct Rerun {
     std::shared_ptr<const Model> model;
     InputSpec spec;
     CursorPosition cursor;
@@ -46,7 +46,7 @@ class Loader {
     void start(const InputSpec& spec);
     /// Opens the same input under other rules or with other what-ifs; points that stay the same are
     /// not prepared again. Fails if a new what-if is refused.
-    void start(const InputSpec& spec, const RunAnew& anew);
+    void start(const InputSpec& spec, const Rerun& rerun);
     void cancel();
     /// An input is being opened, or waits to be taken.
     bool busy() const { return query_.busy(); }
@@ -58,7 +58,7 @@ class Loader {
     void waitUntilDone() { query_.waitUntilDone(); }
 
   private:
-    void start(const InputSpec& spec, std::optional<RunAnew> anew);
+    void start(const InputSpec& spec, std::optional<Rerun> rerun);
 
     std::shared_ptr<LoadProgress> progress_;  ///< Shared with the thread.
     BackgroundQuery<Opened> query_;

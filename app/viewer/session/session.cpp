@@ -13,24 +13,24 @@ Session::~Session() = default;
 
 void Session::open(InputSpec spec) { input_.open(std::move(spec)); }
 
-void Session::runAnew(const RuleSet& rules, Resume resume) {
-    const bool opens = input_.phase() == SessionPhase::Loading && !input_.isAnew();
+void Session::rerun(const RuleSet& rules, Resume resume) {
+    const bool opens = input_.phase() == SessionPhase::Loading && !input_.isRerun();
     if (!ready() || opens) return;
     moves_.cancel();
     const Event* at = event();
     const bool end = resume == Resume::End || atEnd();
-    input_.runAnew(rules, model_, {address(), at != nullptr ? subjectOf(*at) : kNone, end});
+    input_.rerun(rules, model_, {address(), at != nullptr ? subjectOf(*at) : kNone, end});
 }
 
 void Session::cancelOpening() {
     input_.cancel();
     dismissError();
-    messages_.say(input_.isAnew() ? "Cancelled: the run is unchanged." : "Opening was cancelled.");
+    messages_.say(input_.isRerun() ? "Cancelled: the run is unchanged." : "Opening was cancelled.");
 }
 
 /// The old run stays if a new one is refused.
 void Session::fail(std::string why) {
-    if (!input_.isAnew()) return input_.fail(std::move(why));
+    if (!input_.isRerun()) return input_.fail(std::move(why));
     dismissError();
     messages_.say(std::move(why));
 }

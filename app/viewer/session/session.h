@@ -44,7 +44,7 @@ class Session {
     /// Runs the open input again, with other rules or what-ifs, in a thread. messages() reports
     /// the new cursor position and the reason for it; the selection stays. If the change is
     /// refused, the reason is reported and all stays as it is. Requires ready().
-    void runAnew(const RuleSet& rules, Resume resume = Resume::SamePosition);
+    void rerun(const RuleSet& rules, Resume resume = Resume::SamePosition);
     /// Returns at once to the input that was open before, or to none.
     void cancelOpening();
     /// After a failure: returns to the input that was open before, or to none.

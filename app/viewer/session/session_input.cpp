@@ -9,12 +9,12 @@ const std::string& SessionInput::whatIfProblem(std::size_t i) const {
     return i < whatIfProblems_.size() ? whatIfProblems_[i] : none;
 }
 
-double SessionInput::anewSeconds() const {
-    return std::chrono::duration<double>(Clock::now() - anewSince_).count();
+double SessionInput::rerunSeconds() const {
+    return std::chrono::duration<double>(Clock::now() - rerunSince_).count();
 }
 
-void SessionInput::start(InputSpec spec, bool anew) {
-    anew_ = anew;
+void SessionInput::start(InputSpec spec, bool rerun) {
+    isRerun_ = rerun;
     opening_ = std::move(spec);
     error_.clear();
     phase_ = SessionPhase::Loading;
@@ -25,9 +25,9 @@ void SessionInput::open(InputSpec spec) {
     loader_.start(opening_);
 }
 
-void SessionInput::runAnew(const RuleSet& rules, std::shared_ptr<const Model> model,
-                           CursorPosition cursor) {
-    anewSince_ = Clock::now();
+void SessionInput::rerun(const RuleSet& rules, std::shared_ptr<const Model> model,
+                         CursorPosition cursor) {
+    rerunSince_ = Clock::now();
     start(withRules(spec_, rules), true);
     loader_.start(opening_, {std::move(model), spec_, cursor});
 }

@@ -28,22 +28,22 @@ class SessionInput {
     /// Specification of the last opening, which may have failed.
     const InputSpec& opening() const { return opening_; }
     /// The rules of the open input, or of the one that is being opened.
-    RuleSet rules() const { return rulesOf(runsAnew() ? opening_ : spec_); }
+    RuleSet rules() const { return rulesOf(isRerunning() ? opening_ : spec_); }
     /// Reason why a what-if of spec() has no effect; empty if it has one.
     const std::string& whatIfProblem(std::size_t i) const;
     /// Input of prepare(), with which a mesh is written.
     std::shared_ptr<const PointFile> file() const { return file_; }
 
     /// The last opening is a re-run of the open input.
-    bool isAnew() const { return anew_; }
+    bool isRerun() const { return isRerun_; }
     /// The open input is being re-run.
-    bool runsAnew() const { return anew_ && phase_ == SessionPhase::Loading; }
+    bool isRerunning() const { return isRerun_ && phase_ == SessionPhase::Loading; }
     /// Seconds since the re-run began.
-    double anewSeconds() const;
+    double rerunSeconds() const;
 
     // Changes, by the session.
     void open(InputSpec spec);
-    void runAnew(const RuleSet& rules, std::shared_ptr<const Model> model, CursorPosition cursor);
+    void rerun(const RuleSet& rules, std::shared_ptr<const Model> model, CursorPosition cursor);
     void cancel() { loader_.cancel(); }
     /// Returns to the input that was open before, or to none.
     void dismiss(bool ready) { phase_ = ready ? SessionPhase::Ready : SessionPhase::Empty; }
@@ -55,14 +55,14 @@ class SessionInput {
     void waitUntilDone() { loader_.waitUntilDone(); }
 
   private:
-    void start(InputSpec spec, bool anew);
+    void start(InputSpec spec, bool rerun);
 
     InputSpec spec_;
     InputSpec opening_;
     SessionPhase phase_ = SessionPhase::Empty;
     std::string error_;
-    bool anew_ = false;
-    Clock::time_point anewSince_;
+    bool isRerun_ = false;
+    Clock::time_point rerunSince_;
     std::vector<std::string> whatIfProblems_;
     std::shared_ptr<const PointFile> file_;
     Loader loader_;

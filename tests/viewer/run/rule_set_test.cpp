@@ -98,10 +98,10 @@ TEST_CASE("A rule without effect before the cursor leaves it at the same test") 
     REQUIRE(open.place() == "30.sphere.1");
     open.session.select(5);
     // No two-point ring of over 180 degrees comes so early on a sphere.
-    open.session.runAnew(withRule(open.session.input().rules(), "cap", 9.0));
-    CHECK(open.session.input().runsAnew());
+    open.session.rerun(withRule(open.session.input().rules(), "cap", 9.0));
+    CHECK(open.session.input().isRerunning());
     CHECK(open.place() == "30.sphere.1");
-    CHECK_FALSE(open.session.input().runsAnew());
+    CHECK_FALSE(open.session.input().isRerunning());
     CHECK(open.session.model().params.maxTrianglesPerPoint == 9);
     CHECK(open.session.messages().last() == "Same place: no difference before it.");
     CHECK(open.session.selected() == 5);
@@ -110,12 +110,12 @@ TEST_CASE("A rule without effect before the cursor leaves it at the same test") 
 TEST_CASE("Where the runs diverge the cursor stays at the same pivot of the same component") {
     OpenSession open("scene:torus");
     for (const std::uint32_t pivot : {40U, 90U, 200U}) {
-        open.session.runAnew({});
+        open.session.rerun({});
         open.session.waitUntilDone();
         open.session.moves().goToPivot(pivot);
         open.session.waitUntilDone();
         const Index point = open.session.picture().pivot;
-        open.session.runAnew(withRule({}, "maxgap", 100.0));
+        open.session.rerun(withRule({}, "maxgap", 100.0));
         open.session.waitUntilDone();
         CHECK_FALSE(open.session.messages().last().empty());
         const bool same = open.session.messages().last().starts_with("Same");
@@ -127,12 +127,12 @@ TEST_CASE("Where the runs diverge the cursor stays at the same pivot of the same
 
 TEST_CASE("At the start and at the end of a run the cursor stays there") {
     OpenSession open;
-    open.session.runAnew(withRule({}, "maxgap", 90.0));
+    open.session.rerun(withRule({}, "maxgap", 90.0));
     CHECK(open.place() == "start");
     open.session.moves().toEnd();
     open.session.waitUntilDone();
     REQUIRE(open.session.atEnd());
-    open.session.runAnew({});
+    open.session.rerun({});
     open.session.waitUntilDone();
     CHECK(open.session.atEnd());
     CHECK(open.session.messages().last() == "At the end of the new run.");
@@ -201,7 +201,7 @@ TEST_CASE("A fork that would break an invariant is refused without any change") 
     open.session.waitUntilDone();
     const std::string place = open.place();
     const std::uint32_t generation = open.session.generation();
-    open.session.runAnew(withWhatIf({}, whatIfFromText("5 list 7 7").value()));
+    open.session.rerun(withWhatIf({}, whatIfFromText("5 list 7 7").value()));
     open.session.waitUntilDone();
     CHECK(open.session.input().phase() == SessionPhase::Ready);
     CHECK(open.session.generation() == generation);
@@ -219,7 +219,7 @@ TEST_CASE("A moved point is drawn at its new position from its pivot on, and not
     const auto what = form.move(10);
     REQUIRE(what.ok());
     CHECK(what.value().to == Vec3(0.25, old.y, old.z));
-    open.session.runAnew(withWhatIf({}, what.value()));
+    open.session.rerun(withWhatIf({}, what.value()));
     open.session.waitUntilDone();
     const glm::vec3 before = open.session.shown().place[20];
     CHECK(before == open.session.model().place[20]);

@@ -72,9 +72,9 @@ TEST_CASE("Styles computed for changed blocks equal those computed for all") {
         open.session.moves().goToPivot(pivot);
         open.session.waitUntilDone();
         const LayerInput in{open.session.model(), open.session.picture(), paletteOf(Theme::Dark)};
-        DrawList anew;
+        DrawList fresh;
         fillDrawList(in, on, kept);
-        fillDrawList(in, on, anew);
-        CHECK(kept.cloudStyleOf == anew.cloudStyleOf);
+        fillDrawList(in, on, fresh);
+        CHECK(kept.cloudStyleOf == fresh.cloudStyleOf);
     }
 }

@@ -1,5 +1,5 @@
-// Files that version 0.1.0 wrote (tests/golden/0.1.0), compared field by field with what was set. They
-// are never written again.
+// Files that version 0.1.0 wrote (tests/golden/0.1.0), compared field by field with what was set.
+// They are never written again.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -129,8 +129,8 @@ TEST_CASE("0.1.0: a session opens where it was saved, without a complaint") {
     test::HeadlessApp app("first-version-test");
     app.document.open((kFolder / "session.sesession").string());
     app.waitUntilDone();
-    REQUIRE(app.session.phase() == SessionPhase::Ready);
-    CHECK(app.session.message() == "");
+    REQUIRE(app.session.input().phase() == SessionPhase::Ready);
+    CHECK(app.session.messages().last().empty());
     CHECK(toString(app.session.address()) == "31.pivot.1");
     CHECK(app.session.selection() == Selection::ofEdge(40, 41));
     CHECK(app.session.model().points.size() == 142);

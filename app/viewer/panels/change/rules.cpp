@@ -20,8 +20,8 @@ void drawRules(const PanelContext& context) {
     const RuleSet rules = session.input().rules();
     const std::size_t count = differingCount(rules);
     heading(context, "Rules",
-            session.input().runsAnew() ? "re-running ..."
-            : count == 0               ? "values of the set"
+            session.input().isRerunning() ? "re-running ..."
+            : count == 0                  ? "values of the set"
                          : std::to_string(count) + (count == 1 ? " differs" : " differ"));
     const RuleListFields place{context.ui().ruleFilter, ""};
     std::optional<RuleSet> chosen = drawRuleSets(context, rules, place);

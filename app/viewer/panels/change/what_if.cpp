@@ -42,7 +42,7 @@ void drawPresent(const PanelContext& context, const RuleSet& rules) {
         context.where()["what if " + std::to_string(i + 1)] = lastItem();
         tooltip(describe(what) + "\nClick to go there.");
         const std::string& problem = session.input().whatIfProblem(i);
-        if (!problem.empty() && !session.input().runsAnew()) {
+        if (!problem.empty() && !session.input().isRerunning()) {
             ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
             wrappedText("No effect. " + problem);
             ImGui::PopStyleColor();

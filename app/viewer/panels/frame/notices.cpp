@@ -45,7 +45,7 @@ void drawLoading(const PanelContext& context) {
     Session& session = context.session();
     if (beginNotice(context, "##loading")) {
         const std::string& source = session.input().opening().source;
-        heading(context, session.input().runsAnew() ? "Re-running" : "Opening",
+        heading(context, session.input().isRerunning() ? "Re-running" : "Opening",
                 fitted(source, 16.0F * context.em));
         ImGui::ProgressBar(static_cast<float>(session.input().loadShare()), {-1.0F, 0.0F},
                            partName(session.input().loadPart()));
@@ -162,7 +162,7 @@ bool viewIsFree(const PanelContext& context) {
 void drawNotices(const PanelContext& context) {
     const Session& session = context.session();
     // A re-run usually ends before this could be read.
-    const bool soon = session.input().runsAnew() && session.input().anewSeconds() < kLongMove;
+    const bool soon = session.input().isRerunning() && session.input().rerunSeconds() < kLongMove;
     if (session.input().phase() == SessionPhase::Loading && !soon) drawLoading(context);
     if (session.input().phase() == SessionPhase::Failed) drawError(context);
     if (session.input().phase() == SessionPhase::Ready && session.moves().busySeconds() > kLongMove)
