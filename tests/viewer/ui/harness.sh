@@ -112,6 +112,8 @@ move_to() {
 click() {
     move_to "$1" "$2"
     act 1 xdotool click "${3:-1}"
+    # In the view it selects once no second click can follow.
+    poll matches click_waits false
 }
 # drag X Y BY_X BY_Y [BUTTON]
 drag() {
