@@ -135,7 +135,8 @@ Result<SampleSpec> sampleFromSource(std::string_view source) {
     spec.surface = source;
     if (spec.surface.empty()) return Error{name + ": names neither a shape nor a volume."};
     if ((spec.count > 0) == (spec.spacing > 0.0)) {
-        return Error{name + ": give either the number of points, n=N, or their spacing, spacing=S."};
+        return Error{name +
+                     ": give either the number of points, n=N, or their spacing, spacing=S."};
     }
     return spec;
 }

@@ -5,7 +5,6 @@
 #include <new>
 #include <stdexcept>
 
-#include "support/scarce_memory.h"
 #include "jobs/background_query.h"
 #include "jobs/doctor_job.h"
 #include "jobs/growth.h"
@@ -16,6 +15,7 @@
 #include "jobs/watch_scan.h"
 #include "open_session.h"
 #include "session/compare/comparison.h"
+#include "support/scarce_memory.h"
 
 using namespace se;
 using namespace se::view;

@@ -41,7 +41,8 @@ TEST_CASE("A line that specifies no points is refused, with the wrong part") {
     };
     CHECK(complaint("torus").find("sample:SHAPE") != std::string::npos);
     CHECK(complaint("sample:torus").find("either the number of points") != std::string::npos);
-    CHECK(complaint("sample:torus,n=10,spacing=1").find("either the number of points") != std::string::npos);
+    CHECK(complaint("sample:torus,n=10,spacing=1").find("either the number of points") !=
+          std::string::npos);
     CHECK(complaint("sample:,n=10").find("neither") != std::string::npos);
     CHECK(complaint("sample:torus,n=0").find("\"n=0\"") != std::string::npos);
     CHECK(complaint("sample:torus,n=10,iso=x").find("\"iso=x\"") != std::string::npos);
