@@ -88,7 +88,7 @@ for group in ${groups//|/ }; do
 done
 below panels/widgets "panels/($groups)/"
 
-# What the compiler of the browser build does not have (docs/architecture.md): each has one place.
+# What the compiler of the browser build does not have: each has one place.
 mapfile -t ours < <(printf '%s\n' "${core[@]}" ${viewer[@]+"${viewer[@]}"} |
     grep -vE '/(number_text|text_scan|float_bits)\.h$')
 no 'std::(jthread|stop_token|stop_source|bit_cast|ranges::|views::|condition_variable_any)' \

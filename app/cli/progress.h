@@ -1,8 +1,4 @@
-/// Progress line of long work on a terminal.
-///
-/// Ctrl+C as a flag that long work polls.
-///
-/// Long work of core with a progress line.
+/// Long work on a terminal: a progress line, and Ctrl+C as a flag that the work polls.
 #pragma once
 
 #include <chrono>

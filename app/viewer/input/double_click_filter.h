@@ -1,6 +1,6 @@
 /// Delay of the selection by a click until it cannot be the first half of a double click. Plain
-#pragma once
 /// values.
+#pragma once
 
 #include <optional>
 

@@ -1,6 +1,6 @@
 /// Keyboard focus of the panels: the current owner, and the next one for Tab. Plain values, no
-#pragma once
 /// ImGui.
+#pragma once
 
 #include <array>
 #include <cstdint>

@@ -117,7 +117,7 @@ enum class LayerId : std::uint8_t {
     Repairs,
     Alerts,
 };
-inline constexpr std::size_t kLayerCount = 30;
+inline constexpr std::size_t kLayerCount = static_cast<std::size_t>(LayerId::Alerts) + 1;
 
 /// The stages that show a layer by themselves, one bit each.
 using StageMask = std::uint32_t;

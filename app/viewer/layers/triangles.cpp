@@ -63,7 +63,7 @@ void addTriangles(const LayerInput& in, DrawList& out) {
     // New triangles are among them; those drawn below cover them.
     out.repaired = in.picture.repaired;
     if (ordered && in.mesh.style < MeshStyle::Wire) addFadingFan(in, out);
-    // Triangles of the repair steps are drawn in repairing.cpp.
+    // Triangles of the repair steps are drawn in repairs.cpp.
     if (!ordered) return;
     for (const Triangle& t : in.picture.newTriangles) {
         out.faces.push_back({{in.at(t.a), in.at(t.b), in.at(t.c)}, in.palette.test, true});

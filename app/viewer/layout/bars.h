@@ -1,6 +1,4 @@
-/// The parts of the transport bar that fit.
-///
-/// The parts of the status bar that fit. Plain arithmetic.
+/// The parts of the transport bar and of the status bar that fit. Plain arithmetic.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,5 @@
-/// The largest disc that leaves room for the names around it.
-///
-/// Names around the rim of the dial: side by side where two points are at nearly the same angle.
-/// Plain arithmetic, in pixels.
+/// The dial's disc and the names around its rim: the largest disc that leaves room for them, and
+/// names side by side where two points are at nearly the same angle. Plain arithmetic, in pixels.
 #pragma once
 
 #include <span>

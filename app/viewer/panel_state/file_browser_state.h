@@ -1,6 +1,6 @@
 /// State of the file browser: a folder, the files that can be opened in it, the typed text. No
-#pragma once
 /// ImGui.
+#pragma once
 
 #include <cstdint>
 #include <filesystem>

@@ -17,7 +17,7 @@ namespace se::view {
 
 namespace {
 
-constexpr std::array<SidePanel, 17> kSidePanels = {{
+constexpr auto kSidePanels = std::to_array<SidePanel>({
     {"Steps", true, 0.66F, drawSteps},
     {"Rings", true, 0.34F, drawRings},
     {"Dial", false, 0.0F, drawDial},
@@ -35,7 +35,7 @@ constexpr std::array<SidePanel, 17> kSidePanels = {{
     {kLedgerTab, false, 0.0F, drawLedger},
     {kQueryTab, false, 0.0F, drawQuery},
     {kChartsTab, false, 0.0F, drawCharts},
-}};
+});
 
 /// Marks a panel as shown; a panel that is no tab needs no opening.
 void markShown(const PanelContext& context, std::string_view title) {

@@ -16,7 +16,7 @@ namespace {
 
 /// All possible meanings of a word.
 Findings findingsOf(std::string_view word) {
-    Findings found = 0;
+    Findings found;
     for (const StageRow& row : stageTable()) {
         if (row.name.starts_with(word)) found |= findingOf(row.id);
     }
@@ -60,18 +60,17 @@ bool StepFilter::matches(std::uint32_t pivot, const PivotSummary& summary) const
     return std::all_of(words_.begin(), words_.end(), [&](const Word& word) {
         if (word.refused) return summary.refused > 0;
         if (word.number != kNone) return word.number == summary.point || word.number == pivot;
-        return (summary.found & word.found) != 0;
+        return (summary.found & word.found).any();
     });
 }
 
 bool StepFilter::matches(const Event& event) const {
-    const Findings stage = findingOf(event.address.stage);
-    const auto verdict = verdictOf(event);
-    const Findings found = stage | (verdict ? findingOf(*verdict) : Findings{0});
+    Findings found = findingOf(event.address.stage);
+    if (const auto verdict = verdictOf(event)) found |= findingOf(*verdict);
     std::string sentence;
     return std::all_of(words_.begin(), words_.end(), [&](const Word& word) {
         if (word.refused) return rejects(event);
-        if ((found & word.found) != 0) return true;
+        if ((found & word.found).any()) return true;
         if (sentence.empty()) sentence = lowerCase(describe(event));
         return word.number != kNone ? hasNumber(sentence, word.text)
                                     : sentence.find(word.text) != std::string::npos;

@@ -25,7 +25,7 @@ class StepFilter {
   private:
     struct Word {
         std::string text;
-        Findings found = 0;
+        Findings found;
         bool refused = false;
         Index number = kNone;
     };

@@ -1,7 +1,5 @@
-/// Numbers as text, the same in the view, on the dial and in Inspect. A number that rounds to zero
-/// has no sign: never "-0".
-///
-/// Numbers and boxes as text, independent of the locale.
+/// Numbers and boxes as text, the same in the view, on the dial and in Inspect, independent of the
+/// locale. A number that rounds to zero has no sign: never "-0".
 #pragma once
 
 #include <cstdint>

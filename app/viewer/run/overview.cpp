@@ -28,7 +28,7 @@ void countComponents(RunOverview& overview, const std::vector<PivotSummary>& fre
     auto pivot = static_cast<std::uint32_t>(overview.pivots.size() - fresh.size());
     for (const PivotSummary& summary : fresh) {
         ++pivot;
-        if ((summary.found & findingOf(Stage::Seed)) != 0 || overview.components.empty()) {
+        if ((summary.found & findingOf(Stage::Seed)).any() || overview.components.empty()) {
             overview.components.push_back({pivot, 0, 0});
         }
         overview.components.back().tests += summary.tests;

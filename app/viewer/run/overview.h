@@ -1,6 +1,7 @@
 /// The whole run at a glance, for the tree of steps and the strip under the view.
 #pragma once
 
+#include <bitset>
 #include <optional>
 #include <span>
 #include <vector>
@@ -31,21 +32,21 @@ struct RunMark {
 };
 
 /// The stages and verdicts that occur among some events, one bit for each.
-using Findings = std::uint64_t;
-constexpr Findings findingOf(Stage stage) { return Findings{1} << static_cast<unsigned>(stage); }
-constexpr Findings findingOf(Verdict verdict) {
-    return Findings{1} << (kStageCount + static_cast<unsigned>(verdict));
+using Findings = std::bitset<kStageCount + kVerdictCount>;
+inline Findings findingOf(Stage stage) { return Findings().set(static_cast<std::size_t>(stage)); }
+inline Findings findingOf(Verdict verdict) {
+    return Findings().set(kStageCount + static_cast<std::size_t>(verdict));
 }
-static_assert(kStageCount + kVerdictCount <= 64);
 
-/// Summary of a pivot, available without running it again: 16 bytes.
+/// Summary of a pivot, available without running it again: 16 bytes, or 24 with more than 64
+/// stages and verdicts.
 struct PivotSummary {
-    Findings found = 0;
+    Findings found;
     Index point = kNone;
     std::uint16_t tests = 0;  ///< Decisions with a verdict; no more than 65,535 are counted.
     std::uint16_t refused = 0;
 };
-static_assert(sizeof(PivotSummary) == 16);
+static_assert(sizeof(PivotSummary) <= 24);
 
 /// Adds an event of the pivot.
 void count(PivotSummary& summary, const Event& event);

@@ -1,4 +1,4 @@
-/// Things to draw, as plain values: layers fill the list, gl/ draws it, tests read it.
+/// Things to draw, as plain values: layers fill the list, render/ draws it, tests read it.
 /// Positions are in view space (model.h); sizes are in em, the height of a line of text.
 #pragma once
 

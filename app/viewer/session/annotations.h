@@ -1,6 +1,5 @@
-/// The user's annotations of an input, which a session file stores. Plain values.
-///
-/// Bookmarked positions in a run. Plain values.
+/// The user's annotations of an input, which a session file stores: bookmarked positions, notes and
+/// breakpoints. Plain values.
 #pragma once
 
 #include <cstddef>

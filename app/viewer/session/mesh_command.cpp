@@ -1,7 +1,7 @@
 // The viewer and the command line use the same library, so a mesh can be reproduced byte for byte
 // by `spiraling-edge run` with the options of the open input. Sampled points and the doctor's
 // repairs are not options of `run`: they become commands before it, joined by &&, with files
-// beside the mesh. tests/viewer/mesh_command_test.cpp compares the bytes.
+// beside the mesh. tests/viewer/session/mesh_command_test.cpp compares the bytes.
 #include "mesh_command.h"
 
 #include <algorithm>

@@ -11,7 +11,7 @@ class Session;
 
 /// Destination of a mesh, and the choice of its points.
 struct MeshTarget {
-    std::string path;       ///< Its extension names the format (core's mesh_io.h).
+    std::string path;       ///< Its extension names the format (core's write_mesh.h).
     bool usedOnly = false;  ///< Without the points that are in no triangle.
 };
 

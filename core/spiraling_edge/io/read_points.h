@@ -1,6 +1,6 @@
-/// Reading points and writing meshes (docs/file-formats.md). The type of a file is found by its
-/// content first, then by its extension. No reader returns a partial result, and no writer leaves
-/// a partial file (atomic_file.h).
+/// Reading points of any format, and writing PLY; other formats are written by write_mesh.h
+/// (docs/file-formats.md). The type of a file is found by its content first, then by its extension.
+/// No reader returns a partial result, and no writer leaves a partial file (atomic_file.h).
 #pragma once
 
 #include <cstdint>

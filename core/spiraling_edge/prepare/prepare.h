@@ -1,6 +1,6 @@
 /// Conversion of a file's content to the input of the stepper: normals, types and neighbor lists
-/// derived where absent or requested, unusable points set aside, lists cleaned (section 2 of the
-/// reading in docs/choices.md).
+/// derived where absent or requested, unusable points set aside, lists cleaned (section
+/// Input of docs/choices.md).
 #pragma once
 
 #include <cstddef>
@@ -65,7 +65,7 @@ struct PrepareOptions {
     /// Rim points are those that findRim() finds (rim.h), even if the file has some.
     bool rim = false;
     /// Where lists are computed and noise along the normals exceeds kNoisy, points are set aside
-    /// and normals averaged (thinNoise, noise.h) until it does not.
+    /// and normals averaged (setNoiseAside(), noise.h) until it does not.
     bool setNoiseAside = false;
 };
 

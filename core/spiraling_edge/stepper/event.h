@@ -42,7 +42,7 @@ enum class Stage : std::uint8_t {
     RemoveFolded,  ///< Beyond the paper, after the last pivot: a point at a fault is taken out.
     Done,          ///< §3, §7: a ring is freed or a component complete.
 };
-inline constexpr std::size_t kStageCount = 23;
+inline constexpr std::size_t kStageCount = static_cast<std::size_t>(Stage::Done) + 1;
 
 /// "sphere", "twopoint", ... (stage_table.h).
 std::string_view stageName(Stage stage);
@@ -116,7 +116,7 @@ enum class Verdict : std::uint8_t {
     WhatIfKept,     ///< Kept by a what-if (what_if.h).
     WhatIfDropped,  ///< Dropped by a what-if.
 };
-inline constexpr std::size_t kVerdictCount = 41;
+inline constexpr std::size_t kVerdictCount = static_cast<std::size_t>(Verdict::WhatIfDropped) + 1;
 /// "inside sphere", ... (verdict_table.h).
 std::string_view verdictText(Verdict verdict);
 

@@ -123,7 +123,7 @@ const Triangles kSquare{{0, 1, 2}, {0, 2, 3}};
 
 // ---- the start ----------------------------------------------------------------------------------
 
-TEST_CASE("mending: begins with the triangles as they are, and every side's twin") {
+TEST_CASE("repair: begins with the triangles as they are, and every side's twin") {
     const RepairState m = beginRepair(5, kSquare);
     CHECK(m.triangles == kSquare);
     CHECK(manifoldFault(m) == "");
@@ -134,7 +134,7 @@ TEST_CASE("mending: begins with the triangles as they are, and every side's twin
     CHECK(std::count(m.pinched.begin(), m.pinched.end(), true) == 0);
 }
 
-TEST_CASE("mending: an edge of three triangles has no twins, and its ends are left alone") {
+TEST_CASE("repair: an edge of three triangles has no twins, and its ends are left alone") {
     const RepairState m = beginRepair(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
     CHECK(adjacencyFault(m) == "");
     CHECK(m.twin[0] == kNone);
@@ -143,7 +143,7 @@ TEST_CASE("mending: an edge of three triangles has no twins, and its ends are le
     CHECK(m.pinched[1]);
 }
 
-TEST_CASE("mending: a point of two fans is left alone") {
+TEST_CASE("repair: a point of two fans is left alone") {
     const RepairState m = beginRepair(5, {{0, 1, 2}, {0, 3, 4}});
     CHECK(m.pinched[0]);
     CHECK_FALSE(m.pinched[1]);
@@ -439,7 +439,7 @@ std::string faultWhileRepairing(const PointSet& points, std::size_t& steps) {
 
 }  // namespace
 
-TEST_CASE("mending: neighbors agree after every step, on meshes of random points") {
+TEST_CASE("repair: neighbors agree after every step, on meshes of random points") {
     std::size_t steps = 0;
     for (std::uint64_t seed = 1; seed <= 150; ++seed) {
         CHECK_MESSAGE(faultWhileRepairing(randomPoints(seed), steps) == "", "seed ", seed);
@@ -447,7 +447,7 @@ TEST_CASE("mending: neighbors agree after every step, on meshes of random points
     CHECK(steps > 100);
 }
 
-TEST_CASE("mending: neighbors agree after every step, on rough closed clouds") {
+TEST_CASE("repair: neighbors agree after every step, on rough closed clouds") {
     std::size_t steps = 0;
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         PointFile file = closedFamilies(0.5)[seed % 4].sample(seed);
@@ -458,7 +458,7 @@ TEST_CASE("mending: neighbors agree after every step, on rough closed clouds") {
     CHECK(steps > 100);
 }
 
-TEST_CASE("mending: neighbors agree after every step, on triangles that are no surface at all") {
+TEST_CASE("repair: neighbors agree after every step, on triangles that are no surface at all") {
     std::size_t steps = 0;
     for (std::uint64_t seed = 1; seed <= 400; ++seed) {
         const PointSet points = randomPoints(seed);

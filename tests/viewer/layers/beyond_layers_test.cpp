@@ -32,7 +32,7 @@ struct SetPlace {
         place->session.waitUntilDone();
         const std::vector<PivotSummary> pivots = place->session.overview().pivots;
         for (std::uint32_t i = 0; i < pivots.size(); ++i) {
-            if ((pivots[i].found & findingOf(stage)) == 0) continue;
+            if ((pivots[i].found & findingOf(stage)).none()) continue;
             place->session.moves().goTo({i + 1, stage, 0});
             place->session.waitUntilDone();
             const std::vector<Event> events = place->session.record().events;

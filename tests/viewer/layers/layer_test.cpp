@@ -10,7 +10,7 @@ using namespace se;
 using namespace se::view;
 using namespace se::view::test;
 
-TEST_CASE("The table has every layer once, at the position of its id") {
+TEST_CASE("The table has every layer once") {
     std::set<std::string_view> names;
     REQUIRE(layers().size() == kLayerCount);
     for (const Layer& layer : layers()) CHECK(names.insert(layer.name).second);

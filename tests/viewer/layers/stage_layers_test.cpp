@@ -1,4 +1,4 @@
-/// Tests of the table of stages in docs/viewer.md.
+/// Drawings of each stage of a pivot (pictures: docs/images/stage-*.png).
 #include "drawn.h"
 
 #include <doctest/doctest.h>

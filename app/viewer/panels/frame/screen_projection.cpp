@@ -19,7 +19,7 @@ constexpr std::size_t kMaxFaces = 400;
 constexpr std::size_t kMaxSights = 48;
 /// Marks of this size, in em, belong to points that must stay visible.
 constexpr float kMarkFrom = 0.9F;
-/// Marks grow with the view: at most by this (gl/renderer.cpp).
+/// Marks grow with the view: at most by this (render/renderer.cpp).
 constexpr float kMarkGrowth = 1.15F;
 /// Size of a cell of the clutter, in em, and what is filled counts in it.
 constexpr float kCell = 0.5F;

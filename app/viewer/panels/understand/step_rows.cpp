@@ -144,7 +144,7 @@ std::size_t trianglesOfComponent(const RunOverview& run, std::size_t component) 
 
 /// Effect of a pivot on the rings, in one word.
 std::string pivotNote(const PivotSummary& summary) {
-    const auto found = [&](Stage stage) { return (summary.found & findingOf(stage)) != 0; };
+    const auto found = [&](Stage stage) { return (summary.found & findingOf(stage)).any(); };
     for (const Stage stage : {Stage::Split, Stage::Join, Stage::Done, Stage::Seed, Stage::Skip,
                               Stage::Fill, Stage::Reinsert, Stage::Flip, Stage::RemoveFolded}) {
         if (found(stage)) return std::string(stageName(stage));

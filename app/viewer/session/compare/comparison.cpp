@@ -1,6 +1,6 @@
 // The other run is a second Session of its own, which prepares and steps it like the first. A job
 // compares the two runs to their ends; poll() then moves the other session along with the first:
-// event by event up to the first difference, by shares of the rest after it (twin.h).
+// event by event up to the first difference, by shares of the rest after it (compare_sync.h).
 #include "comparison.h"
 
 #include <algorithm>
