@@ -42,6 +42,12 @@ struct Rerun {
 
 class Loader {
   public:
+    Loader() = default;
+    /// Cancels, and waits until the thread has ended. Reading watches LoadProgress, not the query.
+    ~Loader() { cancel(); }
+    Loader(const Loader&) = delete;
+    Loader& operator=(const Loader&) = delete;
+
     /// Opens another input; an opening in progress is cancelled.
     void start(const InputSpec& spec);
     /// Opens the same input under other rules or with other what-ifs; points that stay the same are
