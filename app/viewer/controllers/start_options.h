@@ -1,4 +1,4 @@
-/// What the command line of the viewer asks for.
+/// Options of the command line of the viewer.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-/// What is highlighted beside the selection: what is under the pointer, the points of a finding,
+/// Highlights beside the selection: the item under the pointer, the points of a finding,
 /// and a ring.
 #pragma once
 

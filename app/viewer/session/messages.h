@@ -1,4 +1,4 @@
-/// What the session tells the user beside the decision at the cursor.
+/// Messages of the session to the user, beside the decision at the cursor.
 #pragma once
 
 #include <chrono>

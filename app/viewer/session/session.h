@@ -1,7 +1,7 @@
 /// The open document and its cursor. Independent of window and OpenGL.
 ///
 /// The cursor is an address: it is on an event, and the picture shows the state just after it.
-/// What else belongs to the document has objects of its own: moves(), input(), alerts(), hits(),
+/// The other parts of the document are objects of their own: moves(), input(), alerts(), hits(),
 /// watches(), highlights(), messages().
 #pragma once
 

@@ -48,7 +48,7 @@ class SessionInput {
     /// Returns to the input that was open before, or to none.
     void dismiss(bool ready) { phase_ = ready ? SessionPhase::Ready : SessionPhase::Empty; }
     void fail(std::string why);
-    /// What was opened, or the error; once.
+    /// The opened input, or the error; once.
     std::optional<Result<Opened>> take() { return loader_.take(); }
     /// The input that was being opened is open.
     void adopt(Opened& opened);

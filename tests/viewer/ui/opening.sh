@@ -13,7 +13,9 @@ says phase empty; says start_page true
 # Opened again from here; quitting does not wait for it either.
 press ctrl+o; says file_browser true
 type_text "$work/many.ply"; press Return; says phase loading
+began=$(date +%s%N)
 stop
+quitting=$((($(date +%s%N) - began) / 1000000))
 
 # The open input stays usable while another one is being opened.
 start scene:sphere; says phase ready
@@ -34,4 +36,8 @@ for input in scene:torus "$work/many.ply"; do
     awk "BEGIN { exit !($window < 3) }" || fail "the window needs $window s"
     stop
 done
+# Measured in the same run: quitting is not the opening waited for.
+opened=$(field first_frame_seconds)
+echo "quitting took $quitting ms while opening takes $opened s"
+awk "BEGIN { exit !($quitting < 500 * $opened) }" || fail "quitting waits for the input"
 well
