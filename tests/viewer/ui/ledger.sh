@@ -38,7 +38,7 @@ found=no
 for dy in 0 20 -20 40 -40; do
     for dx in 0 20 40 -20 -40; do
         press Escape; says selection none
-        click $((x + dx)) $((y + dy)); leaves click_waits false; says click_waits false
+        click $((x + dx)) $((y + dy))
         [ "$(field selection)" = point ] && { found=yes; break 2; }
     done
 done
