@@ -198,6 +198,8 @@ void Window::attach(Application& application) {
 }
 
 void Window::detach() {
+    if (glfwGetWindowMonitor(window_) == nullptr)
+        glfwGetWindowSize(window_, &windowedSize_.x, &windowedSize_.y);
     application_->rememberSize(windowedSize_);
     ImGui_ImplGlfw_Shutdown();
     application_ = nullptr;

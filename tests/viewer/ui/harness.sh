@@ -3,7 +3,7 @@
 #
 #   . "$(dirname "$0")/harness.sh"
 #   start scene:sphere            # opens the window; size=1024x640 scale=2 theme=light start ...
-#                                 # instead of 1280x800, scale 1, dark
+#                                 # instead of 1280x800, scale 1, dark; size=kept for the last size
 #   press F10; says pivot 1       # keys; a field of --state-dump, as a regular expression
 #   click 480 300                 # in pixels of the window
 #   stop                          # Ctrl+Q, and a good exit code
@@ -50,7 +50,9 @@ display() {
 start() {
     [ -n "$server" ] || display
     rm -f "$state"
-    "$viewer" --size "${size:-1280x800}" --ui-scale "${scale:-1}" --theme "${theme:-dark}" --state-dump "$state" "$@" <"${stdin:-/dev/null}" >"$work/program.log" 2>&1 &
+    local sized=(--size "${size:-1280x800}")
+    [ "${size:-}" != kept ] || sized=()
+    "$viewer" "${sized[@]}" --ui-scale "${scale:-1}" --theme "${theme:-dark}" --state-dump "$state" "$@" <"${stdin:-/dev/null}" >"$work/program.log" 2>&1 &
     program=$!
     window=
     for _ in $(seq $looks); do

@@ -49,4 +49,10 @@ kill -0 "$program" 2>/dev/null || fail "Esc quits"
 stop
 [ "$(field address)" = "40.sphere.2" ] || fail "the state was not written on leaving"
 [ -z "$(ls -A "$XDG_CONFIG_HOME")" ] || fail "--no-config writes settings"
+
+# The size of the window is kept.
+size=kept start scene:grid; says phase ready; resize 1100 700; stop
+size=kept start scene:grid; says phase ready
+poll is_wide 1100 || fail "the window opens with another size: $(field "region drawer")"
+stop
 well
