@@ -12,7 +12,6 @@ reach() {
         read -r rx ry rw rh < <(field "region right" | tr -d '[],')
         [ "$y" -gt $((ry + 60)) ] && [ "$y" -lt $((ry + rh - 12)) ] && return 0
         click $((rx + rw / 2)) $((ry + rh - 40)) "$([ "$y" -gt $((ry + 60)) ] && echo 5 || echo 4)"
-        sleep 0.15
     done
     fail "$1 does not come into sight"
 }

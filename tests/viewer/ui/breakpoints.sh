@@ -64,11 +64,11 @@ press Escape Escape; says selected null
 # Ctrl and a left drag around points.
 read -r x y < <(inside "region view" 35 35)
 move_to "$x" "$y"
-xdotool keydown ctrl mousedown 1
+act 2 xdotool keydown ctrl mousedown 1
 for step in "160 0" "0 160" "-160 0" "0 -120"; do
     read -r dx dy <<<"$step"
-    xdotool mousemove_relative --sync -- $((dx / 2)) $((dy / 2)); sleep 0.05
-    xdotool mousemove_relative --sync -- $((dx / 2)) $((dy / 2)); sleep 0.05
+    act 1 xdotool mousemove_relative -- $((dx / 2)) $((dy / 2))
+    act 1 xdotool mousemove_relative -- $((dx / 2)) $((dy / 2))
 done
 xdotool mouseup 1 keyup ctrl
 says breakpoints '\[ "stage=join", "among=[0-9.,]+" \]'
@@ -88,7 +88,7 @@ says pivot "$((end / 2 - 2))|$((end / 2 - 1))|$((end / 2))|$((end / 2 + 1))|$((e
 # All of it is in the session.
 press ctrl+s
 type_text "$work/stops.sesession"; press Return
-for _ in $(seq 100); do [ -f "$work/stops.sesession" ] && break; sleep 0.05; done
+poll test -f "$work/stops.sesession"
 grep -q '"stage=join"' "$work/stops.sesession" || fail "the session has no breakpoint"
 stop
 start "$work/stops.sesession"

@@ -23,10 +23,10 @@ says findings '\[ "zero_normals", "duplicates", "open_border" \]'
 says open_tab Doctor
 says marked 0
 click_on "finding zero_normals"
-says marked 2; sleep 0.8 # the frame after the click shows them
+says marked 2; says moving false
 picture marked
 click_on "finding zero_normals" # again: the marks are cleared
-says marked 0; sleep 0.8
+says marked 0; says moving false
 picture plain
 [ "$(differing marked plain)" -gt 100 ] || fail "marks cannot be seen"
 click_on "finding duplicates"

@@ -31,7 +31,7 @@ go_to 12.sort.2; says address "12\.sort\.2"
 go_to 40.sphere.2; says address "40\.sphere\.2"
 press alt+Left; says address "12\.sort\.2"
 press alt+Right; says address "40\.sphere\.2"
-press ctrl+c; sleep 0.1
+press ctrl+c
 press Home; says pivot 0
 press ctrl+v; says address "40\.sphere\.2"
 press Home; says pivot 0
@@ -60,7 +60,10 @@ press ctrl+0; says pivot 50
 go_to 12.sort.2; says address "12\.sort\.2"
 press a; go_to 14; says address "14\.advance\.1"
 press b
-press space; sleep 1.5; press space; says playing false
+press space; says playing true
+# It comes to the end of the loop, and begins again.
+says pivot 14; says pivot 12; says pivot 14
+press space; says playing false
 [[ $(field pivot) =~ ^1[234]$ ]] || fail "the loop is left: pivot $(field pivot)"
 press shift+a
 
@@ -140,10 +143,11 @@ press ctrl+r; says asks true; click_on "leave discard"; says asks false
 says bookmarks '\[\]'; says phase ready; says pivot 0
 press ctrl+r; denies asks true; says phase ready
 width() { xdotool getwindowgeometry --shell "$window" | sed -n 's/^WIDTH=//p'; }
-press alt+Return; sleep 0.6
-[ "$(width)" -gt 1280 ] || fail "Alt+Enter does not fill the screen: $(width)"
-press alt+Return; sleep 0.6
-[ "$(width)" -eq 1280 ] || fail "Alt+Enter does not go back: $(width)"
+wider_than() { [ "$(width)" -gt "$1" ]; }
+press alt+Return
+poll wider_than 1280 || fail "Alt+Enter does not fill the screen: $(width)"
+press alt+Return
+poll is_wide 1280 || fail "Alt+Enter does not go back: $(width)"
 press F12; says notice "Saved .*"
 ls "$HOME"/spiraling-edge-*.png >/dev/null 2>&1 || fail "F12 saves no picture"
 

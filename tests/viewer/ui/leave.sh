@@ -15,7 +15,7 @@ d.flush()
 END
 }
 gone() {
-    for _ in $(seq 100); do kill -0 "$program" 2>/dev/null || break; sleep 0.05; done
+    for _ in $(seq $looks); do kill -0 "$program" 2>/dev/null || break; sleep 0.05; done
     kill -0 "$program" 2>/dev/null && fail "the program does not leave"
     wait "$program" || fail "the exit code is $?"
     program=
@@ -43,8 +43,8 @@ press Escape; says asks false; says input scene:sphere; says bookmarks '.*"1\.ad
 # A breakpoint counts as well, and is named; after its removal there is no question.
 press ctrl+b; says unsaved false
 go_to 5.sphere.1; says address "5\.sphere\.1"; press F9; says unsaved true
-for _ in $(seq 100); do [[ $(title) == *"(unsaved breakpoints)"* ]] && break; sleep 0.05; done
-[[ $(title) == *"(unsaved breakpoints)"* ]] || fail "the title says $(title)"
+titled() { [[ $(title) == *"$1"* ]]; }
+poll titled "(unsaved breakpoints)" || fail "the title says $(title)"
 press ctrl+q; says asks true; press Escape; says asks false
 press F9; says unsaved false
 go_to 1; says pivot 1; press ctrl+b; says unsaved true

@@ -6,7 +6,7 @@
 each_tab() {
     local name seen=0
     # In the first frames they have no position yet.
-    for _ in $(seq 100); do grep -q '"tab ' "$state" && break; sleep 0.05; done
+    poll grep -q '"tab ' "$state"
     while IFS= read -r name; do
         # If there is no room for all, another one may have replaced it.
         [ -n "$(field "$name")" ] || continue
@@ -28,7 +28,7 @@ each_more() {
     while IFS= read -r name; do
         # Opening another one may have made room for it.
         [ -n "$(field "tab $name")" ] || { click_on "more tabs"; click_on "more $name"; }
-        [ "$(field open_tab)" = "$name" ] || { sleep 0.3; click_on "tab $name"; }
+        [ "$(field open_tab)" = "$name" ] || click_on "tab $name"
         says open_tab "$name"
         inside "tab $name" 50 50 >/dev/null
     done <"$work/more"

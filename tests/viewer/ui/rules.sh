@@ -43,7 +43,7 @@ press ctrl+p; type_text "what if forks"; press Return
 says open_tab "What if"
 for _ in $(seq 40); do
     [ -n "$(field "what if here")" ] && break
-    press F11; sleep 0.1
+    press F11
 done
 address=$(field address)
 click_on "what if here"

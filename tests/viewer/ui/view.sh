@@ -33,18 +33,17 @@ says selected null
 # A neighbor of the pivot is highlighted under the pointer.
 press f
 read -r x y < <(center "region view")
-lit() { # SECONDS at each position
+lit() {
     local dx dy
     for dy in 0 40 -40 80 -80 120 -120; do
         for dx in 40 60 80 100 120 140 160 180 200 220; do
-            xdotool mousemove --window "$window" $((x + dx)) $((y + dy))
-            sleep "$1"
+            move_to $((x + dx)) $((y + dy))
             [ "$(field hovered)" != null ] && return 0
         done
     done
     return 1
 }
-lit 0.05 || lit 0.2 || fail "no neighbor of the pivot lights up"
+lit || fail "no neighbor of the pivot lights up"
 # A press right after a jump of the pointer, both within one frame, does not move the camera; nor
 # does a press that is moved by less than a drag.
 press Return
