@@ -13,7 +13,7 @@ tidy=$(command -v clang-tidy-16 || command -v clang-tidy) || { echo "no clang-ti
 cache=$build/tidy
 mkdir -p "$cache"
 
-# Writes sources that include 25 others each, with their compile commands; prints their names.
+# Writes sources that include 60 others each, with their compile commands; prints their names.
 together() {
     python3 - "$build" "$cache" "${folders[@]}" <<'PYTHON'
 import json, pathlib, re, sys
@@ -31,9 +31,9 @@ for source, flags in sorted(flags_of.items()):
     groups.setdefault(flags, []).append(source)
 commands = []
 for (directory, flags), sources in groups.items():
-    for i in range(0, len(sources), 25):
+    for i in range(0, len(sources), 60):
         file = cache / f"together_{len(commands)}.cpp"
-        file.write_text("".join(f'#include "{source}"\n' for source in sources[i : i + 25]))
+        file.write_text("".join(f'#include "{source}"\n' for source in sources[i : i + 60]))
         commands.append({"directory": directory, "file": str(file), "command": f"{flags} -c {file}"})
 (cache / "compile_commands.json").write_text(json.dumps(commands))
 print("\n".join(command["file"] for command in commands))
@@ -46,7 +46,7 @@ while read -r file; do
     key=$({ echo "$common"; cat "$file"; sed -E 's/.*"(.*)"/\1/' "$file" | xargs cat; } | sha256sum | cut -d' ' -f1)
     [ -e "$cache/$key" ] || work+=("$file" "$cache/$key")
 done < <(together)
-echo "clang-tidy: $((${#work[@]} / 2)) times 25 files to look at"
+echo "clang-tidy: $((${#work[@]} / 2)) times 60 files to look at"
 [ ${#work[@]} -gt 0 ] || exit 0
 
 check() {
