@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "spiraling_edge/io/mesh_formats.h"
+#include "spiraling_edge/io/formats.h"
 
 namespace se::io {
 namespace {

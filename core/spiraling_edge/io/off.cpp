@@ -1,5 +1,4 @@
-#include "spiraling_edge/base/text_scan.h"
-#include "spiraling_edge/io/point_formats.h"
+#include "spiraling_edge/io/formats.h"
 
 namespace se::io {
 namespace {
@@ -15,9 +14,9 @@ bool isOffKeyword(std::string_view word) {
 }
 
 /// Reads OFF line by line: keyword, counts, one line per point, one line per face.
-class OffReader {
+class OffReader : LineByLine {
   public:
-    OffReader(std::string_view text, const std::string& name) : lines_(text), name_(name) {}
+    using LineByLine::LineByLine;
 
     Result<PointFile> read() {
         file_.positionType = ScalarType::Double;
@@ -32,10 +31,6 @@ class OffReader {
     }
 
   private:
-    bool fail(const std::string& what) {
-        problem_ = errorAt(name_, lineText(lines_.number()), what);
-        return false;
-    }
     bool failCut(const char* things, std::uint64_t found, std::uint64_t announced) {
         return fail("the file ends after " + std::to_string(found) + " of " +
                     std::to_string(announced) + " " + things +
@@ -129,10 +124,7 @@ class OffReader {
         return true;
     }
 
-    LineReader lines_;
-    const std::string& name_;
     PointFile file_;
-    Error problem_;
     std::uint64_t points_ = 0;
     std::uint64_t faces_ = 0;
     bool hasNormals_ = false;

@@ -1,6 +1,7 @@
+#include <array>
 #include <optional>
 
-#include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/io/formats.h"
 #include "spiraling_edge/io/ply.h"
 
 namespace se::io {
@@ -27,38 +28,36 @@ std::optional<ScalarType> scalarTypeNamed(std::string_view name) {
     return std::nullopt;
 }
 
-class HeaderReader {
+/// By PlyFormat.
+constexpr std::array<std::string_view, 3> kFormatNames{"ascii", "binary_little_endian",
+                                                       "binary_big_endian"};
+
+class HeaderReader : LineByLine {
   public:
-    HeaderReader(std::string_view bytes, const std::string& name)
-        : bytes_(bytes), lines_(bytes), name_(name) {}
+    using LineByLine::LineByLine;
 
     Result<PlyHeader> read() {
+        const std::size_t size = lines_.rest().size();
         lines_.next();  // "ply", checked by the caller
-        bool ended = false;
-        while (!ended && lines_.next()) {
-            Fields fields(lines_.line());
-            const std::string_view keyword = fields.next();
-            ended = keyword == "end_header";
-            if (!ended && !readStatement(keyword, fields)) return problem_;
-        }
-        if (!ended) {
-            fail(
-                "the file ends within its header, before the line \"end_header\"; it is cut short");
-            return problem_;
-        }
-        if (!hasFormat_) {
-            fail("the header has no line \"format\", so the rows cannot be read");
-            return problem_;
-        }
-        header_.size = bytes_.size() - lines_.rest().size();
+        if (!readStatements()) return problem_;
+        header_.size = size - lines_.rest().size();
         header_.lines = lines_.number();
         return std::move(header_);
     }
 
   private:
-    bool fail(const std::string& what) {
-        problem_ = errorAt(name_, lineText(lines_.number()), what);
-        return false;
+    bool readStatements() {
+        while (lines_.next()) {
+            Fields fields(lines_.line());
+            const std::string_view keyword = fields.next();
+            if (keyword == "end_header") {
+                return hasFormat_ ||
+                       fail("the header has no line \"format\", so the rows cannot be read");
+            }
+            if (!readStatement(keyword, fields)) return false;
+        }
+        return fail(
+            "the file ends within its header, before the line \"end_header\"; it is cut short");
     }
 
     bool readStatement(std::string_view keyword, Fields& fields) {
@@ -72,17 +71,12 @@ class HeaderReader {
 
     bool readFormat(std::string_view format) {
         hasFormat_ = true;
-        if (format == "ascii") {
-            header_.format = PlyFormat::Ascii;
-        } else if (format == "binary_little_endian") {
-            header_.format = PlyFormat::LittleEndian;
-        } else if (format == "binary_big_endian") {
-            header_.format = PlyFormat::BigEndian;
-        } else {
-            return fail("expected ascii, binary_little_endian or binary_big_endian, found " +
-                        inQuotes(format));
+        for (std::size_t i = 0; i < kFormatNames.size(); ++i) {
+            header_.format = static_cast<PlyFormat>(i);
+            if (format == kFormatNames[i]) return true;
         }
-        return true;
+        return fail("expected ascii, binary_little_endian or binary_big_endian, found " +
+                    inQuotes(format));
     }
 
     bool readElement(Fields& fields) {
@@ -142,11 +136,7 @@ class HeaderReader {
         return true;
     }
 
-    std::string_view bytes_;
-    LineReader lines_;
-    const std::string& name_;
     PlyHeader header_;
-    Error problem_;
     bool hasFormat_ = false;
 };
 

@@ -1,4 +1,4 @@
-/// The PLY reader: templates over the two encodings (ply_rows.h), so that text and binary are
+/// The PLY reader: templates over the two encodings (ply.h), so that text and binary are
 /// checked alike. Elements without lists are read column by column.
 #include "spiraling_edge/io/ply.h"
 
@@ -6,8 +6,7 @@
 #include <cctype>
 #include <limits>
 
-#include "spiraling_edge/io/ply_rows.h"
-#include "spiraling_edge/io/point_formats.h"
+#include "spiraling_edge/io/formats.h"
 
 namespace se::io {
 namespace {
@@ -168,7 +167,7 @@ class BodyReader {
                 }
                 double value = 0.0;
                 if (!rows_.scalar(property, property.type, value)) return false;
-                if (columns[i].first != nullptr) columns[i].first[row * columns[i].stride] = value;
+                columns[i].set(row, value);
             }
             if (!rows_.endRow() || !onRow()) return false;
         }

@@ -9,7 +9,7 @@
 #include "spiraling_edge/base/file_extension.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/io/format_lists.h"
-#include "spiraling_edge/io/mesh_formats.h"
+#include "spiraling_edge/io/formats.h"
 
 namespace se {
 namespace {

@@ -1,5 +1,5 @@
-/// Writers of meshes for other programs, in the format that the extension names
-/// (docs/file-formats.md).
+/// Writers of points and meshes: PLY, and for other programs the format that the extension names
+/// (docs/file-formats.md). No writer leaves a partial file (atomic_file.h).
 #pragma once
 
 #include <filesystem>
@@ -60,5 +60,16 @@ std::string shiftText(const Vec3& shift);
 /// Positions in STL may be relative to shiftOf(), which callers should show to their users.
 Status writeMesh(const std::filesystem::path& path, const PointFile& points,
                  std::span<const Triangle> triangles, const WriteOptions& options = {});
+
+/// Writes `points` (all of them, in order, with their attributes) and `triangles` as binary little
+/// endian PLY; `points.faces` are not written unless passed as `triangles`. Types and neighbor
+/// lists are written if the file holds them. Fails also if the columns of `points` differ in length
+/// or a triangle names a point that does not exist. Attributes are left out if their name is that
+/// of an own property or is not allowed in a header (empty, or with blanks).
+Status writeMeshPly(const std::filesystem::path& path, const PointFile& points,
+                    std::span<const Triangle> triangles);
+/// The bytes that writeMeshPly() writes. Requires columns of equal length and triangles that name
+/// existing points.
+std::string meshPlyBytes(const PointFile& points, std::span<const Triangle> triangles);
 
 }  // namespace se

@@ -1,27 +1,112 @@
-/// The binary mesh formats: STL and GLB (binary glTF 2.0).
+/// The formats of meshes but PLY: OBJ and OFF as text, STL and GLB (binary glTF 2.0) in binary.
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <charconv>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 
 #include "spiraling_edge/base/finite.h"
-#include "spiraling_edge/base/float_bits.h"
 #include "spiraling_edge/base/number_text.h"
-#include "spiraling_edge/io/mesh_formats.h"
+#include "spiraling_edge/io/formats.h"
+#include "spiraling_edge/io/scalars.h"
 
 namespace se::io {
 namespace {
 
-/// Little endian. Four at a time: one by one a mesh of two million triangles takes half a second.
-void append(std::string& bytes, std::uint32_t value) {
-    std::array<char, 4> four{};
-    for (unsigned i = 0; i < 4; ++i) four[i] = static_cast<char>((value >> (8 * i)) & 0xFFU);
-    bytes.append(four.data(), four.size());
+void appendIndex(std::string& text, Index value) {
+    std::array<char, 12> out;
+    const auto end = std::to_chars(out.data(), out.data() + out.size(), value).ptr;
+    text.append(out.data(), end);
 }
-void append(std::string& bytes, float value) { append(bytes, bitsAs<std::uint32_t>(value)); }
+
+/// Three numbers that read back exactly.
+void appendRow(std::string& text, const Vec3& v, char separator = ' ') {
+    for (int i = 0; i < 3; ++i) {
+        if (i > 0) text += separator;
+        appendNumber(text, v[i]);
+    }
+}
+
+/// A line of OBJ.
+void appendLine(std::string& text, const char* keyword, const Vec3& v) {
+    text += keyword;
+    appendRow(text, v);
+    text += '\n';
+}
+
+}  // namespace
+
+std::string objBytes(const PointFile& points, std::span<const Triangle> triangles) {
+    assert(checkWritable(points, triangles).ok());
+    std::string text = "# written by spiraling-edge\n";
+    for (const Vec3& x : points.position) appendLine(text, "v ", x);
+    for (const Vec3& n : points.normal) appendLine(text, "vn ", n);
+    for (const Triangle& t : triangles) {
+        text += 'f';
+        for (const Index corner : {t.a, t.b, t.c}) {
+            text += ' ';
+            appendIndex(text, corner + 1);
+            if (!points.hasNormals()) continue;
+            text += "//";
+            appendIndex(text, corner + 1);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+namespace {
+
+/// OFF with one normal per point, or with none at all.
+std::string offText(std::span<const Vec3> position, std::span<const Vec3> normal,
+                    std::span<const Triangle> triangles) {
+    std::string text = normal.empty() ? "OFF\n" : "NOFF\n";
+    text += std::to_string(position.size()) + ' ' + std::to_string(triangles.size()) + " 0\n";
+    for (std::size_t p = 0; p < position.size(); ++p) {
+        appendRow(text, position[p]);
+        if (!normal.empty()) {
+            text += ' ';
+            appendRow(text, normal[p]);
+        }
+        text += '\n';
+    }
+    for (const Triangle& t : triangles) {
+        text += '3';
+        for (const Index corner : {t.a, t.b, t.c}) {
+            text += ' ';
+            appendIndex(text, corner);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string offBytes(const PointFile& points, std::span<const Triangle> triangles) {
+    assert(checkWritable(points, triangles).ok());
+    return offText(points.position, {}, triangles);
+}
+
+std::string noffBytes(const PointFile& points, std::span<const Triangle> triangles) {
+    assert(checkWritable(points, triangles).ok());
+    return offText(points.position, points.normal, triangles);
+}
+
+// ---- STL ----------------------------------------------------------------------------------------
+
+namespace {
+
+/// Little endian. Four at a time: one by one a mesh of two million triangles takes half a second.
+template <typename Scalar>
+void append(std::string& bytes, Scalar value) {
+    std::array<char, sizeof(Scalar)> raw;
+    storeScalar(raw.data(), value);
+    bytes.append(raw.data(), raw.size());
+}
 void append(std::string& bytes, const Vec3& v) {
     for (int i = 0; i < 3; ++i) append(bytes, static_cast<float>(v[i]));
 }
@@ -96,10 +181,7 @@ struct Bounds {
 /// "[x,y,z]" with digits that read back exactly.
 std::string jsonOf(const Vec3& v) {
     std::string text = "[";
-    for (int i = 0; i < 3; ++i) {
-        if (i > 0) text += ',';
-        appendNumber(text, v[i]);
-    }
+    appendRow(text, v, ',');
     return text + ']';
 }
 
