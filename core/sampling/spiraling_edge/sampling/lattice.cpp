@@ -1,13 +1,12 @@
 /// Marching over a lattice: the field is evaluated once per corner, layer by layer, and each edge
 /// whose ends differ in sign gives one crossing by the Illinois variant of regula falsi. Curves on
 /// the walls come from marching squares. O(cells) evaluations, in parallel by layers.
-#include "spiraling_edge/sampling/lattice.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/sampling/surface.h"
 
 namespace se::sampling {
 namespace {

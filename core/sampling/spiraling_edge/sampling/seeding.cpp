@@ -10,7 +10,6 @@
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/geometry/point_grid.h"
 #include "spiraling_edge/geometry/z_curve.h"
-#include "spiraling_edge/sampling/lattice.h"
 #include "spiraling_edge/sampling/particles.h"
 #include "spiraling_edge/sampling/sampler.h"
 

@@ -1,5 +1,5 @@
 /// Trilinear interpolation of samples on a grid, and the reader of NRRD files around it
-/// (nrrd_header.cpp, nrrd_data.cpp).
+/// (nrrd.cpp).
 #include "spiraling_edge/sampling/volume.h"
 
 #include <algorithm>

@@ -1,10 +1,11 @@
-/// The header of NRRD: fields line by line, each with its own checks, then the fields together.
-/// Sizes are checked against the machine before any sample is read.
+/// NRRD: the fields of the header line by line, each with its own checks, then the fields together,
+/// then the samples. Sizes are checked against the machine before any sample is read.
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <utility>
 #include <vector>
 
 #include "spiraling_edge/base/text_scan.h"
@@ -13,70 +14,57 @@
 namespace se::io {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, NrrdType>, 32> kTypes{{
-    {"signed char", NrrdType::Int8},
-    {"int8", NrrdType::Int8},
-    {"int8_t", NrrdType::Int8},
-    {"uchar", NrrdType::UInt8},
-    {"unsigned char", NrrdType::UInt8},
-    {"uint8", NrrdType::UInt8},
-    {"uint8_t", NrrdType::UInt8},
-    {"short", NrrdType::Int16},
-    {"short int", NrrdType::Int16},
-    {"signed short", NrrdType::Int16},
-    {"signed short int", NrrdType::Int16},
-    {"int16", NrrdType::Int16},
-    {"int16_t", NrrdType::Int16},
-    {"ushort", NrrdType::UInt16},
-    {"unsigned short", NrrdType::UInt16},
-    {"unsigned short int", NrrdType::UInt16},
-    {"uint16", NrrdType::UInt16},
-    {"uint16_t", NrrdType::UInt16},
-    {"int", NrrdType::Int32},
-    {"signed int", NrrdType::Int32},
-    {"int32", NrrdType::Int32},
-    {"int32_t", NrrdType::Int32},
-    {"uint", NrrdType::UInt32},
-    {"unsigned int", NrrdType::UInt32},
-    {"uint32", NrrdType::UInt32},
-    {"uint32_t", NrrdType::UInt32},
-    {"float", NrrdType::Float},
-    {"float32", NrrdType::Float},
-    {"float32_t", NrrdType::Float},
-    {"double", NrrdType::Double},
-    {"float64", NrrdType::Double},
-    {"float64_t", NrrdType::Double},
-}};
+/// The names of a scalar type in `type`.
+struct TypeNames {
+    ScalarType type;
+    std::array<std::string_view, 6> names;  ///< The rest is empty.
+};
+constexpr TypeNames kTypes[] = {
+    {ScalarType::Int8, {"signed char", "int8", "int8_t"}},
+    {ScalarType::UInt8, {"uchar", "unsigned char", "uint8", "uint8_t"}},
+    {ScalarType::Int16,
+     {"short", "short int", "signed short", "signed short int", "int16", "int16_t"}},
+    {ScalarType::UInt16, {"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}},
+    {ScalarType::Int32, {"int", "signed int", "int32", "int32_t"}},
+    {ScalarType::UInt32, {"uint", "unsigned int", "uint32", "uint32_t"}},
+    {ScalarType::Float, {"float", "float32", "float32_t"}},
+    {ScalarType::Double, {"double", "float64", "float64_t"}},
+};
 
 /// Fields of the format that affect neither the place nor the value of a sample.
-constexpr std::array<std::string_view, 23> kIgnored{"content",
-                                                    "number",
-                                                    "min",
-                                                    "max",
-                                                    "old min",
-                                                    "oldmin",
-                                                    "old max",
-                                                    "oldmax",
-                                                    "block size",
-                                                    "blocksize",
-                                                    "sample units",
-                                                    "sampleunits",
-                                                    "labels",
-                                                    "units",
-                                                    "kinds",
-                                                    "thicknesses",
-                                                    "axis maxs",
-                                                    "axismaxs",
-                                                    "space",
-                                                    "space units",
-                                                    "space dimension",
-                                                    "measurement frame",
-                                                    "comment"};
+constexpr std::string_view kIgnored[] = {"content",
+                                         "number",
+                                         "min",
+                                         "max",
+                                         "old min",
+                                         "oldmin",
+                                         "old max",
+                                         "oldmax",
+                                         "block size",
+                                         "blocksize",
+                                         "sample units",
+                                         "sampleunits",
+                                         "labels",
+                                         "units",
+                                         "kinds",
+                                         "thicknesses",
+                                         "axis maxs",
+                                         "axismaxs",
+                                         "space",
+                                         "space units",
+                                         "space dimension",
+                                         "measurement frame",
+                                         "comment"};
 
 std::string_view trimmed(std::string_view text) {
     while (!text.empty() && isSpace(text.front())) text.remove_prefix(1);
     while (!text.empty() && isSpace(text.back())) text.remove_suffix(1);
     return text;
+}
+
+template <typename Words>
+bool contains(const Words& words, std::string_view word) {
+    return std::find(std::begin(words), std::end(words), word) != std::end(words);
 }
 
 std::string lowerCase(std::string_view text) {
@@ -121,7 +109,7 @@ class HeaderParser {
             return wrong("expected a field such as `sizes: 64 64 64`, found " + inQuotes(line));
         const std::string key = lowerCase(trimmed(line.substr(0, colon)));
         if (line[colon + 1] == '=') return takeKey(key, trimmed(line.substr(colon + 2)));
-        if (std::find(seen_.begin(), seen_.end(), key) != seen_.end())
+        if (contains(seen_, key))
             return wrong("the field " + inQuotes(key) + " stands there twice");
         seen_.push_back(key);
         return takeField(key, trimmed(line.substr(colon + 1)));
@@ -150,19 +138,18 @@ class HeaderParser {
         if (key == "data file" || key == "datafile") return takeDataFile(text);
         if (key == "line skip" || key == "lineskip") return takeLineSkip(text);
         if (key == "byte skip" || key == "byteskip") return takeByteSkip(text);
-        if (std::find(kIgnored.begin(), kIgnored.end(), key) != kIgnored.end()) return success();
+        if (contains(kIgnored, key)) return success();
         return wrong("NRRD has no field " + inQuotes(key) +
                      "; own fields are written with := after the name");
     }
 
     Status takeType(std::string_view text) {
         const std::string word = lowerCase(text);
-        for (const auto& [known, type] : kTypes) {
-            if (known == word) {
-                header_.type = type;
-                hasType_ = true;
-                return success();
-            }
+        for (const TypeNames& row : kTypes) {
+            if (word.empty() || !contains(row.names, word)) continue;
+            header_.type = row.type;
+            hasType_ = true;
+            return success();
         }
         return wrong(
             "type: expected int8, uint8, int16, uint16, int32, uint32, float or double, "
@@ -299,7 +286,7 @@ class HeaderParser {
         if (!hasType_) return lacks("type");
         if (!hasSizes_) return lacks(hasDimension_ ? "sizes" : "dimension");
         if (!hasEncoding_) return lacks("encoding");
-        if (!hasEndian_ && bytesOf(header_.type) > 1) return lacks("endian");
+        if (!hasEndian_ && sizeOf(header_.type) > 1) return lacks("endian");
         if (header_.gzip && header_.byteSkip < 0)
             return wrong("byte skip -1 does not go with gzip");
         if (originIsOfAxis_) {
@@ -323,26 +310,78 @@ class HeaderParser {
 
 }  // namespace
 
-std::size_t bytesOf(NrrdType type) {
-    switch (type) {
-        case NrrdType::Int8:
-        case NrrdType::UInt8:
-            return 1;
-        case NrrdType::Int16:
-        case NrrdType::UInt16:
-            return 2;
-        case NrrdType::Int32:
-        case NrrdType::UInt32:
-        case NrrdType::Float:
-            return 4;
-        case NrrdType::Double:
-            return 8;
-    }
-    return 0;
-}
-
 Result<NrrdHeader> parseNrrdHeader(std::string_view bytes, const std::string& name) {
     return HeaderParser(bytes, name).parse();
+}
+
+// ---- data ---------------------------------------------------------------------------------------
+
+namespace {
+
+/// `data` without its first lines.
+Result<std::string_view> skipLines(std::string_view data, std::size_t count,
+                                   const std::string& name) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t end = data.find('\n');
+        if (end == std::string_view::npos)
+            return Error{name + ": has fewer than the " + std::to_string(count) +
+                         " lines that `line skip` passes over"};
+        data.remove_prefix(end + 1);
+    }
+    return data;
+}
+
+/// The bytes of the samples as they lie in a raw file.
+Result<std::string_view> rawBytes(const NrrdHeader& header, std::string_view data,
+                                  std::size_t expected, const std::string& name) {
+    const auto skip = header.byteSkip < 0 ? data.size() - std::min(expected, data.size())
+                                          : static_cast<std::size_t>(header.byteSkip);
+    data.remove_prefix(std::min(skip, data.size()));
+    if (data.size() == expected) return data;
+    return Error{name + ": expected " + std::to_string(expected) + " bytes of data, found " +
+                 std::to_string(data.size()) + "; check sizes, type and encoding"};
+}
+
+}  // namespace
+
+Result<Volume> decodeNrrd(const NrrdHeader& header, std::string_view data,
+                          const std::string& name) {
+    const std::size_t expected = header.samples() * sizeOf(header.type);
+    const Result<std::string_view> body = skipLines(data, header.lineSkip, name);
+    if (!body) return body.error();
+    std::string unpacked;
+    Result<std::string_view> bytes = std::string_view{};
+    if (header.gzip) {
+        // The skipped bytes are part of the stream.
+        const auto skip = static_cast<std::size_t>(header.byteSkip);
+        if (skip > std::numeric_limits<std::size_t>::max() - expected)
+            return Error{name + ": `byte skip` passes over more than any file holds"};
+        Result<std::string> inflated = inflateExactly(body.value(), skip + expected);
+        if (!inflated) return Error{name + ": " + inflated.error().message};
+        unpacked = std::move(inflated.value());
+        bytes = std::string_view(unpacked).substr(skip);
+    } else {
+        bytes = rawBytes(header, body.value(), expected, name);
+    }
+    if (!bytes) return bytes.error();
+    Volume volume = header.volume;
+    volume.value.resize(header.samples());
+    const bool swapped = header.bigEndian == (std::endian::native == std::endian::little);
+    withScalar(header.type, [&](auto zero) {
+        const char* at = bytes.value().data();
+        for (float& value : volume.value) {
+            value = static_cast<float>(loadScalar<decltype(zero)>(at, swapped));
+            at += sizeof(zero);
+        }
+    });
+    const auto odd = std::find_if_not(volume.value.begin(), volume.value.end(),
+                                      [](float v) { return std::isfinite(v); });
+    if (odd != volume.value.end()) {
+        return Error{name + ": sample " + std::to_string(odd - volume.value.begin()) +
+                     " is not a finite number; replace such samples by a value outside of the "
+                     "surface"};
+    }
+    return volume;
 }
 
 }  // namespace se::io
