@@ -20,11 +20,11 @@ class EntryCount {
         entries_ += entries;
     }
     std::optional<Finding> finding(Severity severity, const std::string& what) && {
-        const std::string text =
-            (entries_ == 1 ? "1 entry" : std::to_string(entries_) + " entries") + " in " +
-            countText(points_.size(), "list") + " " + what;
-        std::optional<Finding> found = findingAt(std::move(points_), severity, text);
-        if (found) found->count = entries_;
+        std::optional<Finding> found = findingAt(std::move(points_), severity, what, "list");
+        if (!found) return found;
+        found->count = entries_;
+        found->text.insert(
+            0, (entries_ == 1 ? "1 entry" : std::to_string(entries_) + " entries") + " in ");
         return found;
     }
 
@@ -79,24 +79,21 @@ bool isNearestFirst(std::span<const Vec3> position, Index p, std::span<const Ind
 }
 
 std::optional<Finding> findUnsortedLists(const ExaminedFile& examined) {
-    std::vector<Index> points;
-    forEachList(examined, [&](Index p, std::span<const Index> list) {
-        if (!isNearestFirst(examined.file.position, p, list)) points.push_back(p);
+    const NeighborLists& lists = examined.file.neighbors;
+    auto points = pointsWhere(lists.size(), [&](Index p) {
+        return !isNearestFirst(examined.file.position, p, lists[p]);
     });
-    const std::string text = countText(points.size(), "list") + " not ordered by distance";
-    return findingAt(std::move(points), Severity::Warning, text);
+    return findingAt(std::move(points), Severity::Warning, "not ordered by distance", "list");
 }
 
 std::optional<Finding> findShortLists(const ExaminedFile& examined) {
-    std::vector<Index> points;
-    forEachList(examined, [&](Index p, std::span<const Index> list) {
-        const bool wall = examined.file.hasTypes() && isBoundary(examined.file.type[p]);
-        const std::size_t least = wall ? 2 : 3;
-        if (examined.present[p] && list.size() < least) points.push_back(p);
+    const PointFile& file = examined.file;
+    auto points = pointsWhere(file.neighbors.size(), [&](Index p) {
+        const std::size_t least = file.hasTypes() && isBoundary(file.type[p]) ? 2 : 3;
+        return examined.present[p] && file.neighbors[p].size() < least;
     });
-    const std::string text =
-        countText(points.size(), "list") + " with fewer than three entries, or two at a wall";
-    return findingAt(std::move(points), Severity::Warning, text);
+    return findingAt(std::move(points), Severity::Warning,
+                     "with fewer than three entries, or two at a wall", "list");
 }
 
 std::optional<Finding> findUnsymmetricLists(const ExaminedFile& examined) {
