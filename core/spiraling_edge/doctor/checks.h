@@ -1,5 +1,5 @@
-/// The checks of the doctor, in the order of the table in doctor.cpp, and the values that several of
-/// them share, computed once.
+/// The checks of the doctor, in the order of the table in doctor.cpp, and the values that several
+/// of them share, computed once.
 #pragma once
 
 #include <cassert>
@@ -67,8 +67,8 @@ std::vector<Index> pointsWhere(std::size_t count, Has&& has) {
     return points;
 }
 
-/// A finding at these points (ascending), or nothing if there are none. Its text is their number, as
-/// "3 points", and `what`.
+/// A finding at these points (ascending), or nothing if there are none. Its text is their number,
+/// as "3 points", and `what`.
 std::optional<Finding> findingAt(std::vector<Index> points, Severity severity,
                                  const std::string& what, const std::string& noun = "point");
 

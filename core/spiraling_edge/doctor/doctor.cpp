@@ -1,5 +1,5 @@
-/// The table of checks and the run over it. The examined file (checks.h) holds the values that checks
-/// share; its neighbor search takes about half of the time.
+/// The table of checks and the run over it. The examined file (checks.h) holds the values that
+/// checks share; its neighbor search takes about half of the time.
 #include "spiraling_edge/doctor/doctor.h"
 
 #include <algorithm>
@@ -197,7 +197,8 @@ std::optional<Finding> findingAt(std::vector<Index> points, Severity severity,
                                  const std::string& what, const std::string& noun) {
     if (points.empty()) return std::nullopt;
     const std::size_t count = points.size();
-    return Finding{nullptr, severity, count, std::move(points), countText(count, noun) + " " + what};
+    return Finding{nullptr, severity, count, std::move(points),
+                   countText(count, noun) + " " + what};
 }
 
 Result<Diagnosis> examine(const PointFile& file, const Progress& progress) {

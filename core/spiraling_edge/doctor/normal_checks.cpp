@@ -24,9 +24,9 @@ std::optional<Finding> findZeroNormals(const ExaminedFile& examined) {
     const std::vector<Vec3>& normal = examined.file.normal;
     auto points = pointsWhere(normal.size(), [&](Index p) { return normal[p] == Vec3(0.0); });
     const bool all = points.size() == examined.size();
-    return findingAt(std::move(points), Severity::Error,
-                     std::string("with a zero normal") +
-                         (all ? ": all, so that they can be derived" : ""));
+    return findingAt(
+        std::move(points), Severity::Error,
+        std::string("with a zero normal") + (all ? ": all, so that they can be derived" : ""));
 }
 
 std::optional<Finding> findUnscaledNormals(const ExaminedFile& examined) {
@@ -214,8 +214,7 @@ Sides sidesOf(const ExaminedFile& examined) {
 }
 
 std::optional<Finding> findFlippedNormals(const ExaminedFile& examined) {
-    auto points =
-        pointsWhere(examined.size(), [&](Index p) { return examined.sides.flipped[p]; });
+    auto points = pointsWhere(examined.size(), [&](Index p) { return examined.sides.flipped[p]; });
     return findingAt(std::move(points), Severity::Warning,
                      "whose normal points against those around it");
 }

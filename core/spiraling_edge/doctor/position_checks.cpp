@@ -1,6 +1,6 @@
-/// Checks of positions: single points, then distances: near duplicates, isolated and collinear points,
-/// uneven spacing and exact ties, each from the lists of the 12 nearest. O(points), but for ties with
-/// the cube of the eight nearest.
+/// Checks of positions: single points, then distances: near duplicates, isolated and collinear
+/// points, uneven spacing and exact ties, each from the lists of the 12 nearest. O(points), but for
+/// ties with the cube of the eight nearest.
 #include <algorithm>
 
 #include "spiraling_edge/doctor/checks.h"
@@ -21,8 +21,8 @@ std::optional<Finding> findNonFinite(const ExaminedFile& examined) {
 }
 
 std::optional<Finding> findDuplicates(const ExaminedFile& examined) {
-    auto points = pointsWhere(examined.size(),
-                              [&](Index p) { return examined.fitness[p] == Fitness::Copy; });
+    auto points =
+        pointsWhere(examined.size(), [&](Index p) { return examined.fitness[p] == Fitness::Copy; });
     return findingAt(std::move(points), Severity::Warning,
                      "exactly where a point with a lower index stands");
 }
@@ -106,9 +106,8 @@ std::optional<Finding> findIsolatedPoints(const ExaminedFile& examined) {
 std::optional<Finding> findInLine(const ExaminedFile& examined) {
     if (examined.presentCount < 3) return std::nullopt;
     const std::vector<Vec3> plane = estimateNormals(examined.file.position, examined.nearest);
-    auto points = pointsWhere(examined.size(), [&](Index p) {
-        return examined.present[p] && plane[p] == Vec3(0.0);
-    });
+    auto points = pointsWhere(
+        examined.size(), [&](Index p) { return examined.present[p] && plane[p] == Vec3(0.0); });
     const bool all = points.size() == examined.presentCount;
     return findingAt(std::move(points), all ? Severity::Error : Severity::Warning,
                      "in line with all of the nearest others");
@@ -181,9 +180,8 @@ bool hasTie(const ExaminedFile& examined, Index p, std::vector<Offset>& near) {
 
 std::optional<Finding> findTies(const ExaminedFile& examined) {
     std::vector<Offset> near;
-    auto points = pointsWhere(examined.size(), [&](Index p) {
-        return examined.present[p] && hasTie(examined, p, near);
-    });
+    auto points = pointsWhere(
+        examined.size(), [&](Index p) { return examined.present[p] && hasTie(examined, p, near); });
     // A lattice has ties everywhere. Ties in places occur in many scans and in machine parts whose
     // coordinates have few digits, and are no problem.
     const bool lattice = 10 * points.size() >= 9 * examined.presentCount;

@@ -1,5 +1,5 @@
-/// Checks of types: corner bits, marks against the walls of the box, and rims (prepare/rim.h) that no
-/// type marks.
+/// Checks of types: corner bits, marks against the walls of the box, and rims (prepare/rim.h) that
+/// no type marks.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -113,9 +113,8 @@ std::optional<Finding> findOpenBorder(const ExaminedFile& examined) {
                                 [&](Index p) { return isMarked(file, p); });
         }));
     if (rims == 0) return std::nullopt;
-    auto points = pointsWhere(examined.size(), [&](Index p) {
-        return rim.value().gap[p].known() && !isMarked(file, p);
-    });
+    auto points = pointsWhere(
+        examined.size(), [&](Index p) { return rim.value().gap[p].known() && !isMarked(file, p); });
     return findingAt(std::move(points), Severity::Note,
                      "along " + countText(rims, "rim") +
                          " where the surface ends without a wall, and without types");
