@@ -3,6 +3,8 @@
 /// that passes checkWritable().
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -40,6 +42,23 @@ Result<PointFile> readPcd(std::string_view bytes, const std::string& name);
 
 /// Appends the fan of a polygon around its first corner; none for fewer than three corners.
 void appendFan(std::span<const Index> polygon, std::vector<Triangle>& triangles);
+
+inline std::string lowerCase(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return lower;
+}
+
+/// Reads all of `field` as a whole number from 0 to `most`.
+inline bool parseCount(std::string_view field, std::uint64_t& count,
+                       std::int64_t most = std::numeric_limits<std::int64_t>::max()) {
+    std::int64_t number = 0;
+    if (!parseInteger(field, number) || number < 0 || number > most) return false;
+    count = static_cast<std::uint64_t>(number);
+    return true;
+}
 
 /// The common part of readers that go through a file line by line: the current line, and the first
 /// problem. A member that returns false has set it.

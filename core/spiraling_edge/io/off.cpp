@@ -58,13 +58,8 @@ class OffReader : LineByLine {
     }
 
     bool readCount(std::string_view field, std::uint64_t& count) {
-        std::int64_t number = 0;
-        if (!parseInteger(field, number) || number < 0 || number >= std::int64_t{kNone}) {
-            return fail("expected the numbers of points, faces and edges, found " +
-                        inQuotes(field));
-        }
-        count = static_cast<std::uint64_t>(number);
-        return true;
+        return parseCount(field, count, kNone - 1) ||
+               fail("expected the numbers of points, faces and edges, found " + inQuotes(field));
     }
 
     bool readNumber(Fields& fields, double& value) {
@@ -99,13 +94,13 @@ class OffReader : LineByLine {
         for (std::uint64_t i = 0; i < faces_; ++i) {
             if (!lines_.nextContent('#')) return failCut("faces", i, faces_);
             Fields fields(lines_.line());
-            std::int64_t corners = 0;
+            std::uint64_t corners = 0;
             const std::string_view field = fields.next();
-            if (!parseInteger(field, corners) || corners < 0) {
+            if (!parseCount(field, corners)) {
                 return fail("expected the number of corners of a face, found " + inQuotes(field));
             }
             polygon.clear();
-            for (std::int64_t corner = 0; corner < corners; ++corner) {
+            for (std::uint64_t corner = 0; corner < corners; ++corner) {
                 if (!readCorner(fields.next(), polygon)) return false;
             }
             appendFan(polygon, file_.faces);
@@ -114,9 +109,8 @@ class OffReader : LineByLine {
     }
 
     bool readCorner(std::string_view field, std::vector<Index>& polygon) {
-        std::int64_t number = 0;
-        if (!parseInteger(field, number) || number < 0 ||
-            static_cast<std::uint64_t>(number) >= points_) {
+        std::uint64_t number = 0;
+        if (!parseCount(field, number, static_cast<std::int64_t>(points_) - 1)) {
             return fail("expected a point number from 0 to below " + std::to_string(points_) +
                         ", found " + inQuotes(field));
         }

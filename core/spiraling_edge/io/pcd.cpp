@@ -89,11 +89,8 @@ class PcdReader : LineByLine {
         }
         if (key == "COUNT") {
             return forEachField(key, words, [](PcdField& field, std::string_view word) {
-                std::int64_t number = 0;
                 constexpr std::int64_t kMax = 1 << 20;
-                if (!parseInteger(word, number) || number < 0 || number > kMax) return false;
-                field.count = static_cast<std::uint64_t>(number);
-                return true;
+                return parseCount(word, field.count, kMax);
             });
         }
         if (key == "WIDTH") return readNumber(key, words, width_);
@@ -124,14 +121,10 @@ class PcdReader : LineByLine {
     }
 
     bool readNumber(std::string_view key, Fields& words, std::optional<std::uint64_t>& number) {
-        std::int64_t found = 0;
         const std::string_view word = words.next();
-        if (!parseInteger(word, found) || found < 0 || found >= std::int64_t{kNone}) {
-            return fail("expected a number of points after " + std::string(key) + ", found " +
-                        inQuotes(word));
-        }
-        number = static_cast<std::uint64_t>(found);
-        return true;
+        return parseCount(word, number.emplace(0), kNone - 1) ||
+               fail("expected a number of points after " + std::string(key) + ", found " +
+                    inQuotes(word));
     }
 
     const PcdField* find(std::string_view name) const {

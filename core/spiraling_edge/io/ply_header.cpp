@@ -1,5 +1,4 @@
 #include <array>
-#include <optional>
 
 #include "spiraling_edge/io/formats.h"
 #include "spiraling_edge/io/ply.h"
@@ -7,27 +6,9 @@
 namespace se::io {
 namespace {
 
-std::optional<ScalarType> scalarTypeNamed(std::string_view name) {
-    struct Named {
-        std::string_view name;
-        ScalarType type;
-    };
-    constexpr Named kTypes[] = {
-        {"char", ScalarType::Int8},     {"int8", ScalarType::Int8},
-        {"uchar", ScalarType::UInt8},   {"uint8", ScalarType::UInt8},
-        {"short", ScalarType::Int16},   {"int16", ScalarType::Int16},
-        {"ushort", ScalarType::UInt16}, {"uint16", ScalarType::UInt16},
-        {"int", ScalarType::Int32},     {"int32", ScalarType::Int32},
-        {"uint", ScalarType::UInt32},   {"uint32", ScalarType::UInt32},
-        {"float", ScalarType::Float},   {"float32", ScalarType::Float},
-        {"double", ScalarType::Double}, {"float64", ScalarType::Double},
-    };
-    for (const Named& known : kTypes) {
-        if (known.name == name) return known.type;
-    }
-    return std::nullopt;
-}
-
+/// The other names of types than nameOf(), by ScalarType.
+constexpr std::array<std::string_view, 8> kSizedTypeNames{"int8",  "uint8",  "int16",   "uint16",
+                                                          "int32", "uint32", "float32", "float64"};
 /// By PlyFormat.
 constexpr std::array<std::string_view, 3> kFormatNames{"ascii", "binary_little_endian",
                                                        "binary_big_endian"};
@@ -84,12 +65,10 @@ class HeaderReader : LineByLine {
         element.name = fields.next();
         element.line = lines_.number();
         const std::string_view field = fields.next();
-        std::int64_t count = 0;
-        if (!parseInteger(field, count) || count < 0) {
+        if (!parseCount(field, element.count)) {
             return fail("expected \"element NAME COUNT\", found " + inQuotes(field) +
                         " for the count");
         }
-        element.count = static_cast<std::uint64_t>(count);
         for (const PlyElement& other : header_.elements) {
             if (other.name == element.name) {
                 return fail("element " + inQuotes(element.name) + " is announced twice");
@@ -100,15 +79,13 @@ class HeaderReader : LineByLine {
     }
 
     bool readType(std::string_view field, ScalarType& type) {
-        const std::optional<ScalarType> known = scalarTypeNamed(field);
-        if (!known) {
-            return fail(
-                "expected a type: char, uchar, short, ushort, int, uint, float or double; "
-                "found " +
-                inQuotes(field));
+        for (std::size_t i = 0; i < kSizedTypeNames.size(); ++i) {
+            type = static_cast<ScalarType>(i);
+            if (field == nameOf(type) || field == kSizedTypeNames[i]) return true;
         }
-        type = *known;
-        return true;
+        return fail(
+            "expected a type: char, uchar, short, ushort, int, uint, float or double; found " +
+            inQuotes(field));
     }
 
     bool readProperty(Fields& fields) {

@@ -3,7 +3,6 @@
 #include "spiraling_edge/io/ply.h"
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
 
 #include "spiraling_edge/io/formats.h"
@@ -22,20 +21,13 @@ std::size_t findProperty(const PlyElement& element, std::string_view name, bool 
     return kNoProperty;
 }
 
-bool sameLetters(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char c, char d) {
-        return std::tolower(static_cast<unsigned char>(c)) ==
-               std::tolower(static_cast<unsigned char>(d));
-    });
-}
-
 /// The scalar of this name; if there is none, one whose name differs only in case.
 std::size_t findScalar(const PlyElement& element, std::string_view name) {
     const std::size_t exact = findProperty(element, name, false);
     if (exact != kNoProperty) return exact;
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
         const PlyProperty& property = element.properties[i];
-        if (!property.isList && sameLetters(property.name, name)) return i;
+        if (!property.isList && lowerCase(property.name) == lowerCase(name)) return i;
     }
     return kNoProperty;
 }

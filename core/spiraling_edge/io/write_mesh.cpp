@@ -53,11 +53,7 @@ const MeshFormat* meshFormatOf(const std::filesystem::path& path) {
 }
 
 bool isReadable(const MeshFormat& format) {
-    const std::span<const PointFormat> all = pointFormats();
-    return std::any_of(all.begin(), all.end(), [&](const PointFormat& each) {
-        return std::find(each.extensions.begin(), each.extensions.end(), format.extension) !=
-               each.extensions.end();
-    });
+    return pointFormatOf("mesh" + std::string(format.extension)) != nullptr;
 }
 
 std::optional<Vec3> shiftOf(const MeshFormat& format, const PointFile& points,

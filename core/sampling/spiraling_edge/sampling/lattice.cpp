@@ -246,23 +246,16 @@ Result<std::vector<Crossing>> findCrossings(const Surface& surface, unsigned thr
     const auto layers = static_cast<std::size_t>(lattice.cells().z) + 1;
     constexpr std::size_t kPerPiece = 8;  // for progress; pieces are the same for any threads
     std::vector<std::vector<Crossing>> piece((layers + kPerPiece - 1) / kPerPiece);
-    const std::size_t together = 4;
-    for (std::size_t first = 0; first < piece.size(); first += together) {
-        if (progress && !progress(static_cast<double>(first) / static_cast<double>(piece.size())))
-            return Error{"sampling was cancelled"};
-        const std::size_t count = std::min(together, piece.size() - first);
-        forRanges(count, threads, 1, [&](std::size_t from, std::size_t to) {
-            for (std::size_t i = first + from; i < first + to; ++i) {
-                Layers walk(surface, lattice);
-                walk.walk(static_cast<int>(i * kPerPiece),
-                          static_cast<int>(std::min((i + 1) * kPerPiece, layers)));
-                piece[i] = walk.take();
-            }
-        });
-    }
-    std::vector<Crossing> all;
-    for (const auto& found : piece) all.insert(all.end(), found.begin(), found.end());
-    return all;
+    const bool all = forEachWithProgress(piece.size(), threads, 1, progress, [&](std::size_t i) {
+        Layers walk(surface, lattice);
+        walk.walk(static_cast<int>(i * kPerPiece),
+                  static_cast<int>(std::min((i + 1) * kPerPiece, layers)));
+        piece[i] = walk.take();
+    });
+    if (!all) return Error{"sampling was cancelled"};
+    std::vector<Crossing> crossings;
+    for (const auto& found : piece) crossings.insert(crossings.end(), found.begin(), found.end());
+    return crossings;
 }
 
 std::vector<WallCurve> findWallCurves(const Surface& surface) {

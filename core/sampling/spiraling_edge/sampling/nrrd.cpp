@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/io/formats.h"
 #include "spiraling_edge/sampling/nrrd.h"
 
 namespace se::io {
@@ -65,14 +65,6 @@ std::string_view trimmed(std::string_view text) {
 template <typename Words>
 bool contains(const Words& words, std::string_view word) {
     return std::find(std::begin(words), std::end(words), word) != std::end(words);
-}
-
-std::string lowerCase(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return lower;
 }
 
 class HeaderParser {
@@ -148,7 +140,6 @@ class HeaderParser {
         for (const TypeNames& row : kTypes) {
             if (word.empty() || !contains(row.names, word)) continue;
             header_.type = row.type;
-            hasType_ = true;
             return success();
         }
         return wrong(
@@ -158,11 +149,10 @@ class HeaderParser {
     }
     Status takeDimension(std::string_view text) {
         if (text != "3") return wrong("dimension: only 3 can be read, found " + inQuotes(text));
-        hasDimension_ = true;
         return success();
     }
     Status takeSizes(std::string_view text) {
-        if (!hasDimension_) return wrong("sizes: must come after dimension");
+        if (!contains(seen_, "dimension")) return wrong("sizes: must come after dimension");
         Fields fields(text);
         for (std::size_t& size : header_.volume.size) {
             const std::string_view field = fields.next();
@@ -180,7 +170,6 @@ class HeaderParser {
                              static_cast<double>(header_.volume.size[2]);
         if (bytes > static_cast<double>(std::numeric_limits<std::size_t>::max()) / 4.0)
             return wrong("sizes: more samples than this machine can count, " + inQuotes(text));
-        hasSizes_ = true;
         return success();
     }
 
@@ -246,7 +235,6 @@ class HeaderParser {
         if (word != "little" && word != "big")
             return wrong("endian: expected little or big, found " + inQuotes(text));
         header_.bigEndian = word == "big";
-        hasEndian_ = true;
         return success();
     }
     Status takeEncoding(std::string_view text) {
@@ -255,7 +243,6 @@ class HeaderParser {
         if (!header_.gzip && word != "raw")
             return wrong("encoding: only raw and gzip can be read, found " + inQuotes(text) +
                          "; `unu save -e gzip` converts");
-        hasEncoding_ = true;
         return success();
     }
     Status takeDataFile(std::string_view text) {
@@ -267,10 +254,8 @@ class HeaderParser {
         return success();
     }
     Status takeLineSkip(std::string_view text) {
-        std::int64_t count = 0;
-        if (!parseInteger(text, count) || count < 0)
+        if (!parseCount(text, header_.lineSkip))
             return wrong("line skip: expected a number from 0 on, found " + inQuotes(text));
-        header_.lineSkip = static_cast<std::size_t>(count);
         return success();
     }
     Status takeByteSkip(std::string_view text) {
@@ -280,13 +265,11 @@ class HeaderParser {
     }
 
     Result<NrrdHeader> complete() {
-        const auto lacks = [&](const char* what) {
-            return wrong(std::string("the header ends without the field ") + what);
-        };
-        if (!hasType_) return lacks("type");
-        if (!hasSizes_) return lacks(hasDimension_ ? "sizes" : "dimension");
-        if (!hasEncoding_) return lacks("encoding");
-        if (!hasEndian_ && sizeOf(header_.type) > 1) return lacks("endian");
+        for (const char* field : {"type", "dimension", "sizes", "encoding", "endian"}) {
+            const bool needed = field != std::string_view("endian") || sizeOf(header_.type) > 1;
+            if (needed && !contains(seen_, field))
+                return wrong(std::string("the header ends without the field ") + field);
+        }
         if (header_.gzip && header_.byteSkip < 0)
             return wrong("byte skip -1 does not go with gzip");
         if (originIsOfAxis_) {
@@ -304,8 +287,7 @@ class HeaderParser {
     NrrdHeader header_;
     std::vector<std::string> seen_;
     std::array<bool, 3> cellCentered_{};
-    bool hasType_ = false, hasDimension_ = false, hasSizes_ = false, hasEncoding_ = false;
-    bool hasEndian_ = false, hasSpacing_ = false, hasOrigin_ = false, originIsOfAxis_ = false;
+    bool hasSpacing_ = false, hasOrigin_ = false, originIsOfAxis_ = false;
 };
 
 }  // namespace

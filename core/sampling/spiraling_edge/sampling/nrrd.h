@@ -17,7 +17,7 @@ struct NrrdHeader {
     bool gzip = false;
     std::string dataFile;  ///< As in the header; empty if the data follow the header.
     std::size_t dataFileLine = 0;
-    std::size_t lineSkip = 0;
+    std::uint64_t lineSkip = 0;
     std::int64_t byteSkip = 0;   ///< -1: the data are the last bytes of the file.
     std::size_t dataOffset = 0;  ///< End of the header.
     Volume volume;               ///< Without its values.
