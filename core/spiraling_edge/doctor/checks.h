@@ -57,6 +57,9 @@ std::string countText(std::size_t count, const std::string& noun);
 /// A number with three digits, the same on every machine.
 std::string shortNumber(double value);
 
+/// The median; the upper one of two. Requires a value.
+double medianOf(std::vector<double>& values);
+
 /// The indices up to `count` for which has(p) is true.
 template <typename Has>
 std::vector<Index> pointsWhere(std::size_t count, Has&& has) {

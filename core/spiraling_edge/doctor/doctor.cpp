@@ -110,13 +110,11 @@ std::vector<Vec3> scaledNormals(const PointFile& file) {
     return normal;
 }
 
-/// Median of the values above zero.
-double median(std::vector<double> values) {
+/// Median of the values above zero, 0 without any.
+double medianAboveZero(std::vector<double> values) {
     values.erase(std::remove(values.begin(), values.end(), 0.0), values.end());
     if (values.empty()) return 0.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+    return medianOf(values);
 }
 
 }  // namespace
@@ -178,9 +176,15 @@ Result<ExaminedFile> examineFile(const PointFile& file, const Progress& progress
         if (list.empty()) continue;
         examined.spacing[p] = examined.distance(p, list[std::min(kAround, list.size()) - 1]);
     }
-    examined.middleSpacing = median(examined.spacing);
+    examined.middleSpacing = medianAboveZero(examined.spacing);
     examined.sides = sidesOf(examined);
     return examined;
+}
+
+double medianOf(std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
 }
 
 std::string countText(std::size_t count, const std::string& noun) {

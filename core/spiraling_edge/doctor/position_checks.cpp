@@ -68,9 +68,7 @@ constexpr double kFar = 8.0;
 double spacingAround(const ExaminedFile& examined, Index p, std::vector<double>& room) {
     room.clear();
     for (const Index q : examined.nearest[p]) room.push_back(examined.spacing[q]);
-    const auto middle = room.begin() + static_cast<std::ptrdiff_t>(room.size() / 2);
-    std::nth_element(room.begin(), middle, room.end());
-    return *middle;
+    return medianOf(room);
 }
 
 /// Points far from all others, by the second nearest point, so that isolated pairs are found, too:

@@ -39,9 +39,7 @@ double levelOf(const ExaminedFile& examined, const Face& face) {
             levels.push_back(face.sign * examined.file.position[p][face.axis]);
     }
     if (levels.empty()) return -std::numeric_limits<double>::infinity();
-    const auto middle = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2);
-    std::nth_element(levels.begin(), middle, levels.end());
-    return *middle;
+    return medianOf(levels);
 }
 
 /// True if the surface runs along the wall at p: then it only touches it, and is not cut there.

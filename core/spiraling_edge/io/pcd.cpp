@@ -275,29 +275,27 @@ class PcdReader : LineByLine {
 
     /// Splits packed colors into the usual columns.
     void splitColors() {
-        for (std::size_t i = 0; i < file_.attributes.size(); ++i) {
-            const Attribute& packed = file_.attributes[i];
-            const auto isIt = [&](const PcdField& f) {
-                return f.isColor() && f.name == packed.name;
-            };
-            if (packed.type != ScalarType::UInt32 ||
-                std::none_of(fields_.begin(), fields_.end(), isIt)) {
-                continue;
+        const auto isPacked = [this](const Attribute& attribute) {
+            return attribute.type == ScalarType::UInt32 &&
+                   std::any_of(fields_.begin(), fields_.end(), [&](const PcdField& field) {
+                       return field.isColor() && field.name == attribute.name;
+                   });
+        };
+        const auto packed =
+            std::find_if(file_.attributes.begin(), file_.attributes.end(), isPacked);
+        if (packed == file_.attributes.end()) return;
+        const std::vector<double> colors = std::move(packed->values);
+        file_.attributes.erase(packed);
+        unsigned shift = 16;
+        for (const char* name : {"red", "green", "blue"}) {
+            Attribute channel{name, ScalarType::UInt8, {}};
+            channel.values.reserve(colors.size());
+            for (const double value : colors) {
+                const auto bits = static_cast<std::uint32_t>(value);
+                channel.values.push_back(static_cast<double>((bits >> shift) & 0xFFU));
             }
-            const std::vector<double> colors = std::move(file_.attributes[i].values);
-            file_.attributes.erase(file_.attributes.begin() + static_cast<std::ptrdiff_t>(i));
-            unsigned shift = 16;
-            for (const char* name : {"red", "green", "blue"}) {
-                Attribute channel{name, ScalarType::UInt8, {}};
-                channel.values.reserve(colors.size());
-                for (const double value : colors) {
-                    const auto bits = static_cast<std::uint32_t>(value);
-                    channel.values.push_back(static_cast<double>((bits >> shift) & 0xFFU));
-                }
-                file_.attributes.push_back(std::move(channel));
-                shift -= 8;
-            }
-            return;
+            file_.attributes.push_back(std::move(channel));
+            shift -= 8;
         }
     }
 

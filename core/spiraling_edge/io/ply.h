@@ -42,9 +42,6 @@ struct PlyHeader {
     std::size_t lines = 0;  ///< Lines up to the first row.
 };
 
-/// Reads the header and makes the checks that need no rows.
-Result<PlyHeader> readPlyHeader(std::string_view bytes, const std::string& name);
-
 /// The common state of both encodings: the file's name, the current element and row, the problem.
 class RowsBase {
   public:

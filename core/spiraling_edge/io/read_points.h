@@ -2,12 +2,10 @@
 /// file is found by its content first, then by its extension. No reader returns a partial result.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "spiraling_edge/base/result.h"
 #include "spiraling_edge/points/point_file.h"

@@ -8,7 +8,6 @@
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/file_extension.h"
 #include "spiraling_edge/base/number_text.h"
-#include "spiraling_edge/io/format_lists.h"
 #include "spiraling_edge/io/formats.h"
 
 namespace se {

@@ -1,14 +1,18 @@
 /// Writers of points and meshes: PLY, and for other programs the format that the extension names
-/// (docs/file-formats.md). No writer leaves a partial file (atomic_file.h).
+/// (docs/file-formats.md). No writer leaves a partial file (atomic_file.h). Formats of both tables
+/// as text for options and messages: "PLY, OBJ or OFF".
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/read_points.h"
 
 namespace se {
@@ -48,6 +52,25 @@ std::span<const MeshFormat> meshFormats();
 const MeshFormat* meshFormatOf(const std::filesystem::path& path);
 /// True if readPoints() reads files of this format.
 bool isReadable(const MeshFormat& format);
+
+/// Names or extensions (`text`) of the formats that `keeps` is true for, as wordList() joins them:
+/// listText(pointFormats(), &PointFormat::name, "or", &PointFormat::faces).
+template <typename Format, typename Keeps>
+std::string listText(std::span<const Format> formats, std::string_view Format::*text,
+                     std::string_view conjunction, Keeps keeps) {
+    std::vector<std::string_view> words;
+    for (const Format& each : formats) {
+        if (std::invoke(keeps, each)) words.push_back(each.*text);
+    }
+    return wordList(words, conjunction);
+}
+
+/// Names or extensions of all formats.
+template <typename Format>
+std::string listText(std::span<const Format> formats, std::string_view Format::*text,
+                     std::string_view conjunction) {
+    return listText(formats, text, conjunction, [](const Format&) { return true; });
+}
 
 /// The shift of `format` for this mesh: empty where positions in the file are those of `points`.
 std::optional<Vec3> shiftOf(const MeshFormat& format, const PointFile& points,

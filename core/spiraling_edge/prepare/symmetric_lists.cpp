@@ -10,8 +10,15 @@ namespace se {
 
 namespace {
 
-/// The inverse of the lists: for each point, the points that list it.
-NeighborLists turnedRound(const NeighborLists& lists) {
+/// The rows of points from .. to, one list after the other.
+struct Piece {
+    std::vector<Index> ids;
+    std::vector<std::uint32_t> length;
+};
+
+}  // namespace
+
+NeighborLists listersOf(const NeighborLists& lists) {
     const std::size_t n = lists.size();
     NeighborLists turned;
     turned.offset.assign(n + 1, 0);
@@ -25,14 +32,6 @@ NeighborLists turnedRound(const NeighborLists& lists) {
     return turned;
 }
 
-/// The rows of points from .. to, one list after the other.
-struct Piece {
-    std::vector<Index> ids;
-    std::vector<std::uint32_t> length;
-};
-
-}  // namespace
-
 Result<NeighborLists> symmetricLists(std::span<const Vec3> position, const NeighborLists& lists,
                                      unsigned threads, const Progress& progress) {
     const std::size_t n = position.size();
@@ -41,7 +40,7 @@ Result<NeighborLists> symmetricLists(std::span<const Vec3> position, const Neigh
             "symmetric neighbor lists could hold more than 4294967294 entries in all; "
             "choose a smaller k or radius"};
     }
-    const NeighborLists listedBy = turnedRound(lists);
+    const NeighborLists listedBy = listersOf(lists);
     constexpr std::size_t kPerPiece = 4096;
     std::vector<Piece> piece((n + kPerPiece - 1) / kPerPiece);
     const bool all = forEachWithProgress(piece.size(), threads, 2, progress, [&](std::size_t i) {

@@ -67,10 +67,10 @@ bool contains(const Words& words, std::string_view word) {
     return std::find(std::begin(words), std::end(words), word) != std::end(words);
 }
 
-class HeaderParser {
+class HeaderParser : LineByLine {
   public:
     HeaderParser(std::string_view bytes, const std::string& name)
-        : bytes_(bytes), name_(name), lines_(bytes) {}
+        : LineByLine(bytes, name), size_(bytes.size()) {}
 
     Result<NrrdHeader> parse() {
         lines_.next();
@@ -78,45 +78,43 @@ class HeaderParser {
         const std::string_view magic = trimmed(lines_.line());
         const bool known = magic.size() == kMagic.size() + 1 && magic.starts_with(kMagic) &&
                            magic.back() >= '1' && magic.back() <= '5';
-        if (!known) return wrong("expected NRRD0001 to NRRD0005, found " + inQuotes(magic));
+        if (!known) {
+            fail("expected NRRD0001 to NRRD0005, found " + inQuotes(magic));
+            return problem_;
+        }
         while (lines_.next()) {
             const std::string_view line = lines_.line();
             if (trimmed(line).empty()) break;
             if (line.front() == '#') continue;
-            const Status read = takeLine(line);
-            if (!read) return read.error();
+            if (!takeLine(line)) return problem_;
         }
-        header_.dataOffset = bytes_.size() - lines_.rest().size();
-        return complete();
+        header_.dataOffset = size_ - lines_.rest().size();
+        if (!complete()) return problem_;
+        return std::move(header_);
     }
 
   private:
-    Error wrong(const std::string& what) const {
-        return errorAt(name_, lineText(lines_.number()), what);
-    }
-
-    Status takeLine(std::string_view line) {
+    bool takeLine(std::string_view line) {
         const std::size_t colon = line.find(':');
         if (colon == std::string_view::npos || colon + 1 >= line.size())
-            return wrong("expected a field such as `sizes: 64 64 64`, found " + inQuotes(line));
+            return fail("expected a field such as `sizes: 64 64 64`, found " + inQuotes(line));
         const std::string key = lowerCase(trimmed(line.substr(0, colon)));
         if (line[colon + 1] == '=') return takeKey(key, trimmed(line.substr(colon + 2)));
-        if (contains(seen_, key))
-            return wrong("the field " + inQuotes(key) + " stands there twice");
+        if (contains(seen_, key)) return fail("the field " + inQuotes(key) + " stands there twice");
         seen_.push_back(key);
         return takeField(key, trimmed(line.substr(colon + 1)));
     }
 
-    Status takeKey(const std::string& key, std::string_view text) {
-        if (key != "isovalue") return success();
+    bool takeKey(const std::string& key, std::string_view text) {
+        if (key != "isovalue") return true;
         double value = 0.0;
         if (!parseDouble(text, value) || !std::isfinite(value))
-            return wrong("isovalue: expected a number, found " + inQuotes(text));
+            return fail("isovalue: expected a number, found " + inQuotes(text));
         header_.volume.isovalue = value;
-        return success();
+        return true;
     }
 
-    Status takeField(const std::string& key, std::string_view text) {
+    bool takeField(const std::string& key, std::string_view text) {
         if (key == "type") return takeType(text);
         if (key == "dimension") return takeDimension(text);
         if (key == "sizes") return takeSizes(text);
@@ -130,47 +128,47 @@ class HeaderParser {
         if (key == "data file" || key == "datafile") return takeDataFile(text);
         if (key == "line skip" || key == "lineskip") return takeLineSkip(text);
         if (key == "byte skip" || key == "byteskip") return takeByteSkip(text);
-        if (contains(kIgnored, key)) return success();
-        return wrong("NRRD has no field " + inQuotes(key) +
-                     "; own fields are written with := after the name");
+        if (contains(kIgnored, key)) return true;
+        return fail("NRRD has no field " + inQuotes(key) +
+                    "; own fields are written with := after the name");
     }
 
-    Status takeType(std::string_view text) {
+    bool takeType(std::string_view text) {
         const std::string word = lowerCase(text);
         for (const TypeNames& row : kTypes) {
             if (word.empty() || !contains(row.names, word)) continue;
             header_.type = row.type;
-            return success();
+            return true;
         }
-        return wrong(
+        return fail(
             "type: expected int8, uint8, int16, uint16, int32, uint32, float or double, "
             "found " +
             inQuotes(text));
     }
-    Status takeDimension(std::string_view text) {
-        if (text != "3") return wrong("dimension: only 3 can be read, found " + inQuotes(text));
-        return success();
+    bool takeDimension(std::string_view text) {
+        if (text != "3") return fail("dimension: only 3 can be read, found " + inQuotes(text));
+        return true;
     }
-    Status takeSizes(std::string_view text) {
-        if (!contains(seen_, "dimension")) return wrong("sizes: must come after dimension");
+    bool takeSizes(std::string_view text) {
+        if (!contains(seen_, "dimension")) return fail("sizes: must come after dimension");
         Fields fields(text);
         for (std::size_t& size : header_.volume.size) {
             const std::string_view field = fields.next();
             std::int64_t count = 0;
             constexpr std::int64_t kMax = 1 << 20;
             if (!parseInteger(field, count) || count < 2 || count > kMax)
-                return wrong("sizes: expected three numbers from 2 to 1048576, found " +
-                             inQuotes(text));
+                return fail("sizes: expected three numbers from 2 to 1048576, found " +
+                            inQuotes(text));
             size = static_cast<std::size_t>(count);
         }
         if (!fields.next().empty())
-            return wrong("sizes: expected three numbers, found " + inQuotes(text));
+            return fail("sizes: expected three numbers, found " + inQuotes(text));
         const double bytes = 8.0 * static_cast<double>(header_.volume.size[0]) *
                              static_cast<double>(header_.volume.size[1]) *
                              static_cast<double>(header_.volume.size[2]);
         if (bytes > static_cast<double>(std::numeric_limits<std::size_t>::max()) / 4.0)
-            return wrong("sizes: more samples than this machine can count, " + inQuotes(text));
-        return success();
+            return fail("sizes: more samples than this machine can count, " + inQuotes(text));
+        return true;
     }
 
     /// Reads `count` finite numbers; brackets and commas count as blanks.
@@ -185,105 +183,102 @@ class HeaderParser {
         }
         return fields.next().empty();
     }
-    Status takeSpacings(std::string_view text) {
+    bool takeSpacings(std::string_view text) {
         std::array<double, 3> s{};
         if (!takeNumbers(text, s.data(), 3) || !(s[0] > 0.0) || !(s[1] > 0.0) || !(s[2] > 0.0))
-            return wrong("spacings: expected three numbers above 0, found " + inQuotes(text));
+            return fail("spacings: expected three numbers above 0, found " + inQuotes(text));
         return setSpacing({s[0], s[1], s[2]});
     }
-    Status takeDirections(std::string_view text) {
+    bool takeDirections(std::string_view text) {
         std::array<double, 9> d{};
         const bool numbers = takeNumbers(text, d.data(), 9);
         const bool diagonal =
             d[1] == 0.0 && d[2] == 0.0 && d[3] == 0.0 && d[5] == 0.0 && d[6] == 0.0 && d[7] == 0.0;
         if (!numbers || !diagonal || !(d[0] > 0.0) || !(d[4] > 0.0) || !(d[8] > 0.0))
-            return wrong(
+            return fail(
                 "space directions: only axes along x, y and z, with lengths above 0, can "
                 "be read, such as (1,0,0) (0,1,0) (0,0,2); found " +
                 inQuotes(text));
         return setSpacing({d[0], d[4], d[8]});
     }
-    Status setSpacing(const Vec3& spacing) {
-        if (hasSpacing_) return wrong("spacings and space directions must not stand together");
+    bool setSpacing(const Vec3& spacing) {
+        if (hasSpacing_) return fail("spacings and space directions must not stand together");
         hasSpacing_ = true;
         header_.volume.spacing = spacing;
-        return success();
+        return true;
     }
-    Status takePlace(std::string_view text, const std::string& key) {
+    bool takePlace(std::string_view text, const std::string& key) {
         std::array<double, 3> at{};
         if (!takeNumbers(text, at.data(), 3))
-            return wrong(key + ": expected three numbers, found " + inQuotes(text));
-        if (hasOrigin_) return wrong("axis mins and space origin must not stand together");
+            return fail(key + ": expected three numbers, found " + inQuotes(text));
+        if (hasOrigin_) return fail("axis mins and space origin must not stand together");
         hasOrigin_ = true;
         originIsOfAxis_ = key != "space origin";
         header_.volume.origin = {at[0], at[1], at[2]};
-        return success();
+        return true;
     }
-    Status takeCenters(std::string_view text) {
+    bool takeCenters(std::string_view text) {
         Fields fields(text);
         for (bool& cell : cellCentered_) {
             const std::string word = lowerCase(fields.next());
             if (word != "cell" && word != "node" && word != "none" && word != "???")
-                return wrong("centers: expected cell or node three times, found " + inQuotes(text));
+                return fail("centers: expected cell or node three times, found " + inQuotes(text));
             cell = word == "cell";
         }
-        return success();
+        return true;
     }
 
-    Status takeEndian(std::string_view text) {
+    bool takeEndian(std::string_view text) {
         const std::string word = lowerCase(text);
         if (word != "little" && word != "big")
-            return wrong("endian: expected little or big, found " + inQuotes(text));
+            return fail("endian: expected little or big, found " + inQuotes(text));
         header_.bigEndian = word == "big";
-        return success();
+        return true;
     }
-    Status takeEncoding(std::string_view text) {
+    bool takeEncoding(std::string_view text) {
         const std::string word = lowerCase(text);
         header_.gzip = word == "gzip" || word == "gz";
         if (!header_.gzip && word != "raw")
-            return wrong("encoding: only raw and gzip can be read, found " + inQuotes(text) +
-                         "; `unu save -e gzip` converts");
-        return success();
+            return fail("encoding: only raw and gzip can be read, found " + inQuotes(text) +
+                        "; `unu save -e gzip` converts");
+        return true;
     }
-    Status takeDataFile(std::string_view text) {
+    bool takeDataFile(std::string_view text) {
         if (text == "LIST" || text.starts_with("LIST ") || text.find('%') != std::string_view::npos)
-            return wrong("data file: only a single file can be read, found " + inQuotes(text));
+            return fail("data file: only a single file can be read, found " + inQuotes(text));
         header_.dataFile = std::string(text);
         header_.dataFileLine = lines_.number();
-        if (text.empty()) return wrong("data file: expected the name of a file");
-        return success();
+        if (text.empty()) return fail("data file: expected the name of a file");
+        return true;
     }
-    Status takeLineSkip(std::string_view text) {
+    bool takeLineSkip(std::string_view text) {
         if (!parseCount(text, header_.lineSkip))
-            return wrong("line skip: expected a number from 0 on, found " + inQuotes(text));
-        return success();
+            return fail("line skip: expected a number from 0 on, found " + inQuotes(text));
+        return true;
     }
-    Status takeByteSkip(std::string_view text) {
+    bool takeByteSkip(std::string_view text) {
         if (!parseInteger(text, header_.byteSkip) || header_.byteSkip < -1)
-            return wrong("byte skip: expected a number from -1 on, found " + inQuotes(text));
-        return success();
+            return fail("byte skip: expected a number from -1 on, found " + inQuotes(text));
+        return true;
     }
 
-    Result<NrrdHeader> complete() {
+    bool complete() {
         for (const char* field : {"type", "dimension", "sizes", "encoding", "endian"}) {
             const bool needed = field != std::string_view("endian") || sizeOf(header_.type) > 1;
             if (needed && !contains(seen_, field))
-                return wrong(std::string("the header ends without the field ") + field);
+                return fail(std::string("the header ends without the field ") + field);
         }
-        if (header_.gzip && header_.byteSkip < 0)
-            return wrong("byte skip -1 does not go with gzip");
+        if (header_.gzip && header_.byteSkip < 0) return fail("byte skip -1 does not go with gzip");
         if (originIsOfAxis_) {
             for (int axis = 0; axis < 3; ++axis) {
                 if (cellCentered_[static_cast<std::size_t>(axis)])
                     header_.volume.origin[axis] += 0.5 * header_.volume.spacing[axis];
             }
         }
-        return std::move(header_);
+        return true;
     }
 
-    std::string_view bytes_;
-    const std::string& name_;
-    LineReader lines_;
+    std::size_t size_;
     NrrdHeader header_;
     std::vector<std::string> seen_;
     std::array<bool, 3> cellCentered_{};

@@ -3,7 +3,7 @@
 /// finds every part that separates two corners of a cell. Shared by the parts of the sampler.
 #pragma once
 
-#include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <glm/common.hpp>
 
 #include "spiraling_edge/base/file_extension.h"
 #include "spiraling_edge/base/read_file.h"
