@@ -103,9 +103,11 @@ std::optional<Finding> findIsolatedPoints(const ExaminedFile& examined) {
 
 std::optional<Finding> findInLine(const ExaminedFile& examined) {
     if (examined.presentCount < 3) return std::nullopt;
-    const std::vector<Vec3> plane = estimateNormals(examined.file.position, examined.nearest);
-    auto points = pointsWhere(
-        examined.size(), [&](Index p) { return examined.present[p] && plane[p] == Vec3(0.0); });
+    const Result<std::vector<Vec3>> planes =
+        estimateNormals(examined.file.position, examined.nearest);
+    auto points = pointsWhere(examined.size(), [&](Index p) {
+        return examined.present[p] && planes.value()[p] == Vec3(0.0);
+    });
     const bool all = points.size() == examined.presentCount;
     return findingAt(std::move(points), all ? Severity::Error : Severity::Warning,
                      "in line with all of the nearest others");

@@ -93,8 +93,6 @@ std::string stlBytes(const PointFile& points, std::span<const Triangle> triangle
 /// translation of the node, so that a set far from the origin keeps its shape.
 std::string glbBytes(const PointFile& points, std::span<const Triangle> triangles);
 
-/// `value` rounded to float.
-double asFloat(double value);
 /// An origin with few digits near the center of the triangles, for positions written as float
 /// relative to it. Empty where no corner moves by more than a thousandth of the mean edge without
 /// it, or where it would not help.

@@ -38,29 +38,6 @@ void appendLine(std::string& text, const char* keyword, const Vec3& v) {
     text += '\n';
 }
 
-}  // namespace
-
-std::string objBytes(const PointFile& points, std::span<const Triangle> triangles) {
-    assert(checkWritable(points, triangles).ok());
-    std::string text = "# written by spiraling-edge\n";
-    for (const Vec3& x : points.position) appendLine(text, "v ", x);
-    for (const Vec3& n : points.normal) appendLine(text, "vn ", n);
-    for (const Triangle& t : triangles) {
-        text += 'f';
-        for (const Index corner : {t.a, t.b, t.c}) {
-            text += ' ';
-            appendIndex(text, corner + 1);
-            if (!points.hasNormals()) continue;
-            text += "//";
-            appendIndex(text, corner + 1);
-        }
-        text += '\n';
-    }
-    return text;
-}
-
-namespace {
-
 /// OFF with one normal per point, or with none at all.
 std::string offText(std::span<const Vec3> position, std::span<const Vec3> normal,
                     std::span<const Triangle> triangles) {
@@ -87,6 +64,25 @@ std::string offText(std::span<const Vec3> position, std::span<const Vec3> normal
 
 }  // namespace
 
+std::string objBytes(const PointFile& points, std::span<const Triangle> triangles) {
+    assert(checkWritable(points, triangles).ok());
+    std::string text = "# written by spiraling-edge\n";
+    for (const Vec3& x : points.position) appendLine(text, "v ", x);
+    for (const Vec3& n : points.normal) appendLine(text, "vn ", n);
+    for (const Triangle& t : triangles) {
+        text += 'f';
+        for (const Index corner : {t.a, t.b, t.c}) {
+            text += ' ';
+            appendIndex(text, corner + 1);
+            if (!points.hasNormals()) continue;
+            text += "//";
+            appendIndex(text, corner + 1);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
 std::string offBytes(const PointFile& points, std::span<const Triangle> triangles) {
     assert(checkWritable(points, triangles).ok());
     return offText(points.position, {}, triangles);
@@ -103,6 +99,13 @@ std::string noffBytes(const PointFile& points, std::span<const Triangle> triangl
 // center of the mesh. It is the coarsest of a few powers of ten under which rounding to float
 // moves no corner by more than a thousandth of the mean edge, or the best of them. O(triangles).
 namespace {
+
+/// `value` rounded to float.
+double asFloat(double value) {
+    // volatile: GCC 12 vectorizes "to float and back" and drops it.
+    volatile float narrow = static_cast<float>(value);
+    return static_cast<double>(narrow);
+}
 
 /// Exponents of the smallest and largest step of a shift.
 constexpr int kLeastExponent = -30;
@@ -168,12 +171,6 @@ double worstRounding(std::span<const Vec3> position, std::span<const Triangle> t
 }
 
 }  // namespace
-
-double asFloat(double value) {
-    // volatile: GCC 12 vectorizes "to float and back" and drops it.
-    volatile float narrow = static_cast<float>(value);
-    return static_cast<double>(narrow);
-}
 
 std::optional<Vec3> floatShift(const PointFile& points, std::span<const Triangle> triangles) {
     constexpr double kSharpness = 1000.0;  // Parts of the spacing that must survive.

@@ -126,10 +126,6 @@ Result<std::vector<Vec3>> estimateNormals(std::span<const Vec3> position,
     return normal;
 }
 
-std::vector<Vec3> estimateNormals(std::span<const Vec3> position, const NeighborLists& neighbors) {
-    return std::move(estimateNormals(position, neighbors, {}).value());
-}
-
 // ---- sides --------------------------------------------------------------------------------------
 
 namespace {
@@ -269,11 +265,6 @@ Result<OrientationReport> orientNormals(std::span<const Vec3> position,
                                         const NeighborLists& neighbors, std::vector<Vec3>& normal,
                                         const Progress& progress) {
     return Orientation(position, neighbors, normal, progress).run();
-}
-
-OrientationReport orientNormals(std::span<const Vec3> position, const NeighborLists& neighbors,
-                                std::vector<Vec3>& normal) {
-    return orientNormals(position, neighbors, normal, {}).value();
 }
 
 }  // namespace se
