@@ -1,7 +1,7 @@
 #include "input.h"
 
 #include "exit_code.h"
-#include "spiraling_edge/io/format_lists.h"
+#include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "spiraling_edge/scenes/scenes.h"
 

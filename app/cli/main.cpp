@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "spiraling_edge/base/atomic_file.h"
-#include "spiraling_edge/io/format_lists.h"
+#include "spiraling_edge/io/write_mesh.h"
 #include "verbs.h"
 
 namespace se::cli {

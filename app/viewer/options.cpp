@@ -11,7 +11,7 @@
 #include "run/strings.h"
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/word_list.h"
-#include "spiraling_edge/io/format_lists.h"
+#include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/sampling/sampler.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "spiraling_edge/scenes/scenes.h"

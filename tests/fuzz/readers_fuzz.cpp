@@ -16,7 +16,7 @@
 #include <string>
 #include <string_view>
 
-#include "spiraling_edge/io/read_points.h"
+#include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/prepare/prepare.h"
 #include "spiraling_edge/sampling/volume.h"
 

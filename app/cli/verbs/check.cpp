@@ -12,7 +12,7 @@
 #include "output/failure_totals.h"
 #include "output/mesh_text.h"
 #include "output/output.h"
-#include "spiraling_edge/io/format_lists.h"
+#include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/mesh/inspection.h"
 #include "verbs.h"
 

@@ -7,7 +7,7 @@
 #include "output/compare_text.h"
 #include "output/output.h"
 #include "progress.h"
-#include "spiraling_edge/io/format_lists.h"
+#include "spiraling_edge/io/write_mesh.h"
 #include "verbs.h"
 
 namespace se::cli {

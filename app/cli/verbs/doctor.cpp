@@ -11,6 +11,7 @@
 #include "output/mesh_text.h"
 #include "output/output.h"
 #include "progress.h"
+#include "spiraling_edge/io/write_mesh.h"
 #include "verbs.h"
 
 namespace se::cli {

@@ -18,6 +18,7 @@
 #include "prepared_input.h"
 #include "progress.h"
 #include "spiraling_edge/base/shell_word.h"
+#include "spiraling_edge/io/write_mesh.h"
 #include "verbs.h"
 
 namespace se::cli {

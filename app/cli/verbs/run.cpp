@@ -14,7 +14,7 @@
 #include "output/trace.h"
 #include "progress.h"
 #include "spiraling_edge/base/stop_watch.h"
-#include "spiraling_edge/io/format_lists.h"
+#include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/points/used_points.h"
 #include "spiraling_edge/replay/reconstruct.h"
 #include "verbs.h"

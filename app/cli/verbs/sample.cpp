@@ -12,7 +12,7 @@
 #include "progress.h"
 #include "spiraling_edge/base/stop_watch.h"
 #include "spiraling_edge/base/word_list.h"
-#include "spiraling_edge/io/format_lists.h"
+#include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/sampling/sampler.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "surface_input.h"

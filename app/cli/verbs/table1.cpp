@@ -15,6 +15,7 @@
 #include "output/output.h"
 #include "progress.h"
 #include "spiraling_edge/base/stop_watch.h"
+#include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/mesh/mesh_report.h"
 #include "spiraling_edge/replay/reconstruct.h"
 #include "surface_input.h"

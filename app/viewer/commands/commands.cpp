@@ -15,7 +15,7 @@
 #include "run/strings.h"
 #include "session/playback.h"
 #include "session/session.h"
-#include "spiraling_edge/io/format_lists.h"
+#include "spiraling_edge/io/write_mesh.h"
 
 namespace se::view {
 

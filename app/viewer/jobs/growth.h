@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "run/sample_spec.h"
-#include "spiraling_edge/sampling/sample_quality.h"
+#include "spiraling_edge/sampling/sampler.h"
 
 namespace se::view {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "spiraling_edge/io/read_points.h"
+#include "spiraling_edge/io/write_mesh.h"
 
 namespace se::view {
 

@@ -1,16 +1,85 @@
-/// The checks of the doctor, in the order of the table in doctor.cpp.
+/// The checks of the doctor, in the order of the table in doctor.cpp, and the values that several
+/// of them share, computed once.
 #pragma once
 
-#include "spiraling_edge/doctor/examined_file.h"
+#include <cassert>
+#include <string>
+#include <utility>
+
+#include "spiraling_edge/doctor/doctor.h"
+#include "spiraling_edge/points/usable_points.h"
+#include "spiraling_edge/prepare/neighbor_search.h"
 
 namespace se {
 
-// point_checks.cpp: single points
+/// Connected components of points, and the points whose normals are flipped (normal_checks.cpp).
+struct Sides {
+    std::vector<Index> component;  ///< The name of each point's component; kNone without a normal.
+    std::vector<bool> flipped;     ///< Against the rest of the component.
+};
+
+/// A file under examination. Everything except `file` is derived from it.
+struct ExaminedFile {
+    explicit ExaminedFile(const PointFile& points) : file(points) {}
+
+    const PointFile& file;
+    std::vector<Fitness> fitness;
+    /// Points that are finite and no copy, with any normal.
+    std::vector<bool> present;
+    std::size_t presentCount = 0;
+    std::vector<Vec3> normal;  ///< Scaled; zero where there is no direction. Empty if none at all.
+    NeighborLists nearest;     ///< The 12 nearest present points, with any normals.
+    /// Distance to the sixth nearest point, or to the last if there are fewer: on an even surface
+    /// a point has six others about it. 0 without others.
+    std::vector<double> spacing;
+    double middleSpacing = 0.0;  ///< Median over the present points.
+    Sides sides;
+
+    Index size() const { return static_cast<Index>(file.position.size()); }
+    /// True if the point is present and has a normal. Requires a file with normals.
+    bool hasSide(Index p) const {
+        assert(p < normal.size());
+        return present[p] && normal[p] != Vec3(0.0);
+    }
+    /// Its normal, turned to the side of the rest of its component if it is flipped.
+    Vec3 side(Index p) const { return sides.flipped[p] ? -normal[p] : normal[p]; }
+    double distance(Index p, Index q) const;
+};
+
+/// The sides of a file whose other members are filled in.
+Sides sidesOf(const ExaminedFile& examined);
+
+/// Fails as examine() does.
+Result<ExaminedFile> examineFile(const PointFile& file, const Progress& progress);
+
+/// "1 point", "2 points".
+std::string countText(std::size_t count, const std::string& noun);
+/// A number with three digits, the same on every machine.
+std::string shortNumber(double value);
+
+/// The median; the upper one of two. Requires a value.
+double medianOf(std::vector<double>& values);
+
+/// The indices up to `count` for which has(p) is true.
+template <typename Has>
+std::vector<Index> pointsWhere(std::size_t count, Has&& has) {
+    std::vector<Index> points;
+    for (Index p = 0; p < count; ++p) {
+        if (has(p)) points.push_back(p);
+    }
+    return points;
+}
+
+/// A finding at these points (ascending), or nothing if there are none. Its text is their number,
+/// as "3 points", and `what`.
+std::optional<Finding> findingAt(std::vector<Index> points, Severity severity,
+                                 const std::string& what, const std::string& noun = "point");
+
+// position_checks.cpp: single points
 std::optional<Finding> findNonFinite(const ExaminedFile& examined);
 std::optional<Finding> findDuplicates(const ExaminedFile& examined);
 std::optional<Finding> findTooFewPoints(const ExaminedFile& examined);
-
-// spacing_checks.cpp: distances between points
+// Distances between points.
 std::optional<Finding> findNearDuplicates(const ExaminedFile& examined);
 std::optional<Finding> findIsolatedPoints(const ExaminedFile& examined);
 std::optional<Finding> findInLine(const ExaminedFile& examined);
@@ -22,8 +91,7 @@ std::optional<Finding> findNoNormals(const ExaminedFile& examined);
 std::optional<Finding> findZeroNormals(const ExaminedFile& examined);
 std::optional<Finding> findUnscaledNormals(const ExaminedFile& examined);
 std::optional<Finding> findCloseSheets(const ExaminedFile& examined);
-
-// side_checks.cpp: normals against each other
+// Normals against each other.
 std::optional<Finding> findFlippedNormals(const ExaminedFile& examined);
 std::optional<Finding> findInsideOut(const ExaminedFile& examined);
 
@@ -40,8 +108,6 @@ bool isNearestFirst(std::span<const Vec3> position, Index p, std::span<const Ind
 // type_checks.cpp
 std::optional<Finding> findCornerBits(const ExaminedFile& examined);
 std::optional<Finding> findTypesOffBox(const ExaminedFile& examined);
-
-// border_checks.cpp
 std::optional<Finding> findOpenBorder(const ExaminedFile& examined);
 
 }  // namespace se

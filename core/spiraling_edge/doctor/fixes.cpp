@@ -25,7 +25,10 @@ class FixApplication {
         const bool all = std::find(keep_.begin(), keep_.end(), false) == keep_.end();
         if (!all) number_ = keptNumbers(keep_);
         cleanLists();
-        if (!all) dropPoints();
+        if (!all) {
+            moveFaces();
+            keepColumns(file_, keep_);
+        }
         return {std::move(file_), std::move(fixes_)};
     }
 
@@ -142,11 +145,6 @@ class FixApplication {
         note("repeated_entries", repeated, "repeated list entry dropped",
              "repeated list entries dropped");
         note("unsorted_lists", unsorted, "list put in order", "lists put in order");
-    }
-
-    void dropPoints() {
-        moveFaces();
-        keepColumns(file_, keep_);
     }
 
     void moveFaces() {

@@ -5,51 +5,38 @@
 namespace se {
 namespace {
 
-/// Calls visit(p, list) for each list of the file.
-template <typename Visit>
-void forEachList(const ExaminedFile& examined, Visit&& visit) {
-    for (Index p = 0; p < examined.file.neighbors.size(); ++p) visit(p, examined.file.neighbors[p]);
+/// A finding at the points in whose lists count(p, list) finds entries, with the number of these.
+template <typename Count>
+std::optional<Finding> entriesAt(const ExaminedFile& examined, Severity severity,
+                                 const std::string& what, Count&& count) {
+    std::size_t entries = 0;
+    auto points = pointsWhere(examined.file.neighbors.size(), [&](Index p) {
+        const std::size_t found = count(p, examined.file.neighbors[p]);
+        entries += found;
+        return found > 0;
+    });
+    std::optional<Finding> finding = findingAt(std::move(points), severity, what, "list");
+    if (!finding) return finding;
+    finding->count = entries;
+    finding->text.insert(
+        0, (entries == 1 ? "1 entry" : std::to_string(entries) + " entries") + " in ");
+    return finding;
 }
-
-/// Counts entries, for a finding at the points whose lists have them.
-class EntryCount {
-  public:
-    void add(Index p, std::size_t entries) {
-        if (entries == 0) return;
-        points_.push_back(p);
-        entries_ += entries;
-    }
-    std::optional<Finding> finding(Severity severity, const std::string& what) && {
-        const std::string text =
-            (entries_ == 1 ? "1 entry" : std::to_string(entries_) + " entries") + " in " +
-            countText(points_.size(), "list") + " " + what;
-        std::optional<Finding> found = findingAt(std::move(points_), severity, text);
-        if (found) found->count = entries_;
-        return found;
-    }
-
-  private:
-    std::vector<Index> points_;
-    std::size_t entries_ = 0;
-};
 
 }  // namespace
 
 std::optional<Finding> findEntriesOutside(const ExaminedFile& examined) {
-    EntryCount entries;
-    const Index n = examined.size();
-    forEachList(examined, [&](Index p, std::span<const Index> list) {
-        entries.add(p, static_cast<std::size_t>(std::count_if(list.begin(), list.end(),
-                                                              [n](Index q) { return q >= n; })));
-    });
-    return std::move(entries).finding(Severity::Error, "for points that do not exist");
+    const auto count = [n = examined.size()](Index, std::span<const Index> list) {
+        return static_cast<std::size_t>(
+            std::count_if(list.begin(), list.end(), [n](Index q) { return q >= n; }));
+    };
+    return entriesAt(examined, Severity::Error, "for points that do not exist", count);
 }
 
 std::optional<Finding> findRepeatedEntries(const ExaminedFile& examined) {
-    EntryCount entries;
-    std::vector<Index> lastList(examined.size(),
-                                kNone);  // per point: the last list that holds it
-    forEachList(examined, [&](Index p, std::span<const Index> list) {
+    // Per point: the last list that holds it.
+    std::vector<Index> lastList(examined.size(), kNone);
+    const auto count = [&](Index p, std::span<const Index> list) {
         std::size_t repeated = 0;
         lastList[p] = p;
         for (const Index q : list) {
@@ -57,10 +44,10 @@ std::optional<Finding> findRepeatedEntries(const ExaminedFile& examined) {
             if (lastList[q] == p) ++repeated;
             lastList[q] = p;
         }
-        entries.add(p, repeated);
-    });
-    return std::move(entries).finding(Severity::Warning,
-                                      "for the point itself, or for one a second time");
+        return repeated;
+    };
+    return entriesAt(examined, Severity::Warning, "for the point itself, or for one a second time",
+                     count);
 }
 
 bool isNearestFirst(std::span<const Vec3> position, Index p, std::span<const Index> list) {
@@ -79,39 +66,35 @@ bool isNearestFirst(std::span<const Vec3> position, Index p, std::span<const Ind
 }
 
 std::optional<Finding> findUnsortedLists(const ExaminedFile& examined) {
-    std::vector<Index> points;
-    forEachList(examined, [&](Index p, std::span<const Index> list) {
-        if (!isNearestFirst(examined.file.position, p, list)) points.push_back(p);
+    const NeighborLists& lists = examined.file.neighbors;
+    auto points = pointsWhere(lists.size(), [&](Index p) {
+        return !isNearestFirst(examined.file.position, p, lists[p]);
     });
-    const std::string text = countText(points.size(), "list") + " not ordered by distance";
-    return findingAt(std::move(points), Severity::Warning, text);
+    return findingAt(std::move(points), Severity::Warning, "not ordered by distance", "list");
 }
 
 std::optional<Finding> findShortLists(const ExaminedFile& examined) {
-    std::vector<Index> points;
-    forEachList(examined, [&](Index p, std::span<const Index> list) {
-        const bool wall = examined.file.hasTypes() && isBoundary(examined.file.type[p]);
-        const std::size_t least = wall ? 2 : 3;
-        if (examined.present[p] && list.size() < least) points.push_back(p);
+    const PointFile& file = examined.file;
+    auto points = pointsWhere(file.neighbors.size(), [&](Index p) {
+        const std::size_t least = file.hasTypes() && isBoundary(file.type[p]) ? 2 : 3;
+        return examined.present[p] && file.neighbors[p].size() < least;
     });
-    const std::string text =
-        countText(points.size(), "list") + " with fewer than three entries, or two at a wall";
-    return findingAt(std::move(points), Severity::Warning, text);
+    return findingAt(std::move(points), Severity::Warning,
+                     "with fewer than three entries, or two at a wall", "list");
 }
 
 std::optional<Finding> findUnsymmetricLists(const ExaminedFile& examined) {
-    EntryCount entries;
     const NeighborLists& lists = examined.file.neighbors;
-    forEachList(examined, [&](Index p, std::span<const Index> list) {
+    const auto count = [&](Index p, std::span<const Index> list) {
         std::size_t unanswered = 0;
         for (const Index q : list) {
             if (q >= examined.size()) continue;
             const auto answer = lists[q];
             if (std::find(answer.begin(), answer.end(), p) == answer.end()) ++unanswered;
         }
-        entries.add(p, unanswered);
-    });
-    return std::move(entries).finding(Severity::Note, "for points that do not list back");
+        return unanswered;
+    };
+    return entriesAt(examined, Severity::Note, "for points that do not list back", count);
 }
 
 }  // namespace se

@@ -1,21 +1,24 @@
+/// Checks of types: corner bits, marks against the walls of the box, and rims (prepare/rim.h) that
+/// no type marks.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "spiraling_edge/doctor/checks.h"
+#include "spiraling_edge/prepare/rim.h"
 
 namespace se {
 
 std::optional<Finding> findCornerBits(const ExaminedFile& examined) {
-    std::vector<Index> points;
-    for (Index p = 0; p < examined.file.type.size(); ++p) {
-        if (withCornerBit(examined.file.type[p]) != examined.file.type[p]) points.push_back(p);
-    }
-    const std::string text = countText(points.size(), "point") +
-                             " whose corner bit disagrees with the walls, or with a rim bit "
-                             "beside those of walls";
-    return findingAt(std::move(points), Severity::Warning, text);
+    const std::vector<std::uint8_t>& type = examined.file.type;
+    auto points =
+        pointsWhere(type.size(), [&](Index p) { return withCornerBit(type[p]) != type[p]; });
+    return findingAt(std::move(points), Severity::Warning,
+                     "whose corner bit disagrees with the walls, or with a rim bit beside those of "
+                     "walls");
 }
+
+// ---- walls --------------------------------------------------------------------------------------
 
 namespace {
 
@@ -36,9 +39,7 @@ double levelOf(const ExaminedFile& examined, const Face& face) {
             levels.push_back(face.sign * examined.file.position[p][face.axis]);
     }
     if (levels.empty()) return -std::numeric_limits<double>::infinity();
-    const auto middle = levels.begin() + static_cast<std::ptrdiff_t>(levels.size() / 2);
-    std::nth_element(levels.begin(), middle, levels.end());
-    return *middle;
+    return medianOf(levels);
 }
 
 /// True if the surface runs along the wall at p: then it only touches it, and is not cut there.
@@ -68,14 +69,53 @@ std::optional<Finding> findTypesOffBox(const ExaminedFile& examined) {
                 off[p] = true;
         }
     }
-    std::vector<Index> points;
+    auto points = pointsWhere(examined.size(), [&](Index p) { return off[p]; });
+    return findingAt(std::move(points), Severity::Warning,
+                     "marked as on a wall but off it, or on or beyond a wall but not marked");
+}
+
+// ---- rims ---------------------------------------------------------------------------------------
+
+namespace {
+
+/// The normals of the points, with flipped ones corrected.
+std::vector<Vec3> sidesOfPoints(const ExaminedFile& examined) {
+    std::vector<Vec3> side(examined.size(), Vec3(0.0));
     for (Index p = 0; p < examined.size(); ++p) {
-        if (off[p]) points.push_back(p);
+        if (examined.hasSide(p)) side[p] = examined.side(p);
     }
-    const std::string text = countText(points.size(), "point") +
-                             " marked as on a wall but off it, or on or beyond a wall but not "
-                             "marked";
-    return findingAt(std::move(points), Severity::Warning, text);
+    return side;
+}
+
+bool isMarked(const PointFile& file, Index p) {
+    return file.hasTypes() && isRimPoint(file.type[p]);
+}
+
+}  // namespace
+
+std::optional<Finding> findOpenBorder(const ExaminedFile& examined) {
+    const PointFile& file = examined.file;
+    if (!file.hasNormals()) return std::nullopt;
+    const std::vector<Vec3> side = sidesOfPoints(examined);
+    std::vector<bool> usable(examined.size());
+    for (Index p = 0; p < examined.size(); ++p) usable[p] = examined.hasSide(p);
+    const Result<NeighborLists> lists = findNeighbors(file.position, side, usable, {});
+    if (!lists) return std::nullopt;
+    const Result<Rim> rim = findRim(file.position, side, lists.value(), file.type);
+    if (!rim) return std::nullopt;
+    // Rim points in the file do not count without types.
+    const auto& chains = rim.value().chains;
+    const auto rims = static_cast<std::size_t>(
+        std::count_if(chains.begin(), chains.end(), [&](const std::vector<Index>& chain) {
+            return std::none_of(chain.begin(), chain.end(),
+                                [&](Index p) { return isMarked(file, p); });
+        }));
+    if (rims == 0) return std::nullopt;
+    auto points = pointsWhere(
+        examined.size(), [&](Index p) { return rim.value().gap[p].known() && !isMarked(file, p); });
+    return findingAt(std::move(points), Severity::Note,
+                     "along " + countText(rims, "rim") +
+                         " where the surface ends without a wall, and without types");
 }
 
 }  // namespace se

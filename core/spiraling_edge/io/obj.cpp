@@ -1,16 +1,15 @@
 #include <algorithm>
 #include <array>
 
-#include "spiraling_edge/base/text_scan.h"
-#include "spiraling_edge/io/point_formats.h"
+#include "spiraling_edge/io/formats.h"
 
 namespace se::io {
 namespace {
 
 /// Reads OBJ: `v`, `vn` and `f`; all other statements are ignored.
-class ObjReader {
+class ObjReader : LineByLine {
   public:
-    ObjReader(std::string_view text, const std::string& name) : lines_(text), name_(name) {}
+    using LineByLine::LineByLine;
 
     Result<PointFile> read() {
         file_.positionType = ScalarType::Double;
@@ -33,11 +32,6 @@ class ObjReader {
         std::int64_t index = -1;
         std::size_t line = 0;
     };
-
-    bool fail(const std::string& what) {
-        problem_ = errorAt(name_, lineText(lines_.number()), what);
-        return false;
-    }
 
     bool readStatement(std::string_view keyword, Fields& fields) {
         if (keyword == "v") return readVector(fields, file_.position);
@@ -110,11 +104,9 @@ class ObjReader {
     bool checkReferences() {
         const auto check = [this](const Highest& highest, std::size_t count, const char* things) {
             if (highest.index < static_cast<std::int64_t>(count)) return true;
-            problem_ = errorAt(name_, lineText(highest.line),
-                               "refers to number " + std::to_string(highest.index + 1) + " of " +
-                                   std::to_string(count) + " " + things +
-                                   "; the file is cut short or damaged");
-            return false;
+            return failIn(highest.line, "refers to number " + std::to_string(highest.index + 1) +
+                                            " of " + std::to_string(count) + " " + things +
+                                            "; the file is cut short or damaged");
         };
         return check(highestVertex_, file_.position.size(), "vertices") &&
                check(highestNormal_, normals_.size(), "normals");
@@ -142,10 +134,7 @@ class ObjReader {
         Index normal;
     };
 
-    LineReader lines_;
-    const std::string& name_;
     PointFile file_;
-    Error problem_;
     std::vector<Vec3> normals_;
     std::vector<NormalReference> normalReferences_;
     std::vector<Index> polygon_;

@@ -1,5 +1,4 @@
-#include "spiraling_edge/base/text_scan.h"
-#include "spiraling_edge/io/point_formats.h"
+#include "spiraling_edge/io/formats.h"
 
 namespace se::io {
 namespace {
@@ -15,9 +14,9 @@ bool isOffKeyword(std::string_view word) {
 }
 
 /// Reads OFF line by line: keyword, counts, one line per point, one line per face.
-class OffReader {
+class OffReader : LineByLine {
   public:
-    OffReader(std::string_view text, const std::string& name) : lines_(text), name_(name) {}
+    using LineByLine::LineByLine;
 
     Result<PointFile> read() {
         file_.positionType = ScalarType::Double;
@@ -32,10 +31,6 @@ class OffReader {
     }
 
   private:
-    bool fail(const std::string& what) {
-        problem_ = errorAt(name_, lineText(lines_.number()), what);
-        return false;
-    }
     bool failCut(const char* things, std::uint64_t found, std::uint64_t announced) {
         return fail("the file ends after " + std::to_string(found) + " of " +
                     std::to_string(announced) + " " + things +
@@ -63,13 +58,8 @@ class OffReader {
     }
 
     bool readCount(std::string_view field, std::uint64_t& count) {
-        std::int64_t number = 0;
-        if (!parseInteger(field, number) || number < 0 || number >= std::int64_t{kNone}) {
-            return fail("expected the numbers of points, faces and edges, found " +
-                        inQuotes(field));
-        }
-        count = static_cast<std::uint64_t>(number);
-        return true;
+        return parseCount(field, count, kNone - 1) ||
+               fail("expected the numbers of points, faces and edges, found " + inQuotes(field));
     }
 
     bool readNumber(Fields& fields, double& value) {
@@ -104,13 +94,13 @@ class OffReader {
         for (std::uint64_t i = 0; i < faces_; ++i) {
             if (!lines_.nextContent('#')) return failCut("faces", i, faces_);
             Fields fields(lines_.line());
-            std::int64_t corners = 0;
+            std::uint64_t corners = 0;
             const std::string_view field = fields.next();
-            if (!parseInteger(field, corners) || corners < 0) {
+            if (!parseCount(field, corners)) {
                 return fail("expected the number of corners of a face, found " + inQuotes(field));
             }
             polygon.clear();
-            for (std::int64_t corner = 0; corner < corners; ++corner) {
+            for (std::uint64_t corner = 0; corner < corners; ++corner) {
                 if (!readCorner(fields.next(), polygon)) return false;
             }
             appendFan(polygon, file_.faces);
@@ -119,9 +109,8 @@ class OffReader {
     }
 
     bool readCorner(std::string_view field, std::vector<Index>& polygon) {
-        std::int64_t number = 0;
-        if (!parseInteger(field, number) || number < 0 ||
-            static_cast<std::uint64_t>(number) >= points_) {
+        std::uint64_t number = 0;
+        if (!parseCount(field, number, static_cast<std::int64_t>(points_) - 1)) {
             return fail("expected a point number from 0 to below " + std::to_string(points_) +
                         ", found " + inQuotes(field));
         }
@@ -129,10 +118,7 @@ class OffReader {
         return true;
     }
 
-    LineReader lines_;
-    const std::string& name_;
     PointFile file_;
-    Error problem_;
     std::uint64_t points_ = 0;
     std::uint64_t faces_ = 0;
     bool hasNormals_ = false;

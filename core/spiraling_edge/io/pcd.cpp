@@ -1,13 +1,12 @@
 /// PCD, the format of the Point Cloud Library: a header in text, then rows in text or binary.
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
 #include "spiraling_edge/base/float_bits.h"
-#include "spiraling_edge/base/text_scan.h"
-#include "spiraling_edge/io/ply.h"
-#include "spiraling_edge/io/ply_rows.h"
-#include "spiraling_edge/io/point_formats.h"
+#include "spiraling_edge/io/formats.h"
+#include "spiraling_edge/io/scalars.h"
 
 namespace se::io {
 namespace {
@@ -21,36 +20,22 @@ struct PcdField {
 
     /// Nothing for integers of eight bytes, which no double holds exactly.
     std::optional<ScalarType> type() const {
-        if (kind == 'F') {
-            return size == 4   ? std::optional(ScalarType::Float)
-                   : size == 8 ? std::optional(ScalarType::Double)
-                               : std::nullopt;
+        constexpr std::string_view kKinds = "IUIUIUFF";  // By ScalarType.
+        for (std::size_t i = 0; i < kKinds.size(); ++i) {
+            const auto type = static_cast<ScalarType>(i);
+            if (kind == kKinds[i] && size == sizeOf(type)) return type;
         }
-        const bool isSigned = kind == 'I';
-        switch (size) {
-            case 1:
-                return isSigned ? ScalarType::Int8 : ScalarType::UInt8;
-            case 2:
-                return isSigned ? ScalarType::Int16 : ScalarType::UInt16;
-            case 4:
-                return isSigned ? ScalarType::Int32 : ScalarType::UInt32;
-            default:
-                return std::nullopt;
-        }
+        return std::nullopt;
     }
     bool isColor() const { return (name == "rgb" || name == "rgba") && size == 4 && count == 1; }
+    /// The type of its numbers in memory. Requires a type().
+    ScalarType valueType() const { return isColor() ? ScalarType::UInt32 : *type(); }
 };
 
-/// The target of the numbers of a field: that of point p is first[p * stride]. None if null.
-struct Target {
-    double* first = nullptr;
-    std::size_t stride = 1;
-};
-
-class PcdReader {
+class PcdReader : LineByLine {
   public:
     PcdReader(std::string_view bytes, const std::string& name)
-        : lines_(bytes), whole_(bytes.size()), name_(name) {}
+        : LineByLine(bytes, name), whole_(bytes.size()) {}
 
     Result<PointFile> read() {
         if (!readHeader() || !checkHeader()) return problem_;
@@ -61,11 +46,6 @@ class PcdReader {
     }
 
   private:
-    bool fail(const std::string& what) {
-        problem_ = errorAt(name_, lineText(lines_.number()), what);
-        return false;
-    }
-
     // ---- header -----------------------------------------------------------------------------
 
     bool readHeader() {
@@ -109,11 +89,8 @@ class PcdReader {
         }
         if (key == "COUNT") {
             return forEachField(key, words, [](PcdField& field, std::string_view word) {
-                std::int64_t number = 0;
                 constexpr std::int64_t kMax = 1 << 20;
-                if (!parseInteger(word, number) || number < 0 || number > kMax) return false;
-                field.count = static_cast<std::uint64_t>(number);
-                return true;
+                return parseCount(word, field.count, kMax);
             });
         }
         if (key == "WIDTH") return readNumber(key, words, width_);
@@ -144,14 +121,10 @@ class PcdReader {
     }
 
     bool readNumber(std::string_view key, Fields& words, std::optional<std::uint64_t>& number) {
-        std::int64_t found = 0;
         const std::string_view word = words.next();
-        if (!parseInteger(word, found) || found < 0 || found >= std::int64_t{kNone}) {
-            return fail("expected a number of points after " + std::string(key) + ", found " +
-                        inQuotes(word));
-        }
-        number = static_cast<std::uint64_t>(found);
-        return true;
+        return parseCount(word, number.emplace(0), kNone - 1) ||
+               fail("expected a number of points after " + std::string(key) + ", found " +
+                    inQuotes(word));
     }
 
     const PcdField* find(std::string_view name) const {
@@ -170,7 +143,7 @@ class PcdReader {
             return fail("WIDTH times HEIGHT is " + std::to_string(*width_ * *height_) +
                         ", but POINTS is " + std::to_string(*points_) + "; correct the header");
         }
-        for (const char* axis : {"x", "y", "z"}) {
+        for (const char* axis : kAxes) {
             if (find(axis) == nullptr) {
                 return fail(std::string("there is no field ") + axis +
                             " of type F and size 4 or 8; the algorithm needs x, y and z");
@@ -187,61 +160,50 @@ class PcdReader {
     bool failCut(std::uint64_t found) {
         const std::string place =
             binary_ ? "byte " + std::to_string(whole_) : lineText(lines_.number());
-        problem_ = errorAt(name_, place,
-                           "the file ends after " + std::to_string(found) + " of " +
-                               std::to_string(*points_) +
-                               " points; it is cut short, or its header announces too many");
-        return false;
+        return failAt(place, "the file ends after " + std::to_string(found) + " of " +
+                                 std::to_string(*points_) +
+                                 " points; it is cut short, or its header announces too many");
     }
 
     // ---- rows -------------------------------------------------------------------------------
 
     void makeColumns() {
         const auto n = static_cast<std::size_t>(*points_);
-        targets_.assign(fields_.size(), {});
-        file_.position.resize(n);
-        file_.positionType = *find("x")->type();
-        const bool hasNormals = find("normal_x") != nullptr && find("normal_y") != nullptr &&
-                                find("normal_z") != nullptr;
-        if (hasNormals) {
-            file_.normal.resize(n);
-            file_.normalType = *find("normal_x")->type();
+        columns_.assign(fields_.size(), {});
+        takeVectors(kAxes, file_.position, file_.positionType);
+        takeVectors(kNormals, file_.normal, file_.normalType);
+        for (std::size_t i = 0; n > 0 && i < fields_.size(); ++i) {
+            if (columns_[i].first != nullptr || !isAttribute(fields_[i])) continue;
+            // Moving the vector of attributes later does not move the values.
+            file_.attributes.push_back(
+                {fields_[i].name, fields_[i].valueType(), std::vector<double>(n)});
+            columns_[i] = {file_.attributes.back().values.data(), 1};
         }
-        std::size_t others = 0;
-        for (const PcdField& field : fields_) others += isOther(field) ? 1 : 0;
-        file_.attributes.reserve(others);  // Targets point into them.
-        for (std::size_t i = 0; i < fields_.size(); ++i) targets_[i] = targetOf(fields_[i]);
     }
 
-    static constexpr const char* kAxes[] = {"x", "y", "z"};
-    static constexpr const char* kNormals[] = {"normal_x", "normal_y", "normal_z"};
+    static constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
+    static constexpr std::array<const char*, 3> kNormals{"normal_x", "normal_y", "normal_z"};
 
-    bool isOther(const PcdField& field) const {
+    /// Sends three fields to the components of `vectors`, if there are all of them.
+    void takeVectors(const std::array<const char*, 3>& names, std::vector<Vec3>& vectors,
+                     ScalarType& type) {
+        const auto isThere = [this](const char* name) { return find(name) != nullptr; };
+        if (!std::all_of(names.begin(), names.end(), isThere)) return;
+        type = *find(names[0])->type();
+        vectors.resize(static_cast<std::size_t>(*points_));
+        if (vectors.empty()) return;
+        double* component = &vectors.front().x;
+        for (const char* name : names) {
+            columns_[static_cast<std::size_t>(find(name) - fields_.data())] = {component++, 3};
+        }
+    }
+
+    /// True if a field that is no part of a position or normal is kept.
+    static bool isAttribute(const PcdField& field) {
         if (field.count != 1 || !field.type() || field.name == "_") return false;
-        for (const char* own : kAxes) {
-            if (&field == find(own)) return false;
-        }
-        for (const char* own : kNormals) {
-            // Whole numbers of this name are not normals here, but would be in PLY.
-            if (field.name == own && field.kind != 'F') return false;
-            if (!file_.normal.empty() && &field == find(own)) return false;
-        }
-        return true;
-    }
-
-    Target targetOf(const PcdField& field) {
-        if (*points_ == 0) return {};
-        for (int i = 0; i < 3; ++i) {
-            if (&field == find(kAxes[i])) return {&file_.position.front()[i], 3};
-            if (file_.hasNormals() && &field == find(kNormals[i])) {
-                return {&file_.normal.front()[i], 3};
-            }
-        }
-        if (!isOther(field)) return {};
-        const ScalarType type = field.isColor() ? ScalarType::UInt32 : *field.type();
-        file_.attributes.push_back(
-            {field.name, type, std::vector<double>(static_cast<std::size_t>(*points_))});
-        return {file_.attributes.back().values.data(), 1};
+        // Whole numbers of this name are not normals here, but would be in PLY.
+        return field.kind == 'F' ||
+               std::find(kNormals.begin(), kNormals.end(), field.name) == kNormals.end();
     }
 
     bool readText() {
@@ -271,13 +233,12 @@ class PcdReader {
                         inQuotes(word) + "; correct the line");
         }
         const PcdField& field = fields_[i];
-        if (targets_[i].first == nullptr) return true;
+        if (columns_[i].first == nullptr) return true;
         if (!roundTo(*field.type(), value)) {
             return fail(std::string(word) + " is no number of the type and size of field " +
                         inQuotes(field.name) + "; correct the line or the header");
         }
-        targets_[i].first[p * targets_[i].stride] =
-            field.isColor() ? colorBits(field, value) : value;
+        columns_[i].set(p, field.isColor() ? colorBits(field, value) : value);
         return true;
     }
 
@@ -297,15 +258,8 @@ class PcdReader {
         constexpr bool kSwapped = std::endian::native == std::endian::big;  // Files are little.
         std::size_t at = 0;
         for (std::size_t i = 0; i < fields_.size(); ++i) {
-            if (targets_[i].first != nullptr) {
-                const ScalarType type =
-                    fields_[i].isColor() ? ScalarType::UInt32 : *fields_[i].type();
-                withScalar(type, [&](auto zero) {
-                    for (std::size_t p = 0; p < n; ++p) {
-                        targets_[i].first[p * targets_[i].stride] = static_cast<double>(
-                            loadScalar<decltype(zero)>(rows.data() + p * rowSize_ + at, kSwapped));
-                    }
-                });
+            if (columns_[i].first != nullptr) {
+                columns_[i].load(fields_[i].valueType(), rows.data() + at, rowSize_, n, kSwapped);
             }
             at += fields_[i].size * fields_[i].count;
         }
@@ -314,50 +268,44 @@ class PcdReader {
         if (rest.find_first_not_of(std::string_view("\0\r\n", 3)) == std::string_view::npos) {
             return true;
         }
-        problem_ = errorAt(name_, "byte " + std::to_string(whole_ - rest.size()),
-                           "the file goes on after the " + std::to_string(n) +
-                               " points that its header announces; correct POINTS");
-        return false;
+        return failAt("byte " + std::to_string(whole_ - rest.size()),
+                      "the file goes on after the " + std::to_string(n) +
+                          " points that its header announces; correct POINTS");
     }
 
     /// Splits packed colors into the usual columns.
     void splitColors() {
-        for (std::size_t i = 0; i < file_.attributes.size(); ++i) {
-            const Attribute& packed = file_.attributes[i];
-            const auto isIt = [&](const PcdField& f) {
-                return f.isColor() && f.name == packed.name;
-            };
-            if (packed.type != ScalarType::UInt32 ||
-                std::none_of(fields_.begin(), fields_.end(), isIt)) {
-                continue;
+        const auto isPacked = [this](const Attribute& attribute) {
+            return attribute.type == ScalarType::UInt32 &&
+                   std::any_of(fields_.begin(), fields_.end(), [&](const PcdField& field) {
+                       return field.isColor() && field.name == attribute.name;
+                   });
+        };
+        const auto packed =
+            std::find_if(file_.attributes.begin(), file_.attributes.end(), isPacked);
+        if (packed == file_.attributes.end()) return;
+        const std::vector<double> colors = std::move(packed->values);
+        file_.attributes.erase(packed);
+        unsigned shift = 16;
+        for (const char* name : {"red", "green", "blue"}) {
+            Attribute channel{name, ScalarType::UInt8, {}};
+            channel.values.reserve(colors.size());
+            for (const double value : colors) {
+                const auto bits = static_cast<std::uint32_t>(value);
+                channel.values.push_back(static_cast<double>((bits >> shift) & 0xFFU));
             }
-            const std::vector<double> colors = std::move(file_.attributes[i].values);
-            file_.attributes.erase(file_.attributes.begin() + static_cast<std::ptrdiff_t>(i));
-            unsigned shift = 16;
-            for (const char* name : {"red", "green", "blue"}) {
-                Attribute channel{name, ScalarType::UInt8, {}};
-                channel.values.reserve(colors.size());
-                for (const double value : colors) {
-                    const auto bits = static_cast<std::uint32_t>(value);
-                    channel.values.push_back(static_cast<double>((bits >> shift) & 0xFFU));
-                }
-                file_.attributes.push_back(std::move(channel));
-                shift -= 8;
-            }
-            return;
+            file_.attributes.push_back(std::move(channel));
+            shift -= 8;
         }
     }
 
-    LineReader lines_;
     std::size_t whole_;
-    const std::string& name_;
     std::vector<PcdField> fields_;
-    std::vector<Target> targets_;
+    std::vector<Column> columns_;
     std::optional<std::uint64_t> width_, height_, points_;
     std::size_t rowSize_ = 0;
     bool binary_ = false;
     PointFile file_;
-    Error problem_;
 };
 
 }  // namespace

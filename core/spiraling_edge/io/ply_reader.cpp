@@ -1,16 +1,130 @@
-/// The PLY reader: templates over the two encodings (ply_rows.h), so that text and binary are
-/// checked alike. Elements without lists are read column by column.
+/// The PLY reader: the header, then the rows by templates over the two encodings (ply.h), so that
+/// text and binary are checked alike. Elements without lists are read column by column.
 #include "spiraling_edge/io/ply.h"
 
 #include <algorithm>
-#include <cctype>
+#include <array>
 #include <limits>
 
-#include "spiraling_edge/io/ply_rows.h"
-#include "spiraling_edge/io/point_formats.h"
+#include "spiraling_edge/io/formats.h"
 
 namespace se::io {
 namespace {
+
+// ---- header -------------------------------------------------------------------------------------
+
+/// The other names of types than nameOf(), by ScalarType.
+constexpr std::array<std::string_view, 8> kSizedTypeNames{"int8",  "uint8",  "int16",   "uint16",
+                                                          "int32", "uint32", "float32", "float64"};
+/// By PlyFormat.
+constexpr std::array<std::string_view, 3> kFormatNames{"ascii", "binary_little_endian",
+                                                       "binary_big_endian"};
+
+class HeaderReader : LineByLine {
+  public:
+    using LineByLine::LineByLine;
+
+    Result<PlyHeader> read() {
+        const std::size_t size = lines_.rest().size();
+        lines_.next();  // "ply", checked by the caller
+        if (!readStatements()) return problem_;
+        header_.size = size - lines_.rest().size();
+        header_.lines = lines_.number();
+        return std::move(header_);
+    }
+
+  private:
+    bool readStatements() {
+        while (lines_.next()) {
+            Fields fields(lines_.line());
+            const std::string_view keyword = fields.next();
+            if (keyword == "end_header") {
+                return hasFormat_ ||
+                       fail("the header has no line \"format\", so the rows cannot be read");
+            }
+            if (!readStatement(keyword, fields)) return false;
+        }
+        return fail(
+            "the file ends within its header, before the line \"end_header\"; it is cut short");
+    }
+
+    bool readStatement(std::string_view keyword, Fields& fields) {
+        if (keyword.empty() || keyword == "comment" || keyword == "obj_info") return true;
+        if (keyword == "format") return readFormat(fields.next());
+        if (keyword == "element") return readElement(fields);
+        if (keyword == "property") return readProperty(fields);
+        return fail("expected format, comment, element, property or end_header, found " +
+                    inQuotes(keyword));
+    }
+
+    bool readFormat(std::string_view format) {
+        hasFormat_ = true;
+        for (std::size_t i = 0; i < kFormatNames.size(); ++i) {
+            header_.format = static_cast<PlyFormat>(i);
+            if (format == kFormatNames[i]) return true;
+        }
+        return fail("expected ascii, binary_little_endian or binary_big_endian, found " +
+                    inQuotes(format));
+    }
+
+    bool readElement(Fields& fields) {
+        PlyElement element;
+        element.name = fields.next();
+        element.line = lines_.number();
+        const std::string_view field = fields.next();
+        if (!parseCount(field, element.count)) {
+            return fail("expected \"element NAME COUNT\", found " + inQuotes(field) +
+                        " for the count");
+        }
+        for (const PlyElement& other : header_.elements) {
+            if (other.name == element.name) {
+                return fail("element " + inQuotes(element.name) + " is announced twice");
+            }
+        }
+        header_.elements.push_back(std::move(element));
+        return true;
+    }
+
+    bool readType(std::string_view field, ScalarType& type) {
+        for (std::size_t i = 0; i < kSizedTypeNames.size(); ++i) {
+            type = static_cast<ScalarType>(i);
+            if (field == nameOf(type) || field == kSizedTypeNames[i]) return true;
+        }
+        return fail(
+            "expected a type: char, uchar, short, ushort, int, uint, float or double; found " +
+            inQuotes(field));
+    }
+
+    bool readProperty(Fields& fields) {
+        if (header_.elements.empty()) return fail("a property stands before the first element");
+        PlyProperty property;
+        std::string_view type = fields.next();
+        if (type == "list") {
+            property.isList = true;
+            if (!readType(fields.next(), property.countType)) return false;
+            if (!isInteger(property.countType)) {
+                return fail("the count of a list must be of an integer type");
+            }
+            type = fields.next();
+        }
+        if (!readType(type, property.type)) return false;
+        property.name = fields.next();
+        if (property.name.empty()) return fail("the property has no name");
+        PlyElement& element = header_.elements.back();
+        for (const PlyProperty& other : element.properties) {
+            if (other.name == property.name) {
+                return fail("property " + inQuotes(property.name) + " is announced twice");
+            }
+        }
+        element.properties.push_back(std::move(property));
+        return true;
+    }
+
+    PlyHeader header_;
+    bool hasFormat_ = false;
+};
+
+// ---- rows ---------------------------------------------------------------------------------------
 
 constexpr std::size_t kNoProperty = std::numeric_limits<std::size_t>::max();
 static_assert(sizeof(Vec3) == 3 * sizeof(double), "columns reach into vectors by a stride of 3");
@@ -23,20 +137,13 @@ std::size_t findProperty(const PlyElement& element, std::string_view name, bool 
     return kNoProperty;
 }
 
-bool sameLetters(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char c, char d) {
-        return std::tolower(static_cast<unsigned char>(c)) ==
-               std::tolower(static_cast<unsigned char>(d));
-    });
-}
-
 /// The scalar of this name; if there is none, one whose name differs only in case.
 std::size_t findScalar(const PlyElement& element, std::string_view name) {
     const std::size_t exact = findProperty(element, name, false);
     if (exact != kNoProperty) return exact;
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
         const PlyProperty& property = element.properties[i];
-        if (!property.isList && sameLetters(property.name, name)) return i;
+        if (!property.isList && lowerCase(property.name) == lowerCase(name)) return i;
     }
     return kNoProperty;
 }
@@ -168,7 +275,7 @@ class BodyReader {
                 }
                 double value = 0.0;
                 if (!rows_.scalar(property, property.type, value)) return false;
-                if (columns[i].first != nullptr) columns[i].first[row * columns[i].stride] = value;
+                columns[i].set(row, value);
             }
             if (!rows_.endRow() || !onRow()) return false;
         }
@@ -276,7 +383,7 @@ bool isPly(const FileStart& start) {
 }
 
 Result<PointFile> readPly(std::string_view bytes, const std::string& name) {
-    const Result<PlyHeader> header = readPlyHeader(bytes, name);
+    const Result<PlyHeader> header = HeaderReader(bytes, name).read();
     if (!header) return header.error();
     if (const Status status = checkHeader(header.value(), name); !status) return status.error();
     if (header.value().format == PlyFormat::Ascii) {

@@ -5,8 +5,9 @@
 #include <type_traits>
 
 #include "spiraling_edge/base/atomic_file.h"
-#include "spiraling_edge/io/mesh_formats.h"
-#include "spiraling_edge/io/ply.h"
+#include "spiraling_edge/io/formats.h"
+#include "spiraling_edge/io/scalars.h"
+#include "spiraling_edge/io/write_mesh.h"
 
 namespace se {
 namespace {

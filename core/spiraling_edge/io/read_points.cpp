@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <fstream>
 #include <system_error>
 
 #include "spiraling_edge/base/file_extension.h"
 #include "spiraling_edge/base/read_file.h"
 #include "spiraling_edge/base/system_reason.h"
-#include "spiraling_edge/base/text_scan.h"
 #include "spiraling_edge/base/word_list.h"
-#include "spiraling_edge/io/point_formats.h"
+#include "spiraling_edge/io/formats.h"
 
 namespace se {
 namespace {
@@ -110,6 +110,17 @@ Result<PointFile> readPoints(std::string_view bytes, const std::string& name) {
         if (format.recognizes(start)) return format.read(bytes, name);
     }
     return Error{name + ": is of no known kind. " + readableText()};
+}
+
+Result<PointFile> readStandardInput() {
+    const std::string name = "standard input";
+    std::string bytes;
+    std::array<char, 1U << 16U> block{};
+    std::size_t count = 0;
+    while ((count = std::fread(block.data(), 1, block.size(), stdin)) > 0)
+        bytes.append(block.data(), count);
+    if (std::ferror(stdin) != 0) return Error{name + ": cannot be read"};
+    return readPoints(bytes, name);
 }
 
 }  // namespace se

@@ -1,14 +1,11 @@
-/// Reading points of any format, and writing PLY; other formats are written by write_mesh.h
-/// (docs/file-formats.md). The type of a file is found by its content first, then by its extension.
-/// No reader returns a partial result, and no writer leaves a partial file (atomic_file.h).
+/// Reading points of any format (docs/file-formats.md); write_mesh.h writes them. The type of a
+/// file is found by its content first, then by its extension. No reader returns a partial result.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "spiraling_edge/base/result.h"
 #include "spiraling_edge/points/point_file.h"
@@ -48,16 +45,5 @@ Result<PointFile> readPoints(std::string_view bytes, const std::string& name);
 /// Points from standard input, read to its end; a second call finds nothing. Errors begin with
 /// "standard input".
 Result<PointFile> readStandardInput();
-
-/// Writes `points` (all of them, in order, with their attributes) and `triangles` as binary little
-/// endian PLY; `points.faces` are not written unless passed as `triangles`. Types and neighbor
-/// lists are written if the file holds them. Fails also if the columns of `points` differ in length
-/// or a triangle names a point that does not exist. Attributes are left out if their name is that
-/// of an own property or is not allowed in a header (empty, or with blanks).
-Status writeMeshPly(const std::filesystem::path& path, const PointFile& points,
-                    std::span<const Triangle> triangles);
-/// The bytes that writeMeshPly() writes. Requires columns of equal length and triangles that name
-/// existing points.
-std::string meshPlyBytes(const PointFile& points, std::span<const Triangle> triangles);
 
 }  // namespace se

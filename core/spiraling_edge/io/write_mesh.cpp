@@ -8,8 +8,7 @@
 #include "spiraling_edge/base/atomic_file.h"
 #include "spiraling_edge/base/file_extension.h"
 #include "spiraling_edge/base/number_text.h"
-#include "spiraling_edge/io/format_lists.h"
-#include "spiraling_edge/io/mesh_formats.h"
+#include "spiraling_edge/io/formats.h"
 
 namespace se {
 namespace {
@@ -53,11 +52,7 @@ const MeshFormat* meshFormatOf(const std::filesystem::path& path) {
 }
 
 bool isReadable(const MeshFormat& format) {
-    const std::span<const PointFormat> all = pointFormats();
-    return std::any_of(all.begin(), all.end(), [&](const PointFormat& each) {
-        return std::find(each.extensions.begin(), each.extensions.end(), format.extension) !=
-               each.extensions.end();
-    });
+    return pointFormatOf("mesh" + std::string(format.extension)) != nullptr;
 }
 
 std::optional<Vec3> shiftOf(const MeshFormat& format, const PointFile& points,

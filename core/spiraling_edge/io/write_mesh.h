@@ -1,14 +1,18 @@
-/// Writers of meshes for other programs, in the format that the extension names
-/// (docs/file-formats.md).
+/// Writers of points and meshes: PLY, and for other programs the format that the extension names
+/// (docs/file-formats.md). No writer leaves a partial file (atomic_file.h). Formats of both tables
+/// as text for options and messages: "PLY, OBJ or OFF".
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/read_points.h"
 
 namespace se {
@@ -49,6 +53,25 @@ const MeshFormat* meshFormatOf(const std::filesystem::path& path);
 /// True if readPoints() reads files of this format.
 bool isReadable(const MeshFormat& format);
 
+/// Names or extensions (`text`) of the formats that `keeps` is true for, as wordList() joins them:
+/// listText(pointFormats(), &PointFormat::name, "or", &PointFormat::faces).
+template <typename Format, typename Keeps>
+std::string listText(std::span<const Format> formats, std::string_view Format::*text,
+                     std::string_view conjunction, Keeps keeps) {
+    std::vector<std::string_view> words;
+    for (const Format& each : formats) {
+        if (std::invoke(keeps, each)) words.push_back(each.*text);
+    }
+    return wordList(words, conjunction);
+}
+
+/// Names or extensions of all formats.
+template <typename Format>
+std::string listText(std::span<const Format> formats, std::string_view Format::*text,
+                     std::string_view conjunction) {
+    return listText(formats, text, conjunction, [](const Format&) { return true; });
+}
+
 /// The shift of `format` for this mesh: empty where positions in the file are those of `points`.
 std::optional<Vec3> shiftOf(const MeshFormat& format, const PointFile& points,
                             std::span<const Triangle> triangles);
@@ -60,5 +83,16 @@ std::string shiftText(const Vec3& shift);
 /// Positions in STL may be relative to shiftOf(), which callers should show to their users.
 Status writeMesh(const std::filesystem::path& path, const PointFile& points,
                  std::span<const Triangle> triangles, const WriteOptions& options = {});
+
+/// Writes `points` (all of them, in order, with their attributes) and `triangles` as binary little
+/// endian PLY; `points.faces` are not written unless passed as `triangles`. Types and neighbor
+/// lists are written if the file holds them. Fails also if the columns of `points` differ in length
+/// or a triangle names a point that does not exist. Attributes are left out if their name is that
+/// of an own property or is not allowed in a header (empty, or with blanks).
+Status writeMeshPly(const std::filesystem::path& path, const PointFile& points,
+                    std::span<const Triangle> triangles);
+/// The bytes that writeMeshPly() writes. Requires columns of equal length and triangles that name
+/// existing points.
+std::string meshPlyBytes(const PointFile& points, std::span<const Triangle> triangles);
 
 }  // namespace se

@@ -7,8 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "spiraling_edge/base/text_scan.h"
-#include "spiraling_edge/io/point_formats.h"
+#include "spiraling_edge/io/formats.h"
 #include "spiraling_edge/io/xyz_columns.h"
 
 namespace se::io {
@@ -68,9 +67,9 @@ std::string withDecimalPoint(std::string_view field) {
 }
 
 /// Reads XYZ line by line. The columns that follow the position are named at the end.
-class XyzReader {
+class XyzReader : LineByLine {
   public:
-    XyzReader(std::string_view text, const std::string& name) : lines_(text), name_(name) {}
+    using LineByLine::LineByLine;
 
     Result<PointFile> read() {
         file_.positionType = ScalarType::Double;
@@ -93,12 +92,6 @@ class XyzReader {
     }
 
   private:
-    bool failIn(std::size_t line, const std::string& what) {
-        problem_ = errorAt(name_, lineText(line), what);
-        return false;
-    }
-    bool fail(const std::string& what) { return failIn(lines_.number(), what); }
-
     // ---- rows -------------------------------------------------------------------------------
 
     /// Takes the column names of a comment. The last such comment before the points counts.
@@ -283,10 +276,7 @@ class XyzReader {
         }
     }
 
-    LineReader lines_;
-    const std::string& name_;
     PointFile file_;
-    Error problem_;
     std::vector<std::string> header_;  // One name per column; empty if no comment names them.
     std::size_t headerLine_ = 0;
     std::size_t firstLine_ = 0;

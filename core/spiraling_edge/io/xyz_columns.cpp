@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/io/formats.h"
 
 namespace se::io {
 namespace {
@@ -84,19 +83,11 @@ std::string tripleText(std::size_t first) {
 }
 
 std::string reasonOf(Look look, std::size_t first) {
-    switch (look) {
-        case Look::Colors:
-            return tripleText(first) + " are whole numbers from 0 to 255: colors";
-        case Look::Black:
-            return tripleText(first) + " are 0 in every row: colors";
-        case Look::Normals:
-            return tripleText(first) + " have length 1: normals";
-        case Look::Scaled:
-            return tripleText(first) + " are read as normals, but their length is not 1";
-        case Look::Unclear:
-            break;
-    }
-    return {};
+    assert(look != Look::Unclear);
+    constexpr std::array<const char*, 4> kReasons{
+        " are whole numbers from 0 to 255: colors", " are 0 in every row: colors",
+        " have length 1: normals", " are read as normals, but their length is not 1"};
+    return tripleText(first) + kReasons[static_cast<std::size_t>(look)];
 }
 
 Error cannotTell(std::size_t columns, const std::string& which) {
@@ -106,20 +97,15 @@ Error cannotTell(std::size_t columns, const std::string& which) {
                  "\"# x y z nx ny nz\", with one name per column"};
 }
 
-void appendNames(std::vector<std::string>& names, Look look) {
-    static const std::array<const char*, 3> kColors{"red", "green", "blue"};
-    static const std::array<const char*, 3> kNormals{"nx", "ny", "nz"};
-    const auto& three = isColorful(look) ? kColors : kNormals;
-    names.insert(names.end(), three.begin(), three.end());
+std::vector<std::string> namesOf(Look look) {
+    if (isColorful(look)) return {"red", "green", "blue"};
+    return {"nx", "ny", "nz"};
 }
 
 Result<NamedColumns> recognizeSix(const ExtraColumns& extra) {
     const Look look = lookOf(extra, 0);
     if (look == Look::Unclear) return cannotTell(6, tripleText(0));
-    NamedColumns named;
-    appendNames(named.names, look);
-    named.reason = reasonOf(look, 0);
-    return named;
+    return NamedColumns{namesOf(look), reasonOf(look, 0)};
 }
 
 /// Colors with an intensity before or after them, if only one of the two is possible.
@@ -145,19 +131,9 @@ Result<NamedColumns> recognizeNine(const ExtraColumns& extra) {
     const bool plain =
         (isColorful(early) && isNormal(late)) || (isNormal(early) && isColorful(late));
     if (!plain) return cannotTell(9, tripleText(0) + " and " + tripleText(3));
-    NamedColumns named;
-    appendNames(named.names, early);
-    appendNames(named.names, late);
-    named.reason = reasonOf(early, 0) + ", " + reasonOf(late, 3);
-    return named;
-}
-
-std::string lowerCase(std::string_view word) {
-    std::string lower;
-    for (const char c : word) {
-        lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
-    return lower;
+    std::vector<std::string> names = namesOf(early);
+    for (std::string& name : namesOf(late)) names.push_back(std::move(name));
+    return NamedColumns{std::move(names), reasonOf(early, 0) + ", " + reasonOf(late, 3)};
 }
 
 std::string usualName(std::string_view word) {

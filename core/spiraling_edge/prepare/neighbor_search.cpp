@@ -5,14 +5,12 @@
 #include "spiraling_edge/prepare/neighbor_search.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <limits>
 #include <nanoflann.hpp>
 #include <numeric>
 #include <string>
-#include <thread>
 
 #include "spiraling_edge/base/finite.h"
 #include "spiraling_edge/base/parallel.h"
@@ -25,8 +23,10 @@ namespace {
 /// many of the nearest points are examined. Without a bound such a point searches the whole set in
 /// vain, and some percent of flipped normals make the search quadratic.
 std::size_t mostExamined(std::size_t k) { return 8 * k + 64; }
-/// Number of points between two calls of Progress.
-constexpr std::size_t kProgressStep = 4096;
+/// Number of points that are searched as one range.
+constexpr std::size_t kPerRange = 1024;
+/// Least number of ranges per thread.
+constexpr std::size_t kRangesPerThread = 4;
 
 /// The tree prunes by sums that it updates step by step and compares with `<`. Its bound is widened
 /// by more than their rounding error, so that it never hides a point: which points count is decided
@@ -162,23 +162,16 @@ class Candidates {
 };
 
 /// Finds the lists of a range of points in the order of the tree's leaves: consecutive searches
-/// touch mostly the same points, which are still in the cache. One per thread.
+/// touch mostly the same points, which are still in the cache.
 class RangeSearch {
   public:
     RangeSearch(const Cloud& cloud, const Tree& tree, const NeighborOptions& options,
                 std::size_t from, std::size_t to)
         : cloud_(cloud), tree_(tree), options_(options), candidates_(cloud), from_(from), to_(to) {}
 
-    /// Calls `goOn` at intervals with the share done; stops early if it returns false.
-    template <typename GoOn>
-    void run(GoOn&& goOn) {
+    void run() {
         length_.reserve(to_ - from_);
         for (std::size_t i = from_; i < to_; ++i) {
-            const std::size_t done = i - from_;
-            if (done % kProgressStep == 0 &&
-                !goOn(static_cast<double>(done) / static_cast<double>(to_ - from_))) {
-                return;
-            }
             const std::size_t before = found_.size();
             search(tree_.vAcc[i]);
             length_.push_back(static_cast<std::uint32_t>(found_.size() - before));
@@ -256,8 +249,8 @@ class RangeSearch {
     std::vector<std::uint32_t> length_;  // of each
 };
 
-/// Splits the points over threads. Every list is found independently, so that the number of threads
-/// affects only the time.
+/// Splits the points into ranges, and these over threads. Every list is found independently, so
+/// that the number of threads affects only the time.
 class NeighborSearch {
   public:
     NeighborSearch(std::span<const Vec3> position, std::span<const Vec3> normal,
@@ -268,12 +261,14 @@ class NeighborSearch {
           tree_(3, cloud_, nanoflann::KDTreeSingleIndexAdaptorParams(kLeafSize)) {}
 
     Result<NeighborLists> run(const Progress& progress) {
-        const std::size_t threads = threadCount();
-        for (std::size_t t = 0; t < threads; ++t) {
-            ranges_.emplace_back(cloud_, tree_, options_, cloud_.size() * t / threads,
-                                 cloud_.size() * (t + 1) / threads);
+        for (std::size_t from = 0; from < cloud_.size(); from += kPerRange) {
+            ranges_.emplace_back(cloud_, tree_, options_, from,
+                                 std::min(from + kPerRange, cloud_.size()));
         }
-        if (!searchAll(progress)) return Error{"the search for neighbors was cancelled"};
+        if (!forEachWithProgress(ranges_.size(), options_.threads, kRangesPerThread, progress,
+                                 [this](std::size_t i) { ranges_[i].run(); })) {
+            return Error{"the search for neighbors was cancelled"};
+        }
         std::size_t entries = 0;
         for (const RangeSearch& range : ranges_) entries += range.entries();
         if (entries >= kNone) {
@@ -287,34 +282,6 @@ class NeighborSearch {
 
   private:
     static constexpr std::size_t kLeafSize = 10;
-    /// Least number of points per thread.
-    static constexpr std::size_t kPointsPerThread = 4096;
-
-    std::size_t threadCount() const {
-        const std::size_t useful = cloud_.size() / kPointsPerThread + 1;
-        const std::size_t asked =
-            options_.threads > 0 ? options_.threads : std::thread::hardware_concurrency();
-        return std::max<std::size_t>(1, std::min(asked, useful));
-    }
-
-    /// Searches the first range in this thread and reports its progress for all. False if
-    /// cancelled.
-    bool searchAll(const Progress& progress) {
-        std::atomic<bool> cancelled = false;
-        Workers others;
-        for (std::size_t t = 1; t < ranges_.size(); ++t) {
-            others.start([this, t, &cancelled] {
-                ranges_[t].run([&](double) { return !cancelled.load(); });
-            });
-        }
-        ranges_[0].run([&](double share) {
-            if (progress && !progress(share)) cancelled = true;
-            return !cancelled.load();
-        });
-        others.join();
-        return !cancelled;
-    }
-
     NeighborLists inOrderOfIndex(std::size_t entries) const {
         NeighborLists lists;
         lists.offset.assign(total_ + 1, 0);

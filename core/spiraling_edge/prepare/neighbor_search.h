@@ -31,6 +31,9 @@ inline bool normalsOppose(const Vec3& p, const Vec3& q) { return glm::dot(p, q) 
 /// Sorts the list of point p and drops repeated entries. Requires finite positions.
 void sortNearestFirst(std::span<const Vec3> position, Index p, std::vector<Index>& list);
 
+/// For each point, the points that list it: the inverse of the lists.
+NeighborLists listersOf(const NeighborLists& lists);
+
 /// Fails if k is 0 or the radius is not positive.
 Status checkReach(const NeighborOptions& options);
 

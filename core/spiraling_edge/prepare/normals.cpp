@@ -10,6 +10,8 @@
 #include <queue>
 #include <utility>
 
+#include "spiraling_edge/prepare/neighbor_search.h"
+
 namespace se {
 
 namespace {
@@ -124,10 +126,6 @@ Result<std::vector<Vec3>> estimateNormals(std::span<const Vec3> position,
     return normal;
 }
 
-std::vector<Vec3> estimateNormals(std::span<const Vec3> position, const NeighborLists& neighbors) {
-    return std::move(estimateNormals(position, neighbors, {}).value());
-}
-
 // ---- sides --------------------------------------------------------------------------------------
 
 namespace {
@@ -142,37 +140,14 @@ struct TreeStep {
     }
 };
 
-/// The lists with each entry in both directions, between points that have a normal.
-NeighborLists bothWays(const NeighborLists& lists, const std::vector<Vec3>& normal) {
-    const auto usable = [&](Index p) { return normal[p] != Vec3(0.0); };
-    const auto n = static_cast<Index>(lists.size());
-    NeighborLists both;
-    both.offset.assign(std::size_t{n} + 1, 0);
-    const auto forEachPair = [&](auto&& visit) {
-        for (Index p = 0; p < n; ++p) {
-            if (!usable(p)) continue;
-            for (const Index q : lists[p]) {
-                if (!usable(q)) continue;
-                visit(p, q);
-                visit(q, p);
-            }
-        }
-    };
-    forEachPair([&](Index p, Index) { ++both.offset[p + 1]; });
-    for (Index p = 0; p < n; ++p) both.offset[p + 1] += both.offset[p];
-    both.ids.resize(both.offset[n]);
-    std::vector<std::uint32_t> next(both.offset.begin(), both.offset.end() - 1);
-    forEachPair([&](Index p, Index q) { both.ids[next[p]++] = q; });
-    return both;
-}
-
 class Orientation {
   public:
     Orientation(std::span<const Vec3> position, const NeighborLists& neighbors,
                 std::vector<Vec3>& normal, const Progress& progress)
         : position_(position),
           normal_(normal),
-          graph_(bothWays(neighbors, normal)),
+          lists_(neighbors),
+          listedBy_(listersOf(neighbors)),
           reached_(normal.size(), false),
           ticks_(normal.size(), progress) {}
 
@@ -187,16 +162,27 @@ class Orientation {
     }
 
   private:
+    /// Calls visit(q) for the points that p lists and for those that list it, if they have a
+    /// normal.
+    template <typename Visit>
+    void forEachNeighbor(Index p, Visit&& visit) const {
+        for (const auto list : {lists_[p], listedBy_[p]}) {
+            for (const Index q : list) {
+                if (normal_[q] != Vec3(0.0)) visit(q);
+            }
+        }
+    }
+
     /// Collects the component of p.
     std::vector<Index> collect(Index p, std::vector<bool>& seen) const {
         std::vector<Index> component{p};
         seen[p] = true;
         for (std::size_t i = 0; i < component.size(); ++i) {
-            for (const Index q : graph_[component[i]]) {
-                if (seen[q]) continue;
+            forEachNeighbor(component[i], [&](Index q) {
+                if (seen[q]) return;
                 seen[q] = true;
                 component.push_back(q);
-            }
+            });
         }
         return component;
     }
@@ -230,10 +216,9 @@ class Orientation {
         std::priority_queue<TreeStep, std::vector<TreeStep>, std::greater<>> steps;
         const auto reach = [&](Index p) {
             reached_[p] = true;
-            for (const Index q : graph_[p]) {
-                if (reached_[q]) continue;
-                steps.push({1.0 - std::abs(agreement(p, q)), p, q});
-            }
+            forEachNeighbor(p, [&](Index q) {
+                if (!reached_[q]) steps.push({1.0 - std::abs(agreement(p, q)), p, q});
+            });
         };
         reach(first);
         while (!steps.empty()) {
@@ -267,7 +252,8 @@ class Orientation {
 
     std::span<const Vec3> position_;
     std::vector<Vec3>& normal_;
-    NeighborLists graph_;
+    const NeighborLists& lists_;
+    NeighborLists listedBy_;
     std::vector<bool> reached_;
     Ticks ticks_;
     OrientationReport report_;
@@ -279,11 +265,6 @@ Result<OrientationReport> orientNormals(std::span<const Vec3> position,
                                         const NeighborLists& neighbors, std::vector<Vec3>& normal,
                                         const Progress& progress) {
     return Orientation(position, neighbors, normal, progress).run();
-}
-
-OrientationReport orientNormals(std::span<const Vec3> position, const NeighborLists& neighbors,
-                                std::vector<Vec3>& normal) {
-    return orientNormals(position, neighbors, normal, {}).value();
 }
 
 }  // namespace se

@@ -14,11 +14,11 @@ namespace se {
 /// Unit normals of the planes nearest to each point and its listed neighbors (principal components
 /// of their positions; Hoppe et al. 1992, section 3.1), on either side. Zero where no plane fits
 /// best: fewer than two neighbors, or all collinear. `neighbors` has a list per position; those of
-/// points to leave out are empty, and no list holds these points. Deterministic.
-std::vector<Vec3> estimateNormals(std::span<const Vec3> position, const NeighborLists& neighbors);
-/// As estimateNormals() above; fails if `progress` cancels.
+/// points to leave out are empty, and no list holds these points. Deterministic. Fails if
+/// `progress` cancels.
 Result<std::vector<Vec3>> estimateNormals(std::span<const Vec3> position,
-                                          const NeighborLists& neighbors, const Progress& progress);
+                                          const NeighborLists& neighbors,
+                                          const Progress& progress = {});
 
 /// The result of orientNormals().
 struct OrientationReport {
@@ -36,12 +36,9 @@ struct OrientationReport {
 /// turns whole patches (docs/choices.md). The first point is the one farthest out along the axis
 /// that its normal follows best; its normal points outward, and so do all normals of a closed
 /// surface. Lists need not be symmetric. Points with a zero normal are left out. Deterministic:
-/// ties by index.
-OrientationReport orientNormals(std::span<const Vec3> position, const NeighborLists& neighbors,
-                                std::vector<Vec3>& normal);
-/// As orientNormals() above; fails if `progress` cancels, with some normals turned and others not.
+/// ties by index. Fails if `progress` cancels, with some normals turned and others not.
 Result<OrientationReport> orientNormals(std::span<const Vec3> position,
                                         const NeighborLists& neighbors, std::vector<Vec3>& normal,
-                                        const Progress& progress);
+                                        const Progress& progress = {});
 
 }  // namespace se

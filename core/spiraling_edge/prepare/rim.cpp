@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vec2.hpp>
 #include <utility>
 
 #include "spiraling_edge/base/parallel.h"
@@ -21,9 +22,7 @@ constexpr double kKey120 = 1.5;
 constexpr double kKey150 = 1.8660254037844386;
 constexpr double kFullTurnOfKeys = 4.0;
 
-struct FlatPoint {
-    double x = 0.0, y = 0.0;
-};
+using FlatPoint = glm::dvec2;
 
 /// Angle key from u counterclockwise to v, both of unit length; 0 for the same direction up to
 /// rounding.

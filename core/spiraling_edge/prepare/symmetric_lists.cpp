@@ -10,8 +10,15 @@ namespace se {
 
 namespace {
 
-/// The inverse of the lists: for each point, the points that list it.
-NeighborLists turnedRound(const NeighborLists& lists) {
+/// The rows of points from .. to, one list after the other.
+struct Piece {
+    std::vector<Index> ids;
+    std::vector<std::uint32_t> length;
+};
+
+}  // namespace
+
+NeighborLists listersOf(const NeighborLists& lists) {
     const std::size_t n = lists.size();
     NeighborLists turned;
     turned.offset.assign(n + 1, 0);
@@ -25,43 +32,6 @@ NeighborLists turnedRound(const NeighborLists& lists) {
     return turned;
 }
 
-/// The rows of points from .. to, one list after the other.
-struct Piece {
-    std::vector<Index> ids;
-    std::vector<std::uint32_t> length;
-};
-
-/// Merges both lists of p.
-class Joiner {
-  public:
-    Joiner(std::span<const Vec3> position, const NeighborLists& lists,
-           const NeighborLists& listedBy)
-        : position_(position), lists_(lists), listedBy_(listedBy) {}
-
-    void append(Index p, Piece& piece) {
-        row_.clear();
-        add(p, lists_[p]);
-        add(p, listedBy_[p]);
-        std::sort(row_.begin(), row_.end());
-        row_.erase(std::unique(row_.begin(), row_.end()), row_.end());
-        for (const Neighbor& neighbor : row_) piece.ids.push_back(neighbor.id);
-        piece.length.push_back(static_cast<std::uint32_t>(row_.size()));
-    }
-
-  private:
-    void add(Index p, std::span<const Index> others) {
-        for (const Index q : others)
-            row_.push_back({distanceSquared(position_[p], position_[q]), q});
-    }
-
-    std::span<const Vec3> position_;
-    const NeighborLists& lists_;
-    const NeighborLists& listedBy_;
-    std::vector<Neighbor> row_;
-};
-
-}  // namespace
-
 Result<NeighborLists> symmetricLists(std::span<const Vec3> position, const NeighborLists& lists,
                                      unsigned threads, const Progress& progress) {
     const std::size_t n = position.size();
@@ -70,13 +40,23 @@ Result<NeighborLists> symmetricLists(std::span<const Vec3> position, const Neigh
             "symmetric neighbor lists could hold more than 4294967294 entries in all; "
             "choose a smaller k or radius"};
     }
-    const NeighborLists listedBy = turnedRound(lists);
+    const NeighborLists listedBy = listersOf(lists);
     constexpr std::size_t kPerPiece = 4096;
     std::vector<Piece> piece((n + kPerPiece - 1) / kPerPiece);
     const bool all = forEachWithProgress(piece.size(), threads, 2, progress, [&](std::size_t i) {
-        Joiner joiner(position, lists, listedBy);
-        for (std::size_t p = i * kPerPiece; p < std::min((i + 1) * kPerPiece, n); ++p)
-            joiner.append(static_cast<Index>(p), piece[i]);
+        std::vector<Neighbor> row;
+        const auto end = static_cast<Index>(std::min((i + 1) * kPerPiece, n));
+        for (auto p = static_cast<Index>(i * kPerPiece); p < end; ++p) {
+            row.clear();
+            for (const auto list : {lists[p], listedBy[p]}) {
+                for (const Index q : list)
+                    row.push_back({distanceSquared(position[p], position[q]), q});
+            }
+            std::sort(row.begin(), row.end());
+            row.erase(std::unique(row.begin(), row.end()), row.end());
+            for (const Neighbor& neighbor : row) piece[i].ids.push_back(neighbor.id);
+            piece[i].length.push_back(static_cast<std::uint32_t>(row.size()));
+        }
     });
     if (!all) return Error{"making neighbor lists symmetric was cancelled"};
     NeighborLists both;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "method.h"
+#include "spiraling_edge/io/write_mesh.h"
 
 namespace se::peers {
 namespace {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "../shapes.h"
+#include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/mesh/faults.h"
 #include "spiraling_edge/mesh/mesh_report.h"
 

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "doctor_support.h"
+#include "spiraling_edge/io/write_mesh.h"
 #include "support/random_points.h"
 
 using namespace se;

@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "ply_encoder.h"
+#include "spiraling_edge/io/write_mesh.h"
 #include "support/io_support.h"
 #include "support/shared_data.h"
 

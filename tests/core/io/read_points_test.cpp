@@ -233,3 +233,29 @@ TEST_CASE("Files: the shared text files hold the points of their PLY") {
     CHECK(readPoints(sharedFile("formats/mesh.off")).value().faces ==
           readPoints(sharedFile("formats/mesh.obj")).value().faces);
 }
+
+TEST_CASE("Formats of points: found by each of their extensions, in upper or lower case") {
+    for (const PointFormat& format : pointFormats()) {
+        REQUIRE_FALSE(format.extensions.empty());
+        for (const std::string_view extension : format.extensions) {
+            CAPTURE(extension);
+            CHECK(pointFormatOf("folder/a" + std::string(extension)) == &format);
+        }
+    }
+    CHECK(pointFormatOf("A.Xyz")->name == "XYZ");
+    for (const char* other : {"a.png", "a.stl", "a", "ply", ""}) {
+        CAPTURE(other);
+        CHECK(pointFormatOf(other) == nullptr);
+    }
+}
+
+TEST_CASE("Formats of points: a file of no known kind is refused with all that can be read") {
+    const Result<PointFile> read = readPoints("what is this", "a.doc");
+    REQUIRE_FALSE(read.ok());
+    const std::string& message = read.error().message;
+    for (const PointFormat& format : pointFormats()) {
+        CHECK(message.find(format.name) != std::string::npos);
+        CHECK(message.find(format.details) != std::string::npos);
+    }
+    CHECK(message.find("OBJ, OFF and PCD can be read; convert it") != std::string::npos);
+}

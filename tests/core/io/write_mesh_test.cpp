@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -160,4 +161,17 @@ TEST_CASE("mesh files: the extension decides, in any case; others are named in t
     const std::vector<Triangle> outside{{0, 1, 4000000000U}};
     CHECK_FALSE(writeMesh(folder / "b.stl", mesh.points, outside).ok());
     CHECK_FALSE(std::filesystem::exists(folder / "b.stl"));
+}
+
+TEST_CASE("Lists of formats: names and extensions, with a word before the last one") {
+    CHECK(wordList(std::array<std::string, 0>{}, "or").empty());
+    CHECK(wordList(std::array{"PLY"}, "or") == "PLY");
+    CHECK(wordList(std::array{"PLY", "OBJ"}, "or") == "PLY or OBJ");
+    CHECK(wordList(std::array{"PLY", "OBJ", "OFF"}, "") == "PLY, OBJ, OFF");
+    CHECK(listText(pointFormats(), &PointFormat::name, "or") == "PLY, XYZ, OBJ, OFF or PCD");
+    CHECK(listText(pointFormats(), &PointFormat::name, "and", &PointFormat::faces) ==
+          "PLY, OBJ and OFF");
+    CHECK(listText(meshFormats(), &MeshFormat::extension, "and") ==
+          ".ply, .obj, .off, .stl and .glb");
+    CHECK(listText(meshFormats(), &MeshFormat::name, "or", isReadable) == "PLY, OBJ or OFF");
 }

@@ -1,6 +1,7 @@
 /// XYZ: recognition of colors, normals and intensities, and the meaning of commas.
 #include <cmath>
 
+#include "spiraling_edge/io/write_mesh.h"
 #include "support/io_support.h"
 
 using namespace se;

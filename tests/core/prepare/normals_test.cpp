@@ -14,6 +14,14 @@ using namespace se::test;
 
 namespace {
 
+std::vector<Vec3> estimated(std::span<const Vec3> position, const NeighborLists& neighbors) {
+    return std::move(estimateNormals(position, neighbors).value());
+}
+OrientationReport oriented(std::span<const Vec3> position, const NeighborLists& neighbors,
+                           std::vector<Vec3>& normal) {
+    return orientNormals(position, neighbors, normal).value();
+}
+
 /// The k nearest of each point, regardless of normals.
 NeighborLists nearest(const std::vector<Vec3>& position, std::size_t k = 12) {
     const std::vector<bool> usable(position.size(), true);
@@ -52,7 +60,7 @@ TEST_CASE("normals: a plane has one normal, however it lies") {
         for (int i = 0; i < 40; ++i) {
             position.push_back(1e3 * n + random.between(-1, 1) * u + random.between(-1, 1) * v);
         }
-        for (const Vec3& found : estimateNormals(position, nearest(position))) {
+        for (const Vec3& found : estimated(position, nearest(position))) {
             CHECK(std::abs(glm::dot(found, n)) > 1 - 1e-9);
             CHECK(glm::dot(found, found) == doctest::Approx(1.0));
         }
@@ -62,7 +70,7 @@ TEST_CASE("normals: a plane has one normal, however it lies") {
 TEST_CASE("normals: those of even samples lie within a few degrees of the gradient") {
     for (const Family& family : closedFamilies(kDense)) {
         const PointFile file = family.sample(1);
-        const auto found = estimateNormals(file.position, nearest(file.position));
+        const auto found = estimated(file.position, nearest(file.position));
         double sum = 0.0;
         for (std::size_t p = 0; p < found.size(); ++p) {
             sum += std::acos(std::min(1.0, std::abs(glm::dot(found[p], file.normal[p]))));
@@ -74,14 +82,14 @@ TEST_CASE("normals: those of even samples lie within a few degrees of the gradie
 TEST_CASE("normals: points without neighbors, or all in line, have none") {
     std::vector<Vec3> line;
     for (int i = 0; i < 10; ++i) line.push_back({1.0 * i, 2.0 * i, -0.5 * i});
-    for (const Vec3& n : estimateNormals(line, nearest(line))) CHECK(n == Vec3(0.0));
+    for (const Vec3& n : estimated(line, nearest(line))) CHECK(n == Vec3(0.0));
     NeighborLists none;
     none.append({});
     none.append(std::vector<Index>{0});
-    for (const Vec3& n : estimateNormals(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}}, none)) {
+    for (const Vec3& n : estimated(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}}, none)) {
         CHECK(n == Vec3(0.0));
     }
-    CHECK(estimateNormals({}, NeighborLists{}).empty());
+    CHECK(estimated({}, NeighborLists{}).empty());
 }
 
 TEST_CASE("orientation: normals of closed surfaces point outward, in each component") {
@@ -90,7 +98,7 @@ TEST_CASE("orientation: normals of closed surfaces point outward, in each compon
             const PointFile file = family.sample(seed);
             std::vector<Vec3> normal = shuffledSides(file.normal, seed);
             const std::size_t wrong = against(normal, file.normal);
-            const auto report = orientNormals(file.position, nearest(file.position), normal);
+            const auto report = oriented(file.position, nearest(file.position), normal);
             CHECK_MESSAGE(against(normal, file.normal) == 0, family.name, ", seed ", seed);
             CHECK(report.turned >= wrong);  // The first one may have been turned and turned back.
             CHECK(report.turned <= wrong + static_cast<std::size_t>(family.components));
@@ -103,8 +111,8 @@ TEST_CASE("orientation: derived normals of closed surfaces point outward as well
     for (const Family& family : closedFamilies(kDense)) {
         const PointFile file = family.sample(2);
         const NeighborLists lists = nearest(file.position);
-        std::vector<Vec3> normal = estimateNormals(file.position, lists);
-        orientNormals(file.position, lists, normal);
+        std::vector<Vec3> normal = estimated(file.position, lists);
+        oriented(file.position, lists, normal);
         CHECK_MESSAGE(against(normal, file.normal) == 0, family.name);
     }
 }
@@ -129,7 +137,7 @@ TEST_CASE("orientation: it holds around the edges of a cube, where the plain cos
         }
     }
     std::vector<Vec3> normal = shuffledSides(cube.normal, 5);
-    orientNormals(cube.position, nearest(cube.position), normal);
+    oriented(cube.position, nearest(cube.position), normal);
     CHECK(against(normal, cube.normal) == 0);
 }
 
@@ -146,7 +154,7 @@ TEST_CASE("orientation: normals on the two sides of a thin sheet point apart") {
         }
     }
     std::vector<Vec3> normal = shuffledSides(truth, 3);
-    orientNormals(position, nearest(position, 8), normal);
+    oriented(position, nearest(position, 8), normal);
     CHECK(against(normal, truth) == 0);
 }
 
@@ -163,7 +171,7 @@ TEST_CASE("orientation: components are counted, and zero normals stay zero") {
     const std::vector<Vec3> truth = normal;
     for (Vec3& n : normal) n = -n;
     normal[7] = Vec3(0.0);
-    const auto report = orientNormals(position, nearest(position), normal);
+    const auto report = oriented(position, nearest(position), normal);
     CHECK(report.components == 2);
     CHECK(normal[7] == Vec3(0.0));
     normal[7] = truth[7];

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <thread>
 
-#include "spiraling_edge/io/read_points.h"
+#include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/sampling/sampler.h"
 
 using namespace se;

@@ -15,7 +15,7 @@
 #include "session/session.h"
 #include "session/session_file.h"
 #include "spiraling_edge/base/word_list.h"
-#include "spiraling_edge/io/format_lists.h"
+#include "spiraling_edge/io/write_mesh.h"
 #include "spiraling_edge/sampling/volume.h"
 #include "spiraling_edge/scenes/scenes.h"
 

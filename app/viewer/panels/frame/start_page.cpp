@@ -13,7 +13,7 @@
 #include "run/gallery.h"
 #include "session/session.h"
 #include "session/session_file.h"
-#include "spiraling_edge/io/format_lists.h"
+#include "spiraling_edge/io/write_mesh.h"
 
 namespace se::view {
 

@@ -1,12 +1,12 @@
 /// Decompression of gzip and zlib streams by zlib, with the size known beforehand. A stream expands
 /// to at most 1032 times its size, so that memory is bounded by the input.
-#include "spiraling_edge/sampling/inflate.h"
-
 #include <zlib.h>
 
 #include <algorithm>
 
-namespace se {
+#include "spiraling_edge/sampling/nrrd.h"
+
+namespace se::io {
 namespace {
 
 /// No byte of a stream unpacks to more than this many (zlib's own documentation).
@@ -71,23 +71,20 @@ class Inflater {
 }  // namespace
 
 Result<std::string> inflateExactly(std::string_view packed, std::size_t expected) {
-    const auto tooShort = [&](std::size_t found) {
-        return Error{"the gzip data end too early: expected " + std::to_string(expected) +
-                     " bytes, found " + std::to_string(found)};
-    };
     if (expected / kMaxPerByte > packed.size()) {
         return Error{"the gzip data are too short to hold " + std::to_string(expected) + " bytes"};
     }
     std::string bytes(expected, '\0');
     Inflater inflater(packed);
     const std::size_t filled = inflater.fill(bytes.data(), expected);
-    if (inflater.damaged())
-        return Error{std::string("the gzip data are damaged: ") + inflater.reason()};
-    if (filled < expected) return tooShort(filled);
     char more = 0;
-    const bool tooLong = inflater.fill(&more, 1) > 0;
+    const bool tooLong = filled == expected && inflater.fill(&more, 1) > 0;
     if (inflater.damaged())
         return Error{std::string("the gzip data are damaged: ") + inflater.reason()};
+    if (filled < expected) {
+        return Error{"the gzip data end too early: expected " + std::to_string(expected) +
+                     " bytes, found " + std::to_string(filled)};
+    }
     if (tooLong)
         return Error{"the gzip data hold more than the expected " + std::to_string(expected) +
                      " bytes; check sizes and type"};
@@ -95,4 +92,4 @@ Result<std::string> inflateExactly(std::string_view packed, std::size_t expected
     return bytes;
 }
 
-}  // namespace se
+}  // namespace se::io

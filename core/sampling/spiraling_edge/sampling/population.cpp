@@ -3,7 +3,6 @@
 /// time, so that the number reaches its target and the spacing becomes even. Deterministic: ties by
 /// index. O(n log n) for n particles.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "spiraling_edge/base/parallel.h"

@@ -2,15 +2,13 @@
 /// particle for each equal share of it along a Z-curve. The count follows from area and lengths, or
 /// the spacing from the count. O(crossings log crossings).
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
+#include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/geometry/point_grid.h"
 #include "spiraling_edge/geometry/z_curve.h"
-#include "spiraling_edge/sampling/lattice.h"
 #include "spiraling_edge/sampling/particles.h"
 #include "spiraling_edge/sampling/sampler.h"
 
@@ -18,13 +16,6 @@ namespace se::sampling {
 namespace {
 
 Error cancelled() { return Error{"sampling was cancelled"}; }
-
-/// A number with the digits of usual input.
-std::string shortNumber(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.6g", value);
-    return text.data();
-}
 
 std::uint8_t facesAt(const Field& field, const Vec3& x) {
     unsigned faces = kInterior;
@@ -104,7 +95,7 @@ Result<Extent> explore(Surface& surface, unsigned threads, const Progress& progr
     if (!crossings) return crossings.error();
     extent.crossings = std::move(crossings.value());
     if (extent.crossings.empty()) {
-        return Error{"there is no surface of the value " + shortNumber(surface.field().isovalue) +
+        return Error{"there is no surface of the value " + sixDigits(surface.field().isovalue) +
                      " in the box; choose another isovalue or box"};
     }
     if (!followCurvature(surface, threads, partOf(progress, 0.7, 1.0), extent.crossings))
@@ -230,16 +221,12 @@ bool addInside(const Surface& surface, const Extent& extent, double spacing, std
     return true;
 }
 
-Status checkField(const Field& field) {
+Status check(const Field& field, const SamplerOptions& options) {
     const Vec3 sides = field.high - field.low;
     for (int axis = 0; axis < 3; ++axis) {
         if (!(sides[axis] > 0.0 && std::isfinite(sides[axis])))
             return Error{"the box must have a length above 0 along every axis"};
     }
-    return success();
-}
-
-Status checkOptions(const SamplerOptions& options) {
     if (options.count == 0 && !(options.spacing > 0.0 && std::isfinite(options.spacing)))
         return Error{"the spacing must be a number above 0"};
     if (options.count > kMaxParticles)
@@ -260,9 +247,7 @@ void Particles::add(const Surface& surface, const Vec3& x, std::uint8_t faces, d
 }
 
 Result<Start> scatter(Surface& surface, const SamplerOptions& options, const Progress& progress) {
-    for (const Status& checked : {checkField(surface.field()), checkOptions(options)}) {
-        if (!checked) return checked.error();
-    }
+    if (const Status checked = check(surface.field(), options); !checked) return checked.error();
     const Result<Extent> explored = explore(surface, options.threads, partOf(progress, 0.0, 0.5));
     if (!explored) return explored.error();
     const Extent& extent = explored.value();

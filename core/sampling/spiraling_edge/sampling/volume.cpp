@@ -1,11 +1,9 @@
 /// Trilinear interpolation of samples on a grid, and the reader of NRRD files around it
-/// (nrrd_header.cpp, nrrd_data.cpp).
+/// (nrrd.cpp).
 #include "spiraling_edge/sampling/volume.h"
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <glm/common.hpp>
 
 #include "spiraling_edge/base/file_extension.h"
 #include "spiraling_edge/base/read_file.h"

@@ -5,7 +5,7 @@
 #include "open_session.h"
 #include "panel_state/compare_form.h"
 #include "scene/difference.h"
-#include "spiraling_edge/io/read_points.h"
+#include "spiraling_edge/io/write_mesh.h"
 
 using namespace se;
 using namespace se::view;

@@ -1,27 +1,208 @@
-/// The binary mesh formats: STL and GLB (binary glTF 2.0).
+/// The formats of meshes but PLY: OBJ and OFF as text, STL and GLB (binary glTF 2.0) in binary.
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 
 #include "spiraling_edge/base/finite.h"
-#include "spiraling_edge/base/float_bits.h"
 #include "spiraling_edge/base/number_text.h"
-#include "spiraling_edge/io/mesh_formats.h"
+#include "spiraling_edge/io/formats.h"
+#include "spiraling_edge/io/scalars.h"
 
 namespace se::io {
 namespace {
 
-/// Little endian. Four at a time: one by one a mesh of two million triangles takes half a second.
-void append(std::string& bytes, std::uint32_t value) {
-    std::array<char, 4> four{};
-    for (unsigned i = 0; i < 4; ++i) four[i] = static_cast<char>((value >> (8 * i)) & 0xFFU);
-    bytes.append(four.data(), four.size());
+void appendIndex(std::string& text, Index value) {
+    std::array<char, 12> out;
+    const auto end = std::to_chars(out.data(), out.data() + out.size(), value).ptr;
+    text.append(out.data(), end);
 }
-void append(std::string& bytes, float value) { append(bytes, bitsAs<std::uint32_t>(value)); }
+
+/// Three numbers that read back exactly.
+void appendRow(std::string& text, const Vec3& v, char separator = ' ') {
+    for (int i = 0; i < 3; ++i) {
+        if (i > 0) text += separator;
+        appendNumber(text, v[i]);
+    }
+}
+
+/// A line of OBJ.
+void appendLine(std::string& text, const char* keyword, const Vec3& v) {
+    text += keyword;
+    appendRow(text, v);
+    text += '\n';
+}
+
+/// OFF with one normal per point, or with none at all.
+std::string offText(std::span<const Vec3> position, std::span<const Vec3> normal,
+                    std::span<const Triangle> triangles) {
+    std::string text = normal.empty() ? "OFF\n" : "NOFF\n";
+    text += std::to_string(position.size()) + ' ' + std::to_string(triangles.size()) + " 0\n";
+    for (std::size_t p = 0; p < position.size(); ++p) {
+        appendRow(text, position[p]);
+        if (!normal.empty()) {
+            text += ' ';
+            appendRow(text, normal[p]);
+        }
+        text += '\n';
+    }
+    for (const Triangle& t : triangles) {
+        text += '3';
+        for (const Index corner : {t.a, t.b, t.c}) {
+            text += ' ';
+            appendIndex(text, corner);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string objBytes(const PointFile& points, std::span<const Triangle> triangles) {
+    assert(checkWritable(points, triangles).ok());
+    std::string text = "# written by spiraling-edge\n";
+    for (const Vec3& x : points.position) appendLine(text, "v ", x);
+    for (const Vec3& n : points.normal) appendLine(text, "vn ", n);
+    for (const Triangle& t : triangles) {
+        text += 'f';
+        for (const Index corner : {t.a, t.b, t.c}) {
+            text += ' ';
+            appendIndex(text, corner + 1);
+            if (!points.hasNormals()) continue;
+            text += "//";
+            appendIndex(text, corner + 1);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+std::string offBytes(const PointFile& points, std::span<const Triangle> triangles) {
+    assert(checkWritable(points, triangles).ok());
+    return offText(points.position, {}, triangles);
+}
+
+std::string noffBytes(const PointFile& points, std::span<const Triangle> triangles) {
+    assert(checkWritable(points, triangles).ok());
+    return offText(points.position, points.normal, triangles);
+}
+
+// ---- STL ----------------------------------------------------------------------------------------
+
+// The shift of positions that are written as floats: an origin with few digits near the
+// center of the mesh. It is the coarsest of a few powers of ten under which rounding to float
+// moves no corner by more than a thousandth of the mean edge, or the best of them. O(triangles).
+namespace {
+
+/// `value` rounded to float.
+double asFloat(double value) {
+    // volatile: GCC 12 vectorizes "to float and back" and drops it.
+    volatile float narrow = static_cast<float>(value);
+    return static_cast<double>(narrow);
+}
+
+/// Exponents of the smallest and largest step of a shift.
+constexpr int kLeastExponent = -30;
+constexpr int kHighestExponent = 30;
+
+/// 10^|exponent|; only multiplications, so that it is the same on every machine.
+double powerOfTen(int exponent) {
+    double power = 1.0;
+    for (int i = 0; i < std::abs(exponent); ++i) power *= 10.0;
+    return power;
+}
+
+/// The multiple of 10^exponent nearest to `value`, never -0. Powers below 1 divide, so that the
+/// result is the double nearest to the decimal number.
+double rounded(double value, int exponent) {
+    const double power = powerOfTen(exponent);
+    const double result =
+        exponent < 0 ? std::round(value * power) / power : std::round(value / power) * power;
+    return result == 0.0 ? 0.0 : result;
+}
+
+/// The least exponent whose power of ten is not below `length`.
+int exponentOf(double length) {
+    int exponent = kLeastExponent;
+    const auto power = [](int e) { return e < 0 ? 1.0 / powerOfTen(e) : powerOfTen(e); };
+    while (exponent < kHighestExponent && power(exponent) < length) ++exponent;
+    return exponent;
+}
+
+/// The corners of the triangles: mean length of the edges, and the box.
+struct Corners {
+    double spacing = 0.0;
+    Vec3 low{std::numeric_limits<double>::infinity()};
+    Vec3 high{-std::numeric_limits<double>::infinity()};
+
+    Corners(std::span<const Vec3> position, std::span<const Triangle> triangles) {
+        double sum = 0.0;
+        for (const Triangle& t : triangles) {
+            const std::array<Vec3, 3> corner{position[t.a], position[t.b], position[t.c]};
+            for (std::size_t i = 0; i < 3; ++i) {
+                sum += glm::length(corner[(i + 1) % 3] - corner[i]);
+                low = glm::min(low, corner[i]);
+                high = glm::max(high, corner[i]);
+            }
+        }
+        if (!triangles.empty()) spacing = sum / static_cast<double>(3 * triangles.size());
+    }
+    double extent() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
+};
+
+/// The largest error by rounding to float of a corner's coordinate relative to `shift`.
+double worstRounding(std::span<const Vec3> position, std::span<const Triangle> triangles,
+                     const Vec3& shift) {
+    double worst = 0.0;
+    for (const Triangle& t : triangles) {
+        for (const Index corner : {t.a, t.b, t.c}) {
+            const Vec3 place = position[corner] - shift;
+            for (int i = 0; i < 3; ++i)
+                worst = std::max(worst, std::abs(asFloat(place[i]) - place[i]));
+        }
+    }
+    return worst;
+}
+
+}  // namespace
+
+std::optional<Vec3> floatShift(const PointFile& points, std::span<const Triangle> triangles) {
+    constexpr double kSharpness = 1000.0;  // Parts of the spacing that must survive.
+    constexpr int kMaxTries = 4;
+    const Corners corners(points.position, triangles);
+    const double allowed = corners.spacing / kSharpness;
+    if (!(allowed > 0.0) || !std::isfinite(corners.spacing)) return std::nullopt;
+    double best = worstRounding(points.position, triangles, Vec3(0.0));
+    if (best <= allowed) return std::nullopt;
+    std::optional<Vec3> shift;
+    const Vec3 middle = 0.5 * (corners.low + corners.high);
+    int exponent = exponentOf(corners.extent());
+    for (int i = 0; i < kMaxTries && best > allowed; ++i, --exponent) {
+        Vec3 tried;
+        for (int axis = 0; axis < 3; ++axis) tried[axis] = rounded(middle[axis], exponent);
+        const double left = worstRounding(points.position, triangles, tried);
+        if (left >= best) continue;
+        best = left;
+        shift = tried;
+    }
+    return shift;
+}
+
+namespace {
+
+/// Little endian. Four at a time: one by one a mesh of two million triangles takes half a second.
+template <typename Scalar>
+void append(std::string& bytes, Scalar value) {
+    std::array<char, sizeof(Scalar)> raw;
+    storeScalar(raw.data(), value);
+    bytes.append(raw.data(), raw.size());
+}
 void append(std::string& bytes, const Vec3& v) {
     for (int i = 0; i < 3; ++i) append(bytes, static_cast<float>(v[i]));
 }
@@ -96,10 +277,7 @@ struct Bounds {
 /// "[x,y,z]" with digits that read back exactly.
 std::string jsonOf(const Vec3& v) {
     std::string text = "[";
-    for (int i = 0; i < 3; ++i) {
-        if (i > 0) text += ',';
-        appendNumber(text, v[i]);
-    }
+    appendRow(text, v, ',');
     return text + ']';
 }
 

@@ -1,6 +1,6 @@
-/// Checks of distances: near duplicates, isolated and collinear points, uneven spacing and exact
-/// ties, each from the lists of the 12 nearest. O(points), but for ties with the cube of the eight
-/// nearest.
+/// Checks of positions: single points, then distances: near duplicates, isolated and collinear
+/// points, uneven spacing and exact ties, each from the lists of the 12 nearest. O(points), but for
+/// ties with the cube of the eight nearest.
 #include <algorithm>
 
 #include "spiraling_edge/doctor/checks.h"
@@ -8,6 +8,35 @@
 #include "spiraling_edge/stepper/rules.h"
 
 namespace se {
+
+// ---- single points ------------------------------------------------------------------------------
+
+std::optional<Finding> findNonFinite(const ExaminedFile& examined) {
+    const PointFile& file = examined.file;
+    auto points = pointsWhere(examined.size(), [&](Index p) {
+        return !isFinite(file.position[p]) || (file.hasNormals() && !isFinite(file.normal[p]));
+    });
+    return findingAt(std::move(points), Severity::Error,
+                     "with a coordinate or a normal that is NaN or infinite");
+}
+
+std::optional<Finding> findDuplicates(const ExaminedFile& examined) {
+    auto points =
+        pointsWhere(examined.size(), [&](Index p) { return examined.fitness[p] == Fitness::Copy; });
+    return findingAt(std::move(points), Severity::Warning,
+                     "exactly where a point with a lower index stands");
+}
+
+std::optional<Finding> findTooFewPoints(const ExaminedFile& examined) {
+    // Three points make one triangle, which may be intended but is no surface.
+    constexpr std::size_t kTriangle = 3;
+    if (examined.presentCount > kTriangle) return std::nullopt;
+    const std::string text = countText(examined.presentCount, "point") + " with a place of " +
+                             (examined.presentCount == 1 ? "its" : "their") + " own: ";
+    if (examined.presentCount == kTriangle)
+        return Finding{nullptr, Severity::Warning, kTriangle, {}, text + "one triangle at most"};
+    return Finding{nullptr, Severity::Error, examined.presentCount, {}, text + "no triangle"};
+}
 
 // ---- near duplicates ----------------------------------------------------------------------------
 
@@ -24,9 +53,8 @@ std::optional<Finding> findNearDuplicates(const ExaminedFile& examined) {
     }
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
-    const std::string text = countText(points.size(), "point") +
-                             " nearer to one with a lower index than a thousandth of the spacing";
-    return findingAt(std::move(points), Severity::Warning, text);
+    return findingAt(std::move(points), Severity::Warning,
+                     "nearer to one with a lower index than a thousandth of the spacing");
 }
 
 // ---- isolated points ----------------------------------------------------------------------------
@@ -40,9 +68,7 @@ constexpr double kFar = 8.0;
 double spacingAround(const ExaminedFile& examined, Index p, std::vector<double>& room) {
     room.clear();
     for (const Index q : examined.nearest[p]) room.push_back(examined.spacing[q]);
-    const auto middle = room.begin() + static_cast<std::ptrdiff_t>(room.size() / 2);
-    std::nth_element(room.begin(), middle, room.end());
-    return *middle;
+    return medianOf(room);
 }
 
 /// Points far from all others, by the second nearest point, so that isolated pairs are found, too:
@@ -67,29 +93,24 @@ std::optional<Finding> findIsolatedPoints(const ExaminedFile& examined) {
         if (far[p]) continue;
         for (const Index q : examined.nearest[p]) wanted[q] = true;
     }
-    std::vector<Index> points;
-    for (Index p = 0; p < examined.size(); ++p) {
-        if (far[p] && !wanted[p]) points.push_back(p);
-    }
-    const std::string text = countText(points.size(), "point") +
-                             " more than eight spacings from the others, and in no list of the "
-                             "12 nearest but each other's";
-    return findingAt(std::move(points), Severity::Warning, text);
+    auto points = pointsWhere(examined.size(), [&](Index p) { return far[p] && !wanted[p]; });
+    return findingAt(std::move(points), Severity::Warning,
+                     "more than eight spacings from the others, and in no list of the 12 nearest "
+                     "but each other's");
 }
 
 // ---- collinear points ---------------------------------------------------------------------------
 
 std::optional<Finding> findInLine(const ExaminedFile& examined) {
     if (examined.presentCount < 3) return std::nullopt;
-    const std::vector<Vec3> plane = estimateNormals(examined.file.position, examined.nearest);
-    std::vector<Index> points;
-    for (Index p = 0; p < examined.size(); ++p) {
-        if (examined.present[p] && plane[p] == Vec3(0.0)) points.push_back(p);
-    }
+    const Result<std::vector<Vec3>> planes =
+        estimateNormals(examined.file.position, examined.nearest);
+    auto points = pointsWhere(examined.size(), [&](Index p) {
+        return examined.present[p] && planes.value()[p] == Vec3(0.0);
+    });
     const bool all = points.size() == examined.presentCount;
-    const std::string text =
-        countText(points.size(), "point") + " in line with all of the nearest others";
-    return findingAt(std::move(points), all ? Severity::Error : Severity::Warning, text);
+    return findingAt(std::move(points), all ? Severity::Error : Severity::Warning,
+                     "in line with all of the nearest others");
 }
 
 // ---- spacing ------------------------------------------------------------------------------------
@@ -109,11 +130,10 @@ std::optional<Finding> findUnevenSpacing(const ExaminedFile& examined) {
         most = std::max(most, spacing);
         if (spacing > kUneven * middle || spacing * kUneven < middle) points.push_back(p);
     }
-    const std::string text = countText(points.size(), "point") +
-                             " with a spacing off the middle of " + shortNumber(middle) +
-                             " by more than four times; it runs from " + shortNumber(least) +
-                             " to " + shortNumber(most);
-    return findingAt(std::move(points), Severity::Note, text);
+    return findingAt(std::move(points), Severity::Note,
+                     "with a spacing off the middle of " + shortNumber(middle) +
+                         " by more than four times; it runs from " + shortNumber(least) + " to " +
+                         shortNumber(most));
 }
 
 // ---- ties ---------------------------------------------------------------------------------------
@@ -159,18 +179,16 @@ bool hasTie(const ExaminedFile& examined, Index p, std::vector<Offset>& near) {
 }  // namespace
 
 std::optional<Finding> findTies(const ExaminedFile& examined) {
-    std::vector<Index> points;
     std::vector<Offset> near;
-    for (Index p = 0; p < examined.size(); ++p) {
-        if (examined.present[p] && hasTie(examined, p, near)) points.push_back(p);
-    }
+    auto points = pointsWhere(
+        examined.size(), [&](Index p) { return examined.present[p] && hasTie(examined, p, near); });
     // A lattice has ties everywhere. Ties in places occur in many scans and in machine parts whose
     // coordinates have few digits, and are no problem.
     const bool lattice = 10 * points.size() >= 9 * examined.presentCount;
-    const std::string text =
-        countText(points.size(), "point") + " of " + std::to_string(examined.presentCount) +
-        " exactly on a circle through three others" + (lattice ? ": an exact lattice" : "");
-    return findingAt(std::move(points), lattice ? Severity::Warning : Severity::Note, text);
+    return findingAt(std::move(points), lattice ? Severity::Warning : Severity::Note,
+                     "of " + std::to_string(examined.presentCount) +
+                         " exactly on a circle through three others" +
+                         (lattice ? ": an exact lattice" : ""));
 }
 
 }  // namespace se

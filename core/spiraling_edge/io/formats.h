@@ -1,0 +1,105 @@
+/// The formats in the tables of read_points.cpp and write_mesh.cpp, one function each. A reader
+/// takes the whole file (without a byte order mark) and its name for errors; a writer expects input
+/// that passes checkWritable().
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/io/read_points.h"
+
+namespace se::io {
+
+// ---- readers ------------------------------------------------------------------------------------
+
+/// The clues to the format of a file.
+struct FileStart {
+    std::string_view bytes;  ///< All bytes, without a byte order mark.
+    std::string_view word;   ///< The first word outside of comments.
+    std::string extension;   ///< ".off", in lower case.
+};
+
+bool isPly(const FileStart& start);
+Result<PointFile> readPly(std::string_view bytes, const std::string& name);
+
+bool isXyz(const FileStart& start);
+Result<PointFile> readXyz(std::string_view text, const std::string& name);
+
+bool isObj(const FileStart& start);
+Result<PointFile> readObj(std::string_view text, const std::string& name);
+
+bool isOff(const FileStart& start);
+/// The keyword of the first line may be missing, as the format allows.
+Result<PointFile> readOff(std::string_view text, const std::string& name);
+
+bool isPcd(const FileStart& start);
+/// Version 0.7 and earlier, ascii and binary; packed colors become red, green and blue.
+Result<PointFile> readPcd(std::string_view bytes, const std::string& name);
+
+/// Appends the fan of a polygon around its first corner; none for fewer than three corners.
+void appendFan(std::span<const Index> polygon, std::vector<Triangle>& triangles);
+
+inline std::string lowerCase(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return lower;
+}
+
+/// Reads all of `field` as a whole number from 0 to `most`.
+inline bool parseCount(std::string_view field, std::uint64_t& count,
+                       std::int64_t most = std::numeric_limits<std::int64_t>::max()) {
+    std::int64_t number = 0;
+    if (!parseInteger(field, number) || number < 0 || number > most) return false;
+    count = static_cast<std::uint64_t>(number);
+    return true;
+}
+
+/// The common part of readers that go through a file line by line: the current line, and the first
+/// problem. A member that returns false has set it.
+class LineByLine {
+  public:
+    LineByLine(std::string_view text, const std::string& name) : lines_(text), name_(name) {}
+
+  protected:
+    bool failAt(const std::string& place, const std::string& what) {
+        problem_ = errorAt(name_, place, what);
+        return false;
+    }
+    bool failIn(std::size_t line, const std::string& what) { return failAt(lineText(line), what); }
+    bool fail(const std::string& what) { return failIn(lines_.number(), what); }
+
+    LineReader lines_;
+    const std::string& name_;
+    Error problem_;
+};
+
+// ---- writers ------------------------------------------------------------------------------------
+
+/// Points, normals where there are any, triangles; numbers that read back exactly.
+std::string objBytes(const PointFile& points, std::span<const Triangle> triangles);
+/// Plain OFF, which every program reads: no normals.
+std::string offBytes(const PointFile& points, std::span<const Triangle> triangles);
+/// NOFF, with the normals; plain OFF where the points have none.
+std::string noffBytes(const PointFile& points, std::span<const Triangle> triangles);
+/// Binary: three corners per triangle, as float, relative to floatShift(), which the header names.
+std::string stlBytes(const PointFile& points, std::span<const Triangle> triangles);
+/// Binary glTF 2.0. Positions are floats relative to the center of the box, which is the
+/// translation of the node, so that a set far from the origin keeps its shape.
+std::string glbBytes(const PointFile& points, std::span<const Triangle> triangles);
+
+/// An origin with few digits near the center of the triangles, for positions written as float
+/// relative to it. Empty where no corner moves by more than a thousandth of the mean edge without
+/// it, or where it would not help.
+std::optional<Vec3> floatShift(const PointFile& points, std::span<const Triangle> triangles);
+
+/// Fails for input whose file could not be read back: columns of different length, a triangle that
+/// names a nonexistent point.
+Status checkWritable(const PointFile& points, std::span<const Triangle> triangles);
+
+}  // namespace se::io

@@ -1,0 +1,113 @@
+/// Scalars in files, shared by the formats with typed numbers (PLY, PCD, NRRD): their types, their
+/// bytes, and the columns that they are read to.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <string_view>
+
+#include "spiraling_edge/points/point_file.h"
+
+namespace se::io {
+
+/// Calls `use` with a value of the C++ type of `type`.
+template <typename Use>
+decltype(auto) withScalar(ScalarType type, Use&& use) {
+    switch (type) {
+        case ScalarType::Int8:
+            return use(std::int8_t{});
+        case ScalarType::UInt8:
+            return use(std::uint8_t{});
+        case ScalarType::Int16:
+            return use(std::int16_t{});
+        case ScalarType::UInt16:
+            return use(std::uint16_t{});
+        case ScalarType::Int32:
+            return use(std::int32_t{});
+        case ScalarType::UInt32:
+            return use(std::uint32_t{});
+        case ScalarType::Float:
+            return use(float{});
+        case ScalarType::Double:
+            break;
+    }
+    return use(double{});
+}
+
+inline bool isInteger(ScalarType type) {
+    return type != ScalarType::Float && type != ScalarType::Double;
+}
+inline std::size_t sizeOf(ScalarType type) {
+    return withScalar(type, [](auto scalar) { return sizeof(scalar); });
+}
+/// The name of `type` in headers of PLY: "uchar".
+inline std::string_view nameOf(ScalarType type) {
+    constexpr std::array<std::string_view, 8> kNames{"char", "uchar", "short", "ushort",
+                                                     "int",  "uint",  "float", "double"};
+    return kNames[static_cast<std::size_t>(type)];
+}
+
+/// The scalar at `bytes`, in the other byte order if `swapped`.
+template <typename Scalar>
+Scalar loadScalar(const char* bytes, bool swapped) {
+    std::array<char, sizeof(Scalar)> raw;
+    std::memcpy(raw.data(), bytes, sizeof(Scalar));
+    if (swapped) std::reverse(raw.begin(), raw.end());
+    Scalar scalar;
+    std::memcpy(&scalar, raw.data(), sizeof(Scalar));
+    return scalar;
+}
+
+/// Stores `scalar` at `bytes` in little endian order and returns the address after it.
+template <typename Scalar>
+char* storeScalar(char* bytes, Scalar scalar) {
+    std::memcpy(bytes, &scalar, sizeof(Scalar));
+    if (std::endian::native == std::endian::big) std::reverse(bytes, bytes + sizeof(Scalar));
+    return bytes + sizeof(Scalar);
+}
+
+/// The target of the numbers of a column: that of row r is first[r * stride]; none if null.
+struct Column {
+    double* first = nullptr;
+    std::size_t stride = 1;
+
+    void set(std::size_t row, double value) const {
+        if (first != nullptr) first[row * stride] = value;
+    }
+    /// Loads the scalars of `rows` rows, each `rowSize` bytes after the one before.
+    void load(ScalarType type, const char* bytes, std::size_t rowSize, std::size_t rows,
+              bool swapped) const {
+        if (first == nullptr) return;
+        withScalar(type, [&](auto zero) {
+            for (std::size_t row = 0; row < rows; ++row) {
+                first[row * stride] =
+                    static_cast<double>(loadScalar<decltype(zero)>(bytes + row * rowSize, swapped));
+            }
+        });
+    }
+};
+
+/// Rounds `value` to what `type` can hold. False if it is out of range, or no whole number for an
+/// integer type.
+inline bool roundTo(ScalarType type, double& value) {
+    if (type == ScalarType::Double) return true;
+    if (type == ScalarType::Float) {
+        const auto rounded = static_cast<double>(static_cast<float>(value));
+        if (std::isinf(rounded) && !std::isinf(value)) return false;
+        value = rounded;
+        return true;
+    }
+    return withScalar(type, [&](auto scalar) {
+        using Limits = std::numeric_limits<decltype(scalar)>;
+        return value >= static_cast<double>(Limits::lowest()) &&
+               value <= static_cast<double>(Limits::max()) && value == std::floor(value);
+    });
+}
+
+}  // namespace se::io
