@@ -80,6 +80,9 @@ void drawCheatSheet(const PanelContext& context);
 void drawCommandPalette(const PanelContext& context);
 void drawKeyEditor(const PanelContext& context);
 void drawFileBrowser(const PanelContext& context);
+/// Context menu of a point, an edge or a triangle, in the view and in lists. Opened by
+/// `state<SubjectMenu>().open(what)` on a right click.
+void drawSubjectMenu(const PanelContext& context);
 /// The dialog for what is derived from the points of the input.
 void drawPrepareDialog(const PanelContext& context);
 /// The question whether to save annotations before the session is left.

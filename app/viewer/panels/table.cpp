@@ -7,7 +7,6 @@
 #include "panel_state/step_panels_state.h"
 #include "panel_state/tabs.h"
 #include "panel_state/ui_state.h"
-#include "panels/find/subject_menu.h"
 #include "panels/widgets/tab_rows.h"
 #include "panels/widgets/widgets.h"
 #include "session/layout_preset.h"

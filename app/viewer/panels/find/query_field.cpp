@@ -34,11 +34,9 @@ void queryHelp(const PanelContext& context) {
         for (const QueryTerm& term : queryTerms()) {
             ImGui::TableNextRow();
             ImGui::TableNextColumn();
-            ImGui::PushFont(context.fonts.mono);
-            ImGui::TextUnformatted(term.form.data(), term.form.data() + term.form.size());
-            ImGui::PopFont();
+            textIn(context.fonts.mono, std::string(term.form));
             ImGui::TableNextColumn();
-            ImGui::TextUnformatted(term.meaning.data(), term.meaning.data() + term.meaning.size());
+            ImGui::TextUnformatted(std::string(term.meaning).c_str());
         }
         ImGui::EndTable();
     }

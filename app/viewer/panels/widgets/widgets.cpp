@@ -103,6 +103,17 @@ bool progressAndStop(const PanelContext& context, double share, const char* text
     return textButton(context, "Stop", name);
 }
 
+void dimAtRight(const std::string& text) {
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(text.c_str()).x);
+    ImGui::TextDisabled("%s", text.c_str());
+}
+
+void separator() {
+    ImGui::Spacing();
+    ImGui::Separator();
+    ImGui::Spacing();
+}
+
 void textIn(ImFont* font, const std::string& text) {
     ImGui::PushFont(font);
     ImGui::TextUnformatted(text.c_str());

@@ -42,6 +42,24 @@ bool selectable(const PanelContext& context, const std::string& label, bool on,
 /// null: the percentage. True if the button was clicked.
 bool progressAndStop(const PanelContext& context, double share, const char* text,
                      const std::string& name, float buttonEms = 4.0F);
+/// Draws the items of a list, each with an id of its own, and removes the one whose drawing
+/// `draw(item, number)` returns true.
+template <class Items, class Draw>
+void drawRemovable(Items& items, const Draw& draw) {
+    std::size_t gone = items.size();
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (draw(items[i], i)) gone = i;
+        ImGui::PopID();
+    }
+    if (gone < items.size()) items.erase(items.begin() + static_cast<std::ptrdiff_t>(gone));
+}
+/// Width of a text in the current type.
+inline float textWidth(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
+/// A dim text at the right end of the current line.
+void dimAtRight(const std::string& text);
+/// A line across, with space above and below it.
+void separator();
 /// A line of text in this font.
 void textIn(ImFont* font, const std::string& text);
 
