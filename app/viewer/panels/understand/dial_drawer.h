@@ -32,18 +32,9 @@ struct RimText {
     std::string text;
     Color color;
 };
-/// Draws texts around the rim, none over another; the first in the list are closest to their
-/// points. `taken`: areas without texts.
-void drawRimTexts(const PanelContext& context, const DialDisc& disc, const Rect& room,
-                  std::span<const Rect> taken, std::span<const RimText> texts);
-/// Size of such a text.
-glm::vec2 rimTextSize(const PanelContext& context, const std::string& text);
 /// The largest disc in `room` that leaves room for the texts.
 DialDisc discWithTexts(const PanelContext& context, const Rect& room,
                        std::span<const RimText> texts);
-
-/// A sector, in parts of at most half a turn: only those are convex.
-void fillSector(const DialDisc& disc, double from, double to, float reach, const Color& color);
 
 /// The dial of the pivot.
 class DialDrawer {
