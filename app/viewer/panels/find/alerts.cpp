@@ -305,7 +305,7 @@ std::string headingNote(const AlertSearch& alerts) {
     const std::size_t count = alerts.failures().size();
     if (!alerts.done() || count == 0) return {};
     if (!alerts.complete()) return "first " + grouped(count) + " alerts";
-    return count == 1 ? "1 alert" : grouped(count) + " alerts";
+    return withS(count, "alert");
 }
 
 }  // namespace

@@ -152,18 +152,14 @@ void drawFinding(const PanelContext& context, const Finding& finding) {
     ImGui::Separator();
 }
 
-std::string headingNote(std::size_t findings) {
-    if (findings == 0) return {};
-    return findings == 1 ? "1 finding" : grouped(findings) + " findings";
-}
-
 }  // namespace
 
 void drawDoctor(const PanelContext& context) {
     const Session& session = context.session();
     if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     const DoctorJob& doctorJob = session.doctorJob();
-    heading(context, "Doctor", headingNote(doctorJob.findings().size()));
+    const std::size_t count = doctorJob.findings().size();
+    heading(context, "Doctor", count == 0 ? "" : withS(count, "finding"));
     drawRepaired(context);
     if (!doctorJob.complaint().empty()) return dimText(doctorJob.complaint());
     if (!doctorJob.done()) {
@@ -173,7 +169,7 @@ void drawDoctor(const PanelContext& context) {
             ImGui::ProgressBar(static_cast<float>(doctorJob.share()), {-1.0F, 0.0F});
         return;
     }
-    if (doctorJob.findings().empty())
+    if (count == 0)
         return dimText("Nothing found: all " + std::to_string(doctorChecks().size()) +
                        " checks passed.");
     drawFixAll(context);

@@ -110,9 +110,7 @@ void drawHelp(const PanelContext& context) {
 }
 
 void drawFound(const PanelContext& context, const FoundDecisions& found) {
-    std::string text = found.total == 0   ? "No decision matches."
-                       : found.total == 1 ? "1 decision"
-                                          : grouped(found.total) + " decisions";
+    std::string text = found.total == 0 ? "No decision matches." : withS(found.total, "decision");
     if (found.total != found.lines.size()) text += ", the first " + grouped(found.lines.size());
     ImGui::TextUnformatted(text.c_str());
     if (found.lines.empty()) return;

@@ -110,15 +110,16 @@ void drawDial(const PanelContext& context) {
     const DialDisc disc = discIn(rooms.main, context, dial);
     if (disc.radius < 2.0F * context.em) return;
     ImGui::InvisibleButton("##dial", {room.x, height});
-    DialDrawer drawer(context, dial, disc);
     const bool second = dial.reciprocal && rooms.second;
-    drawer.draw(whole, second ? std::span<const Rect>(&*rooms.second, 1) : std::span<const Rect>{});
+    drawDialDisc(context, dial, disc, whole,
+                 second ? std::span<const Rect>(&*rooms.second, 1) : std::span<const Rect>{});
     if (second) drawReciprocalDial(context, *dial.reciprocal, *rooms.second);
     if (ImGui::IsItemHovered()) {
-        const DialTick* tick = drawer.underPointer();
-        if (tick != nullptr) context.state<Navigation>().pointedAt = tick->point;
-        if (tick != nullptr) explain(context, *tick);
-        if (tick != nullptr && ImGui::IsItemClicked()) session.select(tick->point);
+        if (const DialTick* tick = tickUnderPointer(context, dial, disc)) {
+            context.state<Navigation>().pointedAt = tick->point;
+            explain(context, *tick);
+            if (ImGui::IsItemClicked()) session.select(tick->point);
+        }
     }
     for (const std::string& line : caption) {
         const float width = ImGui::CalcTextSize(line.c_str()).x;

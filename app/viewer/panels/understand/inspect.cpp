@@ -21,37 +21,28 @@ std::string statusText(PointStatus status) {
     return "USED, " + std::to_string(status) + (status == 1 ? " ring entry" : " ring entries");
 }
 
-/// With a star at derived values.
-std::string marked(const char* name, bool derived) {
-    return derived ? std::string(name) + " *" : std::string(name);
-}
-
 void drawPoint(const PanelContext& context, const char* title, Index point) {
     const Session& session = context.session();
     const PointSet& points = session.shown().points;
-    ImGui::Spacing();
-    ImGui::Separator();
-    ImGui::Spacing();
+    separator();
     heading(context, title, "point " + std::to_string(point));
     ImGui::PushID(title);
     if (beginValues("##point", context)) {
         valueRow(context, "status", statusText(session.picture().status[point]));
         const PrepareReport& report = session.model().report;
-        valueRow(context, marked("type", report.derived.types || report.derived.rim).c_str(),
-                 typeText(points.type[point]));
+        const bool types = report.derived.types || report.derived.rim;
+        const bool normals = report.derived.normals || report.derived.orientation;
+        const bool lists = report.neighborsComputed;
+        valueRow(context, types ? "type *" : "type", typeText(points.type[point]));
         valueRow(context, "position", numbersText(points.position[point]));
-        valueRow(context,
-                 marked("normal", report.derived.normals || report.derived.orientation).c_str(),
-                 numbersText(points.normal[point]));
+        valueRow(context, normals ? "normal *" : "normal", numbersText(points.normal[point]));
         std::string list;
-        for (const Index q : points.neighbors[point]) {
+        for (const Index q : points.neighbors[point])
             list += (list.empty() ? "" : ", ") + std::to_string(q);
-        }
-        valueRow(context, marked("neighbors", report.neighborsComputed).c_str(),
-                 list.empty() ? "none" : list);
-        const bool any = report.neighborsComputed || report.derived.types || report.derived.rim ||
-                         report.derived.normals || report.derived.orientation;
-        if (any) valueRow(context, "*", "derived, not from the input", context.palette.textDim);
+        valueRow(context, lists ? "neighbors *" : "neighbors", list.empty() ? "none" : list);
+        // The star is at derived values.
+        if (lists || types || normals)
+            valueRow(context, "*", "derived, not from the input", context.palette.textDim);
         endValues();
     }
     ImGui::PopID();
@@ -114,23 +105,15 @@ void drawTriangle(const PanelContext& context, const SelectionFacts& facts) {
 void drawSelection(const PanelContext& context) {
     const Selection& selection = context.session().selection();
     const SelectionFacts& facts = context.state<FactsCache>().of(context.session());
-    switch (selection.kind) {
-        case SelectionKind::None:
-            ImGui::Spacing();
-            dimText("Click a point, an edge or a triangle to see its values here.");
-            return;
-        case SelectionKind::Point:
-            drawPoint(context, "Selected", selection.points[0]);
-            return;
-        case SelectionKind::Edge:
-        case SelectionKind::Triangle:
-            ImGui::Spacing();
-            ImGui::Separator();
-            ImGui::Spacing();
-            heading(context, "Selected", std::string(kindName(selection.kind)));
-            selection.kind == SelectionKind::Edge ? drawEdge(context, facts)
-                                                  : drawTriangle(context, facts);
+    if (selection.kind == SelectionKind::None) {
+        ImGui::Spacing();
+        return dimText("Click a point, an edge or a triangle to see its values here.");
     }
+    if (selection.kind == SelectionKind::Point)
+        return drawPoint(context, "Selected", selection.points[0]);
+    separator();
+    heading(context, "Selected", std::string(kindName(selection.kind)));
+    selection.kind == SelectionKind::Edge ? drawEdge(context, facts) : drawTriangle(context, facts);
 }
 
 void drawStep(const PanelContext& context, const Event& event) {

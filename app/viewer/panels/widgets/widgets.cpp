@@ -347,6 +347,10 @@ std::string_view wordOf(const Event& event) {
     return {};
 }
 
+std::string withS(std::size_t number, const char* word) {
+    return grouped(number) + " " + word + (number == 1 ? "" : "s");
+}
+
 std::string addressText(const Session& session) {
     return session.ready() && session.event() != nullptr ? toString(session.address()) : "start";
 }

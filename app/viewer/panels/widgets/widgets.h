@@ -105,6 +105,8 @@ std::vector<std::string> wrapped(const std::string& text, float width);
 /// Outcome of an event without a verdict: "in", "stranded", the
 /// kind of an alert. Empty if there is no such word.
 std::string_view wordOf(const Event& event);
+/// "1 pivot", "12 pivots".
+std::string withS(std::size_t number, const char* word);
 /// "137.sphere.3", or "start".
 std::string addressText(const Session& session);
 /// "137.sphere.3 · 6.3", with the section of the paper.
