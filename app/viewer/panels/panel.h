@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "commands/commands.h"
-#include "fonts.h"
 #include "layout/panel_rects.h"
 #include "scene/palette.h"
+#include "ui.h"
 
 namespace se {
 struct Event;

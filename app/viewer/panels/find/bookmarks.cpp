@@ -4,7 +4,6 @@
 
 #include "panel_state/ui_state.h"
 #include "panels/panel.h"
-#include "panels/widgets/text_field.h"
 #include "panels/widgets/widgets.h"
 #include "session/annotations.h"
 #include "session/playback.h"

@@ -5,7 +5,6 @@
 #include "commands/break_commands.h"
 #include "jobs/hit_search.h"
 #include "panels/panel.h"
-#include "panels/widgets/text_field.h"
 #include "panels/widgets/widgets.h"
 #include "query_field.h"
 #include "session/playback.h"

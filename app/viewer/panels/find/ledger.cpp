@@ -2,7 +2,6 @@
 #include "decision_rows.h"
 #include "input/typing_wait.h"
 #include "jobs/questions.h"
-#include "panels/widgets/text_field.h"
 #include "panels/widgets/widgets.h"
 #include "rows/line_text.h"
 #include "run/number_format.h"

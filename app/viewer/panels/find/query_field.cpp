@@ -1,6 +1,5 @@
 #include "query_field.h"
 
-#include "panels/widgets/text_field.h"
 #include "panels/widgets/widgets.h"
 #include "session/session.h"
 #include "spiraling_edge/replay/decision_query.h"

@@ -5,7 +5,6 @@
 
 #include "panel_state/finding_panels.h"
 #include "panels/panel.h"
-#include "panels/widgets/text_field.h"
 #include "panels/widgets/widgets.h"
 #include "rows/watch_plot.h"
 #include "session/playback.h"

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "session/session.h"
-#include "text_field.h"
 #include "widgets.h"
 
 namespace se::view {

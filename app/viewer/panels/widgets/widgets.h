@@ -42,6 +42,16 @@ bool selectable(const PanelContext& context, const std::string& label, bool on,
 /// null: the percentage. True if the button was clicked.
 bool progressAndStop(const PanelContext& context, double share, const char* text,
                      const std::string& name, float buttonEms = 4.0F);
+/// For a text field that takes effect on Enter. A click selects its text, so that typing replaces
+/// it.
+inline constexpr ImGuiInputTextFlags kEntered =
+    ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll;
+/// A text field of one line without a limit of length, with a hint while it is empty. True if the
+/// text changed, or with ImGuiInputTextFlags_EnterReturnsTrue on Enter.
+bool textField(const char* label, const char* hint, std::string& text,
+               ImGuiInputTextFlags flags = 0);
+/// A text field of many lines without a limit of length. True if the text changed.
+bool textArea(const char* label, std::string& text, const ImVec2& size);
 /// Draws the items of a list, each with an id of its own, and removes the one whose drawing
 /// `draw(item, number)` returns true.
 template <class Items, class Draw>
