@@ -69,12 +69,10 @@ bool isTab(const PanelContext& context, const SidePanel& panel) {
 /// Whether the names of the right column's tabs fit beside each other in the current type.
 bool tabNamesFit(const PanelContext& context) {
     const ImGuiStyle& style = ImGui::GetStyle();
+    const float margins = 2.0F * style.FramePadding.x + style.ItemInnerSpacing.x;
     float width = 0.0F;
-    for (const SidePanel& panel : kSidePanels) {
-        if (!isTab(context, panel)) continue;
-        width += ImGui::CalcTextSize(panel.title).x + 2.0F * style.FramePadding.x +
-                 style.ItemInnerSpacing.x;
-    }
+    for (const SidePanel& panel : kSidePanels)
+        width += isTab(context, panel) ? textWidth(panel.title) + margins : 0.0F;
     return width <= ImGui::GetContentRegionAvail().x;
 }
 
@@ -83,11 +81,6 @@ ImGuiTabItemFlags wantedFlag(const PanelContext& context, const SidePanel& panel
     if (context.ui().tab.wanted != panel.title) return ImGuiTabItemFlags_None;
     context.ui().tab.wanted.clear();
     return ImGuiTabItemFlags_SetSelected;
-}
-
-/// The tab that is open, whose content can have the keyboard focus.
-void offerTab(const PanelContext& context) {
-    if (context.state<KeyWalk>().offer(KeyStop::Tabs)) takeKeyboard();
 }
 
 void drawContent(const PanelContext& context, const SidePanel& panel) {
@@ -103,9 +96,10 @@ void drawTabs(const PanelContext& context) {
     for (const SidePanel& panel : kSidePanels) {
         if (!isTab(context, panel)) continue;
         const bool open = ImGui::BeginTabItem(panel.title, nullptr, wantedFlag(context, panel));
-        context.where()[std::string("tab ") + panel.title] = lastItem();
+        nameItem(context, std::string("tab ") + panel.title);
         if (!open) continue;
-        offerTab(context);
+        // The tab that is open, whose content can have the keyboard focus.
+        if (context.state<KeyWalk>().offer(KeyStop::Tabs)) takeKeyboard();
         context.ui().tab.title = panel.title;
         ImGui::PushFont(context.fonts.text);
         drawContent(context, panel);
@@ -114,26 +108,14 @@ void drawTabs(const PanelContext& context) {
     }
 }
 
-std::vector<const SidePanel*> rightTabs(const PanelContext& context) {
+/// The tabs in rows, and the content of the open one. In Learn the rule comes first, and there is
+/// no list of steps.
+void drawRowsOfTabs(const PanelContext& context, bool learn) {
     std::vector<const SidePanel*> tabs;
     for (const SidePanel& panel : kSidePanels) {
-        if (isTab(context, panel)) tabs.push_back(&panel);
+        if (learn ? panel.left : !isTab(context, panel)) continue;
+        tabs.insert(learn && panel.draw == drawPaper ? tabs.begin() : tabs.end(), &panel);
     }
-    return tabs;
-}
-
-/// In Learn the rule comes first, and there is no list of steps.
-std::vector<const SidePanel*> learnTabs() {
-    std::vector<const SidePanel*> tabs;
-    for (const bool rule : {true, false}) {
-        for (const SidePanel& panel : kSidePanels) {
-            if (!panel.left && (panel.draw == drawPaper) == rule) tabs.push_back(&panel);
-        }
-    }
-    return tabs;
-}
-
-void drawRowsOfTabs(const PanelContext& context, ColumnTabs tabs) {
     const SidePanel* open = drawTabRows(context, tabs);
     // Each scrolls by itself.
     ImGui::PushID(open->title);
@@ -141,9 +123,9 @@ void drawRowsOfTabs(const PanelContext& context, ColumnTabs tabs) {
     ImGui::PopID();
 }
 
-/// Learn has the panels as tabs on the left, the rule first; no list of steps.
+/// Learn has the panels as tabs on the left.
 void drawLearnColumn(const PanelContext& context) {
-    if (beginRegion("##learn", context.rects.left)) drawRowsOfTabs(context, learnTabs());
+    if (beginRegion("##learn", context.rects.left)) drawRowsOfTabs(context, true);
     ImGui::End();
 }
 
@@ -158,7 +140,7 @@ void drawDialColumn(const PanelContext& context) {
 void drawRightColumn(const PanelContext& context) {
     if (beginRegion("##right", context.rects.right)) {
         if (!tabNamesFit(context)) {
-            drawRowsOfTabs(context, rightTabs(context));
+            drawRowsOfTabs(context, false);
         } else if (ImGui::BeginTabBar("##tabs")) {
             drawTabs(context);
             ImGui::EndTabBar();
@@ -212,7 +194,7 @@ void drawBorders(const PanelContext& context) {
     if (l.dialApart) {
         list->AddRectFilled(toVec2(l.right.min), {l.right.max().x, l.right.min.y + 1.0F}, color);
     }
-    list->AddRectFilled({l.narration.min.x, l.narration.min.y},
+    list->AddRectFilled(toVec2(l.narration.min),
                         {l.narration.max().x + l.otherNarration.size.x, l.narration.min.y + 1.0F},
                         color);
     ImGui::End();
@@ -248,10 +230,10 @@ void drawPanels(const PanelContext& context) {
     }
     context.session().highlights().hover(context.state<Navigation>().pointedAt);
     context.session().highlights().hoverRing(context.state<Navigation>().pointedRing);
-    if (!startPage && !growth && !context.ui().cheatSheet && !context.ui().keyEditor &&
-        !context.ui().fileBrowser && !context.ui().palette.open && !context.ui().leaving.asked &&
-        !context.ui().prepare.open)
-        drawBorders(context);
+    const UiState& ui = context.ui();
+    const bool dialog = ui.cheatSheet || ui.keyEditor || ui.fileBrowser || ui.palette.open ||
+                        ui.leaving.asked || ui.prepare.open;
+    if (!startPage && !growth && !dialog) drawBorders(context);
     if (!growth && !startPage) drawWhatIfBanner(context);
     if (!growth) drawNotices(context);
     drawFileBrowser(context);

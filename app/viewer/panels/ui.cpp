@@ -146,7 +146,6 @@ Fonts loadFonts(float em) {
     fonts.small = addWithSymbols(plain, symbols, 0.84F * em);
     fonts.large = addWithSymbols(plain, symbols, 1.12F * em);
     fonts.caption = addWithSymbols(plain, symbols, 1.5F * 1.12F * em);
-    fonts.symbols = !symbols.empty();
     return fonts;
 }
 

@@ -14,7 +14,6 @@ struct Fonts {
     ImFont* small = nullptr;    ///< For the legend, and tabs in little room.
     ImFont* large = nullptr;    ///< For the narration line.
     ImFont* caption = nullptr;  ///< For the narration line read from a distance.
-    bool symbols = false;       ///< The font has the math signs; otherwise words are written.
 };
 
 class Ui {

@@ -6,7 +6,6 @@
 #include "jobs/hit_search.h"
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
-#include "query_field.h"
 #include "session/playback.h"
 #include "session/session.h"
 #include "spiraling_edge/replay/breakpoint.h"

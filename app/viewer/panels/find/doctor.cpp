@@ -1,6 +1,5 @@
 #include <imgui.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <span>
 

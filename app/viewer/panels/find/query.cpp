@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "commands/ask_actions.h"
@@ -8,14 +7,54 @@
 #include "jobs/questions.h"
 #include "panel_state/view_settings.h"
 #include "panels/widgets/widgets.h"
-#include "query_field.h"
 #include "rows/line_text.h"
 #include "rows/query_words.h"
 #include "run/strings.h"
 #include "scene/point_tint.h"
 #include "session/session.h"
+#include "spiraling_edge/replay/decision_query.h"
+#include "spiraling_edge/replay/named_points.h"
 
 namespace se::view {
+
+// ---- the line -------------------------------------------------------------------------------
+
+std::string queryComplaint(const PanelContext& context, const std::string& line) {
+    const auto mistake = mistakeIn(line);
+    if (mistake) return mistake->message;
+    return missingPointIn(line, context.session().model().points.size());
+}
+
+bool queryField(const PanelContext& context, const char* id, const char* hint, std::string& line) {
+    const std::string complaint = queryComplaint(context, line);
+    ImGui::PushFont(context.fonts.mono);
+    if (!complaint.empty()) ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
+    const bool changed = textField(id, hint, line);
+    if (!complaint.empty()) ImGui::PopStyleColor();
+    ImGui::PopFont();
+    if (line.size() > 20) tooltip(line.size() > 300 ? line.substr(0, 300) + " ..." : line);
+    return changed;
+}
+
+void queryHelp(const PanelContext& context) {
+    ImGui::TextDisabled("(?)");
+    if (!ImGui::IsItemHovered()) return;
+    ImGui::BeginTooltip();
+    ImGui::TextUnformatted("All terms of a line must match:");
+    if (ImGui::BeginTable("##terms", 2)) {
+        for (const QueryTerm& term : queryTerms()) {
+            ImGui::TableNextRow();
+            ImGui::TableNextColumn();
+            textIn(context.fonts.mono, std::string(term.form));
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(std::string(term.meaning).c_str());
+        }
+        ImGui::EndTable();
+    }
+    ImGui::EndTooltip();
+}
+
+// ---- the panel ------------------------------------------------------------------------------
 
 namespace {
 

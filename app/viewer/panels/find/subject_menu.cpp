@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 
 #include "commands/ask_actions.h"
 #include "panel_state/compare_page.h"

@@ -1,7 +1,6 @@
 #include "rows/dial.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "dial_drawer.h"
 #include "panel_state/step_panels_state.h"
@@ -71,10 +70,8 @@ DialDisc discIn(const Rect& room, const PanelContext& context, const Dial& dial)
 }
 
 void explain(const PanelContext& context, const DialTick& tick) {
-    char line[96];
-    std::snprintf(line, sizeof line, "point %u: %.1f\xC2\xB0", tick.point, tick.degrees);
     ImGui::BeginTooltip();
-    ImGui::TextUnformatted(line);
+    ImGui::Text("point %u: %.1f\xC2\xB0", tick.point, tick.degrees);
     const PointSet& points = context.session().shown().points;
     const Index p = context.session().picture().pivot;
     const double height =
@@ -122,8 +119,8 @@ void drawDial(const PanelContext& context) {
         }
     }
     for (const std::string& line : caption) {
-        const float width = ImGui::CalcTextSize(line.c_str()).x;
-        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, 0.5F * (room.x - width)));
+        const float margin = 0.5F * (room.x - textWidth(line));
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, margin));
         ImGui::TextUnformatted(line.c_str());
     }
 }

@@ -158,11 +158,10 @@ bool iconButton(const char* id, Icon icon, const char* text, bool enabled, bool 
     }
     const bool pressed = ImGui::Button(id, size);
     if (active) ImGui::PopStyleColor(2);
-    const ImVec2 low = ImGui::GetItemRectMin();
-    const ImVec2 high = ImGui::GetItemRectMax();
+    const Rect at = lastItem();
     const Color color = active ? context.palette.accentText : context.palette.text;
-    drawIcon(ImGui::GetWindowDrawList(), {0.5F * (low.x + high.x), 0.5F * (low.y + high.y)},
-             0.32F * context.em, icon, toU32(enabled ? color : color.withAlpha(0.35F)));
+    drawIcon(ImGui::GetWindowDrawList(), toVec2(0.5F * (at.min + at.max())), 0.32F * context.em,
+             icon, toU32(enabled ? color : color.withAlpha(0.35F)));
     ImGui::EndDisabled();
     tooltip(text);
     return pressed;
