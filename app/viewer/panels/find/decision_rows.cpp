@@ -1,3 +1,6 @@
+// A list of decisions, two lines of text each: what was decided, and the numbers it compared. Only
+// the rows in sight are drawn, so that a list of any length costs the same; all rows are of one
+// height, which lets the list scroll to the row of the cursor without a search.
 #include "decision_rows.h"
 
 #include <algorithm>
@@ -22,8 +25,6 @@ namespace {
 
 /// Between two rows, in em.
 constexpr float kRowGap = 0.25F;
-/// Minimum height of a scrolling body, in em.
-constexpr float kLeastBody = 7.0F;
 /// Frames that count as a move of the cursor.
 constexpr int kSettlingFrames = 4;
 
@@ -200,15 +201,6 @@ void drawDecisionRows(const PanelContext& context, const DecisionRows& rows, Fra
     }
     ImGui::PopStyleVar();
     if (chosen) goToDecision(context, rows.lines[*chosen].event.address, frame);
-}
-
-ScrolledBody::ScrolledBody(const PanelContext& context, const char* id)
-    : apart_(ImGui::GetContentRegionAvail().y >= kLeastBody * context.em) {
-    if (apart_) ImGui::BeginChild(id, {0.0F, 0.0F}, false, ImGuiWindowFlags_NavFlattened);
-}
-
-ScrolledBody::~ScrolledBody() {
-    if (apart_) ImGui::EndChild();
 }
 
 void goToDecision(const PanelContext& context, const Address& address, FrameWish frame) {

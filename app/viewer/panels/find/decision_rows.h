@@ -34,12 +34,19 @@ void drawDecisionRows(const PanelContext& context, const DecisionRows& rows, Fra
 /// the panel is scrolled as a whole.
 class ScrolledBody {
   public:
-    ScrolledBody(const PanelContext& context, const char* id);
-    ~ScrolledBody();
+    ScrolledBody(const PanelContext& context, const char* id)
+        : apart_(ImGui::GetContentRegionAvail().y >= kLeastBody * context.em) {
+        if (apart_) ImGui::BeginChild(id, {0.0F, 0.0F}, false, ImGuiWindowFlags_NavFlattened);
+    }
+    ~ScrolledBody() {
+        if (apart_) ImGui::EndChild();
+    }
     ScrolledBody(const ScrolledBody&) = delete;
     ScrolledBody& operator=(const ScrolledBody&) = delete;
 
   private:
+    /// Minimum height of a scrolling body, in em.
+    static constexpr float kLeastBody = 7.0F;
     bool apart_;
 };
 /// Goes to a decision and frames a selection there.
