@@ -1,3 +1,6 @@
+// Failures of the finished run by class. The chosen one shows its three moments, the answer of the
+// ledger about it, and the rules that would have prevented it, each found by a re-run. Rows above
+// and below the details are clipped lists of their own, so that only visible ones cost time.
 #include <imgui.h>
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Numbers of the run over its pivots, each as a plot of the whole run. A column of pixels spans the
+// least and the largest value of its pivots, so that no peak is lost; columns are computed again
+// only if the run, the known values or the width have changed.
 #include <imgui.h>
 
 #include <algorithm>

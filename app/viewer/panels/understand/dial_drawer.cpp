@@ -1,3 +1,7 @@
+// The tangent plane of the pivot as a disc: each neighbor is a tick at its angle, with a stem for
+// its height above the plane; sectors, arcs and the chord are the thresholds of the current rule.
+// Names stand around the rim; those of the most important points are placed first, and none covers
+// another.
 #include "dial_drawer.h"
 
 #include <algorithm>
