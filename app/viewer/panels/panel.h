@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "commands/commands.h"
-#include "fonts.h"
 #include "layout/panel_rects.h"
 #include "scene/palette.h"
+#include "ui.h"
 
 namespace se {
 struct Event;
@@ -80,6 +80,9 @@ void drawCheatSheet(const PanelContext& context);
 void drawCommandPalette(const PanelContext& context);
 void drawKeyEditor(const PanelContext& context);
 void drawFileBrowser(const PanelContext& context);
+/// Context menu of a point, an edge or a triangle, in the view and in lists. Opened by
+/// `state<SubjectMenu>().open(what)` on a right click.
+void drawSubjectMenu(const PanelContext& context);
 /// The dialog for what is derived from the points of the input.
 void drawPrepareDialog(const PanelContext& context);
 /// The question whether to save annotations before the session is left.
@@ -124,6 +127,13 @@ void drawCharts(const PanelContext& context);
 void keepSteps(const PanelContext& context);
 /// The fields that specify the points to be made.
 void drawGrowthForm(const PanelContext& context);
+/// An input line of query terms (core's decision_query.h), as wide as the next item width. True if
+/// the line changed. The field takes any text, and is red where a word is not understood.
+bool queryField(const PanelContext& context, const char* id, const char* hint, std::string& line);
+/// Error of a line, without the list of all terms; empty if there is none.
+std::string queryComplaint(const PanelContext& context, const std::string& line);
+/// A dim "?" with a tooltip that explains all terms.
+void queryHelp(const PanelContext& context);
 /// The evidence of an event as rows of values and thresholds.
 void drawEvidence(const PanelContext& context, const Event& event);
 

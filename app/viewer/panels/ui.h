@@ -1,10 +1,20 @@
-/// Lifetime and style of Dear ImGui.
+/// Lifetime, style and fonts of Dear ImGui.
 #pragma once
 
-#include "fonts.h"
 #include "scene/palette.h"
 
+struct ImFont;
+
 namespace se::view {
+
+struct Fonts {
+    ImFont* text = nullptr;
+    ImFont* strong = nullptr;
+    ImFont* mono = nullptr;
+    ImFont* small = nullptr;    ///< For the legend, and tabs in little room.
+    ImFont* large = nullptr;    ///< For the narration line.
+    ImFont* caption = nullptr;  ///< For the narration line read from a distance.
+};
 
 class Ui {
   public:

@@ -7,7 +7,6 @@
 #include "panel_state/ui_state.h"
 #include "panels/panel.h"
 #include "panels/widgets/prepare_fields.h"
-#include "panels/widgets/text_field.h"
 #include "panels/widgets/widgets.h"
 #include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/sampling/field.h"

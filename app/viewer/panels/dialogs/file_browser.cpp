@@ -10,7 +10,6 @@
 #include "panel_state/ui_requests.h"
 #include "panel_state/ui_state.h"
 #include "panels/panel.h"
-#include "panels/widgets/text_field.h"
 #include "panels/widgets/widgets.h"
 #include "session/session.h"
 #include "session/session_file.h"

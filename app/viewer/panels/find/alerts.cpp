@@ -1,3 +1,6 @@
+// Failures of the finished run by class. The chosen one shows its three moments, the answer of the
+// ledger about it, and the rules that would have prevented it, each found by a re-run. Rows above
+// and below the details are clipped lists of their own, so that only visible ones cost time.
 #include <imgui.h>
 
 #include <algorithm>
@@ -72,11 +75,10 @@ void drawHead(const PanelContext& context, const AlertGroup& group) {
     ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float left = ImGui::GetCursorPosX();
-    const bool clicked = ImGui::Selectable("##head");
     const std::string name(group.kind->name);
-    context.where()["alerts " + name] = lastItem();
-    tooltip(std::string(group.kind->meaning) + (open ? "\nFold" : "\nUnfold"));
-    if (clicked) context.state<AlertsPanel>().open[name] = !open;
+    const std::string help = std::string(group.kind->meaning) + (open ? "\nFold" : "\nUnfold");
+    if (selectable(context, "##head", false, "alerts " + name, help))
+        context.state<AlertsPanel>().open[name] = !open;
     drawArrow(context, at, open);
     ImGui::SameLine(left + 1.3F * context.em);
     const std::string count = amountOf(group);
@@ -86,8 +88,7 @@ void drawHead(const PanelContext& context, const AlertGroup& group) {
     ImGui::TextUnformatted(fitted(titleOf(*group.kind), room).c_str());
     ImGui::PopStyleColor();
     ImGui::PopFont();
-    ImGui::SameLine(end - ImGui::CalcTextSize(count.c_str()).x);
-    ImGui::TextDisabled("%s", count.c_str());
+    dimAtRight(count);
     ImGui::PopID();
 }
 
@@ -97,16 +98,13 @@ void drawRow(const PanelContext& context, std::size_t index) {
     const bool chosen = session.alerts().chosen() == index;
     ImGui::PushID(static_cast<int>(index));
     const float left = ImGui::GetCursorPosX();
-    const bool clicked = ImGui::Selectable("##alert", chosen);
-    context.where()["alert " + alertName(session.alerts().search(), index)] = lastItem();
-    tooltip("Go to where it was created, frame it, and show why");
-    if (clicked) showAlert(context.commands, index, AlertMoment::Created);
+    if (selectable(context, "##alert", chosen,
+                   "alert " + alertName(session.alerts().search(), index),
+                   "Go to where it was created, frame it, and show why"))
+        showAlert(context.commands, index, AlertMoment::Created);
     ImGui::SameLine(left + 1.3F * context.em);
-    ImGui::PushFont(context.fonts.mono);
-    const std::string address = toString(alert.moments.created.event.address);
-    ImGui::TextUnformatted(address.c_str());
-    const float width = ImGui::CalcTextSize(address.c_str()).x;
-    ImGui::PopFont();
+    textIn(context.fonts.mono, toString(alert.moments.created.event.address));
+    const float width = ImGui::GetItemRectSize().x;
     const float at = left + std::max(8.6F * context.em, width + 2.0F * context.em);
     ImGui::SameLine(at);
     const std::string points = pointsText(alert.failure, 6);
@@ -122,14 +120,11 @@ void drawMoment(const PanelContext& context, const RunFailure& alert, AlertMomen
     const bool here = session.event() != nullptr && session.address() == address;
     ImGui::PushID(static_cast<int>(moment));
     const float left = ImGui::GetCursorPosX();
-    const bool clicked = ImGui::Selectable("##moment", here);
     const std::string name(momentName(moment));
-    context.where()["alert " + name] = lastItem();
-    if (clicked) showAlert(context.commands, *session.alerts().chosen(), moment);
+    if (selectable(context, "##moment", here, "alert " + name))
+        showAlert(context.commands, *session.alerts().chosen(), moment);
     ImGui::SameLine(left);
-    ImGui::PushFont(context.fonts.strong);
-    ImGui::TextUnformatted(name.c_str());
-    ImGui::PopFont();
+    textIn(context.fonts.strong, name);
     ImGui::PushFont(context.fonts.mono);
     const std::string text = toString(address);
     const float width = ImGui::CalcTextSize(text.c_str()).x;
@@ -153,11 +148,9 @@ void drawWhy(const PanelContext& context, const RunFailure& alert) {
     Session& session = context.session();
     const Selection subject = subjectOf(alert);
     const Questions& questions = session.questions();
-    if (ImGui::SmallButton(("Why? " + selectionText(subject)).c_str())) {
+    if (smallButton(context, "Why? " + selectionText(subject), "alert why",
+                    "Every decision about it, in the panel Ledger"))
         askWhy(context.commands, subject);
-    }
-    context.where()["alert why"] = lastItem();
-    tooltip("Every decision about it, in the panel Ledger");
     const bool mine = questions.subject() == subject;
     const WhyAnswer* answer = mine ? questions.ledger().answer() : nullptr;
     if (answer != nullptr) dimText(withShortNumbers(answer->answer));
@@ -168,18 +161,16 @@ void drawWhy(const PanelContext& context, const RunFailure& alert) {
 void drawRemedy(const PanelContext& context, const Remedy& remedy) {
     const std::string name(nameOf(remedy));
     ImGui::PushID(name.c_str());
-    if (ImGui::SmallButton("Switch on")) switchOn(context.commands, remedy);
-    context.where()["remedy " + name] = lastItem();
-    tooltip(remedy.rule != nullptr ? std::string(remedy.rule->summary)
-                                   : "All rules of the set; see docs/robust.md.");
+    if (smallButton(context, "Switch on", "remedy " + name,
+                    remedy.rule != nullptr ? std::string(remedy.rule->summary)
+                                           : "All rules of the set; see docs/robust.md."))
+        switchOn(context.commands, remedy);
     ImGui::SameLine();
-    if (ImGui::SmallButton("Compare")) showBeside(context.commands, remedy);
-    context.where()["beside " + name] = lastItem();
-    tooltip("This run and the one with it side by side, at this position");
+    if (smallButton(context, "Compare", "beside " + name,
+                    "This run and the one with it side by side, at this position"))
+        showBeside(context.commands, remedy);
     ImGui::SameLine();
-    ImGui::PushFont(context.fonts.mono);
-    ImGui::TextUnformatted(name.c_str());
-    ImGui::PopFont();
+    textIn(context.fonts.mono, name);
     ImGui::SameLine();
     const std::string left = "leaves " + grouped(remedy.all);
     const float at = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(left.c_str()).x;
@@ -224,9 +215,9 @@ void drawRemedies(const PanelContext& context) {
         return;
     }
     if (mine && !search.complaint().empty()) dimText(search.complaint());
-    if (ImGui::SmallButton("Try the rules beyond the paper")) session.alerts().seekRemedies();
-    context.where()["alert remedies"] = lastItem();
-    tooltip("Re-runs with each of them on, one at a time");
+    if (smallButton(context, "Try the rules beyond the paper", "alert remedies",
+                    "Re-runs with each of them on, one at a time"))
+        session.alerts().seekRemedies();
 }
 
 void drawChosen(const PanelContext& context) {
@@ -302,33 +293,29 @@ void drawSearch(const PanelContext& context) {
     const std::string& complaint = alerts.complaint();
     if (alerts.stopped() || !complaint.empty()) {
         dimText(alerts.stopped() ? "The search was stopped." : complaint);
-        if (ImGui::SmallButton("Search for failures")) session.alerts().search().resume();
-        context.where()["alerts resume"] = lastItem();
+        if (smallButton(context, "Search for failures", "alerts resume"))
+            session.alerts().search().resume();
         return;
     }
     dimText(alerts.busy() ? "Searching for alerts ..."
                           : "The search for alerts starts once the run is complete.");
     if (!alerts.busy()) return;
     ImGui::ProgressBar(static_cast<float>(alerts.share()), {-1.0F, 0.0F});
-    if (ImGui::SmallButton("Stop")) session.alerts().search().stop();
-    context.where()["alerts stop"] = lastItem();
+    if (smallButton(context, "Stop", "alerts stop")) session.alerts().search().stop();
 }
 
 std::string headingNote(const AlertSearch& alerts) {
     const std::size_t count = alerts.failures().size();
     if (!alerts.done() || count == 0) return {};
     if (!alerts.complete()) return "first " + grouped(count) + " alerts";
-    return count == 1 ? "1 alert" : grouped(count) + " alerts";
+    return withS(count, "alert");
 }
 
 }  // namespace
 
 void drawAlerts(const PanelContext& context) {
     const Session& session = context.session();
-    if (!session.ready()) {
-        ImGui::TextDisabled("Nothing is open.");
-        return;
-    }
+    if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     const AlertSearch& alerts = session.alerts().search();
     heading(context, "Alerts", headingNote(alerts));
     const std::string note =

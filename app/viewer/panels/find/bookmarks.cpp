@@ -4,7 +4,6 @@
 
 #include "panel_state/ui_state.h"
 #include "panels/panel.h"
-#include "panels/widgets/text_field.h"
 #include "panels/widgets/widgets.h"
 #include "session/annotations.h"
 #include "session/playback.h"
@@ -62,30 +61,22 @@ void drawBookmarks(const PanelContext& context) {
     ImGui::TableSetupColumn("address", ImGuiTableColumnFlags_WidthFixed, 7.5F * context.em);
     ImGui::TableSetupColumn("note", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("away", ImGuiTableColumnFlags_WidthFixed, 1.4F * context.em);
-    std::optional<std::size_t> gone;
-    for (std::size_t i = 0; i < marks.size(); ++i) {
-        ImGui::PushID(static_cast<int>(i));
-        if (drawBookmark(context, marks[i], i)) gone = i;
-        ImGui::PopID();
-    }
+    drawRemovable(marks,
+                  [&](Bookmark& mark, std::size_t i) { return drawBookmark(context, mark, i); });
     ImGui::EndTable();
-    if (gone) marks.erase(marks.begin() + static_cast<std::ptrdiff_t>(*gone));
 }
 
 }  // namespace
 
 void drawNotes(const PanelContext& context) {
-    if (!context.session().ready()) {
-        ImGui::TextDisabled("Nothing is open.");
-        return;
-    }
+    if (!context.session().ready()) return ImGui::TextDisabled("Nothing is open.");
     drawBookmarks(context);
     ImGui::Spacing();
     heading(context, "Notes");
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const ImVec2 size(room.x, std::max(6.0F * context.em, room.y - 2.0F * context.em));
     textArea("##notes", context.ui().notes, size);
-    context.where()["field notes"] = lastItem();
+    nameItem(context, "field notes");
     const std::string key = context.key("file.save");
     ImGui::TextDisabled("%s saves them in a session file.", key.c_str());
 }

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
-#include "break_log.h"
 #include "commands/break_commands.h"
+#include "jobs/hit_search.h"
 #include "panels/panel.h"
-#include "panels/widgets/text_field.h"
 #include "panels/widgets/widgets.h"
-#include "query_field.h"
+#include "session/playback.h"
 #include "session/session.h"
 #include "spiraling_edge/replay/breakpoint.h"
 
@@ -48,9 +47,9 @@ void numberField(const PanelContext& context, const char* label, std::uint32_t& 
 
 /// Name, hit count and log-only, in a popup. True if the breakpoint is to be removed.
 bool drawOptions(const PanelContext& context, Breakpoint& breakpoint, const std::string& name) {
-    if (ImGui::Button("...", {kButton * context.em, 0.0F})) ImGui::OpenPopup("##options");
-    context.where()[name + " options"] = lastItem();
-    tooltip("Name, hit count, log only");
+    if (textButton(context, "...", name + " options", "Name, hit count, log only",
+                   kButton * context.em))
+        ImGui::OpenPopup("##options");
     if (!ImGui::BeginPopup("##options")) return false;
     ImGui::SetNextItemWidth(14.0F * context.em);
     textField("name", "optional name", breakpoint.name);
@@ -58,8 +57,7 @@ bool drawOptions(const PanelContext& context, Breakpoint& breakpoint, const std:
     numberField(context, "then stop at every Nth hit", breakpoint.every, 1);
     ImGui::Checkbox("log only: list the hits, do not stop", &breakpoint.logOnly);
     ImGui::TextDisabled("Hits count from the start of the run, in both directions.");
-    const bool gone = ImGui::Button("Remove this breakpoint");
-    context.where()[name + " away"] = lastItem();
+    const bool gone = textButton(context, "Remove this breakpoint", name + " away");
     if (gone) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
     return gone;
@@ -76,11 +74,9 @@ RowFit rowFit(const PanelContext& context) {
     const float em = context.em;
     const float button = kButton * em + gap;
     // Constant, so that the row does not move while hits are counted.
-    float count = ImGui::CalcTextSize("88 / 88").x;
-    for (const Breakpoint& each : context.state<std::vector<Breakpoint>>()) {
-        const std::string text = countText(context.session(), each);
-        count = std::max(count, ImGui::CalcTextSize(text.c_str()).x);
-    }
+    float count = textWidth("88 / 88");
+    for (const Breakpoint& each : context.state<std::vector<Breakpoint>>())
+        count = std::max(count, textWidth(countText(context.session(), each)));
     const float room =
         ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - gap - button - kLeastLine * em;
     if (room >= count + gap + button) return {count, true};
@@ -104,12 +100,6 @@ void drawBelow(const PanelContext& context, const Breakpoint& breakpoint, const 
     tooltip(text);
 }
 
-void drawComplaint(const PanelContext& context, const std::string& line) {
-    const std::string complaint = queryComplaint(context, line);
-    if (complaint.empty()) return;
-    wrappedText(complaint, context.palette.rejected);
-}
-
 /// One breakpoint. True if it is to be removed.
 bool drawRow(const PanelContext& context, Breakpoint& breakpoint, std::size_t number,
              const RowFit& fit) {
@@ -117,19 +107,18 @@ bool drawRow(const PanelContext& context, Breakpoint& breakpoint, std::size_t nu
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float button = kButton * context.em + gap;
     ImGui::Checkbox("##on", &breakpoint.on);
-    context.where()[name + " on"] = lastItem();
-    tooltip("On or off");
+    nameItem(context, name + " on", "On or off");
     ImGui::SameLine();
     const float count = fit.count > 0.0F ? fit.count + gap : 0.0F;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - count - button -
                             (fit.cross ? button : 0.0F));
     queryField(context, "##line", "stage=sphere refused", breakpoint.line);
-    context.where()[name] = lastItem();
+    nameItem(context, name);
     ImGui::SameLine();
     const float afterHits = ImGui::GetCursorPosX() + count;
     if (fit.count > 0.0F) {
         const std::string hits = countText(context.session(), breakpoint);
-        ImGui::SetCursorPosX(afterHits - gap - ImGui::CalcTextSize(hits.c_str()).x);
+        ImGui::SetCursorPosX(afterHits - gap - textWidth(hits));
         ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted(hits.c_str());
         tooltip("Hits up to the cursor, and in all");
@@ -142,7 +131,8 @@ bool drawRow(const PanelContext& context, Breakpoint& breakpoint, std::size_t nu
         tooltip("Remove this breakpoint");
     }
     drawBelow(context, breakpoint, fit);
-    drawComplaint(context, breakpoint.line);
+    if (const std::string complaint = queryComplaint(context, breakpoint.line); !complaint.empty())
+        wrappedText(complaint, context.palette.rejected);
     return gone;
 }
 
@@ -156,7 +146,7 @@ void drawPresets(const PanelContext& context) {
             line ? fitted(*line, 16.0F * context.em) : "needs " + std::string(preset.needs);
         if (ImGui::MenuItem(title.c_str(), right.c_str(), false, line.has_value()))
             addBreakpoint(context.commands, {title, *line});
-        context.where()["preset " + title] = lastItem();
+        nameItem(context, "preset " + title);
     }
     ImGui::Separator();
     if (ImGui::MenuItem("Custom line", "type it")) {
@@ -172,10 +162,7 @@ void drawTitle(const PanelContext& context) {
     ImGui::SameLine();
     queryHelp(context);
     const std::size_t count = context.state<std::vector<Breakpoint>>().size();
-    if (count == 0) return;
-    const std::string text = std::to_string(count);
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(text.c_str()).x);
-    ImGui::TextDisabled("%s", text.c_str());
+    if (count > 0) dimAtRight(std::to_string(count));
 }
 
 /// Whether the buttons fit side by side, all with words.
@@ -189,14 +176,13 @@ bool buttonsFit() {
 
 void drawButtons(const PanelContext& context) {
     const bool words = buttonsFit();
-    if (ImGui::Button("Add...")) ImGui::OpenPopup("##presets");
-    context.where()["add breakpoint"] = lastItem();
+    if (textButton(context, "Add...", "add breakpoint")) ImGui::OpenPopup("##presets");
     drawPresets(context);
     ImGui::SameLine();
-    if (ImGui::Button("Here")) context.run("run.break");
-    context.where()["breakpoint here"] = lastItem();
-    tooltip("Break on the selection, otherwise on this kind of decision (" +
-            context.key("run.break") + ")");
+    if (textButton(context, "Here", "breakpoint here",
+                   "Break on the selection, otherwise on this kind of decision (" +
+                       context.key("run.break") + ")"))
+        context.run("run.break");
     ImGui::SameLine();
     if (ImGui::Button(words ? "< Back" : "<")) context.run("run.continue.back");
     tooltip("Previous breakpoint (" + context.key("run.continue.back") + ")");
@@ -208,12 +194,8 @@ void drawButtons(const PanelContext& context) {
 void drawHitSearch(const PanelContext& context) {
     HitSearch& hits = context.session().hits();
     if (hits.busy()) {
-        const float button = 4.5F * context.em;
-        ImGui::ProgressBar(static_cast<float>(hits.share()),
-                           {ImGui::GetContentRegionAvail().x - button, 0.0F}, "searching for hits");
-        ImGui::SameLine();
-        if (ImGui::Button("Stop")) hits.cancel();
-        context.where()["stop search"] = lastItem();
+        if (progressAndStop(context, hits.share(), "searching for hits", "stop search", 4.5F))
+            hits.cancel();
     } else if (hits.cancelled()) {
         if (ImGui::Button("Resume")) hits.resume();
         ImGui::SameLine();
@@ -221,13 +203,102 @@ void drawHitSearch(const PanelContext& context) {
     }
 }
 
+// ---- the log --------------------------------------------------------------------------------
+
+/// Width in em below which the sentence is placed under its address.
+constexpr float kWide = 26.0F;
+constexpr float kAddress = 10.0F;
+constexpr std::size_t kLongestText = 200;
+
+/// A hit of a log-only breakpoint.
+struct LogRow {
+    Hit hit;
+    const Breakpoint* breakpoint;
+    const std::string* sentence;  ///< Null beyond the first kMaxLogged.
+};
+
+std::vector<LogRow> logRows(const PanelContext& context) {
+    std::vector<LogRow> rows;
+    for (const Breakpoint& each : context.state<std::vector<Breakpoint>>()) {
+        const LineHits* known = context.session().hits().of(each.line);
+        if (!each.on || !each.logOnly || known == nullptr) continue;
+        for (std::size_t i = 0; i < known->list.hits.size() && rows.size() < kMaxLogged; ++i) {
+            if (!selectsHit(each, i + 1)) continue;
+            const bool told = i < known->sentences.size();
+            rows.push_back({known->list.hits[i], &each, told ? &known->sentences[i] : nullptr});
+        }
+    }
+    std::stable_sort(rows.begin(), rows.end(),
+                     [](const LogRow& a, const LogRow& b) { return a.hit.place < b.hit.place; });
+    return rows;
+}
+
+bool isWide(const PanelContext& context) {
+    return ImGui::GetContentRegionAvail().x >= kWide * context.em;
+}
+
+float rowHeight(const PanelContext& context) {
+    const float line = ImGui::GetTextLineHeight();
+    return isWide(context) ? line : line + context.fonts.small->FontSize;
+}
+
+/// Address and sentence, beside or below each other; hits after the cursor are dim.
+void drawLogRow(const PanelContext& context, const LogRow& row) {
+    Session& session = context.session();
+    const RunPosition here = session.place();
+    const Palette& palette = context.palette;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float room = ImGui::GetContentRegionAvail().x;
+    const bool wide = isWide(context);
+    if (ImGui::Selectable("##hit", here == row.hit.place, 0, {0.0F, rowHeight(context)})) {
+        context.playback().pause();
+        session.moves().goTo(row.hit.address);
+    }
+    const std::string& what = row.sentence != nullptr ? *row.sentence : row.breakpoint->line;
+    tooltip(what);
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const std::string address = toString(row.hit.address);
+    list->AddText(context.fonts.mono, context.fonts.mono->FontSize, at,
+                  toU32(here < row.hit.place ? palette.textDim : palette.text), address.c_str());
+    const float left = (wide ? kAddress : 1.0F) * context.em;
+    ImFont* font = wide ? context.fonts.text : context.fonts.small;
+    ImGui::PushFont(font);
+    const std::string sentence = fitted(what.substr(0, kLongestText), room - left);
+    ImGui::PopFont();
+    const float y = wide ? at.y : at.y + ImGui::GetTextLineHeight();
+    list->AddText(font, font->FontSize, {at.x + left, y}, toU32(palette.textDim), sentence.c_str());
+}
+
+/// The hits of log-only breakpoints, as a list of links; nothing if no breakpoint is log-only.
+void drawBreakLog(const PanelContext& context) {
+    const auto& all = context.state<std::vector<Breakpoint>>();
+    if (std::none_of(all.begin(), all.end(),
+                     [](const Breakpoint& each) { return each.on && each.logOnly; }))
+        return;
+    const std::vector<LogRow> rows = logRows(context);
+    ImGui::Spacing();
+    heading(context, "Log", grouped(rows.size()));
+    if (ImGui::BeginChild("##log",
+                          {0.0F, std::max(8.0F * context.em, ImGui::GetContentRegionAvail().y)})) {
+        ImGuiListClipper clipper;
+        clipper.Begin(static_cast<int>(rows.size()),
+                      rowHeight(context) + ImGui::GetStyle().ItemSpacing.y);
+        while (clipper.Step()) {
+            for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+                ImGui::PushID(i);
+                drawLogRow(context, rows[static_cast<std::size_t>(i)]);
+                if (i == clipper.DisplayStart) nameItem(context, "log row");
+                ImGui::PopID();
+            }
+        }
+    }
+    ImGui::EndChild();
+}
+
 }  // namespace
 
 void drawBreakpoints(const PanelContext& context) {
-    if (!context.session().ready()) {
-        ImGui::TextDisabled("Nothing is open.");
-        return;
-    }
+    if (!context.session().ready()) return ImGui::TextDisabled("Nothing is open.");
     std::vector<Breakpoint>& all = context.state<std::vector<Breakpoint>>();
     drawTitle(context);
     drawButtons(context);
@@ -240,13 +311,9 @@ void drawBreakpoints(const PanelContext& context) {
                 "decision. Add... lists all kinds.");
     }
     const RowFit fit = rowFit(context);
-    std::optional<std::size_t> gone;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        ImGui::PushID(static_cast<int>(i));
-        if (drawRow(context, all[i], i + 1, fit)) gone = i;
-        ImGui::PopID();
-    }
-    if (gone) all.erase(all.begin() + static_cast<std::ptrdiff_t>(*gone));
+    drawRemovable(all, [&](Breakpoint& breakpoint, std::size_t i) {
+        return drawRow(context, breakpoint, i + 1, fit);
+    });
     drawBreakLog(context);
 }
 

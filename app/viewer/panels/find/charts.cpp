@@ -20,8 +20,8 @@ struct ChartColumns {
 ChartColumns columnsOf(const RunChart& chart) {
     ChartColumns columns;
     for (const ChartBar& bar : chart.bars) {
-        columns.label = std::max(columns.label, ImGui::CalcTextSize(bar.label.c_str()).x);
-        columns.count = std::max(columns.count, ImGui::CalcTextSize(grouped(bar.count).c_str()).x);
+        columns.label = std::max(columns.label, textWidth(bar.label));
+        columns.count = std::max(columns.count, textWidth(grouped(bar.count)));
         columns.most = std::max(columns.most, bar.count);
     }
     return columns;
@@ -39,19 +39,17 @@ void drawBar(const PanelContext& context, const RunChart& chart, const ChartBar&
     const bool chosen = ImGui::Selectable("##bar", asked, 0, {0.0F, height});
     ImGui::PopID();
     if (ImGui::IsItemVisible())
-        context.where()["bar " + std::string(chart.name) + " " + bar.label] = lastItem();
+        nameItem(context, "bar " + std::string(chart.name) + " " + bar.label);
     tooltip(grouped(bar.count) + " " + std::string(chart.unit) + "\n" + bar.query);
     if (chosen) askQuery(context.commands, bar.query);
     ImDrawList* list = ImGui::GetWindowDrawList();
-    const float labelWidth = ImGui::CalcTextSize(bar.label.c_str()).x;
     const bool named = !bar.label.empty() && bar.label[0] > '9';
-    const float indent = named ? 0.0F : columns.label - labelWidth;
+    const float indent = named ? 0.0F : columns.label - textWidth(bar.label);
     list->AddText({at.x + 0.2F * em + indent, at.y}, toU32(context.palette.text),
                   bar.label.c_str());
     const std::string count = grouped(bar.count);
-    const float countWidth = ImGui::CalcTextSize(count.c_str()).x;
     const float right = at.x + room - 0.2F * em;
-    list->AddText({right - countWidth, at.y}, toU32(context.palette.textDim), count.c_str());
+    list->AddText({right - textWidth(count), at.y}, toU32(context.palette.textDim), count.c_str());
     const float from = at.x + columns.label + 0.8F * em;
     const float full = std::max(0.0F, right - columns.count - 0.6F * em - from);
     const float share = static_cast<float>(bar.count) / static_cast<float>(columns.most);
@@ -76,17 +74,11 @@ void drawChart(const PanelContext& context, const RunChart& chart) {
 }  // namespace
 
 void drawCharts(const PanelContext& context) {
-    if (!context.session().ready()) {
-        ImGui::TextDisabled("Nothing is open.");
-        return;
-    }
+    if (!context.session().ready()) return ImGui::TextDisabled("Nothing is open.");
     Questions& questions = context.session().questions();
     BackgroundQuery<std::vector<RunChart>>& charts = questions.charts();
     questions.wantCharts();
-    if (charts.busy()) {
-        if (drawAsking(context, "Re-running ...", charts.share())) charts.stop();
-        return;
-    }
+    if (drawAsking(context, charts)) return;
     const std::vector<RunChart>* answer = charts.answer();
     if (answer == nullptr) {
         dimText(charts.complaint());

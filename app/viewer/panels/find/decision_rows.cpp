@@ -1,6 +1,10 @@
+// A list of decisions, two lines of text each: what was decided, and the numbers it compared. Only
+// the rows in sight are drawn, so that a list of any length costs the same; all rows are of one
+// height, which lets the list scroll to the row of the cursor without a search.
 #include "decision_rows.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -21,8 +25,6 @@ namespace {
 
 /// Between two rows, in em.
 constexpr float kRowGap = 0.25F;
-/// Minimum height of a scrolling body, in em.
-constexpr float kLeastBody = 7.0F;
 /// Frames that count as a move of the cursor.
 constexpr int kSettlingFrames = 4;
 
@@ -33,21 +35,15 @@ struct RoleLook {
     Color Palette::*color;
 };
 
-RoleLook lookOf(LineRole role) {
-    switch (role) {
-        case LineRole::Taken:
-            return {Shape::Disc, 0.56F, &Palette::used};
-        case LineRole::Refused:
-            return {Shape::Cross, 0.6F, &Palette::rejected};
-        case LineRole::Made:
-            return {Shape::Diamond, 0.74F, &Palette::test};
-        case LineRole::Undone:
-            return {Shape::OpenDiamond, 0.74F, &Palette::rejected};
-        case LineRole::Fact:
-            break;
-    }
-    return {Shape::Dot, 0.3F, &Palette::textDim};
-}
+/// By LineRole.
+constexpr std::array<RoleLook, 5> kRoleLooks = {{
+    {Shape::Dot, 0.3F, &Palette::textDim},
+    {Shape::Disc, 0.56F, &Palette::used},
+    {Shape::Cross, 0.6F, &Palette::rejected},
+    {Shape::Diamond, 0.74F, &Palette::test},
+    {Shape::OpenDiamond, 0.74F, &Palette::rejected},
+}};
+static_assert(static_cast<std::size_t>(LineRole::Undone) + 1 == kRoleLooks.size());
 
 /// One row, two lines of text high.
 class RowDrawer {
@@ -66,14 +62,12 @@ class RowDrawer {
         ImGui::PushID(static_cast<int>(i));
         const bool chosen = ImGui::Selectable("##line", here, 0, {0.0F, height()});
         const bool hovered = ImGui::IsItemHovered();
-        const std::string address = toString(line.event.address);
-        if (ImGui::IsItemVisible()) context_.where()["line " + address] = lastItem();
+        if (ImGui::IsItemVisible()) nameItem(context_, "line " + toString(line.event.address));
         const Index tested = testedPoint(line.event);
-        if (hovered) context_.state<Navigation>().pointedAt = tested != kNone ? tested : line.pivot;
-        if (hovered && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) {
-            context_.state<SubjectMenu>().open(
-                Selection::ofPoint(tested != kNone ? tested : line.pivot));
-        }
+        const Index point = tested != kNone ? tested : line.pivot;
+        if (hovered) context_.state<Navigation>().pointedAt = point;
+        if (hovered && ImGui::IsMouseReleased(ImGuiMouseButton_Right))
+            context_.state<SubjectMenu>().open(Selection::ofPoint(point));
         const RowNote note = rows_.note ? rows_.note(i) : RowNote{};
         tooltip(lineText(line) + (note.tooltip.empty() ? "" : "\n" + note.tooltip));
         ImGui::PopID();
@@ -93,7 +87,7 @@ class RowDrawer {
     void drawTop(const LedgerLine& line, ImVec2 at, float room, bool cause, bool here) const {
         ImDrawList* list = ImGui::GetWindowDrawList();
         const Palette& palette = context_.palette;
-        const RoleLook look = lookOf(line.role);
+        const RoleLook& look = kRoleLooks[static_cast<std::size_t>(line.role)];
         const float middle = at.y + 0.5F * ImGui::GetTextLineHeight();
         drawShape(list, {at.x + 0.85F * em(), middle}, look.size * em(), look.shape,
                   toU32(palette.*look.color));
@@ -102,8 +96,7 @@ class RowDrawer {
                       toU32(palette.pivot));
         }
         const std::string section = sectionOf(line.event);
-        float right = at.x + room - 0.2F * em();
-        right -= ImGui::CalcTextSize(section.c_str()).x;
+        const float right = at.x + room - 0.2F * em() - textWidth(section);
         list->AddText({right, at.y}, toU32(palette.textDim), section.c_str());
         float x = at.x + left();
         ImFont* font = cause ? context_.fonts.strong : context_.fonts.text;
@@ -127,7 +120,7 @@ class RowDrawer {
         float rest = room - left() - 0.2F * em();
         if (line.reading) {
             const std::string margin = marginText(line.reading->margin);
-            const float width = ImGui::CalcTextSize(margin.c_str()).x;
+            const float width = textWidth(margin);
             list->AddText({at.x + room - 0.2F * em() - width, at.y}, color, margin.c_str());
             rest -= width + 0.6F * em();
         }
@@ -142,8 +135,7 @@ class RowDrawer {
         const std::string at =
             line.pivot != kNone ? "at " + std::to_string(line.pivot) + ": " : std::string{};
         const std::string full = at + comparisonText(*line.reading, true);
-        const bool fits = ImGui::CalcTextSize(full.c_str()).x <= room;
-        return fits ? full : at + comparisonText(*line.reading, false);
+        return textWidth(full) <= room ? full : at + comparisonText(*line.reading, false);
     }
 
     /// Position of the cursor between two lines.
@@ -194,7 +186,7 @@ void follow(const PanelContext& context, const DecisionRows& rows, const LinePos
 
 }  // namespace
 
-std::optional<std::size_t> drawDecisionRows(const PanelContext& context, const DecisionRows& rows) {
+void drawDecisionRows(const PanelContext& context, const DecisionRows& rows, FrameWish frame) {
     std::optional<std::size_t> chosen;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, kRowGap * context.em});
     const LinePosition place = positionOfCursor(rows, context.session());
@@ -208,33 +200,13 @@ std::optional<std::size_t> drawDecisionRows(const PanelContext& context, const D
         }
     }
     ImGui::PopStyleVar();
-    return chosen;
-}
-
-ScrolledBody::ScrolledBody(const PanelContext& context, const char* id)
-    : apart_(ImGui::GetContentRegionAvail().y >= kLeastBody * context.em) {
-    if (apart_) ImGui::BeginChild(id, {0.0F, 0.0F}, false, ImGuiWindowFlags_NavFlattened);
-}
-
-ScrolledBody::~ScrolledBody() {
-    if (apart_) ImGui::EndChild();
+    if (chosen) goToDecision(context, rows.lines[*chosen].event.address, frame);
 }
 
 void goToDecision(const PanelContext& context, const Address& address, FrameWish frame) {
     context.playback().pause();
     context.session().moves().goTo(address);
     context.requests().frame = frame;
-}
-
-bool drawAsking(const PanelContext& context, const char* what, double share) {
-    ImGui::TextDisabled("%s", what);
-    const float button = 4.0F * context.em;
-    ImGui::ProgressBar(static_cast<float>(share),
-                       {ImGui::GetContentRegionAvail().x - button, 0.0F});
-    ImGui::SameLine();
-    const bool stop = ImGui::Button("Stop");
-    context.where()["stop asking"] = lastItem();
-    return stop;
 }
 
 }  // namespace se::view

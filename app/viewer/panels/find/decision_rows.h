@@ -5,9 +5,10 @@
 #include <optional>
 #include <span>
 
+#include "jobs/background_query.h"
 #include "panel_state/query_panel_state.h"
 #include "panel_state/ui_requests.h"
-#include "panels/panel.h"
+#include "panels/widgets/widgets.h"
 #include "spiraling_edge/explain/ledger.h"
 
 namespace se::view {
@@ -26,24 +27,37 @@ struct DecisionRows {
     std::function<RowNote(std::size_t)> note = {};  ///< About a line; none by default.
 };
 
-/// Draws them below each other in the current window, which scrolls to the line of the cursor.
-/// The line that was chosen, if any.
-std::optional<std::size_t> drawDecisionRows(const PanelContext& context, const DecisionRows& rows);
+/// Draws them below each other in the current window, which scrolls to the line of the cursor. A
+/// click goes to the decision of a line and frames `frame` there.
+void drawDecisionRows(const PanelContext& context, const DecisionRows& rows, FrameWish frame);
 /// A part that scrolls by itself, so that the input above stays visible; in a low window
 /// the panel is scrolled as a whole.
 class ScrolledBody {
   public:
-    ScrolledBody(const PanelContext& context, const char* id);
-    ~ScrolledBody();
+    ScrolledBody(const PanelContext& context, const char* id)
+        : apart_(ImGui::GetContentRegionAvail().y >= kLeastBody * context.em) {
+        if (apart_) ImGui::BeginChild(id, {0.0F, 0.0F}, false, ImGuiWindowFlags_NavFlattened);
+    }
+    ~ScrolledBody() {
+        if (apart_) ImGui::EndChild();
+    }
     ScrolledBody(const ScrolledBody&) = delete;
     ScrolledBody& operator=(const ScrolledBody&) = delete;
 
   private:
+    /// Minimum height of a scrolling body, in em.
+    static constexpr float kLeastBody = 7.0F;
     bool apart_;
 };
 /// Goes to a decision and frames a selection there.
 void goToDecision(const PanelContext& context, const Address& address, FrameWish frame);
-/// Progress of a query, with a button. True if it is to stop.
-bool drawAsking(const PanelContext& context, const char* what, double share);
+/// Progress of a query, with a button that stops it. False if it is not busy.
+template <class Answer>
+bool drawAsking(const PanelContext& context, BackgroundQuery<Answer>& query) {
+    if (!query.busy()) return false;
+    ImGui::TextDisabled("Re-running ...");
+    if (progressAndStop(context, query.share(), nullptr, "stop asking")) query.stop();
+    return true;
+}
 
 }  // namespace se::view

@@ -1,7 +1,7 @@
 #include <imgui.h>
 
-#include <algorithm>
 #include <filesystem>
+#include <span>
 
 #include "jobs/doctor_job.h"
 #include "panel_state/finding_panels.h"
@@ -18,15 +18,8 @@ namespace se::view {
 namespace {
 
 Color severityColor(const PanelContext& context, Severity severity) {
-    switch (severity) {
-        case Severity::Error:
-            return context.palette.rejected;
-        case Severity::Warning:
-            return context.palette.test;
-        case Severity::Note:
-            return context.palette.textDim;
-    }
-    return context.palette.text;
+    if (severity == Severity::Error) return context.palette.rejected;
+    return severity == Severity::Warning ? context.palette.test : context.palette.textDim;
 }
 
 /// Highlights the points of a finding and frames them; a second click clears the highlight.
@@ -86,20 +79,17 @@ void follow(const PanelContext& context, const Fixes& more) {
 void drawRemedy(const PanelContext& context, const Finding& finding) {
     const DoctorCheck& check = *finding.check;
     const std::string name(check.name);
-    if (canFix(check)) {
-        if (ImGui::SmallButton("Apply the fix")) follow(context, {name});
-        context.where()["fix " + name] = lastItem();
-        tooltip(std::string(fixText(check.fix)) + "\nCtrl+Z undoes it.");
-    }
+    if (canFix(check) && smallButton(context, "Apply the fix", "fix " + name,
+                                     std::string(fixText(check.fix)) + "\nCtrl+Z undoes it."))
+        follow(context, {name});
     const std::string command = commandFor(context, check);
     if (command.empty()) return;
     if (canFix(check)) ImGui::SameLine();
-    if (ImGui::SmallButton("Copy the command")) {
+    if (smallButton(context, "Copy the command", "copy " + name,
+                    "For a terminal; it writes a new file and leaves yours unchanged.")) {
         ImGui::SetClipboardText(command.c_str());
         context.session().messages().say("Copied the command.");
     }
-    context.where()["copy " + name] = lastItem();
-    tooltip("For a terminal; it writes a new file and leaves yours unchanged.");
     ImGui::PushFont(context.fonts.mono);
     wrappedText(command);
     ImGui::PopFont();
@@ -110,9 +100,9 @@ void drawRepaired(const PanelContext& context) {
     const Session& session = context.session();
     if (session.input().spec().fixes.empty()) return;
     wrappedText("Repaired here, not in the file: " + fixesText(session.model()) + ".");
-    if (ImGui::SmallButton("Use the file as is")) context.requests().fixes = Fixes{};
-    context.where()["doctor as it is"] = lastItem();
-    tooltip("Open the input without any fixes");
+    if (smallButton(context, "Use the file as is", "doctor as it is",
+                    "Open the input without any fixes"))
+        context.requests().fixes = Fixes{};
     ImGui::Spacing();
     ImGui::Separator();
 }
@@ -120,22 +110,20 @@ void drawRepaired(const PanelContext& context) {
 void drawFixAll(const PanelContext& context) {
     const Fixes fixes = safeFixes(context.session().doctorJob().findings());
     if (fixes.empty()) return;
-    if (ImGui::Button("Apply all safe fixes")) follow(context, fixes);
-    context.where()["doctor fix all"] = lastItem();
     std::string text;
     for (const std::string& name : fixes) {
         text += (text.empty() ? "" : "\n") + std::string(fixText(findDoctorCheck(name)->fix));
     }
-    tooltip(text + "\nCtrl+Z undoes it.");
+    if (textButton(context, "Apply all safe fixes", "doctor fix all", text + "\nCtrl+Z undoes it."))
+        follow(context, fixes);
 }
 
 void drawFinding(const PanelContext& context, const Finding& finding) {
-    Session& session = context.session();
-    const Index first =
-        session.highlights().marked().empty() ? kNone : session.highlights().marked().front();
-    const bool shown =
-        context.state<DoctorPanel>().shownCheck == finding.check->name && first != kNone;
+    const Session& session = context.session();
     const std::string name(finding.check->name);
+    const std::span<const Index> marks = session.highlights().marked();
+    const bool shown =
+        context.state<DoctorPanel>().shownCheck == name && !marks.empty() && marks.front() != kNone;
     ImGui::PushID(name.c_str());
     ImGui::PushStyleColor(ImGuiCol_Text, toVec4(severityColor(context, finding.severity)));
     ImGui::PushFont(context.fonts.strong);
@@ -146,10 +134,10 @@ void drawFinding(const PanelContext& context, const Finding& finding) {
     }
     ImGui::PopFont();
     ImGui::PopStyleColor();
-    context.where()["finding " + name] = lastItem();
-    tooltip(finding.points.empty() ? "About the file as a whole"
-            : shown                ? "Clear the marks"
-                                   : "Mark these points in the view, and frame them");
+    nameItem(context, "finding " + name,
+             finding.points.empty() ? "About the file as a whole"
+             : shown                ? "Clear the marks"
+                                    : "Mark these points in the view, and frame them");
     wrappedText(finding.text + ".");
     if (shown) {
         const std::string marked = markedText(session, finding);
@@ -163,21 +151,14 @@ void drawFinding(const PanelContext& context, const Finding& finding) {
     ImGui::Separator();
 }
 
-std::string headingNote(std::size_t findings) {
-    if (findings == 0) return {};
-    return findings == 1 ? "1 finding" : grouped(findings) + " findings";
-}
-
 }  // namespace
 
 void drawDoctor(const PanelContext& context) {
     const Session& session = context.session();
-    if (!session.ready()) {
-        ImGui::TextDisabled("Nothing is open.");
-        return;
-    }
+    if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     const DoctorJob& doctorJob = session.doctorJob();
-    heading(context, "Doctor", headingNote(doctorJob.findings().size()));
+    const std::size_t count = doctorJob.findings().size();
+    heading(context, "Doctor", count == 0 ? "" : withS(count, "finding"));
     drawRepaired(context);
     if (!doctorJob.complaint().empty()) return dimText(doctorJob.complaint());
     if (!doctorJob.done()) {
@@ -187,10 +168,9 @@ void drawDoctor(const PanelContext& context) {
             ImGui::ProgressBar(static_cast<float>(doctorJob.share()), {-1.0F, 0.0F});
         return;
     }
-    if (doctorJob.findings().empty()) {
-        dimText("Nothing found: all " + std::to_string(doctorChecks().size()) + " checks passed.");
-        return;
-    }
+    if (count == 0)
+        return dimText("Nothing found: all " + std::to_string(doctorChecks().size()) +
+                       " checks passed.");
     drawFixAll(context);
     dimText("Click a finding to mark its points and frame them.");
     for (const Finding& finding : doctorJob.findings()) drawFinding(context, finding);

@@ -2,7 +2,6 @@
 #include "decision_rows.h"
 #include "input/typing_wait.h"
 #include "jobs/questions.h"
-#include "panels/widgets/text_field.h"
 #include "panels/widgets/widgets.h"
 #include "rows/line_text.h"
 #include "run/number_format.h"
@@ -30,7 +29,7 @@ void drawQuestionBox(const PanelContext& context) {
     const bool entered = textField("##subject", "812 or 812,640 or ring", panel.typed,
                                    ImGuiInputTextFlags_EnterReturnsTrue);
     if (ImGui::IsItemActive()) context.state<TypingWait>().takesKeys();
-    if (ImGui::IsItemVisible()) context.where()["ledger box"] = lastItem();
+    if (ImGui::IsItemVisible()) nameItem(context, "ledger box");
     ImGui::SameLine();
     if (ImGui::Button("Why?") || entered) askTyped(context.commands);
     if (!panel.complaint.empty()) {
@@ -58,22 +57,19 @@ void drawEmpty(const PanelContext& context) {
 void drawAnswer(const PanelContext& context, const WhyAnswer& ledger) {
     ImGui::Spacing();
     paragraph(context, withShortNumbers(ledger.answer));
-    if (ImGui::SmallButton("Go to the cause")) {
-        goToDecision(context, ledger.lines[ledger.cause].event.address, FrameWish::Focus);
-    }
-    if (ImGui::IsItemVisible()) context.where()["ledger cause"] = lastItem();
-    tooltip(toString(ledger.lines[ledger.cause].event.address));
+    const Address& cause = ledger.lines[ledger.cause].event.address;
+    if (ImGui::SmallButton("Go to the cause")) goToDecision(context, cause, FrameWish::Focus);
+    if (ImGui::IsItemVisible()) nameItem(context, "ledger cause", toString(cause));
     ImGui::SameLine();
     if (ImGui::SmallButton("Copy as text")) {
         ImGui::SetClipboardText(ledgerText(ledger.answer, ledger.lines, ledger.cause).c_str());
         context.session().messages().say("Copied the answer and its " +
                                          grouped(ledger.lines.size()) + " lines.");
     }
-    if (ImGui::IsItemVisible()) context.where()["ledger copy"] = lastItem();
+    if (ImGui::IsItemVisible()) nameItem(context, "ledger copy");
     ImGui::Spacing();
-    const DecisionRows rows{ledger.lines, context.state<LedgerPanel>().list, ledger.cause};
-    if (const auto line = drawDecisionRows(context, rows))
-        goToDecision(context, ledger.lines[*line].event.address, FrameWish::Focus);
+    drawDecisionRows(context, {ledger.lines, context.state<LedgerPanel>().list, ledger.cause},
+                     FrameWish::Focus);
 }
 
 /// While the panel is visible, each new selection is queried.
@@ -90,19 +86,15 @@ void followSelection(const PanelContext& context) {
 
 void drawLedger(const PanelContext& context) {
     Session& session = context.session();
-    if (!session.ready()) {
-        ImGui::TextDisabled("Nothing is open.");
-        return;
-    }
+    if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     followSelection(context);
     Questions& questions = session.questions();
     heading(context, "Ledger", questions.subjectName());
     drawQuestionBox(context);
     const ScrolledBody body(context, "##ledgerBody");
     BackgroundQuery<WhyAnswer>& ledger = questions.ledger();
-    if (ledger.busy()) {
-        if (drawAsking(context, "Re-running ...", ledger.share())) ledger.stop();
-    } else if (!ledger.complaint().empty()) {
+    if (drawAsking(context, ledger)) return;
+    if (!ledger.complaint().empty()) {
         dimText(ledger.complaint());
         if (ImGui::SmallButton("Retry")) questions.askAgain();
     } else if (const WhyAnswer* answer = ledger.answer()) {

@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <cstdio>
 #include <glm/geometric.hpp>
 
 #include "commands/ask_actions.h"
@@ -8,15 +6,55 @@
 #include "input/typing_wait.h"
 #include "jobs/questions.h"
 #include "panel_state/view_settings.h"
-#include "panels/widgets/text_field.h"
 #include "panels/widgets/widgets.h"
-#include "query_field.h"
 #include "rows/line_text.h"
 #include "rows/query_words.h"
+#include "run/strings.h"
 #include "scene/point_tint.h"
 #include "session/session.h"
+#include "spiraling_edge/replay/decision_query.h"
+#include "spiraling_edge/replay/named_points.h"
 
 namespace se::view {
+
+// ---- the line -------------------------------------------------------------------------------
+
+std::string queryComplaint(const PanelContext& context, const std::string& line) {
+    const auto mistake = mistakeIn(line);
+    if (mistake) return mistake->message;
+    return missingPointIn(line, context.session().model().points.size());
+}
+
+bool queryField(const PanelContext& context, const char* id, const char* hint, std::string& line) {
+    const std::string complaint = queryComplaint(context, line);
+    ImGui::PushFont(context.fonts.mono);
+    if (!complaint.empty()) ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.rejected));
+    const bool changed = textField(id, hint, line);
+    if (!complaint.empty()) ImGui::PopStyleColor();
+    ImGui::PopFont();
+    if (line.size() > 20) tooltip(line.size() > 300 ? line.substr(0, 300) + " ..." : line);
+    return changed;
+}
+
+void queryHelp(const PanelContext& context) {
+    ImGui::TextDisabled("(?)");
+    if (!ImGui::IsItemHovered()) return;
+    ImGui::BeginTooltip();
+    ImGui::TextUnformatted("All terms of a line must match:");
+    if (ImGui::BeginTable("##terms", 2)) {
+        for (const QueryTerm& term : queryTerms()) {
+            ImGui::TableNextRow();
+            ImGui::TableNextColumn();
+            textIn(context.fonts.mono, std::string(term.form));
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(std::string(term.meaning).c_str());
+        }
+        ImGui::EndTable();
+    }
+    ImGui::EndTooltip();
+}
+
+// ---- the panel ------------------------------------------------------------------------------
 
 namespace {
 
@@ -31,9 +69,8 @@ void drawChoice(const PanelContext& context) {
         const bool on = panel.shown == list;
         if (on) ImGui::PushStyleColor(ImGuiCol_Button, toVec4(context.palette.accent));
         if (on) ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.accentText));
-        if (ImGui::Button(title)) panel.shown = list;
+        if (textButton(context, title, name)) panel.shown = list;
         if (on) ImGui::PopStyleColor(2);
-        context.where()[name] = lastItem();
     };
     choice("By terms", "query words", QueryList::Found);
     ImGui::SameLine();
@@ -50,7 +87,7 @@ void drawLine(const PanelContext& context) {
                                    ImGuiInputTextFlags_EnterReturnsTrue);
     panel.typing = ImGui::IsItemActive();
     if (panel.typing) context.state<TypingWait>().takesKeys();
-    context.where()["query box"] = lastItem();
+    nameItem(context, "query box");
     ImGui::SameLine();
     if (ImGui::Button("Find") || entered) findTyped(context.commands);
 }
@@ -75,7 +112,7 @@ void drawTerm(const PanelContext& context, const QueryTerm& term, bool wide) {
         panel.typed = completed(panel.typed, term);
         panel.wantsKeyboard = true;
     }
-    if (ImGui::IsItemVisible()) context.where()["term " + form] = lastItem();
+    if (ImGui::IsItemVisible()) nameItem(context, "term " + form);
     if (!wide) return tooltip(meaning);
     ImGui::TableNextColumn();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.05F * context.em});
@@ -101,11 +138,9 @@ void drawHelp(const PanelContext& context) {
     QueryPanel& panel = context.state<QueryPanel>();
     dimText("Finds decisions of the whole run. All terms must match. Examples:");
     for (const char* example : kExamples) {
-        if (ImGui::Selectable(example)) {
-            panel.typed = example;
-            findTyped(context.commands);
-        }
-        context.where()[std::string("example ") + example] = lastItem();
+        if (!selectable(context, example, false, std::string("example ") + example)) continue;
+        panel.typed = example;
+        findTyped(context.commands);
     }
     ImGui::Spacing();
     dimText("All terms; click one to insert it:");
@@ -113,23 +148,17 @@ void drawHelp(const PanelContext& context) {
 }
 
 void drawFound(const PanelContext& context, const FoundDecisions& found) {
-    const bool all = found.total == found.lines.size();
-    std::string text = found.total == 0   ? "No decision matches."
-                       : found.total == 1 ? "1 decision"
-                                          : grouped(found.total) + " decisions";
-    if (!all) text += ", the first " + grouped(found.lines.size());
+    std::string text = found.total == 0 ? "No decision matches." : withS(found.total, "decision");
+    if (found.total != found.lines.size()) text += ", the first " + grouped(found.lines.size());
     ImGui::TextUnformatted(text.c_str());
     if (found.lines.empty()) return;
     const std::string keys = context.key("ask.hit.previous") + " / " + context.key("ask.hit.next");
     ImGui::SameLine();
     ImGui::TextDisabled("%s", keys.c_str());
     tooltip("To the previous / next one from the cursor");
-    if (ImGui::SmallButton("Break on these"))
+    if (smallButton(context, "Break on these", "query break"))
         addBreakpoint(context.commands, {"", context.session().questions().line()});
-    context.where()["query break"] = lastItem();
-    const DecisionRows rows{found.lines, context.state<QueryPanel>().found};
-    if (const auto line = drawDecisionRows(context, rows))
-        goToDecision(context, found.lines[*line].event.address, FrameWish::Pivot);
+    drawDecisionRows(context, {found.lines, context.state<QueryPanel>().found}, FrameWish::Pivot);
 }
 
 void drawByWords(const PanelContext& context) {
@@ -141,9 +170,8 @@ void drawByWords(const PanelContext& context) {
     BackgroundQuery<FoundDecisions>& found = questions.found();
     // While the user types, the terms are more useful than the old results.
     if (panel.typing && panel.typed != questions.line()) return drawTerms(context);
-    if (found.busy()) {
-        if (drawAsking(context, "Re-running ...", found.share())) found.stop();
-    } else if (!found.complaint().empty()) {
+    if (drawAsking(context, found)) return;
+    if (!found.complaint().empty()) {
         dimText(found.complaint());
     } else if (const FoundDecisions* answer = found.answer()) {
         drawFound(context, *answer);
@@ -153,18 +181,11 @@ void drawByWords(const PanelContext& context) {
 }
 
 /// The full move is in the tooltip.
-std::string shortMoveText(const FlippingMove& move) {
-    char text[64];
-    std::snprintf(text, sizeof text, "moving %u by %.2g flips it", move.point,
-                  glm::length(move.by));
-    return text;
-}
-
-std::string moveText(const FlippingMove& move) {
-    char text[120];
-    std::snprintf(text, sizeof text, "Moving %u by (%.6g, %.6g, %.6g) flips it.", move.point,
-                  move.by.x, move.by.y, move.by.z);
-    return text;
+RowNote moveNote(const FlippingMove& move) {
+    const std::string point = std::to_string(move.point);
+    return {"moving " + point + formatted(" by %.2g flips it", glm::length(move.by)),
+            "Moving " + point +
+                formatted(" by (%.6g, %.6g, %.6g) flips it.", move.by.x, move.by.y, move.by.z)};
 }
 
 void drawCalls(const PanelContext& context, const ClosestAnswer& closest) {
@@ -173,14 +194,12 @@ void drawCalls(const PanelContext& context, const ClosestAnswer& closest) {
     bool tinted = context.settings().pointTint == PointTint::Margin;
     if (ImGui::Checkbox("Tint points by margin", &tinted))
         context.run(tinted ? "view.points.margin" : "view.points.status");
-    context.where()["tint margin"] = lastItem();
+    nameItem(context, "tint margin");
     const DecisionRows rows{
         closest.lines, context.state<QueryPanel>().closest, {}, false, [&](std::size_t i) {
-            const NearestDecision& decision = closest.decisions.decisions[i];
-            return RowNote{shortMoveText(decision.move), moveText(decision.move)};
+            return moveNote(closest.decisions.decisions[i].move);
         }};
-    if (const auto line = drawDecisionRows(context, rows))
-        goToDecision(context, closest.lines[*line].event.address, FrameWish::Pivot);
+    drawDecisionRows(context, rows, FrameWish::Pivot);
 }
 
 void drawClosest(const PanelContext& context) {
@@ -188,9 +207,8 @@ void drawClosest(const PanelContext& context) {
     BackgroundQuery<ClosestAnswer>& closest = questions.closest();
     questions.wantClosest();
     const ScrolledBody body(context, "##closestBody");
-    if (closest.busy()) {
-        if (drawAsking(context, "Re-running ...", closest.share())) closest.stop();
-    } else if (const ClosestAnswer* answer = closest.answer()) {
+    if (drawAsking(context, closest)) return;
+    if (const ClosestAnswer* answer = closest.answer()) {
         drawCalls(context, *answer);
     } else {
         dimText(closest.complaint());
@@ -202,10 +220,7 @@ void drawClosest(const PanelContext& context) {
 
 void drawQuery(const PanelContext& context) {
     const Session& session = context.session();
-    if (!session.ready()) {
-        ImGui::TextDisabled("Nothing is open.");
-        return;
-    }
+    if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     heading(context, "Query");
     drawChoice(context);
     context.state<QueryPanel>().shown == QueryList::Found ? drawByWords(context)

@@ -1,13 +1,11 @@
-#include "subject_menu.h"
-
 #include <algorithm>
-#include <array>
 
 #include "commands/ask_actions.h"
 #include "panel_state/compare_page.h"
 #include "panel_state/query_panel_state.h"
 #include "panel_state/ui_requests.h"
 #include "panel_state/what_if_offers.h"
+#include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "run/rule_set.h"
 #include "session/playback.h"
@@ -36,7 +34,7 @@ void drawTogether(const PanelContext& context, const Selection& what) {
     if (!both) return;
     const std::string title = "Why, or why not: " + selectionText(*both);
     if (ImGui::MenuItem(title.c_str())) askWhy(context.commands, *both);
-    context.where()["menu together"] = lastItem();
+    nameItem(context, "menu together");
 }
 
 /// What-ifs for a point: the run forks.
@@ -52,8 +50,7 @@ void drawWhatIfs(const PanelContext& context, Index point) {
             context.requests().rules = withWhatIf(rules, offers[i].what);
         }
         ImGui::PopID();
-        context.where()["menu what if " + std::to_string(i + 1)] = lastItem();
-        tooltip(describe(offers[i].what));
+        nameItem(context, "menu what if " + std::to_string(i + 1), describe(offers[i].what));
     }
     if (ImGui::MenuItem("Move it, or edit its list...")) {
         session.select(point);
@@ -61,23 +58,31 @@ void drawWhatIfs(const PanelContext& context, Index point) {
     }
 }
 
-void drawEntries(const PanelContext& context, const Selection& what) {
+void drawWhyEntry(const PanelContext& context, const char* label, const Selection& what) {
+    if (ImGui::MenuItem(label, context.key("ask.why").c_str())) askWhy(context.commands, what);
+    nameItem(context, "menu why");
+}
+
+void drawSelectEntries(const PanelContext& context, const Selection& what) {
     Session& session = context.session();
-    if (ImGui::MenuItem("Why? Why not?", context.key("ask.why").c_str()))
-        askWhy(context.commands, what);
-    context.where()["menu why"] = lastItem();
-    drawTogether(context, what);
-    ImGui::Separator();
     if (ImGui::MenuItem("Select", nullptr, session.selection() == what)) session.select(what);
     if (ImGui::MenuItem("Frame", context.key("view.frame").c_str())) {
         session.select(what);
         context.requests().frame = FrameWish::Focus;
     }
+}
+
+void drawEntries(const PanelContext& context, const Selection& what) {
+    Session& session = context.session();
+    drawWhyEntry(context, "Why? Why not?", what);
+    drawTogether(context, what);
+    ImGui::Separator();
+    drawSelectEntries(context, what);
     if (ImGui::MenuItem("Breakpoint", context.key("run.break").c_str())) {
         session.select(what);
         context.run("run.break");
     }
-    context.where()["menu break"] = lastItem();
+    nameItem(context, "menu break");
     if (what.kind == SelectionKind::Point) {
         if (ImGui::MenuItem("Go to its next decision")) {
             context.playback().pause();
@@ -96,27 +101,19 @@ void drawBeside(const PanelContext& context, const Selection& what) {
     const Comparison* now = context.state<ComparePage>().now;
     if (what.kind == SelectionKind::None || now == nullptr || now->other() == nullptr) {
         ImGui::TextDisabled("B is a finished mesh: it has no decisions.");
-        context.where()["menu beside"] = lastItem();
-        return;
+        return nameItem(context, "menu beside");
     }
     ImGui::TextDisabled("B: %s", selectionText(what).c_str());
-    if (ImGui::MenuItem("Why? Why not? In both runs", context.key("ask.why").c_str()))
-        askWhy(context.commands, what);
-    context.where()["menu why"] = lastItem();
+    drawWhyEntry(context, "Why? Why not? In both runs", what);
     ImGui::Separator();
-    if (ImGui::MenuItem("Select", nullptr, context.session().selection() == what))
-        context.session().select(what);
-    if (ImGui::MenuItem("Frame", context.key("view.frame").c_str())) {
-        context.session().select(what);
-        context.requests().frame = FrameWish::Focus;
-    }
+    drawSelectEntries(context, what);
     ImGui::Separator();
     ImGui::TextDisabled("Breakpoints and what-ifs are those of A.");
     if (ImGui::MenuItem("Make B the run A (Swap)")) {
         context.session().select(what);
         context.state<ComparePage>().ask = CompareAsk::Swap;
     }
-    context.where()["menu swap"] = lastItem();
+    nameItem(context, "menu swap");
 }
 
 void drawMenu(const PanelContext& context, const SubjectMenu& menu) {
@@ -125,7 +122,7 @@ void drawMenu(const PanelContext& context, const SubjectMenu& menu) {
                         menu.ring ? nameOf(*menu.ring).c_str() : selectionText(menu.what).c_str());
     if (!menu.ring) return drawEntries(context, menu.what);
     if (ImGui::MenuItem("Why? What made it?")) askWhy(context.commands, *menu.ring);
-    context.where()["menu why"] = lastItem();
+    nameItem(context, "menu why");
 }
 
 }  // namespace

@@ -1,3 +1,6 @@
+// Numbers of the run over its pivots, each as a plot of the whole run. A column of pixels spans the
+// least and the largest value of its pivots, so that no peak is lost; columns are computed again
+// only if the run, the known values or the width have changed.
 #include <imgui.h>
 
 #include <algorithm>
@@ -5,7 +8,6 @@
 
 #include "panel_state/finding_panels.h"
 #include "panels/panel.h"
-#include "panels/widgets/text_field.h"
 #include "panels/widgets/widgets.h"
 #include "rows/watch_plot.h"
 #include "session/playback.h"
@@ -118,7 +120,7 @@ bool drawRow(const PanelContext& context, std::string& expression, std::size_t n
     ImGui::SetNextItemWidth(9.0F * em);
     textField("##expression", "ring", expression);
     ImGui::PopFont();
-    context.where()["watch " + std::to_string(number)] = lastItem();
+    nameItem(context, "watch " + std::to_string(number));
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     const float button = 1.7F * em;
@@ -142,14 +144,11 @@ bool drawRow(const PanelContext& context, std::string& expression, std::size_t n
     return gone;
 }
 
-/// The point for `status=N`: the selected one, otherwise the pivot.
-Index pointToWatch(const Session& session) {
-    return session.selected() != kNone ? session.selected() : session.picture().pivot;
-}
-
 void drawWatchTerms(const PanelContext& context) {
     if (!ImGui::BeginPopup("##terms")) return;
-    const Index point = pointToWatch(context.session());
+    const Session& session = context.session();
+    // For `status=N`: the selected point, otherwise the pivot.
+    const Index point = session.selected() != kNone ? session.selected() : session.picture().pivot;
     for (const WatchTerm& term : watchTerms()) {
         std::string expression(term.form);
         const bool ofPoint = expression.ends_with("=N");
@@ -160,7 +159,7 @@ void drawWatchTerms(const PanelContext& context) {
                             !ofPoint || point != kNone)) {
             context.state<WatchPanel>().expressions.push_back(expression);
         }
-        context.where()["watch term " + std::string(term.form)] = lastItem();
+        nameItem(context, "watch term " + std::string(term.form));
     }
     ImGui::EndPopup();
 }
@@ -169,17 +168,12 @@ void drawWatchTerms(const PanelContext& context) {
 void drawScan(const PanelContext& context) {
     WatchScan& scan = context.session().watches();
     if (scan.busy()) {
-        const float button = 4.0F * context.em;
         ImGui::SameLine();
-        ImGui::ProgressBar(static_cast<float>(scan.share()),
-                           {ImGui::GetContentRegionAvail().x - button, 0.0F}, "scanning the run");
-        ImGui::SameLine();
-        if (ImGui::Button("Stop")) scan.cancel();
-        context.where()["stop watching"] = lastItem();
+        if (progressAndStop(context, scan.share(), "scanning the run", "stop watching"))
+            scan.cancel();
     } else if (scan.cancelled()) {
         ImGui::SameLine();
-        if (ImGui::Button("Resume")) scan.resume();
-        context.where()["watch on"] = lastItem();
+        if (textButton(context, "Resume", "watch on")) scan.resume();
         ImGui::SameLine();
         ImGui::TextDisabled("Stopped.");
         tooltip("Values are known up to the point where the scan stopped.");
@@ -190,15 +184,11 @@ void drawScan(const PanelContext& context) {
 
 void drawWatch(const PanelContext& context) {
     const Session& session = context.session();
-    if (!session.ready()) {
-        ImGui::TextDisabled("Nothing is open.");
-        return;
-    }
+    if (!session.ready()) return ImGui::TextDisabled("Nothing is open.");
     std::vector<std::string>& all = context.state<WatchPanel>().expressions;
     heading(context, "Watch",
             all.empty() ? "" : "at the end of pivot " + grouped(session.record().pivot));
-    if (ImGui::Button("Add...")) ImGui::OpenPopup("##terms");
-    context.where()["add watch"] = lastItem();
+    if (textButton(context, "Add...", "add watch")) ImGui::OpenPopup("##terms");
     drawWatchTerms(context);
     drawScan(context);
     if (all.empty()) {
@@ -206,13 +196,9 @@ void drawWatch(const PanelContext& context) {
             "Numbers of the run over its pivots: the length of the ring, the status of a point, "
             "any counter. Click in a plot to go there.");
     }
-    std::optional<std::size_t> gone;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        ImGui::PushID(static_cast<int>(i));
-        if (drawRow(context, all[i], i + 1)) gone = i;
-        ImGui::PopID();
-    }
-    if (gone) all.erase(all.begin() + static_cast<std::ptrdiff_t>(*gone));
+    drawRemovable(all, [&](std::string& expression, std::size_t i) {
+        return drawRow(context, expression, i + 1);
+    });
 }
 
 }  // namespace se::view

@@ -1,4 +1,3 @@
-#include <cstdio>
 #include <string>
 #include <variant>
 
@@ -11,14 +10,14 @@ namespace se::view {
 
 namespace {
 
-void count(const PanelContext& context, const char* name, std::size_t value) {
-    valueRow(context, name, grouped(value),
-             value == 0 ? context.palette.textDim : context.palette.text);
+void count(const PanelContext& context, const char* name, std::size_t value,
+           Color Palette::*color = &Palette::text) {
+    const Palette& palette = context.palette;
+    valueRow(context, name, grouped(value), value == 0 ? palette.textDim : palette.*color);
 }
 
 void warn(const PanelContext& context, const char* name, std::size_t value) {
-    valueRow(context, name, grouped(value),
-             value == 0 ? context.palette.textDim : context.palette.rejected);
+    count(context, name, value, &Palette::rejected);
 }
 
 /// Derived values are highlighted among those of the input.
@@ -29,16 +28,15 @@ void origin(const PanelContext& context, const char* name, bool derived, const s
 
 std::string neighborNote(const PanelContext& context) {
     const NeighborOptions& options = context.session().input().spec().neighbors;
-    char text[64];
+    std::string text;
     if (const auto* nearest = std::get_if<KNearest>(&options.reach)) {
-        std::snprintf(text, sizeof text, ": %zu nearest", nearest->k);
+        text = ": " + std::to_string(nearest->k) + " nearest";
     } else if (const auto* reach = std::get_if<WithinSpacings>(&options.reach)) {
-        std::snprintf(text, sizeof text, ": within %.4g spacings", reach->spacings);
+        text = formatted(": within %.4g spacings", reach->spacings);
     } else {
-        std::snprintf(text, sizeof text, ": within %.4g",
-                      std::get<WithinRadius>(options.reach).radius);
+        text = formatted(": within %.4g", std::get<WithinRadius>(options.reach).radius);
     }
-    return text + std::string(options.symmetric ? ", symmetric" : "");
+    return text + (options.symmetric ? ", symmetric" : "");
 }
 
 std::string normalNote(const DerivedPieces& derived) {

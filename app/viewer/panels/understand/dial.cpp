@@ -1,7 +1,6 @@
 #include "rows/dial.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "dial_drawer.h"
 #include "panel_state/step_panels_state.h"
@@ -71,10 +70,8 @@ DialDisc discIn(const Rect& room, const PanelContext& context, const Dial& dial)
 }
 
 void explain(const PanelContext& context, const DialTick& tick) {
-    char line[96];
-    std::snprintf(line, sizeof line, "point %u: %.1f\xC2\xB0", tick.point, tick.degrees);
     ImGui::BeginTooltip();
-    ImGui::TextUnformatted(line);
+    ImGui::Text("point %u: %.1f\xC2\xB0", tick.point, tick.degrees);
     const PointSet& points = context.session().shown().points;
     const Index p = context.session().picture().pivot;
     const double height =
@@ -110,19 +107,20 @@ void drawDial(const PanelContext& context) {
     const DialDisc disc = discIn(rooms.main, context, dial);
     if (disc.radius < 2.0F * context.em) return;
     ImGui::InvisibleButton("##dial", {room.x, height});
-    DialDrawer drawer(context, dial, disc);
     const bool second = dial.reciprocal && rooms.second;
-    drawer.draw(whole, second ? std::span<const Rect>(&*rooms.second, 1) : std::span<const Rect>{});
+    drawDialDisc(context, dial, disc, whole,
+                 second ? std::span<const Rect>(&*rooms.second, 1) : std::span<const Rect>{});
     if (second) drawReciprocalDial(context, *dial.reciprocal, *rooms.second);
     if (ImGui::IsItemHovered()) {
-        const DialTick* tick = drawer.underPointer();
-        if (tick != nullptr) context.state<Navigation>().pointedAt = tick->point;
-        if (tick != nullptr) explain(context, *tick);
-        if (tick != nullptr && ImGui::IsItemClicked()) session.select(tick->point);
+        if (const DialTick* tick = tickUnderPointer(context, dial, disc)) {
+            context.state<Navigation>().pointedAt = tick->point;
+            explain(context, *tick);
+            if (ImGui::IsItemClicked()) session.select(tick->point);
+        }
     }
     for (const std::string& line : caption) {
-        const float width = ImGui::CalcTextSize(line.c_str()).x;
-        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, 0.5F * (room.x - width)));
+        const float margin = 0.5F * (room.x - textWidth(line));
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, margin));
         ImGui::TextUnformatted(line.c_str());
     }
 }

@@ -32,56 +32,17 @@ struct RimText {
     std::string text;
     Color color;
 };
-/// Draws texts around the rim, none over another; the first in the list are closest to their
-/// points. `taken`: areas without texts.
-void drawRimTexts(const PanelContext& context, const DialDisc& disc, const Rect& room,
-                  std::span<const Rect> taken, std::span<const RimText> texts);
-/// Size of such a text.
-glm::vec2 rimTextSize(const PanelContext& context, const std::string& text);
 /// The largest disc in `room` that leaves room for the texts.
 DialDisc discWithTexts(const PanelContext& context, const Rect& room,
                        std::span<const RimText> texts);
 
-/// A sector, in parts of at most half a turn: only those are convex.
-void fillSector(const DialDisc& disc, double from, double to, float reach, const Color& color);
-
-/// The dial of the pivot.
-class DialDrawer {
-  public:
-    DialDrawer(const PanelContext& context, const Dial& dial, const DialDisc& disc);
-
-    /// Draws nothing outside of `room`. `taken`: the part of it that is used already.
-    void draw(const Rect& room, std::span<const Rect> taken);
-    /// The tick nearest to the pointer, null if none is near.
-    const DialTick* underPointer() const;
-
-  private:
-    float px(float width = 0.08F) const { return std::max(1.0F, width * c_.em); }
-    ImVec2 tip(const DialTick& tick) const {
-        return disc_.at(tick.degrees, 0.92F * std::max(0.12F, tick.reach));
-    }
-    void strokeArc(double from, double to, float reach, const Color& color, float width,
-                   bool dashed);
-    void drawArc(const DialArc& arc);
-    void drawChord(const DialChord& chord);
-    void drawMark(const DialMark& mark);
-    void drawSlot(const DialSlot& slot);
-    void drawRefusal(const DialTick& tick, ImU32 color);
-    void drawStem(const DialTick& tick, const Color& color);
-    void drawTick(const DialTick& tick);
-    void drawRings(const DialTick& tick);
-    std::vector<RimText> texts() const;
-    Color colorOf(const DialTick& tick) const;
-    void drawRank(const DialTick& tick);
-
-    const PanelContext& c_;
-    const Dial& dial_;
-    DialDisc disc_;
-    ImDrawList* list_;
-    Rect room_;
-    std::vector<ImVec2> ranks_;  ///< Names so far.
-};
-
+/// Draws the dial of the pivot, nothing outside of `room`. `taken`: the part of it that is used
+/// already.
+void drawDialDisc(const PanelContext& context, const Dial& dial, const DialDisc& disc,
+                  const Rect& room, std::span<const Rect> taken);
+/// The tick nearest to the pointer, null if none is near.
+const DialTick* tickUnderPointer(const PanelContext& context, const Dial& dial,
+                                 const DialDisc& disc);
 /// The second disc (Fig. 6): the pivot as seen from e, with the names of the ends of the sector of
 /// e.
 void drawReciprocalDial(const PanelContext& context, const DialReciprocal& reciprocal,

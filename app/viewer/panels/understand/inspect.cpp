@@ -1,13 +1,27 @@
+#include <cmath>
+
 #include "panels/panel.h"
 #include "panels/widgets/widgets.h"
 #include "rows/evidence_rows.h"
 #include "run/number_format.h"
+#include "scene/outcome.h"
 #include "session/selection_facts.h"
 #include "session/session.h"
+#include "spiraling_edge/replay/reading.h"
 
 namespace se::view {
 
 namespace {
+
+/// The value against its threshold, in the column of values.
+void drawGauge(const PanelContext& context, const EvidenceGauge& bar, const Color& color) {
+    if (!std::isfinite(bar.value) || !(bar.largest > 0.0)) return;
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TableNextColumn();
+    ImGui::Dummy({0.0F, 0.1F * context.em});
+    gauge(context, bar.value, bar.threshold, bar.largest, color);
+}
 
 std::string typeText(std::uint8_t type) {
     if (!isBoundary(type)) return "interior";
@@ -21,37 +35,28 @@ std::string statusText(PointStatus status) {
     return "USED, " + std::to_string(status) + (status == 1 ? " ring entry" : " ring entries");
 }
 
-/// With a star at derived values.
-std::string marked(const char* name, bool derived) {
-    return derived ? std::string(name) + " *" : std::string(name);
-}
-
 void drawPoint(const PanelContext& context, const char* title, Index point) {
     const Session& session = context.session();
     const PointSet& points = session.shown().points;
-    ImGui::Spacing();
-    ImGui::Separator();
-    ImGui::Spacing();
+    separator();
     heading(context, title, "point " + std::to_string(point));
     ImGui::PushID(title);
     if (beginValues("##point", context)) {
         valueRow(context, "status", statusText(session.picture().status[point]));
         const PrepareReport& report = session.model().report;
-        valueRow(context, marked("type", report.derived.types || report.derived.rim).c_str(),
-                 typeText(points.type[point]));
+        const bool types = report.derived.types || report.derived.rim;
+        const bool normals = report.derived.normals || report.derived.orientation;
+        const bool lists = report.neighborsComputed;
+        valueRow(context, types ? "type *" : "type", typeText(points.type[point]));
         valueRow(context, "position", numbersText(points.position[point]));
-        valueRow(context,
-                 marked("normal", report.derived.normals || report.derived.orientation).c_str(),
-                 numbersText(points.normal[point]));
+        valueRow(context, normals ? "normal *" : "normal", numbersText(points.normal[point]));
         std::string list;
-        for (const Index q : points.neighbors[point]) {
+        for (const Index q : points.neighbors[point])
             list += (list.empty() ? "" : ", ") + std::to_string(q);
-        }
-        valueRow(context, marked("neighbors", report.neighborsComputed).c_str(),
-                 list.empty() ? "none" : list);
-        const bool any = report.neighborsComputed || report.derived.types || report.derived.rim ||
-                         report.derived.normals || report.derived.orientation;
-        if (any) valueRow(context, "*", "derived, not from the input", context.palette.textDim);
+        valueRow(context, lists ? "neighbors *" : "neighbors", list.empty() ? "none" : list);
+        // The star is at derived values.
+        if (lists || types || normals)
+            valueRow(context, "*", "derived, not from the input", context.palette.textDim);
         endValues();
     }
     ImGui::PopID();
@@ -114,23 +119,15 @@ void drawTriangle(const PanelContext& context, const SelectionFacts& facts) {
 void drawSelection(const PanelContext& context) {
     const Selection& selection = context.session().selection();
     const SelectionFacts& facts = context.state<FactsCache>().of(context.session());
-    switch (selection.kind) {
-        case SelectionKind::None:
-            ImGui::Spacing();
-            dimText("Click a point, an edge or a triangle to see its values here.");
-            return;
-        case SelectionKind::Point:
-            drawPoint(context, "Selected", selection.points[0]);
-            return;
-        case SelectionKind::Edge:
-        case SelectionKind::Triangle:
-            ImGui::Spacing();
-            ImGui::Separator();
-            ImGui::Spacing();
-            heading(context, "Selected", std::string(kindName(selection.kind)));
-            selection.kind == SelectionKind::Edge ? drawEdge(context, facts)
-                                                  : drawTriangle(context, facts);
+    if (selection.kind == SelectionKind::None) {
+        ImGui::Spacing();
+        return dimText("Click a point, an edge or a triangle to see its values here.");
     }
+    if (selection.kind == SelectionKind::Point)
+        return drawPoint(context, "Selected", selection.points[0]);
+    separator();
+    heading(context, "Selected", std::string(kindName(selection.kind)));
+    selection.kind == SelectionKind::Edge ? drawEdge(context, facts) : drawTriangle(context, facts);
 }
 
 void drawStep(const PanelContext& context, const Event& event) {
@@ -146,6 +143,24 @@ void drawStep(const PanelContext& context, const Event& event) {
 }
 
 }  // namespace
+
+void drawEvidence(const PanelContext& context, const Event& event) {
+    if (!beginValues("##evidence", context)) return;
+    const Session& session = context.session();
+    const std::optional<Color> outcome = outcomeColor(context.palette, event);
+    if (const std::string ending(endingText(event)); !ending.empty())
+        valueRow(context, "verdict", ending, outcome.value_or(context.palette.text));
+    // While the previous state is shown, the values stay those of the decision.
+    std::optional<Picture> after;
+    if (session.showsBefore()) after = makePicture(session.record(), session.cursor());
+    const EvidenceInput input{session.shown(), after ? *after : session.picture(), event,
+                              &session.overview()};
+    for (const EvidenceRow& row : evidenceRows(input)) {
+        valueRow(context, row.name.c_str(), row.value);
+        if (row.gauge) drawGauge(context, *row.gauge, outcome.value_or(context.palette.accent));
+    }
+    endValues();
+}
 
 void drawInspect(const PanelContext& context) {
     const Session& session = context.session();

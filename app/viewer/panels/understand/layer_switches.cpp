@@ -25,32 +25,20 @@ void drawPin(const PanelContext& context, ImVec2 center, LayerMode mode) {
     list->AddLine({center.x, center.y}, {center.x, center.y + 0.5F * em}, color, width);
 }
 
-const char* pinText(LayerMode mode) {
-    switch (mode) {
-        case LayerMode::Automatic:
-            return "Automatic: the stage decides.\nClick to pin it as it is now.";
-        case LayerMode::PinnedOn:
-            return "Pinned: shown in every stage.\nClick to unpin.";
-        case LayerMode::PinnedOff:
-            return "Pinned: hidden in every stage.\nClick to unpin.";
-    }
-    return "";
-}
+/// By LayerMode.
+constexpr std::array<const char*, 3> kPinTexts = {
+    "Automatic: the stage decides.\nClick to pin it as it is now.",
+    "Pinned: shown in every stage.\nClick to unpin.",
+    "Pinned: hidden in every stage.\nClick to unpin."};
+static_assert(static_cast<std::size_t>(LayerMode::PinnedOff) + 1 == kPinTexts.size());
 
 /// The content of the layer is not from the input.
 bool isDerived(const Session& session, LayerId layer) {
     if (!session.ready()) return false;
     const PrepareReport& report = session.model().report;
-    switch (layer) {
-        case LayerId::Normals:
-            return report.derived.normals || report.derived.orientation;
-        case LayerId::Links:
-            return report.neighborsComputed;
-        case LayerId::Walls:
-            return report.derived.types;
-        default:
-            return false;
-    }
+    if (layer == LayerId::Normals) return report.derived.normals || report.derived.orientation;
+    if (layer == LayerId::Links) return report.neighborsComputed;
+    return layer == LayerId::Walls && report.derived.types;
 }
 
 void drawSwitch(const PanelContext& context, const Layer& layer, bool shown) {
@@ -65,7 +53,7 @@ void drawSwitch(const PanelContext& context, const Layer& layer, bool shown) {
                : shown                      ? LayerMode::PinnedOn
                                             : LayerMode::PinnedOff;
     }
-    if (ImGui::IsItemHovered()) tooltip(pinText(mode));
+    tooltip(kPinTexts[static_cast<std::size_t>(mode)]);
     drawPin(context, {corner.x + 0.5F * side, corner.y + 0.5F * side}, mode);
     ImGui::SameLine(0.0F, 0.2F * context.em);
     const bool rests = mode == LayerMode::Automatic && !shown;

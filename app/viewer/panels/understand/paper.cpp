@@ -63,14 +63,11 @@ void drawGallery(const PanelContext& context) {
         valueRow(context, "what helps", std::string(each->helps));
         endValues();
     }
-    if (ImGui::SmallButton(("Go to " + std::string(each->address)).c_str())) {
+    if (smallButton(context, "Go to " + std::string(each->address), "gallery decision")) {
         context.playback().pause();
         if (const auto address = addressFromString(each->address)) session.moves().goTo(*address);
     }
-    context.where()["gallery decision"] = lastItem();
-    ImGui::Spacing();
-    ImGui::Separator();
-    ImGui::Spacing();
+    separator();
 }
 
 }  // namespace
@@ -95,10 +92,10 @@ void drawPaper(const PanelContext& context) {
     const bool moved = context.state<Navigation>().paperWatch.moved(
         session.generation(), session.record().pivot, session.cursor());
     for (std::size_t i = 0; i < rule.code.size(); ++i) {
-        const bool isPresent = i == present;
-        drawLine(context, rule.code[i], isPresent, isPresent ? liveNumbers(*event) : "", color);
+        drawLine(context, rule.code[i], i == present, i == present ? liveNumbers(*event) : "",
+                 color);
         // The numbers below the line are the most important part.
-        if (isPresent && moved && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(1.0F);
+        if (i == present && moved && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(1.0F);
     }
 }
 

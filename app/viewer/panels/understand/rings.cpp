@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "input/tab_order.h"
 #include "panel_state/query_panel_state.h"
@@ -62,14 +63,12 @@ void drawRow(const PanelContext& context, const RingPath& ring) {
     ImGui::PushID(ring.active ? -1 : static_cast<int>(ring.depth));
     const bool kept = ring.id != kNone && session.highlights().chosenRing() == ring.id;
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    if (ImGui::Selectable(
-            "##ring", kept,
-            ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick)) {
-        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-            frameRing(context, ring);
-        } else {
-            session.highlights().chooseRing(ring.id);
-        }
+    constexpr auto kWholeRow =
+        ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick;
+    if (ImGui::Selectable("##ring", kept, kWholeRow)) {
+        ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)
+            ? frameRing(context, ring)
+            : session.highlights().chooseRing(ring.id);
     }
     if (ImGui::IsItemHovered()) {
         context.state<Navigation>().pointedRing = ring.id;
@@ -85,8 +84,7 @@ void drawRow(const PanelContext& context, const RingPath& ring) {
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(ringName(ring).c_str());
     ImGui::TableNextColumn();
-    const std::string count = grouped(ring.points.size()) + " points";
-    ImGui::TextUnformatted(count.c_str());
+    ImGui::TextUnformatted((grouped(ring.points.size()) + " points").c_str());
     const auto open = std::count(ring.open.begin(), ring.open.end(), true);
     if (open > 0) {
         ImGui::SameLine();
@@ -148,17 +146,14 @@ PointLook lookOf(const PanelContext& context, Index point) {
 
 /// Role of a point for the pivot, for the line above the strip.
 std::string roleOf(const Picture& picture, Index point) {
+    const std::pair<Index, const char*> roles[] = {
+        {picture.pivot, "pivot"}, {picture.first, "first"}, {picture.last, "last"},
+        {picture.start, "start"}, {picture.end, "end"},     {picture.nextPivot, "next pivot"}};
     std::string text;
-    const auto add = [&](Index which, const char* name) {
-        if (which == kNone || which != point) return;
-        text += (text.empty() ? "" : ", ") + std::string(name);
-    };
-    add(picture.pivot, "pivot");
-    add(picture.first, "first");
-    add(picture.last, "last");
-    add(picture.start, "start");
-    add(picture.end, "end");
-    add(picture.nextPivot, "next pivot");
+    for (const auto& [which, name] : roles) {
+        if (which != kNone && which == point)
+            text += (text.empty() ? "" : ", ") + std::string(name);
+    }
     return text;
 }
 
@@ -230,12 +225,11 @@ void drawStrip(const PanelContext& context, const RingPath& ring) {
     const float em = context.em;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
-    const std::string widest = std::to_string(session.model().points.size());
-    const float least = 0.8F * ImGui::CalcTextSize(widest.c_str()).x + kPointGap * em;
+    const float widest = textWidth(std::to_string(session.model().points.size()));
+    const float least = 0.8F * widest + kPointGap * em;
     const auto work = workPlace(session.picture(), ring);
-    if (nav.ringWatch.moved(session.generation(), session.record().pivot, session.cursor())) {
+    if (nav.ringWatch.moved(session.generation(), session.record().pivot, session.cursor()))
         nav.ringShift = 0;
-    }
     const bool hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows) &&
                          ImGui::IsMouseHoveringRect(at, {at.x + width, at.y + kStripHeight * em});
     if (hovered) nav.ringShift -= static_cast<long>(ImGui::GetIO().MouseWheel);

@@ -1,6 +1,7 @@
 #include "step_rows.h"
 
 #include <algorithm>
+#include <array>
 
 #include "panel_state/step_panels_state.h"
 #include "panels/widgets/widgets.h"
@@ -33,7 +34,6 @@ class RowPen {
           at_(at),
           x_(at.x),
           alpha_(alpha),
-          labelEnd_(columns.labels),
           columns_(columns) {}
 
     void indent(float em) { x_ += em * context_.em; }
@@ -52,18 +52,19 @@ class RowPen {
     void text(const std::string& words, const Color& color, float end) {
         const std::string cut = fitted(words, end - x_);
         list_->AddText({x_, at_.y}, ink(color), cut.c_str());
-        x_ += ImGui::CalcTextSize(cut.c_str()).x + 0.5F * context_.em;
+        x_ += textWidth(cut) + 0.5F * context_.em;
     }
     /// In a row with counts at its end.
-    void label(const std::string& words, const Color& color) { text(words, color, labelEnd_); }
+    void label(const std::string& words, const Color& color) {
+        text(words, color, columns_.labels);
+    }
     /// Drawn whole or not at all.
     void labelIfItFits(const std::string& words, const Color& color) {
-        if (x_ + ImGui::CalcTextSize(words.c_str()).x <= labelEnd_) label(words, color);
+        if (x_ + textWidth(words) <= columns_.labels) label(words, color);
     }
     /// Ends at `width` from here.
     void rightAligned(const std::string& words, float width, const Color& color) {
-        const float extent = ImGui::CalcTextSize(words.c_str()).x;
-        list_->AddText({x_ + width - extent, at_.y}, ink(color), words.c_str());
+        endingAt(x_ + width, words, color);
         x_ += width + 0.5F * context_.em;
     }
     void shape(Shape shape, float size, const Color& color) {
@@ -74,7 +75,7 @@ class RowPen {
         if (refused > 0) {
             const std::string number = grouped(refused);
             endingAt(columns_.refused, number, context_.palette.rejected);
-            const float left = columns_.refused - ImGui::CalcTextSize(number.c_str()).x;
+            const float left = columns_.refused - textWidth(number);
             drawShape(list_, {left - 0.42F * em(), middle()}, 0.48F * em(), Shape::Cross,
                       ink(context_.palette.rejected));
         }
@@ -91,8 +92,7 @@ class RowPen {
     float middle() const { return at_.y + 0.5F * ImGui::GetTextLineHeight(); }
     ImU32 ink(const Color& color) const { return toU32(color.withAlpha(alpha_ * color.a)); }
     void endingAt(float right, const std::string& words, const Color& color) {
-        const float width = ImGui::CalcTextSize(words.c_str()).x;
-        list_->AddText({right - width, at_.y}, ink(color), words.c_str());
+        list_->AddText({right - textWidth(words), at_.y}, ink(color), words.c_str());
     }
 
     const PanelContext& context_;
@@ -100,7 +100,6 @@ class RowPen {
     ImVec2 at_;
     float x_;
     float alpha_;
-    float labelEnd_;
     StepColumns columns_;
 };
 
@@ -108,19 +107,16 @@ std::string outcomeText(const Event& event) {
     if (const std::string_view ending = endingText(event); !ending.empty())
         return std::string(ending);
     if (const std::string_view word = wordOf(event); !word.empty()) return std::string(word);
-    if (const auto* emit = std::get_if<EmitEvidence>(&event.evidence)) {
+    if (const auto* emit = std::get_if<EmitEvidence>(&event.evidence))
         return "triangle " + grouped(emit->triangle);
-    }
     return {};
 }
 
 Shape markOf(const Event& event) {
-    if (rejects(event) || std::holds_alternative<AlertEvidence>(event.evidence)) {
+    if (rejects(event) || std::holds_alternative<AlertEvidence>(event.evidence))
         return Shape::Cross;
-    }
-    if (const auto* ring = std::get_if<RingEvidence>(&event.evidence)) {
+    if (const auto* ring = std::get_if<RingEvidence>(&event.evidence))
         return ring->inserted ? Shape::Disc : Shape::Dot;
-    }
     return verdictOf(event) ? Shape::Disc : Shape::Dot;
 }
 
@@ -144,10 +140,9 @@ std::size_t trianglesOfComponent(const RunOverview& run, std::size_t component) 
 
 /// Effect of a pivot on the rings, in one word.
 std::string pivotNote(const PivotSummary& summary) {
-    const auto found = [&](Stage stage) { return (summary.found & findingOf(stage)).any(); };
     for (const Stage stage : {Stage::Split, Stage::Join, Stage::Done, Stage::Seed, Stage::Skip,
                               Stage::Fill, Stage::Reinsert, Stage::Flip, Stage::RemoveFolded}) {
-        if (found(stage)) return std::string(stageName(stage));
+        if ((summary.found & findingOf(stage)).any()) return std::string(stageName(stage));
     }
     return {};
 }
@@ -216,12 +211,9 @@ void drawTest(const PanelContext& context, RowPen& pen, const StepRow& row) {
         pen.rightAligned(std::to_string(event.address.n), 1.5F * em, context.palette.textDim);
     }
     const Index subject = subjectOf(event);
-    const std::string widest = std::to_string(session.model().points.size());
-    const std::string digits(widest.size(), '0');
-    if (subject != kNone) {
-        pen.rightAligned(std::to_string(subject), ImGui::CalcTextSize(digits.c_str()).x,
-                         context.palette.text);
-    }
+    const std::string digits(std::to_string(session.model().points.size()).size(), '0');
+    if (subject != kNone)
+        pen.rightAligned(std::to_string(subject), textWidth(digits), context.palette.text);
     const Shape mark = markOf(event);
     const Color color = outcomeColor(context.palette, event).value_or(context.palette.text);
     pen.shape(mark, mark == Shape::Dot ? 0.28F * em : 0.52F * em, color);
@@ -231,16 +223,9 @@ void drawTest(const PanelContext& context, RowPen& pen, const StepRow& row) {
 bool isAhead(const PanelContext& context, const StepRow& row) {
     const Session& session = context.session();
     const std::uint32_t here = session.record().pivot;
-    switch (row.kind) {
-        case StepRowKind::Component:
-            return session.overview().components[row.component].firstPivot > std::max(1U, here);
-        case StepRowKind::Pivot:
-            return row.pivot > here;
-        case StepRowKind::Stage:
-        case StepRowKind::Test:
-            return row.event > session.cursor();
-    }
-    return false;
+    if (row.kind == StepRowKind::Component)
+        return session.overview().components[row.component].firstPivot > std::max(1U, here);
+    return row.kind == StepRowKind::Pivot ? row.pivot > here : row.event > session.cursor();
 }
 
 }  // namespace
@@ -256,14 +241,9 @@ StepColumns stepColumns(const PanelContext& context, float left, float room) {
         tests = std::max(tests, run.components[i].tests);
         refused = std::max(refused, run.components[i].refused);
     }
-    const auto width = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
     return placeStepColumns(left, room, context.em,
-                            {width(trianglesText(triangles)), width(grouped(tests)),
-                             width(grouped(refused)) + kCross * context.em});
-}
-
-std::string withS(std::size_t number, const char* word) {
-    return grouped(number) + " " + word + (number == 1 ? "" : "s");
+                            {textWidth(trianglesText(triangles)), textWidth(grouped(tests)),
+                             textWidth(grouped(refused)) + kCross * context.em});
 }
 
 std::string stepRowTooltip(const PanelContext& context, const StepRow& row) {
@@ -297,20 +277,9 @@ float stepArrowEnd(const PanelContext& context, const StepRow& row) {
 void drawStepRow(const PanelContext& context, const StepRow& row, ImVec2 at,
                  const StepColumns& columns) {
     RowPen pen(context, at, columns, isAhead(context, row) ? kAhead : 1.0F);
-    switch (row.kind) {
-        case StepRowKind::Component:
-            drawComponent(context, pen, row);
-            break;
-        case StepRowKind::Pivot:
-            drawPivot(context, pen, row);
-            break;
-        case StepRowKind::Stage:
-            drawStage(context, pen, row);
-            break;
-        case StepRowKind::Test:
-            drawTest(context, pen, row);
-            break;
-    }
+    constexpr std::array kDraw = {drawComponent, drawPivot, drawStage, drawTest};
+    static_assert(static_cast<std::size_t>(StepRowKind::Test) + 1 == kDraw.size());
+    kDraw[static_cast<std::size_t>(row.kind)](context, pen, row);
 }
 
 }  // namespace se::view

@@ -20,7 +20,5 @@ void drawStepRow(const PanelContext& context, const StepRow& row, ImVec2 at,
 std::string stepRowTooltip(const PanelContext& context, const StepRow& row);
 /// Width from the left in which a click opens or folds the row.
 float stepArrowEnd(const PanelContext& context, const StepRow& row);
-/// "1 pivot", "12 pivots".
-std::string withS(std::size_t number, const char* word);
 
 }  // namespace se::view

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "input/tab_order.h"
 #include "panel_state/query_panel_state.h"
@@ -19,17 +18,12 @@ void goTo(const PanelContext& context, const StepRow& row) {
     Session& session = context.session();
     StepTree& tree = context.state<Navigation>().steps;
     context.playback().pause();
-    switch (row.kind) {
-        case StepRowKind::Component:
-            tree.toggle(row);
-            break;
-        case StepRowKind::Pivot:
-            session.moves().goToPivot(row.pivot);
-            break;
-        case StepRowKind::Stage:
-        case StepRowKind::Test:
-            session.moves().goToEvent(row.event);
-            break;
+    if (row.kind == StepRowKind::Component) {
+        tree.toggle(row);
+    } else if (row.kind == StepRowKind::Pivot) {
+        session.moves().goToPivot(row.pivot);
+    } else {
+        session.moves().goToEvent(row.event);
     }
 }
 
@@ -125,9 +119,8 @@ void drawColumnTitles(const PanelContext& context, const StepColumns& columns) {
 void followCursor(const PanelContext& context, float pitch) {
     const Session& session = context.session();
     Navigation& nav = context.state<Navigation>();
-    if (!nav.stepsWatch.moved(session.generation(), session.record().pivot, session.cursor())) {
+    if (!nav.stepsWatch.moved(session.generation(), session.record().pivot, session.cursor()))
         return;
-    }
     // The start has no row: it is above the first.
     if (session.event() == nullptr) return ImGui::SetScrollY(0.0F);
     const auto row = nav.steps.rowOfCursor();
@@ -135,10 +128,8 @@ void followCursor(const PanelContext& context, float pitch) {
     const float top = static_cast<float>(*row) * pitch;
     const float height = ImGui::GetWindowHeight();
     const float scroll = ImGui::GetScrollY();
-    if (top < scroll + 2.0F * pitch || top > scroll + height - 3.0F * pitch) {
-        const float target = std::max(0.0F, top - 0.4F * height);
-        ImGui::SetScrollY(std::floor(target / pitch) * pitch);
-    }
+    if (top < scroll + 2.0F * pitch || top > scroll + height - 3.0F * pitch)
+        ImGui::SetScrollY(std::floor(std::max(0.0F, top - 0.4F * height) / pitch) * pitch);
 }
 
 void drawStepRows(const PanelContext& context, const StepColumns& columns) {
@@ -146,15 +137,14 @@ void drawStepRows(const PanelContext& context, const StepColumns& columns) {
     const float pitch = ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y;
     followCursor(context, pitch);
     const auto cursorRow = tree.rowOfCursor();
-    std::optional<StepRow> chosen;
     RowAction action = RowAction::None;
+    StepRow chosen;
     const bool keyboard = context.state<KeyWalk>().offer(KeyStop::Steps);
     const std::size_t first = cursorRow.value_or(0);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(tree.rowCount()), pitch);
-    if (keyboard) {
+    if (keyboard)
         clipper.ForceDisplayRangeByIndices(static_cast<int>(first), static_cast<int>(first) + 1);
-    }
     while (clipper.Step()) {
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const auto row = static_cast<std::size_t>(i);
@@ -166,8 +156,8 @@ void drawStepRows(const PanelContext& context, const StepColumns& columns) {
         }
     }
     // After all rows: they may change here.
-    if (action == RowAction::Go) goTo(context, *chosen);
-    if (action == RowAction::Toggle) toggle(context, *chosen);
+    if (action == RowAction::Go) goTo(context, chosen);
+    if (action == RowAction::Toggle) toggle(context, chosen);
 }
 
 }  // namespace

@@ -37,8 +37,7 @@ void moveCameraByMouse(const PanelContext& context) {
                   : context.camera().pan(moved, view.size.y);
     }
     if (!ImGui::IsItemHovered() || io.MouseWheel == 0.0F) return;
-    const ImVec2 mouse = ImGui::GetMousePos();
-    const glm::vec2 at = (glm::vec2(mouse.x, mouse.y) - view.min) / view.size;
+    const glm::vec2 at = (pointer - view.min) / view.size;
     context.camera().zoomAt(io.MouseWheel, {2.0F * at.x - 1.0F, 1.0F - 2.0F * at.y},
                             view.size.x / view.size.y);
 }
@@ -54,9 +53,7 @@ std::optional<Rect> drawAxes(const PanelContext& context, std::span<const Rect> 
     const glm::vec2 origin = place->min + 0.5F * place->size;
     constexpr std::array kNames = {"x", "y", "z"};
     for (int i = 0; i < 3; ++i) {
-        glm::vec4 axis(0.0F);
-        axis[i] = 1.0F;
-        const glm::vec4 seen = camera.view * axis;
+        const glm::vec4 seen = camera.view[i];
         const glm::vec2 way(seen.x, -seen.y);
         const glm::vec2 tip = origin + way * (1.35F * em);
         const float alpha = 0.55F + 0.45F * std::clamp(seen.z + 0.5F, 0.0F, 1.0F);

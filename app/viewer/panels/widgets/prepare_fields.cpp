@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "session/session.h"
-#include "text_field.h"
 #include "widgets.h"
 
 namespace se::view {
@@ -32,9 +31,9 @@ struct Fields {
     PrepareForm& form;
     const std::string& prefix;
 
-    /// Records the rectangle of the last item under this name, for test scripts.
-    void name(const char* item) const {
-        if (ImGui::IsItemVisible()) context.where()[prefix + item] = lastItem();
+    /// Names the last item, if it can be seen, and gives it a tooltip.
+    void name(const char* item, const char* tip = "") const {
+        if (ImGui::IsItemVisible()) nameItem(context, prefix + item, tip);
     }
 };
 
@@ -42,14 +41,12 @@ struct Fields {
 template <typename T>
 void choice(const Fields& fields, const char* label, T& value, T mine, const char* help) {
     if (ImGui::RadioButton(label, value == mine)) value = mine;
-    fields.name(label);
-    tooltip(help);
+    fields.name(label, help);
 }
 
 void toggle(const Fields& fields, const char* label, bool& value, const char* help) {
     ImGui::Checkbox(label, &value);
-    fields.name(label);
-    tooltip(help);
+    fields.name(label, help);
 }
 
 /// A title, and whether the current data was derived.
@@ -111,9 +108,8 @@ void drawNormals(const Fields& fields) {
 bool drawWalls(const Fields& fields) {
     const auto& [context, form, prefix] = fields;
     using From = WallChoice::From;
-    part(context, "Walls",
-         context.session().model().report.derived.types ||
-             context.session().model().report.derived.rim);
+    const DerivedPieces& derived = context.session().model().report.derived;
+    part(context, "Walls", derived.types || derived.rim);
     choice(fields, "From the input##w", form.walls, From::File,
            "The types of its points, if it has any");
     choice(fields, "The box around all points", form.walls, From::Around,

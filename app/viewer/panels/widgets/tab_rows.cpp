@@ -25,7 +25,7 @@ constexpr float kPad = 0.36F;
 constexpr float kGap = 0.12F;
 
 float widthOf(const PanelContext& context, const std::string& title) {
-    return ImGui::CalcTextSize(title.c_str()).x + 2.0F * kPad * context.em;
+    return textWidth(title) + 2.0F * kPad * context.em;
 }
 
 float tabRowHeight(const PanelContext& context) {
@@ -128,13 +128,12 @@ bool drawName(const PanelContext& context, const std::string& title, bool lit) {
 void drawMore(const PanelContext& context, const std::vector<const SidePanel*>& more,
               const SidePanel*& chosen) {
     if (drawName(context, moreText(more.size()), false)) ImGui::OpenPopup(kMorePopup);
-    context.where()["more tabs"] = lastItem();
-    tooltip("Panels that do not fit here");
+    nameItem(context, "more tabs", "Panels that do not fit here");
     ImGui::PushFont(context.fonts.text);
     if (ImGui::BeginPopup(kMorePopup)) {
         for (const SidePanel* panel : more) {
             if (ImGui::MenuItem(panel->title)) chosen = panel;
-            context.where()[std::string("more ") + panel->title] = lastItem();
+            nameItem(context, std::string("more ") + panel->title);
         }
         ImGui::EndPopup();
     }

@@ -24,50 +24,105 @@ void chevron(ImDrawList* list, ImVec2 c, float r, float direction, ImU32 color) 
                             {c.x - direction * 0.5F * r, c.y + r}, color);
 }
 
-void bar(ImDrawList* list, ImVec2 c, float r, ImU32 color) {
-    list->AddRectFilled({c.x - 0.16F * r, c.y - r}, {c.x + 0.16F * r, c.y + r}, color);
-}
-
 void drawIcon(ImDrawList* list, ImVec2 c, float r, Icon icon, ImU32 color) {
-    const auto at = [&](float x) { return ImVec2(c.x + x * r, c.y); };
-    switch (icon) {
-        case Icon::SkipStart:
-            bar(list, at(-0.8F), r, color), chevron(list, at(0.2F), r, -1, color);
-            break;
-        case Icon::SkipEnd:
-            bar(list, at(0.8F), r, color), chevron(list, at(-0.2F), r, 1, color);
-            break;
-        case Icon::Back:
-            chevron(list, at(-0.5F), 0.85F * r, -1, color);
-            chevron(list, at(0.5F), 0.85F * r, -1, color);
-            break;
-        case Icon::Forward:
-            chevron(list, at(-0.5F), 0.85F * r, 1, color);
-            chevron(list, at(0.5F), 0.85F * r, 1, color);
-            break;
-        case Icon::StepBack:
-            chevron(list, at(-0.1F), 0.85F * r, -1, color);
-            break;
-        case Icon::StepForward:
-            chevron(list, at(0.1F), 0.85F * r, 1, color);
-            break;
-        case Icon::Play:
-            chevron(list, at(-0.1F), 1.15F * r, 1, color);
-            break;
-        case Icon::Pause:
-            list->AddRectFilled({c.x - 0.7F * r, c.y - r}, {c.x - 0.2F * r, c.y + r}, color);
-            list->AddRectFilled({c.x + 0.2F * r, c.y - r}, {c.x + 0.7F * r, c.y + r}, color);
-            break;
+    const auto bar = [&](float from, float to) {
+        list->AddRectFilled({c.x + from * r, c.y - r}, {c.x + to * r, c.y + r}, color);
+    };
+    // Points to the right, or to the left if `way` is -1.
+    const auto arrow = [&](float x, float size, float way) {
+        chevron(list, {c.x + x * r, c.y}, size * r, way, color);
+    };
+    const bool back = icon == Icon::SkipStart || icon == Icon::Back || icon == Icon::StepBack;
+    const float way = back ? -1.0F : 1.0F;
+    if (icon == Icon::Pause) {
+        bar(-0.7F, -0.2F);
+        bar(0.2F, 0.7F);
+    } else if (icon == Icon::Play) {
+        arrow(-0.1F, 1.15F, 1.0F);
+    } else if (icon == Icon::StepBack || icon == Icon::StepForward) {
+        arrow(0.1F * way, 0.85F, way);
+    } else if (icon == Icon::Back || icon == Icon::Forward) {
+        arrow(-0.5F, 0.85F, way);
+        arrow(0.5F, 0.85F, way);
+    } else {
+        bar(0.8F * way - 0.16F, 0.8F * way + 0.16F);
+        arrow(-0.2F * way, 1.0F, way);
     }
 }
 
-void strokeQuad(ImDrawList* list, const std::array<ImVec2, 4>& q, float stroke, ImU32 color) {
-    list->AddPolyline(q.data(), 4, color, ImDrawFlags_Closed, stroke);
+/// Dear ImGui calls back to resize the text whenever it grows.
+int grow(ImGuiInputTextCallbackData* data) {
+    if (data->EventFlag != ImGuiInputTextFlags_CallbackResize) return 0;
+    auto& text = *static_cast<std::string*>(data->UserData);
+    text.resize(static_cast<std::size_t>(data->BufTextLen));
+    data->Buf = text.data();
+    return 0;
 }
 
 }  // namespace
 
 ImU32 toU32(const Color& color) { return ImGui::ColorConvertFloat4ToU32(toVec4(color)); }
+
+void nameItem(const PanelContext& context, const std::string& name, const std::string& tip) {
+    context.where()[name] = lastItem();
+    if (!tip.empty()) tooltip(tip);
+}
+
+bool textButton(const PanelContext& context, const std::string& label, const std::string& name,
+                const std::string& tip, float width) {
+    const bool clicked = ImGui::Button(label.c_str(), {width, 0.0F});
+    nameItem(context, name, tip);
+    return clicked;
+}
+
+bool smallButton(const PanelContext& context, const std::string& label, const std::string& name,
+                 const std::string& tip) {
+    const bool clicked = ImGui::SmallButton(label.c_str());
+    nameItem(context, name, tip);
+    return clicked;
+}
+
+bool selectable(const PanelContext& context, const std::string& label, bool on,
+                const std::string& name, const std::string& tip) {
+    const bool clicked = ImGui::Selectable(label.c_str(), on);
+    nameItem(context, name, tip);
+    return clicked;
+}
+
+bool progressAndStop(const PanelContext& context, double share, const char* text,
+                     const std::string& name, float buttonEms) {
+    const float width = ImGui::GetContentRegionAvail().x - buttonEms * context.em;
+    ImGui::ProgressBar(static_cast<float>(share), {width, 0.0F}, text);
+    ImGui::SameLine();
+    return textButton(context, "Stop", name);
+}
+
+bool textField(const char* label, const char* hint, std::string& text, ImGuiInputTextFlags flags) {
+    return ImGui::InputTextWithHint(label, hint, text.data(), text.capacity() + 1,
+                                    flags | ImGuiInputTextFlags_CallbackResize, grow, &text);
+}
+
+bool textArea(const char* label, std::string& text, const ImVec2& size) {
+    return ImGui::InputTextMultiline(label, text.data(), text.capacity() + 1, size,
+                                     ImGuiInputTextFlags_CallbackResize, grow, &text);
+}
+
+void dimAtRight(const std::string& text) {
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - textWidth(text));
+    ImGui::TextDisabled("%s", text.c_str());
+}
+
+void separator() {
+    ImGui::Spacing();
+    ImGui::Separator();
+    ImGui::Spacing();
+}
+
+void textIn(ImFont* font, const std::string& text) {
+    ImGui::PushFont(font);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopFont();
+}
 
 bool beginRegion(const char* name, const Rect& rect, int extraFlags) {
     ImGui::SetNextWindowPos(toVec2(rect.min));
@@ -84,7 +139,7 @@ void heading(const PanelContext& context, const char* title, const std::string& 
     const float titleEnd = ImGui::GetCursorPosX() + ImGui::GetItemRectSize().x;
     ImGui::PopFont();
     if (!note.empty()) {
-        const float width = ImGui::CalcTextSize(note.c_str()).x;
+        const float width = textWidth(note);
         const float left = ImGui::GetContentRegionMax().x - width;
         // Text that does not fit beside the title goes below it.
         if (left >= titleEnd + context.em) ImGui::SameLine(left);
@@ -103,11 +158,10 @@ bool iconButton(const char* id, Icon icon, const char* text, bool enabled, bool 
     }
     const bool pressed = ImGui::Button(id, size);
     if (active) ImGui::PopStyleColor(2);
-    const ImVec2 low = ImGui::GetItemRectMin();
-    const ImVec2 high = ImGui::GetItemRectMax();
+    const Rect at = lastItem();
     const Color color = active ? context.palette.accentText : context.palette.text;
-    drawIcon(ImGui::GetWindowDrawList(), {0.5F * (low.x + high.x), 0.5F * (low.y + high.y)},
-             0.32F * context.em, icon, toU32(enabled ? color : color.withAlpha(0.35F)));
+    drawIcon(ImGui::GetWindowDrawList(), toVec2(0.5F * (at.min + at.max())), 0.32F * context.em,
+             icon, toU32(enabled ? color : color.withAlpha(0.35F)));
     ImGui::EndDisabled();
     tooltip(text);
     return pressed;
@@ -183,13 +237,13 @@ void drawShape(ImDrawList* list, ImVec2 c, float size, Shape shape, ImU32 color)
             list->AddConvexPolyFilled(square.data(), 4, color);
             break;
         case Shape::OpenSquare:
-            strokeQuad(list, square, stroke, color);
+            list->AddPolyline(square.data(), 4, color, ImDrawFlags_Closed, stroke);
             break;
         case Shape::Diamond:
             list->AddConvexPolyFilled(diamond.data(), 4, color);
             break;
         case Shape::OpenDiamond:
-            strokeQuad(list, diamond, stroke, color);
+            list->AddPolyline(diamond.data(), 4, color, ImDrawFlags_Closed, stroke);
             break;
         case Shape::RingedDisc:
             list->AddCircle(c, 0.9F * r, color, 0, 0.2F * r);
@@ -227,9 +281,7 @@ void valueRow(const PanelContext& context, const char* name, const std::string& 
               const Color& color) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::PushStyleColor(ImGuiCol_Text, toVec4(context.palette.textDim));
-    ImGui::TextUnformatted(name);
-    ImGui::PopStyleColor();
+    ImGui::TextColored(toVec4(context.palette.textDim), "%s", name);
     ImGui::TableNextColumn();
     ImGui::PushStyleColor(ImGuiCol_Text, toVec4(color));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.05F * context.em});
@@ -260,27 +312,26 @@ void gauge(const PanelContext& context, double value, double threshold, double l
 }
 
 std::string fitted(const std::string& text, float width) {
-    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    if (textWidth(text) <= width) return text;
     std::string cut = text;
-    while (!cut.empty() && ImGui::CalcTextSize((cut + kEllipsis).c_str()).x > width) {
+    while (!cut.empty() && textWidth(cut + kEllipsis) > width) {
         cut = withoutLastSign(std::move(cut));
     }
     return cut + kEllipsis;
 }
 
 std::string fittedWords(const std::string& text, float width) {
-    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    if (textWidth(text) <= width) return text;
     for (std::size_t end = text.rfind(' '); end != std::string::npos && end > 0;
          end = text.rfind(' ', end - 1)) {
         const std::string cut = text.substr(0, end) + " " + kEllipsis;
-        if (ImGui::CalcTextSize(cut.c_str()).x <= width) return cut;
+        if (textWidth(cut) <= width) return cut;
     }
     return fitted(text, width);
 }
 
 std::vector<std::string> wrapped(const std::string& text, float width) {
-    return linesAtBlanks(
-        text, width, [](const std::string& line) { return ImGui::CalcTextSize(line.c_str()).x; });
+    return linesAtBlanks(text, width, textWidth);
 }
 
 std::string_view wordOf(const Event& event) {
@@ -294,6 +345,10 @@ std::string_view wordOf(const Event& event) {
         return alertName(alert->kind);
     }
     return {};
+}
+
+std::string withS(std::size_t number, const char* word) {
+    return grouped(number) + " " + word + (number == 1 ? "" : "s");
 }
 
 std::string addressText(const Session& session) {

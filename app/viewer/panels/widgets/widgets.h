@@ -27,6 +27,52 @@ inline Rect lastItem() {
     return {{low.x, low.y}, {high.x - low.x, high.y - low.y}};
 }
 
+/// Gives the item drawn last a name, by which test scripts find its rectangle, and a tooltip.
+void nameItem(const PanelContext& context, const std::string& name, const std::string& tip = {});
+/// Buttons with a text, a name and a tooltip, `width` pixels wide: 0: as wide as the text,
+/// negative: up to that distance from the right end. True if clicked.
+bool textButton(const PanelContext& context, const std::string& label, const std::string& name,
+                const std::string& tip = {}, float width = 0.0F);
+bool smallButton(const PanelContext& context, const std::string& label, const std::string& name,
+                 const std::string& tip = {});
+/// A row of a list with a name and a tooltip, highlighted if `on`. True if clicked.
+bool selectable(const PanelContext& context, const std::string& label, bool on,
+                const std::string& name, const std::string& tip = {});
+/// A bar of progress with a button after it, which has the rest of the line. `text`: on the bar;
+/// null: the percentage. True if the button was clicked.
+bool progressAndStop(const PanelContext& context, double share, const char* text,
+                     const std::string& name, float buttonEms = 4.0F);
+/// For a text field that takes effect on Enter. A click selects its text, so that typing replaces
+/// it.
+inline constexpr ImGuiInputTextFlags kEntered =
+    ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll;
+/// A text field of one line without a limit of length, with a hint while it is empty. True if the
+/// text changed, or with ImGuiInputTextFlags_EnterReturnsTrue on Enter.
+bool textField(const char* label, const char* hint, std::string& text,
+               ImGuiInputTextFlags flags = 0);
+/// A text field of many lines without a limit of length. True if the text changed.
+bool textArea(const char* label, std::string& text, const ImVec2& size);
+/// Draws the items of a list, each with an id of its own, and removes the one whose drawing
+/// `draw(item, number)` returns true.
+template <class Items, class Draw>
+void drawRemovable(Items& items, const Draw& draw) {
+    std::size_t gone = items.size();
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (draw(items[i], i)) gone = i;
+        ImGui::PopID();
+    }
+    if (gone < items.size()) items.erase(items.begin() + static_cast<std::ptrdiff_t>(gone));
+}
+/// Width of a text in the current type.
+inline float textWidth(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
+/// A dim text at the right end of the current line.
+void dimAtRight(const std::string& text);
+/// A line across, with space above and below it.
+void separator();
+/// A line of text in this font.
+void textIn(ImFont* font, const std::string& text);
+
 /// Begins a window without frame that fills `rect`. ImGui::End() must follow in any case.
 bool beginRegion(const char* name, const Rect& rect, int extraFlags = 0);
 /// A line with the title of a panel, and a dim note at its right end.
@@ -69,6 +115,8 @@ std::vector<std::string> wrapped(const std::string& text, float width);
 /// Outcome of an event without a verdict: "in", "stranded", the
 /// kind of an alert. Empty if there is no such word.
 std::string_view wordOf(const Event& event);
+/// "1 pivot", "12 pivots".
+std::string withS(std::size_t number, const char* word);
 /// "137.sphere.3", or "start".
 std::string addressText(const Session& session);
 /// "137.sphere.3 · 6.3", with the section of the paper.
