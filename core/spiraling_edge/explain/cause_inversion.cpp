@@ -13,6 +13,7 @@
 #include "spiraling_edge/explain/inspected_run.h"
 #include "spiraling_edge/explain/remedy.h"
 #include "spiraling_edge/explain/what_if_check.h"
+#include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/reading.h"
 #include "spiraling_edge/stepper/stepper.h"
 

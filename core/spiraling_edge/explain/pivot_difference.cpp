@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "spiraling_edge/base/overloaded.h"
+#include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/reading.h"
 
 namespace se {

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <map>
 
+#include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/ring_lanes.h"
 #include "spiraling_edge/replay/scan_run.h"
 

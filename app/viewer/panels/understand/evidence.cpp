@@ -5,6 +5,7 @@
 #include "rows/evidence_rows.h"
 #include "scene/outcome.h"
 #include "session/session.h"
+#include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/reading.h"
 
 namespace se::view {
