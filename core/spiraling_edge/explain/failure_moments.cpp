@@ -9,11 +9,10 @@
 #include <tuple>
 
 #include "spiraling_edge/base/parallel.h"
-#include "spiraling_edge/explain/freed_rings.h"
 #include "spiraling_edge/explain/inspected_run.h"
 #include "spiraling_edge/explain/moment_finder.h"
 #include "spiraling_edge/explain/origin_decisions.h"
-#include "spiraling_edge/replay/decision_line.h"
+#include "spiraling_edge/replay/reading.h"
 #include "spiraling_edge/replay/scan_run.h"
 
 namespace se {
@@ -25,15 +24,15 @@ template <typename Visit>
 void forEachPointOf(const Event& event, Index pivot, Visit&& visit) {
     visit(testedPoint(event));
     visit(pivot);
-    if (const auto* seed = std::get_if<SeedEvidence>(&event.evidence)) {
+    if (const auto* seed = as<SeedEvidence>(event)) {
         visit(seed->first);
         visit(seed->second);
-    } else if (const auto* emit = std::get_if<EmitEvidence>(&event.evidence)) {
+    } else if (const auto* emit = as<EmitEvidence>(event)) {
         for (const Index p : {emit->corners.a, emit->corners.b, emit->corners.c}) visit(p);
-    } else if (const auto* flip = std::get_if<FlipEvidence>(&event.evidence)) {
+    } else if (const auto* flip = as<FlipEvidence>(event)) {
         visit(flip->x);
         visit(flip->y);
-    } else if (const auto* sphere = std::get_if<SphereEvidence>(&event.evidence)) {
+    } else if (const auto* sphere = as<SphereEvidence>(event)) {
         visit(sphere->t);
         visit(sphere->s);
     }
@@ -61,7 +60,7 @@ class Finders {
         for (const Event& event : pivot.events) {
             ++event_;
             concerned_.clear();
-            const auto* limit = std::get_if<LimitEvidence>(&event.evidence);
+            const auto* limit = as<LimitEvidence>(event);
             if (limit != nullptr && limit->verdict == Verdict::Moved)
                 moves_.push_back(lineOf(event, {input_.points, input_.params, pivot.point}));
             gather(event, pivot.point);
@@ -141,18 +140,14 @@ class EventCounts {
     std::uint64_t all_ = 0;
 };
 
-/// Position of the class of a failure in failureClasses().
-std::size_t rankOf(const MeshFailure& failure) {
-    return static_cast<std::size_t>(failure.kind - failureClasses().data());
-}
-
 /// Removes from `run` the failures that cannot be followed within the work that `counts` allows.
 /// The first ones of each class stay: all firsts, then all seconds, until the next of its class
 /// exceeds the work. Requires failures in the order of their classes.
 void keepAffordable(const PointSet& points, const Params& params, const EventCounts& counts,
                     InspectedRun& run) {
-    assert(std::is_sorted(run.failures.begin(), run.failures.end(),
-                          [](const auto& a, const auto& b) { return rankOf(a) < rankOf(b); }));
+    assert(std::is_sorted(
+        run.failures.begin(), run.failures.end(),
+        [](const auto& a, const auto& b) { return rankOf(*a.kind) < rankOf(*b.kind); }));
     const std::vector<LedgerLine> noMoves;
     const FinderInput input{points, params, run.end.mesh(), noMoves};
     std::vector<std::uint64_t> work;
@@ -251,8 +246,9 @@ Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& pa
     if (!run) return Error{"Cancelled."};
     const std::vector<Triangle>& mesh = run->end.mesh();
     std::vector<MeshFailure>& failures = run->failures;
-    std::stable_sort(failures.begin(), failures.end(),
-                     [](const auto& a, const auto& b) { return rankOf(a) < rankOf(b); });
+    std::stable_sort(failures.begin(), failures.end(), [](const auto& a, const auto& b) {
+        return rankOf(*a.kind) < rankOf(*b.kind);
+    });
     keepAffordable(points, params, counts, *run);
     const auto moments = momentsOfAll(points, params, failures, mesh, partOf(progress, 0.5, 1.0));
     if (!moments) return moments.error();
@@ -260,8 +256,9 @@ Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& pa
     for (std::size_t i = 0; i < failures.size(); ++i) {
         if (!moments.value()[i]) {
             // Not a failure of this run: not counted.
-            --found.totals[rankOf(failures[i])].listed;
-            --found.totals[rankOf(failures[i])].total;
+            ClassTotal& total = found.totals[rankOf(*failures[i].kind)];
+            --total.listed;
+            --total.total;
             continue;
         }
         std::vector<Triangle> corners;

@@ -10,7 +10,7 @@
 
 #include "spiraling_edge/base/progress.h"
 #include "spiraling_edge/base/result.h"
-#include "spiraling_edge/replay/decision_line.h"
+#include "spiraling_edge/replay/reading.h"
 
 namespace se {
 

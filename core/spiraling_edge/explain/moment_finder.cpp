@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "spiraling_edge/explain/pivot_tests.h"
-#include "spiraling_edge/replay/decision_line.h"
+#include "spiraling_edge/explain/origin_decisions.h"
 
 namespace se {
 namespace {
@@ -20,20 +19,20 @@ bool sameCorners(const Triangle& a, const Triangle& b) {
 /// True if a candidate was left out only for its angle: it lies where the pivot has triangles, or
 /// will never have any.
 bool liesOutside(const Event& event) {
-    const auto* sort = std::get_if<SortEvidence>(&event.evidence);
+    const auto* sort = as<SortEvidence>(event);
     return sort != nullptr &&
            (sort->verdict == Verdict::NotAfterStart || sort->verdict == Verdict::NotBeforeEnd);
 }
 
 /// True for two points that find only each other (§6.4), which can make no triangle.
 bool isFullTurn(const Event& event) {
-    const auto* two = std::get_if<TwoPointEvidence>(&event.evidence);
+    const auto* two = as<TwoPointEvidence>(event);
     return two != nullptr && two->degrees > 359.9;
 }
 
 /// A candidate that start or end was moved over (Fig. 4).
 const DropEvidence* passedBy(const Event& event) {
-    const auto* drop = std::get_if<DropEvidence>(&event.evidence);
+    const auto* drop = as<DropEvidence>(event);
     return drop != nullptr && drop->verdict == Verdict::Outside ? drop : nullptr;
 }
 
@@ -95,8 +94,7 @@ bool MomentFinder::mine(Index p) const {
 }
 
 bool MomentFinder::touches(const Event& event) const {
-    if (const auto* seed = std::get_if<SeedEvidence>(&event.evidence))
-        return mine(seed->first) || mine(seed->second);
+    if (const auto* seed = as<SeedEvidence>(event)) return mine(seed->first) || mine(seed->second);
     return testedPoint(event) != kNone && mine(testedPoint(event));
 }
 
@@ -105,12 +103,12 @@ void MomentFinder::addForPoint(const LedgerLine& line) {
     const bool ownFan = p == kNone && line.pivot != kNone && mine(line.pivot);
     if (ownFan && line.role == LineRole::Refused)
         (isFullTurn(line.event) ? alonePair_ : unavoidable_) = line;
-    const auto* ring = std::get_if<RingEvidence>(&line.event.evidence);
+    const auto* ring = as<RingEvidence>(line.event);
     if (ring != nullptr && ring->status < 0 && !mine(p) && !created_) deserted_ = line;
     if (p == kNone || !mine(p)) return;
-    const auto* strand = std::get_if<StrandEvidence>(&line.event.evidence);
+    const auto* strand = as<StrandEvidence>(line.event);
     if (strand != nullptr || (ring != nullptr && ring->status < 0)) created_ = line;
-    const bool limit = std::holds_alternative<LimitEvidence>(line.event.evidence);
+    const bool limit = isA<LimitEvidence>(line.event);
     if (line.role != LineRole::Refused || wasSettledBefore(line.event) || limit) return;
     const auto* drop = passedBy(line.event);
     (liesOutside(line.event) ? outside_ : unavoidable_) =
@@ -133,7 +131,7 @@ std::optional<LedgerLine> MomentFinder::moveOver(const DropEvidence& drop) const
 void MomentFinder::addForRing(const LedgerLine& line) {
     const Index tested = testedPoint(line.event);
     const bool pivots = line.pivot != kNone && mine(line.pivot);
-    const auto* ring = std::get_if<RingEvidence>(&line.event.evidence);
+    const auto* ring = as<RingEvidence>(line.event);
     if (kind_ == Kind::Hole && ring != nullptr && ring->status < 0 && mine(ring->point))
         created_ = line;
     if (kind_ == Kind::Ring && created_) return;
@@ -175,8 +173,7 @@ bool MomentFinder::isThere() const {
 
 bool MomentFinder::isRepair(const Event& event) const {
     if (!editsMesh(event)) return false;
-    if (const auto* flip = std::get_if<FlipEvidence>(&event.evidence))
-        return mine(flip->x) && mine(flip->y);
+    if (const auto* flip = as<FlipEvidence>(event)) return mine(flip->x) && mine(flip->y);
     return mine(testedPoint(event));
 }
 
@@ -218,7 +215,7 @@ void MomentFinder::addForTriangle(const LedgerLine& line) {
         alone_ = kNone;
         return;
     }
-    const auto* emit = std::get_if<EmitEvidence>(&line.event.evidence);
+    const auto* emit = as<EmitEvidence>(line.event);
     if (emit == nullptr || complete_ || !isOne(*emit)) return;
     made_.push_back(emit->corners);
     complete_ = isEarlyFailure() && isThere();

@@ -5,12 +5,21 @@
 
 #include <algorithm>
 
-#include "spiraling_edge/explain/pivot_tests.h"
-#include "spiraling_edge/replay/decision_line.h"
 #include "spiraling_edge/replay/scan_run.h"
 
 namespace se {
 namespace {
+
+/// The last line for which `isCorner` holds for the point it took, or for both sides of a gap.
+template <typename Test>
+std::optional<LedgerLine> lastOf(const std::vector<LedgerLine>& decided, const Test& isCorner) {
+    const auto found = std::find_if(decided.rbegin(), decided.rend(), [&](const LedgerLine& line) {
+        if (const SphereEvidence* gap = closedGap(line.event))
+            return isCorner(gap->t) && isCorner(gap->s);
+        return !fillsHole(line.event) && isCorner(testedPoint(line.event));
+    });
+    return found == decided.rend() ? std::nullopt : std::optional(*found);
+}
 
 /// A triangle as it was made; the pivot is its first corner.
 struct MadeTriangle {
@@ -52,7 +61,7 @@ class TriangleDecisions {
                               std::nullopt};
         const bool taken = line.role == LineRole::Taken && testedPoint(event) != kNone;
         if (taken || closedGap(event) != nullptr || fillsHole(event)) decided_.push_back(line);
-        const auto* emit = std::get_if<EmitEvidence>(&event.evidence);
+        const auto* emit = as<EmitEvidence>(event);
         if (emit == nullptr || emit->triangle != made_.size()) return;
         const auto decision = lastDecision(decided_, emit->corners);
         const bool alone =
@@ -95,6 +104,27 @@ class TriangleDecisions {
 };
 
 }  // namespace
+
+bool hasCorner(const Triangle& t, Index p) { return t.a == p || t.b == p || t.c == p; }
+
+bool fillsHole(const Event& event) {
+    const auto* two = as<TwoPointEvidence>(event);
+    return two != nullptr && two->verdict == Verdict::Hole;
+}
+
+const SphereEvidence* closedGap(const Event& event) {
+    const auto* sphere = as<SphereEvidence>(event);
+    return sphere != nullptr && sphere->verdict == Verdict::Removed ? sphere : nullptr;
+}
+
+std::optional<LedgerLine> lastDecision(const std::vector<LedgerLine>& decided,
+                                       const Triangle& made) {
+    return lastOf(decided, [&](Index p) { return hasCorner(made, p); });
+}
+
+std::optional<LedgerLine> lastDecision(const std::vector<LedgerLine>& decided, Index a, Index b) {
+    return lastOf(decided, [&](Index p) { return p == a || p == b; });
+}
 
 std::optional<std::map<Index, LedgerLine>> originDecisions(const PointSet& points,
                                                            const Params& params,

@@ -67,14 +67,14 @@ struct Answer {
 };
 Answer answerOf(const Event& event) {
     const Outcome outcome = isAgainst(outcomeOf(event)) ? Outcome::Refused : outcomeOf(event);
-    if (const auto* insert = std::get_if<InsertEvidence>(&event.evidence))
+    if (const auto* insert = as<InsertEvidence>(event))
         return {outcome, insert->third, insert->verdict};
     return {outcome};
 }
 
 /// True for the test of a rule; other events are facts.
 bool isTest(const Event& event) { return outcomeOf(event) != Outcome::None; }
-bool isSort(const Event& event) { return std::holds_alternative<SortEvidence>(event.evidence); }
+bool isSort(const Event& event) { return isA<SortEvidence>(event); }
 
 /// The events of one run at the pivot, in the order in which they are compared.
 class PivotEvents {
@@ -109,7 +109,7 @@ class PivotEvents {
     bool sortsAny() const { return std::any_of(events_.begin(), events_.end(), isSort); }
     bool emits(Index point) const {
         return std::any_of(events_.begin(), events_.end(), [&](const Event& e) {
-            const auto* emit = std::get_if<EmitEvidence>(&e.evidence);
+            const auto* emit = as<EmitEvidence>(e);
             return emit != nullptr && (emit->corners.a == point || emit->corners.b == point ||
                                        emit->corners.c == point);
         });
@@ -207,8 +207,7 @@ class PivotPair {
             return answerOf(other.at(*there)) != answerOf(event);
         if (onlyListed(mine, other, event)) return false;
         // Candidates stay unless refused; start, end and the ring stay unless moved.
-        const bool changes = std::holds_alternative<LimitEvidence>(event.evidence) ||
-                             std::holds_alternative<InsertEvidence>(event.evidence);
+        const bool changes = isA<LimitEvidence>(event) || isA<InsertEvidence>(event);
         return (outcomeOf(event) == Outcome::Taken) == changes;
     }
 
@@ -259,7 +258,7 @@ std::string testName(const Event& event, Index pivot) {
 
 std::string actionText(const Event& event) {
     const bool takes = outcomeOf(event) == Outcome::Taken;
-    if (const auto* limit = std::get_if<LimitEvidence>(&event.evidence)) {
+    if (const auto* limit = as<LimitEvidence>(event)) {
         const std::string side = limit->side == Side::Start ? "start" : "end";
         return takes ? "moves " + side + " on to " + pointName(limit->to)
                      : "leaves " + side + " at " + pointName(limit->from);

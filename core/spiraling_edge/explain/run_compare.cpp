@@ -12,7 +12,7 @@
 
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/explain/pivot_difference.h"
-#include "spiraling_edge/replay/decision_line.h"
+#include "spiraling_edge/replay/scan_run.h"
 #include "spiraling_edge/stepper/stepper.h"
 
 namespace se {
@@ -31,7 +31,7 @@ bool has(const Triangle& t, Index p) { return t.a == p || t.b == p || t.c == p; 
 class TriangleOrigins {
   public:
     void add(const Event& event) {
-        if (std::holds_alternative<EmitEvidence>(event.evidence)) {
+        if (isA<EmitEvidence>(event)) {
             emitted_.push_back(event.address);
         } else if (editsMesh(event)) {
             repairs_.push_back(event);
@@ -62,16 +62,16 @@ class TriangleOrigins {
     /// The last step after the pivots that can have made this triangle.
     Address repairOrigin(const Triangle& t) const {
         const auto leaves = [&](const Event& event) {
-            if (const auto* flip = std::get_if<FlipEvidence>(&event.evidence))
+            if (const auto* flip = as<FlipEvidence>(event))
                 return has(t, flip->x) && has(t, flip->y);
-            const auto* point = std::get_if<ReinsertEvidence>(&event.evidence);
+            const auto* point = as<ReinsertEvidence>(event);
             return point != nullptr && has(t, point->point);
         };
         const auto found = std::find_if(repairs_.rbegin(), repairs_.rend(), leaves);
         if (found != repairs_.rend()) return found->address;
         // The others closed the hole of a point that was taken out; the events do not name them.
         const auto taken = std::find_if(repairs_.rbegin(), repairs_.rend(), [](const Event& e) {
-            return std::holds_alternative<RemoveFoldedEvidence>(e.evidence);
+            return isA<RemoveFoldedEvidence>(e);
         });
         return taken != repairs_.rend() ? taken->address : Address{};
     }
@@ -95,13 +95,7 @@ class Walker {
     }
     bool over() const { return over_; }
     std::span<const Event> events() const { return log_.events(); }
-    Index pivot() const {
-        for (const Event& event : log_.events()) {
-            if (const auto* p = std::get_if<PivotEvidence>(&event.evidence)) return p->pivot;
-            if (const auto* fill = std::get_if<FillEvidence>(&event.evidence)) return fill->pivot;
-        }
-        return kNone;
-    }
+    Index pivot() const { return pivotPoint(log_.events()); }
     DifferenceSide side(std::size_t event, bool decides) const {
         if (event >= log_.events().size()) return {false, {}};
         return {decides, lineOf(log_.events()[event], {run_.points, run_.params, pivot()})};

@@ -70,7 +70,7 @@ Status checkTest(const std::vector<Event>& events, const WhatIf& what) {
 
 Status checkPivot(const std::vector<Event>& events, const WhatIf& what) {
     for (const Event& event : events) {
-        const auto* advance = std::get_if<AdvanceEvidence>(&event.evidence);
+        const auto* advance = as<AdvanceEvidence>(event);
         if (advance != nullptr && advance->whatIf && advance->to == what.point) return success();
     }
     return Error{namedPoint(what.point) + " is on no edge ring after pivot " +

@@ -16,6 +16,7 @@
 #include "spiraling_edge/geometry/exact_predicates.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/mesh/faults.h"
+#include "spiraling_edge/replay/reading.h"
 
 namespace se {
 namespace {
@@ -87,11 +88,11 @@ class LiveCheck::Checker {
     void check(const Event& event, std::vector<LiveFailure>& found) {
         found_ = &found;
         address_ = event.address;
-        if (const auto* emit = std::get_if<EmitEvidence>(&event.evidence)) {
+        if (const auto* emit = as<EmitEvidence>(event)) {
             checkTriangle(emit->corners);
-        } else if (const auto* strand = std::get_if<StrandEvidence>(&event.evidence)) {
+        } else if (const auto* strand = as<StrandEvidence>(event)) {
             checkDone(strand->point);
-        } else if (const auto* ring = std::get_if<RingEvidence>(&event.evidence)) {
+        } else if (const auto* ring = as<RingEvidence>(event)) {
             if (ring->status < 0) checkDone(ring->point);
         }
     }

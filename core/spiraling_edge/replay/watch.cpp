@@ -78,12 +78,12 @@ class UsedCounter {
     std::size_t count() const { return count_; }
     void add(const ScannedPivot& pivot) {
         for (const Event& event : pivot.events) {
-            if (const auto* seed = std::get_if<SeedEvidence>(&event.evidence)) {
+            if (const auto* seed = as<SeedEvidence>(event)) {
                 look(seed->first, pivot.after);
                 look(seed->second, pivot.after);
-            } else if (const auto* insert = std::get_if<InsertEvidence>(&event.evidence)) {
+            } else if (const auto* insert = as<InsertEvidence>(event)) {
                 look(insert->third, pivot.after);
-            } else if (const auto* ring = std::get_if<RingEvidence>(&event.evidence)) {
+            } else if (const auto* ring = as<RingEvidence>(event)) {
                 look(ring->point, pivot.after);
             }
         }
@@ -108,10 +108,10 @@ Result<WatchExpression> WatchExpression::parse(std::string_view text) {
     text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
     while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
     for (const WatchTerm& term : kWatchTerms) {
-        if (text == term.form && !term.form.ends_with("=N")) return WatchExpression(term, kNone);
-        if (!term.form.ends_with("=N")) continue;
+        const bool ofPoint = term.form.ends_with("=N");
+        if (!ofPoint && text == term.form) return WatchExpression(term, kNone);
         const std::string_view head = term.form.substr(0, term.form.size() - 1);
-        if (!text.starts_with(head)) continue;
+        if (!ofPoint || !text.starts_with(head)) continue;
         const std::string_view number = text.substr(head.size());
         Index point = kNone;
         const auto [end, error] =

@@ -4,7 +4,6 @@
 #include "panels/widgets/widgets.h"
 #include "session/session.h"
 #include "spiraling_edge/replay/decision_query.h"
-#include "spiraling_edge/replay/named_points.h"
 
 namespace se::view {
 
