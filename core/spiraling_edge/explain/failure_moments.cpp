@@ -50,8 +50,7 @@ class Finders {
         finders_.reserve(failures.size());
         for (std::size_t i = 0; i < failures.size(); ++i) {
             finders_.emplace_back(input_, failures[i]);
-            for (const Index p : finders_[i].points()) at_[p].push_back(i);
-            for (const Index p : finders_[i].around()) at_[p].push_back(i);
+            for (const Index p : finders_[i].watched()) at_[p].push_back(i);
         }
     }
 
@@ -72,19 +71,7 @@ class Finders {
         }
     }
 
-    std::vector<std::optional<FailureMoments>> found() const {
-        std::vector<std::optional<FailureMoments>> all;
-        all.reserve(finders_.size());
-        for (const MomentFinder& each : finders_) all.push_back(each.found());
-        return all;
-    }
-    /// For each failure the triangle that is a whole fan and caused it, or kNone.
-    std::vector<Index> alone() const {
-        std::vector<Index> all;
-        all.reserve(finders_.size());
-        for (const MomentFinder& each : finders_) all.push_back(each.alone());
-        return all;
-    }
+    const std::vector<MomentFinder>& all() const { return finders_; }
 
   private:
     void gather(const Event& event, Index pivot) {
@@ -129,8 +116,7 @@ class EventCounts {
     }
     std::uint64_t workOf(const MomentFinder& finder) const {
         std::uint64_t work = 0;
-        for (const Index p : finder.points()) work += at_[p];
-        for (const Index p : finder.around()) work += at_[p];
+        for (const Index p : finder.watched()) work += at_[p];
         return work;
     }
     std::uint64_t affordable() const { return kMomentWork + kMomentWorkPerEvent * all_; }
@@ -140,14 +126,16 @@ class EventCounts {
     std::uint64_t all_ = 0;
 };
 
+bool isOfEarlierClass(const MeshFailure& a, const MeshFailure& b) {
+    return rankOf(*a.kind) < rankOf(*b.kind);
+}
+
 /// Removes from `run` the failures that cannot be followed within the work that `counts` allows.
 /// The first ones of each class stay: all firsts, then all seconds, until the next of its class
 /// exceeds the work. Requires failures in the order of their classes.
 void keepAffordable(const PointSet& points, const Params& params, const EventCounts& counts,
                     InspectedRun& run) {
-    assert(std::is_sorted(
-        run.failures.begin(), run.failures.end(),
-        [](const auto& a, const auto& b) { return rankOf(*a.kind) < rankOf(*b.kind); }));
+    assert(std::is_sorted(run.failures.begin(), run.failures.end(), isOfEarlierClass));
     const std::vector<LedgerLine> noMoves;
     const FinderInput input{points, params, run.end.mesh(), noMoves};
     std::vector<std::uint64_t> work;
@@ -189,21 +177,25 @@ void keepAffordable(const PointSet& points, const Params& params, const EventCou
     run.failures = std::move(some);
 }
 
-/// Traces triangles that fill a gap between three points back to the decision that made the last of
-/// their edges. False if cancelled.
-bool traceBack(const PointSet& points, const Params& params, const std::vector<Index>& alone,
-               std::vector<std::optional<FailureMoments>>& found, const Progress& progress) {
-    std::vector<Index> asked;
-    std::copy_if(alone.begin(), alone.end(), std::back_inserter(asked),
-                 [](Index triangle) { return triangle != kNone; });
-    if (asked.empty()) return true;
-    const auto roots = originDecisions(points, params, asked, progress);
-    if (!roots) return false;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        const auto root = roots->find(alone[i]);
-        if (found[i] && root != roots->end()) found[i]->unavoidable = root->second;
+/// The moments that the finders have found. Triangles that fill a gap between three points are
+/// traced back to the decision that made the last of their edges. Nothing if cancelled.
+std::optional<std::vector<std::optional<FailureMoments>>> tracedBack(
+    const PointSet& points, const Params& params, const std::vector<MomentFinder>& finders,
+    const Progress& progress) {
+    std::vector<std::optional<FailureMoments>> found;
+    std::vector<Index> alone;
+    for (const MomentFinder& each : finders) {
+        found.push_back(each.found());
+        if (each.alone() != kNone) alone.push_back(each.alone());
     }
-    return true;
+    if (alone.empty()) return found;
+    const auto origins = originDecisions(points, params, alone, progress);
+    if (!origins) return {};
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const auto origin = origins->find(finders[i].alone());
+        if (found[i] && origin != origins->end()) found[i]->unavoidable = origin->second;
+    }
+    return found;
 }
 
 }  // namespace
@@ -223,10 +215,9 @@ Result<std::vector<std::optional<FailureMoments>>> momentsOfAll(
         points, params, [&](const ScannedPivot& pivot) { finders.add(pivot); },
         partOf(progress, 0.0, 0.6));
     if (!end) return Error{"Cancelled."};
-    auto found = finders.found();
-    if (!traceBack(points, params, finders.alone(), found, partOf(progress, 0.6, 1.0)))
-        return Error{"Cancelled."};
-    return found;
+    auto found = tracedBack(points, params, finders.all(), partOf(progress, 0.6, 1.0));
+    if (!found) return Error{"Cancelled."};
+    return std::move(*found);
 }
 
 Result<FailureMoments> momentsOf(const PointSet& points, const Params& params,
@@ -246,9 +237,7 @@ Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& pa
     if (!run) return Error{"Cancelled."};
     const std::vector<Triangle>& mesh = run->end.mesh();
     std::vector<MeshFailure>& failures = run->failures;
-    std::stable_sort(failures.begin(), failures.end(), [](const auto& a, const auto& b) {
-        return rankOf(*a.kind) < rankOf(*b.kind);
-    });
+    std::stable_sort(failures.begin(), failures.end(), isOfEarlierClass);
     keepAffordable(points, params, counts, *run);
     const auto moments = momentsOfAll(points, params, failures, mesh, partOf(progress, 0.5, 1.0));
     if (!moments) return moments.error();

@@ -48,14 +48,14 @@ MomentFinder::MomentFinder(const FinderInput& input, const MeshFailure& failure)
     if (kind_ == Kind::Triangle) {
         for (const Triangle& t : triangles_) points_.insert(points_.end(), {t.a, t.b, t.c});
     }
-    if (kind_ == Kind::Point) {
-        for (const Index p : failure.points) {
-            const auto list = input.points.neighbors[p];
-            around_.insert(around_.end(), list.begin(), list.end());
-        }
-    }
     std::sort(points_.begin(), points_.end());
     points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+    watched_ = points_;
+    if (kind_ != Kind::Point) return;
+    for (const Index p : failure.points) {
+        const auto list = input.points.neighbors[p];
+        watched_.insert(watched_.end(), list.begin(), list.end());
+    }
 }
 
 MomentFinder::Kind MomentFinder::kindOf(const MeshFailure& failure) {

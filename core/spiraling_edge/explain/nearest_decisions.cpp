@@ -1,12 +1,14 @@
-/// One run with a heap of the best: of every test with a number the least margin is kept per point,
-/// and the moves that would invert the best decisions are computed only for those that enter the
-/// heap. O(run).
+/// One run with a sorted list of the nearest decisions: of every test with a number the least
+/// margin is kept per point, and the moves that would invert decisions are computed only for those
+/// that enter the list. A move is found by Newton steps: the compared number is a function of the
+/// position of one point, and steps along its gradient (by differences) lead to its zero. O(run).
 #include "spiraling_edge/explain/nearest_decisions.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 
 #include "spiraling_edge/replay/scan_run.h"
 #include "spiraling_edge/stepper/rules.h"
@@ -43,17 +45,18 @@ double insideSector(double degrees, double end) {
 
 class Comparison {
   public:
-    explicit Comparison(const FlippingMoveContext& context) : c_(context) {}
+    /// `decidedByGap`: the angle of §6.3 decided, not the sphere.
+    Comparison(const FlippingMoveContext& context, bool decidedByGap)
+        : c_(context), decidedByGap_(decidedByGap) {}
 
     Compared operator()(const SortEvidence& e) const {
         if (e.verdict == Verdict::SameAngle) {
-            const double rival = e.degrees;
-            return {e.point, [this, rival](const Vec3& x) {
-                        return std::abs(wrapped(angleAtPivot(x) - rival)) - 1e-5;
+            return {e.point, [this, e](const Vec3& x) {
+                        return std::abs(wrapped(angleAtPivot(x) - e.degrees)) - 1e-5;
                     }};
         }
-        const double end = e.endDegrees;
-        return {e.point, [this, end](const Vec3& x) { return insideSector(angleAtPivot(x), end); }};
+        return {e.point,
+                [this, e](const Vec3& x) { return insideSector(angleAtPivot(x), e.endDegrees); }};
     }
     Compared operator()(const LimitEvidence& e) const {
         return {e.to, [this, e](const Vec3& x) {
@@ -109,9 +112,6 @@ class Comparison {
         return {};
     }
 
-    /// §6.3: true if the angle decided, not the sphere.
-    void setDecidedByGap(bool yes) { decidedByGap_ = yes; }
-
   private:
     static constexpr double kPi = 3.14159265358979323846;
 
@@ -123,7 +123,7 @@ class Comparison {
     }
 
     const FlippingMoveContext& c_;
-    bool decidedByGap_ = false;
+    bool decidedByGap_;
 };
 
 Vec3 gradientOf(const std::function<double(const Vec3&)>& value, const Vec3& x, double step) {
@@ -143,8 +143,7 @@ Vec3 gradientOf(const std::function<double(const Vec3&)>& value, const Vec3& x, 
 std::optional<FlippingMove> flippingMoveOf(const Event& event, const FlippingMoveContext& context) {
     const auto reading = readingOf(event, {context.points, context.params, context.pivot});
     if (!reading || context.pivot == kNone || context.first == kNone) return {};
-    Comparison comparison(context);
-    comparison.setDecidedByGap(reading->quantity == "gap");
+    const Comparison comparison(context, reading->quantity == "gap");
     const Compared compared = std::visit(comparison, event.evidence);
     if (compared.point == kNone) return {};
     const Vec3& from = context.points.position[compared.point];
@@ -168,7 +167,7 @@ std::optional<FlippingMove> flippingMoveOf(const Event& event, const FlippingMov
     return {};
 }
 
-/// The best calls so far, as a heap whose top is the worst of them.
+/// The nearest decisions so far.
 class Shortlist {
   public:
     Shortlist(const PointSet& points, const Params& params, std::size_t count)
@@ -194,43 +193,29 @@ class Shortlist {
     }
 
     NearestDecisions take() {
-        std::sort_heap(heap_.begin(), heap_.end(), better);
         NearestDecisions result{{}, std::move(least_)};
-        for (const Entry& entry : heap_) result.decisions.push_back(entry.decision);
+        for (const auto& [key, decision] : best_) result.decisions.push_back(decision);
         return result;
     }
 
   private:
-    struct Entry {
-        NearestDecision decision;
-        std::uint64_t number;  ///< In the order of the run.
-    };
-    static bool better(const Entry& a, const Entry& b) {
-        const double x = std::abs(a.decision.reading.margin);
-        const double y = std::abs(b.decision.reading.margin);
-        return x < y || (x == y && a.number < b.number);
-    }
-
-    void consider(const NearestDecision& decision, Index first, Index last) {
-        Entry entry{decision, number_++};
-        if (heap_.size() == count_ && (count_ == 0 || !better(entry, heap_.front()))) return;
-        const FlippingMoveContext context{points_, params_, entry.decision.pivot, first, last};
-        const auto move = flippingMoveOf(entry.decision.event, context);
+    void consider(NearestDecision decision, Index first, Index last) {
+        const std::pair key(std::abs(decision.reading.margin), number_++);
+        if (best_.size() == count_ && (count_ == 0 || key > best_.rbegin()->first)) return;
+        const auto move =
+            flippingMoveOf(decision.event, {points_, params_, decision.pivot, first, last});
         if (!move) return;
-        entry.decision.move = *move;
-        if (heap_.size() == count_) {
-            std::pop_heap(heap_.begin(), heap_.end(), better);
-            heap_.pop_back();
-        }
-        heap_.push_back(entry);
-        std::push_heap(heap_.begin(), heap_.end(), better);
+        decision.move = *move;
+        best_.emplace(key, std::move(decision));
+        if (best_.size() > count_) best_.erase(std::prev(best_.end()));
     }
 
     const PointSet& points_;
     const Params& params_;
     std::size_t count_;
     std::vector<double> least_;
-    std::vector<Entry> heap_;
+    /// By the margin, then in the order of the run.
+    std::map<std::pair<double, std::uint64_t>, NearestDecision> best_;
     std::uint64_t number_ = 0;
 };
 

@@ -32,16 +32,14 @@ struct MadeTriangle {
 class TriangleDecisions {
   public:
     TriangleDecisions(const PointSet& points, const Params& params)
-        : points_(points), params_(params) {}
+        : points_(points), params_(params), at_(points.size()) {}
 
     bool read(const Progress& progress) {
         const auto onPivot = [&](const ScannedPivot& pivot) {
             decided_.clear();
             for (const Event& event : pivot.events) note(event, pivot.point);
         };
-        if (!scanRun(points_, params_, onPivot, progress)) return false;
-        sortByCorner();
-        return true;
+        return scanRun(points_, params_, onPivot, progress).has_value();
     }
 
     /// The decision that a triangle is traced to; pivot 0 if there is none.
@@ -63,44 +61,32 @@ class TriangleDecisions {
         if (taken || closedGap(event) != nullptr || fillsHole(event)) decided_.push_back(line);
         const auto* emit = as<EmitEvidence>(event);
         if (emit == nullptr || emit->triangle != made_.size()) return;
-        const auto decision = lastDecision(decided_, emit->corners);
+        const Triangle& t = emit->corners;
+        for (const Index p : {t.a, t.b, t.c}) at_[p].push_back(emit->triangle);
+        const auto decision = lastDecision(decided_, t);
         const bool alone =
             !decision && std::any_of(decided_.begin(), decided_.end(),
                                      [](const LedgerLine& each) { return fillsHole(each.event); });
-        made_.push_back({emit->corners, decision ? decision->event.address : Address{}, alone});
-    }
-
-    void sortByCorner() {
-        from_.assign(points_.size() + 1, 0);
-        for (const MadeTriangle& each : made_) {
-            for (const Index p : {each.corners.a, each.corners.b, each.corners.c}) ++from_[p + 1];
-        }
-        for (std::size_t p = 0; p < points_.size(); ++p) from_[p + 1] += from_[p];
-        at_.resize(3 * made_.size());
-        std::vector<std::size_t> next = from_;
-        for (std::size_t i = 0; i < made_.size(); ++i) {
-            const Triangle& t = made_[i].corners;
-            for (const Index p : {t.a, t.b, t.c}) at_[next[p]++] = static_cast<Index>(i);
-        }
+        made_.push_back({t, decision ? decision->event.address : Address{}, alone});
     }
 
     /// The last earlier triangle that shares an edge of this one at its own pivot.
     Index lastAtEdges(Index triangle) const {
         const Triangle& t = made_[triangle].corners;
         Index last = kNone;
-        for (std::size_t k = from_[t.a]; k < from_[t.a + 1] && at_[k] < triangle; ++k) {
-            const Triangle& other = made_[at_[k]].corners;
-            if (hasCorner(other, t.b) || hasCorner(other, t.c)) last = at_[k];
+        for (const Index each : at_[t.a]) {
+            if (each >= triangle) break;
+            const Triangle& other = made_[each].corners;
+            if (hasCorner(other, t.b) || hasCorner(other, t.c)) last = each;
         }
         return last;
     }
 
     const PointSet& points_;
     const Params& params_;
-    std::vector<LedgerLine> decided_;  ///< Of the current pivot.
-    std::vector<MadeTriangle> made_;   ///< By number.
-    std::vector<std::size_t> from_;    ///< Per point: the begin of its triangles in at_.
-    std::vector<Index> at_;
+    std::vector<LedgerLine> decided_;     ///< Of the current pivot.
+    std::vector<MadeTriangle> made_;      ///< By number.
+    std::vector<std::vector<Index>> at_;  ///< Per point: its triangles, ascending.
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "spiraling_edge/base/overloaded.h"
+#include "spiraling_edge/explain/origin_decisions.h"
 #include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/reading.h"
 
@@ -85,7 +86,7 @@ class PivotEvents {
         std::uint32_t pass = 0;
         for (std::size_t i = 0; i < events.size(); ++i) {
             order_.push_back({pass, events[i].address.stage, i, keyOf(events[i])});
-            if (std::holds_alternative<GuardEvidence>(events[i].evidence)) ++pass;
+            if (isA<GuardEvidence>(events[i])) ++pass;
         }
         std::stable_sort(
             order_.begin(), order_.end(),
@@ -110,8 +111,7 @@ class PivotEvents {
     bool emits(Index point) const {
         return std::any_of(events_.begin(), events_.end(), [&](const Event& e) {
             const auto* emit = as<EmitEvidence>(e);
-            return emit != nullptr && (emit->corners.a == point || emit->corners.b == point ||
-                                       emit->corners.c == point);
+            return emit != nullptr && hasCorner(emit->corners, point);
         });
     }
     /// The same test at the same place of the order; null if this run does not make it.
@@ -152,14 +152,12 @@ class PivotPair {
     PivotPair(std::span<const Event> a, std::span<const Event> b) : a_(a), b_(b) {}
 
     std::optional<Mismatch> otherTest() const {
-        return firstWhere([&](const PivotEvents& mine, const PivotEvents& other,
-                              const PivotEvents::OrderedEvent& place) {
+        return firstWhere([&](const auto& mine, const auto& other, const auto& place) {
             return isTest(mine.at(place)) && differs(mine, other, place);
         });
     }
     std::optional<Mismatch> otherList() const {
-        auto found = firstWhere([&](const PivotEvents& mine, const PivotEvents& other,
-                                    const PivotEvents::OrderedEvent& place) {
+        auto found = firstWhere([&](const auto& mine, const auto& other, const auto& place) {
             const Event& event = mine.at(place);
             return isSort(event) && onlyListed(mine, other, event) &&
                    mine.emits(testedPoint(event));
@@ -168,8 +166,7 @@ class PivotPair {
         return found;
     }
     std::optional<Mismatch> otherAction() const {
-        return firstWhere([](const PivotEvents& mine, const PivotEvents& other,
-                             const PivotEvents::OrderedEvent& place) {
+        return firstWhere([](const auto& mine, const auto& other, const auto& place) {
             return !isTest(mine.at(place)) && other.counterpart(place, mine) == nullptr;
         });
     }

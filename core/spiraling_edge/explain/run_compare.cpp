@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/explain/origin_decisions.h"
 #include "spiraling_edge/explain/pivot_difference.h"
 #include "spiraling_edge/replay/scan_run.h"
 #include "spiraling_edge/stepper/stepper.h"
@@ -24,8 +25,6 @@ std::array<Index, 3> turnedToLeast(const Triangle& t) {
     if (t.b <= t.c) return {t.b, t.c, t.a};
     return {t.c, t.a, t.b};
 }
-
-bool has(const Triangle& t, Index p) { return t.a == p || t.b == p || t.c == p; }
 
 /// Records the event that made each triangle while a run goes on.
 class TriangleOrigins {
@@ -63,9 +62,9 @@ class TriangleOrigins {
     Address repairOrigin(const Triangle& t) const {
         const auto leaves = [&](const Event& event) {
             if (const auto* flip = as<FlipEvidence>(event))
-                return has(t, flip->x) && has(t, flip->y);
+                return hasCorner(t, flip->x) && hasCorner(t, flip->y);
             const auto* point = as<ReinsertEvidence>(event);
-            return point != nullptr && has(t, point->point);
+            return point != nullptr && hasCorner(t, point->point);
         };
         const auto found = std::find_if(repairs_.rbegin(), repairs_.rend(), leaves);
         if (found != repairs_.rend()) return found->address;
