@@ -19,23 +19,19 @@ namespace se {
 namespace {
 
 /// Calls `visit` with the points that an event in the pivot of `pivot` is about; it may name one of
-/// them twice, or kNone.
+/// them twice.
 template <typename Visit>
-void forEachPointOf(const Event& event, Index pivot, Visit&& visit) {
-    visit(testedPoint(event));
-    visit(pivot);
-    if (const auto* seed = as<SeedEvidence>(event)) {
-        visit(seed->first);
-        visit(seed->second);
-    } else if (const auto* emit = as<EmitEvidence>(event)) {
-        for (const Index p : {emit->corners.a, emit->corners.b, emit->corners.c}) visit(p);
-    } else if (const auto* flip = as<FlipEvidence>(event)) {
-        visit(flip->x);
-        visit(flip->y);
-    } else if (const auto* sphere = as<SphereEvidence>(event)) {
-        visit(sphere->t);
-        visit(sphere->s);
-    }
+void forEachPointOf(const Event& event, Index pivot, const Visit& visit) {
+    const auto visitAll = [&](std::initializer_list<Index> points) {
+        for (const Index p : points)
+            if (p != kNone) visit(p);
+    };
+    visitAll({testedPoint(event), pivot});
+    if (const auto* seed = as<SeedEvidence>(event)) visitAll({seed->first, seed->second});
+    if (const auto* flip = as<FlipEvidence>(event)) visitAll({flip->x, flip->y});
+    if (const auto* sphere = as<SphereEvidence>(event)) visitAll({sphere->t, sphere->s});
+    if (const auto* emit = as<EmitEvidence>(event))
+        visitAll({emit->corners.a, emit->corners.b, emit->corners.c});
 }
 
 /// The finders of several failures, called only with events at their points.
@@ -76,7 +72,6 @@ class Finders {
   private:
     void gather(const Event& event, Index pivot) {
         forEachPointOf(event, pivot, [&](Index p) {
-            if (p == kNone) return;
             for (const std::size_t i : at_[p]) {
                 if (asked_[i] != event_) concerned_.push_back(i);
                 asked_[i] = event_;
@@ -101,39 +96,16 @@ class Finders {
     FreedRings rings_;
 };
 
-/// The work of following a failure: the number of events of the run at each point.
-class EventCounts {
-  public:
-    explicit EventCounts(std::size_t points) : at_(points, 0) {}
-
-    void add(const ScannedPivot& pivot) {
-        all_ += pivot.events.size();
-        for (const Event& event : pivot.events) {
-            forEachPointOf(event, pivot.point, [&](Index p) {
-                if (p != kNone) ++at_[p];
-            });
-        }
-    }
-    std::uint64_t workOf(const MomentFinder& finder) const {
-        std::uint64_t work = 0;
-        for (const Index p : finder.watched()) work += at_[p];
-        return work;
-    }
-    std::uint64_t affordable() const { return kMomentWork + kMomentWorkPerEvent * all_; }
-
-  private:
-    std::vector<std::uint64_t> at_;
-    std::uint64_t all_ = 0;
-};
-
 bool isOfEarlierClass(const MeshFailure& a, const MeshFailure& b) {
     return rankOf(*a.kind) < rankOf(*b.kind);
 }
 
-/// Removes from `run` the failures that cannot be followed within the work that `counts` allows.
+/// Removes from `run` the failures that cannot be followed within the work `left`; the work of
+/// following a failure is the number of events of the run at its points, `eventsAt` each point.
 /// The first ones of each class stay: all firsts, then all seconds, until the next of its class
 /// exceeds the work. Requires failures in the order of their classes.
-void keepAffordable(const PointSet& points, const Params& params, const EventCounts& counts,
+void keepAffordable(const PointSet& points, const Params& params,
+                    const std::vector<std::uint64_t>& eventsAt, std::uint64_t left,
                     InspectedRun& run) {
     assert(std::is_sorted(run.failures.begin(), run.failures.end(), isOfEarlierClass));
     const std::vector<LedgerLine> noMoves;
@@ -142,10 +114,11 @@ void keepAffordable(const PointSet& points, const Params& params, const EventCou
     work.reserve(run.failures.size());
     std::uint64_t all = 0;
     for (const MeshFailure& each : run.failures) {
-        work.push_back(counts.workOf(MomentFinder(input, each)));
+        const MomentFinder finder(input, each);
+        work.push_back(0);
+        for (const Index p : finder.watched()) work.back() += eventsAt[p];
         all += work.back();
     }
-    std::uint64_t left = counts.affordable();
     if (all <= left) return;
     std::vector<std::size_t> first;  // of each class
     std::size_t before = 0;
@@ -198,8 +171,8 @@ std::optional<std::vector<std::optional<FailureMoments>>> tracedBack(
     return found;
 }
 
-}  // namespace
-
+/// The moments of all `failures` in one pass through the run; nothing for a failure that is not one
+/// of this run. Fails if cancelled. O(run + events about their points).
 Result<std::vector<std::optional<FailureMoments>>> momentsOfAll(
     const PointSet& points, const Params& params, std::span<const MeshFailure> failures,
     const std::vector<Triangle>& mesh, const Progress& progress) {
@@ -220,6 +193,8 @@ Result<std::vector<std::optional<FailureMoments>>> momentsOfAll(
     return std::move(*found);
 }
 
+}  // namespace
+
 Result<FailureMoments> momentsOf(const PointSet& points, const Params& params,
                                  const MeshFailure& failure, const std::vector<Triangle>& mesh,
                                  const Progress& progress) {
@@ -231,14 +206,19 @@ Result<FailureMoments> momentsOf(const PointSet& points, const Params& params,
 
 Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& params,
                                         const Progress& progress) {
-    EventCounts counts(points.size());
-    auto run = inspectRun(points, params, partOf(progress, 0.0, 0.4),
-                          [&](const ScannedPivot& pivot) { counts.add(pivot); });
+    std::vector<std::uint64_t> eventsAt(points.size(), 0);
+    std::uint64_t affordable = kMomentWork;
+    const auto onPivot = [&](const ScannedPivot& pivot) {
+        affordable += kMomentWorkPerEvent * pivot.events.size();
+        for (const Event& event : pivot.events)
+            forEachPointOf(event, pivot.point, [&](Index p) { ++eventsAt[p]; });
+    };
+    auto run = inspectRun(points, params, partOf(progress, 0.0, 0.4), onPivot);
     if (!run) return Error{"Cancelled."};
     const std::vector<Triangle>& mesh = run->end.mesh();
     std::vector<MeshFailure>& failures = run->failures;
     std::stable_sort(failures.begin(), failures.end(), isOfEarlierClass);
-    keepAffordable(points, params, counts, *run);
+    keepAffordable(points, params, eventsAt, affordable, *run);
     const auto moments = momentsOfAll(points, params, failures, mesh, partOf(progress, 0.5, 1.0));
     if (!moments) return moments.error();
     RunFailureSearch found{{}, std::move(run->totals)};

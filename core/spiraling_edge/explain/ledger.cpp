@@ -61,7 +61,11 @@ class CauseFinder {
     Cause find() const {
         const std::size_t undone =
             last([](const LedgerLine& line) { return line.role == LineRole::Undone; });
-        if (ledger_.present) return causeAt(firstMade(undone == kNoLine ? 0 : undone + 1));
+        if (ledger_.present) {
+            std::size_t made = undone == kNoLine ? 0 : undone + 1;
+            while (ledger_.lines[made].role != LineRole::Made) ++made;
+            return causeAt(made);
+        }
         if (undone != kNoLine) return causeAt(undone);
         if (ledger_.subject.size() == 3) return ofTriangle();
         return ofPoints(ledger_.subject);
@@ -76,10 +80,6 @@ class CauseFinder {
         }
         return kNoLine;
     }
-    std::size_t firstMade(std::size_t from) const {
-        while (from < ledger_.lines.size() && ledger_.lines[from].role != LineRole::Made) ++from;
-        return from;
-    }
     Cause causeAt(std::size_t line) const { return {line, describe(ledger_.lines[line].event)}; }
 
     /// True if another entry of the point passed the reciprocal test: then the refused one is no
@@ -93,24 +93,19 @@ class CauseFinder {
                    testedPoint(line.event) == testedPoint(refused.event);
         });
     }
-    /// True for a limit that does not move, which refuses nothing.
-    static bool isLimit(const LedgerLine& line) { return isA<LimitEvidence>(line.event); }
-    bool concerns(const LedgerLine& line, const Subject& subject) const {
-        const Index tested = testedPoint(line.event);
-        if (subject.size() == 1) return tested == kNone || subject.has(tested);
-        return subject.has(line.pivot) && (tested == kNone || subject.has(tested));
-    }
-
     Cause ofPoints(const Subject& subject) const {
         const auto refused = [&](const LedgerLine& line) {
-            return line.role == LineRole::Refused && !isLimit(line) && concerns(line, subject) &&
+            const Index tested = testedPoint(line.event);
+            const bool concerned = (tested == kNone || subject.has(tested)) &&
+                                   (subject.size() == 1 || subject.has(line.pivot));
+            // A limit that does not move refuses nothing.
+            return line.role == LineRole::Refused && concerned && !isA<LimitEvidence>(line.event) &&
                    !hasOtherEntry(line);
         };
-        const std::size_t test = last(
-            [&](const LedgerLine& line) { return refused(line) && !wasSettledBefore(line.event); });
-        if (test != kNoLine) return causeAt(test);
-        const std::size_t late = last(refused);
-        if (late != kNoLine) return causeAt(late);
+        std::size_t line = last(
+            [&](const LedgerLine& each) { return refused(each) && !wasSettledBefore(each.event); });
+        if (line == kNoLine) line = last(refused);
+        if (line != kNoLine) return causeAt(line);
         return subject.size() == 1 ? untestedPoint(subject[0]) : untestedEdge(subject);
     }
 

@@ -95,17 +95,16 @@ bool MomentFinder::mine(Index p) const {
 
 bool MomentFinder::touches(const Event& event) const {
     if (const auto* seed = as<SeedEvidence>(event)) return mine(seed->first) || mine(seed->second);
-    return testedPoint(event) != kNone && mine(testedPoint(event));
+    return mine(testedPoint(event));
 }
 
 void MomentFinder::addForPoint(const LedgerLine& line) {
     const Index p = testedPoint(line.event);
-    const bool ownFan = p == kNone && line.pivot != kNone && mine(line.pivot);
-    if (ownFan && line.role == LineRole::Refused)
+    if (p == kNone && mine(line.pivot) && line.role == LineRole::Refused)
         (isFullTurn(line.event) ? alonePair_ : unavoidable_) = line;
     const auto* ring = as<RingEvidence>(line.event);
     if (ring != nullptr && ring->status < 0 && !mine(p) && !created_) deserted_ = line;
-    if (p == kNone || !mine(p)) return;
+    if (!mine(p)) return;
     const auto* strand = as<StrandEvidence>(line.event);
     if (strand != nullptr || (ring != nullptr && ring->status < 0)) created_ = line;
     const bool limit = isA<LimitEvidence>(line.event);
@@ -130,14 +129,13 @@ std::optional<LedgerLine> MomentFinder::moveOver(const DropEvidence& drop) const
 /// A loop exists once its last point is DONE, a ring once it is freed.
 void MomentFinder::addForRing(const LedgerLine& line) {
     const Index tested = testedPoint(line.event);
-    const bool pivots = line.pivot != kNone && mine(line.pivot);
     const auto* ring = as<RingEvidence>(line.event);
     if (kind_ == Kind::Hole && ring != nullptr && ring->status < 0 && mine(ring->point))
         created_ = line;
     if (kind_ == Kind::Ring && created_) return;
-    if (!pivots || line.role != LineRole::Refused) return;
-    const bool wholeFan = tested == kNone;
-    if (wholeFan || (!wasSettledBefore(line.event) && mine(tested)))
+    if (!mine(line.pivot) || line.role != LineRole::Refused) return;
+    // None: the whole fan was refused.
+    if (tested == kNone || (!wasSettledBefore(line.event) && mine(tested)))
         (liesOutside(line.event) ? outside_ : unavoidable_) = line;
 }
 
@@ -150,18 +148,12 @@ bool MomentFinder::isOne(const EmitEvidence& made) const {
                        [&](const Triangle& t) { return sameCorners(made.corners, t); });
 }
 
-/// True for failures that exist before all of their triangles are made.
-bool MomentFinder::isEarlyFailure() const {
-    const std::string_view kind = failure_.kind->name;
-    return kind == "duplicate_triangles" || kind == "non_manifold_edges" ||
-           kind == "inconsistent_edges";
-}
-
-/// True if enough of its triangles are made.
+/// True if the failure exists although not all of its triangles are made.
 bool MomentFinder::isThere() const {
     const std::string_view kind = failure_.kind->name;
     if (kind == "duplicate_triangles") return made_.size() > 1;
     if (kind == "non_manifold_edges") return made_.size() > 2;
+    if (kind != "inconsistent_edges") return false;
     const Index low = failure_.points[0];
     const Index high = failure_.points[1];
     const auto up = std::count_if(made_.begin(), made_.end(), [&](const Triangle& t) {
@@ -180,8 +172,7 @@ bool MomentFinder::isRepair(const Event& event) const {
 void MomentFinder::recordTest(const LedgerLine& line) {
     if (line.event.address.pivot != pivot_) decided_.clear();
     pivot_ = line.event.address.pivot;
-    const Index tested = testedPoint(line.event);
-    const bool taken = line.role == LineRole::Taken && tested != kNone && mine(tested);
+    const bool taken = line.role == LineRole::Taken && mine(testedPoint(line.event));
     const SphereEvidence* gap = closedGap(line.event);
     const bool closed = gap != nullptr && mine(gap->t) && mine(gap->s);
     if (taken || closed || fillsHole(line.event)) decided_.push_back(line);
@@ -218,7 +209,7 @@ void MomentFinder::addForTriangle(const LedgerLine& line) {
     const auto* emit = as<EmitEvidence>(line.event);
     if (emit == nullptr || complete_ || !isOne(*emit)) return;
     made_.push_back(emit->corners);
-    complete_ = isEarlyFailure() && isThere();
+    complete_ = isThere();
     created_ = line;
     // Without a test of that edge it existed before, and was bound to get this triangle.
     if (const auto part = decisionForPart(emit->corners)) part_ = part;

@@ -38,14 +38,13 @@ class MomentFinder {
     enum class Kind : std::uint8_t { Point, Hole, Ring, Triangle };
     static Kind kindOf(const MeshFailure& failure);
 
-    bool mine(Index p) const;
+    bool mine(Index p) const;  ///< False for kNone.
     bool touches(const Event& event) const;
     void addForPoint(const LedgerLine& line);
     std::optional<LedgerLine> moveOver(const DropEvidence& drop) const;
     void addForRing(const LedgerLine& line);
     bool isOne(const EmitEvidence& made) const;
     bool isThere() const;
-    bool isEarlyFailure() const;
     bool isRepair(const Event& event) const;
     void addForTriangle(const LedgerLine& line);
     void recordTest(const LedgerLine& line);
@@ -61,8 +60,8 @@ class MomentFinder {
     std::optional<LedgerLine> created_;
     std::optional<LedgerLine> unavoidable_;
     std::optional<LedgerLine> outside_;  ///< The last refusal of a point outside the sector.
-    std::optional<LedgerLine>
-        alonePair_;  ///< The pivot kept only one candidate, as the candidate's own list does.
+    /// The pivot kept only one candidate, as the candidate's own list does.
+    std::optional<LedgerLine> alonePair_;
     std::optional<LedgerLine> part_;  ///< The decision that made the faulty edge or point.
     std::optional<LedgerLine> touched_;
     std::optional<LedgerLine> deserted_;  ///< The last of the neighbors became DONE.

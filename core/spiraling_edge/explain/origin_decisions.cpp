@@ -4,6 +4,7 @@
 #include "spiraling_edge/explain/origin_decisions.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "spiraling_edge/replay/scan_run.h"
 
@@ -119,19 +120,15 @@ std::optional<std::map<Index, LedgerLine>> originDecisions(const PointSet& point
     std::map<Index, LedgerLine> found;
     TriangleDecisions decisions(points, params);
     if (!decisions.read(progress)) return {};
-    std::multimap<std::string, Index> wanted;
+    const auto key = [](const Address& at) { return std::tuple(at.pivot, at.stage, at.n); };
+    std::multimap<std::tuple<std::uint32_t, Stage, std::uint32_t>, Index> wanted;
     for (const Index each : triangles) {
         const Address origin = decisions.originOf(each);
-        if (origin.pivot != 0) wanted.emplace(toString(origin), each);
+        if (origin.pivot != 0) wanted.emplace(key(origin), each);
     }
-    std::vector<std::uint32_t> pivots;
-    pivots.reserve(wanted.size());
-    for (const auto& [address, each] : wanted) pivots.push_back(addressFromString(address)->pivot);
-    std::sort(pivots.begin(), pivots.end());
     const auto onPivot = [&](const ScannedPivot& pivot) {
         for (const Event& event : pivot.events) {
-            if (!std::binary_search(pivots.begin(), pivots.end(), event.address.pivot)) continue;
-            const auto [begin, end] = wanted.equal_range(toString(event.address));
+            const auto [begin, end] = wanted.equal_range(key(event.address));
             for (auto at = begin; at != end; ++at)
                 found.emplace(at->second, lineOf(event, {points, params, pivot.point}));
         }

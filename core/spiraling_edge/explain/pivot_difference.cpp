@@ -26,22 +26,16 @@ Key keyOf(const Event& event) {
     return std::visit(
         Overloaded{
             [&](const SeedEvidence& e) { return key(e.first, e.second); },
-            [&](const StrandEvidence& e) { return key(e.point); },
             [&](const PivotEvidence& e) { return key(e.pivot, e.first, e.last, e.ringLength); },
             [&](const SkipEvidence& e) { return key(e.pivot); },
             [&](const InsertEvidence& e) { return key(e.other); },
-            [&](const SortEvidence& e) { return key(e.point); },
             [&](const LimitEvidence& e) { return key(e.side, e.from, e.to); },
-            [&](const DropEvidence& e) { return key(e.point); },
             [&](const ReciprocalEvidence& e) { return key(e.point, e.pred, e.succ); },
-            [&](const HoleEvidence& e) { return key(e.point); },
             [&](const SphereEvidence& e) { return key(e.q); },
             [&](const TwoPointEvidence&) { return key(); },
             [&](const GuardEvidence& e) { return key(e.a, e.b, e.dropped); },
             [&](const FillEvidence& e) { return key(e.pivot, e.first, e.last); },
-            [&](const ReinsertEvidence& e) { return key(e.point); },
             [&](const FlipEvidence& e) { return key(e.u, e.v, e.x, e.y); },
-            [&](const RemoveFoldedEvidence& e) { return key(e.point); },
             [&](const EmitEvidence& e) {
                 return key(e.triangle, e.corners.a, e.corners.b, e.corners.c);
             },
@@ -55,6 +49,7 @@ Key keyOf(const Event& event) {
             [&](const FreeEvidence& e) { return key(e.length, e.interior); },
             [&](const ComponentEvidence& e) { return key(e.component, e.triangles); },
             [&](const AlertEvidence& e) { return key(e.kind, e.point); },
+            [&](const auto& e) { return key(e.point); },
         },
         event.evidence);
 }
@@ -99,10 +94,10 @@ class PivotEvents {
         std::size_t event;
         Key key;
         std::pair<std::uint32_t, Stage> rank() const { return {pass, stage}; }
+        bool repeats(const OrderedEvent& o) const { return rank() == o.rank() && key == o.key; }
     };
     const std::vector<OrderedEvent>& order() const { return order_; }
     const Event& at(const OrderedEvent& place) const { return events_[place.event]; }
-    std::size_t size() const { return events_.size(); }
     bool sorts(Index point) const {
         return std::any_of(events_.begin(), events_.end(),
                            [&](const Event& e) { return isSort(e) && testedPoint(e) == point; });
@@ -119,18 +114,17 @@ class PivotEvents {
         std::size_t number = 0;  // a test may be repeated in a stage
         for (const OrderedEvent& p : from.order_) {
             if (p.event == place.event) break;
-            if (p.rank() == place.rank() && p.key == place.key) ++number;
+            if (p.repeats(place)) ++number;
         }
         for (const OrderedEvent& p : order_) {
-            if (p.rank() == place.rank() && p.key == place.key && number-- == 0) return &p;
+            if (p.repeats(place) && number-- == 0) return &p;
         }
         return nullptr;
     }
     /// The last repetition of the test at that place of the order; null if there is none.
     const OrderedEvent* lastOf(const OrderedEvent& place) const {
-        const auto found = std::find_if(order_.rbegin(), order_.rend(), [&](const OrderedEvent& p) {
-            return p.rank() == place.rank() && p.key == place.key;
-        });
+        const auto found = std::find_if(order_.rbegin(), order_.rend(),
+                                        [&](const OrderedEvent& p) { return p.repeats(place); });
         return found == order_.rend() ? nullptr : &*found;
     }
     /// The first event at or after `rank`, else the last event; 0 without events.
@@ -245,9 +239,8 @@ class PivotPair {
 std::string pointName(Index point) { return "point " + std::to_string(point); }
 
 std::string testName(const Event& event, Index pivot) {
-    std::string text;
-    if (const auto section = stageSection(event.address.stage); !section.empty())
-        text = std::string(section) + ", ";
+    std::string text(stageSection(event.address.stage));
+    if (!text.empty()) text += ", ";
     text += stageName(event.address.stage);
     if (pivot != kNone) text += " at point " + std::to_string(pivot);
     return text;

@@ -131,16 +131,4 @@ Result<Reduced> reduceInput(const PointFile& file, const Vec3& place,
     return Reducer(file, fails, effort, progress).run(place);
 }
 
-Result<Reduced> reduceInput(const PointFile& file, const Vec3& place,
-                            const std::function<bool(const PointFile&)>& fails,
-                            const Progress& progress) {
-    // Tries without work use up no effort.
-    return reduceInput(
-        file, place,
-        [&](const PointFile& part) {
-            return ReduceTry{fails(part), 0};
-        },
-        1, progress);
-}
-
 }  // namespace se

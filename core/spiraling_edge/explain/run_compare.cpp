@@ -8,7 +8,6 @@
 #include <array>
 #include <cassert>
 #include <map>
-#include <tuple>
 
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/explain/origin_decisions.h"
@@ -66,13 +65,11 @@ class TriangleOrigins {
             const auto* point = as<ReinsertEvidence>(event);
             return point != nullptr && hasCorner(t, point->point);
         };
-        const auto found = std::find_if(repairs_.rbegin(), repairs_.rend(), leaves);
-        if (found != repairs_.rend()) return found->address;
+        auto found = std::find_if(repairs_.rbegin(), repairs_.rend(), leaves);
         // The others closed the hole of a point that was taken out; the events do not name them.
-        const auto taken = std::find_if(repairs_.rbegin(), repairs_.rend(), [](const Event& e) {
-            return isA<RemoveFoldedEvidence>(e);
-        });
-        return taken != repairs_.rend() ? taken->address : Address{};
+        if (found == repairs_.rend())
+            found = std::find_if(repairs_.rbegin(), repairs_.rend(), isA<RemoveFoldedEvidence>);
+        return found != repairs_.rend() ? found->address : Address{};
     }
 
     std::vector<Address> emitted_;
@@ -138,9 +135,8 @@ std::optional<Address> firstMade(const MadeMesh& mesh, std::span<const Index> tr
     for (const Index t : triangles) {
         if (t >= mesh.made.size()) continue;
         const Address& made = mesh.made[t];
-        const bool earlier = first && (made.pivot < first->pivot ||
-                                       (made.pivot == first->pivot && made.n < first->n));
-        if (!first || earlier) first = made;
+        if (!first || std::pair(made.pivot, made.n) < std::pair(first->pivot, first->n))
+            first = made;
     }
     return first;
 }

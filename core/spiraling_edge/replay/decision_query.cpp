@@ -42,12 +42,6 @@ std::uint32_t plainFailures(const Event& event, const PointSet& points) {
     return bitOf("leftover_rings") | (alert->kind == AlertKind::Hole ? bitOf("holes") : 0);
 }
 
-std::uint32_t failuresOf(const Event& event, const PointSet& points, LiveCheck& live) {
-    std::uint32_t bits = plainFailures(event, points);
-    for (const LiveFailure& each : live.check(event)) bits |= failureBit(*each.kind);
-    return bits;
-}
-
 std::vector<std::string_view> wordsOf(std::string_view line) {
     std::vector<std::string_view> words;
     io::Fields fields(line);
@@ -109,12 +103,16 @@ bool scanDecisions(const PointSet& points, const Params& params, bool failures,
                    const Progress& progress) {
     std::optional<LiveCheck> live;
     if (failures) live.emplace(points);
-    PositionCounter places;
+    RunPosition place;
     const auto onPivot = [&](const ScannedPivot& pivot) {
         for (const Event& event : pivot.events) {
             const auto reading = readingOf(event, {points, params, pivot.point});
-            const std::uint32_t bits = live ? failuresOf(event, points, *live) : 0;
-            visit({event, pivot.point, reading, points, pivot.events, bits}, places.next(event));
+            std::uint32_t bits = live ? plainFailures(event, points) : 0;
+            if (live)
+                for (const LiveFailure& each : live->check(event)) bits |= failureBit(*each.kind);
+            const bool same = event.address.pivot == place.pivot;
+            place = {event.address.pivot, same ? place.event + 1 : 0};
+            visit({event, pivot.point, reading, points, pivot.events, bits}, place);
         }
     };
     return scanRun(points, params, onPivot, progress).has_value();

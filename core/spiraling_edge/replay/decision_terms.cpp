@@ -137,14 +137,12 @@ Read readTests(std::string_view word) { return readTally(word, "tests=", &PivotT
 Read readCompared(std::string_view word, const std::string& name,
                   double (*numberOf)(const Reading&)) {
     const std::string expected = "a number after < or >, such as " + name + "<1e-4";
-    if (word.starts_with(name + ">"))
-        return readTerm(word, name + ">", numberIn<double>, expected,
-                        [numberOf](const Decision& d, double limit) {
-                            return d.reading && numberOf(*d.reading) > limit;
-                        });
-    return readTerm(word, name + "<", numberIn<double>, expected,
-                    [numberOf](const Decision& d, double limit) {
-                        return d.reading && numberOf(*d.reading) < limit;
+    const bool above = word.starts_with(name + ">");
+    return readTerm(word, name + (above ? ">" : "<"), numberIn<double>, expected,
+                    [above, numberOf](const Decision& d, double limit) {
+                        if (!d.reading) return false;
+                        const double number = numberOf(*d.reading);
+                        return above ? number > limit : number < limit;
                     });
 }
 Read readMargin(std::string_view word) {

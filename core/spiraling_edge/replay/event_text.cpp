@@ -41,9 +41,7 @@ std::string faceNames(std::uint8_t faces) {
     constexpr std::array<std::string_view, 6> kNames{"+x", "+y", "+z", "-x", "-y", "-z"};
     std::string text;
     for (std::size_t i = 0; i < kNames.size(); ++i) {
-        if ((faces >> i & 1U) == 0) continue;
-        if (!text.empty()) text += ' ';
-        text += kNames[i];
+        if ((faces >> i & 1U) != 0) text.append(text.empty() ? "" : " ").append(kNames[i]);
     }
     return text;
 }

@@ -118,9 +118,8 @@ class LiveCheck::Checker {
             for (const Index q : {t.a, t.b, t.c}) {
                 if (q == p) continue;
                 const auto [at, fresh] = firstAt.try_emplace(q, i);
-                const bool other =
-                    !fresh && fans.unite(static_cast<Index>(at->second), static_cast<Index>(i));
-                joined += other ? 1U : 0U;
+                if (!fresh && fans.unite(static_cast<Index>(at->second), static_cast<Index>(i)))
+                    ++joined;
             }
         }
         return joined + 1 >= all.size();

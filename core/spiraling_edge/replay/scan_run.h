@@ -24,19 +24,6 @@ struct RunPosition {
     friend auto operator<=>(const RunPosition&, const RunPosition&) = default;
 };
 
-/// Assigns the events of a run their places. next() must be called with every event, in order.
-class PositionCounter {
-  public:
-    RunPosition next(const Event& event) {
-        const bool same = event.address.pivot == place_.pivot;
-        place_ = {event.address.pivot, same ? place_.event + 1 : 0};
-        return place_;
-    }
-
-  private:
-    RunPosition place_;
-};
-
 /// The point of the pivot that these events are of; kNone where there is none.
 Index pivotPoint(std::span<const Event> events);
 

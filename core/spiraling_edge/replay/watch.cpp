@@ -8,15 +8,19 @@
 namespace se {
 namespace {
 
+template <auto WatchedRun::*number>
+double ofRun(const WatchedRun& run, Index) {
+    return static_cast<double>(run.*number);
+}
+template <auto State::*list>
+double sizeOf(const WatchedRun& run, Index) {
+    return static_cast<double>((run.state.*list).size());
+}
 template <std::uint32_t Counters::*counter>
 double counted(const WatchedRun& run, Index) {
     return run.state.counters.*counter;
 }
 
-double usedPoints(const WatchedRun& run, Index) { return static_cast<double>(run.used); }
-double donePoints(const WatchedRun& run, Index) {
-    return static_cast<double>(run.state.done.size());
-}
 double unusedPoints(const WatchedRun& run, Index) {
     return static_cast<double>(run.state.status.size() - run.state.done.size()) -
            static_cast<double>(run.used);
@@ -37,19 +41,15 @@ constexpr WatchTerm kWatchTerms[] = {
          return point < run.state.status.size() ? static_cast<double>(run.state.status[point])
                                                 : 0.0;
      }},
-    {"triangles", "Triangles made.",
-     [](const WatchedRun& run, Index) { return static_cast<double>(run.state.triangles.size()); }},
+    {"triangles", "Triangles made.", sizeOf<&State::triangles>},
     {"unused", "Points that are UNUSED.", unusedPoints},
-    {"used", "Points that are USED.", usedPoints},
-    {"done", "Points that are DONE.", donePoints},
-    {"tests", "Decisions that took or refused something.",
-     [](const WatchedRun& run, Index) { return static_cast<double>(run.tests); }},
-    {"refused", "Those that refused it.",
-     [](const WatchedRun& run, Index) { return static_cast<double>(run.refused); }},
+    {"used", "Points that are USED.", ofRun<&WatchedRun::used>},
+    {"done", "Points that are DONE.", sizeOf<&State::done>},
+    {"tests", "Decisions that took or refused something.", ofRun<&WatchedRun::tests>},
+    {"refused", "Those that refused it.", ofRun<&WatchedRun::refused>},
     {"circuit", "Pivots since the last triangle.",
      [](const WatchedRun& run, Index) { return static_cast<double>(run.state.circuit); }},
-    {"alerts", "Rings with points in them, or seeds, that were given up.",
-     [](const WatchedRun& run, Index) { return static_cast<double>(run.state.alerts.size()); }},
+    {"alerts", "Rings with points in them, or seeds, that were given up.", sizeOf<&State::alerts>},
     {"skipped", "Boundary points passed over.", counted<&Counters::skipped>},
     {"seeds", "Rings that were begun.", counted<&Counters::seeds>},
     {"inserted", "Third boundary points that led to triangles.", counted<&Counters::inserted>},
