@@ -13,7 +13,6 @@
 #include "spiraling_edge/explain/remedy.h"
 #include "spiraling_edge/explain/what_if_check.h"
 #include "spiraling_edge/replay/event_text.h"
-#include "spiraling_edge/replay/reading.h"
 #include "spiraling_edge/stepper/stepper.h"
 
 namespace se {
@@ -23,9 +22,8 @@ namespace {
 std::string reasonFor(const LedgerLine& decision) {
     const auto verdict = verdictOf(decision.event);
     if (verdict == Verdict::NotAfterStart || verdict == Verdict::NotBeforeEnd ||
-        verdict == Verdict::Outside) {
+        verdict == Verdict::Outside)
         return "The point lies outside of the free sector.";
-    }
     if (verdict == Verdict::AlreadyDone) return "The point is DONE.";
     return decision.role == LineRole::Fact ? "Nothing is tested there."
                                            : "There is no what-if for such a decision.";

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "spiraling_edge/explain/failure_moments.h"
-#include "spiraling_edge/stepper/what_if.h"
 
 namespace se {
 

@@ -12,8 +12,6 @@
 #include "spiraling_edge/explain/inspected_run.h"
 #include "spiraling_edge/explain/moment_finder.h"
 #include "spiraling_edge/explain/origin_decisions.h"
-#include "spiraling_edge/replay/reading.h"
-#include "spiraling_edge/replay/scan_run.h"
 
 namespace se {
 namespace {

@@ -5,11 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "spiraling_edge/base/progress.h"
 #include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/replay/scan_run.h"
-#include "spiraling_edge/stepper/params.h"
-#include "spiraling_edge/stepper/state.h"
 
 namespace se {
 

@@ -55,11 +55,9 @@ class TriangleDecisions {
 
   private:
     void note(const Event& event, Index pivot) {
-        const LedgerLine line{event, pivot,
-                              outcomeOf(event) == Outcome::Taken ? LineRole::Taken : LineRole::Fact,
-                              std::nullopt};
-        const bool taken = line.role == LineRole::Taken && testedPoint(event) != kNone;
-        if (taken || closedGap(event) != nullptr || fillsHole(event)) decided_.push_back(line);
+        const bool taken = outcomeOf(event) == Outcome::Taken && testedPoint(event) != kNone;
+        if (taken || closedGap(event) != nullptr || fillsHole(event))
+            decided_.push_back({event, pivot, LineRole::Taken, std::nullopt});
         const auto* emit = as<EmitEvidence>(event);
         if (emit == nullptr || emit->triangle != made_.size()) return;
         const Triangle& t = emit->corners;

@@ -12,7 +12,6 @@
 #include "spiraling_edge/base/overloaded.h"
 #include "spiraling_edge/explain/origin_decisions.h"
 #include "spiraling_edge/replay/event_text.h"
-#include "spiraling_edge/replay/reading.h"
 
 namespace se {
 namespace {

@@ -26,9 +26,8 @@ Status checkPlain(const PointSet& points, const WhatIf& what) {
                          " is at that place: there is only one point at any "
                          "particular location (section 3)."};
         }
-        if (points.position[what.point] == what.to) {
+        if (points.position[what.point] == what.to)
             return Error{namedPoint(what.point) + " is at that place already."};
-        }
     }
     if (what.kind != WhatIfKind::List) return success();
     std::set<Index> seen;
@@ -38,9 +37,8 @@ Status checkPlain(const PointSet& points, const WhatIf& what) {
         if (!seen.insert(q).second) return Error{namedPoint(q) + " is in the list twice."};
     }
     const auto now = points.neighbors[what.point];
-    if (std::set<Index>(now.begin(), now.end()) == seen) {
+    if (std::set<Index>(now.begin(), now.end()) == seen)
         return Error{namedPoint(what.point) + " has that list already."};
-    }
     return success();
 }
 
@@ -232,9 +230,8 @@ Status requireWhatIfs(const PointSet& points, const Params& params) {
     if (params.whatIf.empty()) return success();
     const auto answers = checkWhatIfs(points, params);
     for (std::size_t i = 0; i < answers->size(); ++i) {
-        if (!(*answers)[i]) {
+        if (!(*answers)[i])
             return Error{lineOf(params.whatIf[i]) + ": " + (*answers)[i].error().message};
-        }
     }
     return success();
 }

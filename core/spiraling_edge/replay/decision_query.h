@@ -10,7 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "spiraling_edge/base/result.h"
 #include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/replay/reading.h"
 #include "spiraling_edge/replay/scan_run.h"

@@ -14,19 +14,16 @@ namespace {
 using Condition = DecisionCondition;
 using Read = Result<Condition>;
 
-/// An empty condition: the word is of another form.
-Read otherForm() { return Condition(); }
-
 Error notA(std::string_view word, std::string_view what) {
     return Error{"\"" + std::string(word) + "\": expected " + std::string(what) + "."};
 }
 
 /// A term of a prefix and a value, such as point=812: `valueIn` reads the value, if it is one, and
-/// `holds` compares a decision with it.
+/// `holds` compares a decision with it. An empty condition: the word is of another form.
 template <typename ValueIn, typename Holds>
 Read readTerm(std::string_view word, std::string_view prefix, const ValueIn& valueIn,
               std::string_view expected, const Holds& holds) {
-    if (!word.starts_with(prefix)) return otherForm();
+    if (!word.starts_with(prefix)) return Condition();
     const auto value = valueIn(word.substr(prefix.size()));
     if (!value) return notA(word, expected);
     return Condition([value = *value, holds](const Decision& d) { return holds(d, value); });
@@ -224,7 +221,7 @@ Read readAlert(std::string_view word) {
 Read readFailure(std::string_view word) {
     if (word == "failure") return Condition([](const Decision& d) { return d.failures != 0; });
     constexpr std::string_view kPrefix = "failure=";
-    if (!word.starts_with(kPrefix)) return otherForm();
+    if (!word.starts_with(kPrefix)) return Condition();
     const FailureClass* kind = findFailureClass(word.substr(kPrefix.size()));
     if (kind != nullptr && appearsInRun(*kind))
         return Condition(

@@ -249,9 +249,9 @@ std::vector<LiveFailure> LiveCheck::check(std::span<const Event> events) {
 bool LiveCheck::complete() const { return checker_->searchesAll(); }
 
 std::string describe(const LiveFailure& failure) {
-    const std::vector<Index>& p = failure.points;
     std::string names;
-    for (const Index each : p) names += (names.empty() ? "" : ", ") + std::to_string(each);
+    for (const Index each : failure.points)
+        names += (names.empty() ? "" : ", ") + std::to_string(each);
     const std::string_view kind = failure.kind->name;
     const std::string made = "Triangle " + std::to_string(failure.triangle);
     const std::string other = std::to_string(failure.other);

@@ -13,8 +13,6 @@ namespace {
 
 constexpr double kRadians = 3.14159265358979323846 / 180.0;
 
-double length(const Vec3& v) { return std::sqrt(glm::dot(v, v)); }
-
 /// An angle in a sector from 0 to `end` (degrees, below 360), compared with the nearer of its two
 /// limits. Angles beyond the end wrap at 360.
 Reading inSector(double degrees, double end) {
@@ -44,8 +42,8 @@ struct Reader {
         const bool decided = e.verdict == Verdict::Moved || e.verdict == Verdict::NotConcave;
         if (!decided || context.pivot == kNone) return {};
         const Vec3& s = context.points.position[e.from];
-        const double size = length(context.points.position[e.to] - s) *
-                            length(context.points.position[context.pivot] - s);
+        const double size = glm::length(context.points.position[e.to] - s) *
+                            glm::length(context.points.position[context.pivot] - s);
         if (!(size > 0.0)) return {};
         return Reading{"turn", "", e.turn, 0.0, e.turn / size};
     }
@@ -55,8 +53,9 @@ struct Reader {
     }
     Found operator()(const HoleEvidence& e) const {
         if (e.point == kNone || context.pivot == kNone) return {};
-        const double size = length(e.planeNormal) * length(context.points.position[e.point] -
-                                                           context.points.position[context.pivot]);
+        const double size =
+            glm::length(e.planeNormal) *
+            glm::length(context.points.position[e.point] - context.points.position[context.pivot]);
         if (!(size > 0.0)) return {};
         const double towards = e.pivotSide < 0.0 ? -e.side : e.side;
         return Reading{"side of the plane", "", towards, 0.0, towards / size};
@@ -64,7 +63,7 @@ struct Reader {
     Found operator()(const SphereEvidence& e) const {
         if (e.verdict == Verdict::NoCircle || context.pivot == kNone) return {};
         const double far =
-            length(context.points.position[e.q] - context.points.position[context.pivot]);
+            glm::length(context.points.position[e.q] - context.points.position[context.pivot]);
         if (!(far > 0.0)) return {};
         const Reading sphere{"distance from the center", "", e.distance, e.radius,
                              (e.radius - e.distance) / far};

@@ -5,8 +5,6 @@
 #include <optional>
 #include <string_view>
 
-#include "spiraling_edge/points/point_set.h"
-#include "spiraling_edge/stepper/event.h"
 #include "spiraling_edge/stepper/params.h"
 #include "spiraling_edge/stepper/verdict_table.h"
 

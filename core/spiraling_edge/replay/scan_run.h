@@ -9,8 +9,6 @@
 #include <span>
 
 #include "spiraling_edge/base/progress.h"
-#include "spiraling_edge/points/point_set.h"
-#include "spiraling_edge/stepper/event.h"
 #include "spiraling_edge/stepper/params.h"
 #include "spiraling_edge/stepper/state.h"
 
