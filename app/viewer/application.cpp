@@ -17,6 +17,7 @@
 #include "panel_state/tabs.h"
 #include "render/context.h"
 #include "render/screenshot.h"
+#include "spiraling_edge/replay/event_text.h"
 
 namespace se::view {
 

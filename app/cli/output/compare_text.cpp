@@ -6,6 +6,7 @@
 
 #include "ledger_text.h"
 #include "mesh_text.h"
+#include "spiraling_edge/replay/event_text.h"
 
 namespace se::cli {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "failure_totals.h"
 #include "mesh_text.h"
+#include "spiraling_edge/replay/event_text.h"
 
 namespace se::cli {
 namespace {

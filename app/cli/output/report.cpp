@@ -9,6 +9,7 @@
 #include "rule_json.h"
 #include "spiraling_edge/explain/what_if_check.h"
 #include "spiraling_edge/io/write_mesh.h"
+#include "spiraling_edge/replay/event_text.h"
 
 namespace se::cli {
 namespace {

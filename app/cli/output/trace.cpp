@@ -4,6 +4,7 @@
 
 #include "exit_code.h"
 #include "output.h"
+#include "spiraling_edge/replay/event_text.h"
 
 namespace se::cli {
 namespace {

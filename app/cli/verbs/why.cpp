@@ -12,7 +12,6 @@
 #include "prepared_input.h"
 #include "progress.h"
 #include "spiraling_edge/replay/decision_query.h"
-#include "spiraling_edge/replay/named_points.h"
 #include "verbs.h"
 
 namespace se::cli {

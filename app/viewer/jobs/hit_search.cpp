@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "spiraling_edge/replay/event_text.h"
+
 namespace se::view {
 
 namespace {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "spiraling_edge/replay/event_text.h"
+
 namespace se::view {
 
 namespace {

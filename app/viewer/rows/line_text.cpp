@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "run/number_format.h"
+#include "spiraling_edge/replay/event_text.h"
 
 namespace se::view {
 

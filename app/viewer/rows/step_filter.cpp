@@ -7,6 +7,7 @@
 
 #include "run/picture.h"
 #include "run/strings.h"
+#include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/reading.h"
 #include "spiraling_edge/stepper/stage_table.h"
 

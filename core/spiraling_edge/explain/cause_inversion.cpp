@@ -9,11 +9,10 @@
 #include <cassert>
 #include <numeric>
 
-#include "spiraling_edge/explain/freed_rings.h"
 #include "spiraling_edge/explain/inspected_run.h"
 #include "spiraling_edge/explain/remedy.h"
 #include "spiraling_edge/explain/what_if_check.h"
-#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/stepper/stepper.h"
 
 namespace se {
@@ -23,9 +22,8 @@ namespace {
 std::string reasonFor(const LedgerLine& decision) {
     const auto verdict = verdictOf(decision.event);
     if (verdict == Verdict::NotAfterStart || verdict == Verdict::NotBeforeEnd ||
-        verdict == Verdict::Outside) {
+        verdict == Verdict::Outside)
         return "The point lies outside of the free sector.";
-    }
     if (verdict == Verdict::AlreadyDone) return "The point is DONE.";
     return decision.role == LineRole::Fact ? "Nothing is tested there."
                                            : "There is no what-if for such a decision.";
@@ -225,7 +223,7 @@ std::string_view inversionName(Inversion inversion) {
 
 std::optional<WhatIf> inverseOf(const PointSet& points, const LedgerLine& decision) {
     const Address& at = decision.event.address;
-    if (const auto* insert = std::get_if<InsertEvidence>(&decision.event.evidence)) {
+    if (const auto* insert = as<InsertEvidence>(decision.event)) {
         if (insert->third == kNone) return {};
         WhatIf what{WhatIfKind::List, at.pivot, Stage::Pivot, insert->pivot, Vec3(0.0), {}};
         for (const Index q : points.neighbors[insert->pivot]) {
@@ -233,7 +231,7 @@ std::optional<WhatIf> inverseOf(const PointSet& points, const LedgerLine& decisi
         }
         return what;
     }
-    const auto* sort = std::get_if<SortEvidence>(&decision.event.evidence);
+    const auto* sort = as<SortEvidence>(decision.event);
     if (sort != nullptr && sort->verdict == Verdict::SameAngle)
         return WhatIf{WhatIfKind::Drop, at.pivot, at.stage, sort->rival, Vec3(0.0), {}};
     const auto verdict = verdictOf(decision.event);

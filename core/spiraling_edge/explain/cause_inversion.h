@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "spiraling_edge/explain/failure_moments.h"
-#include "spiraling_edge/stepper/what_if.h"
 
 namespace se {
 
@@ -30,9 +29,8 @@ std::string_view inversionName(Inversion inversion);
 struct CauseInversion {
     Inversion outcome = Inversion::NotInvertible;
     std::vector<WhatIf> inverses;  ///< The what-ifs used; several where a test is repeated.
-    std::string
-        /// NotInvertible: the reason. NoEffect: the other decision. Earlier: the decision.
-        reason;
+    /// NotInvertible: the reason. NoEffect: the other decision. Earlier: the decision.
+    std::string reason;
 };
 
 /// The what-if that inverts a decision: keeps a refused point, drops a taken one, unlists an

@@ -9,34 +9,27 @@
 #include <tuple>
 
 #include "spiraling_edge/base/parallel.h"
-#include "spiraling_edge/explain/freed_rings.h"
 #include "spiraling_edge/explain/inspected_run.h"
 #include "spiraling_edge/explain/moment_finder.h"
 #include "spiraling_edge/explain/origin_decisions.h"
-#include "spiraling_edge/replay/decision_line.h"
-#include "spiraling_edge/replay/scan_run.h"
 
 namespace se {
 namespace {
 
 /// Calls `visit` with the points that an event in the pivot of `pivot` is about; it may name one of
-/// them twice, or kNone.
+/// them twice.
 template <typename Visit>
-void forEachPointOf(const Event& event, Index pivot, Visit&& visit) {
-    visit(testedPoint(event));
-    visit(pivot);
-    if (const auto* seed = std::get_if<SeedEvidence>(&event.evidence)) {
-        visit(seed->first);
-        visit(seed->second);
-    } else if (const auto* emit = std::get_if<EmitEvidence>(&event.evidence)) {
-        for (const Index p : {emit->corners.a, emit->corners.b, emit->corners.c}) visit(p);
-    } else if (const auto* flip = std::get_if<FlipEvidence>(&event.evidence)) {
-        visit(flip->x);
-        visit(flip->y);
-    } else if (const auto* sphere = std::get_if<SphereEvidence>(&event.evidence)) {
-        visit(sphere->t);
-        visit(sphere->s);
-    }
+void forEachPointOf(const Event& event, Index pivot, const Visit& visit) {
+    const auto visitAll = [&](std::initializer_list<Index> points) {
+        for (const Index p : points)
+            if (p != kNone) visit(p);
+    };
+    visitAll({testedPoint(event), pivot});
+    if (const auto* seed = as<SeedEvidence>(event)) visitAll({seed->first, seed->second});
+    if (const auto* flip = as<FlipEvidence>(event)) visitAll({flip->x, flip->y});
+    if (const auto* sphere = as<SphereEvidence>(event)) visitAll({sphere->t, sphere->s});
+    if (const auto* emit = as<EmitEvidence>(event))
+        visitAll({emit->corners.a, emit->corners.b, emit->corners.c});
 }
 
 /// The finders of several failures, called only with events at their points.
@@ -51,8 +44,7 @@ class Finders {
         finders_.reserve(failures.size());
         for (std::size_t i = 0; i < failures.size(); ++i) {
             finders_.emplace_back(input_, failures[i]);
-            for (const Index p : finders_[i].points()) at_[p].push_back(i);
-            for (const Index p : finders_[i].around()) at_[p].push_back(i);
+            for (const Index p : finders_[i].watched()) at_[p].push_back(i);
         }
     }
 
@@ -61,7 +53,7 @@ class Finders {
         for (const Event& event : pivot.events) {
             ++event_;
             concerned_.clear();
-            const auto* limit = std::get_if<LimitEvidence>(&event.evidence);
+            const auto* limit = as<LimitEvidence>(event);
             if (limit != nullptr && limit->verdict == Verdict::Moved)
                 moves_.push_back(lineOf(event, {input_.points, input_.params, pivot.point}));
             gather(event, pivot.point);
@@ -73,24 +65,11 @@ class Finders {
         }
     }
 
-    std::vector<std::optional<FailureMoments>> found() const {
-        std::vector<std::optional<FailureMoments>> all;
-        all.reserve(finders_.size());
-        for (const MomentFinder& each : finders_) all.push_back(each.found());
-        return all;
-    }
-    /// For each failure the triangle that is a whole fan and caused it, or kNone.
-    std::vector<Index> alone() const {
-        std::vector<Index> all;
-        all.reserve(finders_.size());
-        for (const MomentFinder& each : finders_) all.push_back(each.alone());
-        return all;
-    }
+    const std::vector<MomentFinder>& all() const { return finders_; }
 
   private:
     void gather(const Event& event, Index pivot) {
         forEachPointOf(event, pivot, [&](Index p) {
-            if (p == kNone) return;
             for (const std::size_t i : at_[p]) {
                 if (asked_[i] != event_) concerned_.push_back(i);
                 asked_[i] = event_;
@@ -115,54 +94,29 @@ class Finders {
     FreedRings rings_;
 };
 
-/// The work of following a failure: the number of events of the run at each point.
-class EventCounts {
-  public:
-    explicit EventCounts(std::size_t points) : at_(points, 0) {}
-
-    void add(const ScannedPivot& pivot) {
-        all_ += pivot.events.size();
-        for (const Event& event : pivot.events) {
-            forEachPointOf(event, pivot.point, [&](Index p) {
-                if (p != kNone) ++at_[p];
-            });
-        }
-    }
-    std::uint64_t workOf(const MomentFinder& finder) const {
-        std::uint64_t work = 0;
-        for (const Index p : finder.points()) work += at_[p];
-        for (const Index p : finder.around()) work += at_[p];
-        return work;
-    }
-    std::uint64_t affordable() const { return kMomentWork + kMomentWorkPerEvent * all_; }
-
-  private:
-    std::vector<std::uint64_t> at_;
-    std::uint64_t all_ = 0;
-};
-
-/// Position of the class of a failure in failureClasses().
-std::size_t rankOf(const MeshFailure& failure) {
-    return static_cast<std::size_t>(failure.kind - failureClasses().data());
+bool isOfEarlierClass(const MeshFailure& a, const MeshFailure& b) {
+    return rankOf(*a.kind) < rankOf(*b.kind);
 }
 
-/// Removes from `run` the failures that cannot be followed within the work that `counts` allows.
+/// Removes from `run` the failures that cannot be followed within the work `left`; the work of
+/// following a failure is the number of events of the run at its points, `eventsAt` each point.
 /// The first ones of each class stay: all firsts, then all seconds, until the next of its class
 /// exceeds the work. Requires failures in the order of their classes.
-void keepAffordable(const PointSet& points, const Params& params, const EventCounts& counts,
+void keepAffordable(const PointSet& points, const Params& params,
+                    const std::vector<std::uint64_t>& eventsAt, std::uint64_t left,
                     InspectedRun& run) {
-    assert(std::is_sorted(run.failures.begin(), run.failures.end(),
-                          [](const auto& a, const auto& b) { return rankOf(a) < rankOf(b); }));
+    assert(std::is_sorted(run.failures.begin(), run.failures.end(), isOfEarlierClass));
     const std::vector<LedgerLine> noMoves;
     const FinderInput input{points, params, run.end.mesh(), noMoves};
     std::vector<std::uint64_t> work;
     work.reserve(run.failures.size());
     std::uint64_t all = 0;
     for (const MeshFailure& each : run.failures) {
-        work.push_back(counts.workOf(MomentFinder(input, each)));
+        const MomentFinder finder(input, each);
+        work.push_back(0);
+        for (const Index p : finder.watched()) work.back() += eventsAt[p];
         all += work.back();
     }
-    std::uint64_t left = counts.affordable();
     if (all <= left) return;
     std::vector<std::size_t> first;  // of each class
     std::size_t before = 0;
@@ -194,25 +148,29 @@ void keepAffordable(const PointSet& points, const Params& params, const EventCou
     run.failures = std::move(some);
 }
 
-/// Traces triangles that fill a gap between three points back to the decision that made the last of
-/// their edges. False if cancelled.
-bool traceBack(const PointSet& points, const Params& params, const std::vector<Index>& alone,
-               std::vector<std::optional<FailureMoments>>& found, const Progress& progress) {
-    std::vector<Index> asked;
-    std::copy_if(alone.begin(), alone.end(), std::back_inserter(asked),
-                 [](Index triangle) { return triangle != kNone; });
-    if (asked.empty()) return true;
-    const auto roots = originDecisions(points, params, asked, progress);
-    if (!roots) return false;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        const auto root = roots->find(alone[i]);
-        if (found[i] && root != roots->end()) found[i]->unavoidable = root->second;
+/// The moments that the finders have found. Triangles that fill a gap between three points are
+/// traced back to the decision that made the last of their edges. Nothing if cancelled.
+std::optional<std::vector<std::optional<FailureMoments>>> tracedBack(
+    const PointSet& points, const Params& params, const std::vector<MomentFinder>& finders,
+    const Progress& progress) {
+    std::vector<std::optional<FailureMoments>> found;
+    std::vector<Index> alone;
+    for (const MomentFinder& each : finders) {
+        found.push_back(each.found());
+        if (each.alone() != kNone) alone.push_back(each.alone());
     }
-    return true;
+    if (alone.empty()) return found;
+    const auto origins = originDecisions(points, params, alone, progress);
+    if (!origins) return {};
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const auto origin = origins->find(finders[i].alone());
+        if (found[i] && origin != origins->end()) found[i]->unavoidable = origin->second;
+    }
+    return found;
 }
 
-}  // namespace
-
+/// The moments of all `failures` in one pass through the run; nothing for a failure that is not one
+/// of this run. Fails if cancelled. O(run + events about their points).
 Result<std::vector<std::optional<FailureMoments>>> momentsOfAll(
     const PointSet& points, const Params& params, std::span<const MeshFailure> failures,
     const std::vector<Triangle>& mesh, const Progress& progress) {
@@ -228,11 +186,12 @@ Result<std::vector<std::optional<FailureMoments>>> momentsOfAll(
         points, params, [&](const ScannedPivot& pivot) { finders.add(pivot); },
         partOf(progress, 0.0, 0.6));
     if (!end) return Error{"Cancelled."};
-    auto found = finders.found();
-    if (!traceBack(points, params, finders.alone(), found, partOf(progress, 0.6, 1.0)))
-        return Error{"Cancelled."};
-    return found;
+    auto found = tracedBack(points, params, finders.all(), partOf(progress, 0.6, 1.0));
+    if (!found) return Error{"Cancelled."};
+    return std::move(*found);
 }
+
+}  // namespace
 
 Result<FailureMoments> momentsOf(const PointSet& points, const Params& params,
                                  const MeshFailure& failure, const std::vector<Triangle>& mesh,
@@ -245,23 +204,28 @@ Result<FailureMoments> momentsOf(const PointSet& points, const Params& params,
 
 Result<RunFailureSearch> searchFailures(const PointSet& points, const Params& params,
                                         const Progress& progress) {
-    EventCounts counts(points.size());
-    auto run = inspectRun(points, params, partOf(progress, 0.0, 0.4),
-                          [&](const ScannedPivot& pivot) { counts.add(pivot); });
+    std::vector<std::uint64_t> eventsAt(points.size(), 0);
+    std::uint64_t affordable = kMomentWork;
+    const auto onPivot = [&](const ScannedPivot& pivot) {
+        affordable += kMomentWorkPerEvent * pivot.events.size();
+        for (const Event& event : pivot.events)
+            forEachPointOf(event, pivot.point, [&](Index p) { ++eventsAt[p]; });
+    };
+    auto run = inspectRun(points, params, partOf(progress, 0.0, 0.4), onPivot);
     if (!run) return Error{"Cancelled."};
     const std::vector<Triangle>& mesh = run->end.mesh();
     std::vector<MeshFailure>& failures = run->failures;
-    std::stable_sort(failures.begin(), failures.end(),
-                     [](const auto& a, const auto& b) { return rankOf(a) < rankOf(b); });
-    keepAffordable(points, params, counts, *run);
+    std::stable_sort(failures.begin(), failures.end(), isOfEarlierClass);
+    keepAffordable(points, params, eventsAt, affordable, *run);
     const auto moments = momentsOfAll(points, params, failures, mesh, partOf(progress, 0.5, 1.0));
     if (!moments) return moments.error();
     RunFailureSearch found{{}, std::move(run->totals)};
     for (std::size_t i = 0; i < failures.size(); ++i) {
         if (!moments.value()[i]) {
             // Not a failure of this run: not counted.
-            --found.totals[rankOf(failures[i])].listed;
-            --found.totals[rankOf(failures[i])].total;
+            ClassTotal& total = found.totals[rankOf(*failures[i].kind)];
+            --total.listed;
+            --total.total;
             continue;
         }
         std::vector<Triangle> corners;

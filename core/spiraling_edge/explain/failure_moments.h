@@ -1,7 +1,6 @@
 /// The causes of a failure in time: three moments of a run, each an address to go to.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,8 +11,8 @@ namespace se {
 
 /// The moments of one failure, in the order of a search for its cause.
 struct FailureMoments {
-    LedgerLine
-        created;  ///< The failure exists: its last triangle is made, or its point or ring is done.
+    /// The failure exists: its last triangle is made, or its point or ring is done.
+    LedgerLine created;
     LedgerLine unavoidable;  ///< The decision after which it was certain.
     LedgerLine touched;      ///< The first event about its points.
 };
@@ -31,12 +30,6 @@ struct FailureMoments {
 Result<FailureMoments> momentsOf(const PointSet& points, const Params& params,
                                  const MeshFailure& failure, const std::vector<Triangle>& mesh,
                                  const Progress& progress = {});
-
-/// The moments of all `failures` in one pass through the run; nothing for a failure that is not one
-/// of this run. Fails if cancelled. O(run + events about their points).
-Result<std::vector<std::optional<FailureMoments>>> momentsOfAll(
-    const PointSet& points, const Params& params, std::span<const MeshFailure> failures,
-    const std::vector<Triangle>& mesh, const Progress& progress = {});
 
 /// One failure of a run.
 struct RunFailure {

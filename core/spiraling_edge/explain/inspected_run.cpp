@@ -1,10 +1,43 @@
 #include "spiraling_edge/explain/inspected_run.h"
 
+#include <algorithm>
 #include <utility>
 
-#include "spiraling_edge/explain/freed_rings.h"
+#include "spiraling_edge/replay/reading.h"
 
 namespace se {
+
+std::optional<FreedRing> FreedRings::add(const Event& event) {
+    if (event.address.stage != Stage::Done) {
+        leaving_.clear();
+        freed_.reset();
+        return {};
+    }
+    if (const auto* ring = as<RingEvidence>(event)) {
+        if (freed_) leaving_.clear();
+        freed_.reset();
+        leaving_.push_back(ring->point);
+    } else if (isA<FreeEvidence>(event)) {
+        freed_ = event;
+    } else if (const auto* alert = as<AlertEvidence>(event)) {
+        if (alert->kind == AlertKind::TriangleCap) return FreedRing{*alert, {alert->point}, event};
+        std::vector<Index> points = leaving_;
+        std::sort(points.begin(), points.end());
+        points.erase(std::unique(points.begin(), points.end()), points.end());
+        return FreedRing{*alert, std::move(points), freed_.value_or(event)};
+    }
+    return {};
+}
+
+MeshFailure failureOf(const PointSet& points, const FreedRing& ring) {
+    MeshFailure failure;
+    const bool stopped = ring.alert.kind == AlertKind::TriangleCap;
+    failure.kind = findFailureClass(stopped ? "triangle_cap" : "leftover_rings");
+    failure.points = ring.points;
+    for (const Index p : failure.points) failure.place += points.position[p];
+    failure.place /= static_cast<double>(failure.points.size());
+    return failure;
+}
 
 std::optional<InspectedRun> inspectRun(const PointSet& points, const Params& params,
                                        const Progress& progress,
@@ -24,8 +57,7 @@ std::optional<InspectedRun> inspectRun(const PointSet& points, const Params& par
     if (!end) return {};
     MeshInspection found = inspectWithTotals(points, end->mesh());
     for (MeshFailure& each : leftOver) {
-        ClassTotal& total =
-            found.totals[static_cast<std::size_t>(each.kind - failureClasses().data())];
+        ClassTotal& total = found.totals[rankOf(*each.kind)];
         ++total.listed;
         ++total.total;
         found.failures.push_back(std::move(each));

@@ -1,17 +1,40 @@
-/// A run with all its failures, without their moments.
+/// A run with all its failures, without their moments, and the rings that it frees (§7).
 #pragma once
 
 #include <functional>
 #include <optional>
 #include <vector>
 
-#include "spiraling_edge/base/progress.h"
 #include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/replay/scan_run.h"
-#include "spiraling_edge/stepper/params.h"
-#include "spiraling_edge/stepper/state.h"
 
 namespace se {
+
+/// A ring that was freed, with an alert.
+struct FreedRing {
+    AlertEvidence alert;
+    std::vector<Index> points;  ///< Ascending.
+    Event event;                ///< The event of the ring.
+};
+
+/// Collects the points of a ring while they leave it.
+class FreedRings {
+  public:
+    /// Takes the next event. Returns a ring at the event of its alert.
+    std::optional<FreedRing> add(const Event& event);
+
+  private:
+    std::vector<Index> leaving_;
+    std::optional<Event> freed_;
+};
+
+/// The failure of a freed ring, or of the place where the run was stopped.
+MeshFailure failureOf(const PointSet& points, const FreedRing& ring);
+
+/// Position of a class in failureClasses().
+inline std::size_t rankOf(const FailureClass& kind) {
+    return static_cast<std::size_t>(&kind - failureClasses().data());
+}
 
 struct InspectedRun {
     State end;
@@ -20,10 +43,8 @@ struct InspectedRun {
     std::vector<MeshFailure> failures;
     std::vector<ClassTotal> totals;
 
-    /// The total of a class of failureClasses().
-    const ClassTotal& totalOf(const FailureClass& kind) const {
-        return totals[static_cast<std::size_t>(&kind - failureClasses().data())];
-    }
+    /// The total of a class.
+    const ClassTotal& totalOf(const FailureClass& kind) const { return totals[rankOf(kind)]; }
 };
 
 /// Runs `points` to the end and inspects the result; nothing if `progress` cancelled. Calls

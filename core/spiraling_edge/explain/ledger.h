@@ -5,12 +5,10 @@
 #include <array>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "spiraling_edge/base/progress.h"
-#include "spiraling_edge/base/result.h"
-#include "spiraling_edge/replay/decision_line.h"
+#include "spiraling_edge/replay/reading.h"
 
 namespace se {
 

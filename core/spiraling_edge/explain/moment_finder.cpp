@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "spiraling_edge/explain/pivot_tests.h"
-#include "spiraling_edge/replay/decision_line.h"
+#include "spiraling_edge/explain/origin_decisions.h"
 
 namespace se {
 namespace {
@@ -20,20 +19,20 @@ bool sameCorners(const Triangle& a, const Triangle& b) {
 /// True if a candidate was left out only for its angle: it lies where the pivot has triangles, or
 /// will never have any.
 bool liesOutside(const Event& event) {
-    const auto* sort = std::get_if<SortEvidence>(&event.evidence);
+    const auto* sort = as<SortEvidence>(event);
     return sort != nullptr &&
            (sort->verdict == Verdict::NotAfterStart || sort->verdict == Verdict::NotBeforeEnd);
 }
 
 /// True for two points that find only each other (§6.4), which can make no triangle.
 bool isFullTurn(const Event& event) {
-    const auto* two = std::get_if<TwoPointEvidence>(&event.evidence);
+    const auto* two = as<TwoPointEvidence>(event);
     return two != nullptr && two->degrees > 359.9;
 }
 
 /// A candidate that start or end was moved over (Fig. 4).
 const DropEvidence* passedBy(const Event& event) {
-    const auto* drop = std::get_if<DropEvidence>(&event.evidence);
+    const auto* drop = as<DropEvidence>(event);
     return drop != nullptr && drop->verdict == Verdict::Outside ? drop : nullptr;
 }
 
@@ -49,14 +48,14 @@ MomentFinder::MomentFinder(const FinderInput& input, const MeshFailure& failure)
     if (kind_ == Kind::Triangle) {
         for (const Triangle& t : triangles_) points_.insert(points_.end(), {t.a, t.b, t.c});
     }
-    if (kind_ == Kind::Point) {
-        for (const Index p : failure.points) {
-            const auto list = input.points.neighbors[p];
-            around_.insert(around_.end(), list.begin(), list.end());
-        }
-    }
     std::sort(points_.begin(), points_.end());
     points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+    watched_ = points_;
+    if (kind_ != Kind::Point) return;
+    for (const Index p : failure.points) {
+        const auto list = input.points.neighbors[p];
+        watched_.insert(watched_.end(), list.begin(), list.end());
+    }
 }
 
 MomentFinder::Kind MomentFinder::kindOf(const MeshFailure& failure) {
@@ -95,22 +94,20 @@ bool MomentFinder::mine(Index p) const {
 }
 
 bool MomentFinder::touches(const Event& event) const {
-    if (const auto* seed = std::get_if<SeedEvidence>(&event.evidence))
-        return mine(seed->first) || mine(seed->second);
-    return testedPoint(event) != kNone && mine(testedPoint(event));
+    if (const auto* seed = as<SeedEvidence>(event)) return mine(seed->first) || mine(seed->second);
+    return mine(testedPoint(event));
 }
 
 void MomentFinder::addForPoint(const LedgerLine& line) {
     const Index p = testedPoint(line.event);
-    const bool ownFan = p == kNone && line.pivot != kNone && mine(line.pivot);
-    if (ownFan && line.role == LineRole::Refused)
+    if (p == kNone && mine(line.pivot) && line.role == LineRole::Refused)
         (isFullTurn(line.event) ? alonePair_ : unavoidable_) = line;
-    const auto* ring = std::get_if<RingEvidence>(&line.event.evidence);
+    const auto* ring = as<RingEvidence>(line.event);
     if (ring != nullptr && ring->status < 0 && !mine(p) && !created_) deserted_ = line;
-    if (p == kNone || !mine(p)) return;
-    const auto* strand = std::get_if<StrandEvidence>(&line.event.evidence);
+    if (!mine(p)) return;
+    const auto* strand = as<StrandEvidence>(line.event);
     if (strand != nullptr || (ring != nullptr && ring->status < 0)) created_ = line;
-    const bool limit = std::holds_alternative<LimitEvidence>(line.event.evidence);
+    const bool limit = isA<LimitEvidence>(line.event);
     if (line.role != LineRole::Refused || wasSettledBefore(line.event) || limit) return;
     const auto* drop = passedBy(line.event);
     (liesOutside(line.event) ? outside_ : unavoidable_) =
@@ -132,14 +129,13 @@ std::optional<LedgerLine> MomentFinder::moveOver(const DropEvidence& drop) const
 /// A loop exists once its last point is DONE, a ring once it is freed.
 void MomentFinder::addForRing(const LedgerLine& line) {
     const Index tested = testedPoint(line.event);
-    const bool pivots = line.pivot != kNone && mine(line.pivot);
-    const auto* ring = std::get_if<RingEvidence>(&line.event.evidence);
+    const auto* ring = as<RingEvidence>(line.event);
     if (kind_ == Kind::Hole && ring != nullptr && ring->status < 0 && mine(ring->point))
         created_ = line;
     if (kind_ == Kind::Ring && created_) return;
-    if (!pivots || line.role != LineRole::Refused) return;
-    const bool wholeFan = tested == kNone;
-    if (wholeFan || (!wasSettledBefore(line.event) && mine(tested)))
+    if (!mine(line.pivot) || line.role != LineRole::Refused) return;
+    // None: the whole fan was refused.
+    if (tested == kNone || (!wasSettledBefore(line.event) && mine(tested)))
         (liesOutside(line.event) ? outside_ : unavoidable_) = line;
 }
 
@@ -152,18 +148,12 @@ bool MomentFinder::isOne(const EmitEvidence& made) const {
                        [&](const Triangle& t) { return sameCorners(made.corners, t); });
 }
 
-/// True for failures that exist before all of their triangles are made.
-bool MomentFinder::isEarlyFailure() const {
-    const std::string_view kind = failure_.kind->name;
-    return kind == "duplicate_triangles" || kind == "non_manifold_edges" ||
-           kind == "inconsistent_edges";
-}
-
-/// True if enough of its triangles are made.
+/// True if the failure exists although not all of its triangles are made.
 bool MomentFinder::isThere() const {
     const std::string_view kind = failure_.kind->name;
     if (kind == "duplicate_triangles") return made_.size() > 1;
     if (kind == "non_manifold_edges") return made_.size() > 2;
+    if (kind != "inconsistent_edges") return false;
     const Index low = failure_.points[0];
     const Index high = failure_.points[1];
     const auto up = std::count_if(made_.begin(), made_.end(), [&](const Triangle& t) {
@@ -175,16 +165,14 @@ bool MomentFinder::isThere() const {
 
 bool MomentFinder::isRepair(const Event& event) const {
     if (!editsMesh(event)) return false;
-    if (const auto* flip = std::get_if<FlipEvidence>(&event.evidence))
-        return mine(flip->x) && mine(flip->y);
+    if (const auto* flip = as<FlipEvidence>(event)) return mine(flip->x) && mine(flip->y);
     return mine(testedPoint(event));
 }
 
 void MomentFinder::recordTest(const LedgerLine& line) {
     if (line.event.address.pivot != pivot_) decided_.clear();
     pivot_ = line.event.address.pivot;
-    const Index tested = testedPoint(line.event);
-    const bool taken = line.role == LineRole::Taken && tested != kNone && mine(tested);
+    const bool taken = line.role == LineRole::Taken && mine(testedPoint(line.event));
     const SphereEvidence* gap = closedGap(line.event);
     const bool closed = gap != nullptr && mine(gap->t) && mine(gap->s);
     if (taken || closed || fillsHole(line.event)) decided_.push_back(line);
@@ -218,10 +206,10 @@ void MomentFinder::addForTriangle(const LedgerLine& line) {
         alone_ = kNone;
         return;
     }
-    const auto* emit = std::get_if<EmitEvidence>(&line.event.evidence);
+    const auto* emit = as<EmitEvidence>(line.event);
     if (emit == nullptr || complete_ || !isOne(*emit)) return;
     made_.push_back(emit->corners);
-    complete_ = isEarlyFailure() && isThere();
+    complete_ = isThere();
     created_ = line;
     // Without a test of that edge it existed before, and was bound to get this triangle.
     if (const auto part = decisionForPart(emit->corners)) part_ = part;

@@ -21,11 +21,10 @@ class MomentFinder {
     /// `failure` and `input` must outlive this object. Requires triangles below mesh.size().
     MomentFinder(const FinderInput& input, const MeshFailure& failure);
 
-    /// The points of the failure and the corners of its triangles, ascending.
-    const std::vector<Index>& points() const { return points_; }
-    /// Points that may cause the failure by becoming DONE.
-    const std::vector<Index>& around() const { return around_; }
-    /// Takes the next event; events about none of points() may be left out.
+    /// The points of the failure, the corners of its triangles, and the points that may cause it
+    /// by becoming DONE; some of them twice.
+    const std::vector<Index>& watched() const { return watched_; }
+    /// Takes the next event; events about none of watched() may be left out.
     void add(const LedgerLine& line);
     /// Takes the event at which the ring of the failure is freed.
     void addFreed(const LedgerLine& line) { created_ = line; }
@@ -39,14 +38,13 @@ class MomentFinder {
     enum class Kind : std::uint8_t { Point, Hole, Ring, Triangle };
     static Kind kindOf(const MeshFailure& failure);
 
-    bool mine(Index p) const;
+    bool mine(Index p) const;  ///< False for kNone.
     bool touches(const Event& event) const;
     void addForPoint(const LedgerLine& line);
     std::optional<LedgerLine> moveOver(const DropEvidence& drop) const;
     void addForRing(const LedgerLine& line);
     bool isOne(const EmitEvidence& made) const;
     bool isThere() const;
-    bool isEarlyFailure() const;
     bool isRepair(const Event& event) const;
     void addForTriangle(const LedgerLine& line);
     void recordTest(const LedgerLine& line);
@@ -57,13 +55,13 @@ class MomentFinder {
     const MeshFailure& failure_;
     Kind kind_;
     std::vector<Triangle> triangles_;  ///< Triangles of the failure.
-    std::vector<Index> points_;
-    std::vector<Index> around_;  ///< For a point in no triangle: the points that it lists.
+    std::vector<Index> points_;        ///< Of the failure and its triangles, ascending.
+    std::vector<Index> watched_;  ///< `points_`; of a point in no triangle also those it lists.
     std::optional<LedgerLine> created_;
     std::optional<LedgerLine> unavoidable_;
     std::optional<LedgerLine> outside_;  ///< The last refusal of a point outside the sector.
-    std::optional<LedgerLine>
-        alonePair_;  ///< The pivot kept only one candidate, as the candidate's own list does.
+    /// The pivot kept only one candidate, as the candidate's own list does.
+    std::optional<LedgerLine> alonePair_;
     std::optional<LedgerLine> part_;  ///< The decision that made the faulty edge or point.
     std::optional<LedgerLine> touched_;
     std::optional<LedgerLine> deserted_;  ///< The last of the neighbors became DONE.

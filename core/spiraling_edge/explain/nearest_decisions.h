@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "spiraling_edge/base/progress.h"
-#include "spiraling_edge/base/result.h"
 #include "spiraling_edge/replay/reading.h"
 
 namespace se {

@@ -4,13 +4,23 @@
 #include "spiraling_edge/explain/origin_decisions.h"
 
 #include <algorithm>
+#include <tuple>
 
-#include "spiraling_edge/explain/pivot_tests.h"
-#include "spiraling_edge/replay/decision_line.h"
 #include "spiraling_edge/replay/scan_run.h"
 
 namespace se {
 namespace {
+
+/// The last line for which `isCorner` holds for the point it took, or for both sides of a gap.
+template <typename Test>
+std::optional<LedgerLine> lastOf(const std::vector<LedgerLine>& decided, const Test& isCorner) {
+    const auto found = std::find_if(decided.rbegin(), decided.rend(), [&](const LedgerLine& line) {
+        if (const SphereEvidence* gap = closedGap(line.event))
+            return isCorner(gap->t) && isCorner(gap->s);
+        return !fillsHole(line.event) && isCorner(testedPoint(line.event));
+    });
+    return found == decided.rend() ? std::nullopt : std::optional(*found);
+}
 
 /// A triangle as it was made; the pivot is its first corner.
 struct MadeTriangle {
@@ -23,16 +33,14 @@ struct MadeTriangle {
 class TriangleDecisions {
   public:
     TriangleDecisions(const PointSet& points, const Params& params)
-        : points_(points), params_(params) {}
+        : points_(points), params_(params), at_(points.size()) {}
 
     bool read(const Progress& progress) {
         const auto onPivot = [&](const ScannedPivot& pivot) {
             decided_.clear();
             for (const Event& event : pivot.events) note(event, pivot.point);
         };
-        if (!scanRun(points_, params_, onPivot, progress)) return false;
-        sortByCorner();
-        return true;
+        return scanRun(points_, params_, onPivot, progress).has_value();
     }
 
     /// The decision that a triangle is traced to; pivot 0 if there is none.
@@ -47,54 +55,61 @@ class TriangleDecisions {
 
   private:
     void note(const Event& event, Index pivot) {
-        const LedgerLine line{event, pivot,
-                              outcomeOf(event) == Outcome::Taken ? LineRole::Taken : LineRole::Fact,
-                              std::nullopt};
-        const bool taken = line.role == LineRole::Taken && testedPoint(event) != kNone;
-        if (taken || closedGap(event) != nullptr || fillsHole(event)) decided_.push_back(line);
-        const auto* emit = std::get_if<EmitEvidence>(&event.evidence);
+        const bool taken = outcomeOf(event) == Outcome::Taken && testedPoint(event) != kNone;
+        if (taken || closedGap(event) != nullptr || fillsHole(event))
+            decided_.push_back({event, pivot, LineRole::Taken, std::nullopt});
+        const auto* emit = as<EmitEvidence>(event);
         if (emit == nullptr || emit->triangle != made_.size()) return;
-        const auto decision = lastDecision(decided_, emit->corners);
+        const Triangle& t = emit->corners;
+        for (const Index p : {t.a, t.b, t.c}) at_[p].push_back(emit->triangle);
+        const auto decision = lastDecision(decided_, t);
         const bool alone =
             !decision && std::any_of(decided_.begin(), decided_.end(),
                                      [](const LedgerLine& each) { return fillsHole(each.event); });
-        made_.push_back({emit->corners, decision ? decision->event.address : Address{}, alone});
-    }
-
-    void sortByCorner() {
-        from_.assign(points_.size() + 1, 0);
-        for (const MadeTriangle& each : made_) {
-            for (const Index p : {each.corners.a, each.corners.b, each.corners.c}) ++from_[p + 1];
-        }
-        for (std::size_t p = 0; p < points_.size(); ++p) from_[p + 1] += from_[p];
-        at_.resize(3 * made_.size());
-        std::vector<std::size_t> next = from_;
-        for (std::size_t i = 0; i < made_.size(); ++i) {
-            const Triangle& t = made_[i].corners;
-            for (const Index p : {t.a, t.b, t.c}) at_[next[p]++] = static_cast<Index>(i);
-        }
+        made_.push_back({t, decision ? decision->event.address : Address{}, alone});
     }
 
     /// The last earlier triangle that shares an edge of this one at its own pivot.
     Index lastAtEdges(Index triangle) const {
         const Triangle& t = made_[triangle].corners;
         Index last = kNone;
-        for (std::size_t k = from_[t.a]; k < from_[t.a + 1] && at_[k] < triangle; ++k) {
-            const Triangle& other = made_[at_[k]].corners;
-            if (hasCorner(other, t.b) || hasCorner(other, t.c)) last = at_[k];
+        for (const Index each : at_[t.a]) {
+            if (each >= triangle) break;
+            const Triangle& other = made_[each].corners;
+            if (hasCorner(other, t.b) || hasCorner(other, t.c)) last = each;
         }
         return last;
     }
 
     const PointSet& points_;
     const Params& params_;
-    std::vector<LedgerLine> decided_;  ///< Of the current pivot.
-    std::vector<MadeTriangle> made_;   ///< By number.
-    std::vector<std::size_t> from_;    ///< Per point: the begin of its triangles in at_.
-    std::vector<Index> at_;
+    std::vector<LedgerLine> decided_;     ///< Of the current pivot.
+    std::vector<MadeTriangle> made_;      ///< By number.
+    std::vector<std::vector<Index>> at_;  ///< Per point: its triangles, ascending.
 };
 
 }  // namespace
+
+bool hasCorner(const Triangle& t, Index p) { return t.a == p || t.b == p || t.c == p; }
+
+bool fillsHole(const Event& event) {
+    const auto* two = as<TwoPointEvidence>(event);
+    return two != nullptr && two->verdict == Verdict::Hole;
+}
+
+const SphereEvidence* closedGap(const Event& event) {
+    const auto* sphere = as<SphereEvidence>(event);
+    return sphere != nullptr && sphere->verdict == Verdict::Removed ? sphere : nullptr;
+}
+
+std::optional<LedgerLine> lastDecision(const std::vector<LedgerLine>& decided,
+                                       const Triangle& made) {
+    return lastOf(decided, [&](Index p) { return hasCorner(made, p); });
+}
+
+std::optional<LedgerLine> lastDecision(const std::vector<LedgerLine>& decided, Index a, Index b) {
+    return lastOf(decided, [&](Index p) { return p == a || p == b; });
+}
 
 std::optional<std::map<Index, LedgerLine>> originDecisions(const PointSet& points,
                                                            const Params& params,
@@ -103,19 +118,15 @@ std::optional<std::map<Index, LedgerLine>> originDecisions(const PointSet& point
     std::map<Index, LedgerLine> found;
     TriangleDecisions decisions(points, params);
     if (!decisions.read(progress)) return {};
-    std::multimap<std::string, Index> wanted;
+    const auto key = [](const Address& at) { return std::tuple(at.pivot, at.stage, at.n); };
+    std::multimap<std::tuple<std::uint32_t, Stage, std::uint32_t>, Index> wanted;
     for (const Index each : triangles) {
         const Address origin = decisions.originOf(each);
-        if (origin.pivot != 0) wanted.emplace(toString(origin), each);
+        if (origin.pivot != 0) wanted.emplace(key(origin), each);
     }
-    std::vector<std::uint32_t> pivots;
-    pivots.reserve(wanted.size());
-    for (const auto& [address, each] : wanted) pivots.push_back(addressFromString(address)->pivot);
-    std::sort(pivots.begin(), pivots.end());
     const auto onPivot = [&](const ScannedPivot& pivot) {
         for (const Event& event : pivot.events) {
-            if (!std::binary_search(pivots.begin(), pivots.end(), event.address.pivot)) continue;
-            const auto [begin, end] = wanted.equal_range(toString(event.address));
+            const auto [begin, end] = wanted.equal_range(key(event.address));
             for (auto at = begin; at != end; ++at)
                 found.emplace(at->second, lineOf(event, {points, params, pivot.point}));
         }

@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "spiraling_edge/base/overloaded.h"
-#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/explain/origin_decisions.h"
+#include "spiraling_edge/replay/event_text.h"
 
 namespace se {
 namespace {
@@ -24,22 +25,16 @@ Key keyOf(const Event& event) {
     return std::visit(
         Overloaded{
             [&](const SeedEvidence& e) { return key(e.first, e.second); },
-            [&](const StrandEvidence& e) { return key(e.point); },
             [&](const PivotEvidence& e) { return key(e.pivot, e.first, e.last, e.ringLength); },
             [&](const SkipEvidence& e) { return key(e.pivot); },
             [&](const InsertEvidence& e) { return key(e.other); },
-            [&](const SortEvidence& e) { return key(e.point); },
             [&](const LimitEvidence& e) { return key(e.side, e.from, e.to); },
-            [&](const DropEvidence& e) { return key(e.point); },
             [&](const ReciprocalEvidence& e) { return key(e.point, e.pred, e.succ); },
-            [&](const HoleEvidence& e) { return key(e.point); },
             [&](const SphereEvidence& e) { return key(e.q); },
             [&](const TwoPointEvidence&) { return key(); },
             [&](const GuardEvidence& e) { return key(e.a, e.b, e.dropped); },
             [&](const FillEvidence& e) { return key(e.pivot, e.first, e.last); },
-            [&](const ReinsertEvidence& e) { return key(e.point); },
             [&](const FlipEvidence& e) { return key(e.u, e.v, e.x, e.y); },
-            [&](const RemoveFoldedEvidence& e) { return key(e.point); },
             [&](const EmitEvidence& e) {
                 return key(e.triangle, e.corners.a, e.corners.b, e.corners.c);
             },
@@ -53,6 +48,7 @@ Key keyOf(const Event& event) {
             [&](const FreeEvidence& e) { return key(e.length, e.interior); },
             [&](const ComponentEvidence& e) { return key(e.component, e.triangles); },
             [&](const AlertEvidence& e) { return key(e.kind, e.point); },
+            [&](const auto& e) { return key(e.point); },
         },
         event.evidence);
 }
@@ -66,14 +62,14 @@ struct Answer {
 };
 Answer answerOf(const Event& event) {
     const Outcome outcome = isAgainst(outcomeOf(event)) ? Outcome::Refused : outcomeOf(event);
-    if (const auto* insert = std::get_if<InsertEvidence>(&event.evidence))
+    if (const auto* insert = as<InsertEvidence>(event))
         return {outcome, insert->third, insert->verdict};
     return {outcome};
 }
 
 /// True for the test of a rule; other events are facts.
 bool isTest(const Event& event) { return outcomeOf(event) != Outcome::None; }
-bool isSort(const Event& event) { return std::holds_alternative<SortEvidence>(event.evidence); }
+bool isSort(const Event& event) { return isA<SortEvidence>(event); }
 
 /// The events of one run at the pivot, in the order in which they are compared.
 class PivotEvents {
@@ -84,7 +80,7 @@ class PivotEvents {
         std::uint32_t pass = 0;
         for (std::size_t i = 0; i < events.size(); ++i) {
             order_.push_back({pass, events[i].address.stage, i, keyOf(events[i])});
-            if (std::holds_alternative<GuardEvidence>(events[i].evidence)) ++pass;
+            if (isA<GuardEvidence>(events[i])) ++pass;
         }
         std::stable_sort(
             order_.begin(), order_.end(),
@@ -97,10 +93,10 @@ class PivotEvents {
         std::size_t event;
         Key key;
         std::pair<std::uint32_t, Stage> rank() const { return {pass, stage}; }
+        bool repeats(const OrderedEvent& o) const { return rank() == o.rank() && key == o.key; }
     };
     const std::vector<OrderedEvent>& order() const { return order_; }
     const Event& at(const OrderedEvent& place) const { return events_[place.event]; }
-    std::size_t size() const { return events_.size(); }
     bool sorts(Index point) const {
         return std::any_of(events_.begin(), events_.end(),
                            [&](const Event& e) { return isSort(e) && testedPoint(e) == point; });
@@ -108,9 +104,8 @@ class PivotEvents {
     bool sortsAny() const { return std::any_of(events_.begin(), events_.end(), isSort); }
     bool emits(Index point) const {
         return std::any_of(events_.begin(), events_.end(), [&](const Event& e) {
-            const auto* emit = std::get_if<EmitEvidence>(&e.evidence);
-            return emit != nullptr && (emit->corners.a == point || emit->corners.b == point ||
-                                       emit->corners.c == point);
+            const auto* emit = as<EmitEvidence>(e);
+            return emit != nullptr && hasCorner(emit->corners, point);
         });
     }
     /// The same test at the same place of the order; null if this run does not make it.
@@ -118,18 +113,17 @@ class PivotEvents {
         std::size_t number = 0;  // a test may be repeated in a stage
         for (const OrderedEvent& p : from.order_) {
             if (p.event == place.event) break;
-            if (p.rank() == place.rank() && p.key == place.key) ++number;
+            if (p.repeats(place)) ++number;
         }
         for (const OrderedEvent& p : order_) {
-            if (p.rank() == place.rank() && p.key == place.key && number-- == 0) return &p;
+            if (p.repeats(place) && number-- == 0) return &p;
         }
         return nullptr;
     }
     /// The last repetition of the test at that place of the order; null if there is none.
     const OrderedEvent* lastOf(const OrderedEvent& place) const {
-        const auto found = std::find_if(order_.rbegin(), order_.rend(), [&](const OrderedEvent& p) {
-            return p.rank() == place.rank() && p.key == place.key;
-        });
+        const auto found = std::find_if(order_.rbegin(), order_.rend(),
+                                        [&](const OrderedEvent& p) { return p.repeats(place); });
         return found == order_.rend() ? nullptr : &*found;
     }
     /// The first event at or after `rank`, else the last event; 0 without events.
@@ -151,14 +145,12 @@ class PivotPair {
     PivotPair(std::span<const Event> a, std::span<const Event> b) : a_(a), b_(b) {}
 
     std::optional<Mismatch> otherTest() const {
-        return firstWhere([&](const PivotEvents& mine, const PivotEvents& other,
-                              const PivotEvents::OrderedEvent& place) {
+        return firstWhere([&](const auto& mine, const auto& other, const auto& place) {
             return isTest(mine.at(place)) && differs(mine, other, place);
         });
     }
     std::optional<Mismatch> otherList() const {
-        auto found = firstWhere([&](const PivotEvents& mine, const PivotEvents& other,
-                                    const PivotEvents::OrderedEvent& place) {
+        auto found = firstWhere([&](const auto& mine, const auto& other, const auto& place) {
             const Event& event = mine.at(place);
             return isSort(event) && onlyListed(mine, other, event) &&
                    mine.emits(testedPoint(event));
@@ -167,8 +159,7 @@ class PivotPair {
         return found;
     }
     std::optional<Mismatch> otherAction() const {
-        return firstWhere([](const PivotEvents& mine, const PivotEvents& other,
-                             const PivotEvents::OrderedEvent& place) {
+        return firstWhere([](const auto& mine, const auto& other, const auto& place) {
             return !isTest(mine.at(place)) && other.counterpart(place, mine) == nullptr;
         });
     }
@@ -206,8 +197,7 @@ class PivotPair {
             return answerOf(other.at(*there)) != answerOf(event);
         if (onlyListed(mine, other, event)) return false;
         // Candidates stay unless refused; start, end and the ring stay unless moved.
-        const bool changes = std::holds_alternative<LimitEvidence>(event.evidence) ||
-                             std::holds_alternative<InsertEvidence>(event.evidence);
+        const bool changes = isA<LimitEvidence>(event) || isA<InsertEvidence>(event);
         return (outcomeOf(event) == Outcome::Taken) == changes;
     }
 
@@ -248,9 +238,8 @@ class PivotPair {
 std::string pointName(Index point) { return "point " + std::to_string(point); }
 
 std::string testName(const Event& event, Index pivot) {
-    std::string text;
-    if (const auto section = stageSection(event.address.stage); !section.empty())
-        text = std::string(section) + ", ";
+    std::string text(stageSection(event.address.stage));
+    if (!text.empty()) text += ", ";
     text += stageName(event.address.stage);
     if (pivot != kNone) text += " at point " + std::to_string(pivot);
     return text;
@@ -258,7 +247,7 @@ std::string testName(const Event& event, Index pivot) {
 
 std::string actionText(const Event& event) {
     const bool takes = outcomeOf(event) == Outcome::Taken;
-    if (const auto* limit = std::get_if<LimitEvidence>(&event.evidence)) {
+    if (const auto* limit = as<LimitEvidence>(event)) {
         const std::string side = limit->side == Side::Start ? "start" : "end";
         return takes ? "moves " + side + " on to " + pointName(limit->to)
                      : "leaves " + side + " at " + pointName(limit->from);

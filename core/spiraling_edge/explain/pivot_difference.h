@@ -16,8 +16,8 @@ struct Mismatch {
     std::size_t b = 0;
     bool aDecides = false;  ///< False: `a` is the event there instead.
     bool bDecides = false;
-    bool listsDiffer =
-        false;  ///< Only one of the runs tests the point, since only its list holds it.
+    /// Only one of the runs tests the point, since only its list holds it.
+    bool listsDiffer = false;
     /// The first point that only one of the lists has, and that it takes; kNone if there is none.
     Index onlyInA = kNone;
     Index onlyInB = kNone;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "spiraling_edge/doctor/doctor.h"
 
@@ -26,7 +27,7 @@ class Reducer {
 
     Result<Reduced> run(const Vec3& place) {
         kept_.resize(most_);
-        for (std::size_t i = 0; i < most_; ++i) kept_[i] = static_cast<Index>(i);
+        std::iota(kept_.begin(), kept_.end(), Index{0});
         if (!stillFails(kept_)) return Error{"The whole input does not fail so."};
         crop(place);
         // Points are ordered by distance, so that a piece is a connected part.
@@ -38,16 +39,12 @@ class Reducer {
     }
 
   private:
-    PointFile subset(std::vector<Index> points) const {
-        std::sort(points.begin(), points.end());
+    PointFile subset(const std::vector<Index>& points) const {
+        std::vector<bool> isKept(most_, false);
+        for (const Index p : points) isKept[p] = true;
         std::vector<Index> others;
-        std::size_t next = 0;
         for (Index p = 0; p < most_; ++p) {
-            if (next < points.size() && points[next] == p) {
-                ++next;
-            } else {
-                others.push_back(p);
-            }
+            if (!isKept[p]) others.push_back(p);
         }
         return applyFixes(file_, others).file;
     }
@@ -59,10 +56,8 @@ class Reducer {
         ++tries_;
         const double share = 1.0 - std::log1p(static_cast<double>(kept_.size())) /
                                        std::log1p(static_cast<double>(most_));
-        if (progress_ && !progress_(share)) {
-            cancelled_ = true;
-            return false;
-        }
+        cancelled_ = progress_ && !progress_(share);
+        if (cancelled_) return false;
         const ReduceTry made = fails_(subset(points));
         left_ -= std::min(left_, made.work);
         return made.fails;
@@ -134,18 +129,6 @@ Result<Reduced> reduceInput(const PointFile& file, const Vec3& place,
                             const std::function<ReduceTry(const PointFile&)>& fails,
                             std::uint64_t effort, const Progress& progress) {
     return Reducer(file, fails, effort, progress).run(place);
-}
-
-Result<Reduced> reduceInput(const PointFile& file, const Vec3& place,
-                            const std::function<bool(const PointFile&)>& fails,
-                            const Progress& progress) {
-    // Tries without work use up no effort.
-    return reduceInput(
-        file, place,
-        [&](const PointFile& part) {
-            return ReduceTry{fails(part), 0};
-        },
-        1, progress);
 }
 
 }  // namespace se

@@ -28,14 +28,11 @@ struct ReduceTry {
 /// fails, then piece by piece and point by point (delta debugging, Zeller and Hildebrandt 2002),
 /// until no single point can be removed. Fails if the whole input does not fail, or if cancelled;
 /// `progress` gets a share by the points left. Once the tries have taken `effort` together, no more
-/// are made: the result is the best so far, possibly the whole input. `file` must come from
+/// are made: the result is the best so far, possibly the whole input; tries without work use up no
+/// effort. `file` must come from
 /// applyFixes(). Deterministic if `fails` is.
 Result<Reduced> reduceInput(const PointFile& file, const Vec3& place,
                             const std::function<ReduceTry(const PointFile&)>& fails,
                             std::uint64_t effort, const Progress& progress = {});
-/// As above, without a limit of the effort.
-Result<Reduced> reduceInput(const PointFile& file, const Vec3& place,
-                            const std::function<bool(const PointFile&)>& fails,
-                            const Progress& progress = {});
 
 }  // namespace se

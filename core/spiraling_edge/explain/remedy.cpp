@@ -22,9 +22,8 @@ std::vector<Trial> trialsFor(const Params& params) {
     const Params robust = *paramsByName("robust");
     for (const RuleSwitch& each : ruleSwitches()) {
         if (!each.isOn(robust) || each.isOn(params)) continue;
-        Trial trial{{&each, {}, false, 0, 0}, params};
-        each.turnOn(trial.params);
-        trials.push_back(trial);
+        trials.push_back({{&each, {}, false, 0, 0}, params});
+        each.turnOn(trials.back().params);
     }
     for (const std::string_view set : {"corrected", "robust"}) {
         Trial trial{{nullptr, set, false, 0, 0}, params};

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "spiraling_edge/base/progress.h"
-#include "spiraling_edge/base/result.h"
 #include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/stepper/params.h"
 

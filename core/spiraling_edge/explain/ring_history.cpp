@@ -7,6 +7,7 @@
 #include <charconv>
 #include <map>
 
+#include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/ring_lanes.h"
 #include "spiraling_edge/replay/scan_run.h"
 
@@ -14,9 +15,12 @@ namespace se {
 
 namespace {
 
+bool isWholePivot(const RingAddress& ring) {
+    return ring.at.stage == Stage::Pivot && ring.at.n == 0;
+}
+
 std::string addressOf(const RingAddress& ring) {
-    const bool whole = ring.at.stage == Stage::Pivot && ring.at.n == 0;
-    return whole ? std::to_string(ring.at.pivot) : toString(ring.at);
+    return isWholePivot(ring) ? std::to_string(ring.at.pivot) : toString(ring.at);
 }
 
 }  // namespace
@@ -49,68 +53,7 @@ struct Making {
     std::vector<std::size_t> of;  ///< Earlier makings.
 };
 
-/// Follows the rings of a run by their lanes.
-class RingGenealogy {
-  public:
-    void take(const ScannedPivot& pivot, const Event& event) {
-        lanes_.take(event);
-        for (const LaneChange& change : lanes_.takeChanges()) note(pivot.point, event, change);
-    }
-    void settle(const State& after) {
-        lanes_.settle(after.rings);
-        lanes_.takeChanges();
-    }
-
-    std::size_t rings() const { return lanes_.live(); }
-    const LaneTracker::Ring* ringAt(Index place) const {
-        if (place == 0) return lanes_.active() ? &*lanes_.active() : nullptr;
-        const auto& stack = lanes_.stack();
-        return place <= stack.size() ? &stack[stack.size() - place] : nullptr;
-    }
-    /// All events in the ancestry of the ring of a lane, in the order of the run.
-    std::vector<LedgerLine> linesOf(std::uint32_t lane) const {
-        std::vector<bool> wanted(makings_.size(), false);
-        wanted[made_.at(lane)] = true;
-        std::vector<LedgerLine> lines;
-        for (std::size_t i = makings_.size(); i-- > 0;) {
-            if (!wanted[i]) continue;
-            lines.push_back(makings_[i].line);
-            for (const std::size_t parent : makings_[i].of) wanted[parent] = true;
-        }
-        std::reverse(lines.begin(), lines.end());
-        return lines;
-    }
-
-  private:
-    void note(Index pivot, const Event& event, const LaneChange& change) {
-        Making making{{event, pivot, LineRole::Made, {}}, {}};
-        switch (change.kind) {
-            case LaneChangeKind::Seed:
-                break;
-            case LaneChangeKind::Split:
-                making.of = {made_.at(change.other)};
-                break;
-            case LaneChangeKind::Join:
-                making.of = {made_.at(change.lane), made_.at(change.other)};
-                break;
-            case LaneChangeKind::Activated:
-            case LaneChangeKind::Closed:
-            case LaneChangeKind::Freed:
-            case LaneChangeKind::Hole:
-                return;
-        }
-        // A split makes both of its rings, a join the one that remains.
-        if (change.kind != LaneChangeKind::Join) made_[change.lane] = makings_.size();
-        if (change.kind != LaneChangeKind::Seed) made_[change.other] = makings_.size();
-        makings_.push_back(std::move(making));
-    }
-
-    LaneTracker lanes_;
-    std::vector<Making> makings_;
-    std::map<std::uint32_t, std::size_t> made_;  ///< Per lane: the event that made its ring.
-};
-
-/// Stops at the place of the query and collects the answer.
+/// Follows the rings of a run by their lanes up to the place of the query, and collects the answer.
 class RingFinder {
   public:
     explicit RingFinder(const RingAddress& ring) : ring_(ring) {}
@@ -118,12 +61,14 @@ class RingFinder {
     void add(const ScannedPivot& pivot) {
         if (found_) return;
         for (const Event& event : pivot.events) {
-            genealogy_.take(pivot, event);
+            lanes_.take(event);
+            for (const LaneChange& change : lanes_.takeChanges()) note(pivot.point, event, change);
             if (isThere(event.address)) return stop();
         }
-        genealogy_.settle(pivot.after);
+        lanes_.settle(pivot.after.rings);
+        lanes_.takeChanges();
         last_ = pivot.events.back().address.pivot;
-        if (last_ == ring_.at.pivot && wholePivot()) stop();
+        if (last_ == ring_.at.pivot && isWholePivot(ring_)) stop();
     }
     bool found() const { return found_; }
 
@@ -148,22 +93,50 @@ class RingFinder {
     }
 
   private:
-    bool wholePivot() const { return ring_.at.stage == Stage::Pivot && ring_.at.n == 0; }
     bool isThere(const Address& address) const {
-        if (wholePivot() || address.pivot != ring_.at.pivot) return false;
+        if (isWholePivot(ring_) || address.pivot != ring_.at.pivot) return false;
         return address.stage == ring_.at.stage && (ring_.at.n == 0 || address.n == ring_.at.n);
     }
     void stop() {
         found_ = true;
-        rings_ = genealogy_.rings();
-        const LaneTracker::Ring* ring = genealogy_.ringAt(ring_.place);
-        if (ring == nullptr) return;
-        length_ = ring->length;
-        lines_ = genealogy_.linesOf(ring->lane);
+        rings_ = lanes_.live();
+        const std::vector<LaneTracker::Ring>& stack = lanes_.stack();
+        if (ring_.place > stack.size() || (ring_.place == 0 && !lanes_.active())) return;
+        const LaneTracker::Ring& ring =
+            ring_.place == 0 ? *lanes_.active() : stack[stack.size() - ring_.place];
+        length_ = ring.length;
+        lines_ = linesOf(ring.lane);
+    }
+
+    void note(Index pivot, const Event& event, const LaneChange& change) {
+        const bool join = change.kind == LaneChangeKind::Join;
+        if (!join && !beginsLane(change.kind)) return;
+        Making making{{event, pivot, LineRole::Made, {}}, {}};
+        if (join) making.of.push_back(made_.at(change.lane));
+        if (change.kind != LaneChangeKind::Seed) making.of.push_back(made_.at(change.other));
+        // A seed makes its ring, a split both of its rings, a join the one that remains.
+        if (!join) made_[change.lane] = makings_.size();
+        made_[change.other] = makings_.size();
+        makings_.push_back(std::move(making));
+    }
+    /// All events in the ancestry of the ring of a lane, in the order of the run.
+    std::vector<LedgerLine> linesOf(std::uint32_t lane) const {
+        std::vector<bool> wanted(makings_.size(), false);
+        wanted[made_.at(lane)] = true;
+        std::vector<LedgerLine> lines;
+        for (std::size_t i = makings_.size(); i-- > 0;) {
+            if (!wanted[i]) continue;
+            lines.push_back(makings_[i].line);
+            for (const std::size_t parent : makings_[i].of) wanted[parent] = true;
+        }
+        std::reverse(lines.begin(), lines.end());
+        return lines;
     }
 
     RingAddress ring_;
-    RingGenealogy genealogy_;
+    LaneTracker lanes_;
+    std::vector<Making> makings_;
+    std::map<std::uint32_t, std::size_t> made_;  ///< Per lane: the event that made its ring.
     bool found_ = false;
     std::uint32_t last_ = 0;  ///< The last pivot visited.
     std::size_t rings_ = 0;

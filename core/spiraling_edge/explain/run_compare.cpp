@@ -8,11 +8,11 @@
 #include <array>
 #include <cassert>
 #include <map>
-#include <tuple>
 
 #include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/explain/origin_decisions.h"
 #include "spiraling_edge/explain/pivot_difference.h"
-#include "spiraling_edge/replay/decision_line.h"
+#include "spiraling_edge/replay/scan_run.h"
 #include "spiraling_edge/stepper/stepper.h"
 
 namespace se {
@@ -25,13 +25,11 @@ std::array<Index, 3> turnedToLeast(const Triangle& t) {
     return {t.c, t.a, t.b};
 }
 
-bool has(const Triangle& t, Index p) { return t.a == p || t.b == p || t.c == p; }
-
 /// Records the event that made each triangle while a run goes on.
 class TriangleOrigins {
   public:
     void add(const Event& event) {
-        if (std::holds_alternative<EmitEvidence>(event.evidence)) {
+        if (isA<EmitEvidence>(event)) {
             emitted_.push_back(event.address);
         } else if (editsMesh(event)) {
             repairs_.push_back(event);
@@ -62,18 +60,16 @@ class TriangleOrigins {
     /// The last step after the pivots that can have made this triangle.
     Address repairOrigin(const Triangle& t) const {
         const auto leaves = [&](const Event& event) {
-            if (const auto* flip = std::get_if<FlipEvidence>(&event.evidence))
-                return has(t, flip->x) && has(t, flip->y);
-            const auto* point = std::get_if<ReinsertEvidence>(&event.evidence);
-            return point != nullptr && has(t, point->point);
+            if (const auto* flip = as<FlipEvidence>(event))
+                return hasCorner(t, flip->x) && hasCorner(t, flip->y);
+            const auto* point = as<ReinsertEvidence>(event);
+            return point != nullptr && hasCorner(t, point->point);
         };
-        const auto found = std::find_if(repairs_.rbegin(), repairs_.rend(), leaves);
-        if (found != repairs_.rend()) return found->address;
+        auto found = std::find_if(repairs_.rbegin(), repairs_.rend(), leaves);
         // The others closed the hole of a point that was taken out; the events do not name them.
-        const auto taken = std::find_if(repairs_.rbegin(), repairs_.rend(), [](const Event& e) {
-            return std::holds_alternative<RemoveFoldedEvidence>(e.evidence);
-        });
-        return taken != repairs_.rend() ? taken->address : Address{};
+        if (found == repairs_.rend())
+            found = std::find_if(repairs_.rbegin(), repairs_.rend(), isA<RemoveFoldedEvidence>);
+        return found != repairs_.rend() ? found->address : Address{};
     }
 
     std::vector<Address> emitted_;
@@ -95,13 +91,7 @@ class Walker {
     }
     bool over() const { return over_; }
     std::span<const Event> events() const { return log_.events(); }
-    Index pivot() const {
-        for (const Event& event : log_.events()) {
-            if (const auto* p = std::get_if<PivotEvidence>(&event.evidence)) return p->pivot;
-            if (const auto* fill = std::get_if<FillEvidence>(&event.evidence)) return fill->pivot;
-        }
-        return kNone;
-    }
+    Index pivot() const { return pivotPoint(log_.events()); }
     DifferenceSide side(std::size_t event, bool decides) const {
         if (event >= log_.events().size()) return {false, {}};
         return {decides, lineOf(log_.events()[event], {run_.points, run_.params, pivot()})};
@@ -145,9 +135,8 @@ std::optional<Address> firstMade(const MadeMesh& mesh, std::span<const Index> tr
     for (const Index t : triangles) {
         if (t >= mesh.made.size()) continue;
         const Address& made = mesh.made[t];
-        const bool earlier = first && (made.pivot < first->pivot ||
-                                       (made.pivot == first->pivot && made.n < first->n));
-        if (!first || earlier) first = made;
+        if (!first || std::pair(made.pivot, made.n) < std::pair(first->pivot, first->n))
+            first = made;
     }
     return first;
 }

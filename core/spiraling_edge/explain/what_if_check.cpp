@@ -4,7 +4,6 @@
 #include "spiraling_edge/explain/what_if_check.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "spiraling_edge/base/parallel.h"
@@ -27,9 +26,8 @@ Status checkPlain(const PointSet& points, const WhatIf& what) {
                          " is at that place: there is only one point at any "
                          "particular location (section 3)."};
         }
-        if (points.position[what.point] == what.to) {
+        if (points.position[what.point] == what.to)
             return Error{namedPoint(what.point) + " is at that place already."};
-        }
     }
     if (what.kind != WhatIfKind::List) return success();
     std::set<Index> seen;
@@ -39,9 +37,8 @@ Status checkPlain(const PointSet& points, const WhatIf& what) {
         if (!seen.insert(q).second) return Error{namedPoint(q) + " is in the list twice."};
     }
     const auto now = points.neighbors[what.point];
-    if (std::set<Index>(now.begin(), now.end()) == seen) {
+    if (std::set<Index>(now.begin(), now.end()) == seen)
         return Error{namedPoint(what.point) + " has that list already."};
-    }
     return success();
 }
 
@@ -70,7 +67,7 @@ Status checkTest(const std::vector<Event>& events, const WhatIf& what) {
 
 Status checkPivot(const std::vector<Event>& events, const WhatIf& what) {
     for (const Event& event : events) {
-        const auto* advance = std::get_if<AdvanceEvidence>(&event.evidence);
+        const auto* advance = as<AdvanceEvidence>(event);
         if (advance != nullptr && advance->whatIf && advance->to == what.point) return success();
     }
     return Error{namedPoint(what.point) + " is on no edge ring after pivot " +
@@ -180,34 +177,34 @@ class Check {
 }  // namespace
 
 std::string reasonAgainst(Verdict verdict, Index point) {
-    switch (verdict) {
-        case Verdict::AlreadyDone:
-            return namedPoint(point) + " is DONE: triangles surround it (invariant 7).";
-        case Verdict::OnRingEnd:
-            return namedPoint(point) + " is first or last, and always in the neighbor ring.";
-        case Verdict::NotAfterStart:
-        case Verdict::NotBeforeEnd:
-        case Verdict::Outside:
-            return namedPoint(point) +
-                   " lies outside of the free sector: its triangle would cover finished ones "
-                   "(invariant 8).";
-        case Verdict::SameAngle:
-            return namedPoint(point) +
-                   " has the same angle as a nearer one (invariant 8): drop that one instead.";
-        case Verdict::NotListed:
-            return namedPoint(point) +
-                   " is not among the pivot's neighbors (section 6.1): give the pivot another list "
-                   "first.";
-        case Verdict::NotAnEdge:
-            return "No edge leads to " + namedPoint(point) +
-                   " along the ring: start and end advance over finished triangles only.";
-        case Verdict::OtherLimit:
-            return namedPoint(point) + " is the other limit: start and end would meet.";
-        case Verdict::Discarded:
-            return "The full turn of a fresh ring has no triangle.";
-        default:
-            return {};
-    }
+    struct Reason {
+        Verdict verdict;
+        std::string_view text;  ///< {} is the point.
+    };
+    constexpr std::string_view kOutside =
+        "{} lies outside of the free sector: its triangle would cover finished ones (invariant 8).";
+    static constexpr Reason kReasons[] = {
+        {Verdict::AlreadyDone, "{} is DONE: triangles surround it (invariant 7)."},
+        {Verdict::OnRingEnd, "{} is first or last, and always in the neighbor ring."},
+        {Verdict::NotAfterStart, kOutside},
+        {Verdict::NotBeforeEnd, kOutside},
+        {Verdict::Outside, kOutside},
+        {Verdict::SameAngle,
+         "{} has the same angle as a nearer one (invariant 8): drop that one instead."},
+        {Verdict::NotListed,
+         "{} is not among the pivot's neighbors (section 6.1): give the pivot another list first."},
+        {Verdict::NotAnEdge,
+         "No edge leads to {} along the ring: start and end advance over finished triangles only."},
+        {Verdict::OtherLimit, "{} is the other limit: start and end would meet."},
+        {Verdict::Discarded, "The full turn of a fresh ring has no triangle."},
+    };
+    const auto* const found =
+        std::find_if(std::begin(kReasons), std::end(kReasons),
+                     [&](const Reason& each) { return each.verdict == verdict; });
+    if (found == std::end(kReasons)) return {};
+    std::string text(found->text);
+    if (const auto gap = text.find("{}"); gap != text.npos) text.replace(gap, 2, namedPoint(point));
+    return text;
 }
 
 std::optional<std::vector<Status>> checkWhatIfs(const PointSet& points, const Params& params,
@@ -233,9 +230,8 @@ Status requireWhatIfs(const PointSet& points, const Params& params) {
     if (params.whatIf.empty()) return success();
     const auto answers = checkWhatIfs(points, params);
     for (std::size_t i = 0; i < answers->size(); ++i) {
-        if (!(*answers)[i]) {
+        if (!(*answers)[i])
             return Error{lineOf(params.whatIf[i]) + ": " + (*answers)[i].error().message};
-        }
     }
     return success();
 }

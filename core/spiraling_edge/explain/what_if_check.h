@@ -6,11 +6,6 @@
 #include <vector>
 
 #include "spiraling_edge/base/progress.h"
-#include "spiraling_edge/base/result.h"
-#include "spiraling_edge/points/point_set.h"
-#include "spiraling_edge/stepper/event.h"
-#include "spiraling_edge/stepper/params.h"
-#include "spiraling_edge/stepper/state.h"
 #include "spiraling_edge/stepper/stepper.h"
 
 namespace se {

@@ -27,18 +27,30 @@ std::uint64_t pickedUpTo(const Breakpoint& breakpoint, std::uint64_t to) {
     return skip + (to - skip) / step * step;
 }
 
-bool stops(const Breakpoint& breakpoint) { return breakpoint.on && !breakpoint.logOnly; }
-
-const Hit* hitNumber(const HitList& list, std::uint64_t number) {
-    return number == 0 || number > list.hits.size() ? nullptr : &list.hits[number - 1];
-}
-
 /// Hits before `here`.
 std::uint64_t countBefore(const HitList& list, RunPosition here) {
     const auto end =
         std::lower_bound(list.hits.begin(), list.hits.end(), here,
                          [](const Hit& hit, const RunPosition& at) { return hit.place < at; });
     return static_cast<std::uint64_t>(end - list.hits.begin());
+}
+
+/// The best stop of all breakpoints by the order of `isBetter`; `numberOf` gives the number of the
+/// hit of each.
+template <typename NumberOf, typename IsBetter>
+std::optional<Stop> bestStop(std::span<const ArmedBreakpoint> armed, const NumberOf& numberOf,
+                             const IsBetter& isBetter) {
+    std::optional<Stop> best;
+    for (std::size_t i = 0; i < armed.size(); ++i) {
+        const Breakpoint& breakpoint = *armed[i].breakpoint;
+        if (!breakpoint.on || breakpoint.logOnly) continue;
+        const std::vector<Hit>& hits = armed[i].hits->hits;
+        const std::uint64_t number = numberOf(breakpoint, *armed[i].hits);
+        if (number == 0 || number > hits.size()) continue;
+        const Hit& hit = hits[number - 1];
+        if (!best || isBetter(hit.place, best->hit.place)) best = Stop{hit, i, number};
+    }
+    return best;
 }
 
 }  // namespace
@@ -68,27 +80,17 @@ bool scanHits(const PointSet& points, const Params& params, std::span<const Deci
 }
 
 std::optional<Stop> nextStop(std::span<const ArmedBreakpoint> armed, RunPosition here) {
-    std::optional<Stop> best;
-    for (std::size_t i = 0; i < armed.size(); ++i) {
-        const Breakpoint& breakpoint = *armed[i].breakpoint;
-        if (!stops(breakpoint)) continue;
-        const std::uint64_t number = pickedFrom(breakpoint, armed[i].hits->upTo(here) + 1);
-        const Hit* hit = hitNumber(*armed[i].hits, number);
-        if (hit != nullptr && (!best || hit->place < best->hit.place)) best = Stop{*hit, i, number};
-    }
-    return best;
+    const auto next = [here](const Breakpoint& breakpoint, const HitList& list) {
+        return pickedFrom(breakpoint, list.upTo(here) + 1);
+    };
+    return bestStop(armed, next, std::less<>());
 }
 
 std::optional<Stop> previousStop(std::span<const ArmedBreakpoint> armed, RunPosition here) {
-    std::optional<Stop> best;
-    for (std::size_t i = 0; i < armed.size(); ++i) {
-        const Breakpoint& breakpoint = *armed[i].breakpoint;
-        if (!stops(breakpoint)) continue;
-        const std::uint64_t number = pickedUpTo(breakpoint, countBefore(*armed[i].hits, here));
-        const Hit* hit = hitNumber(*armed[i].hits, number);
-        if (hit != nullptr && (!best || best->hit.place < hit->place)) best = Stop{*hit, i, number};
-    }
-    return best;
+    const auto previous = [here](const Breakpoint& breakpoint, const HitList& list) {
+        return pickedUpTo(breakpoint, countBefore(list, here));
+    };
+    return bestStop(armed, previous, std::greater<>());
 }
 
 }  // namespace se

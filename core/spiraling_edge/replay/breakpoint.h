@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "spiraling_edge/replay/decision_scan.h"
+#include "spiraling_edge/replay/decision_query.h"
 
 namespace se {
 

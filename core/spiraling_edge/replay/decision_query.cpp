@@ -1,20 +1,52 @@
+/// A query line is a conjunction of words; the table of terms (decision_terms.cpp) gives each word
+/// its condition once, and a scan then tests every decision of one run against it. Nothing of the
+/// run is stored. Failures are detected only where a term needs them, since that doubles the cost.
 #include "spiraling_edge/replay/decision_query.h"
 
 #include <algorithm>
+#include <charconv>
 
-#include "spiraling_edge/replay/decision_line.h"
-#include "spiraling_edge/replay/decision_scan.h"
+#include "spiraling_edge/base/text_scan.h"
+#include "spiraling_edge/geometry/triangle_shape.h"
+#include "spiraling_edge/replay/live_check.h"
 
 namespace se {
-
 namespace {
 
-/// Takes the first word off the line; empty if there is none.
-std::string_view takeWord(std::string_view& line) {
-    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-    const std::string_view word = line.substr(0, line.find_first_of(" \t"));
-    line.remove_prefix(word.size());
-    return word;
+/// The classes detected at a single decision: by LiveCheck, or by plainFailures().
+constexpr std::string_view kInRun[] = {"non_manifold_edges",
+                                       "non_manifold_vertices",
+                                       "inconsistent_edges",
+                                       "duplicate_triangles",
+                                       "degenerate_triangles",
+                                       "intersecting_triangles",
+                                       "folded_edges",
+                                       "flipped_triangles",
+                                       "slivers",
+                                       "holes",
+                                       "unused_points",
+                                       "leftover_rings",
+                                       "triangle_cap"};
+
+std::uint32_t bitOf(std::string_view name) { return failureBit(*findFailureClass(name)); }
+
+/// The failures that one event causes by itself.
+std::uint32_t plainFailures(const Event& event, const PointSet& points) {
+    if (const auto* emit = as<EmitEvidence>(event)) {
+        const bool thin = leastAngleCosine(points, emit->corners) > kSliverCosine;
+        return thin && !isDegenerate(points, emit->corners) ? bitOf("slivers") : 0;
+    }
+    const auto* alert = as<AlertEvidence>(event);
+    if (alert == nullptr) return 0;
+    if (alert->kind == AlertKind::TriangleCap) return bitOf("triangle_cap");
+    return bitOf("leftover_rings") | (alert->kind == AlertKind::Hole ? bitOf("holes") : 0);
+}
+
+std::vector<std::string_view> wordsOf(std::string_view line) {
+    std::vector<std::string_view> words;
+    io::Fields fields(line);
+    for (auto word = fields.next(); !word.empty(); word = fields.next()) words.push_back(word);
+    return words;
 }
 
 /// The meaning of a word; an empty condition if it is of no known form.
@@ -32,16 +64,78 @@ Result<WordMeaning> meaningOf(std::string_view word) {
     return found;
 }
 
+/// Prefixes of the number of a point, or several: "edge=812,640", "among=3..9".
+constexpr std::string_view kNaming[] = {
+    "point=", "pivot=", "used=", "done=", "stranded=", "edge=", "among=", "status="};
+
+constexpr std::string_view kDigits = "0123456789";
+
+bool namesPoints(std::string_view word) {
+    return std::any_of(std::begin(kNaming), std::end(kNaming),
+                       [&](std::string_view each) { return word.starts_with(each); });
+}
+
+/// The first number in `word` that is not below `points`; empty if there is none.
+std::string_view beyond(std::string_view word, std::size_t points) {
+    while (true) {
+        word.remove_prefix(std::min(word.find_first_of(kDigits), word.size()));
+        if (word.empty()) return {};
+        const std::string_view digits = word.substr(0, word.find_first_not_of(kDigits));
+        std::size_t number = 0;
+        const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+        if (read.ec != std::errc() || number >= points) return digits;
+        word.remove_prefix(digits.size());
+    }
+}
+
 }  // namespace
 
+std::uint32_t failureBit(const FailureClass& kind) {
+    return std::uint32_t{1} << static_cast<unsigned>(&kind - failureClasses().data());
+}
+
+bool appearsInRun(const FailureClass& kind) {
+    return std::find(std::begin(kInRun), std::end(kInRun), kind.name) != std::end(kInRun);
+}
+
+bool scanDecisions(const PointSet& points, const Params& params, bool failures,
+                   const std::function<void(const Decision&, RunPosition)>& visit,
+                   const Progress& progress) {
+    std::optional<LiveCheck> live;
+    if (failures) live.emplace(points);
+    RunPosition place;
+    const auto onPivot = [&](const ScannedPivot& pivot) {
+        for (const Event& event : pivot.events) {
+            const auto reading = readingOf(event, {points, params, pivot.point});
+            std::uint32_t bits = live ? plainFailures(event, points) : 0;
+            if (live)
+                for (const LiveFailure& each : live->check(event)) bits |= failureBit(*each.kind);
+            const bool same = event.address.pivot == place.pivot;
+            place = {event.address.pivot, same ? place.event + 1 : 0};
+            visit({event, pivot.point, reading, points, pivot.events, bits}, place);
+        }
+    };
+    return scanRun(points, params, onPivot, progress).has_value();
+}
+
 std::optional<QueryMistake> mistakeIn(std::string_view line) {
-    for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
+    for (const std::string_view word : wordsOf(line)) {
         const Result<WordMeaning> meaning = meaningOf(word);
         if (!meaning) return QueryMistake{std::string(word), meaning.error().message, false};
-        if (!meaning.value().condition) {
-            const std::string message = "\"" + std::string(word) + "\" is not understood.";
-            return QueryMistake{std::string(word), message, true};
-        }
+        if (!meaning.value().condition)
+            return QueryMistake{std::string(word),
+                                "\"" + std::string(word) + "\" is not understood.", true};
+    }
+    return {};
+}
+
+std::string missingPointIn(std::string_view line, std::size_t points) {
+    for (const std::string_view word : wordsOf(line)) {
+        const std::string_view number = namesPoints(word) ? beyond(word, points) : "";
+        if (number.empty()) continue;
+        return "There is no point " + std::string(number) +
+               (points == 0 ? ": there are no points."
+                            : ": the points are 0 to " + std::to_string(points - 1) + ".");
     }
     return {};
 }
@@ -55,7 +149,7 @@ Result<DecisionQuery> DecisionQuery::parse(std::string_view line) {
         return Error{"\"" + mistake->word + "\" is not understood; there are " + forms + "."};
     }
     DecisionQuery query;
-    for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
+    for (const std::string_view word : wordsOf(line)) {
         WordMeaning meaning = meaningOf(word).value();
         query.conditions_.push_back(std::move(meaning.condition));
         query.needsFailures_ = query.needsFailures_ || meaning.needsFailures;

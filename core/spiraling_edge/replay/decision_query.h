@@ -1,4 +1,4 @@
-/// A filter over the decisions of a run, written as one line:
+/// The decisions of a run in order, and a filter over them, written as one line:
 /// `stage=sphere kept margin<1e-4 point=812`. A breakpoint is such a line: it stops at the same
 /// addresses in both directions of time.
 #pragma once
@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "spiraling_edge/base/progress.h"
-#include "spiraling_edge/base/result.h"
-#include "spiraling_edge/replay/decision_line.h"
+#include "spiraling_edge/mesh/inspection.h"
+#include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/replay/scan_run.h"
 
 namespace se {
 
@@ -22,11 +22,22 @@ struct Decision {
     Index pivot;  ///< The point that was the pivot.
     const std::optional<Reading>& reading;
     const PointSet& points;
-    std::span<const Event> events;  ///< All events of the pivot, see pivot_tally.h.
+    std::span<const Event> events;  ///< All events of the pivot, see tallyOf().
     /// The classes of failures that appear at this decision (live_check.h), one bit each:
     /// failureBit(). Always 0 unless they were requested.
     std::uint32_t failures = 0;
 };
+/// Runs from the start and calls `visit` with each decision, in order. `failures`: fills
+/// Decision::failures, which doubles the cost. False if `progress` cancelled. Deterministic.
+bool scanDecisions(const PointSet& points, const Params& params, bool failures,
+                   const std::function<void(const Decision&, RunPosition)>& visit,
+                   const Progress& progress = {});
+
+/// The bit of a class in Decision::failures.
+std::uint32_t failureBit(const FailureClass& kind);
+/// True if the class can be detected during the run; false for those of the mesh as a whole.
+bool appearsInRun(const FailureClass& kind);
+
 using DecisionCondition = std::function<bool(const Decision&)>;
 
 /// One row of the table of terms: a new term is one function and one row.
@@ -48,6 +59,10 @@ struct QueryMistake {
     bool isUnknown = false;  ///< No term has this form; else one has, but the value is wrong.
 };
 std::optional<QueryMistake> mistakeIn(std::string_view line);
+
+/// A sentence about the first point that `line`, of a query or a watch, names and that is not below
+/// `points`; empty if there is none. Words that do not name points are ignored.
+std::string missingPointIn(std::string_view line, std::size_t points);
 
 /// A parsed line. A decision matches if all conditions hold; an empty line matches everything.
 class DecisionQuery {

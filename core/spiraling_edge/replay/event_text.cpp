@@ -1,10 +1,12 @@
 /// Every decision as one plain sentence with its numbers, for the event list, `why` and golden
 /// logs. One overload of text() per kind of evidence.
+#include "spiraling_edge/replay/event_text.h"
+
+#include <cassert>
 #include <cstdio>
 
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/replay/reading.h"
-#include "spiraling_edge/stepper/event.h"
 
 namespace se {
 namespace {
@@ -16,7 +18,22 @@ std::string deg(double value) {
     return std::string(buffer) + " deg";
 }
 std::string str(Index value) { return value == kNone ? "none" : std::to_string(value); }
+std::string str(double value) { return sixDigits(value); }
 std::string str(std::string_view text) { return std::string(text); }
+
+/// `form` with each "{}" replaced by the next of `parts`.
+template <typename... Parts>
+std::string sentence(std::string_view form, const Parts&... parts) {
+    std::string text;
+    const auto add = [&](const std::string& part) {
+        const std::size_t gap = form.find("{}");
+        assert(gap != std::string_view::npos);
+        text.append(form.substr(0, gap)).append(part);
+        form.remove_prefix(gap + 2);
+    };
+    (add(str(parts)), ...);
+    return text.append(form);
+}
 
 std::string sideName(Side side) { return side == Side::Start ? "start" : "end"; }
 
@@ -24,132 +41,117 @@ std::string faceNames(std::uint8_t faces) {
     constexpr std::array<std::string_view, 6> kNames{"+x", "+y", "+z", "-x", "-y", "-z"};
     std::string text;
     for (std::size_t i = 0; i < kNames.size(); ++i) {
-        if ((faces >> i & 1U) == 0) continue;
-        if (!text.empty()) text += ' ';
-        text += kNames[i];
+        if ((faces >> i & 1U) != 0) text.append(text.empty() ? "" : " ").append(kNames[i]);
     }
     return text;
 }
 
 std::string counted(Index count, std::string_view singular) {
-    return std::to_string(count) + ' ' + str(singular) + (count == 1 ? "" : "s");
+    return sentence(count == 1 ? "{} {}" : "{} {}s", count, singular);
 }
 
 std::string text(const SeedEvidence& e) {
-    return "A new edge ring of two: point " + str(e.first) + " and its nearest neighbor " +
-           str(e.second) + ", " + sixDigits(e.distance) + " away.";
+    return sentence("A new edge ring of two: point {} and its nearest neighbor {}, {} away.",
+                    e.first, e.second, e.distance);
 }
 std::string text(const StrandEvidence& e) {
-    return "Point " + str(e.point) +
-           (e.isolated ? " has no neighbors: isolated, marked DONE."
-                       : " has only DONE neighbors: stranded, marked DONE.");
+    return sentence(e.isolated ? "Point {} has no neighbors: isolated, marked DONE."
+                               : "Point {} has only DONE neighbors: stranded, marked DONE.",
+                    e.point);
 }
 std::string text(const PivotEvidence& e) {
-    return "Pivot " + str(e.pivot) + " between first = " + str(e.first) +
-           " and last = " + str(e.last) + "; free sector " + deg(e.sectorDegrees) + ", ring of " +
-           std::to_string(e.ringLength) + ".";
+    return sentence("Pivot {} between first = {} and last = {}; free sector {}, ring of {}.",
+                    e.pivot, e.first, e.last, deg(e.sectorDegrees), e.ringLength);
 }
 std::string text(const SkipEvidence& e) {
-    const std::string where =
-        isRimPoint(e.type) ? "on a rim of the surface" : "on wall " + faceNames(e.type);
-    return "Point " + str(e.pivot) + " lies " + where + ": passed over, it stays on the ring.";
+    return sentence(
+        "Point {} lies {}: passed over, it stays on the ring.", e.pivot,
+        isRimPoint(e.type) ? "on a rim of the surface" : "on wall " + faceNames(e.type));
 }
-/// §7.1 and §7.2 for a rim point.
-std::string rimText(const InsertEvidence& e) {
-    const std::string where =
-        e.corner ? "Beside the gap of rim point " + str(e.pivot)
-                 : "On the ring of two boundary points " + str(e.pivot) + " and " + str(e.other);
-    if (e.verdict == Verdict::NoThirdPoint)
-        return where + " no next point of the rim is UNUSED: passed over.";
-    return where + ", point " + str(e.third) + ", the next on the rim, joins the ring " +
-           (e.verdict == Verdict::Before ? "before" : "after") + " the pivot.";
+/// §7.1 and §7.2: where a third point is looked for.
+std::string insertPlace(const InsertEvidence& e) {
+    if (!e.corner)
+        return sentence("On the ring of two boundary points {} and {}", e.pivot, e.other);
+    if (isRimPoint(e.faces)) return sentence("Beside the gap of rim point {}", e.pivot);
+    return sentence("At the corner between {} and {}", e.pivot, e.other);
 }
 std::string text(const InsertEvidence& e) {
-    if (isRimPoint(e.faces)) return rimText(e);
-    const std::string where =
-        e.corner ? "At the corner between " + str(e.pivot) + " and " + str(e.other)
-                 : "On the ring of two boundary points " + str(e.pivot) + " and " + str(e.other);
-    if (e.verdict == Verdict::NoThirdPoint) {
-        return where + " no UNUSED neighbor on the same wall fits: passed over.";
-    }
-    if (e.verdict == Verdict::OtherSideOpen) {
+    const std::string where = insertPlace(e);
+    const bool rim = isRimPoint(e.faces);
+    if (e.verdict == Verdict::NoThirdPoint)
+        return where + (rim ? " no next point of the rim is UNUSED: passed over."
+                            : " no UNUSED neighbor on the same wall fits: passed over.");
+    if (e.verdict == Verdict::OtherSideOpen && !rim)
         return where + " a third point would end the pivot with its other side open: passed over.";
-    }
-    std::string result = where + ", point " + str(e.third) + " joins the ring " +
-                         (e.verdict == Verdict::Before ? "before" : "after") + " the pivot";
-    if (!e.corner) {
-        result += "; normal x vector = (" + sixDigits(e.cross.x) + ", " + sixDigits(e.cross.y) +
-                  ", " + sixDigits(e.cross.z) + ") on wall " + faceNames(e.faces);
-    }
-    return result + ".";
+    const std::string result = sentence("{}, point {}{} joins the ring {} the pivot", where,
+                                        e.third, rim ? ", the next on the rim," : "",
+                                        e.verdict == Verdict::Before ? "before" : "after");
+    if (rim || e.corner) return result + ".";
+    return sentence("{}; normal x vector = ({}, {}, {}) on wall {}.", result, e.cross.x, e.cross.y,
+                    e.cross.z, faceNames(e.faces));
 }
 std::string text(const SortEvidence& e) {
-    const std::string at = "Point " + str(e.point) + " at " + deg(e.degrees);
+    const std::string at = sentence("Point {} at {}", e.point, deg(e.degrees));
     switch (e.verdict) {
         case Verdict::AlreadyDone:
-            return "Point " + str(e.point) + " is DONE: no candidate.";
+            return sentence("Point {} is DONE: no candidate.", e.point);
         case Verdict::OnRingEnd:
-            return "Point " + str(e.point) + " is first or last itself: no candidate.";
+            return sentence("Point {} is first or last itself: no candidate.", e.point);
         case Verdict::NotAfterStart:
             return at + " is not after the start: left out.";
         case Verdict::NotBeforeEnd:
-            return at + " is not before last at " + deg(e.endDegrees) + ": left out.";
+            return sentence("{} is not before last at {}: left out.", at, deg(e.endDegrees));
         case Verdict::SameAngle:
-            return at + " has the same angle as " + str(e.rival) + ", which is " +
-                   (e.farther ? "nearer" : "farther") + ": dropped.";
+            return sentence("{} has the same angle as {}, which is {}: dropped.", at, e.rival,
+                            e.farther ? "nearer" : "farther");
         default:
-            return at + " of " + deg(e.endDegrees) + ": a candidate.";
+            return sentence("{} of {}: a candidate.", at, deg(e.endDegrees));
     }
 }
 std::string text(const LimitEvidence& e) {
-    const std::string point =
-        "Point " + str(e.to) + " beyond " + sideName(e.side) + " = " + str(e.from);
+    const std::string side = sideName(e.side);
+    const std::string point = sentence("Point {} beyond {} = {}", e.to, side, e.from);
+    const std::string stays = ": " + side + " stays.";
     switch (e.verdict) {
         case Verdict::Moved:
-            return point + " is listed, inside the limits, and the ring is " +
-                   (e.turn > 0.0
-                        ? "concave there (turn " + sixDigits(e.turn) + "): "
-                        : "convex there (turn " + sixDigits(e.turn) + "), no obstacle now: ") +
-                   sideName(e.side) + " moves from " + deg(e.fromDegrees) + " to " +
-                   deg(e.toDegrees) + ".";
+            return sentence(e.turn > 0.0
+                                ? "{} is listed, inside the limits, and the ring is "
+                                  "concave there (turn {}): {} moves from {} to {}."
+                                : "{} is listed, inside the limits, and the ring is convex "
+                                  "there (turn {}), no obstacle now: {} moves from {} to "
+                                  "{}.",
+                            point, e.turn, side, deg(e.fromDegrees), deg(e.toDegrees));
         case Verdict::OtherLimit:
-            return point + " is the other end: " + sideName(e.side) + " stays.";
+            return point + " is the other end" + stays;
         case Verdict::NotAnEdge:
-            return point + " is not joined to it by an edge: " + sideName(e.side) + " stays.";
+            return point + " is not joined to it by an edge" + stays;
         case Verdict::NotListed:
-            return point + " is not among the pivot's neighbors: " + sideName(e.side) + " stays.";
+            return point + " is not among the pivot's neighbors" + stays;
         case Verdict::Outside:
-            return point + " at " + deg(e.toDegrees) +
-                   " is outside the limits: " + sideName(e.side) + " stays.";
+            return sentence("{} at {} is outside the limits", point, deg(e.toDegrees)) + stays;
         case Verdict::Blocked:
-            return point +
-                   ": an UNUSED neighbor lies in the triangle's sphere: " + sideName(e.side) +
-                   " stays.";
+            return point + ": an UNUSED neighbor lies in the triangle's sphere" + stays;
         default:
-            return point + ": the ring is convex there (turn " + sixDigits(e.turn) +
-                   "): " + sideName(e.side) + " stays.";
+            return sentence("{}: the ring is convex there (turn {})", point, e.turn) + stays;
     }
 }
 std::string text(const DropEvidence& e) {
-    if (e.isLimit()) {
-        return "Candidate " + str(e.point) + " at " + deg(e.degrees) + " is now " +
-               sideName(e.side) + ".";
-    }
-    if (e.verdict == Verdict::Outside) {
-        return "Candidate " + str(e.point) + " at " + deg(e.degrees) + " is outside the moved " +
-               sideName(e.side) + ": removed.";
-    }
-    return "Candidate " + str(e.point) + " is next on the ring behind a convex " +
-           sideName(e.side) + ": removed.";
+    const std::string side = sideName(e.side);
+    if (e.isLimit())
+        return sentence("Candidate {} at {} is now {}.", e.point, deg(e.degrees), side);
+    if (e.verdict == Verdict::Outside)
+        return sentence("Candidate {} at {} is outside the moved {}: removed.", e.point,
+                        deg(e.degrees), side);
+    return sentence("Candidate {} is next on the ring behind a convex {}: removed.", e.point, side);
 }
 std::string text(const ReciprocalEvidence& e) {
-    return "Seen from ring point " + str(e.point) + " (between " + str(e.pred) + " and " +
-           str(e.succ) + ") the pivot is at " + deg(e.degrees) +
-           (e.printed ? ", the sector from efirst to elast " : ", its free sector ") +
-           deg(e.limitDegrees) +
-           (e.verdict == Verdict::Kept           ? ": inside, kept."
-            : e.verdict == Verdict::WallComplete ? "; it is complete along its walls: refused."
-                                                 : ": outside, refused.");
+    return sentence(
+        "Seen from ring point {} (between {} and {}) the pivot is at {}, {} {}{}", e.point, e.pred,
+        e.succ, deg(e.degrees), e.printed ? "the sector from efirst to elast" : "its free sector",
+        deg(e.limitDegrees),
+        e.verdict == Verdict::Kept           ? ": inside, kept."
+        : e.verdict == Verdict::WallComplete ? "; it is complete along its walls: refused."
+                                             : ": outside, refused.");
 }
 /// "three", "12".
 std::string spelled(Index count) {
@@ -158,124 +160,113 @@ std::string spelled(Index count) {
     return count < kWords.size() ? str(kWords[count]) : std::to_string(count);
 }
 std::string text(const HoleEvidence& e) {
-    return "Hole of " + spelled(e.edges) + ": point " + str(e.point) + " is " + sixDigits(e.side) +
-           " from the plane through start and end, the pivot " + sixDigits(e.pivotSide) +
-           (e.verdict == Verdict::Kept ? ": same side, kept." : ": far side, removed.");
+    return sentence(
+        "Hole of {}: point {} is {} from the plane through start and end, the pivot {}: {}.",
+        spelled(e.edges), e.point, e.side, e.pivotSide,
+        e.verdict == Verdict::Kept ? "same side, kept" : "far side, removed");
 }
 std::string text(const SphereEvidence& e) {
-    const std::string q = "q = " + str(e.q);
-    const std::string circle = "of the pivot, t = " + str(e.t) + " and s = " + str(e.s);
-    if (e.verdict == Verdict::NoCircle) {
-        return q + " is kept: there is no circle " + circle + ", they lie in line.";
-    }
+    const std::string circle = sentence("of the pivot, t = {} and s = {}", e.t, e.s);
+    if (e.verdict == Verdict::NoCircle)
+        return sentence("q = {} is kept: there is no circle {}, they lie in line.", e.q, circle);
     const double d = e.distance - e.radius;
     if (e.verdict == Verdict::InsideSphere && !(d < 0.0))
-        return q + " lies on the sphere " + circle + " (r = " + sixDigits(e.radius) + "): kept.";
-    const std::string place = q + " lies " + sixDigits(d < 0 ? -d : d) +
-                              (d < 0 ? " inside" : " outside") + " the sphere " + circle +
-                              " (d = " + sixDigits(e.distance) + ", r = " + sixDigits(e.radius) +
-                              ")";
+        return sentence("q = {} lies on the sphere {} (r = {}): kept.", e.q, circle, e.radius);
+    const std::string place =
+        sentence("q = {} lies {} {} the sphere {} (d = {}, r = {})", e.q, d < 0 ? -d : d,
+                 d < 0 ? "inside" : "outside", circle, e.distance, e.radius);
     if (e.verdict == Verdict::InsideSphere) return place + ": kept.";
-    const std::string gap = ", and removing it leaves a gap of " + deg(e.gapDegrees);
-    return place + gap +
-           (e.verdict == Verdict::GapTooWide ? ", more than the limit: kept." : ": removed.");
+    return sentence(
+        "{}, and removing it leaves a gap of {}{}", place, deg(e.gapDegrees),
+        e.verdict == Verdict::GapTooWide ? ", more than the limit: kept." : ": removed.");
 }
 std::string text(const TwoPointEvidence& e) {
-    const std::string text = "Only first and last are left, " + deg(e.degrees) + " apart";
     const bool over = e.degrees > 180.0;
-    if (e.verdict == Verdict::Discarded)
-        return text + (over ? ": over 180, the ring is discarded."
-                            : ": not under 180, the ring is discarded.");
-    return text + (over ? ": over 180 degrees, but a triangle is made anyway."
-                        : ": under 180, one triangle closes the gap.");
+    const char* const ending =
+        e.verdict == Verdict::Discarded
+            ? (over ? "over 180, the ring is discarded" : "not under 180, the ring is discarded")
+            : (over ? "over 180 degrees, but a triangle is made anyway"
+                    : "under 180, one triangle closes the gap");
+    return sentence("Only first and last are left, {} apart: {}.", deg(e.degrees), ending);
 }
 std::string text(const GuardEvidence& e) {
     const std::string what =
-        e.b == kNone ? "Spoke to " + str(e.a) : "Triangle over " + str(e.a) + " and " + str(e.b);
-    return what + ": " + str(verdictText(e.verdict)) +
-           (e.dropped == kNone ? ": the fan is refused."
-                               : ": candidate " + str(e.dropped) + " is dropped.");
+        e.b == kNone ? sentence("Spoke to {}", e.a) : sentence("Triangle over {} and {}", e.a, e.b);
+    return sentence("{}: {}: ", what, verdictText(e.verdict)) +
+           (e.dropped == kNone ? "the fan is refused."
+                               : sentence("candidate {} is dropped.", e.dropped));
 }
 std::string text(const FillEvidence& e) {
-    return "Hole of " + std::to_string(e.ringLength) + ": the ear at " + str(e.pivot) +
-           " between " + str(e.first) + " and " + str(e.last) + " has the best least angle, " +
-           deg(e.leastDegrees) + (e.forced ? "; no ear without a fault was left." : ".");
+    return sentence("Hole of {}: the ear at {} between {} and {} has the best least angle, {}{}.",
+                    e.ringLength, e.pivot, e.first, e.last, deg(e.leastDegrees),
+                    e.forced ? "; no ear without a fault was left" : "");
 }
 std::string text(const ReinsertEvidence& e) {
-    return "Stranded point " + str(e.point) + " goes into the triangle it lies over.";
+    return sentence("Stranded point {} goes into the triangle it lies over.", e.point);
 }
 std::string text(const RemoveFoldedEvidence& e) {
-    return "Point " + str(e.point) + " has a flipped triangle: taken out, its hole is closed.";
+    return sentence("Point {} has a flipped triangle: taken out, its hole is closed.", e.point);
 }
 std::string text(const FlipEvidence& e) {
-    return "Edge " + str(e.u) + " - " + str(e.v) + " is better as " + str(e.x) + " - " + str(e.y) +
-           ": flipped.";
+    return sentence("Edge {} - {} is better as {} - {}: flipped.", e.u, e.v, e.x, e.y);
 }
 std::string text(const EmitEvidence& e) {
-    return "Triangle " + str(e.triangle) + " = (" + str(e.corners.a) + ", " + str(e.corners.b) +
-           ", " + str(e.corners.c) + ").";
+    const Triangle& t = e.corners;
+    return sentence("Triangle {} = ({}, {}, {}).", e.triangle, t.a, t.b, t.c);
 }
 std::string text(const RingEvidence& e) {
     const std::string status =
         e.status < 0 ? "DONE" : (e.status == 0 ? "UNUSED" : "USED " + std::to_string(e.status));
-    return "Point " + str(e.point) + (e.inserted ? " enters" : " leaves") + " the ring: now " +
-           status + ".";
+    return sentence("Point {} {} the ring: now {}.", e.point, e.inserted ? "enters" : "leaves",
+                    status);
 }
 std::string text(const SplitEvidence& e) {
-    return "Point " + str(e.point) +
-           " is met again in the same ring, which splits: " + std::to_string(e.activeLength) +
-           " entries go on, " + std::to_string(e.stackedLength) + " go on the stack (depth " +
-           std::to_string(e.stackDepth) + ").";
+    return sentence(
+        "Point {} is met again in the same ring, which splits: {} entries go on, {} go on the "
+        "stack (depth {}).",
+        e.point, e.activeLength, e.stackedLength, e.stackDepth);
 }
 std::string text(const JoinEvidence& e) {
-    return "Point " + str(e.point) + " is met again in " +
-           (e.depthFromTop == kNone
-                ? str("the active ring")
-                : "stacked ring " + std::to_string(e.depthFromTop + 1) + " from the top") +
-           ": the rings join, " + std::to_string(e.length) + " entries.";
+    return sentence("Point {} is met again in {}: the rings join, {} entries.", e.point,
+                    e.depthFromTop == kNone
+                        ? "the active ring"
+                        : sentence("stacked ring {} from the top", e.depthFromTop + 1),
+                    e.length);
 }
 std::string text(const CloseEvidence& e) {
-    if (e.b == kNone) return "A lone entry of point " + str(e.a) + " is left: closed.";
-    return "The ring of " + str(e.a) + " and " + str(e.b) + " is one finished edge: closed.";
+    if (e.b == kNone) return sentence("A lone entry of point {} is left: closed.", e.a);
+    return sentence("The ring of {} and {} is one finished edge: closed.", e.a, e.b);
 }
 std::string text(const AdvanceEvidence& e) {
     if (e.to == kNone) return "No ring is left.";
-    if (e.whatIf) return "What if: the next pivot is " + str(e.to) + ".";
-    if (e.popped) return "The next ring comes off the stack; the next pivot is " + str(e.to) + ".";
-    if (e.circuit == 0) return "The next pivot is " + str(e.to) + ".";
-    return "No triangle; the next pivot is " + str(e.to) + " (" + counted(e.circuit, "pivot") +
-           " without one).";
+    if (e.whatIf) return sentence("What if: the next pivot is {}.", e.to);
+    if (e.popped) return sentence("The next ring comes off the stack; the next pivot is {}.", e.to);
+    if (e.circuit == 0) return sentence("The next pivot is {}.", e.to);
+    return sentence("No triangle; the next pivot is {} ({} without one).", e.to,
+                    counted(e.circuit, "pivot"));
 }
 std::string text(const FreeEvidence& e) {
-    return "A full circuit of " + std::to_string(e.length) +
-           " without a triangle: the ring is freed" +
-           (e.interior == 0 ? str(".")
-                            : ", with " + counted(e.interior, "interior point") + " on it.");
+    return sentence("A full circuit of {} without a triangle: the ring is freed", e.length) +
+           (e.interior == 0 ? "."
+                            : sentence(", with {} on it.", counted(e.interior, "interior point")));
 }
 std::string text(const ComponentEvidence& e) {
-    return "Component " + std::to_string(e.component) + " is complete; " +
-           counted(e.triangles, "triangle") + " so far.";
+    return sentence("Component {} is complete; {} so far.", e.component,
+                    counted(e.triangles, "triangle"));
 }
 std::string text(const AlertEvidence& e) {
-    switch (e.kind) {
-        case AlertKind::TriangleCap:
-            return "Alert: too many triangles for the number of points; the run is stopped.";
-        case AlertKind::Hole:
-            return "Alert: a hole is left open at point " + str(e.point) + ".";
-        case AlertKind::LostSeed:
-            return "Alert: the ring begun at point " + str(e.point) + " got no triangle.";
-    }
-    return {};
+    if (e.kind == AlertKind::TriangleCap)
+        return "Alert: too many triangles for the number of points; the run is stopped.";
+    return sentence(e.kind == AlertKind::Hole
+                        ? "Alert: a hole is left open at point {}."
+                        : "Alert: the ring begun at point {} got no triangle.",
+                    e.point);
 }
-
-}  // namespace
-
-namespace {
 
 std::string fanText(const GuardEvidence& e, bool kept) {
     if (!kept) return "What if: no triangle is made.";
-    return (e.b == kNone ? "What if: the spoke to " + str(e.a)
-                         : "What if: the triangle over " + str(e.a) + " and " + str(e.b)) +
+    return (e.b == kNone ? sentence("What if: the spoke to {}", e.a)
+                         : sentence("What if: the triangle over {} and {}", e.a, e.b)) +
            " is made, whatever the rules on fans say.";
 }
 
@@ -315,15 +306,9 @@ std::string_view endingText(const Event& event) {
 }
 
 std::string_view alertName(AlertKind kind) {
-    switch (kind) {
-        case AlertKind::TriangleCap:
-            return "triangle_cap";
-        case AlertKind::Hole:
-            return "hole";
-        case AlertKind::LostSeed:
-            return "lost_seed";
-    }
-    return {};
+    constexpr std::array<std::string_view, 3> kNames{"triangle_cap", "hole", "lost_seed"};
+    static_assert(kNames.size() == static_cast<std::size_t>(AlertKind::LostSeed) + 1);
+    return kNames[static_cast<std::size_t>(kind)];
 }
 
 }  // namespace se

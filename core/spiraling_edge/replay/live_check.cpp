@@ -16,6 +16,7 @@
 #include "spiraling_edge/geometry/exact_predicates.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/mesh/faults.h"
+#include "spiraling_edge/replay/reading.h"
 
 namespace se {
 namespace {
@@ -87,11 +88,11 @@ class LiveCheck::Checker {
     void check(const Event& event, std::vector<LiveFailure>& found) {
         found_ = &found;
         address_ = event.address;
-        if (const auto* emit = std::get_if<EmitEvidence>(&event.evidence)) {
+        if (const auto* emit = as<EmitEvidence>(event)) {
             checkTriangle(emit->corners);
-        } else if (const auto* strand = std::get_if<StrandEvidence>(&event.evidence)) {
+        } else if (const auto* strand = as<StrandEvidence>(event)) {
             checkDone(strand->point);
-        } else if (const auto* ring = std::get_if<RingEvidence>(&event.evidence)) {
+        } else if (const auto* ring = as<RingEvidence>(event)) {
             if (ring->status < 0) checkDone(ring->point);
         }
     }
@@ -117,9 +118,8 @@ class LiveCheck::Checker {
             for (const Index q : {t.a, t.b, t.c}) {
                 if (q == p) continue;
                 const auto [at, fresh] = firstAt.try_emplace(q, i);
-                const bool other =
-                    !fresh && fans.unite(static_cast<Index>(at->second), static_cast<Index>(i));
-                joined += other ? 1U : 0U;
+                if (!fresh && fans.unite(static_cast<Index>(at->second), static_cast<Index>(i)))
+                    ++joined;
             }
         }
         return joined + 1 >= all.size();
@@ -249,9 +249,9 @@ std::vector<LiveFailure> LiveCheck::check(std::span<const Event> events) {
 bool LiveCheck::complete() const { return checker_->searchesAll(); }
 
 std::string describe(const LiveFailure& failure) {
-    const std::vector<Index>& p = failure.points;
     std::string names;
-    for (const Index each : p) names += (names.empty() ? "" : ", ") + std::to_string(each);
+    for (const Index each : failure.points)
+        names += (names.empty() ? "" : ", ") + std::to_string(each);
     const std::string_view kind = failure.kind->name;
     const std::string made = "Triangle " + std::to_string(failure.triangle);
     const std::string other = std::to_string(failure.other);

@@ -15,8 +15,8 @@ namespace se {
 /// A failure that exists from this event on.
 struct LiveFailure {
     const FailureClass* kind = nullptr;
-    Address
-        address;  ///< Address of the event: the triangle that is made, the point that becomes DONE.
+    /// Address of the event: the triangle that is made, the point that becomes DONE.
+    Address address;
     Index triangle = kNone;     ///< The new one; kNone: no triangle is involved.
     Index other = kNone;        ///< The first earlier triangle involved.
     std::vector<Index> points;  ///< Ascending: the edge, the corners of both, the point.

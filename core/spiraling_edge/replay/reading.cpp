@@ -3,6 +3,7 @@
 #include "spiraling_edge/replay/reading.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "spiraling_edge/base/overloaded.h"
@@ -11,8 +12,6 @@ namespace se {
 namespace {
 
 constexpr double kRadians = 3.14159265358979323846 / 180.0;
-
-double length(const Vec3& v) { return std::sqrt(glm::dot(v, v)); }
 
 /// An angle in a sector from 0 to `end` (degrees, below 360), compared with the nearer of its two
 /// limits. Angles beyond the end wrap at 360.
@@ -25,11 +24,10 @@ Reading inSector(double degrees, double end) {
     return {"angle", "deg", inside ? degrees : degrees - 360.0, 0.0, margin};
 }
 
-class Reader {
-  public:
+struct Reader {
     using Found = std::optional<Reading>;
 
-    explicit Reader(const ReadingContext& context) : c_(context) {}
+    const ReadingContext& context;
 
     Found operator()(const SortEvidence& e) const {
         if (e.verdict == Verdict::SameAngle)
@@ -42,10 +40,10 @@ class Reader {
     }
     Found operator()(const LimitEvidence& e) const {
         const bool decided = e.verdict == Verdict::Moved || e.verdict == Verdict::NotConcave;
-        if (!decided || c_.pivot == kNone) return {};
-        const Vec3& s = c_.points.position[e.from];
-        const double size =
-            length(c_.points.position[e.to] - s) * length(c_.points.position[c_.pivot] - s);
+        if (!decided || context.pivot == kNone) return {};
+        const Vec3& s = context.points.position[e.from];
+        const double size = glm::length(context.points.position[e.to] - s) *
+                            glm::length(context.points.position[context.pivot] - s);
         if (!(size > 0.0)) return {};
         return Reading{"turn", "", e.turn, 0.0, e.turn / size};
     }
@@ -54,20 +52,22 @@ class Reader {
         return inSector(e.degrees, e.limitDegrees);
     }
     Found operator()(const HoleEvidence& e) const {
-        if (e.point == kNone || c_.pivot == kNone) return {};
-        const double size = length(e.planeNormal) *
-                            length(c_.points.position[e.point] - c_.points.position[c_.pivot]);
+        if (e.point == kNone || context.pivot == kNone) return {};
+        const double size =
+            glm::length(e.planeNormal) *
+            glm::length(context.points.position[e.point] - context.points.position[context.pivot]);
         if (!(size > 0.0)) return {};
         const double towards = e.pivotSide < 0.0 ? -e.side : e.side;
         return Reading{"side of the plane", "", towards, 0.0, towards / size};
     }
     Found operator()(const SphereEvidence& e) const {
-        if (e.verdict == Verdict::NoCircle || c_.pivot == kNone) return {};
-        const double far = length(c_.points.position[e.q] - c_.points.position[c_.pivot]);
+        if (e.verdict == Verdict::NoCircle || context.pivot == kNone) return {};
+        const double far =
+            glm::length(context.points.position[e.q] - context.points.position[context.pivot]);
         if (!(far > 0.0)) return {};
         const Reading sphere{"distance from the center", "", e.distance, e.radius,
                              (e.radius - e.distance) / far};
-        const double limit = std::acos(c_.params.maxGapCosine) / kRadians;
+        const double limit = std::acos(context.params.maxGapCosine) / kRadians;
         const Reading gap{"gap", "deg", e.gapDegrees, limit, (e.gapDegrees - limit) * kRadians};
         // Kept if either test keeps it: the larger margin decides.
         return gap.margin > sphere.margin ? gap : sphere;
@@ -79,9 +79,6 @@ class Reader {
     Found operator()(const Other&) const {
         return {};
     }
-
-  private:
-    const ReadingContext& c_;
 };
 
 }  // namespace
@@ -116,7 +113,31 @@ Index testedPoint(const Event& event) {
 }
 
 std::optional<Reading> readingOf(const Event& event, const ReadingContext& context) {
-    return std::visit(Reader(context), event.evidence);
+    return std::visit(Reader{context}, event.evidence);
+}
+
+std::string_view roleName(LineRole role) {
+    constexpr std::array<std::string_view, 5> kNames{"fact", "taken", "refused", "made", "undone"};
+    return kNames[static_cast<std::size_t>(role)];
+}
+
+LedgerLine lineOf(const Event& event, const ReadingContext& context) {
+    const Outcome outcome = outcomeOf(event);
+    const LineRole role = outcome == Outcome::Taken ? LineRole::Taken
+                          : isAgainst(outcome)      ? LineRole::Refused
+                                                    : LineRole::Fact;
+    return {event, context.pivot, role, readingOf(event, context)};
+}
+
+bool wasSettledBefore(const Event& event) {
+    const auto* sort = as<SortEvidence>(event);
+    return sort != nullptr &&
+           (sort->verdict == Verdict::AlreadyDone || sort->verdict == Verdict::OnRingEnd);
+}
+
+bool editsMesh(const Event& event) {
+    return isA<FlipEvidence>(event) || isA<RemoveFoldedEvidence>(event) ||
+           isA<ReinsertEvidence>(event);
 }
 
 }  // namespace se

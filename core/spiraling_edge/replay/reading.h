@@ -1,15 +1,24 @@
-/// The comparison of a decision: the value, its threshold, and the margin by which it was decided.
+/// One decision as the queries about a run see it: its verdict, the numbers that it compared, and
+/// its line in their answers.
 #pragma once
 
 #include <optional>
 #include <string_view>
 
-#include "spiraling_edge/points/point_set.h"
-#include "spiraling_edge/stepper/event.h"
 #include "spiraling_edge/stepper/params.h"
 #include "spiraling_edge/stepper/verdict_table.h"
 
 namespace se {
+
+/// The evidence of an event, if it is of this kind; else null.
+template <typename Kind>
+const Kind* as(const Event& event) {
+    return std::get_if<Kind>(&event.evidence);
+}
+template <typename Kind>
+bool isA(const Event& event) {
+    return std::holds_alternative<Kind>(event.evidence);
+}
 
 /// The verdict of a test; nothing if the event is no test.
 std::optional<Verdict> verdictOf(const Event& event);
@@ -40,5 +49,33 @@ struct ReadingContext {
 
 /// The reading of an event; nothing if it compared nothing.
 std::optional<Reading> readingOf(const Event& event, const ReadingContext& context);
+
+/// Role of a line for the subject.
+enum class LineRole : std::uint8_t {
+    Fact,     ///< A change of one of its points: ring, pivot, DONE.
+    Taken,    ///< A test that it passed.
+    Refused,  ///< A test that it failed, or that ended a fan it would have been in.
+    Made,     ///< It was added to the mesh.
+    Undone,   ///< It was removed from the mesh.
+};
+/// "fact", "taken", "refused", "made", "undone".
+std::string_view roleName(LineRole role);
+
+/// One decision, its place and its reading.
+struct LedgerLine {
+    Event event;
+    Index pivot = kNone;  ///< The point that was the pivot.
+    LineRole role = LineRole::Fact;
+    std::optional<Reading> reading;
+};
+
+/// The line of an event, with the role Taken or Refused by the outcome of its test, else Fact.
+LedgerLine lineOf(const Event& event, const ReadingContext& context);
+
+/// True for a point left out of the sort by a fact, not a test: DONE, or first or last itself.
+bool wasSettledBefore(const Event& event);
+
+/// True for a step after the last pivot, which changes the mesh without naming the triangles.
+bool editsMesh(const Event& event);
 
 }  // namespace se

@@ -4,7 +4,6 @@
 #include "spiraling_edge/replay/reconstruct.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "spiraling_edge/base/prefetch.h"
 #include "spiraling_edge/geometry/z_curve.h"

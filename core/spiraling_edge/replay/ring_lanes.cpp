@@ -5,28 +5,19 @@
 #include "spiraling_edge/replay/ring_lanes.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
+
+#include "spiraling_edge/base/overloaded.h"
 
 namespace se {
 
 const char* laneChangeText(LaneChangeKind kind) {
-    switch (kind) {
-        case LaneChangeKind::Seed:
-            return "seed";
-        case LaneChangeKind::Split:
-            return "split off";
-        case LaneChangeKind::Activated:
-            return "comes off the stack";
-        case LaneChangeKind::Join:
-            return "joined";
-        case LaneChangeKind::Closed:
-            return "closed";
-        case LaneChangeKind::Freed:
-            return "ends at a boundary";
-        case LaneChangeKind::Hole:
-            return "ends at an open hole";
-    }
-    return "";
+    constexpr std::array<const char*, 7> kTexts{
+        "seed",   "split off",          "comes off the stack", "joined",
+        "closed", "ends at a boundary", "ends at an open hole"};
+    static_assert(kTexts.size() == static_cast<std::size_t>(LaneChangeKind::Hole) + 1);
+    return kTexts[static_cast<std::size_t>(kind)];
 }
 
 std::uint32_t lanesAt(std::span<const LaneChange> changes, std::uint32_t pivot) {
@@ -40,7 +31,34 @@ std::vector<LaneChange> LaneTracker::takeChanges() { return std::exchange(change
 
 void LaneTracker::take(const Event& event) {
     pivot_ = event.address.pivot;
-    std::visit([this](const auto& evidence) { take(evidence); }, event.evidence);
+    std::visit(Overloaded{[&](const SeedEvidence&) {
+                              active_ = Ring{freeLane(), 2, false};
+                              note(LaneChangeKind::Seed, active_->lane, active_->lane);
+                          },
+                          [&](const PivotEvidence& pivot) { beginPivot(pivot.ringLength); },
+                          [&](const FillEvidence& fill) { beginPivot(fill.ringLength); },
+                          [&](const InsertEvidence& insert) {
+                              const bool inserted = insert.verdict == Verdict::Before ||
+                                                    insert.verdict == Verdict::After;
+                              if (active_ && inserted) ++active_->length;
+                          },
+                          [&](const RingEvidence& ring) { changeLength(ring.inserted); },
+                          [&](const SplitEvidence& split) { splitRing(split); },
+                          [&](const JoinEvidence& join) { joinRings(join); },
+                          [&](const CloseEvidence& close) { closeRing(close.b == kNone ? 1 : 2); },
+                          [&](const AdvanceEvidence& advance) {
+                              const bool next = advance.popped && !active_ && !stack_.empty();
+                              if (next) activate(stack_.size() - 1);
+                          },
+                          [&](const FreeEvidence&) { endActive(LaneChangeKind::Freed); },
+                          [&](const AlertEvidence& alert) {
+                              const bool freed = !changes_.empty() &&
+                                                 changes_.back().kind == LaneChangeKind::Freed;
+                              if (freed && alert.kind != AlertKind::TriangleCap)
+                                  changes_.back().kind = LaneChangeKind::Hole;
+                          },
+                          [](const auto&) {}},
+               event.evidence);
 }
 
 void LaneTracker::note(LaneChangeKind kind, std::uint32_t lane, std::uint32_t other) {
@@ -54,9 +72,9 @@ std::uint32_t LaneTracker::freeLane() {
     return lane;
 }
 
-void LaneTracker::take(const SeedEvidence&) {
-    active_ = Ring{freeLane(), 2, false};
-    note(LaneChangeKind::Seed, active_->lane, active_->lane);
+void LaneTracker::endLane(LaneChangeKind kind, std::uint32_t lane, std::uint32_t other) {
+    free_.push(lane);
+    note(kind, lane, other);
 }
 
 void LaneTracker::beginPivot(Index ringLength) {
@@ -67,19 +85,11 @@ void LaneTracker::beginPivot(Index ringLength) {
     closing_ = 0;
 }
 
-void LaneTracker::take(const PivotEvidence& pivot) { beginPivot(pivot.ringLength); }
-void LaneTracker::take(const FillEvidence& fill) { beginPivot(fill.ringLength); }
-
-void LaneTracker::take(const InsertEvidence& insert) {
-    const bool inserted = insert.verdict == Verdict::Before || insert.verdict == Verdict::After;
-    if (active_ && inserted) ++active_->length;
-}
-
-void LaneTracker::take(const RingEvidence& ring) {
+void LaneTracker::changeLength(bool inserted) {
     if (closing_ > 0) {
         --closing_;
     } else if (active_) {
-        active_->length += ring.inserted ? 1U : Index(-1);
+        active_->length += inserted ? 1U : Index(-1);
     }
 }
 
@@ -90,7 +100,13 @@ std::optional<std::size_t> LaneTracker::freshOfLength(Index length) const {
     return std::nullopt;
 }
 
-void LaneTracker::take(const SplitEvidence& split) {
+LaneTracker::Ring LaneTracker::unstack(std::size_t place) {
+    const Ring ring = stack_[place];
+    stack_.erase(stack_.begin() + static_cast<std::ptrdiff_t>(place));
+    return ring;
+}
+
+void LaneTracker::splitRing(const SplitEvidence& split) {
     if (!active_) return;
     const Index whole = split.activeLength + split.stackedLength;
     Ring* parent = &*active_;
@@ -104,46 +120,33 @@ void LaneTracker::take(const SplitEvidence& split) {
     note(LaneChangeKind::Split, stack_.back().lane, from);
 }
 
-void LaneTracker::joinStacked(std::size_t gone, Ring& into) {
-    const std::uint32_t lane = stack_[gone].lane;
-    const std::uint32_t other = into.lane;
-    stack_.erase(stack_.begin() + static_cast<std::ptrdiff_t>(gone));
-    releaseLane(lane);
-    note(LaneChangeKind::Join, lane, other);
-}
-
-void LaneTracker::take(const JoinEvidence& join) {
+void LaneTracker::joinRings(const JoinEvidence& join) {
     if (!active_ || stack_.empty()) return;
+    const std::size_t top = stack_.size() - 1;
+    Ring* kept = &*active_;
+    std::size_t gone = 0;
     if (join.depthFromTop == kNone) {
-        const auto place = freshOfLength(join.length - active_->length);
-        active_->length = join.length;
-        joinStacked(place.value_or(stack_.size() - 1), *active_);
-        return;
-    }
-    const std::size_t place =
-        stack_.size() - 1 - std::min<std::size_t>(join.depthFromTop, stack_.size() - 1);
-    if (active_->length + stack_[place].length != join.length) {
-        const auto fresh = freshOfLength(join.length - stack_[place].length);
-        if (fresh && *fresh != place) {
+        gone = freshOfLength(join.length - active_->length).value_or(top);
+    } else {
+        gone = top - std::min<std::size_t>(join.depthFromTop, top);
+        const auto fresh = freshOfLength(join.length - stack_[gone].length);
+        if (active_->length + stack_[gone].length != join.length && fresh && *fresh != gone) {
             // Two stacked rings: the longer one keeps its place.
-            const bool keepFresh = stack_[*fresh].length >= stack_[place].length;
-            const std::size_t kept = keepFresh ? *fresh : place;
-            stack_[kept].length = join.length;
-            joinStacked(keepFresh ? place : *fresh, stack_[kept]);
-            return;
+            const bool keepFresh = stack_[*fresh].length >= stack_[gone].length;
+            kept = &stack_[keepFresh ? *fresh : gone];
+            if (!keepFresh) gone = *fresh;
         }
     }
-    active_->length = join.length;
-    joinStacked(place, *active_);
+    kept->length = join.length;
+    const std::uint32_t into = kept->lane;
+    endLane(LaneChangeKind::Join, unstack(gone).lane, into);
 }
 
-void LaneTracker::take(const CloseEvidence& close) {
-    closing_ = close.b == kNone ? 1U : 2U;
-    if (const auto place = freshOfLength(closing_)) {
-        const std::uint32_t lane = stack_[*place].lane;
-        stack_.erase(stack_.begin() + static_cast<std::ptrdiff_t>(*place));
-        releaseLane(lane);
-        note(LaneChangeKind::Closed, lane, lane);
+void LaneTracker::closeRing(Index entries) {
+    closing_ = entries;
+    if (const auto place = freshOfLength(entries)) {
+        const std::uint32_t lane = unstack(*place).lane;
+        endLane(LaneChangeKind::Closed, lane, lane);
     } else {
         endActive(LaneChangeKind::Closed);
     }
@@ -153,25 +156,12 @@ void LaneTracker::endActive(LaneChangeKind kind) {
     if (!active_) return;
     const std::uint32_t lane = active_->lane;
     active_.reset();
-    releaseLane(lane);
-    note(kind, lane, lane);
-}
-
-void LaneTracker::take(const FreeEvidence&) { endActive(LaneChangeKind::Freed); }
-
-void LaneTracker::take(const AlertEvidence& alert) {
-    if (alert.kind == AlertKind::TriangleCap || changes_.empty()) return;
-    if (changes_.back().kind == LaneChangeKind::Freed) changes_.back().kind = LaneChangeKind::Hole;
+    endLane(kind, lane, lane);
 }
 
 void LaneTracker::activate(std::size_t place) {
-    active_ = stack_[place];
-    stack_.erase(stack_.begin() + static_cast<std::ptrdiff_t>(place));
+    active_ = unstack(place);
     note(LaneChangeKind::Activated, active_->lane, active_->lane);
-}
-
-void LaneTracker::take(const AdvanceEvidence& advance) {
-    if (advance.popped && !active_ && !stack_.empty()) activate(stack_.size() - 1);
 }
 
 void LaneTracker::settle(const EdgeRings& rings) {

@@ -27,7 +27,6 @@ enum class LaneChangeKind : std::uint8_t {
 /// "split off", "closed", ...
 const char* laneChangeText(LaneChangeKind kind);
 inline bool beginsLane(LaneChangeKind kind) { return kind <= LaneChangeKind::Split; }
-inline bool endsLane(LaneChangeKind kind) { return kind >= LaneChangeKind::Join; }
 
 /// One change of a lane.
 struct LaneChange {
@@ -68,29 +67,20 @@ class LaneTracker {
     std::vector<LaneChange> takeChanges();
 
   private:
-    void take(const SeedEvidence& seed);
-    void take(const PivotEvidence& pivot);
-    void take(const FillEvidence& fill);
-    void take(const InsertEvidence& insert);
-    void take(const RingEvidence& ring);
-    void take(const SplitEvidence& split);
-    void take(const JoinEvidence& join);
-    void take(const CloseEvidence& close);
-    void take(const AdvanceEvidence& advance);
-    void take(const FreeEvidence& free);
-    void take(const AlertEvidence& alert);
-    template <typename Other>
-    void take(const Other&) {}
-
     void beginPivot(Index ringLength);
+    void changeLength(bool inserted);
+    void splitRing(const SplitEvidence& split);
+    void joinRings(const JoinEvidence& join);
+    void closeRing(Index entries);
     /// Position on the stack of the ring of that length pushed by the current pivot.
     std::optional<std::size_t> freshOfLength(Index length) const;
-    void joinStacked(std::size_t gone, Ring& into);
+    /// Removes a ring from the stack.
+    Ring unstack(std::size_t place);
     void activate(std::size_t place);
     void endActive(LaneChangeKind kind);
+    void endLane(LaneChangeKind kind, std::uint32_t lane, std::uint32_t other);
     void note(LaneChangeKind kind, std::uint32_t lane, std::uint32_t other);
     std::uint32_t freeLane();
-    void releaseLane(std::uint32_t lane) { free_.push(lane); }
 
     std::optional<Ring> active_;
     std::vector<Ring> stack_;

@@ -6,7 +6,6 @@
 #include <array>
 #include <map>
 
-#include "spiraling_edge/replay/pivot_tally.h"
 #include "spiraling_edge/replay/reading.h"
 #include "spiraling_edge/replay/scan_run.h"
 
@@ -27,7 +26,7 @@ std::uint32_t widthFor(std::uint32_t low, std::uint32_t high) {
 }
 
 /// Bars of equal width from the first to the last value.
-std::vector<ChartBar> barsOf(const Histogram& histogram, std::string_view term) {
+std::vector<ChartBar> barsOf(const Histogram& histogram, const std::string& term) {
     std::vector<ChartBar> bars;
     if (histogram.empty()) return bars;
     const std::uint32_t width = widthFor(histogram.begin()->first, histogram.rbegin()->first);
@@ -35,66 +34,45 @@ std::vector<ChartBar> barsOf(const Histogram& histogram, std::string_view term) 
     const std::uint32_t last = histogram.rbegin()->first / width;
     for (std::uint32_t i = first; i <= last; ++i) {
         const std::string from = std::to_string(i * width);
-        ChartBar bar;
-        bar.label = from;
-        bar.query = "stage=pivot ";
-        bar.query.append(term).append("=").append(from);
-        if (width > 1) {
-            const std::string to = std::to_string(i * width + width - 1);
-            bar.label.append("-").append(to);
-            bar.query.append("..").append(to);
-        }
-        bars.push_back(bar);
+        const std::string to = std::to_string(i * width + width - 1);
+        const std::string query = "stage=pivot " + term + "=" + from;
+        bars.push_back(width > 1 ? ChartBar{from + "-" + to, 0, query + ".." + to}
+                                 : ChartBar{from, 0, query});
     }
     for (const auto& [number, count] : histogram) bars[number / width - first].count += count;
     return bars;
 }
 
-class ChartCounter {
-  public:
-    void add(const ScannedPivot& pivot) {
-        bool looked = false;
-        for (const Event& event : pivot.events) {
-            if (isAgainst(outcomeOf(event)))
-                ++refused_[static_cast<std::size_t>(event.address.stage)];
-            looked = looked || event.address.stage == Stage::Pivot;
-        }
-        if (!looked) return;
-        const PivotTally tally = tallyOf(pivot.events);
-        ++ring_[tally.ringLength];
-        ++candidates_[tally.candidates];
-        ++tests_[tally.tests];
-    }
-
-    std::vector<RunChart> charts() const {
-        std::vector<ChartBar> refusals;
-        for (std::size_t i = 0; i < kStageCount; ++i) {
-            if (refused_[i] == 0) continue;
-            const std::string name(stageName(static_cast<Stage>(i)));
-            refusals.push_back({name, refused_[i], "stage=" + name + " refused"});
-        }
-        return {
-            {"refusals", "Refusals by stage", "decisions", std::move(refusals)},
-            {"ring", "Length of the ring", "pivots", barsOf(ring_, "ring")},
-            {"candidates", "Candidates of a pivot", "pivots", barsOf(candidates_, "candidates")},
-            {"tests", "Cost: tests of a pivot", "pivots", barsOf(tests_, "tests")}};
-    }
-
-  private:
-    std::array<std::uint64_t, kStageCount> refused_{};
-    Histogram ring_;
-    Histogram candidates_;
-    Histogram tests_;
-};
-
 }  // namespace
 
 Result<std::vector<RunChart>> runCharts(const PointSet& points, const Params& params,
                                         const Progress& progress) {
-    ChartCounter counter;
-    const auto onPivot = [&](const ScannedPivot& pivot) { counter.add(pivot); };
+    std::array<std::uint64_t, kStageCount> refused{};
+    Histogram ring, candidates, tests;
+    const auto onPivot = [&](const ScannedPivot& pivot) {
+        bool looked = false;
+        for (const Event& event : pivot.events) {
+            if (isAgainst(outcomeOf(event)))
+                ++refused[static_cast<std::size_t>(event.address.stage)];
+            looked = looked || event.address.stage == Stage::Pivot;
+        }
+        if (!looked) return;
+        const PivotTally tally = tallyOf(pivot.events);
+        ++ring[tally.ringLength];
+        ++candidates[tally.candidates];
+        ++tests[tally.tests];
+    };
     if (!scanRun(points, params, onPivot, progress)) return Error{"Cancelled."};
-    return counter.charts();
+    std::vector<ChartBar> refusals;
+    for (std::size_t i = 0; i < kStageCount; ++i) {
+        const std::string name(stageName(static_cast<Stage>(i)));
+        if (refused[i] > 0) refusals.push_back({name, refused[i], "stage=" + name + " refused"});
+    }
+    return std::vector<RunChart>{
+        {"refusals", "Refusals by stage", "decisions", std::move(refusals)},
+        {"ring", "Length of the ring", "pivots", barsOf(ring, "ring")},
+        {"candidates", "Candidates of a pivot", "pivots", barsOf(candidates, "candidates")},
+        {"tests", "Cost: tests of a pivot", "pivots", barsOf(tests, "tests")}};
 }
 
 }  // namespace se

@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "spiraling_edge/base/progress.h"
-#include "spiraling_edge/base/result.h"
-#include "spiraling_edge/points/point_set.h"
 #include "spiraling_edge/stepper/params.h"
 
 namespace se {

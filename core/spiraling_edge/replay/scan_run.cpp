@@ -4,20 +4,31 @@
 #include <cassert>
 
 #include "spiraling_edge/base/parallel.h"
+#include "spiraling_edge/replay/reading.h"
 #include "spiraling_edge/stepper/stepper.h"
 
 namespace se {
-namespace {
 
 Index pivotPoint(std::span<const Event> events) {
     for (const Event& event : events) {
-        if (const auto* pivot = std::get_if<PivotEvidence>(&event.evidence)) return pivot->pivot;
-        if (const auto* fill = std::get_if<FillEvidence>(&event.evidence)) return fill->pivot;
+        if (const auto* pivot = as<PivotEvidence>(event)) return pivot->pivot;
+        if (const auto* fill = as<FillEvidence>(event)) return fill->pivot;
     }
     return kNone;
 }
 
-}  // namespace
+PivotTally tallyOf(std::span<const Event> events) {
+    PivotTally tally;
+    for (const Event& event : events) {
+        if (const auto* pivot = as<PivotEvidence>(event)) tally.ringLength = pivot->ringLength;
+        const Outcome outcome = outcomeOf(event);
+        if (outcome == Outcome::None) continue;
+        ++tally.tests;
+        const bool sorted = isA<SortEvidence>(event);
+        if (sorted && outcome == Outcome::Taken) ++tally.candidates;
+    }
+    return tally;
+}
 
 std::optional<State> scanRun(const PointSet& points, const Params& params,
                              const std::function<void(const ScannedPivot&)>& visit,

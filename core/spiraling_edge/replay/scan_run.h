@@ -9,8 +9,6 @@
 #include <span>
 
 #include "spiraling_edge/base/progress.h"
-#include "spiraling_edge/points/point_set.h"
-#include "spiraling_edge/stepper/event.h"
 #include "spiraling_edge/stepper/params.h"
 #include "spiraling_edge/stepper/state.h"
 
@@ -24,25 +22,26 @@ struct RunPosition {
     friend auto operator<=>(const RunPosition&, const RunPosition&) = default;
 };
 
-/// Assigns the events of a run their places. next() must be called with every event, in order.
-class PositionCounter {
-  public:
-    RunPosition next(const Event& event) {
-        const bool same = event.address.pivot == place_.pivot;
-        place_ = {event.address.pivot, same ? place_.event + 1 : 0};
-        return place_;
-    }
-
-  private:
-    RunPosition place_;
-};
+/// The point of the pivot that these events are of; kNone where there is none.
+Index pivotPoint(std::span<const Event> events);
 
 /// One pivot of a run, or one step after the last pivot.
 struct ScannedPivot {
-    Index point = kNone;            ///< The pivot's point; kNone where there is none.
+    Index point = kNone;            ///< pivotPoint() of the events.
     std::span<const Event> events;  ///< All events of the pivot, in order.
     const State& after;             ///< The state after the pivot.
 };
+
+/// The work of a pivot in numbers, for charts and query lines.
+struct PivotTally {
+    /// Points of the active ring when the pivot began; 0 where there was no ring entry.
+    std::uint32_t ringLength = 0;
+    std::uint32_t candidates = 0;  ///< Neighbors that the sort of §6.1 kept, Fig. 3.
+    std::uint32_t tests = 0;       ///< Decisions that took or refused something: the cost.
+};
+
+/// The tally of one pivot; `events` are all of its events.
+PivotTally tallyOf(std::span<const Event> events);
 
 /// Runs `points` under `params` from the start and calls `visit` with each pivot that has events.
 /// Returns the state at the end; nothing if `progress` cancelled (its share counts the points that

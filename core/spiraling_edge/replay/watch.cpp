@@ -8,15 +8,19 @@
 namespace se {
 namespace {
 
+template <auto WatchedRun::*number>
+double ofRun(const WatchedRun& run, Index) {
+    return static_cast<double>(run.*number);
+}
+template <auto State::*list>
+double sizeOf(const WatchedRun& run, Index) {
+    return static_cast<double>((run.state.*list).size());
+}
 template <std::uint32_t Counters::*counter>
 double counted(const WatchedRun& run, Index) {
     return run.state.counters.*counter;
 }
 
-double usedPoints(const WatchedRun& run, Index) { return static_cast<double>(run.used); }
-double donePoints(const WatchedRun& run, Index) {
-    return static_cast<double>(run.state.done.size());
-}
 double unusedPoints(const WatchedRun& run, Index) {
     return static_cast<double>(run.state.status.size() - run.state.done.size()) -
            static_cast<double>(run.used);
@@ -37,19 +41,15 @@ constexpr WatchTerm kWatchTerms[] = {
          return point < run.state.status.size() ? static_cast<double>(run.state.status[point])
                                                 : 0.0;
      }},
-    {"triangles", "Triangles made.",
-     [](const WatchedRun& run, Index) { return static_cast<double>(run.state.triangles.size()); }},
+    {"triangles", "Triangles made.", sizeOf<&State::triangles>},
     {"unused", "Points that are UNUSED.", unusedPoints},
-    {"used", "Points that are USED.", usedPoints},
-    {"done", "Points that are DONE.", donePoints},
-    {"tests", "Decisions that took or refused something.",
-     [](const WatchedRun& run, Index) { return static_cast<double>(run.tests); }},
-    {"refused", "Those that refused it.",
-     [](const WatchedRun& run, Index) { return static_cast<double>(run.refused); }},
+    {"used", "Points that are USED.", ofRun<&WatchedRun::used>},
+    {"done", "Points that are DONE.", sizeOf<&State::done>},
+    {"tests", "Decisions that took or refused something.", ofRun<&WatchedRun::tests>},
+    {"refused", "Those that refused it.", ofRun<&WatchedRun::refused>},
     {"circuit", "Pivots since the last triangle.",
      [](const WatchedRun& run, Index) { return static_cast<double>(run.state.circuit); }},
-    {"alerts", "Rings with points in them, or seeds, that were given up.",
-     [](const WatchedRun& run, Index) { return static_cast<double>(run.state.alerts.size()); }},
+    {"alerts", "Rings with points in them, or seeds, that were given up.", sizeOf<&State::alerts>},
     {"skipped", "Boundary points passed over.", counted<&Counters::skipped>},
     {"seeds", "Rings that were begun.", counted<&Counters::seeds>},
     {"inserted", "Third boundary points that led to triangles.", counted<&Counters::inserted>},
@@ -78,12 +78,12 @@ class UsedCounter {
     std::size_t count() const { return count_; }
     void add(const ScannedPivot& pivot) {
         for (const Event& event : pivot.events) {
-            if (const auto* seed = std::get_if<SeedEvidence>(&event.evidence)) {
+            if (const auto* seed = as<SeedEvidence>(event)) {
                 look(seed->first, pivot.after);
                 look(seed->second, pivot.after);
-            } else if (const auto* insert = std::get_if<InsertEvidence>(&event.evidence)) {
+            } else if (const auto* insert = as<InsertEvidence>(event)) {
                 look(insert->third, pivot.after);
-            } else if (const auto* ring = std::get_if<RingEvidence>(&event.evidence)) {
+            } else if (const auto* ring = as<RingEvidence>(event)) {
                 look(ring->point, pivot.after);
             }
         }
@@ -108,10 +108,10 @@ Result<WatchExpression> WatchExpression::parse(std::string_view text) {
     text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
     while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
     for (const WatchTerm& term : kWatchTerms) {
-        if (text == term.form && !term.form.ends_with("=N")) return WatchExpression(term, kNone);
-        if (!term.form.ends_with("=N")) continue;
+        const bool ofPoint = term.form.ends_with("=N");
+        if (!ofPoint && text == term.form) return WatchExpression(term, kNone);
         const std::string_view head = term.form.substr(0, term.form.size() - 1);
-        if (!text.starts_with(head)) continue;
+        if (!ofPoint || !text.starts_with(head)) continue;
         const std::string_view number = text.substr(head.size());
         Index point = kNone;
         const auto [end, error] =

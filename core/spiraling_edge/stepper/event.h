@@ -275,7 +275,6 @@ enum class AlertKind : std::uint8_t {
     Hole,         ///< A ring with interior points was freed.
     LostSeed,     ///< A ring of two got no triangle.
 };
-std::string_view alertName(AlertKind kind);
 struct AlertEvidence {
     AlertKind kind;
     Index point;
@@ -293,12 +292,6 @@ struct Event {
     Address address;
     Evidence evidence;
 };
-
-/// The words for the verdict of an event; "now start" or "now end" for a candidate that start or
-/// end moved to. Empty for an event without a test.
-std::string_view endingText(const Event& event);
-/// One plain sentence with its numbers; the same on screen, on stdout and in golden logs.
-std::string describe(const Event& event);
 
 /// Receives every decision, in order. Not part of State: a copy of a State has no log.
 class EventLog {

@@ -1,4 +1,5 @@
 #include "spiraling_edge/explain/ledger.h"
+#include "spiraling_edge/replay/event_text.h"
 
 #include <doctest/doctest.h>
 

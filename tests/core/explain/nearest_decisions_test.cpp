@@ -1,4 +1,5 @@
 #include "spiraling_edge/explain/nearest_decisions.h"
+#include "spiraling_edge/replay/event_text.h"
 
 #include <doctest/doctest.h>
 

@@ -25,6 +25,14 @@ std::function<bool(const PointFile&)> failsBy(std::string_view name) {
     };
 }
 
+/// Reduces without a limit of the effort.
+Result<Reduced> reduceFully(const PointFile& file, const Vec3& place,
+                            const std::function<bool(const PointFile&)>& fails,
+                            const Progress& progress = {}) {
+    const auto tried = [&](const PointFile& part) { return ReduceTry{fails(part), 0}; };
+    return reduceInput(file, place, tried, 1, progress);
+}
+
 }  // namespace
 
 TEST_CASE("reduce: what stays still fails, and no single point of it can go") {
@@ -33,7 +41,7 @@ TEST_CASE("reduce: what stays still fails, and no single point of it can go") {
     file.normal[planted] = -file.normal[planted];
     const auto fails = failsBy("unused_points");
     REQUIRE(fails(file));
-    const auto reduced = reduceInput(file, file.position[planted], fails);
+    const auto reduced = reduceFully(file, file.position[planted], fails);
     REQUIRE(reduced.ok());
     const Reduced& small = reduced.value();
     CHECK(small.file.position.size() == small.kept.size());
@@ -50,10 +58,10 @@ TEST_CASE("reduce: what stays still fails, and no single point of it can go") {
 
 TEST_CASE("reduce: an input that does not fail, and a cancelled one") {
     const PointFile file = closedFamilies()[0].sample(1);
-    CHECK_FALSE(reduceInput(file, Vec3(0.0), [](const PointFile&) { return false; }).ok());
+    CHECK_FALSE(reduceFully(file, Vec3(0.0), [](const PointFile&) { return false; }).ok());
     const auto always = [](const PointFile&) { return true; };
-    CHECK_FALSE(reduceInput(file, Vec3(0.0), always, [](double) { return false; }).ok());
-    const auto one = reduceInput(file, Vec3(0.0), always);
+    CHECK_FALSE(reduceFully(file, Vec3(0.0), always, [](double) { return false; }).ok());
+    const auto one = reduceFully(file, Vec3(0.0), always);
     REQUIRE(one.ok());
     CHECK(one.value().kept.size() == 1);
 }

@@ -1,4 +1,5 @@
 #include "spiraling_edge/explain/run_compare.h"
+#include "spiraling_edge/replay/event_text.h"
 
 #include <doctest/doctest.h>
 

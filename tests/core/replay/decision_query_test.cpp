@@ -6,7 +6,6 @@
 #include <cmath>
 #include <string>
 
-#include "spiraling_edge/replay/named_points.h"
 #include "support/clouds.h"
 #include "support/rig.h"
 

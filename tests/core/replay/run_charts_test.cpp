@@ -5,7 +5,6 @@
 #include <set>
 
 #include "spiraling_edge/replay/decision_query.h"
-#include "spiraling_edge/replay/pivot_tally.h"
 #include "spiraling_edge/replay/scan_run.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "support/clouds.h"

@@ -1,4 +1,5 @@
 #include "spiraling_edge/replay/timeline.h"
+#include "spiraling_edge/replay/event_text.h"
 
 #include <doctest/doctest.h>
 

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "support/clouds.h"
 

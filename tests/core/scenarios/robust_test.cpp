@@ -2,6 +2,7 @@
 /// and the numbers measured on the shared data. robust_clean_test.cpp has the clean clouds.
 #include <doctest/doctest.h>
 
+#include "spiraling_edge/replay/event_text.h"
 #include "support/clouds.h"
 #include "support/random_points.h"
 #include "support/rig.h"

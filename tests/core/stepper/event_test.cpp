@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/stepper/event.h"
 #include "support/clouds.h"
 #include "support/oracles.h"

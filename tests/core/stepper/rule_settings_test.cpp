@@ -1,5 +1,6 @@
 /// The table of all settings of the rules, and the effect of each.
 #include "spiraling_edge/stepper/rule_settings.h"
+#include "spiraling_edge/replay/event_text.h"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/scenes/scenes.h"
 #include "support/clouds.h"
 

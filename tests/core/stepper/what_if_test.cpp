@@ -1,5 +1,6 @@
 /// Forks: overrides of the rules at one place of a run.
 #include "spiraling_edge/stepper/what_if.h"
+#include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/stepper/edited_points.h"
 
 #include <doctest/doctest.h>

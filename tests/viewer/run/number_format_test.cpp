@@ -1,4 +1,5 @@
 #include "run/number_format.h"
+#include "spiraling_edge/replay/event_text.h"
 
 #include <doctest/doctest.h>
 

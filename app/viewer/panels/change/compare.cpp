@@ -7,6 +7,7 @@
 #include "panel_state/compare_page.h"
 #include "panels/widgets/widgets.h"
 #include "session/session.h"
+#include "spiraling_edge/replay/event_text.h"
 
 namespace se::view {
 

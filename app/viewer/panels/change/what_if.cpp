@@ -10,6 +10,7 @@
 #include "run/rule_set.h"
 #include "session/layout_preset.h"
 #include "session/session.h"
+#include "spiraling_edge/replay/event_text.h"
 
 namespace se::view {
 

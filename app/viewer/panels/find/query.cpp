@@ -13,7 +13,6 @@
 #include "scene/point_tint.h"
 #include "session/session.h"
 #include "spiraling_edge/replay/decision_query.h"
-#include "spiraling_edge/replay/named_points.h"
 
 namespace se::view {
 

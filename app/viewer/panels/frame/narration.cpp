@@ -6,6 +6,7 @@
 #include "run/number_format.h"
 #include "scene/outcome.h"
 #include "session/session.h"
+#include "spiraling_edge/replay/event_text.h"
 
 namespace se::view {
 

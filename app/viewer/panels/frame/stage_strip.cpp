@@ -7,6 +7,7 @@
 #include "scene/outcome.h"
 #include "session/playback.h"
 #include "session/session.h"
+#include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/reading.h"
 #include "strips.h"
 

@@ -9,6 +9,7 @@
 #include "scene/draw_list.h"
 #include "scene/outcome.h"
 #include "session/session.h"
+#include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/reading.h"
 
 namespace se::view {
