@@ -2,12 +2,11 @@
 
 #include <glad/gl.h>
 
-#include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
 #include <utility>
 
+#include "run/embedded_files.h"
 #include "run/strings.h"
-#include "shader_sources.h"
 
 namespace se::view {
 
@@ -21,11 +20,9 @@ Result<std::string> sourceOf(const std::string& name, const std::filesystem::pat
         if (!text) return Error{"Cannot read the shader " + (folder / name).string() + "."};
         return std::move(*text);
     }
-    const auto all = embeddedShaders();
-    const auto found = std::find_if(all.begin(), all.end(),
-                                    [&](const ShaderSource& each) { return each.name == name; });
-    if (found == all.end()) return Error{"There is no shader " + name + "."};
-    return std::string(found->text);
+    const std::string_view text = embeddedFile(name);
+    if (text.empty()) return Error{"There is no shader " + name + "."};
+    return std::string(text);
 }
 
 Result<unsigned> compile(GLenum kind, const std::string& name, const std::filesystem::path& folder,
