@@ -1,4 +1,4 @@
-#include "corner.h"
+#include "disc.h"
 #include "run/number_format.h"
 #include "run/rule_set.h"
 

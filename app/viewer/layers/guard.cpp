@@ -1,7 +1,6 @@
 /// Beyond the paper (docs/robust.md): the objection of a rule to the whole fan.
 #include <algorithm>
 
-#include "corner.h"
 #include "overlap.h"
 #include "scene/selection_measures.h"
 

@@ -1,3 +1,4 @@
+/// The pivot with its candidates and its sector, and the listed neighbors of a point.
 #include <algorithm>
 
 #include "disc.h"
@@ -52,6 +53,20 @@ void addEnds(const LayerInput& in, DrawList& out) {
     addMark(in, p.start, Shape::Forward, in.palette.first, 1.0F, out);
 }
 
+void addList(const LayerInput& in, Index point, const Color& color, DrawList& out) {
+    if (point == kNone) return;
+    for (const Index q : in.model.points.neighbors[point]) {
+        Line line;
+        line.from = in.at(point);
+        line.to = in.at(q);
+        line.color = color;
+        line.width = 0.06F;
+        line.dash = 0.2F;
+        line.depth = Depth::OnTop;
+        out.lines.push_back(line);
+    }
+}
+
 }  // namespace
 
 void addSector(const LayerInput& in, DrawList& out) {
@@ -84,6 +99,11 @@ void addNeighborRing(const LayerInput& in, DrawList& out) {
         addMark(in, mark.point, Shape::Cross, in.palette.rejected, 1.0F, out);
     }
     addMark(in, p.pivot, Shape::RingedDisc, in.palette.pivot, 1.15F, out);
+}
+
+void addLinks(const LayerInput& in, DrawList& out) {
+    addList(in, in.picture.pivot, in.palette.unused, out);
+    if (in.selected != in.picture.pivot) addList(in, in.selected, in.palette.accent, out);
 }
 
 }  // namespace se::view

@@ -1,3 +1,4 @@
+/// What the user has chosen: an edge or a triangle, and highlighted points.
 #include "layer.h"
 
 namespace se::view {
@@ -34,6 +35,14 @@ void addSelection(const LayerInput& in, DrawList& out) {
         {{in.at(corners[0]), in.at(corners[1]), in.at(corners[2])},
          in.palette.accent.withAlpha(in.selectionPresent ? kSelectionTint : 0.5F * kSelectionTint),
          false});
+}
+
+/// Highlighted points, such as those of a finding: a ring around each, over everything else.
+void addMarked(const LayerInput& in, DrawList& out) {
+    for (const Index p : in.marked) {
+        if (!in.model.drawable[p]) continue;
+        out.mark(in.at(p), Shape::OpenDiamond, in.palette.rejected, 0.95F);
+    }
 }
 
 }  // namespace se::view

@@ -1,8 +1,11 @@
-/// §6.2, Fig. 7: the plane through start and end along the mean normal; points beyond it are far.
+/// Holes: the plane of a hole of three (§6.2, Fig. 7), and, beyond the paper (RobustRules::fill),
+/// the ears that close a larger one, the largest least angle first.
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
 #include "disc.h"
+#include "run/number_format.h"
 
 namespace se::view {
 
@@ -44,6 +47,22 @@ void addFeet(const LayerInput& in, const Plane& plane, float pivotSide, DrawList
     }
 }
 
+/// The rim of the hole, bold.
+void addHole(const LayerInput& in, const FillEvidence& e, DrawList& out) {
+    const std::vector<RingPath>& rings = in.picture.rings;
+    if (rings.empty() || !rings.front().active || rings.front().points.empty()) return;
+    const std::vector<Index>& points = rings.front().points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        out.line(in.at(points[i]), in.at(points[(i + 1) % points.size()]), in.palette.last, 0.28F,
+                 Depth::XRay);
+    }
+    // Away from the ear, which has labels of its own.
+    const auto ear = std::find(points.begin(), points.end(), e.pivot) - points.begin();
+    const std::size_t away = (static_cast<std::size_t>(ear) + points.size() / 2) % points.size();
+    out.label(in.at(points[away]), "hole of " + std::to_string(e.ringLength), in.palette.last,
+              true);
+}
+
 }  // namespace
 
 void addHolePlane(const LayerInput& in, DrawList& out) {
@@ -72,6 +91,23 @@ void addHolePlane(const LayerInput& in, DrawList& out) {
                   e->verdict == Verdict::Kept ? "near" : "far", std::abs(e->side));
     const Color& color = e->verdict == Verdict::Kept ? c.used : c.rejected;
     out.label(0.5F * (in.at(e->point) + plane.foot(in.at(e->point))), text, color, true);
+}
+
+void addHoleFill(const LayerInput& in, DrawList& out) {
+    const auto* e = in.picture.evidence<FillEvidence>(Stage::Fill);
+    if (e == nullptr || e->first == kNone || e->last == kNone) return;
+    const Palette& c = in.palette;
+    const glm::vec3& p = in.at(e->pivot);
+    const glm::vec3& first = in.at(e->first);
+    const glm::vec3& last = in.at(e->last);
+    addHole(in, *e, out);
+    out.sheet(p, first, last, c.test.withAlpha(0.25F));
+    out.hatch(first, last, p, c.test, 9);
+    out.line(first, last, c.test, 0.26F, Depth::OnTop);
+    out.label(
+        0.5F * (first + last),
+        (e->forced ? "no ear without a fault: " : "best ear: ") + degreesText(e->leastDegrees),
+        e->forced ? c.rejected : c.test, true);
 }
 
 }  // namespace se::view
