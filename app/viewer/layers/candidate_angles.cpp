@@ -16,12 +16,9 @@ void addSlicingPlane(const LayerInput& in, const Disc& disc, DrawList& out) {
     const glm::vec3 up = 0.55F * size * disc.normal;
     const glm::vec3& p = disc.origin;
     const Color& color = in.palette.accent;
-    out.sheet(p - along - up, p + along - up, p + along + up, color.withAlpha(0.14F));
-    out.sheet(p - along - up, p + along + up, p - along + up, color.withAlpha(0.14F));
     const std::array corners = {p - along - up, p + along - up, p + along + up, p - along + up};
-    for (std::size_t i = 0; i < 4; ++i) {
-        out.line(corners[i], corners[(i + 1) % 4], color.withAlpha(0.7F), 0.06F, Depth::OnTop);
-    }
+    out.sheet(corners, color.withAlpha(0.14F));
+    out.loop(corners, color.withAlpha(0.7F), 0.06F);
     out.arrow(p, p + 0.7F * size * disc.quarter, color, 0.1F);
     out.label(p + 0.7F * size * disc.quarter, "n", in.palette.text);
 }

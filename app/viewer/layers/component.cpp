@@ -111,7 +111,7 @@ void addSeed(const LayerInput& in, DrawList& out) {
     out.mark(in.at(e->first), Shape::RingedDisc, c.pivot, 1.3F);
     out.label(in.at(e->first), "start point " + std::to_string(e->first), c.pivot, true);
     out.label(in.at(e->second), std::to_string(e->second) + ", its nearest not DONE", c.used, true);
-    out.label(0.5F * (in.at(e->first) + in.at(e->second)), "ring of two", c.used);
+    out.label(in.middleOf(e->first, e->second), "ring of two", c.used);
 }
 
 }  // namespace se::view

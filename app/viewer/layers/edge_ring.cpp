@@ -34,8 +34,7 @@ void addRing(const LayerInput& in, const RingPath& ring, const Line& like, DrawL
 /// The letter of a ring is at its first point.
 void addNumber(const LayerInput& in, const RingPath& ring, DrawList& out) {
     if (ring.points.empty()) return;
-    out.labels.push_back(
-        {in.at(ring.points.front()), "#" + std::to_string(ring.depth + 1), in.palette.used, false});
+    out.label(in.at(ring.points.front()), "#" + std::to_string(ring.depth + 1), in.palette.used);
 }
 
 }  // namespace

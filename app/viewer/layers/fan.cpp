@@ -9,7 +9,7 @@ namespace {
 
 /// An arrow round the middle of a triangle, in the order of its corners.
 void addTurn(const LayerInput& in, const Triangle& t, float inner, DrawList& out) {
-    const glm::vec3 middle = (in.at(t.a) + in.at(t.b) + in.at(t.c)) / 3.0F;
+    const glm::vec3 middle = in.middleOf(t);
     const auto near = [&](Index corner) { return middle + inner * (in.at(corner) - middle); };
     const Color color = in.palette.text;
     out.line(near(t.a), near(t.b), color, 0.1F, Depth::OnTop);
@@ -32,9 +32,8 @@ void addFan(const LayerInput& in, DrawList& out) {
     const std::vector<Triangle>& fresh = in.picture.newTriangles;
     for (std::size_t i = 0; i < fresh.size(); ++i) {
         const Triangle& t = fresh[i];
-        const glm::vec3 a = in.at(t.a);
-        const glm::vec3 middle = (a + in.at(t.b) + in.at(t.c)) / 3.0F;
-        const glm::vec3 across = glm::cross(in.at(t.b) - a, in.at(t.c) - a);
+        const glm::vec3 middle = in.middleOf(t);
+        const glm::vec3 across = in.acrossOf(t);
         if (!(glm::length(across) > 0.0F)) continue;
         addTurn(in, t, 0.62F, out);
         out.line(middle, middle + 0.45F * in.model.spacing * glm::normalize(across),
@@ -42,16 +41,13 @@ void addFan(const LayerInput& in, DrawList& out) {
         const bool newest = i + 1 == fresh.size();
         out.label(middle, std::to_string(i + 1), newest ? in.palette.text : in.palette.test, true);
         if (newest) {
-            out.label(0.5F * (in.at(t.b) + in.at(t.c)),
+            out.label(in.middleOf(t.b, t.c),
                       "least angle " + degreesText(leastDegrees(in.model.points, t)),
                       in.palette.test);
         }
     }
     if (fresh.empty() || in.picture.pivot == kNone) return;
-    const Triangle& t = fresh.back();
-    for (const auto& [from, to] : {std::pair{t.a, t.b}, std::pair{t.b, t.c}, std::pair{t.c, t.a}}) {
-        out.line(in.at(from), in.at(to), in.palette.test, 0.2F, Depth::OnTop);
-    }
+    out.loop(in.cornersOf(fresh.back()), in.palette.test, 0.2F);
 }
 
 void addTwoPoint(const LayerInput& in, DrawList& out) {
@@ -66,13 +62,12 @@ void addTwoPoint(const LayerInput& in, DrawList& out) {
     out.sheet(p, first, last, color.withAlpha(0.25F));
     out.hatch(first, last, p, color, 9);
     if (over) {
-        const Triangle wouldBe{in.picture.pivot, in.picture.first, in.picture.last};
-        const Overlap overlap = overlapOf(in, *disc, wouldBe);
+        const Overlap overlap =
+            overlapOf(in, *disc, {in.picture.pivot, in.picture.first, in.picture.last});
         addOverlap(in, overlap, out);
         addCovered(in, overlap, out);
     }
-    Line closing{first, last, color, 0.2F, over ? 0.35F : 0.0F, 0.0F, Depth::OnTop};
-    out.lines.push_back(closing);
+    out.dashed(first, last, color, 0.2F, over ? 0.35F : 0.0F);
     const Arc arc{0.0, e->degrees, 0.75F * discRadius(in)};
     addArc(*disc, arc, color, 0.22F, out);
     // The half turn that the angle is compared with.

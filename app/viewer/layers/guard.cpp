@@ -28,10 +28,10 @@ void addWidth(const LayerInput& in, const Disc& disc, const GuardEvidence& e, do
 /// The normal of the triangle and those of its corners, from which it deviates too much.
 void addTilt(const LayerInput& in, const Triangle& t, double limit, DrawList& out) {
     const Palette& c = in.palette;
-    const glm::vec3 across = glm::cross(in.at(t.b) - in.at(t.a), in.at(t.c) - in.at(t.a));
+    const glm::vec3 across = in.acrossOf(t);
     if (!(glm::length(across) > 0.0F)) return;
     const float length = 1.1F * in.model.spacing;
-    const glm::vec3 middle = (in.at(t.a) + in.at(t.b) + in.at(t.c)) / 3.0F;
+    const glm::vec3 middle = in.middleOf(t);
     const glm::vec3 tip = middle + length * glm::normalize(across);
     out.arrow(middle, tip, c.rejected, 0.16F);
     for (const Index corner : {t.a, t.b, t.c}) {
@@ -55,7 +55,7 @@ void addTaken(const LayerInput& in, const Triangle& t, DrawList& out) {
         for (const std::uint32_t number : in.meshIndex->atEdge(in.triangles, from, to)) {
             if (number >= count || !passes(in.triangles[number], from, to)) continue;
             out.line(in.at(from), in.at(to), in.palette.rejected, 0.34F, Depth::OnTop);
-            out.label(0.5F * (in.at(from) + in.at(to)), "taken", in.palette.rejected);
+            out.label(in.middleOf(from, to), "taken", in.palette.rejected);
         }
     }
 }
@@ -99,7 +99,7 @@ void addGuard(const LayerInput& in, DrawList& out) {
     } else {
         addTriangle(in, *disc, *e, out);
     }
-    const glm::vec3 far = e->b == kNone ? in.at(e->a) : 0.5F * (in.at(e->a) + in.at(e->b));
+    const glm::vec3 far = e->b == kNone ? in.at(e->a) : in.middleOf(e->a, e->b);
     out.label(far,
               std::string(verdictText(e->verdict)) +
                   (e->verdict == Verdict::WhatIfKept ? ""

@@ -2,10 +2,10 @@
 /// the ears that close a larger one, the largest least angle first.
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 #include "disc.h"
 #include "run/number_format.h"
+#include "run/strings.h"
 
 namespace se::view {
 
@@ -27,11 +27,8 @@ void addPlane(const LayerInput& in, const glm::vec3& up, DrawList& out) {
     const std::array corners = {s - beyond - rise, e + beyond - rise, e + beyond + rise,
                                 s - beyond + rise};
     const Color& color = in.palette.test;
-    out.sheet(corners[0], corners[1], corners[2], color.withAlpha(0.3F));
-    out.sheet(corners[0], corners[2], corners[3], color.withAlpha(0.3F));
-    for (std::size_t i = 0; i < 4; ++i) {
-        out.line(corners[i], corners[(i + 1) % 4], color, 0.1F, Depth::OnTop);
-    }
+    out.sheet(corners, color.withAlpha(0.3F));
+    out.loop(corners, color, 0.1F);
     out.arrow(0.5F * (s + e), 0.5F * (s + e) + 1.4F * rise, color, 0.12F);
     out.label(0.5F * (s + e) + 1.4F * rise, "mean normal", color);
 }
@@ -79,18 +76,15 @@ void addHolePlane(const LayerInput& in, DrawList& out) {
     const float way = glm::dot(up, in.model.normal[picture.pivot]) < 0.0F ? -1.0F : 1.0F;
     const Palette& c = in.palette;
     out.sheet(p, s, end, c.used.withAlpha(0.35F));
-    for (const auto& [from, to] : {std::pair{p, s}, std::pair{s, end}, std::pair{end, p}}) {
-        out.line(from, to, c.used, 0.16F, Depth::OnTop);
-    }
+    out.loop(std::array{p, s, end}, c.used, 0.16F);
     out.label((p + s + end) / 3.0F, "side of p", c.used, true);
     addPlane(in, way * up, out);
     addFeet(in, plane, glm::dot(p - s, plane.normal), out);
     if (e->point == kNone) return;
-    char text[64];
-    std::snprintf(text, sizeof text, "%s side, %.3g off",
-                  e->verdict == Verdict::Kept ? "near" : "far", std::abs(e->side));
-    const Color& color = e->verdict == Verdict::Kept ? c.used : c.rejected;
-    out.label(0.5F * (in.at(e->point) + plane.foot(in.at(e->point))), text, color, true);
+    const bool kept = e->verdict == Verdict::Kept;
+    out.label(0.5F * (in.at(e->point) + plane.foot(in.at(e->point))),
+              (kept ? "near" : "far") + formatted(" side, %.3g off", std::abs(e->side)),
+              kept ? c.used : c.rejected, true);
 }
 
 void addHoleFill(const LayerInput& in, DrawList& out) {

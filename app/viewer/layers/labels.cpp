@@ -54,11 +54,11 @@ void addLabels(const LayerInput& in, DrawList& out) {
     }
     if (p.complete) labels.add(p.nextPivot, "next pivot", c.pivot, true);
     if (in.hovered != kNone) {
-        out.sprites.push_back({in.at(in.hovered), {c.text.withAlpha(0.8F), 1.5F, Shape::Circle}});
+        out.mark(in.at(in.hovered), Shape::Circle, c.text.withAlpha(0.8F), 1.5F);
         labels.add(in.hovered, "", c.text, true);
     }
     if (in.selected != kNone) {
-        out.sprites.push_back({in.at(in.selected), {c.text, 1.3F, Shape::Circle}});
+        out.mark(in.at(in.selected), Shape::Circle, c.text, 1.3F);
         labels.add(in.selected, "", c.text, true);
     }
 }

@@ -1,9 +1,11 @@
-/// Layers turn (input, picture, selection) into plain things to draw. One file each; the table
-/// has their names for the panel, the keys and the settings, and the stages that show them.
+/// Layers turn (input, picture, selection) into plain things to draw. A file has those of one
+/// subject; the table has their names for the panel, the keys and the settings, and the stages that
+/// show them.
 #pragma once
 
 #include <array>
 #include <bitset>
+#include <glm/geometric.hpp>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -49,6 +51,15 @@ struct LayerInput {
     std::span<const LiveFailure> noticed{};  ///< Failures at this event.
 
     const glm::vec3& at(Index point) const { return model.place[point]; }
+    std::array<glm::vec3, 3> cornersOf(const Triangle& t) const {
+        return {at(t.a), at(t.b), at(t.c)};
+    }
+    glm::vec3 middleOf(const Triangle& t) const { return (at(t.a) + at(t.b) + at(t.c)) / 3.0F; }
+    glm::vec3 middleOf(Index a, Index b) const { return 0.5F * (at(a) + at(b)); }
+    /// Along the normal of the triangle, as long as twice its area.
+    glm::vec3 acrossOf(const Triangle& t) const {
+        return glm::cross(at(t.b) - at(t.a), at(t.c) - at(t.a));
+    }
 };
 
 void addPoints(const LayerInput& in, DrawList& out);

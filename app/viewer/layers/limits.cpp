@@ -1,8 +1,7 @@
 /// §6.1: start and end advance along the ring (Fig. 4), or a convex ring drops the point next to
 /// them (Fig. 5).
-#include <cstdio>
-
 #include "disc.h"
+#include "run/strings.h"
 
 namespace se::view {
 
@@ -18,8 +17,7 @@ void addMove(const LayerInput& in, const LimitEvidence& e, DrawList& out) {
         return;
     }
     out.arrow(in.at(e.from), in.at(e.to), color, 0.24F, 0.8F);
-    out.label(0.5F * (in.at(e.from) + in.at(e.to)), start ? "S moves here" : "E moves here", color,
-              true);
+    out.label(in.middleOf(e.from, e.to), start ? "S moves here" : "E moves here", color, true);
     // The lost part of the range is dotted, outside of the remaining part.
     if (const std::optional<Disc> disc = pivotDisc(in)) {
         addDashedArc(*disc, {e.fromDegrees, e.toDegrees, 1.12F * discRadius(in)}, c.textDim, 0.12F,
@@ -36,9 +34,7 @@ void addStem(const LayerInput& in, const Disc& disc, Index point, DrawList& out)
     out.mark(foot, Shape::Dot, color, 0.4F);
     out.dashed(disc.origin, foot, color.withAlpha(0.7F), 0.06F, 0.2F);
     const double height = glm::dot(at - disc.origin, disc.normal) / in.model.scale;
-    char text[48];
-    std::snprintf(text, sizeof text, "height %+.3g", height);
-    out.label(0.5F * (at + foot), text, color);
+    out.label(0.5F * (at + foot), formatted("height %+.3g", height), color);
 }
 
 }  // namespace
@@ -77,8 +73,8 @@ void addConvexity(const LayerInput& in, DrawList& out) {
     // The path along the ring, against the straight spoke.
     out.dashed(in.at(p), in.at(limit), in.palette.used, 0.22F, 0.16F);
     out.dashed(in.at(limit), in.at(e->point), in.palette.used, 0.22F, 0.16F);
-    out.label(0.5F * (in.at(limit) + in.at(e->point)), "along the ring", in.palette.used, true);
-    out.label(0.5F * (in.at(p) + in.at(e->point)), "straight: removed", in.palette.rejected, true);
+    out.label(in.middleOf(limit, e->point), "along the ring", in.palette.used, true);
+    out.label(in.middleOf(p, e->point), "straight: removed", in.palette.rejected, true);
 }
 
 }  // namespace se::view

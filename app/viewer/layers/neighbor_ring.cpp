@@ -9,22 +9,20 @@ namespace {
 
 void addSpoke(const LayerInput& in, const CandidateMark& mark, DrawList& out) {
     const bool rejected = mark.state == CandidateState::Rejected;
-    Line line;
-    line.from = in.at(in.picture.pivot);
-    line.to = in.at(mark.point);
-    line.color = rejected ? in.palette.rejected.withAlpha(0.75F) : in.palette.used;
-    line.width = rejected ? 0.06F : 0.09F;
-    line.dash = rejected ? 0.3F : 0.0F;
-    line.depth = Depth::OnTop;
-    if (mark.point == in.picture.underTest) line.width = 0.16F;
-    if (mark.point == in.picture.underTest && !rejected) line.color = in.palette.test;
-    out.lines.push_back(line);
+    const bool tested = mark.point == in.picture.underTest;
+    const Color color = rejected ? in.palette.rejected.withAlpha(0.75F)
+                        : tested ? in.palette.test
+                                 : in.palette.used;
+    out.dashed(in.at(in.picture.pivot), in.at(mark.point), color,
+               tested     ? 0.16F
+               : rejected ? 0.06F
+                          : 0.09F,
+               rejected ? 0.3F : 0.0F);
 }
 
 void addMark(const LayerInput& in, Index point, Shape shape, const Color& color, float size,
              DrawList& out) {
-    if (point == kNone) return;
-    out.sprites.push_back({in.at(point), {color, size, shape}});
+    if (point != kNone) out.mark(in.at(point), shape, color, size);
 }
 
 void addCandidates(const LayerInput& in, DrawList& out) {
@@ -56,14 +54,7 @@ void addEnds(const LayerInput& in, DrawList& out) {
 void addList(const LayerInput& in, Index point, const Color& color, DrawList& out) {
     if (point == kNone) return;
     for (const Index q : in.model.points.neighbors[point]) {
-        Line line;
-        line.from = in.at(point);
-        line.to = in.at(q);
-        line.color = color;
-        line.width = 0.06F;
-        line.dash = 0.2F;
-        line.depth = Depth::OnTop;
-        out.lines.push_back(line);
+        out.dashed(in.at(point), in.at(q), color, 0.06F, 0.2F);
     }
 }
 

@@ -51,14 +51,8 @@ void addMarks(const LayerInput& in, DrawList& out) {
 void addBand(const LayerInput& in, const RingPath& ring, const Color& color, float dash,
              DrawList& out) {
     for (std::size_t i = 0; i < ring.points.size(); ++i) {
-        Line line;
-        line.from = in.at(ring.points[i]);
-        line.to = in.at(ring.points[(i + 1) % ring.points.size()]);
-        line.color = color.withAlpha(0.55F);
-        line.width = 0.5F;
-        line.dash = dash;
-        line.depth = Depth::XRay;
-        out.lines.push_back(line);
+        out.dashed(in.at(ring.points[i]), in.at(ring.points[(i + 1) % ring.points.size()]),
+                   color.withAlpha(0.55F), 0.5F, dash, Depth::XRay);
     }
 }
 
