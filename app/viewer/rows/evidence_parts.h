@@ -1,4 +1,5 @@
-/// The rows of Inspect, one function for each kind of evidence. See evidence_rows.h.
+/// The rows of Inspect, one function for each kind of evidence: those of evidence_tests.cpp, and
+/// what they share with those of evidence_rows.cpp.
 #pragma once
 
 #include "evidence_rows.h"
@@ -45,21 +46,5 @@ void addRows(const ReciprocalEvidence& e, const EvidenceInput& in, EvidenceRows&
 void addRows(const HoleEvidence& e, const EvidenceInput& in, EvidenceRows& out);
 void addRows(const SphereEvidence& e, const EvidenceInput& in, EvidenceRows& out);
 void addRows(const TwoPointEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-// Effects of a pivot.
-void addRows(const EmitEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const RingEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const SplitEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const JoinEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const CloseEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const AdvanceEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const FreeEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const ComponentEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const AlertEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-// Rules beyond the paper.
-void addRows(const GuardEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const FillEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const ReinsertEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const RemoveFoldedEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const FlipEvidence& e, const EvidenceInput& in, EvidenceRows& out);
 
 }  // namespace se::view
