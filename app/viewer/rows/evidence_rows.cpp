@@ -159,15 +159,8 @@ void addRows(const ComponentEvidence& e, const EvidenceInput& in, EvidenceRows& 
 }
 
 const char* meaningOf(AlertKind kind) {
-    switch (kind) {
-        case AlertKind::TriangleCap:
-            return "too many triangles: the run is stopped";
-        case AlertKind::Hole:
-            return "a hole stays open";
-        case AlertKind::LostSeed:
-            return "the seed got no triangle";
-    }
-    return "";
+    if (kind == AlertKind::TriangleCap) return "too many triangles: the run is stopped";
+    return kind == AlertKind::Hole ? "a hole stays open" : "the seed got no triangle";
 }
 
 void addRows(const AlertEvidence& e, const EvidenceInput& in, EvidenceRows& out) {
@@ -251,15 +244,14 @@ void addLeastAngles(const EvidenceInput& in, EvidenceRows& out) {
 }
 
 /// Number of triangles that are against their normals.
-std::string flippedText(const PointSet& points, const std::vector<Triangle>& triangles) {
-    return std::to_string(std::count_if(triangles.begin(), triangles.end(),
-                                        [&](const Triangle& t) { return isFlipped(points, t); }));
-}
-
 void addFlipped(const EvidenceInput& in, EvidenceRows& out) {
-    const PointSet& points = in.model.points;
-    out.row("flipped ones", flippedText(points, in.picture.goneTriangles) + " \xE2\x86\x92 " +
-                                flippedText(points, in.picture.newTriangles));
+    const auto counted = [&](const std::vector<Triangle>& triangles) {
+        return std::to_string(
+            std::count_if(triangles.begin(), triangles.end(),
+                          [&](const Triangle& t) { return isFlipped(in.model.points, t); }));
+    };
+    out.row("flipped ones", counted(in.picture.goneTriangles) + " \xE2\x86\x92 " +
+                                counted(in.picture.newTriangles));
 }
 
 std::string countsText(const Picture& picture) {

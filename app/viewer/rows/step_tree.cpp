@@ -106,7 +106,7 @@ void StepTree::layOut() {
 
 bool StepTree::stageOpen(std::size_t run) const {
     if (runs_[run].size() < 2) return false;
-    const bool byHand = (openedStages_ >> static_cast<unsigned>(runs_[run].stage) & 1U) != 0;
+    const bool byHand = openedStages_.test(static_cast<std::size_t>(runs_[run].stage));
     return byHand || (run == cursorRun_ && !stageFolded_);
 }
 
@@ -239,51 +239,26 @@ std::optional<std::size_t> StepTree::filteredCursor() const {
 // ---- opening --------------------------------------------------------------------------------
 
 bool StepTree::canOpen(const StepRow& row) const {
-    switch (row.kind) {
-        case StepRowKind::Component:
-        case StepRowKind::Pivot:
-            return true;
-        case StepRowKind::Stage:
-            return runs_[row.run].size() > 1;
-        case StepRowKind::Test:
-            return false;
-    }
-    return false;
+    if (row.kind == StepRowKind::Stage) return runs_[row.run].size() > 1;
+    return row.kind != StepRowKind::Test;
 }
 
 bool StepTree::isOpen(const StepRow& row) const {
-    switch (row.kind) {
-        case StepRowKind::Component:
-            return componentOpen(row.component);
-        case StepRowKind::Pivot:
-            return row.pivot == recordPivot_ && !pivotFolded_;
-        case StepRowKind::Stage:
-            return stageOpen(row.run);
-        case StepRowKind::Test:
-            return false;
-    }
-    return false;
+    if (row.kind == StepRowKind::Component) return componentOpen(row.component);
+    if (row.kind == StepRowKind::Pivot) return row.pivot == recordPivot_ && !pivotFolded_;
+    return row.kind == StepRowKind::Stage && stageOpen(row.run);
 }
 
 void StepTree::toggle(const StepRow& row) {
     const bool open = isOpen(row);
-    switch (row.kind) {
-        case StepRowKind::Component:
-            if (row.component == cursorComponent_) componentFolded_ = open;
-            open ? void(opened_.erase(row.component)) : void(opened_.insert(row.component));
-            break;
-        case StepRowKind::Pivot:
-            if (row.pivot == recordPivot_) pivotFolded_ = open;
-            break;
-        case StepRowKind::Stage: {
-            const std::uint64_t bit = std::uint64_t{1}
-                                      << static_cast<unsigned>(runs_[row.run].stage);
-            openedStages_ = open ? openedStages_ & ~bit : openedStages_ | bit;
-            if (row.run == cursorRun_) stageFolded_ = open;
-            break;
-        }
-        case StepRowKind::Test:
-            break;
+    if (row.kind == StepRowKind::Component) {
+        if (row.component == cursorComponent_) componentFolded_ = open;
+        open ? void(opened_.erase(row.component)) : void(opened_.insert(row.component));
+    } else if (row.kind == StepRowKind::Pivot) {
+        if (row.pivot == recordPivot_) pivotFolded_ = open;
+    } else if (row.kind == StepRowKind::Stage) {
+        openedStages_.set(static_cast<std::size_t>(runs_[row.run].stage), !open);
+        if (row.run == cursorRun_) stageFolded_ = open;
     }
     layOut();
 }

@@ -2,6 +2,7 @@
 /// their meaning, not a list of rows: a run may have millions.
 #pragma once
 
+#include <bitset>
 #include <optional>
 #include <set>
 #include <string>
@@ -100,7 +101,7 @@ class StepTree {
     std::vector<std::size_t> runRow_;  ///< Row of each run below the pivot's, and their number.
     std::vector<OpenComponent> open_;  ///< In order.
     std::set<std::size_t> opened_;     ///< Components opened by hand.
-    std::uint64_t openedStages_ = 0;
+    std::bitset<kStageCount> openedStages_;
     bool componentFolded_ = false;  ///< State of the cursor's pivot, set by the user.
     bool pivotFolded_ = false;
     bool stageFolded_ = false;

@@ -1,7 +1,8 @@
 #include "component_shape.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "spiraling_edge/base/disjoint_sets.h"
 
 namespace se::view {
 
@@ -21,20 +22,13 @@ std::size_t countLoops(std::span<const std::array<Index, 2>> rim) {
     std::vector<Index> points;
     for (const auto& edge : rim) points.insert(points.end(), {edge[0], edge[1]});
     std::size_t loops = countDifferent(points);
-    std::vector<std::size_t> above(points.size());
-    std::iota(above.begin(), above.end(), std::size_t{0});
-    const auto rootOf = [&](Index point) {
+    DisjointSets pieces(points.size());
+    const auto placeOf = [&](Index point) {
         const auto found = std::lower_bound(points.begin(), points.end(), point);
-        auto at = static_cast<std::size_t>(found - points.begin());
-        while (above[at] != at) at = above[at] = above[above[at]];
-        return at;
+        return static_cast<Index>(found - points.begin());
     };
-    for (const auto& edge : rim) {
-        const std::size_t from = rootOf(edge[0]);
-        const std::size_t to = rootOf(edge[1]);
-        if (from == to) continue;
-        above[std::max(from, to)] = std::min(from, to);
-        --loops;
+    for (const auto& [from, to] : rim) {
+        if (pieces.unite(placeOf(from), placeOf(to))) --loops;
     }
     return loops;
 }

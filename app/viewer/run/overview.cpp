@@ -5,6 +5,7 @@
 #include "overview.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "picture.h"
@@ -39,17 +40,10 @@ void countComponents(RunOverview& overview, const std::vector<PivotSummary>& fre
 }  // namespace
 
 Stage stageOf(MarkKind kind) {
-    switch (kind) {
-        case MarkKind::Seed:
-            return Stage::Seed;
-        case MarkKind::Split:
-            return Stage::Split;
-        case MarkKind::Join:
-            return Stage::Join;
-        case MarkKind::Alert:
-            return Stage::Done;
-    }
-    return Stage::Pivot;
+    // In the order of the enum.
+    constexpr std::array kStages = {Stage::Seed, Stage::Split, Stage::Join, Stage::Done};
+    static_assert(kStages.size() == static_cast<std::size_t>(MarkKind::Alert) + 1);
+    return kStages[static_cast<std::size_t>(kind)];
 }
 
 void count(PivotSummary& summary, const Event& event) {
@@ -90,8 +84,9 @@ std::span<const LiveFailure> failuresAt(const RunOverview& run, const Address& a
     const auto first = std::find_if(begin, run.failures.end(), [&](const LiveFailure& each) {
         return each.address.pivot > address.pivot || each.address == address;
     });
-    auto last = first;
-    while (last != run.failures.end() && last->address == address) ++last;
+    const auto last = std::find_if_not(first, run.failures.end(), [&](const LiveFailure& each) {
+        return each.address == address;
+    });
     return std::span(run.failures)
         .subspan(static_cast<std::size_t>(first - run.failures.begin()),
                  static_cast<std::size_t>(last - first));

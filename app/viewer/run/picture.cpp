@@ -214,30 +214,30 @@ Picture makePicture(const PivotRecord& record, std::size_t cursor) {
     return picture;
 }
 
+namespace {
+
+/// The member `point` of most kinds of evidence; kNone of those without.
+template <typename Kind>
+Index pointOf(const Kind& evidence) {
+    if constexpr (requires { evidence.point; }) return evidence.point;
+    return kNone;
+}
+
+}  // namespace
+
 Index subjectOf(const Event& event) {
     return std::visit(Overloaded{
                           [](const SeedEvidence& e) { return e.second; },
-                          [](const StrandEvidence& e) { return e.point; },
                           [](const InsertEvidence& e) { return e.third; },
-                          [](const SortEvidence& e) { return e.point; },
                           [](const LimitEvidence& e) { return e.to; },
-                          [](const DropEvidence& e) { return e.point; },
-                          [](const ReciprocalEvidence& e) { return e.point; },
-                          [](const HoleEvidence& e) { return e.point; },
                           [](const SphereEvidence& e) { return e.q; },
-                          [](const RingEvidence& e) { return e.point; },
-                          [](const SplitEvidence& e) { return e.point; },
-                          [](const JoinEvidence& e) { return e.point; },
-                          [](const AlertEvidence& e) { return e.point; },
                           [](const PivotEvidence& e) { return e.pivot; },
                           [](const SkipEvidence& e) { return e.pivot; },
                           [](const AdvanceEvidence& e) { return e.to; },
                           [](const GuardEvidence& e) { return e.dropped; },
                           [](const FillEvidence& e) { return e.pivot; },
-                          [](const ReinsertEvidence& e) { return e.point; },
-                          [](const RemoveFoldedEvidence& e) { return e.point; },
                           [](const FlipEvidence& e) { return e.x; },
-                          [](const auto&) { return kNone; },
+                          [](const auto& e) { return pointOf(e); },
                       },
                       event.evidence);
 }
