@@ -11,14 +11,6 @@ namespace se::view {
 
 namespace {
 
-struct Plane {
-    glm::vec3 origin;
-    glm::vec3 normal;  ///< Unit.
-    glm::vec3 foot(const glm::vec3& place) const {
-        return place - normal * glm::dot(place - origin, normal);
-    }
-};
-
 void addPlane(const LayerInput& in, const glm::vec3& up, DrawList& out) {
     const glm::vec3 s = in.at(in.picture.start);
     const glm::vec3 e = in.at(in.picture.end);
@@ -33,7 +25,7 @@ void addPlane(const LayerInput& in, const glm::vec3& up, DrawList& out) {
     out.label(0.5F * (s + e) + 1.4F * rise, "mean normal", color);
 }
 
-void addFeet(const LayerInput& in, const Plane& plane, float pivotSide, DrawList& out) {
+void addFeet(const LayerInput& in, const Disc& plane, float pivotSide, DrawList& out) {
     for (const CandidateMark& mark : in.picture.candidates) {
         if (mark.state == CandidateState::Rejected && mark.stage != Stage::Hole) continue;
         const glm::vec3 at = in.at(mark.point);
@@ -71,7 +63,7 @@ void addHolePlane(const LayerInput& in, DrawList& out) {
     const glm::vec3 p = in.at(picture.pivot);
     const glm::vec3 s = in.at(picture.start);
     const glm::vec3 end = in.at(picture.end);
-    const Plane plane{s, glm::normalize(normal)};
+    const Disc plane{s, glm::normalize(normal), {}, {}};
     const glm::vec3 up = glm::normalize(glm::cross(plane.normal, end - s));
     const float way = glm::dot(up, in.model.normal[picture.pivot]) < 0.0F ? -1.0F : 1.0F;
     const Palette& c = in.palette;

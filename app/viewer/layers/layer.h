@@ -10,8 +10,8 @@
 #include <span>
 #include <string_view>
 
-#include "run/component_shape.h"
 #include "run/model.h"
+#include "run/overview.h"
 #include "run/picture.h"
 #include "run/selection.h"
 #include "scene/draw_list.h"

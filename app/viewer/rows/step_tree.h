@@ -6,13 +6,39 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "run/overview.h"
 #include "run/pivot_record.h"
-#include "step_filter.h"
 
 namespace se::view {
+
+/// The filter line above the tree: words that must all match. Each is the beginning of a stage's
+/// name, a word of a verdict, the number of a point or pivot, or `x` for refused tests. Case is
+/// ignored.
+class StepFilter {
+  public:
+    StepFilter() = default;
+    explicit StepFilter(std::string_view text);
+
+    bool empty() const { return words_.empty(); }
+    /// Whether the pivot may have such a decision.
+    bool matches(std::uint32_t pivot, const PivotSummary& summary) const;
+    /// Matches also words of the sentence that describes the event.
+    bool matches(const Event& event) const;
+
+  private:
+    struct Word {
+        std::string text;
+        Findings found;
+        bool refused = false;
+        Index number = kNone;
+    };
+    static Word read(std::string text);
+
+    std::vector<Word> words_;
+};
 
 /// A run of events of the same stage within a pivot.
 struct StageRun {
