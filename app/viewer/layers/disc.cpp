@@ -14,6 +14,15 @@ double partOf(const Arc& arc, int i, int parts) {
     return arc.from + (arc.to - arc.from) * i / parts;
 }
 
+/// Lines for every `step`-th of equal parts of an arc.
+void addParts(const Disc& disc, const Arc& arc, int parts, int step, const Color& color,
+              float width, DrawList& out) {
+    for (int i = 0; i < parts; i += step) {
+        out.line(disc.at(partOf(arc, i, parts), arc.radius),
+                 disc.at(partOf(arc, i + 1, parts), arc.radius), color, width, Depth::OnTop);
+    }
+}
+
 }  // namespace
 
 std::optional<Disc> discAt(const LayerInput& in, Index point, Index first) {
@@ -34,20 +43,12 @@ std::optional<Disc> pivotDisc(const LayerInput& in) {
 }
 
 void addArc(const Disc& disc, const Arc& arc, const Color& color, float width, DrawList& out) {
-    const int parts = partsOf(arc);
-    for (int i = 0; i < parts; ++i) {
-        out.line(disc.at(partOf(arc, i, parts), arc.radius),
-                 disc.at(partOf(arc, i + 1, parts), arc.radius), color, width, Depth::OnTop);
-    }
+    addParts(disc, arc, partsOf(arc), 1, color, width, out);
 }
 
 void addDashedArc(const Disc& disc, const Arc& arc, const Color& color, float width,
                   DrawList& out) {
-    const int parts = 2 * partsOf(arc) + 1;
-    for (int i = 0; i < parts; i += 2) {
-        out.line(disc.at(partOf(arc, i, parts), arc.radius),
-                 disc.at(partOf(arc, i + 1, parts), arc.radius), color, width, Depth::OnTop);
-    }
+    addParts(disc, arc, 2 * partsOf(arc) + 1, 2, color, width, out);
 }
 
 void addSectorSheet(const Disc& disc, const Arc& arc, const Color& color, DrawList& out) {

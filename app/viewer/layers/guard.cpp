@@ -67,24 +67,14 @@ void addTriangle(const LayerInput& in, const Disc& disc, const GuardEvidence& e,
     out.hatch(in.at(t.b), in.at(t.c), in.at(t.a), color, 9);
     out.dashed(in.at(t.b), in.at(t.c), color, 0.2F, 0.35F);
     const RobustThresholds& thresholds = in.model.params.thresholds;
-    switch (e.verdict) {
-        case Verdict::WideGap:
-            return addWidth(in, disc, e, 180.0, out);
-        case Verdict::OverRim:
-            return addWidth(in, disc, e, degreesOf(thresholds.rimAngleCosine), out);
-        case Verdict::Steep:
-            return addTilt(in, t, degreesOf(thresholds.steepCosine), out);
-        case Verdict::AgainstNormal:
-            return addTilt(in, t, 90.0, out);
-        case Verdict::EdgeTaken:
-            return addTaken(in, t, out);
-        case Verdict::Crosses:
-        case Verdict::Meets:
-        case Verdict::FoldsOver:
-            return addOverlap(in, overlapOf(in, disc, t), out);
-        default:
-            return;
-    }
+    const auto is = [&](Verdict verdict) { return e.verdict == verdict; };
+    if (is(Verdict::WideGap)) addWidth(in, disc, e, 180.0, out);
+    if (is(Verdict::OverRim)) addWidth(in, disc, e, degreesOf(thresholds.rimAngleCosine), out);
+    if (is(Verdict::Steep)) addTilt(in, t, degreesOf(thresholds.steepCosine), out);
+    if (is(Verdict::AgainstNormal)) addTilt(in, t, 90.0, out);
+    if (is(Verdict::EdgeTaken)) addTaken(in, t, out);
+    if (is(Verdict::Crosses) || is(Verdict::Meets) || is(Verdict::FoldsOver))
+        addOverlap(in, overlapOf(in, disc, t), out);
 }
 
 }  // namespace

@@ -33,8 +33,8 @@ struct LayerInput {
     /// Overview of the run so far; for layers beyond the pivot's surroundings.
     std::span<const Triangle> triangles = {};
     std::size_t componentBegin = 0;  ///< The first triangle of the current component.
-    const ComponentShape* component =
-        nullptr;            ///< The component that is complete here; null if unknown.
+    /// The component that is complete here; null if unknown.
+    const ComponentShape* component = nullptr;
     Selection selection{};  ///< The selected edge or triangle as well.
     bool selectionPresent = true;
     MeshColoring mesh{};

@@ -61,7 +61,7 @@ void addTriangles(const LayerInput& in, DrawList& out) {
     // New triangles are among them; those drawn below cover them.
     out.repaired = in.picture.repaired;
     if (ordered && in.mesh.style < MeshStyle::Wire) addFadingFan(in, out);
-    // Triangles of the repair steps are drawn in repairs.cpp.
+    // Triangles of the repair steps are drawn by addRepairs().
     if (!ordered) return;
     for (const Triangle& t : in.picture.newTriangles) {
         out.faces.push_back({in.cornersOf(t), in.palette.test, true});

@@ -118,14 +118,11 @@ Batch::~Batch() {
     glDeleteVertexArrays(1, &array_);
 }
 
-void Batch::create() {
-    if (array_ != 0) return;
-    glGenVertexArrays(1, &array_);
-    glGenBuffers(2, buffers_);
-}
-
 void Batch::bind() {
-    create();
+    if (array_ == 0) {
+        glGenVertexArrays(1, &array_);
+        glGenBuffers(2, buffers_);
+    }
     glBindVertexArray(array_);
 }
 

@@ -75,8 +75,6 @@ class Batch {
     void bind();
 
   private:
-    void create();
-
     unsigned array_ = 0;
     unsigned buffers_[2] = {0, 0};
     std::size_t capacity_[2] = {0, 0};

@@ -4,6 +4,7 @@
 
 #include "evidence_rows.h"
 #include "run/number_format.h"
+#include "run/strings.h"
 #include "scene/selection_measures.h"
 
 namespace se::view {
@@ -29,8 +30,6 @@ class EvidenceRows {
 
 /// "12, 34"; "none" for no point.
 std::string pointsText(const std::vector<Index>& list);
-/// "1 point", "2 points".
-std::string countText(std::size_t count, const std::string& word);
 
 // Where a ring begins, and at the walls.
 void addRows(const SeedEvidence& e, const EvidenceInput& in, EvidenceRows& out);

@@ -8,6 +8,7 @@
 
 #include "evidence_parts.h"
 #include "run/repair_diff.h"
+#include "spiraling_edge/geometry/triangle_shape.h"
 
 namespace se::view {
 
@@ -30,10 +31,6 @@ std::string pointsText(const std::vector<Index>& list) {
         text += (text.empty() ? "" : ", ") + (p == kNone ? std::string("none") : std::to_string(p));
     }
     return text;
-}
-
-std::string countText(std::size_t count, const std::string& word) {
-    return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
 }
 
 std::string wallsText(std::uint8_t type) {
@@ -89,8 +86,8 @@ void addRows(const RingEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
 void addRows(const SplitEvidence& e, const EvidenceInput&, EvidenceRows& out) {
     out.row("at point", pointsText({e.point}));
     out.row("met again", "in the same ring");
-    out.row("continues", countText(e.activeLength, "point"));
-    out.row("to the stack", countText(e.stackedLength, "point"));
+    out.row("continues", counted(e.activeLength, "point", "points"));
+    out.row("to the stack", counted(e.stackedLength, "point", "points"));
     out.row("stack depth", std::to_string(e.stackDepth));
 }
 
@@ -99,7 +96,7 @@ void addRows(const JoinEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
     out.row("met again", e.depthFromTop == kNone ? "in the active ring"
                                                  : "in #" + std::to_string(e.depthFromTop + 1) +
                                                        " of the stack, searched from the top");
-    out.row("joined ring", countText(e.length, "point"));
+    out.row("joined ring", counted(e.length, "point", "points"));
     out.row("stack depth", std::to_string(stackedCount(in.picture.rings)));
 }
 
@@ -117,13 +114,13 @@ void addRows(const AdvanceEvidence& e, const EvidenceInput& in, EvidenceRows& ou
     const double circuit = e.circuit;
     if (e.circuit == 0 || !active) return;
     const auto length = static_cast<double>(rings.front().points.size());
-    out.row("no triangle", "for " + countText(e.circuit, "pivot"),
+    out.row("no triangle", "for " + counted(e.circuit, "pivot", "pivots"),
             {circuit, length, std::max(circuit, length)});
-    out.row("full circuit", countText(rings.front().points.size(), "pivot"));
+    out.row("full circuit", counted(rings.front().points.size(), "pivot", "pivots"));
 }
 
 void addRows(const FreeEvidence& e, const EvidenceInput&, EvidenceRows& out) {
-    out.row("ring", countText(e.length, "point") + ", freed");
+    out.row("ring", counted(e.length, "point", "points") + ", freed");
     out.row("on walls", std::to_string(e.length - e.interior));
     out.row("interior", std::to_string(e.interior) +
                             (e.interior == 0 ? ": the surface ends here" : ": something is open"));
@@ -174,7 +171,7 @@ void addRows(const AlertEvidence& e, const EvidenceInput& in, EvidenceRows& out)
     }
     if (!in.picture.freed) return;
     const ShownFreedRing& ring = *in.picture.freed;
-    out.row("freed ring", countText(ring.path.points.size(), "point"));
+    out.row("freed ring", counted(ring.path.points.size(), "point", "points"));
     if (ring.told) out.row("interior", std::to_string(ring.told->interior));
 }
 
@@ -220,7 +217,7 @@ void addRows(const FillEvidence& e, const EvidenceInput& in, EvidenceRows& out) 
     const double length = e.ringLength;
     const double limit = in.model.params.maxFillLength;
     out.row("ear", pointsText({e.pivot, e.first, e.last}));
-    out.row("hole", countText(e.ringLength, "point") + ", limit " + numberText(limit),
+    out.row("hole", counted(e.ringLength, "point", "points") + ", limit " + numberText(limit),
             {length, limit, limit});
     out.row("least angle", degreesText(e.leastDegrees) + ", the best of all ears",
             {e.leastDegrees, 60.0, 60.0});
@@ -245,13 +242,13 @@ void addLeastAngles(const EvidenceInput& in, EvidenceRows& out) {
 
 /// Number of triangles that are against their normals.
 void addFlipped(const EvidenceInput& in, EvidenceRows& out) {
-    const auto counted = [&](const std::vector<Triangle>& triangles) {
+    const auto flipped = [&](const std::vector<Triangle>& triangles) {
         return std::to_string(
             std::count_if(triangles.begin(), triangles.end(),
                           [&](const Triangle& t) { return isFlipped(in.model.points, t); }));
     };
-    out.row("flipped ones", counted(in.picture.goneTriangles) + " \xE2\x86\x92 " +
-                                counted(in.picture.newTriangles));
+    out.row("flipped ones", flipped(in.picture.goneTriangles) + " \xE2\x86\x92 " +
+                                flipped(in.picture.newTriangles));
 }
 
 std::string countsText(const Picture& picture) {

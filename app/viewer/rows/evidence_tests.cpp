@@ -27,7 +27,7 @@ void addRows(const StrandEvidence& e, const EvidenceInput& in, EvidenceRows& out
 
 void addRows(const PivotEvidence& e, const EvidenceInput&, EvidenceRows& out) {
     out.row("first, last", pointsText({e.first, e.last}));
-    out.row("ring", countText(e.ringLength, "point"));
+    out.row("ring", counted(e.ringLength, "point", "points"));
     out.row("free sector",
             degreesText(e.sectorDegrees) + (e.sectorDegrees > 180.0 ? ", over half a turn" : ""),
             {e.sectorDegrees, 180.0, 360.0});

@@ -61,8 +61,8 @@ struct LaneSign {
     std::uint32_t row = 0;
     std::uint32_t otherRow = 0;  ///< Of a split or join.
     float x = 0.0F;
-    bool alone =
-        true;  ///< There is room for its mark; otherwise only for the line of a split or join.
+    /// There is room for its mark; otherwise only for the line of a split or join.
+    bool alone = true;
 };
 
 struct LaneAlert {

@@ -6,6 +6,7 @@
 
 #include "run/embedded_files.h"
 #include "run/strings.h"
+#include "spiraling_edge/base/overloaded.h"
 
 namespace se::view {
 
@@ -81,44 +82,6 @@ struct LineOfPaper {
     }
 };
 
-/// The numbers of one kind of evidence.
-struct Numbers {
-    std::string operator()(const SeedEvidence& e) const {
-        return formatted("distance %.4g", e.distance);
-    }
-    std::string operator()(const PivotEvidence& e) const {
-        return formatted("free: %.1f\xC2\xB0", e.sectorDegrees);
-    }
-    std::string operator()(const SortEvidence& e) const {
-        return formatted("angle %.1f\xC2\xB0, end %.1f\xC2\xB0", e.degrees, e.endDegrees);
-    }
-    std::string operator()(const LimitEvidence& e) const {
-        return formatted("turn %+.3g (concave if > 0)", e.turn);
-    }
-    std::string operator()(const ReciprocalEvidence& e) const {
-        return formatted("a = %.1f\xC2\xB0, free to %.1f\xC2\xB0", e.degrees, e.limitDegrees);
-    }
-    std::string operator()(const HoleEvidence& e) const {
-        return formatted("side %+.3g, that of p %+.3g", e.side, e.pivotSide);
-    }
-    std::string operator()(const SphereEvidence& e) const {
-        if (e.verdict == Verdict::NoCircle)
-            return formatted("in line; gap %.1f\xC2\xB0", e.gapDegrees);
-        return formatted("|q - c| = %.4g, r = %.4g, gap %.1f\xC2\xB0", e.distance, e.radius,
-                         e.gapDegrees);
-    }
-    std::string operator()(const TwoPointEvidence& e) const {
-        return formatted("angle %.1f\xC2\xB0", e.degrees);
-    }
-    std::string operator()(const FillEvidence& e) const {
-        return formatted("least angle %.1f\xC2\xB0", e.leastDegrees);
-    }
-    template <typename Other>
-    std::string operator()(const Other&) const {
-        return {};
-    }
-};
-
 }  // namespace
 
 const PaperRule& paperRule(Stage stage) {
@@ -135,6 +98,31 @@ std::size_t presentLine(const Event& event) {
     return std::visit(LineOfPaper{event.address.stage}, event.evidence);
 }
 
-std::string liveNumbers(const Event& event) { return std::visit(Numbers{}, event.evidence); }
+std::string liveNumbers(const Event& event) {
+    const Overloaded numbers{
+        [](const SeedEvidence& e) { return formatted("distance %.4g", e.distance); },
+        [](const PivotEvidence& e) { return formatted("free: %.1f\xC2\xB0", e.sectorDegrees); },
+        [](const SortEvidence& e) {
+            return formatted("angle %.1f\xC2\xB0, end %.1f\xC2\xB0", e.degrees, e.endDegrees);
+        },
+        [](const LimitEvidence& e) { return formatted("turn %+.3g (concave if > 0)", e.turn); },
+        [](const ReciprocalEvidence& e) {
+            return formatted("a = %.1f\xC2\xB0, free to %.1f\xC2\xB0", e.degrees, e.limitDegrees);
+        },
+        [](const HoleEvidence& e) {
+            return formatted("side %+.3g, that of p %+.3g", e.side, e.pivotSide);
+        },
+        [](const SphereEvidence& e) {
+            return e.verdict == Verdict::NoCircle
+                       ? formatted("in line; gap %.1f\xC2\xB0", e.gapDegrees)
+                       : formatted("|q - c| = %.4g, r = %.4g, gap %.1f\xC2\xB0", e.distance,
+                                   e.radius, e.gapDegrees);
+        },
+        [](const TwoPointEvidence& e) { return formatted("angle %.1f\xC2\xB0", e.degrees); },
+        [](const FillEvidence& e) { return formatted("least angle %.1f\xC2\xB0", e.leastDegrees); },
+        [](const auto&) { return std::string{}; },
+    };
+    return std::visit(numbers, event.evidence);
+}
 
 }  // namespace se::view

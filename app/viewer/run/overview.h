@@ -26,8 +26,8 @@ struct ComponentShape {
     std::size_t begin = 0;    ///< Number of its first triangle.
     std::size_t end = 0;      ///< Number after its last triangle.
     glm::vec3 middle{0.0F};   ///< View space.
-    std::vector<std::array<Index, 2>>
-        rim;                 ///< Directed edges that have a triangle on one side only.
+    /// Directed edges that have a triangle on one side only.
+    std::vector<std::array<Index, 2>> rim;
     std::size_t points = 0;  ///< Number of points that its triangles use.
     std::size_t loops = 0;   ///< Number of connected pieces of the rim.
     double seconds = 0.0;    ///< Seconds from the start of the overview's run.
