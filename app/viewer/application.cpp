@@ -16,7 +16,6 @@
 #include "jobs/questions.h"
 #include "panel_state/tabs.h"
 #include "render/context.h"
-#include "render/screenshot.h"
 #include "spiraling_edge/replay/event_text.h"
 
 namespace se::view {

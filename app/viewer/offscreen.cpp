@@ -4,7 +4,6 @@
 #include <EGL/eglext.h>
 
 #include "render/context.h"
-#include "render/screenshot.h"
 
 namespace se::view {
 

@@ -5,7 +5,7 @@
 #include <glm/vec2.hpp>
 #include <memory>
 
-#include "render/target.h"
+#include "render/gl_objects.h"
 #include "spiraling_edge/base/result.h"
 
 namespace se::view {

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "run/pivot_neighborhood.h"
+#include "run/picture.h"
 
 namespace se::view {
 

@@ -21,11 +21,7 @@ void addTriangle(const LayerInput& in, const Triangle& t, bool there, DrawList& 
     const Color& color = in.palette.rejected;
     if (there) out.sheet(in.at(t.a), in.at(t.b), in.at(t.c), color.withAlpha(kTint));
     for (const auto& [u, v] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}}) {
-        if (there) {
-            out.line(in.at(u), in.at(v), color, 0.16F, Depth::OnTop);
-        } else {
-            out.dashed(in.at(u), in.at(v), color, 0.16F);
-        }
+        out.dashed(in.at(u), in.at(v), color, 0.16F, there ? 0.0F : 0.3F);
     }
 }
 
@@ -39,6 +35,10 @@ void addMarkedPoints(const LayerInput& in, std::span<const Index> points, DrawLi
 /// The triangles along a hole are correct, and so is the fan around a point.
 bool showsTriangles(const MeshFailure& failure) { return failure.kind->name != "holes"; }
 
+void addMarkedEdge(const LayerInput& in, std::span<const Index> points, DrawList& out) {
+    out.line(in.at(points[0]), in.at(points[1]), in.palette.rejected, 0.5F, Depth::OnTop);
+}
+
 void addChosen(const LayerInput& in, const RunFailure& alert, DrawList& out) {
     const MeshFailure& failure = alert.failure;
     if (showsTriangles(failure)) {
@@ -46,10 +46,7 @@ void addChosen(const LayerInput& in, const RunFailure& alert, DrawList& out) {
             addTriangle(in, alert.corners[i], isThere(in, failure.triangles[i]), out);
     }
     const bool edge = failure.points.size() == 2 && !failure.triangles.empty();
-    if (edge) {
-        out.line(in.at(failure.points[0]), in.at(failure.points[1]), in.palette.rejected, 0.5F,
-                 Depth::OnTop);
-    }
+    if (edge) addMarkedEdge(in, failure.points, out);
     // Corners of filled triangles need no marks.
     if (edge || failure.points.size() == 1 || !showsTriangles(failure) || failure.triangles.empty())
         addMarkedPoints(in, failure.points, out);
@@ -63,10 +60,7 @@ void addNoticed(const LayerInput& in, const LiveFailure& failure, DrawList& out)
     }
     if (failure.triangle == kNone || failure.points.size() == 2)
         addMarkedPoints(in, failure.points, out);
-    if (failure.points.size() == 2) {
-        out.line(in.at(failure.points[0]), in.at(failure.points[1]), in.palette.rejected, 0.5F,
-                 Depth::OnTop);
-    }
+    if (failure.points.size() == 2) addMarkedEdge(in, failure.points, out);
 }
 
 }  // namespace

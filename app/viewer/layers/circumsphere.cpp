@@ -1,4 +1,4 @@
-#include "corner.h"
+#include "disc.h"
 #include "run/number_format.h"
 #include "run/rule_set.h"
 
@@ -56,22 +56,15 @@ void addCircumsphere(const LayerInput& in, DrawList& out) {
     out.circle(center, u, axis, radius, color.withAlpha(0.55F), 0.06F, Depth::XRay);
     out.circle(center, v, axis, radius, color.withAlpha(0.55F), 0.06F, Depth::XRay);
 
-    out.sprites.push_back({center, {color, 0.36F, Shape::Disc}});
+    out.mark(center, Shape::Disc, color, 0.36F);
     out.line(center, p, color, 0.08F, Depth::OnTop);
-    Line distance;
-    distance.from = center;
-    distance.to = in.at(test.q);
-    const bool removed = test.verdict == Verdict::Removed;
-    distance.color = removed ? in.palette.rejected : in.palette.used;
-    distance.width = 0.1F;
-    distance.dash = 0.3F;
-    distance.depth = Depth::OnTop;
-    out.lines.push_back(distance);
+    const Color& verdict = test.verdict == Verdict::Removed ? in.palette.rejected : in.palette.used;
+    out.dashed(center, in.at(test.q), verdict, 0.1F);
     out.label(center, "c", color);
     out.label(0.5F * (center + p), "r", color, true);
     const bool inside = test.distance < test.radius;
-    out.label(0.5F * (center + in.at(test.q)), inside ? "d < r" : "d \xE2\x89\xA5 r",
-              distance.color, true);
+    out.label(0.5F * (center + in.at(test.q)), inside ? "d < r" : "d \xE2\x89\xA5 r", verdict,
+              true);
 }
 
 }  // namespace se::view

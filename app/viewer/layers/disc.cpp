@@ -14,6 +14,15 @@ double partOf(const Arc& arc, int i, int parts) {
     return arc.from + (arc.to - arc.from) * i / parts;
 }
 
+/// Lines for every `step`-th of equal parts of an arc.
+void addParts(const Disc& disc, const Arc& arc, int parts, int step, const Color& color,
+              float width, DrawList& out) {
+    for (int i = 0; i < parts; i += step) {
+        out.line(disc.at(partOf(arc, i, parts), arc.radius),
+                 disc.at(partOf(arc, i + 1, parts), arc.radius), color, width, Depth::OnTop);
+    }
+}
+
 }  // namespace
 
 std::optional<Disc> discAt(const LayerInput& in, Index point, Index first) {
@@ -34,20 +43,12 @@ std::optional<Disc> pivotDisc(const LayerInput& in) {
 }
 
 void addArc(const Disc& disc, const Arc& arc, const Color& color, float width, DrawList& out) {
-    const int parts = partsOf(arc);
-    for (int i = 0; i < parts; ++i) {
-        out.line(disc.at(partOf(arc, i, parts), arc.radius),
-                 disc.at(partOf(arc, i + 1, parts), arc.radius), color, width, Depth::OnTop);
-    }
+    addParts(disc, arc, partsOf(arc), 1, color, width, out);
 }
 
 void addDashedArc(const Disc& disc, const Arc& arc, const Color& color, float width,
                   DrawList& out) {
-    const int parts = 2 * partsOf(arc) + 1;
-    for (int i = 0; i < parts; i += 2) {
-        out.line(disc.at(partOf(arc, i, parts), arc.radius),
-                 disc.at(partOf(arc, i + 1, parts), arc.radius), color, width, Depth::OnTop);
-    }
+    addParts(disc, arc, 2 * partsOf(arc) + 1, 2, color, width, out);
 }
 
 void addSectorSheet(const Disc& disc, const Arc& arc, const Color& color, DrawList& out) {
@@ -56,6 +57,31 @@ void addSectorSheet(const Disc& disc, const Arc& arc, const Color& color, DrawLi
         out.sheet(disc.origin, disc.at(partOf(arc, i, parts), arc.radius),
                   disc.at(partOf(arc, i + 1, parts), arc.radius), color);
     }
+}
+
+double degreesOn(const Disc& disc, const glm::vec3& place) {
+    const glm::vec3 offset = place - disc.origin;
+    const double angle =
+        glm::degrees(std::atan2(glm::dot(offset, disc.quarter), glm::dot(offset, disc.zero)));
+    return angle < 0.0 ? angle + 360.0 : angle;
+}
+
+void addCorner(const LayerInput& in, const RingCorner& corner, DrawList& out) {
+    const std::optional<Disc> disc = discAt(in, corner.point, corner.before);
+    if (!disc || corner.after == kNone) return;
+    const Color& color = corner.concave ? in.palette.used : in.palette.rejected;
+    const Arc arc{0.0, degreesOn(*disc, in.at(corner.after)), 0.5F * in.model.spacing};
+    if (corner.concave) {
+        addSectorSheet(*disc, arc, color.withAlpha(0.55F), out);
+        addArc(*disc, arc, color, 0.12F, out);
+    } else {
+        addDashedArc(*disc, arc, color, 0.12F, out);
+    }
+    for (const double side : {arc.from, arc.to}) {
+        out.line(disc->origin, disc->at(side, arc.radius), color, 0.1F, Depth::OnTop);
+    }
+    out.label(disc->at(0.5 * arc.to, 0.7F * arc.radius),
+              (corner.concave ? "concave " : "convex ") + degreesText(arc.to), color, true);
 }
 
 }  // namespace se::view

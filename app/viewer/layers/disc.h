@@ -45,4 +45,18 @@ void addArc(const Disc& disc, const Arc& arc, const Color& color, float width, D
 void addDashedArc(const Disc& disc, const Arc& arc, const Color& color, float width, DrawList& out);
 void addSectorSheet(const Disc& disc, const Arc& arc, const Color& color, DrawList& out);
 
+/// A corner of the edge ring: the free angle at `point`, from `before` counterclockwise to `after`.
+struct RingCorner {
+    Index before = kNone;
+    Index point = kNone;
+    Index after = kNone;
+    bool concave = false;
+};
+
+/// Filled where the ring is concave, hollow where it is convex (§6.1, Figs. 4 and 5).
+void addCorner(const LayerInput& in, const RingCorner& corner, DrawList& out);
+
+/// The angle of a position on a disc, in [0, 360).
+double degreesOn(const Disc& disc, const glm::vec3& place);
+
 }  // namespace se::view

@@ -34,8 +34,7 @@ void addRing(const LayerInput& in, const RingPath& ring, const Line& like, DrawL
 /// The letter of a ring is at its first point.
 void addNumber(const LayerInput& in, const RingPath& ring, DrawList& out) {
     if (ring.points.empty()) return;
-    out.labels.push_back(
-        {in.at(ring.points.front()), "#" + std::to_string(ring.depth + 1), in.palette.used, false});
+    out.label(in.at(ring.points.front()), "#" + std::to_string(ring.depth + 1), in.palette.used);
 }
 
 }  // namespace
@@ -44,12 +43,8 @@ void addEdgeRing(const LayerInput& in, DrawList& out) {
     for (const RingPath& ring : in.picture.rings) {
         if (!ring.active) continue;
         const bool lit = ring.id != kNone && ring.id == in.highlightedRing;
-        Line like;
-        like.color = lit ? in.palette.pivot : in.palette.used;
-        like.width = lit ? 0.26F : 0.2F;
-        like.arrow = 0.55F;
-        like.depth = Depth::XRay;
-        addRing(in, ring, like, out);
+        const Color& color = lit ? in.palette.pivot : in.palette.used;
+        addRing(in, ring, {{}, {}, color, lit ? 0.26F : 0.2F, 0.0F, 0.55F, Depth::XRay}, out);
     }
 }
 
@@ -57,12 +52,9 @@ void addStackedRings(const LayerInput& in, DrawList& out) {
     for (const RingPath& ring : in.picture.rings) {
         if (ring.active) continue;
         const bool lit = ring.id != kNone && ring.id == in.highlightedRing;
-        Line like;
-        like.color = lit ? in.palette.pivot : in.palette.used;
-        like.width = std::max(0.07F, 0.14F - 0.02F * static_cast<float>(ring.depth));
-        like.dash = 0.4F;
-        like.depth = Depth::XRay;
-        addRing(in, ring, like, out);
+        const Color& color = lit ? in.palette.pivot : in.palette.used;
+        const float width = std::max(0.07F, 0.14F - 0.02F * static_cast<float>(ring.depth));
+        addRing(in, ring, {{}, {}, color, width, 0.4F, 0.0F, Depth::XRay}, out);
         if (lit || ring.depth < kNumbersUpTo) addNumber(in, ring, out);
     }
 }

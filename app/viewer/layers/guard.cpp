@@ -1,7 +1,6 @@
 /// Beyond the paper (docs/robust.md): the objection of a rule to the whole fan.
 #include <algorithm>
 
-#include "corner.h"
 #include "overlap.h"
 #include "scene/selection_measures.h"
 
@@ -29,10 +28,10 @@ void addWidth(const LayerInput& in, const Disc& disc, const GuardEvidence& e, do
 /// The normal of the triangle and those of its corners, from which it deviates too much.
 void addTilt(const LayerInput& in, const Triangle& t, double limit, DrawList& out) {
     const Palette& c = in.palette;
-    const glm::vec3 across = glm::cross(in.at(t.b) - in.at(t.a), in.at(t.c) - in.at(t.a));
+    const glm::vec3 across = in.acrossOf(t);
     if (!(glm::length(across) > 0.0F)) return;
     const float length = 1.1F * in.model.spacing;
-    const glm::vec3 middle = (in.at(t.a) + in.at(t.b) + in.at(t.c)) / 3.0F;
+    const glm::vec3 middle = in.middleOf(t);
     const glm::vec3 tip = middle + length * glm::normalize(across);
     out.arrow(middle, tip, c.rejected, 0.16F);
     for (const Index corner : {t.a, t.b, t.c}) {
@@ -56,7 +55,7 @@ void addTaken(const LayerInput& in, const Triangle& t, DrawList& out) {
         for (const std::uint32_t number : in.meshIndex->atEdge(in.triangles, from, to)) {
             if (number >= count || !passes(in.triangles[number], from, to)) continue;
             out.line(in.at(from), in.at(to), in.palette.rejected, 0.34F, Depth::OnTop);
-            out.label(0.5F * (in.at(from) + in.at(to)), "taken", in.palette.rejected);
+            out.label(in.middleOf(from, to), "taken", in.palette.rejected);
         }
     }
 }
@@ -68,24 +67,14 @@ void addTriangle(const LayerInput& in, const Disc& disc, const GuardEvidence& e,
     out.hatch(in.at(t.b), in.at(t.c), in.at(t.a), color, 9);
     out.dashed(in.at(t.b), in.at(t.c), color, 0.2F, 0.35F);
     const RobustThresholds& thresholds = in.model.params.thresholds;
-    switch (e.verdict) {
-        case Verdict::WideGap:
-            return addWidth(in, disc, e, 180.0, out);
-        case Verdict::OverRim:
-            return addWidth(in, disc, e, degreesOf(thresholds.rimAngleCosine), out);
-        case Verdict::Steep:
-            return addTilt(in, t, degreesOf(thresholds.steepCosine), out);
-        case Verdict::AgainstNormal:
-            return addTilt(in, t, 90.0, out);
-        case Verdict::EdgeTaken:
-            return addTaken(in, t, out);
-        case Verdict::Crosses:
-        case Verdict::Meets:
-        case Verdict::FoldsOver:
-            return addOverlap(in, overlapOf(in, disc, t), out);
-        default:
-            return;
-    }
+    const auto is = [&](Verdict verdict) { return e.verdict == verdict; };
+    if (is(Verdict::WideGap)) addWidth(in, disc, e, 180.0, out);
+    if (is(Verdict::OverRim)) addWidth(in, disc, e, degreesOf(thresholds.rimAngleCosine), out);
+    if (is(Verdict::Steep)) addTilt(in, t, degreesOf(thresholds.steepCosine), out);
+    if (is(Verdict::AgainstNormal)) addTilt(in, t, 90.0, out);
+    if (is(Verdict::EdgeTaken)) addTaken(in, t, out);
+    if (is(Verdict::Crosses) || is(Verdict::Meets) || is(Verdict::FoldsOver))
+        addOverlap(in, overlapOf(in, disc, t), out);
 }
 
 }  // namespace
@@ -100,7 +89,7 @@ void addGuard(const LayerInput& in, DrawList& out) {
     } else {
         addTriangle(in, *disc, *e, out);
     }
-    const glm::vec3 far = e->b == kNone ? in.at(e->a) : 0.5F * (in.at(e->a) + in.at(e->b));
+    const glm::vec3 far = e->b == kNone ? in.at(e->a) : in.middleOf(e->a, e->b);
     out.label(far,
               std::string(verdictText(e->verdict)) +
                   (e->verdict == Verdict::WhatIfKept ? ""

@@ -1,15 +1,17 @@
-/// Layers turn (input, picture, selection) into plain things to draw. One file each; the table
-/// has their names for the panel, the keys and the settings, and the stages that show them.
+/// Layers turn (input, picture, selection) into plain things to draw. A file has those of one
+/// subject; the table has their names for the panel, the keys and the settings, and the stages that
+/// show them.
 #pragma once
 
 #include <array>
 #include <bitset>
+#include <glm/geometric.hpp>
 #include <optional>
 #include <span>
 #include <string_view>
 
-#include "run/component_shape.h"
 #include "run/model.h"
+#include "run/overview.h"
 #include "run/picture.h"
 #include "run/selection.h"
 #include "scene/draw_list.h"
@@ -31,8 +33,8 @@ struct LayerInput {
     /// Overview of the run so far; for layers beyond the pivot's surroundings.
     std::span<const Triangle> triangles = {};
     std::size_t componentBegin = 0;  ///< The first triangle of the current component.
-    const ComponentShape* component =
-        nullptr;            ///< The component that is complete here; null if unknown.
+    /// The component that is complete here; null if unknown.
+    const ComponentShape* component = nullptr;
     Selection selection{};  ///< The selected edge or triangle as well.
     bool selectionPresent = true;
     MeshColoring mesh{};
@@ -49,6 +51,15 @@ struct LayerInput {
     std::span<const LiveFailure> noticed{};  ///< Failures at this event.
 
     const glm::vec3& at(Index point) const { return model.place[point]; }
+    std::array<glm::vec3, 3> cornersOf(const Triangle& t) const {
+        return {at(t.a), at(t.b), at(t.c)};
+    }
+    glm::vec3 middleOf(const Triangle& t) const { return (at(t.a) + at(t.b) + at(t.c)) / 3.0F; }
+    glm::vec3 middleOf(Index a, Index b) const { return 0.5F * (at(a) + at(b)); }
+    /// Along the normal of the triangle, as long as twice its area.
+    glm::vec3 acrossOf(const Triangle& t) const {
+        return glm::cross(at(t.b) - at(t.a), at(t.c) - at(t.a));
+    }
 };
 
 void addPoints(const LayerInput& in, DrawList& out);

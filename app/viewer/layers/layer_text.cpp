@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "spiraling_edge/base/word_list.h"
+
 namespace se::view {
 
 namespace {
@@ -29,9 +31,8 @@ std::optional<LayerMode> modeFrom(const json& value, const Layer& layer) {
 }  // namespace
 
 std::string ReadLayers::complaint() const {
-    std::string text;
-    for (const std::string& each : unknown) text += (text.empty() ? "" : ", ") + each;
-    return text.empty() ? text : "Ignored, since unknown in this version: " + text + ".";
+    if (unknown.empty()) return {};
+    return "Ignored, since unknown in this version: " + wordList(unknown, "") + ".";
 }
 
 ReadLayers layersFromJson(const json& object) {

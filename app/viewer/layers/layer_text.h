@@ -12,8 +12,8 @@ namespace se::view {
 
 struct ReadLayers {
     LayerModes modes{};
-    std::vector<std::string>
-        unknown;  ///< "layer \"hologram\"", "mode \"maybe\" of layer \"points\"".
+    /// "layer \"hologram\"", "mode \"maybe\" of layer \"points\"".
+    std::vector<std::string> unknown;
 
     /// A sentence about the skipped names; empty if there are none.
     std::string complaint() const;

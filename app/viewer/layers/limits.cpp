@@ -1,5 +1,7 @@
-/// §6.1, Fig. 4: start and end advance along the ring.
-#include "corner.h"
+/// §6.1: start and end advance along the ring (Fig. 4), or a convex ring drops the point next to
+/// them (Fig. 5).
+#include "disc.h"
+#include "run/strings.h"
 
 namespace se::view {
 
@@ -15,13 +17,24 @@ void addMove(const LayerInput& in, const LimitEvidence& e, DrawList& out) {
         return;
     }
     out.arrow(in.at(e.from), in.at(e.to), color, 0.24F, 0.8F);
-    out.label(0.5F * (in.at(e.from) + in.at(e.to)), start ? "S moves here" : "E moves here", color,
-              true);
+    out.label(in.middleOf(e.from, e.to), start ? "S moves here" : "E moves here", color, true);
     // The lost part of the range is dotted, outside of the remaining part.
     if (const std::optional<Disc> disc = pivotDisc(in)) {
         addDashedArc(*disc, {e.fromDegrees, e.toDegrees, 1.12F * discRadius(in)}, c.textDim, 0.12F,
                      out);
     }
+}
+
+/// Height of the point above the plane of the disc: the reason why the angle misleads.
+void addStem(const LayerInput& in, const Disc& disc, Index point, DrawList& out) {
+    const Color& color = in.palette.rejected;
+    const glm::vec3 at = in.at(point);
+    const glm::vec3 foot = disc.foot(at);
+    out.line(at, foot, color, 0.14F, Depth::OnTop);
+    out.mark(foot, Shape::Dot, color, 0.4F);
+    out.dashed(disc.origin, foot, color.withAlpha(0.7F), 0.06F, 0.2F);
+    const double height = glm::dot(at - disc.origin, disc.normal) / in.model.scale;
+    out.label(0.5F * (at + foot), formatted("height %+.3g", height), color);
 }
 
 }  // namespace
@@ -46,6 +59,22 @@ void addLimits(const LayerInput& in, DrawList& out) {
         addCorner(in, {start ? e->to : p, e->from, start ? p : e->to, e->turn > 0.0}, out);
     }
     addMove(in, *e, out);
+}
+
+void addConvexity(const LayerInput& in, DrawList& out) {
+    const auto* e = in.picture.evidence<DropEvidence>(Stage::Convex);
+    const std::optional<Disc> disc = pivotDisc(in);
+    if (e == nullptr || !disc) return;
+    const bool start = e->side == Side::Start;
+    const Index p = in.picture.pivot;
+    const Index limit = start ? in.picture.start : in.picture.end;
+    addCorner(in, {start ? e->point : p, limit, start ? p : e->point, false}, out);
+    addStem(in, *disc, e->point, out);
+    // The path along the ring, against the straight spoke.
+    out.dashed(in.at(p), in.at(limit), in.palette.used, 0.22F, 0.16F);
+    out.dashed(in.at(limit), in.at(e->point), in.palette.used, 0.22F, 0.16F);
+    out.label(in.middleOf(limit, e->point), "along the ring", in.palette.used, true);
+    out.label(in.middleOf(p, e->point), "straight: removed", in.palette.rejected, true);
 }
 
 }  // namespace se::view

@@ -1,3 +1,4 @@
+/// The pivot with its candidates and its sector, and the listed neighbors of a point.
 #include <algorithm>
 
 #include "disc.h"
@@ -8,22 +9,20 @@ namespace {
 
 void addSpoke(const LayerInput& in, const CandidateMark& mark, DrawList& out) {
     const bool rejected = mark.state == CandidateState::Rejected;
-    Line line;
-    line.from = in.at(in.picture.pivot);
-    line.to = in.at(mark.point);
-    line.color = rejected ? in.palette.rejected.withAlpha(0.75F) : in.palette.used;
-    line.width = rejected ? 0.06F : 0.09F;
-    line.dash = rejected ? 0.3F : 0.0F;
-    line.depth = Depth::OnTop;
-    if (mark.point == in.picture.underTest) line.width = 0.16F;
-    if (mark.point == in.picture.underTest && !rejected) line.color = in.palette.test;
-    out.lines.push_back(line);
+    const bool tested = mark.point == in.picture.underTest;
+    const Color color = rejected ? in.palette.rejected.withAlpha(0.75F)
+                        : tested ? in.palette.test
+                                 : in.palette.used;
+    out.dashed(in.at(in.picture.pivot), in.at(mark.point), color,
+               tested     ? 0.16F
+               : rejected ? 0.06F
+                          : 0.09F,
+               rejected ? 0.3F : 0.0F);
 }
 
 void addMark(const LayerInput& in, Index point, Shape shape, const Color& color, float size,
              DrawList& out) {
-    if (point == kNone) return;
-    out.sprites.push_back({in.at(point), {color, size, shape}});
+    if (point != kNone) out.mark(in.at(point), shape, color, size);
 }
 
 void addCandidates(const LayerInput& in, DrawList& out) {
@@ -50,6 +49,13 @@ void addEnds(const LayerInput& in, DrawList& out) {
     if (p.end != p.last) addMark(in, p.last, Shape::Back, in.palette.last, 0.7F, out);
     addMark(in, p.end, Shape::Back, in.palette.last, 1.0F, out);
     addMark(in, p.start, Shape::Forward, in.palette.first, 1.0F, out);
+}
+
+void addList(const LayerInput& in, Index point, const Color& color, DrawList& out) {
+    if (point == kNone) return;
+    for (const Index q : in.model.points.neighbors[point]) {
+        out.dashed(in.at(point), in.at(q), color, 0.06F, 0.2F);
+    }
 }
 
 }  // namespace
@@ -84,6 +90,11 @@ void addNeighborRing(const LayerInput& in, DrawList& out) {
         addMark(in, mark.point, Shape::Cross, in.palette.rejected, 1.0F, out);
     }
     addMark(in, p.pivot, Shape::RingedDisc, in.palette.pivot, 1.15F, out);
+}
+
+void addLinks(const LayerInput& in, DrawList& out) {
+    addList(in, in.picture.pivot, in.palette.unused, out);
+    if (in.selected != in.picture.pivot) addList(in, in.selected, in.palette.accent, out);
 }
 
 }  // namespace se::view

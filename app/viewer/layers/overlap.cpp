@@ -37,7 +37,7 @@ struct Flat {
 
 Flat flatten(const LayerInput& in, const Disc& disc, const Triangle& t) {
     Flat flat;
-    flat.places = {in.at(t.a), in.at(t.b), in.at(t.c)};
+    flat.places = in.cornersOf(t);
     const auto fill = [&] {
         for (std::size_t i = 0; i < 3; ++i) {
             const glm::vec3 offset = flat.places[i] - disc.origin;
@@ -72,8 +72,7 @@ std::set<std::uint32_t> finishedAbout(const LayerInput& in, const Triangle& t) {
 
 /// A triangle on the other side of a thin object is not in the way.
 bool facesDisc(const LayerInput& in, const Disc& disc, const Triangle& t) {
-    const glm::vec3 across = glm::cross(in.at(t.b) - in.at(t.a), in.at(t.c) - in.at(t.a));
-    return glm::dot(across, disc.normal) > 0.0F;
+    return glm::dot(in.acrossOf(t), disc.normal) > 0.0F;
 }
 
 }  // namespace
@@ -109,9 +108,7 @@ void addOverlap(const LayerInput& in, const Overlap& overlap, DrawList& out) {
         for (std::size_t i = 1; i + 1 < part.size(); ++i) {
             out.sheets.push_back({{part[0], part[i], part[i + 1]}, color.withAlpha(0.8F), true});
         }
-        for (std::size_t i = 0; i < part.size(); ++i) {
-            out.line(part[i], part[(i + 1) % part.size()], color, 0.1F, Depth::OnTop);
-        }
+        out.loop(part, color, 0.1F);
     }
 }
 

@@ -1,3 +1,4 @@
+/// The points of the input, and their normals.
 #include <algorithm>
 #include <array>
 
@@ -92,6 +93,15 @@ void addNeighborhood(const LayerInput& in, DrawList& out) {
     for (PointStyle& style : out.cloudStyles.styles) style.color.a *= beyond;
 }
 
+/// Number of points up to which all their normals are drawn.
+constexpr std::size_t kAllUpTo = 3000;
+
+void addNormal(const LayerInput& in, Index point, DrawList& out) {
+    const glm::vec3& from = in.at(point);
+    out.line(from, from + in.model.normal[point] * (0.8F * in.model.spacing),
+             in.palette.unused.withAlpha(0.8F), 0.05F);
+}
+
 }  // namespace
 
 void addPoints(const LayerInput& in, DrawList& out) {
@@ -106,6 +116,19 @@ void addPoints(const LayerInput& in, DrawList& out) {
     }
     fillStyles(in, out);
     if (in.picture.pivot != kNone && !in.picture.complete) addNeighborhood(in, out);
+}
+
+void addNormals(const LayerInput& in, DrawList& out) {
+    const std::size_t count = in.model.points.size();
+    if (count <= kAllUpTo) {
+        for (Index p = 0; p < count; ++p) {
+            if (in.model.drawable[p]) addNormal(in, p, out);
+        }
+        return;
+    }
+    if (in.picture.pivot == kNone) return;
+    addNormal(in, in.picture.pivot, out);
+    for (const Index q : in.model.points.neighbors[in.picture.pivot]) addNormal(in, q, out);
 }
 
 }  // namespace se::view

@@ -8,10 +8,6 @@ namespace se::view {
 
 namespace {
 
-glm::vec3 middleOf(const LayerInput& in, const MeshEdge& edge) {
-    return 0.5F * (in.at(edge[0]) + in.at(edge[1]));
-}
-
 /// Old edges dashed, new ones bold, the rim thin. New triangles are hatched besides.
 void addEdges(const LayerInput& in, const MeshEdges& edges, DrawList& out) {
     const Palette& c = in.palette;
@@ -52,7 +48,7 @@ void addFlip(const LayerInput& in, const FlipEvidence& e, DrawList& out) {
     letter("x", e.x, c.used);
     letter("y", e.y, c.used);
     // Beside the figure: the letters are within it.
-    out.label(middleOf(in, {e.v, e.x}), leastAngles(in), c.used, true);
+    out.label(in.middleOf(e.v, e.x), leastAngles(in), c.used, true);
 }
 
 const char* wayOf(const Picture& picture, const MeshEdges& edges) {
@@ -71,7 +67,8 @@ void addReinsert(const LayerInput& in, const ReinsertEvidence& e, DrawList& out)
     addPoint(in, e.point, std::to_string(e.point) + " " + wayOf(p, edges), Shape::RingedDisc,
              in.palette.pivot, out);
     if (!edges.kept.empty()) {
-        out.label(middleOf(in, edges.kept.front()), leastAngles(in), in.palette.used, true);
+        out.label(in.middleOf(edges.kept.front()[0], edges.kept.front()[1]), leastAngles(in),
+                  in.palette.used, true);
     }
 }
 
@@ -82,7 +79,7 @@ void addRemoveFolded(const LayerInput& in, const RemoveFoldedEvidence& e, DrawLi
     addPoint(in, e.point, std::to_string(e.point) + " taken out", Shape::Cross, in.palette.rejected,
              out);
     if (!edges.kept.empty()) {
-        out.label(middleOf(in, edges.kept.front()),
+        out.label(in.middleOf(edges.kept.front()[0], edges.kept.front()[1]),
                   std::to_string(p.goneTriangles.size()) + " triangles \xE2\x86\x92 " +
                       std::to_string(p.newTriangles.size()),
                   in.palette.used, true);
@@ -95,7 +92,7 @@ void addRepairs(const LayerInput& in, DrawList& out) {
     const Picture& p = in.picture;
     if (p.repaired) {
         for (const Triangle& t : p.newTriangles)
-            out.faces.push_back({{in.at(t.a), in.at(t.b), in.at(t.c)}, in.palette.test, true});
+            out.faces.push_back({in.cornersOf(t), in.palette.test, true});
     }
     if (const auto* flip = p.evidence<FlipEvidence>(Stage::Flip)) addFlip(in, *flip, out);
     if (const auto* put = p.evidence<ReinsertEvidence>(Stage::Reinsert)) addReinsert(in, *put, out);

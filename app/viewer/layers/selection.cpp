@@ -1,3 +1,4 @@
+/// What the user has chosen: an edge or a triangle, and highlighted points.
 #include "layer.h"
 
 namespace se::view {
@@ -17,23 +18,22 @@ void addSelection(const LayerInput& in, DrawList& out) {
     const bool triangle = in.selection.kind == SelectionKind::Triangle;
     const std::size_t sides = triangle ? 3 : 1;
     for (std::size_t i = 0; i < sides; ++i) {
-        Line line;
-        line.from = in.at(corners[i]);
-        line.to = in.at(corners[(i + 1) % corners.size()]);
-        line.color = in.palette.text;
-        line.width = triangle ? 0.2F : 0.3F;
-        line.dash = in.selectionPresent ? 0.0F : 0.35F;
-        line.depth = Depth::OnTop;
-        out.lines.push_back(line);
+        out.dashed(in.at(corners[i]), in.at(corners[(i + 1) % corners.size()]), in.palette.text,
+                   triangle ? 0.2F : 0.3F, in.selectionPresent ? 0.0F : 0.35F);
     }
-    for (const Index p : corners) {
-        out.sprites.push_back({in.at(p), {in.palette.text, 0.55F, Shape::Square}});
-    }
+    for (const Index p : corners) out.mark(in.at(p), Shape::Square, in.palette.text, 0.55F);
     if (!triangle) return;
-    out.sheets.push_back(
-        {{in.at(corners[0]), in.at(corners[1]), in.at(corners[2])},
-         in.palette.accent.withAlpha(in.selectionPresent ? kSelectionTint : 0.5F * kSelectionTint),
-         false});
+    const float tint = in.selectionPresent ? kSelectionTint : 0.5F * kSelectionTint;
+    out.sheet(in.at(corners[0]), in.at(corners[1]), in.at(corners[2]),
+              in.palette.accent.withAlpha(tint));
+}
+
+/// Highlighted points, such as those of a finding: a ring around each, over everything else.
+void addMarked(const LayerInput& in, DrawList& out) {
+    for (const Index p : in.marked) {
+        if (!in.model.drawable[p]) continue;
+        out.mark(in.at(p), Shape::OpenDiamond, in.palette.rejected, 0.95F);
+    }
 }
 
 }  // namespace se::view

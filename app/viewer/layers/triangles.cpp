@@ -23,13 +23,11 @@ void addFadingFan(const LayerInput& in, DrawList& out) {
     const std::size_t count = std::min(p.finishedTriangles, in.triangles.size());
     const std::span<const Triangle> fan = lastFan(in.triangles.first(count));
     for (const Triangle& t : fan) {
-        out.faces.push_back({{in.at(t.a), in.at(t.b), in.at(t.c)},
-                             mix(in.palette.mesh, in.palette.test, 0.85F * strength),
-                             false});
+        out.faces.push_back(
+            {in.cornersOf(t), mix(in.palette.mesh, in.palette.test, 0.85F * strength), false});
     }
     if (in.moment.kind != Moment::Kind::Paper || fan.empty()) return;
-    const Triangle& t = fan.back();
-    out.label((in.at(t.a) + in.at(t.b) + in.at(t.c)) / 3.0F, "previous fan", in.palette.textDim);
+    out.label(in.middleOf(fan.back()), "previous fan", in.palette.textDim);
 }
 
 /// One stretch per component; in the repaired mesh they alternate.
@@ -63,10 +61,10 @@ void addTriangles(const LayerInput& in, DrawList& out) {
     // New triangles are among them; those drawn below cover them.
     out.repaired = in.picture.repaired;
     if (ordered && in.mesh.style < MeshStyle::Wire) addFadingFan(in, out);
-    // Triangles of the repair steps are drawn in repairs.cpp.
+    // Triangles of the repair steps are drawn by addRepairs().
     if (!ordered) return;
     for (const Triangle& t : in.picture.newTriangles) {
-        out.faces.push_back({{in.at(t.a), in.at(t.b), in.at(t.c)}, in.palette.test, true});
+        out.faces.push_back({in.cornersOf(t), in.palette.test, true});
     }
 }
 

@@ -89,12 +89,9 @@ void addWall(const LayerInput& in, const glm::vec3& at, int face, DrawList& out)
     const Wall wall = wallAt(in, at, face);
     const Color& color = in.palette.accent;
     const std::array corners = {wall.at(-1, -1), wall.at(1, -1), wall.at(1, 1), wall.at(-1, 1)};
-    out.sheet(corners[0], corners[1], corners[2], color.withAlpha(0.14F));
-    out.sheet(corners[0], corners[2], corners[3], color.withAlpha(0.14F));
+    out.sheet(corners, color.withAlpha(0.14F));
     addGrid(wall, color.withAlpha(0.35F), out);
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        out.line(corners[i], corners[(i + 1) % 4], color.withAlpha(0.8F), 0.08F, Depth::XRay);
-    }
+    out.loop(corners, color.withAlpha(0.8F), 0.08F, Depth::XRay);
     out.label(labelPlace(in, wall, in.at(in.picture.pivot)),
               std::string("wall ") + kFaceNames[static_cast<std::size_t>(face)], color, true);
 }
@@ -179,7 +176,7 @@ void addWalls(const LayerInput& in, DrawList& out) {
     if (e->corner) {
         addWallsOf(in, e->other, in.model.points.type[e->pivot], out);
         out.arrow(in.at(e->pivot), in.at(e->other), c.used, 0.16F);
-        out.label(0.5F * (in.at(e->pivot) + in.at(e->other)), "across the corner", c.used);
+        out.label(in.middleOf(e->pivot, e->other), "across the corner", c.used);
     } else {
         addVectors(in, *e, out);
     }

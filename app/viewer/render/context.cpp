@@ -1,6 +1,12 @@
 #include "context.h"
 
 #include <glad/gl.h>
+#include <stb_image_write.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "spiraling_edge/base/atomic_file.h"
 
 namespace se::view {
 
@@ -26,6 +32,25 @@ std::string glDescription() {
                                 : std::string(reinterpret_cast<const char*>(value));
     };
     return "OpenGL " + text(GL_VERSION) + " on " + text(GL_RENDERER);
+}
+
+Status saveScreenshot(const std::filesystem::path& path, glm::ivec2 size) {
+    std::vector<std::uint8_t> pixels(static_cast<std::size_t>(size.x) *
+                                     static_cast<std::size_t>(size.y) * 4);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    for (std::size_t i = 3; i < pixels.size(); i += 4) pixels[i] = 255;
+    std::string bytes;
+    const auto collect = [](void* context, void* data, int count) {
+        static_cast<std::string*>(context)->append(static_cast<const char*>(data),
+                                                   static_cast<std::size_t>(count));
+    };
+    stbi_flip_vertically_on_write(1);
+    if (stbi_write_png_to_func(collect, &bytes, size.x, size.y, 4, pixels.data(), size.x * 4) ==
+        0) {
+        return Error{"Cannot make a PNG of " + path.string() + "."};
+    }
+    return writeFileAtomically(path, bytes);
 }
 
 }  // namespace se::view

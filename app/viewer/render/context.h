@@ -1,6 +1,7 @@
 /// The few OpenGL calls that the window and the off-screen picture need themselves.
 #pragma once
 
+#include <filesystem>
 #include <glm/vec2.hpp>
 #include <string>
 
@@ -20,5 +21,8 @@ void clearFrame(glm::ivec2 size, const Color& color);
 void finishGl();
 /// Version and renderer of the current context, for --version and error reports.
 std::string glDescription();
+
+/// Reads `size` pixels of the bound framebuffer and writes them as PNG.
+Status saveScreenshot(const std::filesystem::path& path, glm::ivec2 size);
 
 }  // namespace se::view

@@ -63,10 +63,8 @@ std::vector<glm::vec3> unitSphere() {
     std::vector<glm::vec3> vertices;
     for (int j = 0; j < kUp; ++j) {
         for (int i = 0; i < kAround; ++i) {
-            for (const auto& v : {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j),
-                                  at(i + 1, j + 1), at(i, j + 1)}) {
-                vertices.push_back(v);
-            }
+            vertices.insert(vertices.end(), {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j),
+                                             at(i + 1, j + 1), at(i, j + 1)});
         }
     }
     return vertices;
@@ -95,6 +93,14 @@ void uploadCorners(Batch& batch, const Model& model, std::span<const Triangle> t
     batch.describe(0, sizeof(MeshVertex),
                    {{0, 3, offsetof(MeshVertex, position)},
                     {3, 4, offsetof(MeshVertex, normal), false, true}});
+}
+
+/// Draws the triangles from `first` up to `last` of the bound batch in one color.
+void drawTriangles(std::size_t first, std::size_t last, const Color& c) {
+    if (last <= first) return;
+    glVertexAttrib4f(1, c.r, c.g, c.b, c.a);
+    glDrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * first),
+                 static_cast<GLsizei>(3 * (last - first)));
 }
 
 Status loadInto(Shader& shader, const char* vertex, const char* fragment,
@@ -296,17 +302,12 @@ void Renderer::drawStretches(const DrawList& list, std::size_t count) {
         meshShader_.set("uScale", std::span<const glm::vec4>(scale));
     }
     glVertexAttrib1f(2, 0.0F);
-    const auto draw = [](std::size_t first, std::size_t last, const Color& c) {
-        if (last <= first) return;
-        glVertexAttrib4f(1, c.r, c.g, c.b, c.a);
-        glDrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * first),
-                     static_cast<GLsizei>(3 * (last - first)));
-    };
     const auto& stretches = list.meshStretches;
-    draw(0, stretches.empty() ? count : std::min(count, stretches.front().first), list.meshColor);
+    drawTriangles(0, stretches.empty() ? count : std::min(count, stretches.front().first),
+                  list.meshColor);
     for (std::size_t i = 0; i < stretches.size(); ++i) {
         const std::size_t end = i + 1 < stretches.size() ? stretches[i + 1].first : count;
-        draw(stretches[i].first, std::min(count, end), stretches[i].color);
+        drawTriangles(stretches[i].first, std::min(count, end), stretches[i].color);
     }
 }
 
@@ -318,8 +319,7 @@ void Renderer::drawTinted(const DrawList& list) {
         if (tinted.count == 0 || tinted.triangles != uploadedTinted_[i]) continue;
         tinted_[i].bind();
         glVertexAttrib1f(2, 0.0F);
-        glVertexAttrib4f(1, tinted.color.r, tinted.color.g, tinted.color.b, tinted.color.a);
-        glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * tinted.count));
+        drawTriangles(0, tinted.count, tinted.color);
     }
 }
 

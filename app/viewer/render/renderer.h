@@ -6,12 +6,10 @@
 #include <memory>
 #include <span>
 
-#include "batch.h"
+#include "gl_objects.h"
 #include "run/model.h"
 #include "scene/camera.h"
 #include "scene/draw_list.h"
-#include "shader.h"
-#include "target.h"
 
 namespace se::view {
 

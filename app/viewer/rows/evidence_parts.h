@@ -1,8 +1,10 @@
-/// The rows of Inspect, one function for each kind of evidence. See evidence_rows.h.
+/// The rows of Inspect, one function for each kind of evidence: those of evidence_tests.cpp, and
+/// what they share with those of evidence_rows.cpp.
 #pragma once
 
 #include "evidence_rows.h"
 #include "run/number_format.h"
+#include "run/strings.h"
 #include "scene/selection_measures.h"
 
 namespace se::view {
@@ -28,8 +30,6 @@ class EvidenceRows {
 
 /// "12, 34"; "none" for no point.
 std::string pointsText(const std::vector<Index>& list);
-/// "1 point", "2 points".
-std::string countText(std::size_t count, const std::string& word);
 
 // Where a ring begins, and at the walls.
 void addRows(const SeedEvidence& e, const EvidenceInput& in, EvidenceRows& out);
@@ -45,21 +45,5 @@ void addRows(const ReciprocalEvidence& e, const EvidenceInput& in, EvidenceRows&
 void addRows(const HoleEvidence& e, const EvidenceInput& in, EvidenceRows& out);
 void addRows(const SphereEvidence& e, const EvidenceInput& in, EvidenceRows& out);
 void addRows(const TwoPointEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-// Effects of a pivot.
-void addRows(const EmitEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const RingEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const SplitEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const JoinEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const CloseEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const AdvanceEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const FreeEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const ComponentEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const AlertEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-// Rules beyond the paper.
-void addRows(const GuardEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const FillEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const ReinsertEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const RemoveFoldedEvidence& e, const EvidenceInput& in, EvidenceRows& out);
-void addRows(const FlipEvidence& e, const EvidenceInput& in, EvidenceRows& out);
 
 }  // namespace se::view

@@ -1,14 +1,50 @@
-/// Shapes of the RUN strip for the lanes of a part of the run: limited by the number of pixels,
-/// not by the length of the run.
+/// The part of the run that the RUN strip shows, and its shapes for the lanes of a part of the run:
+/// limited by the number of pixels, not by the length of the run.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "run/overview.h"
-#include "strip_window.h"
 
 namespace se::view {
+
+/// The part of the run that the strip shows: pivots from() to to(), of `last` in all; both may lie
+/// between two pivots.
+class StripWindow {
+  public:
+    /// Minimum number of pivots that are shown.
+    static constexpr double kLeast = 12.0;
+
+    double from() const { return whole_ ? 0.0 : from_; }
+    double to() const { return whole_ ? last_ : to_; }
+    double last() const { return last_; }
+    bool whole() const { return whole_; }
+
+    /// The run has become longer, or is another one. A window on the whole stays so.
+    void setLast(std::uint32_t last);
+    void showAll() { whole_ = true; }
+    /// Shows more (notches < 0) or less, so that the position at `share` of the width stays there.
+    void zoomAt(double share, double notches);
+    /// Moves by a share of the width.
+    void pan(double shares);
+    /// Moves until `pivot` is within.
+    void reveal(std::uint32_t pivot);
+
+    /// Position of a pivot, as a share of the width; outside of [0, 1] if it is not within.
+    double shareOf(double pivot) const { return (pivot - from()) / (to() - from()); }
+    double pivotAt(double share) const { return from() + share * (to() - from()); }
+
+    friend bool operator==(const StripWindow&, const StripWindow&) = default;
+
+  private:
+    void put(double from, double length);
+
+    bool whole_ = true;
+    double from_ = 0.0;
+    double to_ = 1.0;
+    double last_ = 1.0;
+};
 
 /// A ring's time, from x to x in pixels.
 struct LaneBar {
@@ -25,8 +61,8 @@ struct LaneSign {
     std::uint32_t row = 0;
     std::uint32_t otherRow = 0;  ///< Of a split or join.
     float x = 0.0F;
-    bool alone =
-        true;  ///< There is room for its mark; otherwise only for the line of a split or join.
+    /// There is room for its mark; otherwise only for the line of a split or join.
+    bool alone = true;
 };
 
 struct LaneAlert {

@@ -1,8 +1,7 @@
 #include "line_text.h"
 
-#include <cstdio>
-
 #include "run/number_format.h"
+#include "run/strings.h"
 #include "spiraling_edge/replay/event_text.h"
 
 namespace se::view {
@@ -15,12 +14,7 @@ std::string valueText(const Reading& reading, double value) {
 
 }  // namespace
 
-std::string marginText(double margin) {
-    if (margin == 0.0) return "0";
-    char text[32];
-    std::snprintf(text, sizeof text, "%+.2g", margin);
-    return text;
-}
+std::string marginText(double margin) { return margin == 0.0 ? "0" : formatted("%+.2g", margin); }
 
 std::string comparisonText(const Reading& reading, bool named) {
     return (named ? std::string(reading.quantity) + " " : std::string{}) +

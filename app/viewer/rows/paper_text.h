@@ -2,18 +2,18 @@
 /// highlights the current line. Plain values, no ImGui.
 #pragma once
 
-#include <span>
 #include <string>
+#include <vector>
 
 #include "spiraling_edge/stepper/event.h"
 
 namespace se::view {
 
 struct PaperRule {
-    Stage stage;
-    const char* title;
-    const char* words;
-    std::span<const char* const> code;  ///< Lines, two spaces per level.
+    std::string stages;  ///< Names, with spaces between them.
+    std::string title;
+    std::string words;
+    std::vector<std::string> code;  ///< Lines, two spaces per level.
 };
 
 /// The rule of a stage. Stages that belong together share one.

@@ -1,7 +1,5 @@
 #include "query_words.h"
 
-#include <algorithm>
-
 namespace se::view {
 
 namespace {
@@ -19,8 +17,7 @@ std::string_view fixedPart(const QueryTerm& term) {
 
 /// True if one is a prefix of the other: "mar" and "margin<", "margin<1e" and "margin<".
 bool agree(std::string_view word, std::string_view fixed) {
-    const std::size_t length = std::min(word.size(), fixed.size());
-    return word.substr(0, length) == fixed.substr(0, length);
+    return word.starts_with(fixed) || fixed.starts_with(word);
 }
 
 }  // namespace

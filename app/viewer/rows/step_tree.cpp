@@ -5,11 +5,86 @@
 #include "step_tree.h"
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <sstream>
 
 #include "run/picture.h"
+#include "run/strings.h"
+#include "spiraling_edge/replay/event_text.h"
 #include "spiraling_edge/replay/reading.h"
+#include "spiraling_edge/stepper/stage_table.h"
 
 namespace se::view {
+
+// ---- the filter -----------------------------------------------------------------------------
+
+namespace {
+
+/// All possible meanings of a word.
+Findings findingsOf(std::string_view word) {
+    Findings found;
+    for (const StageRow& row : stageTable()) {
+        if (row.name.starts_with(word)) found |= findingOf(row.id);
+    }
+    for (const VerdictRow& row : verdictTable()) {
+        if (lowerCase(row.text).find(word) != std::string::npos) found |= findingOf(row.id);
+    }
+    return found;
+}
+
+/// Whether `number` is in the text, and not as a part of a longer one.
+bool hasNumber(std::string_view text, std::string_view number) {
+    const auto digit = [&](std::size_t i) {
+        return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i])) != 0;
+    };
+    for (std::size_t at = text.find(number); at != std::string_view::npos;
+         at = text.find(number, at + 1)) {
+        if ((at == 0 || !digit(at - 1)) && !digit(at + number.size())) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+StepFilter::StepFilter(std::string_view text) {
+    std::istringstream words{lowerCase(text)};
+    for (std::string word; words >> word;) words_.push_back(read(word));
+}
+
+StepFilter::Word StepFilter::read(std::string text) {
+    Word word;
+    word.refused = text == "x" || text == "\xC3\x97";
+    Index number = kNone;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error == std::errc{} && end == text.data() + text.size()) word.number = number;
+    if (!word.refused && word.number == kNone) word.found = findingsOf(text);
+    word.text = std::move(text);
+    return word;
+}
+
+bool StepFilter::matches(std::uint32_t pivot, const PivotSummary& summary) const {
+    return std::all_of(words_.begin(), words_.end(), [&](const Word& word) {
+        if (word.refused) return summary.refused > 0;
+        if (word.number != kNone) return word.number == summary.point || word.number == pivot;
+        return (summary.found & word.found).any();
+    });
+}
+
+bool StepFilter::matches(const Event& event) const {
+    Findings found = findingOf(event.address.stage);
+    if (const auto verdict = verdictOf(event)) found |= findingOf(*verdict);
+    std::string sentence;
+    return std::all_of(words_.begin(), words_.end(), [&](const Word& word) {
+        if (word.refused) return rejects(event);
+        if ((found & word.found).any()) return true;
+        if (sentence.empty()) sentence = lowerCase(describe(event));
+        return word.number != kNone ? hasNumber(sentence, word.text)
+                                    : sentence.find(word.text) != std::string::npos;
+    });
+}
+
+// ---- the tree -------------------------------------------------------------------------------
 
 std::vector<StageRun> stageRuns(const std::vector<Event>& events) {
     std::vector<StageRun> runs;
@@ -106,7 +181,7 @@ void StepTree::layOut() {
 
 bool StepTree::stageOpen(std::size_t run) const {
     if (runs_[run].size() < 2) return false;
-    const bool byHand = (openedStages_ >> static_cast<unsigned>(runs_[run].stage) & 1U) != 0;
+    const bool byHand = openedStages_.test(static_cast<std::size_t>(runs_[run].stage));
     return byHand || (run == cursorRun_ && !stageFolded_);
 }
 
@@ -239,51 +314,26 @@ std::optional<std::size_t> StepTree::filteredCursor() const {
 // ---- opening --------------------------------------------------------------------------------
 
 bool StepTree::canOpen(const StepRow& row) const {
-    switch (row.kind) {
-        case StepRowKind::Component:
-        case StepRowKind::Pivot:
-            return true;
-        case StepRowKind::Stage:
-            return runs_[row.run].size() > 1;
-        case StepRowKind::Test:
-            return false;
-    }
-    return false;
+    if (row.kind == StepRowKind::Stage) return runs_[row.run].size() > 1;
+    return row.kind != StepRowKind::Test;
 }
 
 bool StepTree::isOpen(const StepRow& row) const {
-    switch (row.kind) {
-        case StepRowKind::Component:
-            return componentOpen(row.component);
-        case StepRowKind::Pivot:
-            return row.pivot == recordPivot_ && !pivotFolded_;
-        case StepRowKind::Stage:
-            return stageOpen(row.run);
-        case StepRowKind::Test:
-            return false;
-    }
-    return false;
+    if (row.kind == StepRowKind::Component) return componentOpen(row.component);
+    if (row.kind == StepRowKind::Pivot) return row.pivot == recordPivot_ && !pivotFolded_;
+    return row.kind == StepRowKind::Stage && stageOpen(row.run);
 }
 
 void StepTree::toggle(const StepRow& row) {
     const bool open = isOpen(row);
-    switch (row.kind) {
-        case StepRowKind::Component:
-            if (row.component == cursorComponent_) componentFolded_ = open;
-            open ? void(opened_.erase(row.component)) : void(opened_.insert(row.component));
-            break;
-        case StepRowKind::Pivot:
-            if (row.pivot == recordPivot_) pivotFolded_ = open;
-            break;
-        case StepRowKind::Stage: {
-            const std::uint64_t bit = std::uint64_t{1}
-                                      << static_cast<unsigned>(runs_[row.run].stage);
-            openedStages_ = open ? openedStages_ & ~bit : openedStages_ | bit;
-            if (row.run == cursorRun_) stageFolded_ = open;
-            break;
-        }
-        case StepRowKind::Test:
-            break;
+    if (row.kind == StepRowKind::Component) {
+        if (row.component == cursorComponent_) componentFolded_ = open;
+        open ? void(opened_.erase(row.component)) : void(opened_.insert(row.component));
+    } else if (row.kind == StepRowKind::Pivot) {
+        if (row.pivot == recordPivot_) pivotFolded_ = open;
+    } else if (row.kind == StepRowKind::Stage) {
+        openedStages_.set(static_cast<std::size_t>(runs_[row.run].stage), !open);
+        if (row.run == cursorRun_) stageFolded_ = open;
     }
     layOut();
 }

@@ -2,16 +2,43 @@
 /// their meaning, not a list of rows: a run may have millions.
 #pragma once
 
+#include <bitset>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "run/overview.h"
 #include "run/pivot_record.h"
-#include "step_filter.h"
 
 namespace se::view {
+
+/// The filter line above the tree: words that must all match. Each is the beginning of a stage's
+/// name, a word of a verdict, the number of a point or pivot, or `x` for refused tests. Case is
+/// ignored.
+class StepFilter {
+  public:
+    StepFilter() = default;
+    explicit StepFilter(std::string_view text);
+
+    bool empty() const { return words_.empty(); }
+    /// Whether the pivot may have such a decision.
+    bool matches(std::uint32_t pivot, const PivotSummary& summary) const;
+    /// Matches also words of the sentence that describes the event.
+    bool matches(const Event& event) const;
+
+  private:
+    struct Word {
+        std::string text;
+        Findings found;
+        bool refused = false;
+        Index number = kNone;
+    };
+    static Word read(std::string text);
+
+    std::vector<Word> words_;
+};
 
 /// A run of events of the same stage within a pivot.
 struct StageRun {
@@ -100,7 +127,7 @@ class StepTree {
     std::vector<std::size_t> runRow_;  ///< Row of each run below the pivot's, and their number.
     std::vector<OpenComponent> open_;  ///< In order.
     std::set<std::size_t> opened_;     ///< Components opened by hand.
-    std::uint64_t openedStages_ = 0;
+    std::bitset<kStageCount> openedStages_;
     bool componentFolded_ = false;  ///< State of the cursor's pivot, set by the user.
     bool pivotFolded_ = false;
     bool stageFolded_ = false;

@@ -44,25 +44,19 @@ PointFile asWritten(PointFile file) {
 bool canFix(const DoctorCheck& check) { return check.fix != Fix::None; }
 
 std::string_view fixText(Fix fix) {
-    switch (fix) {
-        case Fix::None:
-            return "";
-        case Fix::Repair:
-            return "Repairs all that needs no guessing, and runs the result.";
-        case Fix::Drop:
-            return "Drops these points, and repairs all that needs no guessing.";
-        case Fix::Orient:
-            return "Flips normals so that they agree, outward on closed parts.";
-        case Fix::NewLists:
-            return "Replaces the neighbor lists of the file by the 12 nearest points.";
-        case Fix::Symmetric:
-            return "Makes neighbor lists symmetric.";
-        case Fix::Walls:
-            return "Replaces the walls of the file by the box around all points.";
-        case Fix::Rim:
-            return "Marks points where the surface ends without a wall as boundary points.";
-    }
-    return "";
+    // In the order of the enum.
+    constexpr std::string_view kTexts[] = {
+        "",
+        "Repairs all that needs no guessing, and runs the result.",
+        "Drops these points, and repairs all that needs no guessing.",
+        "Flips normals so that they agree, outward on closed parts.",
+        "Replaces the neighbor lists of the file by the 12 nearest points.",
+        "Makes neighbor lists symmetric.",
+        "Replaces the walls of the file by the box around all points.",
+        "Marks points where the surface ends without a wall as boundary points.",
+    };
+    static_assert(std::size(kTexts) == static_cast<std::size_t>(Fix::Rim) + 1);
+    return kTexts[static_cast<std::size_t>(fix)];
 }
 
 Fixes safeFixes(std::span<const Finding> findings) {

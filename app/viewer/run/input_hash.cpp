@@ -35,10 +35,9 @@ void InputHash::add(std::string_view bytes) {
 }
 
 std::string InputHash::text() const {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "fnv1a64:%016llx",
-                  static_cast<unsigned long long>(state_));
-    return text.data();
+    char text[32];
+    std::snprintf(text, sizeof text, "fnv1a64:%016llx", static_cast<unsigned long long>(state_));
+    return text;
 }
 
 std::string hashOfPoints(const PointFile& points) {

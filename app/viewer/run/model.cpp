@@ -10,6 +10,8 @@
 #include <limits>
 
 #include "input_hash.h"
+#include "spiraling_edge/base/finite.h"
+#include "spiraling_edge/base/word_list.h"
 #include "spiraling_edge/io/read_points.h"
 #include "spiraling_edge/scenes/scenes.h"
 
@@ -24,10 +26,6 @@ constexpr std::size_t kSampleSize = 4000;
 constexpr double kReadShare = 0.1;
 constexpr double kParsedShare = 0.25;
 constexpr double kPreparedShare = 0.9;
-
-bool isFinite(const Vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 /// The bytes of a file, hashed while reading. Empty if cancelled or unreadable.
 std::optional<std::string> readBytes(const fs::path& path, std::string& hash,
@@ -91,10 +89,10 @@ Result<PointFile> readSource(const InputSpec& spec, Model& model, LoadProgress& 
         if (source.empty() && scenes().empty()) return Error{"No file was named."};
         const Scene* scene = source.empty() ? &scenes().front() : findScene(id);
         if (scene == nullptr) {
-            std::string known;
-            for (const Scene& each : scenes())
-                known += (known.empty() ? "" : ", ") + std::string(each.id);
-            return Error{"There is no scene \"" + id + "\". Scenes are: " + known + "."};
+            std::vector<std::string_view> known;
+            for (const Scene& each : scenes()) known.push_back(each.id);
+            return Error{"There is no scene \"" + id + "\". Scenes are: " + wordList(known, "") +
+                         "."};
         }
         model.name = sceneSource(scene->id);
         model.watch = std::string(scene->watch);

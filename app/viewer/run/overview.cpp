@@ -5,9 +5,11 @@
 #include "overview.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "picture.h"
+#include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/replay/reading.h"
 
 namespace se::view {
@@ -36,20 +38,38 @@ void countComponents(RunOverview& overview, const std::vector<PivotSummary>& fre
     }
 }
 
+constexpr std::uint64_t edgeKey(Index from, Index to) { return std::uint64_t{from} << 32U | to; }
+
+/// Number of distinct values.
+std::size_t countDifferent(std::vector<Index>& points) {
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    return points.size();
+}
+
+/// Pieces of the rim: points joined by its edges belong to one piece.
+std::size_t countLoops(std::span<const std::array<Index, 2>> rim) {
+    std::vector<Index> points;
+    for (const auto& edge : rim) points.insert(points.end(), {edge[0], edge[1]});
+    std::size_t loops = countDifferent(points);
+    DisjointSets pieces(points.size());
+    const auto placeOf = [&](Index point) {
+        const auto found = std::lower_bound(points.begin(), points.end(), point);
+        return static_cast<Index>(found - points.begin());
+    };
+    for (const auto& [from, to] : rim) {
+        if (pieces.unite(placeOf(from), placeOf(to))) --loops;
+    }
+    return loops;
+}
+
 }  // namespace
 
 Stage stageOf(MarkKind kind) {
-    switch (kind) {
-        case MarkKind::Seed:
-            return Stage::Seed;
-        case MarkKind::Split:
-            return Stage::Split;
-        case MarkKind::Join:
-            return Stage::Join;
-        case MarkKind::Alert:
-            return Stage::Done;
-    }
-    return Stage::Pivot;
+    // In the order of the enum.
+    constexpr std::array kStages = {Stage::Seed, Stage::Split, Stage::Join, Stage::Done};
+    static_assert(kStages.size() == static_cast<std::size_t>(MarkKind::Alert) + 1);
+    return kStages[static_cast<std::size_t>(kind)];
 }
 
 void count(PivotSummary& summary, const Event& event) {
@@ -90,8 +110,9 @@ std::span<const LiveFailure> failuresAt(const RunOverview& run, const Address& a
     const auto first = std::find_if(begin, run.failures.end(), [&](const LiveFailure& each) {
         return each.address.pivot > address.pivot || each.address == address;
     });
-    auto last = first;
-    while (last != run.failures.end() && last->address == address) ++last;
+    const auto last = std::find_if_not(first, run.failures.end(), [&](const LiveFailure& each) {
+        return each.address == address;
+    });
     return std::span(run.failures)
         .subspan(static_cast<std::size_t>(first - run.failures.begin()),
                  static_cast<std::size_t>(last - first));
@@ -102,6 +123,41 @@ std::size_t noticedUpTo(const RunOverview& run, const Address& address) {
         run.failures.begin(), run.failures.end(),
         [&](const LiveFailure& each) { return each.address.pivot <= address.pivot; });
     return static_cast<std::size_t>(end - run.failures.begin());
+}
+
+ComponentShape shapeOf(const Model& model, std::span<const Triangle> triangles, std::size_t begin) {
+    ComponentShape shape;
+    shape.begin = begin;
+    shape.end = begin + triangles.size();
+    glm::dvec3 sum(0.0);
+    std::vector<std::uint64_t> edges;
+    edges.reserve(3 * triangles.size());
+    std::vector<Index> corners;
+    corners.reserve(3 * triangles.size());
+    for (const Triangle& t : triangles) {
+        sum += glm::dvec3(model.place[t.a]);
+        edges.insert(edges.end(), {edgeKey(t.a, t.b), edgeKey(t.b, t.c), edgeKey(t.c, t.a)});
+        corners.insert(corners.end(), {t.a, t.b, t.c});
+    }
+    if (!triangles.empty()) shape.middle = sum / static_cast<double>(triangles.size());
+    std::sort(edges.begin(), edges.end());
+    for (const std::uint64_t edge : edges) {
+        const auto from = static_cast<Index>(edge >> 32U);
+        const auto to = static_cast<Index>(edge);
+        if (!std::binary_search(edges.begin(), edges.end(), edgeKey(to, from))) {
+            shape.rim.push_back({from, to});
+        }
+    }
+    shape.points = countDifferent(corners);
+    shape.loops = countLoops(shape.rim);
+    return shape;
+}
+
+const ComponentShape* shapeAt(std::span<const ComponentShape> shapes, std::uint32_t pivot) {
+    const auto found = std::lower_bound(
+        shapes.begin(), shapes.end(), pivot,
+        [](const ComponentShape& shape, std::uint32_t wanted) { return shape.pivot < wanted; });
+    return found != shapes.end() && found->pivot == pivot ? &*found : nullptr;
 }
 
 }  // namespace se::view

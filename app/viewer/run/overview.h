@@ -1,12 +1,13 @@
 /// The whole run at a glance, for the tree of steps and the strip under the view.
 #pragma once
 
+#include <array>
 #include <bitset>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "component_shape.h"
 #include "model.h"
 #include "spiraling_edge/replay/live_check.h"
 #include "spiraling_edge/replay/ring_lanes.h"
@@ -17,6 +18,26 @@ struct State;
 }
 
 namespace se::view {
+
+/// A complete component: its triangles, its position and its boundary. Computed once, by the thread
+/// that makes the overview, because a pass over all its triangles takes longer than a frame.
+struct ComponentShape {
+    std::uint32_t pivot = 0;  ///< Pivot at whose end the component was complete.
+    std::size_t begin = 0;    ///< Number of its first triangle.
+    std::size_t end = 0;      ///< Number after its last triangle.
+    glm::vec3 middle{0.0F};   ///< View space.
+    /// Directed edges that have a triangle on one side only.
+    std::vector<std::array<Index, 2>> rim;
+    std::size_t points = 0;  ///< Number of points that its triangles use.
+    std::size_t loops = 0;   ///< Number of connected pieces of the rim.
+    double seconds = 0.0;    ///< Seconds from the start of the overview's run.
+};
+
+/// The component that consists of `triangles`; `begin` is the number of the first.
+ComponentShape shapeOf(const Model& model, std::span<const Triangle> triangles, std::size_t begin);
+
+/// The component that was complete at the end of `pivot`; null if unknown. `shapes` are in order.
+const ComponentShape* shapeAt(std::span<const ComponentShape> shapes, std::uint32_t pivot);
 
 /// An event of the run that deserves a mark.
 enum class MarkKind : std::uint8_t { Seed, Split, Join, Alert };

@@ -214,30 +214,30 @@ Picture makePicture(const PivotRecord& record, std::size_t cursor) {
     return picture;
 }
 
+namespace {
+
+/// The member `point` of most kinds of evidence; kNone of those without.
+template <typename Kind>
+Index pointOf(const Kind& evidence) {
+    if constexpr (requires { evidence.point; }) return evidence.point;
+    return kNone;
+}
+
+}  // namespace
+
 Index subjectOf(const Event& event) {
     return std::visit(Overloaded{
                           [](const SeedEvidence& e) { return e.second; },
-                          [](const StrandEvidence& e) { return e.point; },
                           [](const InsertEvidence& e) { return e.third; },
-                          [](const SortEvidence& e) { return e.point; },
                           [](const LimitEvidence& e) { return e.to; },
-                          [](const DropEvidence& e) { return e.point; },
-                          [](const ReciprocalEvidence& e) { return e.point; },
-                          [](const HoleEvidence& e) { return e.point; },
                           [](const SphereEvidence& e) { return e.q; },
-                          [](const RingEvidence& e) { return e.point; },
-                          [](const SplitEvidence& e) { return e.point; },
-                          [](const JoinEvidence& e) { return e.point; },
-                          [](const AlertEvidence& e) { return e.point; },
                           [](const PivotEvidence& e) { return e.pivot; },
                           [](const SkipEvidence& e) { return e.pivot; },
                           [](const AdvanceEvidence& e) { return e.to; },
                           [](const GuardEvidence& e) { return e.dropped; },
                           [](const FillEvidence& e) { return e.pivot; },
-                          [](const ReinsertEvidence& e) { return e.point; },
-                          [](const RemoveFoldedEvidence& e) { return e.point; },
                           [](const FlipEvidence& e) { return e.x; },
-                          [](const auto&) { return kNone; },
+                          [](const auto& e) { return pointOf(e); },
                       },
                       event.evidence);
 }
@@ -245,6 +245,38 @@ Index subjectOf(const Event& event) {
 bool rejects(const Event& event) {
     const std::optional<Verdict> verdict = verdictOf(event);
     return verdict && isRejection(*verdict);
+}
+
+std::vector<Index> neighborhoodOf(const Picture& picture) {
+    std::vector<Index> all;
+    const auto add = [&](std::initializer_list<Index> points) {
+        for (const Index point : points) {
+            const bool known = std::find(all.begin(), all.end(), point) != all.end();
+            if (point != kNone && !known) all.push_back(point);
+        }
+    };
+    add({picture.pivot, picture.start, picture.end, picture.first, picture.last, picture.underTest,
+         picture.nextPivot});
+    for (const CandidateMark& mark : picture.candidates) {
+        if (mark.state == CandidateState::Kept) add({mark.point});
+    }
+    for (const Triangle& t : picture.newTriangles) add({t.a, t.b, t.c});
+    if (!picture.event) return all;
+    // Points that an event names beside its subject.
+    std::visit(Overloaded{
+                   [&](const ReciprocalEvidence& e) {
+                       add({e.pred, e.succ});
+                   },
+                   [&](const LimitEvidence& e) {
+                       add({e.from, e.to});
+                   },
+                   [&](const SphereEvidence& e) {
+                       add({e.s, e.t});
+                   },
+                   [](const auto&) {},
+               },
+               picture.event->evidence);
+    return all;
 }
 
 }  // namespace se::view

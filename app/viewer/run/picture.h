@@ -78,6 +78,10 @@ Picture makePictureBefore(const PivotRecord& record, std::size_t cursor);
 
 /// The subject point of an event, kNone if it has none.
 Index subjectOf(const Event& event);
+/// The points that the decisions of a pivot involve: the pivot, its ends, the candidates that are
+/// left, and other points named by the event at the cursor; in order, none twice. Without a pivot:
+/// the point under test, if there is one.
+std::vector<Index> neighborhoodOf(const Picture& picture);
 /// True if the event removes its point from the neighbor ring.
 bool rejects(const Event& event);
 

@@ -73,8 +73,8 @@ class Walk {
     }
 
     Stepper stepper_;
-    std::vector<std::uint32_t>
-        times_;  ///< Number of times that a point was pivot of this component.
+    /// Number of times that a point was pivot of this component.
+    std::vector<std::uint32_t> times_;
     std::vector<Index> touched_;
     Index component_ = kNone;
     Index point_ = kNone;
@@ -206,26 +206,17 @@ std::size_t sameStep(const PivotRecord& record, const SamePosition& place) {
 std::string describe(const SamePosition& place, const Address& landed) {
     const std::string was = toString(place.from.address);
     const std::string now = toString(landed);
-    switch (place.kind) {
-        case SamePosition::Kind::Start:
-            return "At the start of the new run.";
-        case SamePosition::Kind::End:
-            return "At the end of the new run.";
-        case SamePosition::Kind::Same:
-            if (was == now && place.part == 0) return "Same place: no difference before it.";
-            if (was == now) {
-                return "Same place; the runs diverge at pivot " + std::to_string(place.part) + ".";
-            }
-            return "Same pivot, point " + std::to_string(place.point) + ": " + was + " is now " +
-                   now + "; the runs diverge at pivot " + std::to_string(place.part) + ".";
-        case SamePosition::Kind::Earlier:
-            break;
-    }
     const std::string part = std::to_string(place.part);
-    const std::string what = place.point == kNone
-                                 ? "pivot " + std::to_string(place.from.address.pivot)
-                                 : "pivot " + std::to_string(place.from.address.pivot) +
-                                       " (point " + std::to_string(place.point) + ")";
+    if (place.kind == SamePosition::Kind::Start) return "At the start of the new run.";
+    if (place.kind == SamePosition::Kind::End) return "At the end of the new run.";
+    if (place.kind == SamePosition::Kind::Same) {
+        if (was == now && place.part == 0) return "Same place: no difference before it.";
+        if (was == now) return "Same place; the runs diverge at pivot " + part + ".";
+        return "Same pivot, point " + std::to_string(place.point) + ": " + was + " is now " + now +
+               "; the runs diverge at pivot " + part + ".";
+    }
+    std::string what = "pivot " + std::to_string(place.from.address.pivot);
+    if (place.point != kNone) what += " (point " + std::to_string(place.point) + ")";
     return "The new run has no " + what + ": showing the last shared state, before pivot " + part +
            ".";
 }

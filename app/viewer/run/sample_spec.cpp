@@ -85,12 +85,7 @@ bool operator==(const SampleSpec& a, const SampleSpec& b) {
 }
 
 SamplerOptions SampleSpec::sampler() const {
-    SamplerOptions options;
-    options.count = count;
-    options.spacing = spacing;
-    options.seed = seed;
-    options.curvature = curvature;
-    return options;
+    return {.count = count, .spacing = spacing, .seed = seed, .curvature = curvature};
 }
 
 std::string sampleSource(const SampleSpec& spec) {

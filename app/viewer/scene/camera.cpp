@@ -30,15 +30,15 @@ float halfTangent() { return std::tan(glm::radians(kFieldOfViewDegrees) * 0.5F);
 }  // namespace
 
 glm::vec3 Camera::direction() const {
-    const float yaw = glm::radians(yawDegrees_);
-    const float pitch = glm::radians(pitchDegrees_);
+    const float yaw = glm::radians(pose_.yawDegrees);
+    const float pitch = glm::radians(pose_.pitchDegrees);
     return fromFrame(
         {std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw), std::sin(pitch)});
 }
 
 glm::vec3 Camera::right() const {
     // From the yaw alone, so that it is also known when looking straight down.
-    const float yaw = glm::radians(yawDegrees_);
+    const float yaw = glm::radians(pose_.yawDegrees);
     return fromFrame({-std::sin(yaw), std::cos(yaw), 0.0F});
 }
 
@@ -46,49 +46,35 @@ glm::vec3 Camera::upward() const { return glm::cross(direction(), right()); }
 
 glm::vec3 Camera::fromFrame(const glm::vec3& d) const {
     // Rotations: they keep handedness.
-    switch (up_) {
-        case UpAxis::X:
-            return {d.z, d.x, d.y};
-        case UpAxis::Y:
-            return {d.x, d.z, -d.y};
-        case UpAxis::Z:
-            break;
-    }
-    return d;
+    if (pose_.up == UpAxis::X) return {d.z, d.x, d.y};
+    return pose_.up == UpAxis::Y ? glm::vec3(d.x, d.z, -d.y) : d;
 }
 
 glm::vec3 Camera::inFrame(const glm::vec3& d) const {
-    switch (up_) {
-        case UpAxis::X:
-            return {d.y, d.z, d.x};
-        case UpAxis::Y:
-            return {d.x, -d.z, d.y};
-        case UpAxis::Z:
-            break;
-    }
-    return d;
+    if (pose_.up == UpAxis::X) return {d.y, d.z, d.x};
+    return pose_.up == UpAxis::Y ? glm::vec3(d.x, -d.z, d.y) : d;
 }
 
 void Camera::setUp(UpAxis up) {
-    if (up_ == up) return;
-    up_ = up;
+    if (pose_.up == up) return;
+    pose_.up = up;
     ++revision_;
 }
 
-float Camera::heightAtTarget() const { return 2.0F * distance_ * halfTangent(); }
+float Camera::heightAtTarget() const { return 2.0F * pose_.distance * halfTangent(); }
 
 CameraMatrices Camera::matrices(float aspect) const {
     CameraMatrices m;
-    const glm::vec3 eye = target_ + direction() * distance_;
+    const glm::vec3 eye = pose_.target + direction() * pose_.distance;
     const float reach = glm::length(eye) + 1.5F * kSceneRadius;
-    m.view = glm::lookAt(eye, target_, upward());
+    m.view = glm::lookAt(eye, pose_.target, upward());
     m.eye = eye;
-    m.orthographic = orthographic_;
-    if (orthographic_) {
+    m.orthographic = pose_.orthographic;
+    if (pose_.orthographic) {
         const float half = 0.5F * heightAtTarget();
         m.projection = glm::ortho(-half * aspect, half * aspect, -half, half, -reach, reach);
     } else {
-        const float nearPlane = std::max(distance_ * 0.02F, reach * 1e-4F);
+        const float nearPlane = std::max(pose_.distance * 0.02F, reach * 1e-4F);
         m.projection =
             glm::perspective(glm::radians(kFieldOfViewDegrees), aspect, nearPlane, reach);
     }
@@ -96,40 +82,37 @@ CameraMatrices Camera::matrices(float aspect) const {
 }
 
 void Camera::setPose(const CameraPose& pose) {
-    target_ = pose.target;
-    distance_ = std::clamp(pose.distance, kNearest, kFarthestAway);
-    yawDegrees_ = pose.yawDegrees;
-    pitchDegrees_ = std::clamp(pose.pitchDegrees, -90.0F, 90.0F);
-    orthographic_ = pose.orthographic;
-    up_ = pose.up;
+    pose_ = pose;
+    pose_.distance = std::clamp(pose.distance, kNearest, kFarthestAway);
+    pose_.pitchDegrees = std::clamp(pose.pitchDegrees, -90.0F, 90.0F);
     ++revision_;
 }
 
 void Camera::orbit(glm::vec2 pixels, float height) {
-    yawDegrees_ = std::fmod(yawDegrees_ - pixels.x / height * kTurnPerHeight, 360.0F);
-    pitchDegrees_ = std::clamp(pitchDegrees_ + pixels.y / height * kTurnPerHeight,
-                               -kSteepestDegrees, kSteepestDegrees);
+    pose_.yawDegrees = std::fmod(pose_.yawDegrees - pixels.x / height * kTurnPerHeight, 360.0F);
+    pose_.pitchDegrees = std::clamp(pose_.pitchDegrees + pixels.y / height * kTurnPerHeight,
+                                    -kSteepestDegrees, kSteepestDegrees);
     ++revision_;
 }
 
 void Camera::pan(glm::vec2 pixels, float height) {
     const float unit = heightAtTarget() / height;
-    target_ += right() * (-pixels.x * unit) + upward() * (pixels.y * unit);
+    pose_.target += right() * (-pixels.x * unit) + upward() * (pixels.y * unit);
     ++revision_;
 }
 
 void Camera::zoomAt(float notches, glm::vec2 ndc, float aspect) {
-    const float before = distance_;
-    distance_ = std::clamp(distance_ * std::pow(0.85F, notches), kNearest, kFarthestAway);
-    const float moved = (before - distance_) * halfTangent();
-    target_ += right() * (ndc.x * aspect * moved) + upward() * (ndc.y * moved);
+    const float before = pose_.distance;
+    pose_.distance = std::clamp(pose_.distance * std::pow(0.85F, notches), kNearest, kFarthestAway);
+    const float moved = (before - pose_.distance) * halfTangent();
+    pose_.target += right() * (ndc.x * aspect * moved) + upward() * (ndc.y * moved);
     ++revision_;
 }
 
 void Camera::frame(const glm::vec3& center, float radius) {
-    target_ = center;
-    distance_ = std::clamp(1.12F * radius / std::sin(glm::radians(kFieldOfViewDegrees) * 0.5F),
-                           kNearest, kFarthestAway);
+    pose_.target = center;
+    pose_.distance = std::clamp(1.12F * radius / std::sin(glm::radians(kFieldOfViewDegrees) * 0.5F),
+                                kNearest, kFarthestAway);
     ++revision_;
 }
 
@@ -137,18 +120,18 @@ void Camera::face(const glm::vec3& normal) {
     if (glm::dot(direction(), normal) > kFacesFrom) return;
     const glm::vec3 to = inFrame(normal);
     const float flat = std::hypot(to.x, to.y);
-    if (flat > 1e-3F) yawDegrees_ = glm::degrees(std::atan2(to.y, to.x));
-    pitchDegrees_ = glm::degrees(std::atan2(to.z, flat));
+    if (flat > 1e-3F) pose_.yawDegrees = glm::degrees(std::atan2(to.y, to.x));
+    pose_.pitchDegrees = glm::degrees(std::atan2(to.z, flat));
     ++revision_;
 }
 
 void Camera::lookAt(const glm::vec3& target) {
-    target_ = target;
+    pose_.target = target;
     ++revision_;
 }
 
 void Camera::toggleOrthographic() {
-    orthographic_ = !orthographic_;
+    pose_.orthographic = !pose_.orthographic;
     ++revision_;
 }
 
@@ -159,9 +142,9 @@ void Camera::set(ViewPreset preset) {
     };
     constexpr Direction kDirections[] = {{-90, 0}, {90, 0},   {0, 0},
                                          {180, 0}, {-90, 90}, {-90, -90}};
-    const Direction& d = kDirections[static_cast<std::size_t>(preset)];
-    yawDegrees_ = d.yaw;
-    pitchDegrees_ = d.pitch;
+    const auto& [yaw, pitch] = kDirections[static_cast<std::size_t>(preset)];
+    pose_.yawDegrees = yaw;
+    pose_.pitchDegrees = pitch;
     ++revision_;
 }
 
@@ -174,14 +157,15 @@ void Camera::fit(std::span<const glm::vec3> sample, float aspect) {
         high = glm::max(high, seen);
     }
     const glm::vec2 middle = 0.5F * (low + high);
-    target_ = right() * middle.x + upward() * middle.y;
+    pose_.target = right() * middle.x + upward() * middle.y;
     const float t = halfTangent();
-    distance_ = kNearest;
+    pose_.distance = kNearest;
     for (const glm::vec3& p : sample) {
         const float x = std::abs(glm::dot(p, right()) - middle.x);
         const float y = std::abs(glm::dot(p, upward()) - middle.y);
         const float depth = glm::dot(p, direction());
-        distance_ = std::max(distance_, depth + kHomeMargin * std::max(x / (t * aspect), y / t));
+        pose_.distance =
+            std::max(pose_.distance, depth + kHomeMargin * std::max(x / (t * aspect), y / t));
     }
 }
 
@@ -197,7 +181,7 @@ void Camera::enclose(std::span<const glm::vec3> places, float aspect, glm::vec2 
         high = glm::max(high, seen(p));
     }
     const glm::vec3 middle = 0.5F * (low + high);
-    target_ = right() * middle.x + upward() * middle.y + direction() * middle.z;
+    pose_.target = right() * middle.x + upward() * middle.y + direction() * middle.z;
     const glm::vec2 half = halfTangent() * share * glm::vec2(aspect, 1.0F);
     float distance = kNearest;
     for (const glm::vec3& p : places) {
@@ -205,16 +189,16 @@ void Camera::enclose(std::span<const glm::vec3> places, float aspect, glm::vec2 
         distance = std::max(distance,
                             off.z + std::max(std::abs(off.x) / half.x, std::abs(off.y) / half.y));
     }
-    distance_ = std::min(distance, kFarthestAway);
+    pose_.distance = std::min(distance, kFarthestAway);
     ++revision_;
 }
 
 void Camera::home(const glm::vec3& beginning, std::span<const glm::vec3> sample, float aspect) {
     const glm::vec3 from = inFrame(beginning);
     const float flat = std::hypot(from.x, from.y);
-    if (flat > 1e-3F) yawDegrees_ = glm::degrees(std::atan2(from.y, from.x)) - 35.0F;
+    if (flat > 1e-3F) pose_.yawDegrees = glm::degrees(std::atan2(from.y, from.x)) - 35.0F;
     const float elevation = glm::degrees(std::atan2(from.z, flat));
-    pitchDegrees_ = std::clamp(elevation - 15.0F, kLowestHomeDegrees, kHighestHomeDegrees);
+    pose_.pitchDegrees = std::clamp(elevation - 15.0F, kLowestHomeDegrees, kHighestHomeDegrees);
     frame(glm::vec3(0.0F), kSceneRadius);
     if (!sample.empty()) fit(sample, aspect);
 }

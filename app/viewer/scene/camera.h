@@ -48,34 +48,31 @@ class Camera {
     void frame(const glm::vec3& center, float radius);
     /// Centers positions, and comes as close as keeps them within a share of a view of
     /// that aspect, horizontally and vertically, each in (0, 1]. The direction stays. No effect
-    /// without
+    /// without positions.
     void enclose(std::span<const glm::vec3> places, float aspect, glm::vec2 share);
-    /// positions.
     /// Turns to look at a surface with that normal from its outer side; keeps the direction
     /// if it does so already.
     void face(const glm::vec3& normal);
     /// Moves `target` to the middle of the view; later orbits turn about it.
     void lookAt(const glm::vec3& target);
     void set(ViewPreset preset);
-    UpAxis up() const { return up_; }
+    UpAxis up() const { return pose_.up; }
     /// Turns so that this axis points up; yaw, pitch, target and distance stay.
     void setUp(UpAxis up);
     /// A direction in the frame of the camera, whose z is up, in which yaw and pitch are measured.
     glm::vec3 inFrame(const glm::vec3& direction) const;
     void toggleOrthographic();
-    bool orthographic() const { return orthographic_; }
+    bool orthographic() const { return pose_.orthographic; }
     /// View of everything from beside the direction `beginning`.
     /// With `sample` points of the input, it fills a view of that aspect as well as it can.
     void home(const glm::vec3& beginning = {0.5F, -0.87F, 0.4F},
               std::span<const glm::vec3> sample = {}, float aspect = 1.3F);
 
-    CameraPose pose() const {
-        return {target_, distance_, yawDegrees_, pitchDegrees_, orthographic_, up_};
-    }
+    const CameraPose& pose() const { return pose_; }
     /// Sets a pose, clamped to its limits.
     void setPose(const CameraPose& pose);
-    const glm::vec3& target() const { return target_; }
-    float distance() const { return distance_; }
+    const glm::vec3& target() const { return pose_.target; }
+    float distance() const { return pose_.distance; }
     /// Height of the view at the target, in view units.
     float heightAtTarget() const;
     /// Grows with every change.
@@ -91,12 +88,7 @@ class Camera {
     /// The inverse of inFrame().
     glm::vec3 fromFrame(const glm::vec3& direction) const;
 
-    glm::vec3 target_{0.0F};
-    float distance_ = 3.4F;
-    float yawDegrees_ = -60.0F;
-    float pitchDegrees_ = 24.0F;
-    bool orthographic_ = false;
-    UpAxis up_ = UpAxis::Z;
+    CameraPose pose_;
     unsigned revision_ = 0;
 };
 

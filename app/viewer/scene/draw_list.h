@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -150,11 +151,23 @@ struct DrawList {
                 float dash = 0.3F, Depth depth = Depth::OnTop) {
         lines.push_back({from, to, color, width, dash, 0.0F, depth});
     }
+    /// The lines around a polygon.
+    void loop(std::span<const glm::vec3> corners, const Color& color, float width,
+              Depth depth = Depth::OnTop) {
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            line(corners[i], corners[(i + 1) % corners.size()], color, width, depth);
+        }
+    }
     /// A line with its head near the far end, always on top.
     void arrow(const glm::vec3& from, const glm::vec3& to, const Color& color, float width,
                float head = 0.6F);
     void sheet(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const Color& color) {
         sheets.push_back({{a, b, c}, color, false});
+    }
+    /// A filled quadrilateral.
+    void sheet(const std::array<glm::vec3, 4>& corners, const Color& color) {
+        sheet(corners[0], corners[1], corners[2], color);
+        sheet(corners[0], corners[2], corners[3], color);
     }
     /// A triangle filled with `stripes` lines parallel to its edge from a to b.
     void hatch(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const Color& color,

@@ -38,8 +38,8 @@ struct MeshColoring {
     MeshStyle style = MeshStyle::Flat;
     std::size_t creationEnd = 1;      ///< Triangles of the whole run, as far as known.
     std::vector<std::size_t> starts;  ///< The first triangle of each component.
-    std::vector<ComponentStretch> repaired =
-        {};  ///< Components of the repaired mesh, where it is shown.
+    /// Components of the repaired mesh, where it is shown.
+    std::vector<ComponentStretch> repaired = {};
     friend bool operator==(const MeshColoring&, const MeshColoring&) = default;
 };
 /// `known`: triangles seen so far, in case the overview lags behind.

@@ -24,8 +24,8 @@ struct Moment {
 /// Brightness of something that blinks once: 1 to 0.
 float blinkStrength(const Moment& moment);
 /// Strength of something that fades to `rest`: from 1 on; half in a saved picture, or `rest` if
-float fadeStrength(const Moment& moment, float rest);
 /// that is more.
+float fadeStrength(const Moment& moment, float rest);
 /// The size of number `i` of `count` things that pop up one after the other: 0 before its turn,
 /// then more than 1, at last 1.
 float popSize(const Moment& moment, std::size_t i, std::size_t count);

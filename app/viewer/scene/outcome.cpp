@@ -10,17 +10,10 @@ std::optional<Color> outcomeColor(const Palette& palette, const Event& event) {
     if (!verdict) return std::nullopt;
     // Where start or end is now.
     if (*verdict == Verdict::Moved) return palette.test;
-    switch (rowOf(*verdict).outcome) {
-        case Outcome::Taken:
-            return palette.used;
-        case Outcome::Refused:
-            return palette.rejected;
-        case Outcome::Unchanged:
-            return palette.textDim;
-        case Outcome::None:
-            return palette.test;
-    }
-    return palette.textDim;
+    const Outcome outcome = rowOf(*verdict).outcome;
+    if (outcome == Outcome::Taken) return palette.used;
+    if (outcome == Outcome::Refused) return palette.rejected;
+    return outcome == Outcome::Unchanged ? palette.textDim : palette.test;
 }
 
 }  // namespace se::view

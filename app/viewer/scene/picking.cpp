@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
-#include <vector>
 
 namespace se::view {
 
@@ -44,36 +44,6 @@ class Projector {
     const CameraMatrices& camera_;
     glm::vec2 size_;
     glm::mat4 toClip_;
-};
-
-/// Examines one point after the other and keeps the best.
-class Picker {
-  public:
-    Picker(const Model& model, const CameraMatrices& camera, glm::vec2 size, glm::vec2 pixel,
-           float radius)
-        : model_(model), projector_(camera, size), pixel_(pixel), radius_(radius) {}
-
-    void look(Index p) {
-        if (!model_.drawable[p]) return;
-        const glm::vec3 at = projector_(model_.place[p]);
-        if (at.z <= 0.0F || glm::distance(glm::vec2(at), pixel_) > radius_) return;
-        const bool faces = glm::dot(projector_.toEye(model_.place[p]), model_.normal[p]) >= 0.0F;
-        if (bestFaces_ && !faces) return;
-        if (faces == bestFaces_ && at.z >= bestDepth_) return;
-        best_ = p;
-        bestDepth_ = at.z;
-        bestFaces_ = faces;
-    }
-    Index best() const { return best_; }
-
-  private:
-    const Model& model_;
-    Projector projector_;
-    glm::vec2 pixel_;
-    float radius_;
-    Index best_ = kNone;
-    float bestDepth_ = std::numeric_limits<float>::max();
-    bool bestFaces_ = false;
 };
 
 /// A line of sight; the direction has unit length.
@@ -114,6 +84,18 @@ float distanceToSegment(glm::vec2 p, glm::vec2 a, glm::vec2 b, float& share) {
     const float length = glm::dot(ab, ab);
     share = length > 0.0F ? std::clamp(glm::dot(p - a, ab) / length, 0.0F, 1.0F) : 0.0F;
     return glm::distance(p, a + share * ab);
+}
+
+/// A ray to the left crosses the line an odd number of times.
+bool isWithin(std::span<const glm::vec2> path, glm::vec2 p) {
+    bool within = false;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const glm::vec2 a = path[i];
+        const glm::vec2 b = path[(i + 1) % path.size()];
+        if ((a.y > p.y) == (b.y > p.y)) continue;
+        if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) within = !within;
+    }
+    return within;
 }
 
 /// A point that is drawn near the pointer.
@@ -336,18 +318,46 @@ class ScenePicker {
 
 }  // namespace
 
-Index pickPoint(const Model& model, const CameraMatrices& camera, glm::vec2 size, glm::vec2 pixel,
-                float radius) {
-    Picker picker(model, camera, size, pixel, radius);
-    for (std::size_t p = 0; p < model.place.size(); ++p) picker.look(static_cast<Index>(p));
-    return picker.best();
-}
-
 Index pickAmong(const Model& model, std::span<const Index> points, const CameraMatrices& camera,
                 glm::vec2 size, glm::vec2 pixel, float radius) {
-    Picker picker(model, camera, size, pixel, radius);
-    for (const Index p : points) picker.look(p);
-    return picker.best();
+    const Projector project(camera, size);
+    Index best = kNone;
+    float bestDepth = std::numeric_limits<float>::max();
+    bool bestFaces = false;
+    for (const Index p : points) {
+        if (!model.drawable[p]) continue;
+        const glm::vec3 at = project(model.place[p]);
+        if (at.z <= 0.0F || glm::distance(glm::vec2(at), pixel) > radius) continue;
+        const bool faces = glm::dot(project.toEye(model.place[p]), model.normal[p]) >= 0.0F;
+        if (faces == bestFaces ? at.z >= bestDepth : bestFaces) continue;
+        best = p;
+        bestDepth = at.z;
+        bestFaces = faces;
+    }
+    return best;
+}
+
+std::vector<Index> pointsWithin(const Model& model, const CameraMatrices& camera, glm::vec2 size,
+                                std::span<const glm::vec2> path) {
+    std::vector<Index> points;
+    if (path.size() < 3) return points;
+    glm::vec2 low = path.front();
+    glm::vec2 high = low;
+    for (const glm::vec2& corner : path) {
+        low = glm::min(low, corner);
+        high = glm::max(high, corner);
+    }
+    const Projector project(camera, size);
+    for (Index p = 0; p < model.place.size(); ++p) {
+        if (!model.drawable[p]) continue;
+        const glm::vec3 at = project(model.place[p]);
+        if (at.z <= 0.0F || glm::dot(project.toEye(model.place[p]), model.normal[p]) < 0.0F)
+            continue;
+        const glm::vec2 pixel(at);
+        const bool near = glm::clamp(pixel, low, high) == pixel;
+        if (near && isWithin(path, pixel)) points.push_back(p);
+    }
+    return points;
 }
 
 Pick pick(const PickScene& scene, const PickPoint& at) { return ScenePicker(scene, at).pick(); }

@@ -1,9 +1,10 @@
-/// The thing under the pointer. Plain mathematics: examines every point once, and only those
-/// triangles that a line of sight may meet.
+/// The thing under the pointer, and the points inside a line drawn around them. Plain mathematics:
+/// examines every point once, and only those triangles that a line of sight may meet.
 #pragma once
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "camera.h"
 #include "mesh_index.h"
@@ -12,14 +13,16 @@
 
 namespace se::view {
 
-/// The point closest to the eye among those drawn within `radius` pixels of `pixel`; kNone if there
-/// is none. Points that face the eye win over those that do not.
-Index pickPoint(const Model& model, const CameraMatrices& camera, glm::vec2 size, glm::vec2 pixel,
-                float radius);
-
-/// The closest point among some points.
+/// The point closest to the eye among those of `points` that are drawn within `radius` pixels of
+/// `pixel`; kNone if there is none. Points that face the eye win over those that do not.
 Index pickAmong(const Model& model, std::span<const Index> points, const CameraMatrices& camera,
                 glm::vec2 size, glm::vec2 pixel, float radius);
+
+/// The points whose positions in a view of `size` pixels are inside the closed line through `path`,
+/// and that face the eye; ascending. Where the line crosses itself, what is enclosed twice is
+/// outside. A line of fewer than three corners encloses nothing.
+std::vector<Index> pointsWithin(const Model& model, const CameraMatrices& camera, glm::vec2 size,
+                                std::span<const glm::vec2> path);
 
 /// Things that can be picked: those that are drawn.
 struct PickScene {

@@ -5,19 +5,10 @@
 #include <limits>
 #include <numbers>
 
+#include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/stepper/rules.h"
 
 namespace se::view {
-
-namespace {
-
-/// Twice the area, along the normal.
-Vec3 acrossOf(const PointSet& points, const Triangle& t) {
-    const Vec3& a = points.position[t.a];
-    return glm::cross(points.position[t.b] - a, points.position[t.c] - a);
-}
-
-}  // namespace
 
 double degreesBetween(const Vec3& u, const Vec3& v) {
     const double product = glm::length(u) * glm::length(v);
@@ -47,21 +38,16 @@ double leastDegrees(const PointSet& points, const Triangle& t) {
 }
 
 double triangleArea(const PointSet& points, const Triangle& t) {
-    return 0.5 * glm::length(acrossOf(points, t));
+    return 0.5 * glm::length(areaVector(points, t));
 }
 
 double tiltDegrees(const PointSet& points, const Triangle& t) {
-    const Vec3 across = acrossOf(points, t);
+    const Vec3 across = areaVector(points, t);
     double most = 0.0;
     for (const Index corner : {t.a, t.b, t.c}) {
         most = std::max(most, degreesBetween(across, points.normal[corner]));
     }
     return most;
-}
-
-bool isFlipped(const PointSet& points, const Triangle& t) {
-    const Vec3 sum = points.normal[t.a] + points.normal[t.b] + points.normal[t.c];
-    return glm::dot(acrossOf(points, t), sum) < 0.0;
 }
 
 double freeDegrees(const PointSet& points, Index before, Index at, Index after) {

@@ -22,8 +22,6 @@ double triangleArea(const PointSet& points, const Triangle& t);
 /// The largest angle between the normal of a triangle and those of its corners: below 90 degrees it
 /// turns counterclockwise as seen from all of them.
 double tiltDegrees(const PointSet& points, const Triangle& t);
-/// Normal of a triangle compared with the sum of the normals of its corners.
-bool isFlipped(const PointSet& points, const Triangle& t);
 
 /// The free angle at a ring point: from `before` counterclockwise to `after` about the normal of
 /// `at`, in its tangent plane, 0 to 360.

@@ -13,7 +13,7 @@
 #include "layout/edge_arrow.h"
 #include "open_session.h"
 #include "panel_state/ui_state.h"
-#include "run/pivot_neighborhood.h"
+#include "run/picture.h"
 #include "session/playback.h"
 
 using namespace se;

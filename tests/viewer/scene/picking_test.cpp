@@ -2,6 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <numeric>
+
 #include "open_session.h"
 #include "session/selection_facts.h"
 
@@ -31,19 +35,28 @@ CameraMatrices front() {
     return camera.matrices(kSize.x / kSize.y);
 }
 
+/// Among all points.
+Index pickPoint(const Model& model, const CameraMatrices& camera, glm::vec2 pixel, float radius) {
+    std::vector<Index> all(model.place.size());
+    std::iota(all.begin(), all.end(), Index{0});
+    return pickAmong(model, all, camera, kSize, pixel, radius);
+}
+
+const std::vector<glm::vec2> kAll{{0, 0}, {640, 0}, {640, 480}, {0, 480}};
+
 }  // namespace
 
 TEST_CASE("The nearer of two points behind each other is picked") {
     const Model model = smallModel();
     const CameraMatrices camera = front();
     const glm::vec2 pixel(project(camera, model.place[0], kSize));
-    CHECK(pickPoint(model, camera, kSize, pixel, 6.0F) == 0);
-    CHECK(pickPoint(model, camera, kSize, pixel + glm::vec2(4.0F, 0.0F), 6.0F) == 0);
+    CHECK(pickPoint(model, camera, pixel, 6.0F) == 0);
+    CHECK(pickPoint(model, camera, pixel + glm::vec2(4.0F, 0.0F), 6.0F) == 0);
 }
 
 TEST_CASE("Nothing is picked where nothing is") {
     const Model model = smallModel();
-    CHECK(pickPoint(model, front(), kSize, {5.0F, 5.0F}, 6.0F) == kNone);
+    CHECK(pickPoint(model, front(), {5.0F, 5.0F}, 6.0F) == kNone);
 }
 
 TEST_CASE("Points that cannot be drawn are not picked") {
@@ -51,7 +64,7 @@ TEST_CASE("Points that cannot be drawn are not picked") {
     model.drawable[0] = false;
     const CameraMatrices camera = front();
     const glm::vec2 pixel(project(camera, model.place[0], kSize));
-    CHECK(pickPoint(model, camera, kSize, pixel, 6.0F) == 1);
+    CHECK(pickPoint(model, camera, pixel, 6.0F) == 1);
 }
 
 TEST_CASE("Every point of a sphere is found where it is drawn, if it faces the eye") {
@@ -64,7 +77,7 @@ TEST_CASE("Every point of a sphere is found where it is drawn, if it faces the e
         if (glm::dot(camera.eye - model->place[p], model->normal[p]) < 0.3F) continue;
         ++facing;
         const glm::vec2 pixel(project(camera, model->place[p], kSize));
-        found += pickPoint(*model, camera, kSize, pixel, 1.0F) == p ? 1 : 0;
+        found += pickPoint(*model, camera, pixel, 1.0F) == p ? 1 : 0;
     }
     CHECK(facing > 100);
     CHECK(found == facing);
@@ -267,4 +280,40 @@ TEST_CASE("Creation: every triangle was made by its decision emit") {
             }
         }
     }
+}
+
+TEST_CASE("A line around everything encloses only the points that face the eye") {
+    const auto model = test::sphereModel();
+    REQUIRE(model != nullptr);
+    const CameraMatrices camera = front();
+    const std::vector<Index> points = pointsWithin(*model, camera, kSize, kAll);
+    std::size_t facing = 0;
+    for (Index p = 0; p < model->place.size(); ++p)
+        facing += glm::dot(camera.eye - model->place[p], model->normal[p]) >= 0.0F ? 1 : 0;
+    CHECK(points.size() == facing);
+    CHECK(facing > 100);
+    CHECK(std::is_sorted(points.begin(), points.end()));
+}
+
+TEST_CASE("Points left of a line are not enclosed by one around the right half") {
+    const auto model = test::sphereModel();
+    const CameraMatrices camera = front();
+    const std::vector<glm::vec2> right{{320, 0}, {640, 0}, {640, 480}, {320, 480}};
+    const auto points = pointsWithin(*model, camera, kSize, right);
+    CHECK_FALSE(points.empty());
+    CHECK(points.size() < pointsWithin(*model, camera, kSize, kAll).size());
+    for (const Index p : points) CHECK(project(camera, model->place[p], kSize).x >= 320.0F);
+}
+
+TEST_CASE("A concave line excludes the points in its notch; two corners enclose nothing") {
+    const auto model = test::sphereModel();
+    const CameraMatrices camera = front();
+    // A U open at the top: the middle is outside.
+    const std::vector<glm::vec2> hollow{{0, 0},   {280, 0}, {280, 400}, {360, 400},
+                                        {360, 0}, {640, 0}, {640, 480}, {0, 480}};
+    for (const Index p : pointsWithin(*model, camera, kSize, hollow)) {
+        const glm::vec3 at = project(camera, model->place[p], kSize);
+        CHECK((at.x <= 280.0F || at.x >= 360.0F || at.y >= 400.0F));
+    }
+    CHECK(pointsWithin(*model, camera, kSize, std::span(kAll).first(2)).empty());
 }

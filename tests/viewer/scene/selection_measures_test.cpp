@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "run/number_format.h"
+#include "spiraling_edge/geometry/triangle_shape.h"
 
 using namespace se;
 using namespace se::view;

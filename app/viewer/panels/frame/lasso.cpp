@@ -8,7 +8,7 @@
 #include "panels/widgets/widgets.h"
 #include "run/strings.h"
 #include "scene/camera.h"
-#include "scene/lasso.h"
+#include "scene/picking.h"
 #include "session/playback.h"
 #include "session/session.h"
 #include "view_parts.h"

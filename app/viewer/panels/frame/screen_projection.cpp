@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "run/pivot_neighborhood.h"
+#include "run/picture.h"
 #include "scene/camera.h"
 #include "scene/draw_list.h"
 #include "session/session.h"

@@ -9,7 +9,7 @@
 #include "layout/dial.h"
 #include "layout/labels.h"
 #include "panels/panel.h"
-#include "rows/dial.h"
+#include "rows/pivot_dial.h"
 
 namespace se::view {
 

@@ -84,7 +84,7 @@ void drawPaper(const PanelContext& context) {
     }
     const PaperRule& rule = paperRule(event->address.stage);
     const std::string section = sectionOf(*event);
-    heading(context, rule.title, section.empty() ? "docs/robust.md" : "section " + section);
+    heading(context, rule.title.c_str(), section.empty() ? "docs/robust.md" : "section " + section);
     wrappedText(rule.words);
     ImGui::Spacing();
     const std::size_t present = presentLine(*event);

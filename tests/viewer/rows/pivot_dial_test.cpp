@@ -1,4 +1,4 @@
-#include "rows/dial.h"
+#include "rows/pivot_dial.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "dial.h"
+#include "pivot_dial.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,138 @@
+/// §6.1: the angle of a candidate from the slicing plane (Fig. 3), and of the pivot as seen from
+/// the candidate e, on a second disc (Fig. 6).
+#include <algorithm>
+#include <vector>
+
+#include "overlap.h"
+
+namespace se::view {
+
+namespace {
+
+/// The plane through p that divides the disc into halves: it contains z and the normal.
+void addSlicingPlane(const LayerInput& in, const Disc& disc, DrawList& out) {
+    const float size = 1.5F * in.model.spacing;
+    const glm::vec3 along = size * disc.zero;
+    const glm::vec3 up = 0.55F * size * disc.normal;
+    const glm::vec3& p = disc.origin;
+    const Color& color = in.palette.accent;
+    const std::array corners = {p - along - up, p + along - up, p + along + up, p - along + up};
+    out.sheet(corners, color.withAlpha(0.14F));
+    out.loop(corners, color.withAlpha(0.7F), 0.06F);
+    out.arrow(p, p + 0.7F * size * disc.quarter, color, 0.1F);
+    out.label(p + 0.7F * size * disc.quarter, "n", in.palette.text);
+}
+
+void addRanks(const LayerInput& in, DrawList& out) {
+    std::vector<const CandidateMark*> kept;
+    for (const CandidateMark& mark : in.picture.candidates) {
+        if (mark.state == CandidateState::Kept) kept.push_back(&mark);
+    }
+    std::stable_sort(kept.begin(), kept.end(), [](const CandidateMark* a, const CandidateMark* b) {
+        return a->degrees < b->degrees;
+    });
+    const glm::vec3 p = in.at(in.picture.pivot);
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        out.label(p + 0.72F * (in.at(kept[i]->point) - p), std::to_string(i + 1) + ".",
+                  in.palette.used);
+    }
+}
+
+void addTested(const LayerInput& in, const Disc& disc, const SortEvidence& e, DrawList& out) {
+    const Palette& c = in.palette;
+    const Color& half = e.secondHalf ? c.last : c.first;
+    const glm::vec3 foot = disc.foot(in.at(e.point));
+    const Arc arc{0.0, e.degrees, 0.8F * discRadius(in)};
+    out.dashed(in.at(e.point), foot, half, 0.08F, 0.2F);
+    out.dashed(disc.origin, foot, half, 0.06F, 0.2F);
+    addArc(disc, arc, half, 0.16F, out);
+    out.label(disc.at(0.5 * e.degrees, arc.radius),
+              degreesText(e.degrees) + (e.secondHalf ? ", n\xC2\xB7v < 0" : ""), half, true);
+    if (e.verdict == Verdict::NotBeforeEnd) {
+        addDashedArc(disc, {e.endDegrees, e.degrees, 1.1F * arc.radius}, c.rejected, 0.12F, out);
+        out.label(disc.at(e.endDegrees, 1.5F * arc.radius), "limit " + degreesText(e.endDegrees),
+                  c.rejected);
+    }
+    if (e.verdict == Verdict::SameAngle && e.rival != kNone) {
+        out.mark(in.at(e.rival), Shape::Circle, c.used, 1.1F);
+        out.label(in.at(e.rival), "nearer: kept", c.used);
+        out.label(in.at(e.point), e.farther ? "same angle, farther" : "same angle, nearer",
+                  c.rejected);
+    }
+}
+
+/// The triangles that the candidate would form with its neighbors in the fan, hatched, and their
+/// overlap with finished ones.
+void addPreview(const LayerInput& in, const ReciprocalEvidence& e, DrawList& out) {
+    const Picture& p = in.picture;
+    const std::optional<Disc> disc = pivotDisc(in);
+    if (!disc) return;
+    double angle = 0.0;
+    for (const CandidateMark& mark : p.candidates) {
+        if (mark.point == e.point) angle = mark.degrees;
+    }
+    Index before = p.start;
+    Index after = p.end;
+    double low = p.startDegrees;
+    double high = p.endDegrees;
+    for (const CandidateMark& mark : p.candidates) {
+        if (mark.point == e.point || mark.state == CandidateState::Rejected) continue;
+        if (mark.degrees < angle && mark.degrees > low) low = mark.degrees, before = mark.point;
+        if (mark.degrees > angle && mark.degrees < high) high = mark.degrees, after = mark.point;
+    }
+    Overlap largest;
+    for (const Index other : {before, after}) {
+        if (other == kNone || other == e.point) continue;
+        const Color color = in.palette.test.withAlpha(0.8F);
+        out.hatch(in.at(p.pivot), in.at(e.point), in.at(other), color);
+        out.line(in.at(e.point), in.at(other), color, 0.1F, Depth::OnTop);
+        const Overlap overlap = overlapOf(in, *disc, {p.pivot, e.point, other});
+        addOverlap(in, overlap, out);
+        if (overlap.share > largest.share) largest = overlap;
+    }
+    if (largest.share > 0.0F) out.label(largest.middle, "overlap", in.palette.rejected, true);
+}
+
+}  // namespace
+
+void addSortAngles(const LayerInput& in, DrawList& out) {
+    const auto* e = in.picture.evidence<SortEvidence>(Stage::Sort);
+    const std::optional<Disc> disc = pivotDisc(in);
+    if (e == nullptr || !disc) return;
+    addSlicingPlane(in, *disc, out);
+    const glm::vec3 p = disc->origin;
+    out.arrow(p, in.at(in.picture.first), in.palette.first, 0.16F);
+    out.label(p + 0.62F * (in.at(in.picture.first) - p), "z", in.palette.first, true);
+    addRanks(in, out);
+    if (e->verdict != Verdict::OnRingEnd && e->verdict != Verdict::AlreadyDone) {
+        addTested(in, *disc, *e, out);
+    }
+}
+
+void addReciprocal(const LayerInput& in, DrawList& out) {
+    const auto* e = in.picture.evidence<ReciprocalEvidence>(Stage::Reciprocal);
+    if (e == nullptr || in.picture.pivot == kNone) return;
+    const std::optional<Disc> disc = discAt(in, e->point, e->pred);
+    if (!disc) return;
+    const Palette& c = in.palette;
+    const bool kept = e->verdict == Verdict::Kept;
+    const Color& verdict = kept ? c.used : c.rejected;
+    const float radius = 1.15F * discRadius(in);
+    addPreview(in, *e, out);
+    addSectorSheet(*disc, {0.0, e->limitDegrees, radius}, c.test.withAlpha(0.35F), out);
+    addArc(*disc, {0.0, 360.0, radius}, c.test, 0.1F, out);
+    addArc(*disc, {0.0, e->limitDegrees, radius}, c.test, 0.24F, out);
+    out.arrow(disc->origin, in.at(e->pred), c.first, 0.14F);
+    out.label(in.at(e->pred), "first of e", c.first);
+    if (e->succ != e->pred) {
+        out.line(disc->origin, in.at(e->succ), c.last, 0.14F, Depth::OnTop);
+        out.label(in.at(e->succ), "last of e", c.last);
+    }
+    out.line(disc->origin, in.at(in.picture.pivot), verdict, 0.2F, Depth::OnTop);
+    addArc(*disc, {0.0, e->degrees, 0.6F * radius}, verdict, 0.14F, out);
+    out.label(disc->at(0.5 * e->degrees, 0.6F * radius), degreesText(e->degrees), verdict, true);
+    out.label(disc->at(e->limitDegrees, radius), "to " + degreesText(e->limitDegrees), c.test);
+    out.label(disc->origin, kept ? "e: p lies inside" : "e: p lies outside", verdict, true);
+}
+
+}  // namespace se::view

@@ -1,0 +1,233 @@
+#include "gl_objects.h"
+
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <glm/gtc/type_ptr.hpp>
+#include <utility>
+
+#include "run/embedded_files.h"
+#include "run/strings.h"
+
+namespace se::view {
+
+namespace {
+
+constexpr std::string_view kVersion = "#version 330 core\n";
+
+Result<std::string> sourceOf(const std::string& name, const std::filesystem::path& folder) {
+    if (!folder.empty()) {
+        std::optional<std::string> text = readText(folder / name);
+        if (!text) return Error{"Cannot read the shader " + (folder / name).string() + "."};
+        return std::move(*text);
+    }
+    const std::string_view text = embeddedFile(name);
+    if (text.empty()) return Error{"There is no shader " + name + "."};
+    return std::string(text);
+}
+
+Result<unsigned> compile(GLenum kind, const std::string& name, const std::filesystem::path& folder,
+                         const std::string& defines) {
+    const Result<std::string> source = sourceOf(name, folder);
+    if (!source) return source.error();
+    const std::string text = std::string(kVersion) + defines + "#line 1\n" + source.value();
+    const char* pointer = text.c_str();
+    const GLuint shader = glCreateShader(kind);
+    glShaderSource(shader, 1, &pointer, nullptr);
+    glCompileShader(shader);
+    GLint good = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
+    if (good == GL_TRUE) return shader;
+    std::string log(4096, '\0');
+    GLsizei length = 0;
+    glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
+    log.resize(static_cast<std::size_t>(length));
+    glDeleteShader(shader);
+    return Error{name + ": " + log};
+}
+
+}  // namespace
+
+Shader::~Shader() {
+    if (program_ != 0) glDeleteProgram(program_);
+}
+
+Shader::Shader(Shader&& other) noexcept
+    : program_(std::exchange(other.program_, 0)), locations_(std::move(other.locations_)) {}
+
+Shader& Shader::operator=(Shader&& other) noexcept {
+    std::swap(program_, other.program_);
+    std::swap(locations_, other.locations_);
+    return *this;
+}
+
+Result<Shader> Shader::load(const std::string& vertexName, const std::string& fragmentName,
+                            const std::filesystem::path& folder, const std::string& defines) {
+    const Result<unsigned> vertex = compile(GL_VERTEX_SHADER, vertexName, folder, defines);
+    if (!vertex) return vertex.error();
+    const Result<unsigned> fragment = compile(GL_FRAGMENT_SHADER, fragmentName, folder, defines);
+    if (!fragment) {
+        glDeleteShader(vertex.value());
+        return fragment.error();
+    }
+    Shader shader;
+    shader.program_ = glCreateProgram();
+    glAttachShader(shader.program_, vertex.value());
+    glAttachShader(shader.program_, fragment.value());
+    glLinkProgram(shader.program_);
+    glDeleteShader(vertex.value());
+    glDeleteShader(fragment.value());
+    GLint good = 0;
+    glGetProgramiv(shader.program_, GL_LINK_STATUS, &good);
+    if (good != GL_TRUE) return Error{vertexName + " and " + fragmentName + " do not fit."};
+    return shader;
+}
+
+void Shader::use() const { glUseProgram(program_); }
+
+int Shader::location(const char* name) {
+    const auto [found, fresh] = locations_.try_emplace(name, -1);
+    if (fresh) found->second = glGetUniformLocation(program_, name);
+    return found->second;
+}
+
+void Shader::set(const char* name, const glm::mat4& value) {
+    glUniformMatrix4fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
+}
+void Shader::set(const char* name, const glm::vec2& value) {
+    glUniform2fv(location(name), 1, glm::value_ptr(value));
+}
+void Shader::set(const char* name, const glm::vec3& value) {
+    glUniform3fv(location(name), 1, glm::value_ptr(value));
+}
+void Shader::set(const char* name, const glm::vec4& value) {
+    glUniform4fv(location(name), 1, glm::value_ptr(value));
+}
+void Shader::set(const char* name, float value) { glUniform1f(location(name), value); }
+void Shader::set(const char* name, bool value) { glUniform1i(location(name), value ? 1 : 0); }
+void Shader::set(const char* name, std::span<const glm::vec4> values) {
+    glUniform4fv(location(name), static_cast<GLsizei>(values.size()), glm::value_ptr(values[0]));
+}
+void Shader::set(const char* name, std::span<const glm::vec2> values) {
+    glUniform2fv(location(name), static_cast<GLsizei>(values.size()), glm::value_ptr(values[0]));
+}
+
+Batch::~Batch() {
+    if (array_ == 0) return;
+    glDeleteBuffers(2, buffers_);
+    glDeleteVertexArrays(1, &array_);
+}
+
+void Batch::bind() {
+    if (array_ == 0) {
+        glGenVertexArrays(1, &array_);
+        glGenBuffers(2, buffers_);
+    }
+    glBindVertexArray(array_);
+}
+
+void Batch::describe(int buffer, std::size_t stride, const std::vector<VertexAttribute>& attributes,
+                     bool perInstance) {
+    bind();
+    glBindBuffer(GL_ARRAY_BUFFER, buffers_[buffer]);
+    for (const VertexAttribute& each : attributes) {
+        const void* offset = reinterpret_cast<const void*>(each.offset);
+        const auto step = static_cast<GLsizei>(stride);
+        glEnableVertexAttribArray(each.location);
+        if (each.bytes) {
+            glVertexAttribIPointer(each.location, each.components, GL_UNSIGNED_BYTE, step, offset);
+        } else if (each.signs) {
+            glVertexAttribPointer(each.location, each.components, GL_BYTE, GL_TRUE, step, offset);
+        } else {
+            glVertexAttribPointer(each.location, each.components, GL_FLOAT, GL_FALSE, step, offset);
+        }
+        glVertexAttribDivisor(each.location, perInstance ? 1 : 0);
+    }
+}
+
+void Batch::upload(int buffer, const void* data, std::size_t bytes) {
+    bind();
+    glBindBuffer(GL_ARRAY_BUFFER, buffers_[buffer]);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_DRAW);
+    capacity_[buffer] = bytes;
+}
+
+void Batch::append(int buffer, std::size_t offset, const void* data, std::size_t bytes) {
+    bind();
+    if (offset + bytes > capacity_[buffer]) {
+        const std::size_t capacity = std::max(offset + bytes, 2 * capacity_[buffer]);
+        glBindBuffer(GL_COPY_READ_BUFFER, buffers_[buffer]);
+        GLuint larger = 0;
+        glGenBuffers(1, &larger);
+        glBindBuffer(GL_COPY_WRITE_BUFFER, larger);
+        glBufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(capacity), nullptr,
+                     GL_STATIC_DRAW);
+        if (offset > 0) {
+            glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
+                                static_cast<GLsizeiptr>(offset));
+        }
+        glDeleteBuffers(1, &buffers_[buffer]);
+        buffers_[buffer] = larger;
+        capacity_[buffer] = capacity;
+    }
+    glBindBuffer(GL_ARRAY_BUFFER, buffers_[buffer]);
+    glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes),
+                    data);
+}
+
+Target::~Target() { release(); }
+
+void Target::release() {
+    glDeleteFramebuffers(1, &drawn_);
+    glDeleteFramebuffers(1, &resolved_);
+    glDeleteRenderbuffers(1, &color_);
+    glDeleteRenderbuffers(1, &depth_);
+    glDeleteTextures(1, &texture_);
+    drawn_ = resolved_ = color_ = depth_ = texture_ = 0;
+}
+
+void Target::allocate(glm::ivec2 size) {
+    release();
+    size_ = size;
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_SAMPLES, &most);
+    const GLint samples = std::min(most, samples_);
+    glGenFramebuffers(1, &drawn_);
+    glBindFramebuffer(GL_FRAMEBUFFER, drawn_);
+    glGenRenderbuffers(1, &color_);
+    glBindRenderbuffer(GL_RENDERBUFFER, color_);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, size.x, size.y);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_);
+    glGenRenderbuffers(1, &depth_);
+    glBindRenderbuffer(GL_RENDERBUFFER, depth_);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH_COMPONENT24, size.x,
+                                     size.y);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
+
+    glGenFramebuffers(1, &resolved_);
+    glBindFramebuffer(GL_FRAMEBUFFER, resolved_);
+    glGenTextures(1, &texture_);
+    glBindTexture(GL_TEXTURE_2D, texture_);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.x, size.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
+}
+
+void Target::begin(glm::ivec2 size) {
+    glGetIntegerv(GL_FRAMEBUFFER_BINDING, &previous_);
+    size = glm::ivec2(std::max(size.x, 1), std::max(size.y, 1));
+    if (size != size_) allocate(size);
+    glBindFramebuffer(GL_FRAMEBUFFER, drawn_);
+    glViewport(0, 0, size.x, size.y);
+}
+
+void Target::end() {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_);
+    glBlitFramebuffer(0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y, GL_COLOR_BUFFER_BIT,
+                      GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(previous_));
+}
+
+}  // namespace se::view
