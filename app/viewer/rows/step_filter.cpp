@@ -8,7 +8,6 @@
 #include "run/picture.h"
 #include "run/strings.h"
 #include "spiraling_edge/replay/reading.h"
-#include "spiraling_edge/stepper/stage_table.h"
 
 namespace se::view {
 

@@ -8,7 +8,6 @@
 
 #include "spiraling_edge/base/overloaded.h"
 #include "spiraling_edge/replay/decision_line.h"
-#include "spiraling_edge/stepper/stage_table.h"
 
 namespace se {
 namespace {

@@ -7,7 +7,6 @@
 #include "spiraling_edge/mesh/inspection.h"
 #include "spiraling_edge/replay/decision_scan.h"
 #include "spiraling_edge/replay/pivot_tally.h"
-#include "spiraling_edge/stepper/stage_table.h"
 
 namespace se {
 namespace {

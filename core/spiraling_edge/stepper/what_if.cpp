@@ -6,7 +6,6 @@
 
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/base/text_scan.h"
-#include "spiraling_edge/stepper/stage_table.h"
 
 namespace se {
 namespace {

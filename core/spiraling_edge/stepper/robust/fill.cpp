@@ -1,10 +1,11 @@
 /// Beyond the paper: RobustRules::fill. A ring that would be freed with interior points is a hole;
 /// it is closed by ears, each a pivot with first and last alone, the best least angle first.
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
+#include "spiraling_edge/geometry/loop_shape.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
-#include "spiraling_edge/stepper/robust/ring_shape.h"
 #include "spiraling_edge/stepper/step_context.h"
 
 namespace se {
@@ -29,13 +30,30 @@ struct Ear {
     }
 };
 
+/// The shape of the active ring. Requires one. O(ring).
+LoopShape shapeOfRing(const StepContext& context) {
+    const EdgeRings& rings = context.state.rings;
+    assert(rings.active() != kNone);
+    const Index head = rings.head(rings.active());
+    const Vec3 origin = context.positionAt(head);
+    ShapeSum sum;
+    Index entry = head;
+    do {
+        const Index following = rings.next(entry);
+        sum.add(context.positionAt(entry) - origin, context.normalAt(entry),
+                context.positionAt(following) - origin);
+        entry = following;
+    } while (entry != head);
+    return sum.shape();
+}
+
 /// Least width at which the sense of rotation is significant.
 constexpr double kClosed = 1.0;
 
 /// True if the ring runs around the whole component, of `triangles` triangles, instead of around a
 /// hole in it. A round patch has 0.18 per square of its border's length; one of more than 1 would
 /// be folded.
-bool runsRoundPatch(const RingShape& shape, std::size_t triangles) {
+bool runsRoundPatch(const LoopShape& shape, std::size_t triangles) {
     return shape.turnsRoundPatch && triangles <= std::size_t{shape.length} * shape.length;
 }
 
@@ -56,7 +74,7 @@ bool mayEnd(const StepContext& context) {
 }
 
 /// True if the surface may end at the active ring, which has this shape.
-bool isOpening(const StepContext& context, const RingShape& shape) {
+bool isOpening(const StepContext& context, const LoopShape& shape) {
     if (!mayEnd(context)) return false;
     const EdgeRings& rings = context.state.rings;
     const Index ring = rings.active();
@@ -84,7 +102,7 @@ bool isOpening(const StepContext& context, const RingShape& shape) {
 /// around a patch, since sheets touch there and one fault leads to more.
 bool mayForce(const StepContext& context) {
     if (touchesBoundary(context)) return false;
-    const RingShape shape = shapeOfRing(context);
+    const LoopShape shape = shapeOfRing(context);
     if (isOpening(context, shape)) return false;
     return !shape.turnsRoundPatch || shape.length <= kNeverAnOpening ||
            shape.widthInEdges() < kClosed;
@@ -123,7 +141,7 @@ bool isOpening(const StepContext& context) {
 namespace {
 
 /// True if the hole is too wide to be left by missing points, in spacings of the points around it.
-bool isTooWide(const StepContext& context, const RingShape& shape) {
+bool isTooWide(const StepContext& context, const LoopShape& shape) {
     const EdgeRings& rings = context.state.rings;
     const Index ring = rings.active();
     const Index length = rings.length(ring);
@@ -144,7 +162,7 @@ bool mayFill(const StepContext& context) {
     const EdgeRings& rings = context.state.rings;
     const Index length = rings.length(rings.active());
     if (length <= 2 || length > context.params.maxFillLength) return false;
-    const RingShape shape = shapeOfRing(context);
+    const LoopShape shape = shapeOfRing(context);
     return !isTooWide(context, shape) && (length <= kNeverAnOpening || !isOpening(context, shape));
 }
 
