@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "spiraling_edge/base/finite.h"
 #include "spiraling_edge/base/float_bits.h"
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/io/mesh_formats.h"

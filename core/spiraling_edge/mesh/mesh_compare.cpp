@@ -1,14 +1,19 @@
 /// Two meshes as sorted lists of corner triples, merged in one pass; triangles in only one of them
-/// are joined by common points to regions (union-find). O(t log t).
+/// are joined by common points to regions (union-find). O(t log t). The vertices of a mesh from a
+/// file are found among the points in a grid with about one point per cell: about O(1) per vertex.
 #include "spiraling_edge/mesh/mesh_compare.h"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
+#include <optional>
 #include <tuple>
 
 #include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/geometry/box.h"
+#include "spiraling_edge/geometry/point_grid.h"
+#include "spiraling_edge/points/wall_types.h"
 
 namespace se {
 namespace {
@@ -158,7 +163,72 @@ class RegionFinder {
     std::vector<DifferenceRegion> regions_;
 };
 
+/// Points by position, to find one within a small distance.
+class PointFinder {
+  public:
+    explicit PointFinder(std::span<const Vec3> points) : points_(points) {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (isFinite(points[i])) known_.push_back(static_cast<Index>(i));
+        }
+        if (known_.empty()) return;
+        const WallBox box = boxAround(points);
+        const double diagonal = glm::length(box.high - box.low);
+        tolerance_ = kSamePointTolerance * diagonal;
+        // Cells of about one point each; the tolerance is far smaller.
+        const double cell = diagonal / std::max(2.0, std::sqrt(static_cast<double>(known_.size())));
+        grid_.emplace(box.low, box.high, cell > 0.0 ? cell : 1.0);
+        for (const Index p : known_) grid_->add(points[p]);
+    }
+    bool isAt(Index point, const Vec3& x) const {
+        return point < points_.size() && glm::length(points_[point] - x) <= tolerance_;
+    }
+    /// kNone if no point is that near.
+    Index at(const Vec3& x) const {
+        Index best = kNone;
+        if (!grid_ || !isFinite(x)) return best;
+        double least = tolerance_;
+        grid_->near(x, [&](Index number) {
+            const Index p = known_[number];
+            const double distance = glm::length(points_[p] - x);
+            if (!(distance <= tolerance_)) return;
+            if (best != kNone && (distance > least || (distance == least && p > best))) return;
+            best = p;
+            least = distance;
+        });
+        return best;
+    }
+
+  private:
+    std::span<const Vec3> points_;
+    std::vector<Index> known_;  ///< Points with a finite position, as the grid numbers them.
+    std::optional<CellGrid> grid_;
+    double tolerance_ = 0.0;
+};
+
 }  // namespace
+
+MatchedMesh matchMesh(std::span<const Vec3> points, const PointFile& mesh) {
+    assert(cornersBelow(mesh.faces, mesh.position.size()));
+    const PointFinder finder(points);
+    const bool sameCount = points.size() == mesh.position.size();
+    std::vector<bool> used(mesh.position.size(), false);
+    for (const Triangle& t : mesh.faces) used[t.a] = used[t.b] = used[t.c] = true;
+    MatchedMesh matched;
+    std::vector<Index> pointOf(mesh.position.size(), kNone);
+    for (Index v = 0; v < mesh.position.size(); ++v) {
+        if (!used[v]) continue;
+        const Vec3& x = mesh.position[v];
+        pointOf[v] = sameCount && finder.isAt(v, x) ? v : finder.at(x);
+        if (pointOf[v] != kNone) continue;
+        pointOf[v] = static_cast<Index>(points.size() + matched.unmatchedVertices.size());
+        matched.unmatchedVertices.push_back(x);
+        matched.unmatchedNumbers.push_back(v);
+    }
+    matched.triangles.reserve(mesh.faces.size());
+    for (const Triangle& t : mesh.faces)
+        matched.triangles.push_back({pointOf[t.a], pointOf[t.b], pointOf[t.c]});
+    return matched;
+}
 
 MeshDifference compareMeshes(std::span<const Vec3> position, std::span<const Triangle> a,
                              std::span<const Triangle> b) {

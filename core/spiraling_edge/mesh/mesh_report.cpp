@@ -17,21 +17,16 @@ void countEdges(const std::vector<TriangleSide>& sides, std::size_t points, Mesh
     DisjointSets boundary(points);
     std::vector<bool> onBoundary(points, false);
     std::size_t joined = 0;
-    for (std::size_t i = 0; i < sides.size();) {
-        const std::size_t end = endOfEdge(sides, i);
-        const std::size_t count = end - i;
-        std::size_t ascending = 0;
-        for (std::size_t j = i; j < end; ++j) ascending += sides[j].ascending ? 1U : 0U;
+    forEachEdge(sides, [&](std::span<const TriangleSide> edge) {
         ++report.edges;
-        if (count > 2) ++report.nonManifoldEdges;
-        if (ascending > 1 || count - ascending > 1) ++report.inconsistentEdges;
-        if (count == 1) {
+        if (edge.size() > 2) ++report.nonManifoldEdges;
+        if (isInconsistent(edge)) ++report.inconsistentEdges;
+        if (edge.size() == 1) {
             ++report.boundaryEdges;
-            onBoundary[sides[i].low] = onBoundary[sides[i].high] = true;
-            if (boundary.unite(sides[i].low, sides[i].high)) ++joined;
+            onBoundary[edge[0].low] = onBoundary[edge[0].high] = true;
+            if (boundary.unite(edge[0].low, edge[0].high)) ++joined;
         }
-        i = end;
-    }
+    });
     const auto ends =
         static_cast<std::size_t>(std::count(onBoundary.begin(), onBoundary.end(), true));
     report.boundaryLoops = ends - joined;

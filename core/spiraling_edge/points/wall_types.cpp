@@ -5,8 +5,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "spiraling_edge/base/finite.h"
-
 namespace se {
 namespace {
 

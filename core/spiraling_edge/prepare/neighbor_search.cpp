@@ -14,7 +14,6 @@
 #include <string>
 #include <thread>
 
-#include "spiraling_edge/base/finite.h"
 #include "spiraling_edge/base/parallel.h"
 #include "spiraling_edge/geometry/z_curve.h"
 
