@@ -78,8 +78,8 @@ class EdgeRings {
     /// joined ring is active if either was, and leaves the stack then.
     Exchange exchangeSuccessors(Index x, Index y);
     /// Makes `ring` the active one; takes it off the stack if it was there.
-    /// The ring that was active is neither afterwards.
-    void activate(Index ring);
+    /// The ring that was active is neither afterwards. Returns the head.
+    Index activate(Index ring);
     /// Puts a ring on top of the stack; `head` is where its traversal will begin.
     void push(Index ring, Index head);
     /// Makes the top of the stack the active ring and returns its head; kNone if the stack is

@@ -315,22 +315,6 @@ constexpr auto kSettings = std::to_array<RuleSetting>({
         "reseat", "4", "points at flipped triangles are taken out where that mends"),
 });
 
-constexpr std::size_t kSwitchCount = [] {
-    std::size_t count = 0;
-    for (const RuleSetting& each : kSettings) count += each.isRuleSwitch ? 1 : 0;
-    return count;
-}();
-
-constexpr auto kSwitches = [] {
-    std::array<RuleSwitch, kSwitchCount> rows{};
-    std::size_t i = 0;
-    for (const RuleSetting& each : kSettings) {
-        if (each.isRuleSwitch)
-            rows[i++] = {each.name, each.section, each.summary, each.get, each.set};
-    }
-    return rows;
-}();
-
 }  // namespace
 
 double degreesOf(double cosine) {
@@ -338,6 +322,16 @@ double degreesOf(double cosine) {
     return std::round(std::acos(cosine) * 180.0 / kPi * kDigits) / kDigits;
 }
 std::span<const RuleSetting> ruleSettings() { return kSettings; }
-std::span<const RuleSwitch> ruleSwitches() { return kSwitches; }
+std::span<const RuleSwitch> ruleSwitches() {
+    static const std::vector<RuleSwitch> switches = [] {
+        std::vector<RuleSwitch> rows;
+        for (const RuleSetting& each : kSettings) {
+            if (!each.isRuleSwitch) continue;
+            rows.push_back({each.name, each.section, each.summary, each.get, each.set});
+        }
+        return rows;
+    }();
+    return switches;
+}
 
 }  // namespace se

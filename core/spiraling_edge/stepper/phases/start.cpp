@@ -77,27 +77,15 @@ struct Sector {
     Angle last;
 };
 
+/// The sector under the turn that is set (PaperRules::turn).
 Sector sectorAt(const StepContext& context, Index entry) {
     const Index first = context.state.rings.prev(entry);
     const Index last = context.state.rings.next(entry);
-    const Frame frame = makeFrame(context.positionAt(entry), context.normalAt(entry),
-                                  context.positionAt(first), context.params.robust.tangent);
+    Frame frame = makeFrame(context.positionAt(entry), context.normalAt(entry),
+                            context.positionAt(first), context.params.robust.tangent);
+    if (context.clockwise()) frame.n = -frame.n;
     return {frame,
             first == last ? kFullTurn : angleOf(frame, context.positionAt(last) - frame.origin)};
-}
-
-/// The sector with angles that grow clockwise (PaperRules::turn).
-Sector mirrored(const StepContext& context, Index entry, Sector sector) {
-    sector.frame.n = -sector.frame.n;
-    const Index last = context.state.rings.next(entry);
-    if (last == context.state.rings.prev(entry)) return sector;
-    return {sector.frame, angleOf(sector.frame, context.positionAt(last) - sector.frame.origin)};
-}
-
-/// The sector under the turn that is set.
-Sector sectorSeen(const StepContext& context, Index entry) {
-    const Sector sector = sectorAt(context, entry);
-    return context.clockwise() ? mirrored(context, entry, sector) : sector;
 }
 
 }  // namespace
@@ -108,7 +96,7 @@ void setPivot(StepContext& context, Index entry) {
     n.pivot = entry;
     n.first = n.start = rings.prev(entry);
     n.last = n.end = rings.next(entry);
-    const Sector sector = sectorSeen(context, entry);
+    const Sector sector = sectorAt(context, entry);
     n.frame = sector.frame;
     n.startAngle = Angle{};
     n.lastAngle = n.endAngle = sector.last;
@@ -123,7 +111,7 @@ void notePivot(AnyContext auto& context) {
         const Index entry = context.state.pivot.pivot;
         return PivotEvidence{rings.point(entry), rings.point(rings.prev(entry)),
                              rings.point(rings.next(entry)), rings.length(rings.active()),
-                             sectorSeen(context, entry).last.degrees()};
+                             sectorAt(context, entry).last.degrees()};
     });
 }
 

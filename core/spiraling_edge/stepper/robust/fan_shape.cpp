@@ -3,6 +3,8 @@
 /// is its length times the ring steps or triangles there.
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "spiraling_edge/geometry/box.h"
 #include "spiraling_edge/geometry/exact_predicates.h"
@@ -121,9 +123,7 @@ namespace {
 
 // ---- nocross ------------------------------------------------------------------------------------
 
-struct Spot {
-    double x, y;
-};
+using Spot = glm::dvec2;
 
 double turn(const Spot& a, const Spot& b, const Spot& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -132,9 +132,7 @@ double turn(const Spot& a, const Spot& b, const Spot& c) {
 /// True if the three are collinear up to rounding.
 bool inLine(const Spot& a, const Spot& b, const Spot& c) {
     const double t = turn(a, b, c);
-    const Spot u{b.x - a.x, b.y - a.y};
-    const Spot v{c.x - a.x, c.y - a.y};
-    return t * t <= 1e-24 * (u.x * u.x + u.y * u.y) * (v.x * v.x + v.y * v.y);
+    return t * t <= 1e-24 * glm::dot(b - a, b - a) * glm::dot(c - a, c - a);
 }
 
 /// True if a b and c d cross. Along a straight border all four points are collinear, and signs
