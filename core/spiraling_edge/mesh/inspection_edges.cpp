@@ -40,6 +40,33 @@ Incidence incidenceOf(const InspectedMesh& mesh) {
     return result;
 }
 
+/// Finds the points in no triangle that have a finite position: those near a used point, or the
+/// isolated ones.
+void findUnused(const InspectedMesh& mesh, bool isolatedOnes, Failures& failures) {
+    const double reach = kIsolated * mesh.meanEdge;
+    std::vector<Vec3> used;
+    for (std::size_t p = 0; p < mesh.points.size(); ++p) {
+        if (mesh.used[p]) used.push_back(mesh.points.position[p]);
+    }
+    std::optional<CellGrid> grid;
+    if (!used.empty() && reach > 0.0) {
+        const WallBox box = boxAround(used);
+        grid.emplace(box.low, box.high, reach);
+        for (const Vec3& x : used) grid->add(x);
+    }
+    for (Index p = 0; p < mesh.points.size(); ++p) {
+        const Vec3& x = mesh.points.position[p];
+        if (mesh.used[p] || !isFinite(x)) continue;
+        bool isolated = true;
+        const auto look = [&](Index i) {
+            const Vec3 d = used[i] - x;
+            if (glm::dot(d, d) <= reach * reach) isolated = false;
+        };
+        if (grid) grid->near(x, look);
+        if (isolated == isolatedOnes) failures.push_back(mesh.at({p}, {}));
+    }
+}
+
 }  // namespace
 
 void nonManifoldEdges(const InspectedMesh& mesh, Failures& failures) {
@@ -124,37 +151,6 @@ void smallComponents(const InspectedMesh& mesh, Failures& failures) {
         failures.push_back(mesh.at(std::move(points), std::move(piece)));
     }
 }
-
-namespace {
-
-/// Finds the points in no triangle that have a finite position: those near a used point, or the
-/// isolated ones.
-void findUnused(const InspectedMesh& mesh, bool isolatedOnes, Failures& failures) {
-    const double reach = kIsolated * mesh.meanEdge;
-    std::vector<Vec3> used;
-    for (std::size_t p = 0; p < mesh.points.size(); ++p) {
-        if (mesh.used[p]) used.push_back(mesh.points.position[p]);
-    }
-    std::optional<CellGrid> grid;
-    if (!used.empty() && reach > 0.0) {
-        const WallBox box = boxAround(used);
-        grid.emplace(box.low, box.high, reach);
-        for (const Vec3& x : used) grid->add(x);
-    }
-    for (Index p = 0; p < mesh.points.size(); ++p) {
-        const Vec3& x = mesh.points.position[p];
-        if (mesh.used[p] || !isFinite(x)) continue;
-        bool isolated = true;
-        const auto look = [&](Index i) {
-            const Vec3 d = used[i] - x;
-            if (glm::dot(d, d) <= reach * reach) isolated = false;
-        };
-        if (grid) grid->near(x, look);
-        if (isolated == isolatedOnes) failures.push_back(mesh.at({p}, {}));
-    }
-}
-
-}  // namespace
 
 void unusedPoints(const InspectedMesh& mesh, Failures& failures) {
     findUnused(mesh, false, failures);

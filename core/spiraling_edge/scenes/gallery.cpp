@@ -1,6 +1,5 @@
 // The failure gallery: small inputs that fail, each for a reason that the paper names, and the
 // table of them. tests/core/scenarios/gallery_test.cpp checks each failure and its decision.
-#include <algorithm>
 #include <array>
 
 #include "spiraling_edge/base/random.h"

@@ -3,7 +3,6 @@
 /// costs the length of the shorter one, and after a join that of the shorter ring.
 #include "spiraling_edge/stepper/edge_ring.h"
 
-#include <algorithm>
 #include <cassert>
 #include <utility>
 

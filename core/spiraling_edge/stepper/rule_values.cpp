@@ -56,11 +56,9 @@ Result<double> valueFromText(const RuleSetting& setting, std::string_view text) 
     if (option != setting.options.end()) {
         return static_cast<double>(option - setting.options.begin());
     }
-    double value = 0.0;
-    if (setting.options.empty() && io::parseDouble(text, value) && isValue(setting, value)) {
-        return value;
-    }
     if (setting.options.empty()) {
+        double value = 0.0;
+        if (io::parseDouble(text, value) && isValue(setting, value)) return value;
         return Error{"Write " + std::string(setting.name) + "=VALUE with " + valuesText(setting) +
                      "."};
     }

@@ -59,18 +59,6 @@ State freshState(const PointSet& points, const Params& params) {
     return state;
 }
 
-}  // namespace
-
-Stepper::Stepper(const PointSet& points, const Params& params, EventLog* log)
-    : points_(points),
-      params_(params),
-      edited_(editedPoints(points, params)),
-      altered_(!(params.paper == PaperRules{}) || !params.whatIf.empty()),
-      state_(freshState(points, params)),
-      log_(log) {}
-
-namespace {
-
 /// The number of the pivot of the next phase.
 std::uint32_t presentPivot(const State& state) {
     switch (state.phase) {
@@ -92,6 +80,14 @@ bool forksAt(const Params& params, std::uint32_t pivot) {
 }
 
 }  // namespace
+
+Stepper::Stepper(const PointSet& points, const Params& params, EventLog* log)
+    : points_(points),
+      params_(params),
+      edited_(editedPoints(points, params)),
+      altered_(!(params.paper == PaperRules{}) || !params.whatIf.empty()),
+      state_(freshState(points, params)),
+      log_(log) {}
 
 const PointSet& Stepper::points() const {
     const PointSet* found = &points_;

@@ -47,6 +47,34 @@ void beginRing(AnyContext auto& context, Index p, Index q) {
     prefetch(&lists.offset[rings.point(rings.next(second))]);
 }
 
+/// The frame of an entry, and the angle of the entry after it.
+struct Sector {
+    Frame frame;
+    Angle last;
+};
+
+/// The sector under the turn that is set (PaperRules::turn).
+Sector sectorAt(const StepContext& context, Index entry) {
+    const Index first = context.state.rings.prev(entry);
+    const Index last = context.state.rings.next(entry);
+    Frame frame = makeFrame(context.positionAt(entry), context.normalAt(entry),
+                            context.positionAt(first), context.params.robust.tangent);
+    if (context.clockwise()) frame.n = -frame.n;
+    return {frame,
+            first == last ? kFullTurn : angleOf(frame, context.positionAt(last) - frame.origin)};
+}
+
+/// Logs the pivot before §7 may insert a third point next to it.
+void notePivot(AnyContext auto& context) {
+    note(context, Stage::Pivot, [&] {
+        const EdgeRings& rings = context.state.rings;
+        const Index entry = context.state.pivot.pivot;
+        return PivotEvidence{rings.point(entry), rings.point(rings.prev(entry)),
+                             rings.point(rings.next(entry)), rings.length(rings.active()),
+                             sectorAt(context, entry).last.degrees()};
+    });
+}
+
 }  // namespace
 
 void phaseSeed(AnyContext auto& context) {
@@ -69,27 +97,6 @@ void phaseSeed(AnyContext auto& context) {
     beginRepairPhases(context);
 }
 
-namespace {
-
-/// The frame of an entry, and the angle of the entry after it.
-struct Sector {
-    Frame frame;
-    Angle last;
-};
-
-/// The sector under the turn that is set (PaperRules::turn).
-Sector sectorAt(const StepContext& context, Index entry) {
-    const Index first = context.state.rings.prev(entry);
-    const Index last = context.state.rings.next(entry);
-    Frame frame = makeFrame(context.positionAt(entry), context.normalAt(entry),
-                            context.positionAt(first), context.params.robust.tangent);
-    if (context.clockwise()) frame.n = -frame.n;
-    return {frame,
-            first == last ? kFullTurn : angleOf(frame, context.positionAt(last) - frame.origin)};
-}
-
-}  // namespace
-
 void setPivot(StepContext& context, Index entry) {
     const EdgeRings& rings = context.state.rings;
     NeighborRing& n = context.state.pivot;
@@ -101,21 +108,6 @@ void setPivot(StepContext& context, Index entry) {
     n.startAngle = Angle{};
     n.lastAngle = n.endAngle = sector.last;
 }
-
-namespace {
-
-/// Logs the pivot before §7 may insert a third point next to it.
-void notePivot(AnyContext auto& context) {
-    note(context, Stage::Pivot, [&] {
-        const EdgeRings& rings = context.state.rings;
-        const Index entry = context.state.pivot.pivot;
-        return PivotEvidence{rings.point(entry), rings.point(rings.prev(entry)),
-                             rings.point(rings.next(entry)), rings.length(rings.active()),
-                             sectorAt(context, entry).last.degrees()};
-    });
-}
-
-}  // namespace
 
 void phasePivot(AnyContext auto& context) {
     State& s = context.state;

@@ -132,14 +132,6 @@ Ear bestEar(StepContext& context) {
     return best;
 }
 
-}  // namespace
-
-bool isOpening(const StepContext& context) {
-    return mayEnd(context) && isOpening(context, shapeOfRing(context));
-}
-
-namespace {
-
 /// True if the hole is too wide to be left by missing points, in spacings of the points around it.
 bool isTooWide(const StepContext& context, const LoopShape& shape) {
     const EdgeRings& rings = context.state.rings;
@@ -157,6 +149,10 @@ bool isTooWide(const StepContext& context, const LoopShape& shape) {
 }
 
 }  // namespace
+
+bool isOpening(const StepContext& context) {
+    return mayEnd(context) && isOpening(context, shapeOfRing(context));
+}
 
 bool mayFill(const StepContext& context) {
     const EdgeRings& rings = context.state.rings;
