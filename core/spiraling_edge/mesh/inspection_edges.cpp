@@ -19,27 +19,6 @@ MeshFailure atEdge(const InspectedMesh& mesh, std::span<const TriangleSide> edge
     return mesh.at({edge[0].low, edge[0].high}, std::move(triangles));
 }
 
-/// Triangles at each point: those of p are at[first[p] .. first[p + 1]).
-struct Incidence {
-    std::vector<std::size_t> first;
-    std::vector<Index> at;
-};
-Incidence incidenceOf(const InspectedMesh& mesh) {
-    Incidence result;
-    result.first.assign(mesh.points.size() + 1, 0);
-    for (const Triangle& t : mesh.triangles) {
-        for (const Index p : {t.a, t.b, t.c}) ++result.first[p + 1];
-    }
-    for (std::size_t p = 0; p < mesh.points.size(); ++p) result.first[p + 1] += result.first[p];
-    result.at.resize(3 * mesh.triangles.size());
-    std::vector<std::size_t> next = result.first;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const Triangle& t = mesh.triangles[i];
-        for (const Index p : {t.a, t.b, t.c}) result.at[next[p]++] = static_cast<Index>(i);
-    }
-    return result;
-}
-
 /// Finds the points in no triangle that have a finite position: those near a used point, or the
 /// isolated ones.
 void findUnused(const InspectedMesh& mesh, bool isolatedOnes, Failures& failures) {
@@ -82,20 +61,23 @@ void inconsistentEdges(const InspectedMesh& mesh, Failures& failures) {
 }
 
 void nonManifoldVertices(const InspectedMesh& mesh, Failures& failures) {
-    const Incidence incidence = incidenceOf(mesh);
+    std::map<Index, std::vector<Index>> trianglesAt;
     for (const Index p : nonManifoldPoints(mesh.triangles, mesh.sides, mesh.points.size())) {
-        failures.push_back(mesh.at(
-            {p}, {incidence.at.begin() + static_cast<std::ptrdiff_t>(incidence.first[p]),
-                  incidence.at.begin() + static_cast<std::ptrdiff_t>(incidence.first[p + 1])}));
+        trianglesAt[p] = {};
+    }
+    for (std::size_t i = 0; i < mesh.triangles.size() && !trianglesAt.empty(); ++i) {
+        const Triangle& t = mesh.triangles[i];
+        for (const Index p : {t.a, t.b, t.c}) {
+            const auto found = trianglesAt.find(p);
+            if (found != trianglesAt.end()) found->second.push_back(static_cast<Index>(i));
+        }
+    }
+    for (auto& [p, triangles] : trianglesAt) {
+        failures.push_back(mesh.at({p}, std::move(triangles)));
     }
 }
 
 void holes(const InspectedMesh& mesh, Failures& failures) {
-    struct Loop {
-        std::vector<Index> points;
-        std::vector<Index> triangles;
-        std::vector<TriangleSide> steps;
-    };
     DisjointSets joined(mesh.points.size());
     std::vector<TriangleSide> border;
     forEachEdge(mesh.sides, [&](std::span<const TriangleSide> edge) {
@@ -103,23 +85,26 @@ void holes(const InspectedMesh& mesh, Failures& failures) {
         border.push_back(edge[0]);
         joined.unite(border.back().low, border.back().high);
     });
-    std::map<Index, Loop> loops;  // by least point
-    for (const TriangleSide& side : border) {
-        Loop& loop = loops[joined.find(side.low)];
-        loop.points.insert(loop.points.end(), {side.low, side.high});
-        loop.triangles.push_back(side.triangle);
-        loop.steps.push_back(side);
-    }
-    for (auto& [least, loop] : loops) {
-        const bool alongWalls = std::all_of(loop.points.begin(), loop.points.end(), [&](Index p) {
-            return isBoundary(mesh.points.type[p]);
+    std::map<Index, std::vector<TriangleSide>> loops;  // by least point
+    for (const TriangleSide& side : border) loops[joined.find(side.low)].push_back(side);
+    const std::vector<Vec3>& position = mesh.points.position;
+    const std::vector<std::uint8_t>& type = mesh.points.type;
+    for (const auto& [least, loop] : loops) {
+        const bool alongWalls = std::all_of(loop.begin(), loop.end(), [&](const TriangleSide& s) {
+            return isBoundary(type[s.low]) && isBoundary(type[s.high]);
         });
         if (alongWalls) continue;
-        MeshFailure failure = mesh.at(std::move(loop.points), std::move(loop.triangles));
+        std::vector<Index> points;
+        std::vector<Index> triangles;
+        for (const TriangleSide& side : loop) {
+            points.insert(points.end(), {side.low, side.high});
+            triangles.push_back(side.triangle);
+        }
+        MeshFailure failure = mesh.at(std::move(points), std::move(triangles));
         Vec3 area(0.0);
-        for (const TriangleSide& step : loop.steps) {
-            const Vec3 u = mesh.points.position[step.ascending ? step.low : step.high];
-            const Vec3 v = mesh.points.position[step.ascending ? step.high : step.low];
+        for (const TriangleSide& side : loop) {
+            const Vec3 u = position[side.ascending ? side.low : side.high];
+            const Vec3 v = position[side.ascending ? side.high : side.low];
             failure.length += std::sqrt(glm::dot(v - u, v - u));
             area += glm::cross(u - failure.place, v - failure.place);
         }

@@ -51,55 +51,49 @@ std::vector<Entry> sortedEntries(std::span<const Triangle> triangles) {
     return entries;
 }
 
+/// Pairs triangles with the same corners: those of equal winding first, then the rest.
+void pairTriangles(std::span<const Entry> a, std::span<const Entry> b, MeshDifference& found) {
+    for (const bool alike : {true, false}) {
+        for (const Entry& x : a) {
+            if (found.a[x.triangle] != Match::Missing) continue;
+            const auto y = std::find_if(b.begin(), b.end(), [&](const Entry& e) {
+                return found.b[e.triangle] == Match::Missing && (e.odd == x.odd) == alike;
+            });
+            if (y == b.end()) continue;
+            found.a[x.triangle] = found.b[y->triangle] = alike ? Match::Same : Match::Reversed;
+            ++(alike ? found.both : found.reversed);
+        }
+    }
+}
+
 /// Goes through both lists, one set of three corners at a time.
-class Pairing {
-  public:
-    Pairing(std::span<const Triangle> a, std::span<const Triangle> b) {
-        found_.a.assign(a.size(), Match::Missing);
-        found_.b.assign(b.size(), Match::Missing);
-        const std::vector<Entry> left = sortedEntries(a);
-        const std::vector<Entry> right = sortedEntries(b);
-        auto i = left.begin();
-        auto j = right.begin();
-        while (i != left.end() && j != right.end()) {
-            if (i->corners < j->corners) {
-                ++i;
-            } else if (j->corners < i->corners) {
-                ++j;
-            } else {
-                const auto other = [&](const Entry& e) { return e.corners != i->corners; };
-                const auto iEnd = std::find_if(i, left.end(), other);
-                const auto jEnd = std::find_if(j, right.end(), other);
-                pair({&*i, static_cast<std::size_t>(iEnd - i)},
-                     {&*j, static_cast<std::size_t>(jEnd - j)});
-                i = iEnd;
-                j = jEnd;
-            }
-        }
-        found_.onlyA = a.size() - found_.both - found_.reversed;
-        found_.onlyB = b.size() - found_.both - found_.reversed;
-    }
-    MeshDifference take() { return std::move(found_); }
-
-  private:
-    /// Pairs triangles of equal winding first, then the rest.
-    void pair(std::span<const Entry> a, std::span<const Entry> b) {
-        for (const bool alike : {true, false}) {
-            for (const Entry& x : a) {
-                if (found_.a[x.triangle] != Match::Missing) continue;
-                const auto y = std::find_if(b.begin(), b.end(), [&](const Entry& e) {
-                    return found_.b[e.triangle] == Match::Missing && (e.odd == x.odd) == alike;
-                });
-                if (y == b.end()) continue;
-                found_.a[x.triangle] = found_.b[y->triangle] =
-                    alike ? Match::Same : Match::Reversed;
-                ++(alike ? found_.both : found_.reversed);
-            }
+MeshDifference pairAll(std::span<const Triangle> a, std::span<const Triangle> b) {
+    MeshDifference found;
+    found.a.assign(a.size(), Match::Missing);
+    found.b.assign(b.size(), Match::Missing);
+    const std::vector<Entry> left = sortedEntries(a);
+    const std::vector<Entry> right = sortedEntries(b);
+    auto i = left.begin();
+    auto j = right.begin();
+    while (i != left.end() && j != right.end()) {
+        if (i->corners < j->corners) {
+            ++i;
+        } else if (j->corners < i->corners) {
+            ++j;
+        } else {
+            const auto other = [&](const Entry& e) { return e.corners != i->corners; };
+            const auto iEnd = std::find_if(i, left.end(), other);
+            const auto jEnd = std::find_if(j, right.end(), other);
+            pairTriangles({&*i, static_cast<std::size_t>(iEnd - i)},
+                          {&*j, static_cast<std::size_t>(jEnd - j)}, found);
+            i = iEnd;
+            j = jEnd;
         }
     }
-
-    MeshDifference found_;
-};
+    found.onlyA = a.size() - found.both - found.reversed;
+    found.onlyB = b.size() - found.both - found.reversed;
+    return found;
+}
 
 /// Groups the triangles that are not in both by common points.
 class RegionFinder {
@@ -233,7 +227,7 @@ MatchedMesh matchMesh(std::span<const Vec3> points, const PointFile& mesh) {
 MeshDifference compareMeshes(std::span<const Vec3> position, std::span<const Triangle> a,
                              std::span<const Triangle> b) {
     assert(cornersBelow(a, position.size()) && cornersBelow(b, position.size()));
-    MeshDifference found = Pairing(a, b).take();
+    MeshDifference found = pairAll(a, b);
     found.regions = RegionFinder(position, a, b, found).take();
     return found;
 }

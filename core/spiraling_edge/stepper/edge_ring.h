@@ -53,6 +53,12 @@ class EdgeRings {
     Index length(Index ring) const { return rings_[ring].length; }
     /// An entry of the ring to start walking at; for a stacked ring, the pivot when it is popped.
     Index head(Index ring) const { return rings_[ring].head; }
+    /// Calls visit(entry) for each entry of a ring, from its head on.
+    template <typename Visit>
+    void forEachEntry(Index ring, Visit&& visit) const {
+        Index entry = head(ring);
+        for (Index i = 0; i < length(ring); ++i, entry = next(entry)) visit(entry);
+    }
     /// The active ring, kNone if there is none.
     Index active() const { return active_; }
     /// Stacked rings, the most recently pushed last.

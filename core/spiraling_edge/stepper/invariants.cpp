@@ -18,12 +18,6 @@ std::vector<Index> liveRings(const EdgeRings& rings) {
     return all;
 }
 
-template <typename Visit>
-void forEachEntry(const EdgeRings& rings, Index ring, Visit&& visit) {
-    Index entry = rings.head(ring);
-    for (Index i = 0; i < rings.length(ring); ++i, entry = rings.next(entry)) visit(entry);
-}
-
 /// Invariant 2, for one ring.
 std::string checkRing(const EdgeRings& rings, Index ring, const Params& params) {
     const Index length = rings.length(ring);
@@ -31,7 +25,7 @@ std::string checkRing(const EdgeRings& rings, Index ring, const Params& params) 
     std::string problem;
     bool allOpen = true;
     bool anyOpen = false;
-    forEachEntry(rings, ring, [&](Index e) {
+    rings.forEachEntry(ring, [&](Index e) {
         if (rings.ringOf(e) != ring) problem = at("2: an entry names another ring", rings.point(e));
         if (rings.prev(rings.next(e)) != e) {
             problem = at("2: next and prev disagree", rings.point(e));
@@ -59,7 +53,7 @@ std::string checkRings(const State& s, const Params& params) {
     for (const Index ring : rings) {
         const std::string problem = checkRing(s.rings, ring, params);
         if (!problem.empty()) return problem;
-        forEachEntry(s.rings, ring, [&](Index e) { ++entries[s.rings.point(e)]; });
+        s.rings.forEachEntry(ring, [&](Index e) { ++entries[s.rings.point(e)]; });
     }
     for (Index p = 0; p < s.status.size(); ++p) {
         if (std::max(s.status[p], 0) != entries[p]) return at("1: status is not the entries", p);
@@ -184,7 +178,7 @@ std::string InvariantChecker::checkEdges(const State& s) {
     }
     std::string problem;
     for (const Index ring : liveRings(s.rings)) {
-        forEachEntry(s.rings, ring, [&](Index e) {
+        s.rings.forEachEntry(ring, [&](Index e) {
             if (s.rings.open(e)) return;
             const Index u = s.rings.point(e);
             const Index v = s.rings.point(s.rings.next(e));

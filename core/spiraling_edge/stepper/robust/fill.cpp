@@ -34,16 +34,12 @@ struct Ear {
 LoopShape shapeOfRing(const StepContext& context) {
     const EdgeRings& rings = context.state.rings;
     assert(rings.active() != kNone);
-    const Index head = rings.head(rings.active());
-    const Vec3 origin = context.positionAt(head);
+    const Vec3 origin = context.positionAt(rings.head(rings.active()));
     ShapeSum sum;
-    Index entry = head;
-    do {
-        const Index following = rings.next(entry);
+    rings.forEachEntry(rings.active(), [&](Index entry) {
         sum.add(context.positionAt(entry) - origin, context.normalAt(entry),
-                context.positionAt(following) - origin);
-        entry = following;
-    } while (entry != head);
+                context.positionAt(rings.next(entry)) - origin);
+    });
     return sum.shape();
 }
 
@@ -60,12 +56,11 @@ bool runsRoundPatch(const LoopShape& shape, std::size_t triangles) {
 /// True if the active ring holds a boundary point, of a wall or of a rim.
 bool touchesBoundary(const StepContext& context) {
     const EdgeRings& rings = context.state.rings;
-    const Index ring = rings.active();
-    Index entry = rings.head(ring);
-    for (Index i = 0; i < rings.length(ring); ++i, entry = rings.next(entry)) {
-        if (isBoundary(context.points.type[rings.point(entry)])) return true;
-    }
-    return false;
+    bool found = false;
+    rings.forEachEntry(rings.active(), [&](Index entry) {
+        found = found || isBoundary(context.points.type[rings.point(entry)]);
+    });
+    return found;
 }
 
 /// True if the surface may end anywhere, by the rule or by rim points.
@@ -77,18 +72,16 @@ bool mayEnd(const StepContext& context) {
 bool isOpening(const StepContext& context, const LoopShape& shape) {
     if (!mayEnd(context)) return false;
     const EdgeRings& rings = context.state.rings;
-    const Index ring = rings.active();
-    const Index length = rings.length(ring);
+    const Index length = rings.length(rings.active());
     Index boundary = 0;
     Index flagged = 0;
     Index rim = 0;
-    Index entry = rings.head(ring);
-    for (Index i = 0; i < length; ++i, entry = rings.next(entry)) {
+    rings.forEachEntry(rings.active(), [&](Index entry) {
         const Index point = rings.point(entry);
         boundary += isBoundary(context.points.type[point]) ? 1U : 0U;
         flagged += isRimPoint(context.points.type[point]) ? 1U : 0U;
         rim += isRim(context.points, point, context.params.thresholds.rimGapCosine) ? 1U : 0U;
-    }
+    });
     const auto most = [length](Index count) { return 3 * count > 2 * length; };
     if (most(flagged)) return true;
     if (!context.params.robust.rim) return false;
@@ -135,16 +128,14 @@ Ear bestEar(StepContext& context) {
 /// True if the hole is too wide to be left by missing points, in spacings of the points around it.
 bool isTooWide(const StepContext& context, const LoopShape& shape) {
     const EdgeRings& rings = context.state.rings;
-    const Index ring = rings.active();
-    const Index length = rings.length(ring);
+    const double length = rings.length(rings.active());
     double spacing = 0.0;
-    Index entry = rings.head(ring);
-    for (Index i = 0; i < length; ++i, entry = rings.next(entry)) {
+    rings.forEachEntry(rings.active(), [&](Index entry) {
         const auto list = context.points.neighbors[rings.point(entry)];
-        if (list.empty()) continue;
+        if (list.empty()) return;
         const Vec3 nearest = context.points.position[list.front()] - context.positionAt(entry);
-        spacing += std::sqrt(glm::dot(nearest, nearest)) / static_cast<double>(length);
-    }
+        spacing += std::sqrt(glm::dot(nearest, nearest)) / length;
+    });
     return spacing > 0.0 && shape.width() > context.params.maxFillWidth * spacing;
 }
 
