@@ -10,11 +10,12 @@
 #include "spiraling_edge/base/number_text.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/mesh/inspection_checks.h"
+#include "spiraling_edge/points/used_points.h"
 
 namespace se {
 
 InspectedMesh::InspectedMesh(const PointSet& input, std::span<const Triangle> mesh)
-    : triangles(mesh), sides(sortedSides(mesh)), used(input.size(), false) {
+    : triangles(mesh), sides(sortedSides(mesh)), used(usedPoints(input.size(), mesh)) {
     points.position = input.position;
     points.normal = input.normal;
     points.type = input.type;
@@ -24,7 +25,6 @@ InspectedMesh::InspectedMesh(const PointSet& input, std::span<const Triangle> me
     faults = std::move(search.faults);
     allFaults = search.complete;
     faultWork = search.work;
-    for (const Triangle& t : mesh) used[t.a] = used[t.b] = used[t.c] = true;
     double sum = 0.0;
     for (const TriangleSide& side : sides) {
         const Vec3 d = points.position[side.high] - points.position[side.low];

@@ -13,6 +13,7 @@
 #include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/geometry/box.h"
 #include "spiraling_edge/geometry/point_grid.h"
+#include "spiraling_edge/points/used_points.h"
 #include "spiraling_edge/points/wall_types.h"
 
 namespace se {
@@ -205,8 +206,7 @@ MatchedMesh matchMesh(std::span<const Vec3> points, const PointFile& mesh) {
     assert(cornersBelow(mesh.faces, mesh.position.size()));
     const PointFinder finder(points);
     const bool sameCount = points.size() == mesh.position.size();
-    std::vector<bool> used(mesh.position.size(), false);
-    for (const Triangle& t : mesh.faces) used[t.a] = used[t.b] = used[t.c] = true;
+    const std::vector<bool> used = usedPoints(mesh.position.size(), mesh.faces);
     MatchedMesh matched;
     std::vector<Index> pointOf(mesh.position.size(), kNone);
     for (Index v = 0; v < mesh.position.size(); ++v) {

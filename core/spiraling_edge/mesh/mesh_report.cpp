@@ -8,6 +8,7 @@
 #include "spiraling_edge/base/disjoint_sets.h"
 #include "spiraling_edge/geometry/triangle_shape.h"
 #include "spiraling_edge/mesh/sorted_sides.h"
+#include "spiraling_edge/points/used_points.h"
 
 namespace se {
 namespace {
@@ -81,14 +82,12 @@ MeshReport reportMesh(const PointSet& points, std::span<const Triangle> triangle
     report.points = points.size();
     report.triangles = triangles.size();
     DisjointSets pieces(points.size());
-    std::vector<bool> used(points.size(), false);
     std::size_t joined = 0;
     for (const Triangle& t : triangles) {
-        used[t.a] = used[t.b] = used[t.c] = true;
         joined += pieces.unite(t.a, t.b) ? 1U : 0U;
         joined += pieces.unite(t.b, t.c) ? 1U : 0U;
     }
-    report.usedPoints = static_cast<std::size_t>(std::count(used.begin(), used.end(), true));
+    report.usedPoints = countUsedPoints(points.size(), triangles);
     report.unusedPoints = report.points - report.usedPoints;
     report.components = report.usedPoints - joined;
     const std::vector<TriangleSide> sides = sortedSides(triangles);

@@ -19,13 +19,6 @@ void keepRows(std::vector<T>& column, const std::vector<bool>& keep) {
     column.resize(kept);
 }
 
-std::vector<bool> usedPoints(std::size_t points, std::span<const Triangle> triangles) {
-    assert(cornersBelow(triangles, points));
-    std::vector<bool> used(points, false);
-    for (const Triangle& t : triangles) used[t.a] = used[t.b] = used[t.c] = true;
-    return used;
-}
-
 /// The lists of the points that have a number, in their order, renumbered.
 NeighborLists keptLists(const NeighborLists& lists, const std::vector<Index>& number) {
     NeighborLists kept;
@@ -42,6 +35,13 @@ NeighborLists keptLists(const NeighborLists& lists, const std::vector<Index>& nu
 }
 
 }  // namespace
+
+std::vector<bool> usedPoints(std::size_t points, std::span<const Triangle> triangles) {
+    assert(cornersBelow(triangles, points));
+    std::vector<bool> used(points, false);
+    for (const Triangle& t : triangles) used[t.a] = used[t.b] = used[t.c] = true;
+    return used;
+}
 
 void keepColumns(PointFile& file, const std::vector<bool>& keep) {
     keepRows(file.position, keep);

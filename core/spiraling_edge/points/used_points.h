@@ -13,6 +13,8 @@ namespace se {
 /// are `triangles`, in their order, with the new indices. Requires triangles that name existing
 /// points and columns of equal length. O(points + list entries + triangles).
 PointFile withUsedPoints(const PointFile& points, std::span<const Triangle> triangles);
+/// For each of `points` points: true if it is in a triangle. Requires triangles that name them.
+std::vector<bool> usedPoints(std::size_t points, std::span<const Triangle> triangles);
 /// Number of points that are in a triangle. Requires triangles that name points below `points`.
 std::size_t countUsedPoints(std::size_t points, std::span<const Triangle> triangles);
 

@@ -202,12 +202,6 @@ class CrossingSearch {
     Vec3 x_, y_;
 };
 
-}  // namespace
-
-Objection crossing(const StepContext& context) { return CrossingSearch(context).find(); }
-
-namespace {
-
 // ---- nomeet -------------------------------------------------------------------------------------
 
 /// Neighborhoods whose normals all lie within 45 degrees of the pivot's, as is usual, are flat
@@ -220,6 +214,8 @@ bool isFlat(const PointSet& points, Index p, double cosine) {
 }
 
 }  // namespace
+
+Objection crossing(const StepContext& context) { return CrossingSearch(context).find(); }
 
 Objection meetsFinished(const StepContext& context) {
     const State& s = context.state;
